@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+"""ROS node: drives a JetBot as cmd_vel says, stops it when it must not move, and tells why."""
+
+import signal
+import sys
+import threading
+import time
+from collections import deque
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticStatus
+from diagnostic_updater import Updater
+from geometry_msgs.msg import Twist
+from jetbot import BusError, JetbotError, Robot
+from jetbot.fake_i2c import default_folder
+from jetbot.kinematics import mix
+from jetbot.parameters import checked
+from jetbot.safety import Safety
+from std_msgs.msg import Bool, String
+
+WATCH_PERIOD = 0.05           # seconds between two looks at what may stop the robot
+REFRESH_AFTER_COMMAND = 0.25  # seconds between two checks of the board, when a command has just gone out
+REFRESH_IDLE = 0.4            # seconds, when no command comes: the bus is then free for the next one
+REPORT_PERIOD = 0.1           # seconds
+DIAGNOSTICS_PERIOD = 1.0      # seconds
+REPEAT_LOG = 5.0              # seconds before the same line is logged again
+
+
+class Controller:
+    """Where commands, emergency stop and watch meet on the robot: under one lock, and nothing waits that holds it."""
+
+    def __init__(self, board, i2c_bus, cmd_vel_timeout, wheel_separation, max_speed, **trims):
+        self.geometry = wheel_separation, max_speed
+        self.safety = Safety(cmd_vel_timeout)
+        self.robot = Robot(board, i2c_bus, **trims)
+        self.fault = None  # the BusError, while the board does not answer
+        self.status = None
+        self.news = deque(maxlen=10)
+        self.commands = 0
+        self._refreshed = time.monotonic()
+        self._lock = threading.Lock()
+        self._status_topic = rospy.Publisher("~status", String, latch=True, queue_size=1)
+        self._cmd_vel = rospy.Subscriber("cmd_vel", Twist, self._on_command, queue_size=1, tcp_nodelay=True)
+        rospy.Subscriber("/emergency_stop", Bool, self._on_emergency_stop, queue_size=1, tcp_nodelay=True)
+
+    def _on_command(self, twist):
+        with self._lock:
+            self.commands += 1
+            self.safety.command(twist.linear.x, twist.angular.z, time.monotonic())
+            if not self.fault:
+                self._drive(REFRESH_AFTER_COMMAND)
+
+    def _on_emergency_stop(self, message):
+        with self._lock:
+            self.safety.emergency_stop(message.data)
+            self._drive(REFRESH_IDLE)
+
+    def watch(self):
+        """Look after the robot until the node ends, then stop it. Logs nothing: a terminal may hold up who writes."""
+        try:
+            while not rospy.is_shutdown():
+                with self._lock:
+                    self.safety.watch(self._cmd_vel.get_num_connections(), time.monotonic())
+                    self._drive(REFRESH_IDLE)
+                time.sleep(WATCH_PERIOD)
+        finally:
+            rospy.signal_shutdown("the watch has ended")
+            with self._lock:
+                self.robot.close()
+
+    def _drive(self, refresh_period):
+        """Bring the wheels to what is allowed now; check the board when that was last done a period ago."""
+        if rospy.is_shutdown():
+            return
+        now = time.monotonic()
+        try:
+            self.robot.set_motors(*mix(*self.safety.velocity, *self.geometry))
+            if now - self._refreshed >= refresh_period:
+                self._refreshed = now
+                self.robot.refresh()
+            self.fault = None
+        except BusError as fault:
+            self.fault = fault
+        self._tell()
+
+    def _tell(self):
+        status = f"stopped: {self.fault.reason}, trying again" if self.fault else self.safety.reason
+        if status != self.status:
+            self.status = status
+            self._status_topic.publish(status)
+            self.news.append((status, self.fault or self.safety.alarm))
+
+
+class Report:
+    """What the node says of itself: log lines and /diagnostics, from the main thread, which may wait."""
+
+    def __init__(self, controller, parameters):
+        self._controller = controller
+        self._parameters = parameters
+        self._logged = {}
+        self._counted = (0, time.monotonic())
+        self._updater = Updater()
+        self._updater.setHardwareID(str(parameters["i2c_bus"]))
+        self._updater.add("motors", self._diagnose)
+
+    def spin(self):
+        """Report until the node ends."""
+        due = 0
+        while not rospy.is_shutdown():
+            while self._controller.news:
+                self._log(*self._controller.news.popleft())
+            if time.monotonic() >= due:
+                due = time.monotonic() + DIAGNOSTICS_PERIOD
+                self._updater.force_update()
+            time.sleep(REPORT_PERIOD)
+
+    def _log(self, status, alarm):
+        now = time.monotonic()
+        if now - self._logged.get(status, -REPEAT_LOG) >= REPEAT_LOG:
+            self._logged[status] = now
+            (rospy.logwarn if alarm else rospy.loginfo)(status)
+
+    def _diagnose(self, result):
+        controller, device = self._controller, self._controller.robot.board.device
+        now = time.monotonic()
+        level = (DiagnosticStatus.ERROR if controller.fault else
+                 DiagnosticStatus.WARN if controller.safety.alarm else DiagnosticStatus.OK)
+        result.summary(level, controller.status or "starting")
+        result.add("board", self._parameters["board"])
+        result.add("bus", device.bus)
+        result.add("transfers", device.transfers)
+        result.add("failed transfers", device.errors)
+        (commands, since), self._counted = self._counted, (controller.commands, now)
+        result.add("commands per second", f"{(controller.commands - commands) / (now - since):.1f}")
+        at = controller.safety.commanded_at
+        result.add("age of the last command (s)", "none yet" if at is None else f"{now - at:.2f}")
+        return result
+
+
+def main():
+    rospy.init_node("jetbot_controller")
+    signal.signal(signal.SIGHUP, lambda *_: rospy.signal_shutdown("the terminal has gone"))
+    parameters = checked(rospy.get_param("~", {}))
+    if parameters["i2c_bus"] == "fake":
+        parameters["i2c_bus"] = f"fake:{default_folder(rospy.get_namespace())}"
+    controller = Controller(**parameters)
+    watch = threading.Thread(target=controller.watch)
+    watch.start()
+    Report(controller, parameters).spin()
+    watch.join()
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except JetbotError as error:
+        rospy.logfatal(error)
+        sys.exit(1)
+    except rospy.ROSInterruptException:
+        pass

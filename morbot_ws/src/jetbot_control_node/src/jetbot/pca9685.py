@@ -1,0 +1,105 @@
+"""The PCA9685: sixteen PWM outputs of 12 bits on an I2C bus (NXP data sheet, rev. 4)."""
+
+import time
+
+MODE1 = 0x00
+SLEEP = 0x10            # oscillator and outputs off
+AUTO_INCREMENT = 0x20   # without it, every byte of a block lands in the same register
+RESTART = 0x80          # set by the chip itself
+MODE2 = 0x01
+OUTDRV = 0x04           # outputs drive high and low
+FIRST_OUTPUT = 0x06     # four registers an output: ON_L, ON_H, OFF_L, OFF_H
+OUTPUTS = 16
+PRE_SCALE = 0xFE        # writable only asleep
+FASTEST = 3             # PRE_SCALE for 25 MHz / 4096 / (3 + 1) = 1526 Hz
+FULL = 0x10             # in ON_H: always on; in OFF_H: always off, and off wins
+FULL_DUTY = 4096
+OSCILLATOR_START = 0.0005  # seconds
+
+BLOCK = 32              # bytes, the most that one SMBus transfer carries
+MOST_TRANSFERS = 3      # that a change of duties may take, each with address and register before its data
+ADDRESSING = 2          # bytes: a gap this short between changes costs no more than a transfer of its own
+
+
+class PCA9685:
+    """Writes only what changed, in as few bytes as the chip's auto-increment allows, and can tell what it forgot.
+
+    device: an I2CDevice; groups: ranges of outputs, each with the outputs that must switch on and off together.
+    Nothing is sent before ``start`` or the first ``set_outputs``. Every method raises BusError.
+    """
+
+    def __init__(self, device, groups):
+        self._device = device
+        self._spans = [range(4 * group.start, 4 * group.stop) for group in groups]
+        self._sent = None  # the output registers as the chip holds them; None: not known
+
+    def start(self):
+        """Set the chip up, whatever state it is in, with all outputs off before it wakes."""
+        self._device.read(MODE1)
+        self._device.write(MODE1, [SLEEP | AUTO_INCREMENT])
+        off = encode(0) * OUTPUTS
+        for start in range(0, len(off), BLOCK):
+            self._device.write(FIRST_OUTPUT + start, off[start:start + BLOCK])
+        self._device.write(PRE_SCALE, [FASTEST])
+        self._device.write(MODE2, [OUTDRV])
+        self._device.write(MODE1, [AUTO_INCREMENT])
+        time.sleep(OSCILLATOR_START)
+        self._sent = bytearray(off)
+
+    def set_outputs(self, duties):
+        """Bring outputs to new duties, a dict of output: 0 to 4096 (of 4096); start the chip first where needed."""
+        if self._sent is None:
+            self.start()
+        sent, wanted = self._sent, bytearray(self._sent)
+        for output, duty in duties.items():
+            wanted[4 * output:4 * output + 4] = encode(duty)
+        self._sent = None  # until all of it went through
+        for piece in transfers(sent, wanted, self._spans):
+            self._device.write(FIRST_OUTPUT + piece.start, wanted[piece.start:piece.stop])
+        self._sent = wanted
+
+    def verify(self):
+        """Read back what the chip holds; if it lost it, the next ``set_outputs`` sets the chip up again.
+
+        A chip whose supply failed is back at its power-on values: asleep, all outputs off.
+        """
+        if self._sent is not None and not self._holds(self._sent):
+            self._sent = None
+
+    def _holds(self, sent):
+        return self._device.read(MODE1) & ~RESTART == AUTO_INCREMENT and all(
+            self._device.read_block(FIRST_OUTPUT + span.start, len(span)) == sent[span.start:span.stop]
+            for span in self._spans)
+
+
+def encode(duty):
+    """An output's four registers: on at the start of each period, off after ``duty`` 4096ths of it."""
+    if duty == 0:
+        return bytes([0, 0, 0, FULL])
+    if duty == FULL_DUTY:
+        return bytes([0, FULL, 0, 0])
+    return bytes([0, 0, duty & 0xFF, duty >> 8])
+
+
+def transfers(sent, wanted, spans):
+    """The ranges of the output registers to send: those that changed, and short gaps between them.
+
+    Where full on or full off is among the changes (a wheel starts, stops, turns round or reaches full speed),
+    a span goes out in one piece, and so never has two directions on at once.
+    """
+    changed = [i for i in range(len(wanted)) if sent[i] != wanted[i]]
+    pieces = join(changed, ADDRESSING)
+    if len(pieces) <= MOST_TRANSFERS and not any((sent[i] ^ wanted[i]) & FULL for i in changed if i % 2):
+        return pieces
+    return [piece for span in spans for piece in join([i for i in changed if i in span], len(span))]
+
+
+def join(indices, gap):
+    """Ascending indices as ranges, joined over gaps of up to ``gap``."""
+    pieces = []
+    for i in indices:
+        if pieces and i - pieces[-1].stop <= gap:
+            pieces[-1] = range(pieces[-1].start, i + 1)
+        else:
+            pieces.append(range(i, i + 1))
+    return pieces

@@ -1,0 +1,128 @@
+"""``Robot``: two motors, by the names of the JetBot library."""
+
+import atexit
+import math
+import os
+import threading
+
+from .boards import open_board
+from .errors import BusError, InvalidValue, JetbotError
+from .guard import Guard
+from .kinematics import clamp
+
+
+class Motor:
+    """One wheel of a Robot. ``alpha``: a trim that its speed is multiplied with."""
+
+    def __init__(self, robot, alpha):
+        self._robot = robot
+        self._value = 0.0
+        self.alpha = alpha
+
+    @property
+    def value(self):
+        """The speed last set, in [-1, 1], 1 full forward. Setting it drives the wheel; beyond the range it is clamped."""
+        return self._value
+
+    @value.setter
+    def value(self, speed):
+        self._robot.set_speeds({self: speed})
+
+
+class Robot:
+    """A JetBot's two wheels. They stop when the interpreter exits, and when its process is killed.
+
+    board: a row of ``boards.BOARDS``; i2c_bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``.
+    Left out, they come from JETBOT_BOARD and JETBOT_I2C_BUS, else are ``jetbot`` and 1.
+    left_motor_alpha, right_motor_alpha: trims for a robot that does not drive straight.
+
+    Speeds are in [-1, 1], 1 full forward, and clamped beyond. A speed that is no finite number stops both wheels and
+    raises InvalidValue (a ValueError). A board that does not answer raises BusError (an OSError), and is set up again
+    by the next call. Any thread may call.
+    """
+
+    def __init__(self, board=None, i2c_bus=None, left_motor_alpha=1.0, right_motor_alpha=1.0):
+        board = os.environ.get("JETBOT_BOARD", "jetbot") if board is None else board
+        i2c_bus = os.environ.get("JETBOT_I2C_BUS", 1) if i2c_bus is None else i2c_bus
+        self.left_motor = Motor(self, left_motor_alpha)
+        self.right_motor = Motor(self, right_motor_alpha)
+        self._lock = threading.Lock()
+        self._closed = False
+        self.board = open_board(board, i2c_bus)
+        self._guard = Guard(board, i2c_bus)
+        atexit.register(self.close)
+
+    def set_motors(self, left_speed, right_speed):
+        """Drive both wheels."""
+        self.set_speeds({self.left_motor: left_speed, self.right_motor: right_speed})
+
+    def forward(self, speed=1.0):
+        """Drive straight on."""
+        self.set_motors(speed, speed)
+
+    def backward(self, speed=1.0):
+        """Drive straight back."""
+        self.set_motors(-speed, -speed)
+
+    def left(self, speed=1.0):
+        """Turn left on the spot."""
+        self.set_motors(-speed, speed)
+
+    def right(self, speed=1.0):
+        """Turn right on the spot."""
+        self.set_motors(speed, -speed)
+
+    def stop(self):
+        """Let both wheels stand."""
+        self.set_motors(0, 0)
+
+    def set_speeds(self, speeds):
+        """Drive the wheels in ``speeds``, a dict of Motor: speed; the others go on as they are."""
+        with self._lock:
+            try:
+                for motor, speed in speeds.items():
+                    motor._value = clamp(finite(speed))
+            except InvalidValue:
+                self.left_motor._value = self.right_motor._value = 0.0
+                raise
+            finally:
+                self._act(self.board.drive)
+
+    def refresh(self):
+        """Check that the board still does what it was told, and set it up again if not."""
+        with self._lock:
+            self._act(self.board.refresh)
+
+    def _act(self, action):
+        if self._closed:
+            raise JetbotError("this robot is closed", "Make a new Robot().")
+        action(*(clamp(motor.alpha * motor.value) for motor in (self.left_motor, self.right_motor)))
+
+    def close(self):
+        """Stop the wheels and let go of the board. May be called twice."""
+        with self._lock:
+            if self._closed:
+                return
+            self._closed = True
+            try:
+                self.board.drive(0, 0)
+                self._guard.dismiss()
+            except BusError:
+                self._guard.take_over()
+            self.board.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+
+def finite(speed):
+    """The speed as a float; InvalidValue for what is no finite number."""
+    try:
+        if math.isfinite(speed):
+            return float(speed)
+    except TypeError:
+        pass
+    raise InvalidValue(f"a speed must be a finite number, not {speed!r}", "Both wheels were stopped.")
