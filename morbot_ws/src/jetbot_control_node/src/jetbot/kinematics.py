@@ -13,5 +13,5 @@ def mix(linear, angular, wheel_separation=2.0, max_speed=1.0):
     wheel_separation: metres between the wheels; max_speed: m/s of a wheel at full power.
     The defaults make it the plain left = linear - angular, right = linear + angular.
     """
-    turn = angular * wheel_separation / 2
+    turn = angular * (wheel_separation / 2)
     return clamp((linear - turn) / max_speed), clamp((linear + turn) / max_speed)

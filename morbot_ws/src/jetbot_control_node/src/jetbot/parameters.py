@@ -25,7 +25,7 @@ POSITIVE = (lambda value: is_number(value) and value > 0, "a number above 0")
 NUMBER = (is_number, "a number")
 
 PARAMETERS = {
-    "board": Parameter("jetbot", lambda value: value in BOARDS, f"one of {', '.join(BOARDS)}"),
+    "board": Parameter("jetbot", lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}"),
     "i2c_bus": Parameter(1, lambda value: isinstance(value, (int, str)), "a number, fake, or fake:FOLDER"),
     "cmd_vel_timeout": Parameter(1.0, *SECONDS),
     "wheel_separation": Parameter(2.0, *POSITIVE),

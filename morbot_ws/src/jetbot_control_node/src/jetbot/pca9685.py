@@ -24,7 +24,7 @@ ADDRESSING = 2          # bytes: a gap this short between changes costs no more 
 class PCA9685:
     """Writes only what changed, in as few bytes as the chip's auto-increment allows, and can tell what it forgot.
 
-    device: an I2CDevice; groups: ranges of outputs, each with the outputs that must switch on and off together.
+    device: an I2CDevice; groups: ranges of up to 8 outputs, those that must switch on and off together.
     Nothing is sent before ``start`` or the first ``set_outputs``. Every method raises BusError.
     """
 

@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+"""When the controller itself is killed, the wheels stop: under roslaunch, under rosrun, and in a script of one's own."""
+
+import os
+import signal
+
+import rosnode
+import rospy
+from harness import START, RobotTest, main
+from xmlrpc.client import ServerProxy
+
+LIMIT = 1.5  # seconds from the kill to the stop
+
+
+def node_pid(name):
+    """The process id of a running ROS node, by its own word."""
+    return ServerProxy(rosnode.get_api_uri(rospy.get_master(), name)).getPid(rospy.get_name())[2]
+
+
+class Crash(RobotTest):
+    def test_roslaunch(self):
+        launch = self.launch("workshop", "workshop_jetbot_controller.launch")
+        self.wait_for_wheels(0.4, 0.6, within=START)
+        os.kill(node_pid("/jetbot_controller"), signal.SIGKILL)
+        self.wait_for_stop(within=LIMIT)
+        self.wheels_stay(0, 0, for_seconds=1)
+        launch.wait(START)
+
+    def test_rosrun(self):
+        node = self.controller(cmd_vel_timeout=0)
+        self.command(0.5)
+        self.wait_for_wheels(0.5, 0.5)
+        os.killpg(node.pid, signal.SIGKILL)
+        self.wait_for_stop(within=LIMIT)
+
+
+if __name__ == "__main__":
+    main(Crash)

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""/diagnostics tells what the robot does and why it stands."""
+
+import os
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from harness import RobotTest, main
+
+
+class Diagnostics(RobotTest):
+    def setUp(self):
+        super().setUp()
+        self.latest = None
+        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, self.receive)
+        self.addCleanup(subscriber.unregister)
+
+    def receive(self, array):
+        self.latest = array.status[0]
+
+    def wait_for_level(self, level, message):
+        self.wait_for(lambda: self.latest and (self.latest.level, self.latest.message) == (level, message), 5.0,
+                      f"{message!r} in /diagnostics")
+
+    def test_levels_and_values(self):
+        self.controller(cmd_vel_timeout=0)
+        self.wait_for_level(DiagnosticStatus.OK, "stopped: no command yet")
+        for _ in range(30):
+            self.command(0.5)
+            rospy.sleep(0.05)
+        self.wait_for_level(DiagnosticStatus.OK, "driving")
+        values = {pair.key: pair.value for pair in self.latest.values}
+        self.assertEqual((values["board"], values["bus"]), ("jetbot", f"fake:{self.bus}"))
+        self.assertGreater(int(values["transfers"]), 10)
+        self.assertEqual(values["failed transfers"], "0")
+        self.assertLess(float(values["age of the last command (s)"]), 3)
+        self.wait_for(lambda: self.latest.values[4].value != "0.0", 5.0, "a rate of commands")
+
+    def test_alarm_and_fault(self):
+        self.controller(cmd_vel_timeout=0.2)
+        self.command(0.5)
+        self.wait_for_level(DiagnosticStatus.WARN, "stopped: no command for 0.2 s")
+        os.unlink(os.path.join(self.bus, "0x60"))
+        self.wait_for_level(DiagnosticStatus.ERROR, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")
+
+
+if __name__ == "__main__":
+    main(Diagnostics)

@@ -1,0 +1,144 @@
+"""What the tests share: real processes against the test's own master, a fake bus, and waiting for conditions."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import rospy
+import rostest
+from geometry_msgs.msg import Twist
+from jetbot.fake_motors import wheel_speeds
+from std_msgs.msg import Bool, String
+
+STILL = (0.0, 0.0)
+CONTROLLER = ("rosrun", "jetbot_control_node", "jetbot_controller.py")
+START = 15.0  # seconds that a process may take until it works; generous, for slow machines
+
+
+class RobotTest(unittest.TestCase):
+    """Each test has a fake bus of its own, and leaves no process behind."""
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="jetbot_")
+        self.bus = os.path.join(self.folder, "bus")
+        self.processes = []
+
+    def tearDown(self):
+        for process in reversed(self.processes):
+            end(process)
+        shutil.rmtree(self.folder)
+
+    def start(self, *command, **options):
+        """A process in a group of its own, its output in ``process.log``."""
+        log = tempfile.NamedTemporaryFile("w+", dir=self.folder, prefix="log_", delete=False)
+        process = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, start_new_session=True, **options)
+        process.log = log.name
+        self.processes.append(process)
+        return process
+
+    def controller(self, **parameters):
+        """The controller on the fake bus, subscribed."""
+        process = self.start(*CONTROLLER, f"_i2c_bus:=fake:{self.bus}",
+                             *(f"_{name}:={value}" for name, value in parameters.items()))
+        self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
+        return process
+
+    def launch(self, package, file, *arguments):
+        """roslaunch on the fake bus."""
+        return self.start("roslaunch", package, file, f"i2c_bus:=fake:{self.bus}", *arguments)
+
+    def commands(self):
+        """The test's own publisher of commands, made when first asked for."""
+        if not hasattr(self, "_commands"):
+            self._commands = rospy.Publisher("cmd_vel", Twist, queue_size=1)
+            self.addCleanup(self._commands.unregister)
+        return self._commands
+
+    def command(self, linear, angular=0.0):
+        """Publish one command."""
+        twist = Twist()
+        twist.linear.x, twist.angular.z = linear, angular
+        self.commands().publish(twist)
+
+    def emergency_stop(self, engaged):
+        """Publish an emergency stop, or its release, and let it stand for those who join later."""
+        if not hasattr(self, "_emergency"):
+            self._emergency = rospy.Publisher("/emergency_stop", Bool, queue_size=1, latch=True)
+            self.addCleanup(self._emergency.unregister)
+        self._emergency.publish(engaged)
+
+    def publisher(self, linear=0.5, rate=10):
+        """A process that publishes commands, as a pupil would start it."""
+        return self.start("rostopic", "pub", "-r", str(rate), "/cmd_vel", "geometry_msgs/Twist",
+                          f"{{linear: {{x: {linear}}}}}")
+
+    def wheels(self):
+        return wheel_speeds(self.bus)
+
+    def wait_for(self, condition, within, what):
+        """Wait until the condition is true; fail when it does not become so within these seconds."""
+        deadline = time.monotonic() + within
+        while not condition():
+            if time.monotonic() > deadline:
+                self.fail(f"waited {within} s for {what}; wheels {self.wheels()}{self.logs()}")
+            time.sleep(0.005)
+
+    def wait_for_wheels(self, left, right, within=5.0):
+        self.wait_for(lambda: near(self.wheels(), (left, right)), within, f"the wheels to turn at {left}, {right}")
+
+    def wait_for_stop(self, within):
+        self.wait_for(lambda: self.wheels() == STILL, within, "the wheels to stop")
+
+    def wheels_stay(self, left, right, for_seconds):
+        """Fail as soon as the wheels do anything else."""
+        deadline = time.monotonic() + for_seconds
+        while time.monotonic() < deadline:
+            self.assertTrue(near(self.wheels(), (left, right)), f"the wheels turn at {self.wheels()}{self.logs()}")
+            time.sleep(0.005)
+
+    def status(self):
+        """A list of the controller's status texts, which grows as they come."""
+        texts = []
+        subscriber = rospy.Subscriber("/jetbot_controller/status", String, lambda message: texts.append(message.data))
+        self.addCleanup(subscriber.unregister)
+        return texts
+
+    def wait_for_status(self, texts, text, within=5.0):
+        self.wait_for(lambda: texts and texts[-1] == text, within, f"the status {text!r} after {texts}")
+
+    def logs(self):
+        return "".join(f"\n--- {process.args}\n{read(process)}" for process in self.processes)
+
+
+def read(process):
+    """What the process has printed so far."""
+    with open(process.log) as log:
+        return log.read()
+
+
+def end(process):
+    """End the process: politely, then by force; with all of its group."""
+    if process.poll() is None:
+        for signal_number in (signal.SIGCONT, signal.SIGINT):
+            os.killpg(process.pid, signal_number)
+    try:
+        process.wait(START)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+
+
+def near(speeds, wanted):
+    return all(abs(speed - want) < 0.001 for speed, want in zip(speeds, wanted))
+
+
+def main(test_case):
+    """Run the tests of a case under rostest."""
+    name = os.path.splitext(os.path.basename(sys.argv[0]))[0]
+    rospy.init_node("test_" + name)
+    rostest.rosrun("jetbot_tests", name, test_case)

@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+"""Two robots under one master: each obeys its own cmd_vel on its own fake bus, and one emergency stop stops both."""
+
+import os
+from pathlib import Path
+
+import rospy
+from geometry_msgs.msg import Twist
+from harness import CONTROLLER, START, STILL, RobotTest, main, near, wheel_speeds
+
+
+class Namespaces(RobotTest):
+    def test_two_robots(self):
+        home = Path(self.folder, "home")
+        speeds = {"red": 0.25, "blue": 0.75}
+        for name, speed in speeds.items():
+            self.start(*CONTROLLER, "_i2c_bus:=fake", "_cmd_vel_timeout:=0",
+                       env={**os.environ, "ROS_NAMESPACE": name, "ROS_HOME": str(home)})
+            publisher = rospy.Publisher(f"/{name}/cmd_vel", Twist, queue_size=1, latch=True)
+            twist = Twist()
+            twist.linear.x = speed
+            publisher.publish(twist)
+        for name, speed in speeds.items():
+            self.wait_for(lambda: near(wheel_speeds(home / "fake_i2c" / name), (speed, speed)), START, f"{name} to drive")
+        self.emergency_stop(True)
+        self.wait_for(lambda: all(wheel_speeds(home / "fake_i2c" / name) == STILL for name in speeds), 1.0, "both to stop")
+
+
+if __name__ == "__main__":
+    main(Namespaces)

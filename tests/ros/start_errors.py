@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+"""What is not there or cannot be is told in one sentence, without a traceback, and the exit code is not 0."""
+
+import os
+
+from harness import CONTROLLER, START, RobotTest, main, read
+
+
+class StartErrors(RobotTest):
+    def assert_says(self, sentence, *parameters):
+        node = self.start(*CONTROLLER, *parameters)
+        self.assertNotEqual(node.wait(START), 0)
+        lines = read(node).splitlines()
+        self.assertEqual(len(lines), 1, lines)
+        self.assertIn(sentence, lines[0])
+
+    def test_missing_bus(self):
+        self.assert_says("There is no I2C bus /dev/i2c-77. This computer has ", "_i2c_bus:=77")
+
+    def test_missing_chip(self):
+        os.mkdir(self.bus)
+        self.assert_says(f"No answer from 0x60 on fake:{self.bus}. Is the motor board plugged in",
+                         f"_i2c_bus:=fake:{self.bus}")
+
+    def test_bad_parameter(self):
+        self.assert_says("The parameter board must be one of jetbot, adafruit, waveshare, not 'lego'.", "_board:=lego")
+
+    def test_roslaunch_ends_when_the_controller_cannot_start(self):
+        launch = self.start("roslaunch", "workshop", "workshop_jetbot_controller.launch", "i2c_bus:=77")
+        launch.wait(START)
+        self.assertEqual(read(launch).count("There is no I2C bus /dev/i2c-77."), 1, "no endless respawns")
+        self.assertNotIn("Traceback", read(launch))
+
+
+if __name__ == "__main__":
+    main(StartErrors)

@@ -1,0 +1,34 @@
+#!/usr/bin/env python3
+"""The wheels stop when the node, or roslaunch above it, is told to end."""
+
+import signal
+
+from harness import START, RobotTest, main
+
+ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+class StopAtShutdown(RobotTest):
+    def test_node(self):
+        for ending in ENDINGS:
+            with self.subTest(ending):
+                node = self.controller(cmd_vel_timeout=0)
+                self.command(0.5)
+                self.wait_for_wheels(0.5, 0.5)
+                node.send_signal(ending)
+                self.wait_for_stop(within=0.7)
+                self.assertEqual(node.wait(START), 0)
+                self.wait_for(lambda: not self.commands().get_num_connections(), START, "the node to unsubscribe")
+
+    def test_roslaunch(self):
+        for ending in ENDINGS:
+            with self.subTest(ending):
+                launch = self.launch("workshop", "workshop_jetbot_controller.launch")
+                self.wait_for_wheels(0.4, 0.6, within=START)
+                launch.send_signal(ending)
+                self.wait_for_stop(within=0.7)
+                launch.wait(START)
+
+
+if __name__ == "__main__":
+    main(StopAtShutdown)

@@ -1,0 +1,94 @@
+"""Each board's registers, against a table written from its circuit diagram."""
+
+import itertools
+
+import pytest
+from jetbot import InvalidValue
+from jetbot.boards import BOARDS, open_board
+from jetbot.fake_motors import wheel_speeds
+
+OFF, HIGH, HALF = "00000010", "00100000", "00000008"
+
+ADAFRUIT = {  # output: its registers, for the left motor 8, 10, 9 (PWM, IN1, IN2) and the right one 13, 11, 12
+    (0.5, 0.5): {8: HALF, 9: HIGH, 10: OFF, 11: OFF, 12: HIGH, 13: HALF},
+    (-0.5, -0.5): {8: HALF, 9: OFF, 10: HIGH, 11: HIGH, 12: OFF, 13: HALF},
+    (-1, 1): {8: HIGH, 9: OFF, 10: HIGH, 11: OFF, 12: HIGH, 13: HIGH},
+    (0.5, 0): {8: HALF, 9: HIGH, 10: OFF, 11: OFF, 12: OFF, 13: OFF},
+    (0, 0): {8: OFF, 9: OFF, 10: OFF, 11: OFF, 12: OFF, 13: OFF},
+}
+WAVESHARE = {  # left forward 1, backward 0; right forward 2, backward 3
+    (0.5, 0.5): {0: OFF, 1: HALF, 2: HALF, 3: OFF},
+    (-0.5, -0.5): {0: HALF, 1: OFF, 2: OFF, 3: HALF},
+    (-1, 1): {0: HIGH, 1: OFF, 2: HIGH, 3: OFF},
+    (0.5, 0): {0: OFF, 1: HALF, 2: OFF, 3: OFF},
+    (0, 0): {0: OFF, 1: OFF, 2: OFF, 3: OFF},
+}
+JETBOT = {speeds: {**ADAFRUIT[speeds], **WAVESHARE[speeds]} for speeds in ADAFRUIT}
+CASES = [(name, speeds, outputs) for name, table in
+         (("adafruit", ADAFRUIT), ("waveshare", WAVESHARE), ("jetbot", JETBOT)) for speeds, outputs in table.items()]
+SPEEDS = (0, 0.5, 1, -0.3, -1)
+PAIRS = list(itertools.product(SPEEDS, SPEEDS))
+
+
+def registers(folder):
+    return (folder / "0x60").read_bytes()
+
+
+@pytest.mark.parametrize("name, speeds, outputs", CASES)
+def test_registers(folder, name, speeds, outputs):
+    board = open_board(name, f"fake:{folder}")
+    for earlier in ((0.7, -0.2), (-0.7, 0.2), (1, 1), (0, 0)):
+        board.drive(*earlier)
+        board.drive(*speeds)
+        for output in range(16):
+            assert registers(folder)[0x06 + 4 * output:][:4].hex() == outputs.get(output, OFF)
+
+
+@pytest.mark.parametrize("board", ["adafruit", "waveshare"])
+def test_motors_of_either_board_turn_as_told_by_jetbot(folder, board):
+    driver = open_board("jetbot", f"fake:{folder}")
+    for speeds in PAIRS:
+        driver.drive(*speeds)
+        assert wheel_speeds(folder, board) == pytest.approx(speeds, abs=0.0003)
+
+
+@pytest.mark.parametrize("name", BOARDS)
+def test_never_both_directions_at_once_and_few_transfers(folder, wire, name):
+    board = open_board(name, f"fake:{folder}")
+    for before, after in itertools.product(PAIRS, PAIRS):
+        board.drive(*before)
+        wire.bits.clear()
+        wire.states.clear()
+        board.drive(*after)
+        assert len(wire.bits) <= 2 and sum(wire.bits) <= 400 or len(wire.bits) <= 3 and sum(wire.bits) <= 160
+        for state in wire.states:
+            high = {output for output in range(16) if not state[0x09 + 4 * output] & 0x10}
+            assert not any({forward, backward} <= high for forward, backward in ((9, 10), (12, 11), (1, 0), (2, 3)))
+
+
+def test_a_change_of_speed_ahead_takes_three_transfers_and_160_bits(folder, wire):
+    board = open_board("jetbot", f"fake:{folder}")
+    board.drive(0.3, 0.4)
+    wire.bits.clear()
+    board.drive(0.5, 0.7)
+    assert len(wire.bits) <= 3
+    assert sum(wire.bits) <= 160
+
+
+def test_a_repeated_command_takes_no_transfer(folder, wire):
+    board = open_board("jetbot", f"fake:{folder}")
+    board.drive(0.3, -0.4)
+    wire.bits.clear()
+    board.drive(0.3, -0.4)
+    assert wire.bits == []
+
+
+def test_opening_a_board_stops_what_turned(folder):
+    open_board("adafruit", f"fake:{folder}").drive(1, 1)
+    open_board("waveshare", f"fake:{folder}")
+    assert wheel_speeds(folder) == (0, 0)
+
+
+def test_unknown_board():
+    with pytest.raises(InvalidValue, match="^There is no board 'lego'. Choose one of: jetbot, adafruit, waveshare.$"):
+        open_board("lego", 1)

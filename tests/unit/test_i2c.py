@@ -1,0 +1,65 @@
+"""Each failure of the bus is one sentence that names the place and what to do."""
+
+import errno
+
+import pytest
+from jetbot import BusError, InvalidValue, i2c
+from jetbot.i2c import I2CDevice, explain, which_buses
+
+
+@pytest.fixture(autouse=True)
+def computer(monkeypatch):
+    monkeypatch.setattr(i2c, "which_buses", lambda: "This computer has /dev/i2c-0.")
+
+
+@pytest.mark.parametrize("number, sentence", [
+    (errno.ENOENT, "There is no I2C bus /dev/i2c-1. This computer has /dev/i2c-0."),
+    (errno.EACCES, "No permission to open /dev/i2c-1. Join its group with: sudo usermod -aG i2c $USER"
+                   "   and log in again."),
+    (errno.EBUSY, "0x60 on /dev/i2c-1 is taken by a driver of the kernel. Unload that driver."),
+    (errno.ETIMEDOUT, "The bus /dev/i2c-1 is stuck. Switch the robot off and on, and check the wires."),
+    (errno.ENXIO, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
+                  "This computer has /dev/i2c-0."),
+    (errno.EREMOTEIO, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
+                      "This computer has /dev/i2c-0."),
+])
+def test_errno_in_words(number, sentence):
+    error = explain(OSError(number, ""), "/dev/i2c-1", 0x60)
+    assert str(error) == sentence
+    assert error.errno == number
+
+
+@pytest.mark.parametrize("model, buses, sentence", [
+    ("NVIDIA Jetson Nano Developer Kit\0", ["i2c-0", "i2c-1"],
+     "This computer has {dev}/i2c-0, {dev}/i2c-1. On a Jetson Nano the robot is on bus 1: i2c_bus:=1. "
+     "Without a robot: i2c_bus:=fake."),
+    (None, [], "This computer has no /dev/i2c-* at all. Without a robot: i2c_bus:=fake."),
+])
+def test_which_buses(tmp_path, model, buses, sentence):
+    for bus in buses:
+        (tmp_path / bus).touch()
+    if model:
+        (tmp_path / "model").write_text(model)
+    assert which_buses(tmp_path, tmp_path / "model") == sentence.format(dev=tmp_path)
+
+
+@pytest.mark.parametrize("bus", ["", "one", "fake:", "-1", 1.5, None])
+def test_a_bus_that_cannot_be(bus):
+    with pytest.raises(InvalidValue, match="^I2c_bus cannot be .*. Give a number"):
+        I2CDevice(bus, 0x60)
+
+
+def test_one_failure_is_tried_again(folder):
+    device = I2CDevice(f"fake:{folder}", 0x60)
+    device.read(0)
+    (folder / "0x60.fail").write_text("1")
+    assert device.read(0) == 0x11
+    assert device.errors == 1
+
+
+def test_a_lasting_failure_is_told(folder):
+    device = I2CDevice(f"fake:{folder}", 0x60)
+    device.read(0)
+    (folder / "0x60").unlink()
+    with pytest.raises(BusError, match=f"^No answer from 0x60 on fake:{folder}."):
+        device.read(0)

@@ -1,0 +1,81 @@
+"""What the chip is sent, as bytes."""
+
+import pytest
+from jetbot.i2c import I2CDevice
+from jetbot.pca9685 import PCA9685
+
+
+@pytest.fixture
+def chip(folder, wire):
+    chip = PCA9685(I2CDevice(f"fake:{folder}", 0x60), [range(8, 14), range(0, 4)])
+    chip.start()
+    wire.bits.clear()
+    wire.states.clear()
+    return chip
+
+
+def output(folder, number):
+    return (folder / "0x60").read_bytes()[0x06 + 4 * number:][:4].hex(" ")
+
+
+def test_is_awake_at_1526_hz_after_start(chip, folder):
+    registers = (folder / "0x60").read_bytes()
+    assert (registers[0x00], registers[0x01], registers[0xFE]) == (0x20, 0x04, 3)
+
+
+def test_outputs_are_off_before_the_chip_wakes(folder, wire):
+    groups = [range(8), range(8, 16)]
+    PCA9685(I2CDevice(f"fake:{folder}", 0x60), groups).set_outputs({output: 4096 for output in range(16)})
+    wire.states.clear()
+    PCA9685(I2CDevice(f"fake:{folder}", 0x60), groups).start()
+    for registers in wire.states[1:]:
+        asleep = registers[0x00] & 0x10
+        assert asleep or registers[0x09:0x46:4] == bytes([0x10] * 16)
+
+
+@pytest.mark.parametrize("duty, registers", [
+    (0, "00 00 00 10"), (1, "00 00 01 00"), (2048, "00 00 00 08"), (4095, "00 00 ff 0f"), (4096, "00 10 00 00")])
+def test_duty_in_registers(chip, folder, duty, registers):
+    chip.set_outputs({9: 1234})
+    chip.set_outputs({9: duty})
+    assert output(folder, 9) == registers
+
+
+def test_the_same_again_sends_nothing(chip, wire):
+    chip.set_outputs({1: 100, 8: 200})
+    wire.bits.clear()
+    chip.set_outputs({1: 100, 8: 200})
+    assert wire.bits == []
+
+
+def test_a_small_change_sends_one_byte(chip, wire):
+    chip.set_outputs({8: 0x100})
+    wire.bits.clear()
+    chip.set_outputs({8: 0x101})
+    assert wire.bits == [2 + 9 * 3]
+
+
+def test_outputs_of_a_group_switch_in_one_transfer(chip, wire):
+    chip.set_outputs({8: 100, 13: 4096, 0: 7, 3: 9})
+    assert len(wire.bits) == 2
+
+
+@pytest.mark.parametrize("register, value", [(0x00, 0x11), (0x09, 0x00), (0x26, 0x55)])
+def test_a_changed_register_is_noticed_and_mended(chip, folder, register, value):
+    chip.set_outputs({8: 100, 13: 4096, 0: 7})
+    good = (folder / "0x60").read_bytes()
+    with open(folder / "0x60", "r+b") as file:
+        file.seek(register)
+        file.write(bytes([value]))
+    chip.verify()
+    chip.set_outputs({8: 100, 13: 4096, 0: 7})
+    assert (folder / "0x60").read_bytes() == good
+
+
+def test_a_failed_transfer_leads_to_a_fresh_start(chip, folder):
+    chip.set_outputs({8: 100})
+    (folder / "0x60.fail").write_text("3")
+    with pytest.raises(OSError):
+        chip.set_outputs({8: 200})
+    chip.set_outputs({8: 200})
+    assert output(folder, 8) == "00 00 c8 00"

@@ -1,0 +1,114 @@
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from conftest import SOURCE
+from jetbot import JetbotError
+from jetbot.fake_motors import wheel_speeds
+
+
+@pytest.mark.parametrize("action, left, right", [
+    (lambda robot: robot.set_motors(0.3, -0.6), 0.3, -0.6),
+    (lambda robot: robot.forward(), 1, 1),
+    (lambda robot: robot.forward(0.4), 0.4, 0.4),
+    (lambda robot: robot.backward(speed=0.4), -0.4, -0.4),
+    (lambda robot: robot.left(0.3), -0.3, 0.3),
+    (lambda robot: robot.right(0.3), 0.3, -0.3),
+    (lambda robot: setattr(robot.left_motor, "value", 0.7), 0.7, 0),
+    (lambda robot: setattr(robot.right_motor, "value", -0.7), 0, -0.7),
+    (lambda robot: robot.set_motors(5, -5), 1, -1),
+])
+def test_wheels_do_as_told(make_robot, folder, action, left, right):
+    robot = make_robot()
+    action(robot)
+    assert wheel_speeds(folder) == pytest.approx((left, right), abs=0.0003)
+    assert (robot.left_motor.value, robot.right_motor.value) == (left, right)
+
+
+def test_stop(make_robot, folder):
+    robot = make_robot()
+    robot.forward(0.5)
+    robot.stop()
+    assert wheel_speeds(folder) == (0, 0)
+
+
+def test_alpha_trims_a_wheel(make_robot, folder):
+    make_robot(left_motor_alpha=0.5, right_motor_alpha=2).set_motors(0.8, 0.6)
+    assert wheel_speeds(folder) == pytest.approx((0.4, 1.0), abs=0.0003)
+
+
+@pytest.mark.parametrize("speed", [math.nan, math.inf, -math.inf, "fast", None])
+def test_what_is_no_speed_is_refused_and_stops(make_robot, folder, speed):
+    robot = make_robot()
+    robot.forward(0.5)
+    with pytest.raises(ValueError, match="^A speed must be a finite number, not .*. Both wheels were stopped.$"):
+        robot.set_motors(0.5, speed)
+    assert wheel_speeds(folder) == (0, 0)
+
+
+def test_defaults_come_from_the_environment(make_robot, folder, monkeypatch):
+    monkeypatch.setenv("JETBOT_BOARD", "waveshare")
+    monkeypatch.setenv("JETBOT_I2C_BUS", f"fake:{folder}")
+    make_robot(i2c_bus=None).forward()
+    assert wheel_speeds(folder, "waveshare") == (1, 1)
+    assert wheel_speeds(folder, "adafruit") == (0, 0)
+
+
+def test_close_stops_may_be_repeated_and_ends_the_robot(make_robot, folder):
+    robot = make_robot()
+    robot.forward()
+    robot.close()
+    robot.close()
+    assert wheel_speeds(folder) == (0, 0)
+    with pytest.raises(JetbotError, match="^This robot is closed."):
+        robot.forward()
+
+
+def test_with_stops_at_the_end(make_robot, folder):
+    with make_robot() as robot:
+        robot.forward()
+    assert wheel_speeds(folder) == (0, 0)
+
+
+def test_refresh_brings_a_chip_back_that_lost_its_power(make_robot, folder):
+    from jetbot.fake_i2c import power_on
+    robot = make_robot()
+    robot.set_motors(0.2, 0.4)
+    power_on(folder)
+    robot.refresh()
+    assert wheel_speeds(folder) == pytest.approx((0.2, 0.4), abs=0.0003)
+
+
+def drive_in_a_process(folder, ending):
+    """Start a process that drives full ahead, then runs ``ending``."""
+    return subprocess.Popen(
+        [sys.executable, "-c", f"from jetbot import Robot; robot = Robot(); robot.forward(); {ending}"],
+        env={**os.environ, "PYTHONPATH": str(SOURCE / "src"), "JETBOT_I2C_BUS": f"fake:{folder}"})
+
+
+def eventually(condition, within=5.0):
+    """Whether the condition becomes true in time."""
+    deadline = time.monotonic() + within
+    while not condition():
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.01)
+    return True
+
+
+def test_wheels_stop_when_the_interpreter_exits(folder):
+    assert drive_in_a_process(folder, "print(end='')").wait() == 0
+    assert wheel_speeds(folder) == (0, 0)
+
+
+@pytest.mark.parametrize("killer", [signal.SIGKILL, signal.SIGTERM, signal.SIGHUP])
+def test_wheels_stop_when_the_process_is_killed(folder, killer):
+    process = drive_in_a_process(folder, "import time; time.sleep(60)")
+    assert eventually(lambda: folder.exists() and wheel_speeds(folder) == (1, 1))
+    process.send_signal(killer)
+    process.wait()
+    assert eventually(lambda: wheel_speeds(folder) == (0, 0), within=1.5)

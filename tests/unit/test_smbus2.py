@@ -1,0 +1,89 @@
+"""The real path: smbus2 itself runs, and what it asks of the kernel arrives at the fake chip."""
+
+import errno
+import os
+from types import SimpleNamespace
+
+import pytest
+from jetbot import BusError
+from jetbot.fake_i2c import FakeBus, power_on
+from jetbot.fake_motors import wheel_speeds
+
+smbus2 = pytest.importorskip("smbus2.smbus2")
+
+KERNEL_FD = 4711
+
+
+class Kernel:
+    """/dev/i2c-1 as seen through open and ioctl, with the fake bus behind it."""
+
+    def __init__(self, folder):
+        self.bus = FakeBus(folder)
+        self.address = None
+
+    def open(self, path, flags):
+        if path != "/dev/i2c-1":
+            raise OSError(errno.ENOENT, "No such file or directory")
+        return KERNEL_FD
+
+    def close(self, descriptor):
+        assert descriptor == KERNEL_FD
+
+    def ioctl(self, descriptor, request, argument):
+        assert descriptor == KERNEL_FD
+        if request == smbus2.I2C_SLAVE:
+            self.address = argument
+        elif request == smbus2.I2C_FUNCS:
+            argument.value = 0
+        else:
+            assert request == smbus2.I2C_SMBUS
+            self.smbus(argument)
+
+    def smbus(self, message):
+        data = message.data.contents
+        if message.size == smbus2.I2C_SMBUS_BYTE_DATA:
+            if message.read_write == smbus2.I2C_SMBUS_READ:
+                data.byte = self.bus.read_byte_data(self.address, message.command)
+            else:
+                self.bus.write_byte_data(self.address, message.command, data.byte)
+            return
+        assert message.size == smbus2.I2C_SMBUS_I2C_BLOCK_DATA
+        length = data.block[0]
+        if message.read_write == smbus2.I2C_SMBUS_READ:
+            data.block[1:length + 1] = self.bus.read_i2c_block_data(self.address, message.command, length)
+        else:
+            self.bus.write_i2c_block_data(self.address, message.command, data.block[1:length + 1])
+
+
+@pytest.fixture
+def kernel(folder, monkeypatch):
+    kernel = Kernel(folder)
+    monkeypatch.setattr(smbus2, "os", SimpleNamespace(open=kernel.open, close=kernel.close, O_RDWR=os.O_RDWR))
+    monkeypatch.setattr(smbus2, "ioctl", kernel.ioctl)
+    return kernel
+
+
+def test_the_wheels_turn(kernel, make_robot, folder):
+    robot = make_robot(i2c_bus=1)
+    for speeds in ((0.5, 0.25), (0.75, 0.25), (-1, 1), (0, 0)):
+        robot.set_motors(*speeds)
+        assert wheel_speeds(folder) == wheel_speeds(folder, "waveshare") == speeds
+
+
+def test_a_chip_that_lost_its_power_comes_back(kernel, make_robot, folder):
+    robot = make_robot(i2c_bus=1)
+    robot.set_motors(0.5, 0.25)
+    power_on(folder)
+    robot.refresh()
+    assert wheel_speeds(folder) == (0.5, 0.25)
+
+
+def test_no_answer(kernel, make_robot, folder):
+    (folder / "0x60").unlink()
+    with pytest.raises(BusError, match="^No answer from 0x60 on /dev/i2c-1."):
+        make_robot(i2c_bus=1)
+
+
+def test_no_such_bus(kernel, make_robot):
+    with pytest.raises(BusError, match="^There is no I2C bus /dev/i2c-7."):
+        make_robot(i2c_bus=7)
