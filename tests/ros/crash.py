@@ -4,7 +4,7 @@
 import os
 import signal
 
-import rosnode
+import rosgraph
 import rospy
 from harness import START, RobotTest, main
 from xmlrpc.client import ServerProxy
@@ -14,7 +14,7 @@ LIMIT = 1.5  # seconds from the kill to the stop
 
 def node_pid(name):
     """The process id of a running ROS node, by its own word."""
-    return ServerProxy(rosnode.get_api_uri(rospy.get_master(), name)).getPid(rospy.get_name())[2]
+    return ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(name)).getPid(rospy.get_name())[2]
 
 
 class Crash(RobotTest):

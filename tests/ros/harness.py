@@ -8,6 +8,7 @@ import sys
 import tempfile
 import time
 import unittest
+from pathlib import Path
 
 import rospy
 import rostest
@@ -27,10 +28,13 @@ class RobotTest(unittest.TestCase):
         self.folder = tempfile.mkdtemp(prefix="jetbot_")
         self.bus = os.path.join(self.folder, "bus")
         self.processes = []
+        if rospy.has_param("/jetbot_controller"):
+            rospy.delete_param("/jetbot_controller")  # parameters outlive their node
 
     def tearDown(self):
         for process in reversed(self.processes):
             end(process)
+        self.wait_for(lambda: not users(self.folder), START, f"the processes that use {self.folder} to end")
         shutil.rmtree(self.folder)
 
     def start(self, *command, **options):
@@ -113,6 +117,17 @@ class RobotTest(unittest.TestCase):
 
     def logs(self):
         return "".join(f"\n--- {process.args}\n{read(process)}" for process in self.processes)
+
+
+def users(folder):
+    """The command lines of all processes that name the folder."""
+    commands = []
+    for path in Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            commands.append(path.read_bytes())
+        except (FileNotFoundError, ProcessLookupError):
+            pass  # it has just ended
+    return [command for command in commands if folder.encode() in command]
 
 
 def read(process):

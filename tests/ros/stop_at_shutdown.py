@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """The wheels stop when the node, or roslaunch above it, is told to end."""
 
+import os
 import signal
+import socket
 
-from harness import START, RobotTest, main
+from harness import CONTROLLER, START, RobotTest, main
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -28,6 +30,22 @@ class StopAtShutdown(RobotTest):
                 launch.send_signal(ending)
                 self.wait_for_stop(within=0.7)
                 launch.wait(START)
+
+    def test_node_without_an_answer_from_the_master(self):
+        home = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{free_port()}"}
+        master = self.start("roscore", "-p", home["ROS_MASTER_URI"].rpartition(":")[2], env=home)
+        node = self.start(*CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "_cmd_vel_timeout:=0", env=home)
+        self.start("rosrun", "workshop", "jetbot_motion_control.py", env=home)
+        self.wait_for_wheels(0.4, 0.6, within=START)
+        os.killpg(master.pid, signal.SIGSTOP)
+        node.send_signal(signal.SIGTERM)
+        self.wait_for_stop(within=0.7)
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        return probe.getsockname()[1]
 
 
 if __name__ == "__main__":

@@ -72,6 +72,15 @@ def test_a_changed_register_is_noticed_and_mended(chip, folder, register, value)
     assert (folder / "0x60").read_bytes() == good
 
 
+def test_a_missing_chip_is_told_at_every_attempt(chip, folder):
+    chip.set_outputs({8: 100})
+    (folder / "0x60").unlink()
+    with pytest.raises(OSError):
+        chip.verify()
+    with pytest.raises(OSError):
+        chip.set_outputs({8: 100})
+
+
 def test_a_failed_transfer_leads_to_a_fresh_start(chip, folder):
     chip.set_outputs({8: 100})
     (folder / "0x60.fail").write_text("3")

@@ -37,6 +37,7 @@ class Controller:
         self.status = None
         self.news = deque(maxlen=10)
         self.commands = 0
+        self._ending = self._closed = False
         self._refreshed = time.monotonic()
         self._lock = threading.Lock()
         self._status_topic = rospy.Publisher("~status", String, latch=True, queue_size=1)
@@ -55,22 +56,30 @@ class Controller:
             self.safety.emergency_stop(message.data)
             self._drive(REFRESH_IDLE)
 
+    def end(self, *_):
+        """End the watch soon; fit to be a signal's handler."""
+        self._ending = True
+
     def watch(self):
-        """Look after the robot until the node ends, then stop it. Logs nothing: a terminal may hold up who writes."""
+        """Look after the robot until the end, then stop it, then end the node.
+
+        Neither logs nor asks the master: a terminal or a network may hold up who does.
+        """
         try:
-            while not rospy.is_shutdown():
+            while not (self._ending or rospy.is_shutdown()):
                 with self._lock:
                     self.safety.watch(self._cmd_vel.get_num_connections(), time.monotonic())
                     self._drive(REFRESH_IDLE)
                 time.sleep(WATCH_PERIOD)
         finally:
-            rospy.signal_shutdown("the watch has ended")
             with self._lock:
+                self._closed = True
                 self.robot.close()
+            rospy.signal_shutdown("the robot stands")
 
     def _drive(self, refresh_period):
         """Bring the wheels to what is allowed now; check the board when that was last done a period ago."""
-        if rospy.is_shutdown():
+        if self._closed:
             return
         now = time.monotonic()
         try:
@@ -138,12 +147,14 @@ class Report:
 
 
 def main():
-    rospy.init_node("jetbot_controller")
-    signal.signal(signal.SIGHUP, lambda *_: rospy.signal_shutdown("the terminal has gone"))
+    # rospy's own signal handlers talk to the master before anything stops, and wait for ever if that hangs.
+    rospy.init_node("jetbot_controller", disable_signals=True)
     parameters = checked(rospy.get_param("~", {}))
     if parameters["i2c_bus"] == "fake":
         parameters["i2c_bus"] = f"fake:{default_folder(rospy.get_namespace())}"
     controller = Controller(**parameters)
+    for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(ending, controller.end)
     watch = threading.Thread(target=controller.watch)
     watch.start()
     Report(controller, parameters).spin()
@@ -156,5 +167,5 @@ if __name__ == "__main__":
     except JetbotError as error:
         rospy.logfatal(error)
         sys.exit(1)
-    except rospy.ROSInterruptException:
-        pass
+    except KeyboardInterrupt:
+        sys.exit(1)

@@ -63,8 +63,9 @@ class PCA9685:
 
         A chip whose supply failed is back at its power-on values: asleep, all outputs off.
         """
-        if self._sent is not None and not self._holds(self._sent):
-            self._sent = None
+        sent, self._sent = self._sent, None  # also when the chip does not answer
+        if sent is not None and self._holds(sent):
+            self._sent = sent
 
     def _holds(self, sent):
         return self._device.read(MODE1) & ~RESTART == AUTO_INCREMENT and all(
