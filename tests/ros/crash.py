@@ -3,11 +3,12 @@
 
 import os
 import signal
+from xmlrpc.client import ServerProxy
 
 import rosgraph
 import rospy
+
 from harness import START, RobotTest, main
-from xmlrpc.client import ServerProxy
 
 LIMIT = 1.5  # seconds from the kill to the stop
 

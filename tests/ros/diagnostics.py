@@ -5,6 +5,7 @@ import os
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+
 from harness import RobotTest, main
 
 

@@ -13,8 +13,9 @@ from pathlib import Path
 import rospy
 import rostest
 from geometry_msgs.msg import Twist
-from jetbot.fake_motors import wheel_speeds
 from std_msgs.msg import Bool, String
+
+from jetbot.fake_motors import wheel_speeds
 
 STILL = (0.0, 0.0)
 CONTROLLER = ("rosrun", "jetbot_control_node", "jetbot_controller.py")

@@ -5,6 +5,7 @@ import time
 
 import rospy
 from geometry_msgs.msg import Twist
+
 from harness import START, RobotTest, main
 
 

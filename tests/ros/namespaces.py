@@ -6,6 +6,7 @@ from pathlib import Path
 
 import rospy
 from geometry_msgs.msg import Twist
+
 from harness import CONTROLLER, START, STILL, RobotTest, main, near, wheel_speeds
 
 

@@ -3,6 +3,7 @@
 import itertools
 
 import pytest
+
 from jetbot import InvalidValue
 from jetbot.boards import BOARDS, open_board
 from jetbot.fake_motors import wheel_speeds

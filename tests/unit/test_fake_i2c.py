@@ -1,6 +1,7 @@
 """The fake bus is honest: it does what the chip's data sheet says, also to a driver that is wrong."""
 
 import pytest
+
 from jetbot.fake_chips import PCA9685
 from jetbot.fake_i2c import FakeBus, power_on
 

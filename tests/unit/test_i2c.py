@@ -3,6 +3,7 @@
 import errno
 
 import pytest
+
 from jetbot import BusError, InvalidValue, i2c
 from jetbot.i2c import I2CDevice, explain, which_buses
 

@@ -1,4 +1,5 @@
 import pytest
+
 from jetbot.kinematics import mix
 
 

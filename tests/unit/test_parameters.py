@@ -5,6 +5,7 @@ import re
 import xml.etree.ElementTree as ET
 
 import pytest
+
 from conftest import SOURCE
 from jetbot import InvalidValue
 from jetbot.parameters import PARAMETERS, checked

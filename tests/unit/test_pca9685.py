@@ -1,6 +1,7 @@
 """What the chip is sent, as bytes."""
 
 import pytest
+
 from jetbot.i2c import I2CDevice
 from jetbot.pca9685 import PCA9685
 
@@ -25,7 +26,7 @@ def test_is_awake_at_1526_hz_after_start(chip, folder):
 
 def test_outputs_are_off_before_the_chip_wakes(folder, wire):
     groups = [range(8), range(8, 16)]
-    PCA9685(I2CDevice(f"fake:{folder}", 0x60), groups).set_outputs({output: 4096 for output in range(16)})
+    PCA9685(I2CDevice(f"fake:{folder}", 0x60), groups).set_outputs(dict.fromkeys(range(16), 4096))
     wire.states.clear()
     PCA9685(I2CDevice(f"fake:{folder}", 0x60), groups).start()
     for registers in wire.states[1:]:

@@ -6,6 +6,7 @@ import sys
 import time
 
 import pytest
+
 from conftest import SOURCE
 from jetbot import JetbotError
 from jetbot.fake_motors import wheel_speeds

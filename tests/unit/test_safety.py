@@ -3,6 +3,7 @@
 import math
 
 import pytest
+
 from jetbot.safety import STILL, Safety
 
 GO = (0.5, 0.1)

@@ -5,6 +5,7 @@ import os
 from types import SimpleNamespace
 
 import pytest
+
 from jetbot import BusError
 from jetbot.fake_i2c import FakeBus, power_on
 from jetbot.fake_motors import wheel_speeds

@@ -11,12 +11,13 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
 from diagnostic_updater import Updater
 from geometry_msgs.msg import Twist
+from std_msgs.msg import Bool, String
+
 from jetbot import BusError, JetbotError, Robot
 from jetbot.fake_i2c import default_folder
 from jetbot.kinematics import mix
 from jetbot.parameters import checked
 from jetbot.safety import Safety
-from std_msgs.msg import Bool, String
 
 WATCH_PERIOD = 0.05           # seconds between two looks at what may stop the robot
 REFRESH_AFTER_COMMAND = 0.25  # seconds between two checks of the board, when a command has just gone out
