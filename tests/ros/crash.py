@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""When the controller itself is killed, the wheels stop: under roslaunch, under rosrun, and in a script of one's own."""
+"""When the controller itself is killed, the wheels stop, under roslaunch and under rosrun."""
 
 import os
 import signal

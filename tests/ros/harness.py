@@ -1,5 +1,6 @@
 """What the tests share: real processes against the test's own master, a fake bus, and waiting for conditions."""
 
+import contextlib
 import os
 import shutil
 import signal
@@ -40,9 +41,10 @@ class RobotTest(unittest.TestCase):
 
     def start(self, *command, **options):
         """A process in a group of its own, its output in ``process.log``."""
-        log = tempfile.NamedTemporaryFile("w+", dir=self.folder, prefix="log_", delete=False)
-        process = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, start_new_session=True, **options)
-        process.log = log.name
+        log = Path(self.folder, f"log_{len(self.processes)}")
+        with log.open("w") as file:
+            process = subprocess.Popen(command, stdout=file, stderr=file, start_new_session=True, **options)
+        process.log = log
         self.processes.append(process)
         return process
 
@@ -124,17 +126,14 @@ def users(folder):
     """The command lines of all processes that name the folder."""
     commands = []
     for path in Path("/proc").glob("[0-9]*/cmdline"):
-        try:
-            commands.append(path.read_bytes())
-        except (FileNotFoundError, ProcessLookupError):
-            pass  # it has just ended
-    return [command for command in commands if folder.encode() in command]
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError):  # those that have just ended
+            commands.append(path.read_text())
+    return [command for command in commands if folder in command]
 
 
 def read(process):
     """What the process has printed so far."""
-    with open(process.log) as log:
-        return log.read()
+    return process.log.read_text()
 
 
 def end(process):

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """The controller's launch file: its arguments and YAML files reach the wheels."""
 
-import subprocess
+import rospkg
 
 from harness import START, RobotTest, main
 
-SI_UNITS = subprocess.check_output(["rospack", "find", "jetbot_control_node"], text=True).strip() + "/config/si_units.yaml"
+SI_UNITS = rospkg.RosPack().get_path("jetbot_control_node") + "/config/si_units.yaml"
 
 
 class LaunchController(RobotTest):

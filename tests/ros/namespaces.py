@@ -21,10 +21,16 @@ class Namespaces(RobotTest):
             twist = Twist()
             twist.linear.x = speed
             publisher.publish(twist)
-        for name, speed in speeds.items():
-            self.wait_for(lambda: near(wheel_speeds(home / "fake_i2c" / name), (speed, speed)), START, f"{name} to drive")
+
+        def driving(name):
+            return near(wheel_speeds(home / "fake_i2c" / name), (speeds[name], speeds[name]))
+
+        def still(name):
+            return wheel_speeds(home / "fake_i2c" / name) == STILL
+
+        self.wait_for(lambda: all(map(driving, speeds)), START, "both to drive at their own speeds")
         self.emergency_stop(True)
-        self.wait_for(lambda: all(wheel_speeds(home / "fake_i2c" / name) == STILL for name in speeds), 1.0, "both to stop")
+        self.wait_for(lambda: all(map(still, speeds)), 1.0, "both to stop")
 
 
 if __name__ == "__main__":

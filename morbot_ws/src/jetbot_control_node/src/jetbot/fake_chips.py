@@ -7,7 +7,7 @@ Written from the data sheets and not from the drivers, registers as plain number
 class PCA9685:
     """Sixteen PWM outputs of 12 bits: MODE1 0x00, outputs 0x06..0x45, all outputs 0xFA..0xFD, PRE_SCALE 0xFE."""
 
-    POWER_ON = (bytes([0x11, 0x04]) + bytes(4) + bytes([0, 0, 0, 0x10]) * 16).ljust(0xFD, b"\0") + bytes([0x10, 0x1E, 0])
+    POWER_ON = (bytes([0x11, 0x04, 0, 0, 0, 0]) + bytes([0, 0, 0, 0x10]) * 16).ljust(0xFD, b"\0") + b"\x10\x1E\0"
 
     @staticmethod
     def write(registers, register, data):

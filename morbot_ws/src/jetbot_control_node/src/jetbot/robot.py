@@ -21,7 +21,7 @@ class Motor:
 
     @property
     def value(self):
-        """The speed last set, in [-1, 1], 1 full forward. Setting it drives the wheel; beyond the range it is clamped."""
+        """The speed last set, in [-1, 1], 1 full forward. Setting it drives the wheel, clamped to that range."""
         return self._value
 
     @value.setter
