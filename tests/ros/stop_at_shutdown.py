@@ -5,8 +5,6 @@ import os
 import signal
 import socket
 
-from rosgraph.network import get_host_name
-
 from harness import CONTROLLER, START, RobotTest, main
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -34,7 +32,7 @@ class StopAtShutdown(RobotTest):
                 launch.wait(START)
 
     def test_node_without_an_answer_from_the_master(self):
-        home = {**os.environ, "ROS_MASTER_URI": f"http://{get_host_name()}:{free_port()}"}
+        home = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{free_port()}"}
         master = self.start("roscore", "-p", home["ROS_MASTER_URI"].rpartition(":")[2], env=home)
         node = self.start(*CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "_cmd_vel_timeout:=0", env=home)
         self.start("rosrun", "workshop", "jetbot_motion_control.py", env=home)
@@ -46,7 +44,7 @@ class StopAtShutdown(RobotTest):
 
 def free_port():
     with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
+        probe.bind(("localhost", 0))
         return probe.getsockname()[1]
 
 
