@@ -4,7 +4,6 @@ A process that is killed can no longer stop anything. So a second, small one wai
 pipe when the driving process ends, and unless that one has said that it stopped the wheels, the guard does.
 """
 
-import os
 import signal
 import subprocess
 import sys
@@ -22,10 +21,9 @@ class Guard:
 
     def __init__(self, board, i2c_bus):
         self._process = subprocess.Popen(
-            [sys.executable, "-c", f"from {__name__} import main; main()", board, str(i2c_bus)],
-            stdin=subprocess.PIPE,
-            start_new_session=True,  # out of reach of Ctrl-C and of what ends the driving process's group
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+            [sys.executable, "-IS", "-c", f"import sys; sys.path = {sys.path}; from {__name__} import main; main()",
+             board, str(i2c_bus)], stdin=subprocess.PIPE,
+            start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
 
     def dismiss(self):
         """End the guard: the wheels stand."""
@@ -37,7 +35,7 @@ class Guard:
 
 
 def main():
-    """Wait for the pipe's end, then stop the wheels if nobody did."""
+    """The guard's process: wait for the pipe's end, then stop the wheels if nobody did."""
     for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, signal.SIG_IGN)
     if sys.stdin.buffer.read() != ALL_STOPPED:
