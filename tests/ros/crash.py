@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""When the controller itself is killed, the wheels stop, under roslaunch and under rosrun."""
+"""When the controller itself is killed or frozen, the wheels stop, under roslaunch and under rosrun."""
 
 import os
 import signal
@@ -10,7 +10,7 @@ import rospy
 
 from harness import START, RobotTest, main
 
-LIMIT = 1.5  # seconds from the kill to the stop
+LIMIT = 1.5  # seconds from the blow to the stop
 
 
 def node_pid(name):
@@ -33,6 +33,17 @@ class Crash(RobotTest):
         self.wait_for_wheels(0.5, 0.5)
         os.killpg(node.pid, signal.SIGKILL)
         self.wait_for_stop(within=LIMIT)
+
+    def test_frozen_controller(self):
+        node = self.controller()
+        self.commands().unregister()
+        self.publisher()
+        self.wait_for_wheels(0.5, 0.5, within=START)
+        os.killpg(node.pid, signal.SIGSTOP)
+        self.wait_for_stop(within=LIMIT)
+        self.wheels_stay(0, 0, for_seconds=1)
+        os.killpg(node.pid, signal.SIGCONT)
+        self.wait_for_wheels(0.5, 0.5)
 
 
 if __name__ == "__main__":

@@ -71,6 +71,7 @@ class Controller:
                 with self._lock:
                     self.safety.watch(self._cmd_vel.get_num_connections(), time.monotonic())
                     self._drive(REFRESH_IDLE)
+                self.robot.heartbeat()
                 time.sleep(WATCH_PERIOD)
         finally:
             with self._lock:

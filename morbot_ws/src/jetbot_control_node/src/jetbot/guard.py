@@ -1,9 +1,12 @@
-"""Stops the wheels when the process that drives them dies, however it dies.
+"""Stops the wheels when the process that drives them dies or hangs.
 
-A process that is killed can no longer stop anything. So a second, small one waits on a pipe: the system closes the
-pipe when the driving process ends, and unless that one has said that it stopped the wheels, the guard does.
+A process that is killed can no longer stop anything. So a second, small one listens on a pipe: the system closes it
+when the driving process ends, however it ends, and unless that one has said that the wheels stand, the guard stops them.
 """
 
+import contextlib
+import os
+import select
 import signal
 import subprocess
 import sys
@@ -12,7 +15,9 @@ import time
 from .boards import open_board
 from .errors import BusError
 
-ALL_STOPPED = b"stopped"
+STANDING = b"s"
+HEARTBEAT = b"h"
+SILENCE = 1.0    # seconds without a heartbeat, after the first one, that mean that the driving process hangs
 PATIENCE = 10.0  # seconds to go on trying when the board does not answer
 
 
@@ -24,10 +29,16 @@ class Guard:
             [sys.executable, "-IS", "-c", f"import sys; sys.path = {sys.path}; from {__name__} import main; main()",
              board, str(i2c_bus)], stdin=subprocess.PIPE,
             start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
+        os.set_blocking(self._process.stdin.fileno(), False)
+
+    def heartbeat(self):
+        """Say that this process does not hang. Once said, it must be said again within SILENCE seconds."""
+        with contextlib.suppress(OSError):  # the guard has ended, or hangs itself with the pipe full
+            os.write(self._process.stdin.fileno(), HEARTBEAT)
 
     def dismiss(self):
         """End the guard: the wheels stand."""
-        self._process.communicate(ALL_STOPPED)
+        self._process.communicate(STANDING)
 
     def take_over(self):
         """Leave it to the guard to stop the wheels."""
@@ -35,19 +46,33 @@ class Guard:
 
 
 def main():
-    """The guard's process: wait for the pipe's end, then stop the wheels if nobody did."""
+    """The guard's process: stop the wheels at the pipe's end, and whenever heartbeats stay out."""
     for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, signal.SIG_IGN)
-    if sys.stdin.buffer.read() != ALL_STOPPED:
-        stop(*sys.argv[1:], deadline=time.monotonic() + PATIENCE)
+    word = patience = None
+    while word != b"":
+        word = hear(patience)
+        if word == STANDING:
+            return
+        if word != HEARTBEAT:
+            stop(*sys.argv[1:])
+        patience = SILENCE if word == HEARTBEAT else None
 
 
-def stop(board, i2c_bus, deadline):
-    """Stop the wheels, again and again until it succeeds or the deadline (monotonic seconds) is past."""
+def hear(patience):
+    """The newest word from the driving process; None after ``patience`` seconds of silence, b"" at its end."""
+    if select.select([sys.stdin], [], [], patience)[0]:
+        return os.read(sys.stdin.fileno(), 4096)[-1:]
+    return None
+
+
+def stop(board, i2c_bus):
+    """Stop the wheels; where the board does not answer, try again and again for some seconds."""
+    deadline = time.monotonic() + PATIENCE
     while True:
         try:
             return open_board(board, i2c_bus).close()  # opening a board stops its wheels
         except BusError as error:
             if time.monotonic() > deadline:
-                sys.exit(f"jetbot: the wheels may still turn. {error}")
+                return print(f"jetbot: the wheels may still turn. {error}", file=sys.stderr)
             time.sleep(0.1)

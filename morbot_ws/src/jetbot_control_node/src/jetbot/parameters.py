@@ -1,4 +1,4 @@
-"""The controller's parameters: their defaults, and one sentence for what cannot be used."""
+"""Parameters: their defaults, and one sentence for a value that cannot be used."""
 
 import math
 from typing import Callable, NamedTuple
@@ -35,9 +35,9 @@ PARAMETERS = {
 }
 
 
-def checked(given):
+def checked(given, parameters=PARAMETERS):
     """All parameters as a dict, from those that were given; InvalidValue for one that cannot be used."""
-    for name, parameter in PARAMETERS.items():
+    for name, parameter in parameters.items():
         if name in given and not parameter.accepts(given[name]):
             raise InvalidValue(f"the parameter {name} must be {parameter.description}, not {given[name]!r}")
-    return {name: given.get(name, parameter.default) for name, parameter in PARAMETERS.items()}
+    return {name: given.get(name, parameter.default) for name, parameter in parameters.items()}

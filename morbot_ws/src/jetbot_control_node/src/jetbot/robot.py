@@ -93,6 +93,10 @@ class Robot:
         with self._lock:
             self._act(self.board.refresh)
 
+    def heartbeat(self):
+        """Say that this program does not hang. Once said, it must be said again within a second, or the wheels stop."""
+        self._guard.heartbeat()
+
     def _act(self, action):
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
