@@ -1,7 +1,8 @@
 """Stops the wheels when the process that drives them dies or hangs.
 
 A process that is killed can no longer stop anything. So a second, small one listens on a pipe: the system closes it
-when the driving process ends, however it ends, and unless that one has said that the wheels stand, the guard stops them.
+when the driving process ends, however it ends, and unless that one has said that the wheels stand, the guard stops
+them.
 """
 
 import contextlib

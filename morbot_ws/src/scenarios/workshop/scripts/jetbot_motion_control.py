@@ -5,6 +5,7 @@ import sys
 
 import rospy
 from geometry_msgs.msg import Twist
+
 from jetbot import InvalidValue
 from jetbot.parameters import NUMBER, POSITIVE, Parameter, checked
 
