@@ -25,6 +25,11 @@ class StartErrors(RobotTest):
     def test_bad_parameter(self):
         self.assert_says("The parameter board must be one of jetbot, adafruit, waveshare, not 'lego'.", "_board:=lego")
 
+    def test_no_master(self):
+        node = self.start(*CONTROLLER, "_i2c_bus:=fake", env={**os.environ, "ROS_MASTER_URI": "http://localhost:1"})
+        self.assertNotEqual(node.wait(START), 0)
+        self.assertEqual(read(node), "No ROS master at http://localhost:1. Start one in another terminal: roscore\n")
+
     def test_roslaunch_ends_when_the_controller_cannot_start(self):
         launch = self.start("roslaunch", "workshop", "workshop_jetbot_controller.launch", "i2c_bus:=77")
         launch.wait(START)

@@ -5,6 +5,8 @@ import os
 import signal
 import socket
 
+import rosgraph
+
 from harness import CONTROLLER, START, RobotTest, main
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -33,7 +35,8 @@ class StopAtShutdown(RobotTest):
 
     def test_node_without_an_answer_from_the_master(self):
         home = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{free_port()}"}
-        master = self.start("roscore", "-p", home["ROS_MASTER_URI"].rpartition(":")[2], env=home)
+        master = self.start("roscore", "-p", home["ROS_MASTER_URI"].rpartition(":")[2])
+        self.wait_for(lambda: rosgraph.is_master_online(home["ROS_MASTER_URI"]), START, "the master")
         node = self.start(*CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "_cmd_vel_timeout:=0", env=home)
         self.start("rosrun", "workshop", "jetbot_motion_control.py", env=home)
         self.wait_for_wheels(0.4, 0.6, within=START)

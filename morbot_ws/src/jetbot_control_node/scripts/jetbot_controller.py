@@ -7,6 +7,7 @@ import threading
 import time
 from collections import deque
 
+import rosgraph
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
 from diagnostic_updater import Updater
@@ -169,5 +170,7 @@ if __name__ == "__main__":
     except JetbotError as error:
         rospy.logfatal(error)
         sys.exit(1)
+    except ConnectionRefusedError:
+        sys.exit(f"No ROS master at {rosgraph.get_master_uri()}. Start one in another terminal: roscore")
     except KeyboardInterrupt:
         sys.exit(1)
