@@ -19,11 +19,12 @@ class StartErrors(RobotTest):
 
     def test_missing_chip(self):
         os.mkdir(self.bus)
-        self.assert_says(f"No answer from 0x60 on fake:{self.bus}. Is the motor board plugged in",
+        self.assert_says(f"No answer from 0x60 on fake:{self.bus}. To plug it in: ",
                          f"_i2c_bus:=fake:{self.bus}")
 
     def test_bad_parameter(self):
-        self.assert_says("The parameter board must be one of jetbot, adafruit, waveshare, not 'lego'.", "_board:=lego")
+        self.assert_says("The parameter board must be one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro, "
+                         "not 'lego'.", "_board:=lego")
 
     def test_no_master(self):
         node = self.start(*CONTROLLER, "_i2c_bus:=fake", env={**os.environ, "ROS_MASTER_URI": "http://localhost:1"})

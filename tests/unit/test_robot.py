@@ -42,6 +42,23 @@ def test_alpha_trims_a_wheel(make_robot, folder):
     assert wheel_speeds(folder) == pytest.approx((0.4, 1.0), abs=0.0003)
 
 
+@pytest.mark.parametrize("options, left, right", [
+    ({"swap_motors": True}, -0.6, 0.3),
+    ({"invert_left": True}, -0.3, -0.6),
+    ({"invert_right": True}, 0.3, 0.6),
+    ({"swap_motors": True, "invert_left": True}, -0.6, -0.3),
+])
+def test_motors_connected_otherwise(make_robot, folder, options, left, right):
+    make_robot(**options).set_motors(0.3, -0.6)
+    assert wheel_speeds(folder) == pytest.approx((left, right), abs=0.0003)
+
+
+@pytest.mark.parametrize("speed, duty", [(0, 0), (0.001, 0.2008), (0.5, 0.6), (1, 1), (-0.5, -0.6), (-1, -1)])
+def test_min_duty_jumps_the_dead_band(make_robot, folder, speed, duty):
+    make_robot(min_duty=0.2).forward(speed)
+    assert wheel_speeds(folder) == pytest.approx((duty, duty), abs=0.0003)
+
+
 @pytest.mark.parametrize("speed", [math.nan, math.inf, -math.inf, "fast", None])
 def test_what_is_no_speed_is_refused_and_stops(make_robot, folder, speed):
     robot = make_robot()

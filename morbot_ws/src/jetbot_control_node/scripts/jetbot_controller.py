@@ -17,30 +17,28 @@ from std_msgs.msg import Bool, String
 from jetbot import BusError, JetbotError, Robot
 from jetbot.fake_i2c import default_folder
 from jetbot.kinematics import mix
-from jetbot.parameters import checked
+from jetbot.parameters import checked, load
 from jetbot.safety import Safety
 
-WATCH_PERIOD = 0.05           # seconds between two looks at what may stop the robot
-REFRESH_AFTER_COMMAND = 0.25  # seconds between two checks of the board, when a command has just gone out
-REFRESH_IDLE = 0.4            # seconds, when no command comes: the bus is then free for the next one
-REPORT_PERIOD = 0.1           # seconds
-DIAGNOSTICS_PERIOD = 1.0      # seconds
-REPEAT_LOG = 5.0              # seconds before the same line is logged again
+WATCH_PERIOD = 0.04       # seconds between two looks at what may stop the robot
+DEFAULT_FAILSAFE = 1.0    # seconds, for a board with a timer, where cmd_vel_timeout is 0
+REPORT_PERIOD = 0.1       # seconds
+DIAGNOSTICS_PERIOD = 1.0  # seconds
+REPEAT_LOG = 5.0          # seconds before the same line is logged again
 
 
 class Controller:
     """Where commands, emergency stop and watch meet on the robot: under one lock, and nothing waits that holds it."""
 
-    def __init__(self, board, i2c_bus, cmd_vel_timeout, wheel_separation, max_speed, **trims):
+    def __init__(self, robot, cmd_vel_timeout, wheel_separation, max_speed):
         self.geometry = wheel_separation, max_speed
         self.safety = Safety(cmd_vel_timeout)
-        self.robot = Robot(board, i2c_bus, **trims)
+        self.robot = robot
         self.fault = None  # the BusError, while the board does not answer
         self.status = None
         self.news = deque(maxlen=10)
         self.commands = 0
         self._ending = self._closed = False
-        self._refreshed = time.monotonic()
         self._lock = threading.Lock()
         self._status_topic = rospy.Publisher("~status", String, latch=True, queue_size=1)
         self._cmd_vel = rospy.Subscriber("cmd_vel", Twist, self._on_command, queue_size=1, tcp_nodelay=True)
@@ -51,12 +49,12 @@ class Controller:
             self.commands += 1
             self.safety.command(twist.linear.x, twist.angular.z, time.monotonic())
             if not self.fault:
-                self._drive(REFRESH_AFTER_COMMAND)
+                self._drive(idle=False)
 
     def _on_emergency_stop(self, message):
         with self._lock:
             self.safety.emergency_stop(message.data)
-            self._drive(REFRESH_IDLE)
+            self._drive(idle=False)
 
     def end(self, *_):
         """End the watch soon; fit to be a signal's handler."""
@@ -71,7 +69,7 @@ class Controller:
             while not (self._ending or rospy.is_shutdown()):
                 with self._lock:
                     self.safety.watch(self._cmd_vel.get_num_connections(), time.monotonic())
-                    self._drive(REFRESH_IDLE)
+                    self._drive(idle=True)
                 self.robot.heartbeat()
                 time.sleep(WATCH_PERIOD)
         finally:
@@ -80,16 +78,13 @@ class Controller:
                 self.robot.close()
             rospy.signal_shutdown("the robot stands")
 
-    def _drive(self, refresh_period):
-        """Bring the wheels to what is allowed now; check the board when that was last done a period ago."""
+    def _drive(self, idle):
+        """Bring the wheels to what is allowed now, and the board and this node to one mind."""
         if self._closed:
             return
-        now = time.monotonic()
         try:
             self.robot.set_motors(*mix(*self.safety.velocity, *self.geometry))
-            if now - self._refreshed >= refresh_period:
-                self._refreshed = now
-                self.robot.refresh()
+            self.robot.refresh(idle)
             self.fault = None
         except BusError as fault:
             self.fault = fault
@@ -112,7 +107,7 @@ class Report:
         self._logged = {}
         self._counted = (0, time.monotonic())
         self._updater = Updater()
-        self._updater.setHardwareID(str(parameters["i2c_bus"]))
+        self._updater.setHardwareID(controller.robot.board.device.name)
         self._updater.add("motors", self._diagnose)
 
     def spin(self):
@@ -139,7 +134,7 @@ class Report:
                  DiagnosticStatus.WARN if controller.safety.alarm else DiagnosticStatus.OK)
         result.summary(level, controller.status or "starting")
         result.add("board", self._parameters["board"])
-        result.add("bus", device.bus)
+        result.add("bus", device.name)
         result.add("transfers", device.transfers)
         result.add("failed transfers", device.errors)
         (commands, since), self._counted = self._counted, (controller.commands, now)
@@ -149,13 +144,32 @@ class Report:
         return result
 
 
+def read_parameters():
+    """All parameters: those of this node, then those of the configuration file, then the defaults."""
+    given = rospy.get_param("~", {})
+    return checked({**load(given.pop("config", None)), **given})
+
+
+def make_robot(parameters):
+    """The Robot that the parameters describe; where its board measures how it moves, published from now on."""
+    names = ("board", "i2c_bus", "port", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left",
+             "invert_right", "min_duty")
+    options = {name: parameters[name] for name in names}
+    if options["i2c_bus"] == "fake":
+        options["i2c_bus"] = f"fake:{default_folder(rospy.get_namespace())}"
+    robot = Robot(**options, failsafe=parameters["cmd_vel_timeout"] or DEFAULT_FAILSAFE)
+    if hasattr(robot.board, "listen"):
+        from jetbot_ros.odometry import OdometryPublisher  # here, since most robots have no such board
+        robot.board.listen(OdometryPublisher(parameters["publish_tf"]))
+    return robot
+
+
 def main():
     # rospy's own signal handlers talk to the master before anything stops, and wait for ever if that hangs.
     rospy.init_node("jetbot_controller", disable_signals=True)
-    parameters = checked(rospy.get_param("~", {}))
-    if parameters["i2c_bus"] == "fake":
-        parameters["i2c_bus"] = f"fake:{default_folder(rospy.get_namespace())}"
-    controller = Controller(**parameters)
+    parameters = read_parameters()
+    names = ("cmd_vel_timeout", "wheel_separation", "max_speed")
+    controller = Controller(make_robot(parameters), *(parameters[name] for name in names))
     for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, controller.end)
     watch = threading.Thread(target=controller.watch)

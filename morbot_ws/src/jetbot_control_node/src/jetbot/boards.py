@@ -1,106 +1,62 @@
-"""The motor boards of the JetBot: how two wheel speeds become outputs. A board is a row of BOARDS."""
+"""The motor boards of the JetBot. A board is a row of BOARDS.
 
-from typing import NamedTuple, Optional, Tuple
+What drives a board has five methods, of which all but ``close`` may raise BusError:
+
+    start()                     set the board up with both wheels off
+    drive(left, right)          turn the wheels at these speeds, in [-1, 1]; after a BusError, start anew first
+    refresh(left, right, idle)  drive as before, and keep board and computer of one mind; to be called 20 times a
+                                second; idle: whether no command went out just now
+    close()                     let go of the board; the wheels go on as they are
+
+and ``device``: its link, with ``name``, ``transfers`` and ``errors``.
+"""
+
+from functools import partial
+from typing import Callable, NamedTuple, Optional
 
 from .errors import InvalidValue
 from .i2c import I2CDevice
-from .pca9685 import FULL_DUTY, PCA9685
+from .jetbot_pro import JetBotPro
+from .pwm_motors import ADAFRUIT, WAVESHARE, PwmMotors
+from .scmd import ScmdMotors
+from .serial_link import SerialLink
 
 
-class HBridge(NamedTuple):
-    """Which PCA9685 outputs turn one wheel.
+class Options(NamedTuple):
+    """How to reach a board, and what it should do when the computer hangs.
 
-    forward, backward: the output that is high while the wheel turns that way.
-    pwm: the output that carries the duty; None where the direction's own output carries it.
+    i2c_bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; port: a serial device or pyserial URL;
+    failsafe: seconds without a word from the computer after which the board stops by itself, if it can.
     """
 
-    forward: int
-    backward: int
-    pwm: Optional[int] = None
-
-    def duties(self, speed):
-        """Output: duty for a speed in [-1, 1]; never both directions, and all low at rest."""
-        duty = round(abs(speed) * FULL_DUTY)
-        active, idle = (self.forward, self.backward) if speed > 0 else (self.backward, self.forward)
-        if self.pwm is None:
-            return {active: duty, idle: 0}
-        return {self.pwm: duty, active: FULL_DUTY if duty else 0, idle: 0}
-
-
-class Wiring(NamedTuple):
-    """The two wheels of a board."""
-
-    left: HBridge
-    right: HBridge
-
-
-# Adafruit's FeatherWing 2927 and Motor HAT with a TB6612: motors M1 and M2. The robot moves forward when they
-# run what Adafruit's library calls backward, IN2 high.
-ADAFRUIT = Wiring(left=HBridge(forward=9, backward=10, pwm=8), right=HBridge(forward=12, backward=11, pwm=13))
-
-# Waveshare's JetBot board: the duty is on the direction outputs.
-WAVESHARE = Wiring(left=HBridge(forward=1, backward=0), right=HBridge(forward=2, backward=3))
-
-
-class PwmMotors:
-    """Motors on a PCA9685, wired in one way or, where a scan cannot tell which, in several at once.
-
-    left, right: speeds in [-1, 1], 1 full forward. Every method but ``close`` raises BusError.
-    """
-
-    def __init__(self, device, wirings):
-        self.device = device
-        self._wirings = wirings
-        self._chip = PCA9685(device, [outputs(wiring) for wiring in wirings])
-
-    def start(self):
-        """Set the board up with both wheels off."""
-        self._chip.start()
-
-    def drive(self, left, right):
-        """Turn the wheels at these speeds; after a BusError, the next call sets the board up anew."""
-        duties = {}
-        for wiring in self._wirings:
-            duties.update(wiring.left.duties(left))
-            duties.update(wiring.right.duties(right))
-        self._chip.set_outputs(duties)
-
-    def refresh(self, left, right):
-        """Drive as before, and set a board up again that lost its power meanwhile."""
-        self._chip.verify()
-        self.drive(left, right)
-
-    def close(self):
-        """Let go of the bus; the wheels go on as they are."""
-        self.device.close()
-
-
-def outputs(wiring):
-    """The range of PCA9685 outputs that a wiring uses."""
-    used = [output for bridge in wiring for output in bridge.duties(1)]
-    return range(min(used), max(used) + 1)
+    i2c_bus: object = 1
+    port: str = "/dev/ttyACM0"
+    failsafe: float = 1.0
 
 
 class Board(NamedTuple):
-    """A row of the table: the chip's I2C address and how the wheels hang on it."""
+    """A row of the table: the class that drives the board, and its I2C address, None for the serial port."""
 
-    address: int
-    wirings: Tuple[Wiring, ...]
+    motors: Callable
+    address: Optional[int] = None
 
 
 # Adafruit's and Waveshare's boards share an address and answer alike; `jetbot` drives both layouts.
 BOARDS = {
-    "jetbot": Board(0x60, (ADAFRUIT, WAVESHARE)),
-    "adafruit": Board(0x60, (ADAFRUIT,)),
-    "waveshare": Board(0x60, (WAVESHARE,)),
+    "jetbot": Board(partial(PwmMotors, wirings=(ADAFRUIT, WAVESHARE)), 0x60),
+    "adafruit": Board(partial(PwmMotors, wirings=(ADAFRUIT,)), 0x60),
+    "waveshare": Board(partial(PwmMotors, wirings=(WAVESHARE,)), 0x60),
+    "sparkfun": Board(ScmdMotors, 0x5D),
+    "jetbot_pro": Board(JetBotPro),
 }
 
 
-def open_board(name, i2c_bus):
+def open_board(name, options):
     """The motor board with this name, started: whatever turned before now stands. Raises InvalidValue, BusError."""
     if name not in BOARDS:
         raise InvalidValue(f"there is no board {name!r}", f"Choose one of: {', '.join(BOARDS)}.")
     row = BOARDS[name]
-    board = PwmMotors(I2CDevice(i2c_bus, row.address), row.wirings)
+    link = I2CDevice(options.i2c_bus, row.address) if row.address else SerialLink(options.port)
+    board = row.motors(link, options)
     board.start()
     return board

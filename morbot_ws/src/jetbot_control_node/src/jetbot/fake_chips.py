@@ -42,4 +42,26 @@ class PCA9685:
         return 1.0 if on & 0x1000 else (off - on) % 4096 / 4096
 
 
-CHIPS = {0x60: PCA9685}
+class SCMD:
+    """SparkFun's motor driver: ID 0x01, drive bytes 0x20 and 0x21, DRIVER_ENABLE 0x70, FSAFE_TIME 0x76, STATUS 0x77."""
+
+    POWER_ON = bytes({0x01: 0xA9, 0x20: 0x80, 0x21: 0x80, 0x77: 0x01}.get(register, 0) for register in range(256))
+    READ_ONLY = (0x01, 0x77)
+
+    @staticmethod
+    def write(registers, register, data):
+        """Apply one transfer to ``registers``, a bytearray of 256."""
+        for offset, value in enumerate(data):
+            if register + offset not in SCMD.READ_ONLY:
+                registers[register + offset] = value
+
+    @staticmethod
+    def speed(registers, motor, silence):
+        """Speed in [-1, 1] of motor 0 or 1, when nothing was written for ``silence`` seconds; forward counts down."""
+        timed_out = registers[0x1F] & 0x01 and registers[0x76] and silence > registers[0x76] / 100
+        if timed_out or not registers[0x70] & 0x01:
+            return 0.0
+        return (0x80 - registers[0x20 + motor]) / 0x80
+
+
+CHIPS = {0x60: PCA9685, 0x5D: SCMD}

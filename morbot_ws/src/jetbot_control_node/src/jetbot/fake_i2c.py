@@ -81,7 +81,8 @@ class FakeBus:
         try:
             registers = bytearray(os.pread(chip, REGISTERS, 0).ljust(REGISTERS, b"\0"))
             result = action(registers)
-            os.pwrite(chip, registers, 0)
+            if result is None:  # a write: it also sets the time since when nobody wrote
+                os.pwrite(chip, registers, 0)
             return result
         finally:
             os.close(chip)

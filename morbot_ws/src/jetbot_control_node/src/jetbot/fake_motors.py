@@ -6,7 +6,7 @@ Written from the boards' circuit diagrams and not from ``boards``, so that a dri
 import sys
 import time
 
-from .fake_chips import PCA9685
+from .fake_chips import PCA9685, SCMD
 from .fake_i2c import chip_file, default_folder
 
 # board: (left, right), each the PCA9685 outputs at its motor driver: PWM (None: always on), forward input, other input
@@ -26,10 +26,13 @@ def motor_speed(registers, pwm, forward, backward):
 
 def wheel_speeds(folder, board="adafruit"):
     """Speeds (left, right) of the robot with this board on the fake bus; 0 where its chip is unplugged."""
+    chip = chip_file(folder, 0x5D if board == "sparkfun" else 0x60)
     try:
-        registers = chip_file(folder, 0x60).read_bytes()
+        registers, written = chip.read_bytes(), chip.stat().st_mtime
     except FileNotFoundError:
         return 0.0, 0.0
+    if board == "sparkfun":
+        return tuple(SCMD.speed(registers, motor, time.time() - written) for motor in (0, 1))
     return tuple(motor_speed(registers, *motor) for motor in MOTORS[board])
 
 

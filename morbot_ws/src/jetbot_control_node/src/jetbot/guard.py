@@ -13,7 +13,7 @@ import subprocess
 import sys
 import time
 
-from .boards import open_board
+from .boards import Options, open_board
 from .errors import BusError
 
 STANDING = b"s"
@@ -25,10 +25,10 @@ PATIENCE = 10.0  # seconds to go on trying when the board does not answer
 class Guard:
     """The driving process's end of the pipe."""
 
-    def __init__(self, board, i2c_bus):
+    def __init__(self, board, options):
         self._process = subprocess.Popen(
             [sys.executable, "-IS", "-c", f"import sys; sys.path = {sys.path}; from {__name__} import main; main()",
-             board, str(i2c_bus)], stdin=subprocess.PIPE,
+             board, str(options.i2c_bus), options.port], stdin=subprocess.PIPE,
             start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
         os.set_blocking(self._process.stdin.fileno(), False)
 
@@ -67,12 +67,12 @@ def hear(patience):
     return None
 
 
-def stop(board, i2c_bus):
+def stop(board, i2c_bus, port):
     """Stop the wheels; where the board does not answer, try again and again for some seconds."""
     deadline = time.monotonic() + PATIENCE
     while True:
         try:
-            return open_board(board, i2c_bus).close()  # opening a board stops its wheels
+            return open_board(board, Options(i2c_bus, port)).close()  # opening a board stops its wheels
         except BusError as error:
             if time.monotonic() > deadline:
                 return print(f"jetbot: the wheels may still turn. {error}", file=sys.stderr)

@@ -18,7 +18,7 @@ class I2CDevice:
     """
 
     def __init__(self, bus, address):
-        self.bus = bus_name(bus)
+        self.name = bus_name(bus)
         self.address = address
         self.transfers = self.errors = 0
         self._smbus = None
@@ -47,14 +47,14 @@ class I2CDevice:
     def _transfer(self, call):
         for _ in range(TRIES):
             try:
-                self._smbus = self._smbus or open_bus(self.bus)
+                self._smbus = self._smbus or open_bus(self.name)
                 self.transfers += 1
                 return call(self._smbus)
             except OSError as error:
                 self.errors += 1
                 self.close()
                 failure = error
-        raise explain(failure, self.bus, self.address) from None
+        raise explain(failure, self.name, self.address) from None
 
 
 def bus_name(bus):
@@ -89,6 +89,8 @@ def explain(error, bus, address):
         errno.ETIMEDOUT: (f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires."),
     }.get(error.errno, (f"no answer from 0x{address:02x} on {bus}",
                         f"Is the motor board plugged in and its battery on? {which_buses()}"))
+    if bus.startswith("fake:"):
+        advice = f"To plug it in: python3 -m jetbot.fake_i2c {bus[len('fake:'):]}"
     return BusError(reason, advice, error.errno)
 
 

@@ -1,7 +1,11 @@
 """Parameters: their defaults, and one sentence for a value that cannot be used."""
 
 import math
+import os
+from pathlib import Path
 from typing import Callable, NamedTuple
+
+import yaml
 
 from .boards import BOARDS
 from .errors import InvalidValue
@@ -23,16 +27,40 @@ def is_number(value):
 SECONDS = (lambda value: is_number(value) and value >= 0, "a number of seconds, 0 or more")
 POSITIVE = (lambda value: is_number(value) and value > 0, "a number above 0")
 NUMBER = (is_number, "a number")
+PART = (lambda value: is_number(value) and 0 <= value < 1, "a number from 0 up to, but not, 1")
+YES_OR_NO = (lambda value: isinstance(value, bool), "true or false")
 
 PARAMETERS = {
     "board": Parameter("jetbot", lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}"),
     "i2c_bus": Parameter(1, lambda value: isinstance(value, (int, str)), "a number, fake, or fake:FOLDER"),
+    "port": Parameter("/dev/ttyACM0", lambda value: isinstance(value, str), "a serial device or pyserial URL"),
     "cmd_vel_timeout": Parameter(1.0, *SECONDS),
     "wheel_separation": Parameter(2.0, *POSITIVE),
     "max_speed": Parameter(1.0, *POSITIVE),
     "left_motor_alpha": Parameter(1.0, *NUMBER),
     "right_motor_alpha": Parameter(1.0, *NUMBER),
+    "swap_motors": Parameter(False, *YES_OR_NO),
+    "invert_left": Parameter(False, *YES_OR_NO),
+    "invert_right": Parameter(False, *YES_OR_NO),
+    "min_duty": Parameter(0.0, *PART),
+    "publish_tf": Parameter(False, *YES_OR_NO),
 }
+
+
+def load(file=None):
+    """The parameters in a YAML file, jetbot.yaml in ROS's home (~/.ros) where it exists and no other is named."""
+    path = Path(file or Path(os.environ.get("ROS_HOME") or Path.home() / ".ros", "jetbot.yaml"))
+    if not file and not path.exists():
+        return {}
+    try:
+        values = yaml.safe_load(path.read_text()) or {}
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise InvalidValue(f"the file {path} cannot be read as YAML: {' '.join(str(error).split())}") from None
+    strangers = sorted(set(values) - set(PARAMETERS)) if isinstance(values, dict) else [values]
+    if strangers:
+        raise InvalidValue(f"the file {path} holds {strangers[0]!r}, which is no parameter",
+                           f"The parameters are {', '.join(PARAMETERS)}.")
+    return values
 
 
 def checked(given, parameters=PARAMETERS):

@@ -5,7 +5,7 @@ import math
 import os
 import threading
 
-from .boards import open_board
+from .boards import Options, open_board
 from .errors import BusError, InvalidValue, JetbotError
 from .guard import Guard
 from .kinematics import clamp
@@ -14,9 +14,11 @@ from .kinematics import clamp
 class Motor:
     """One wheel of a Robot. ``alpha``: a trim that its speed is multiplied with."""
 
-    def __init__(self, robot, alpha):
+    def __init__(self, robot, alpha, inverted, min_duty):
         self._robot = robot
         self._value = 0.0
+        self._inverted = inverted
+        self._min_duty = min_duty
         self.alpha = alpha
 
     @property
@@ -28,28 +30,44 @@ class Motor:
     def value(self, speed):
         self._robot.set_speeds({self: speed})
 
+    @property
+    def output(self):
+        """What the motor is given: the value trimmed, lifted over the motor's dead band, and turned round."""
+        speed = clamp(self.alpha * self._value)
+        if speed == 0:
+            return 0.0
+        duty = self._min_duty + (1 - self._min_duty) * abs(speed)
+        return math.copysign(duty, -speed if self._inverted else speed)
+
 
 class Robot:
     """A JetBot's two wheels. They stop when the interpreter exits, and when its process is killed.
 
-    board: a row of ``boards.BOARDS``; i2c_bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``.
-    Left out, they come from JETBOT_BOARD and JETBOT_I2C_BUS, else are ``jetbot`` and 1.
+    board: a row of ``boards.BOARDS``; i2c_bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; port: of ``jetbot_pro``.
+    Left out, they come from JETBOT_BOARD, JETBOT_I2C_BUS and JETBOT_PORT, else are ``jetbot``, 1 and /dev/ttyACM0.
     left_motor_alpha, right_motor_alpha: trims for a robot that does not drive straight.
+    swap_motors, invert_left, invert_right: for a robot whose motors are connected otherwise.
+    min_duty: the least part of full power, 0 to 1, that turns a wheel; speeds above 0 begin there.
+    failsafe: seconds without a refresh after which a board that has a timer stops by itself.
 
     Speeds are in [-1, 1], 1 full forward, and clamped beyond. A speed that is no finite number stops both wheels and
     raises InvalidValue (a ValueError). A board that does not answer raises BusError (an OSError), and is set up again
     by the next call. Any thread may call.
     """
 
-    def __init__(self, board=None, i2c_bus=None, left_motor_alpha=1.0, right_motor_alpha=1.0):
+    def __init__(self, board=None, i2c_bus=None, port=None, left_motor_alpha=1.0, right_motor_alpha=1.0,
+                 swap_motors=False, invert_left=False, invert_right=False, min_duty=0.0, failsafe=1.0):
         board = os.environ.get("JETBOT_BOARD", "jetbot") if board is None else board
         i2c_bus = os.environ.get("JETBOT_I2C_BUS", 1) if i2c_bus is None else i2c_bus
-        self.left_motor = Motor(self, left_motor_alpha)
-        self.right_motor = Motor(self, right_motor_alpha)
+        port = os.environ.get("JETBOT_PORT", "/dev/ttyACM0") if port is None else port
+        options = Options(i2c_bus, port, failsafe)
+        self.left_motor = Motor(self, left_motor_alpha, invert_left, min_duty)
+        self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty)
+        self._connectors = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)
         self._lock = threading.Lock()
         self._closed = False
-        self.board = open_board(board, i2c_bus)
-        self._guard = Guard(board, i2c_bus)
+        self.board = open_board(board, options)
+        self._guard = Guard(board, options)
         atexit.register(self.close)
 
     def set_motors(self, left_speed, right_speed):
@@ -88,19 +106,22 @@ class Robot:
             finally:
                 self._act(self.board.drive)
 
-    def refresh(self):
-        """Check that the board still does what it was told, and set it up again if not."""
+    def refresh(self, idle=True):
+        """Check that the board still does what it was told, set it up again if not, and keep its timer running.
+
+        To be called 20 times a second, where it is called at all. idle: whether no command went out just now.
+        """
         with self._lock:
-            self._act(self.board.refresh)
+            self._act(self.board.refresh, idle)
 
     def heartbeat(self):
         """Say that this program does not hang. Once said, it must be said again within a second, or the wheels stop."""
         self._guard.heartbeat()
 
-    def _act(self, action):
+    def _act(self, action, *arguments):
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
-        action(*(clamp(motor.alpha * motor.value) for motor in (self.left_motor, self.right_motor)))
+        action(*(motor.output for motor in self._connectors), *arguments)
 
     def close(self):
         """Stop the wheels and let go of the board. May be called twice."""

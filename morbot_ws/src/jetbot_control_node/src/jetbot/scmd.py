@@ -1,0 +1,96 @@
+"""SparkFun's Serial Controlled Motor Driver: two motors, and a timer that stops them when the computer hangs.
+
+Registers as in SparkFun's firmware, https://github.com/sparkfun/Serial_Controlled_Motor_Driver.
+"""
+
+import time
+
+from .errors import BusError
+
+ID = 0x01
+ID_WORD = 0xA9
+FAILSAFE_CONTROL = 0x1F
+STOP_MOTORS = 0x01      # what the failsafe does when its time has run out
+LEFT, RIGHT = 0x20, 0x21
+DRIVER_ENABLE = 0x70    # 0 at power-on
+FAILSAFE_TIME = 0x76    # units of 10 ms without a transfer; 0: off
+STATUS_1 = 0x77
+READY = 0x01
+START_UP = 2.0          # seconds; the firmware looks for further boards first
+
+
+class ScmdMotors:
+    """Drives the SCMD. Every refresh is a transfer and so keeps its failsafe from stopping the wheels.
+
+    device: an I2CDevice; options.failsafe: 0.1 to 2.55 s, to which other times are brought.
+    """
+
+    def __init__(self, device, options):
+        self.device = device
+        self._failsafe = min(255, max(10, round(options.failsafe * 100)))
+        self._sent = None  # the drive bytes as the chip holds them; None: not known
+        self._blocks = False
+
+    def start(self):
+        """Set the chip up with both wheels off."""
+        if self.device.read(ID) != ID_WORD:
+            raise BusError(f"at 0x{self.device.address:02x} on {self.device.name} is no SparkFun motor driver",
+                           "Something else answers there: choose another board.")
+        self._wait_until_ready()
+        self.device.write(DRIVER_ENABLE, [0])
+        self._blocks = self._takes_blocks()
+        self._send(bytes([encode(0), encode(0)]))
+        self.device.write(FAILSAFE_CONTROL, [STOP_MOTORS])
+        self.device.write(FAILSAFE_TIME, [self._failsafe])
+        self.device.write(DRIVER_ENABLE, [1])
+
+    def drive(self, left, right):
+        """Turn the wheels at these speeds, in [-1, 1]."""
+        if self._sent is None:
+            self.start()
+        wanted = bytes([encode(left), encode(right)])
+        if wanted != self._sent:
+            self._send(wanted)
+
+    def refresh(self, left, right, idle):
+        """Drive as before, with a transfer in any case; set a chip up again that lost its power meanwhile."""
+        sent = self._sent
+        if idle and sent is not None:
+            self._sent = None
+            if self.device.read(DRIVER_ENABLE) & 1:
+                self._send(sent)
+        self.drive(left, right)
+
+    def close(self):
+        """Let go of the bus; the wheels go on until the failsafe stops them."""
+        self.device.close()
+
+    def _wait_until_ready(self):
+        deadline = time.monotonic() + START_UP
+        while not self.device.read(STATUS_1) & READY:
+            if time.monotonic() > deadline:
+                raise BusError(f"the motor driver on {self.device.name} does not become ready",
+                               "Switch the robot off and on.")
+            time.sleep(0.01)
+
+    def _takes_blocks(self):
+        """Whether both drive bytes arrive in one transfer; tried with the motors switched off."""
+        self.device.write(LEFT, [encode(0), encode(0) - 1])
+        return self.device.read(RIGHT) == encode(0) - 1
+
+    def _send(self, wanted):
+        self._sent = None  # until all of it went through
+        if self._blocks:
+            self.device.write(LEFT, wanted)
+        else:
+            self.device.write(LEFT, wanted[:1])
+            self.device.write(RIGHT, wanted[1:])
+        self._sent = wanted
+
+
+def encode(speed):
+    """The drive byte for a speed in [-1, 1]: 0x80 stands, and forward counts down, as the JetBot's motors are wired.
+
+    Full backward would be 256, which a byte wraps to 0, full forward; 255 is as near as it gets.
+    """
+    return min(255, max(0, 128 - round(speed * 128)))

@@ -1,0 +1,67 @@
+"""The edge to a serial port: which port a name means, and what to do when it fails."""
+
+import errno
+import threading
+
+from .errors import BusError, InvalidValue
+
+BAUD_RATE = 115200
+PATIENCE = 0.05  # seconds that a write may take before the port counts as stuck
+
+
+class SerialLink:
+    """Bytes to and from a serial port, which is opened when first used, and anew after a failure.
+
+    name: a device or any pyserial URL. Raises BusError.
+    """
+
+    def __init__(self, name):
+        if not isinstance(name, str) or not name:
+            raise InvalidValue(f"port cannot be {name!r}", "Give a serial device such as /dev/ttyACM0.")
+        self.name = name
+        self.transfers = self.errors = 0
+        self._port = None
+        self._opening = threading.Lock()  # one thread may write while another reads
+
+    def write(self, data):
+        """Send bytes at once."""
+        self._try(lambda port: port.write(data))
+        self.transfers += 1
+
+    def read(self):
+        """The bytes that have arrived; waits up to ``PATIENCE`` seconds for the first, and may return none."""
+        return self._try(lambda port: port.read(port.in_waiting or 1))
+
+    def close(self):
+        """Close the port; the next use opens it again."""
+        with self._opening:
+            port, self._port = self._port, None
+            if port is not None:
+                port.close()
+
+    def _try(self, action):
+        try:
+            with self._opening:
+                port = self._port = self._port or open_port(self.name)
+            return action(port)
+        except (OSError, TypeError) as error:  # TypeError: pyserial, when another thread closes the port meanwhile
+            self.errors += 1
+            self.close()
+            raise explain(error, self.name) from None
+
+
+def open_port(name):
+    """The port with this name, at 115200 8N1."""
+    import serial  # here, so that a robot without a serial port does not need it
+    return serial.serial_for_url(name, BAUD_RATE, timeout=PATIENCE, write_timeout=PATIENCE)
+
+
+def explain(error, name):
+    """The BusError that says what an error of pyserial means and what to do."""
+    number = getattr(error, "errno", None)
+    reason, advice = {
+        errno.ENOENT: (f"there is no serial port {name}", "Is the board plugged in and switched on?"),
+        errno.EACCES: (f"no permission to open {name}",
+                       "Join its group with: sudo usermod -aG dialout $USER   and log in again."),
+    }.get(number, (f"no answer from {name}", "Is the board plugged in and switched on?"))
+    return BusError(reason, advice, number)

@@ -1,0 +1,1 @@
+"""What ROS makes of the jetbot package, where a script would grow too long."""

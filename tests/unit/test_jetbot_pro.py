@@ -1,0 +1,99 @@
+"""Frames of the JetBot Pro, to the byte, and how it finds them in noise."""
+
+import os
+import pty
+import struct
+import tty
+
+import pytest
+
+from jetbot import BusError
+from jetbot.boards import Options, open_board
+from jetbot.jetbot_pro import FrameReader, frame, velocity
+
+POSE = struct.pack(">3h", 1500, -250, 785)
+MOTION = struct.pack(">6h", 16384, 0, -16384, 0, 0, 16384)
+REPORT_BODY = b"\xaa\x55\x2d\x01" + MOTION + bytes(6) + POSE + bytes(16)
+REPORT = REPORT_BODY + bytes([sum(REPORT_BODY) % 256])
+
+
+@pytest.mark.parametrize("left, right, bytes_", [
+    (0, 0, "aa550b11000000000000" "1b"),
+    (0.4, 0.6, "aa550b1101f400000064" "74"),   # 500 mm/s, 100 mrad/s
+    (-1, -1, "aa550b11fc1800000000" "2f"),     # -1000 mm/s
+    (1, -1, "aa550b1100000000fc18" "2f"),      # -1000 mrad/s
+])
+def test_velocity(left, right, bytes_):
+    assert velocity(left, right).hex() == bytes_
+
+
+def test_frames_of_the_vendors_settings():
+    assert frame(0x12, 350, 120, 0).hex() == "aa550b12015e00780000f3"
+    assert frame(0x13, 1000, 1000).hex() == "aa550913" + "03e803e8" + "f1"
+
+
+def test_reads_a_frame():
+    assert list(FrameReader().feed(REPORT)) == [(0x01, REPORT[4:-1])]
+
+
+def test_reads_a_frame_that_comes_byte_by_byte():
+    reader = FrameReader()
+    frames = [frame for byte in REPORT for frame in reader.feed(bytes([byte]))]
+    assert len(frames) == 1
+
+
+@pytest.mark.parametrize("noise", [
+    b"\x00", b"\xaa", b"\xaa\x55", b"\xaa\x55\x2d", b"\xaa\x55\xff\x01", b"\xaa\x55\x00\x01", REPORT[:-1] + b"\x00",
+    REPORT[:20], bytes(range(256))])
+def test_finds_the_frames_behind_noise(noise):
+    frames = list(FrameReader().feed(noise + REPORT + REPORT + REPORT))
+    assert len(frames) >= 2
+    assert set(frames) == {(0x01, REPORT[4:-1])}
+
+
+@pytest.fixture
+def port():
+    """A pseudo-terminal: (the board's end, the name of the computer's end)."""
+    board, computer = pty.openpty()
+    tty.setraw(board)
+    yield board, os.ttyname(computer)
+    os.close(board)
+    os.close(computer)
+
+
+def read(end, count):
+    data = b""
+    while len(data) < count:
+        data += os.read(end, count - len(data))
+    return data
+
+
+def test_driving_sends_changes_and_refreshing_repeats(port):
+    end, name = port
+    board = open_board("jetbot_pro", Options(port=name))
+    settings = frame(0x12, 350, 120, 0) + frame(0x13, 1000, 1000)
+    assert read(end, 31) == settings + velocity(0, 0)
+    board.drive(0.4, 0.6)
+    board.drive(0.4, 0.6)
+    board.refresh(0.4, 0.6, idle=True)
+    assert read(end, 22) == velocity(0.4, 0.6) * 2
+    board.close()
+
+
+def test_telemetry_in_units(port):
+    end, name = port
+    board = open_board("jetbot_pro", Options(port=name))
+    heard = []
+    board.listen(heard.append)
+    os.write(end, b"noise" + REPORT)
+    from test_robot import eventually
+    assert eventually(lambda: heard)
+    assert (heard[0].x, heard[0].y, heard[0].yaw) == (1.5, -0.25, 0.785)
+    assert heard[0].gyro == pytest.approx((17.4533, 0, -17.4533), abs=1e-4)
+    assert heard[0].acceleration == pytest.approx((0, 0, 9.80665))
+    board.close()
+
+
+def test_no_such_port():
+    with pytest.raises(BusError, match="^There is no serial port /dev/nowhere. Is the board plugged in and "):
+        open_board("jetbot_pro", Options(port="/dev/nowhere"))
