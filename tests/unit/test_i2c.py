@@ -5,7 +5,7 @@ import errno
 import pytest
 
 from jetbot import BusError, InvalidValue, i2c
-from jetbot.i2c import I2CDevice, explain, which_buses
+from jetbot.i2c import I2CDevice, explain
 
 
 @pytest.fixture(autouse=True)
@@ -28,20 +28,6 @@ def test_errno_in_words(number, sentence):
     error = explain(OSError(number, ""), "/dev/i2c-1", 0x60)
     assert str(error) == sentence
     assert error.errno == number
-
-
-@pytest.mark.parametrize("model, buses, sentence", [
-    ("NVIDIA Jetson Nano Developer Kit\0", ["i2c-0", "i2c-1"],
-     "This computer has {dev}/i2c-0, {dev}/i2c-1. On a Jetson Nano the robot is on bus 1: i2c_bus:=1. "
-     "Without a robot: i2c_bus:=fake."),
-    (None, [], "This computer has no /dev/i2c-* at all. Without a robot: i2c_bus:=fake."),
-])
-def test_which_buses(tmp_path, model, buses, sentence):
-    for bus in buses:
-        (tmp_path / bus).touch()
-    if model:
-        (tmp_path / "model").write_text(model)
-    assert which_buses(tmp_path, tmp_path / "model") == sentence.format(dev=tmp_path)
 
 
 @pytest.mark.parametrize("bus", ["", "one", "fake:", "-1", 1.5, None])

@@ -1,13 +1,11 @@
 """The edge to the I2C bus: which bus a name means, and what to do when a transfer fails."""
 
 import errno
-from pathlib import Path
 
+from .computer import which_buses
 from .errors import BusError, InvalidValue
 
 TRIES = 3  # a single failed transfer is noise; three in a row are a fault
-
-ROBOT_BUS = {"Jetson Nano": 1, "Xavier NX": 8, "Orin Nano": 7, "Raspberry Pi": 1}  # by /proc/device-tree/model
 
 
 class I2CDevice:
@@ -50,6 +48,8 @@ class I2CDevice:
                 self._smbus = self._smbus or open_bus(self.name)
                 self.transfers += 1
                 return call(self._smbus)
+            except BusError:
+                raise  # already in words
             except OSError as error:
                 self.errors += 1
                 self.close()
@@ -75,7 +75,10 @@ def open_bus(name):
     if name.startswith("fake:"):
         from .fake_i2c import FakeBus
         return FakeBus(name[len("fake:"):])
-    from smbus2 import SMBus  # here, so that a machine without a bus does not need it
+    try:
+        from smbus2 import SMBus  # here, so that a machine without a bus does not need it
+    except ImportError:
+        raise BusError("the Python package smbus2 is missing", "Install it: sudo apt install python3-smbus2") from None
     return SMBus(int(name[len("/dev/i2c-"):]))
 
 
@@ -92,12 +95,3 @@ def explain(error, bus, address):
     if bus.startswith("fake:"):
         advice = f"To plug it in: python3 -m jetbot.fake_i2c {bus[len('fake:'):]}"
     return BusError(reason, advice, error.errno)
-
-
-def which_buses(dev=Path("/dev"), model=Path("/proc/device-tree/model")):
-    """Which buses this computer has, and which one its robot is on, in a sentence."""
-    there = ", ".join(sorted(str(path) for path in dev.glob("i2c-*"))) or "no /dev/i2c-* at all"
-    computer = model.read_text().rstrip("\0") if model.exists() else ""
-    known = next(((name, bus) for name, bus in ROBOT_BUS.items() if name in computer), None)
-    usual = f" On a {known[0]} the robot is on bus {known[1]}: i2c_bus:={known[1]}." if known else ""
-    return f"This computer has {there}.{usual} Without a robot: i2c_bus:=fake."

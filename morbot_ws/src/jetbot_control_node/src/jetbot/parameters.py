@@ -47,9 +47,14 @@ PARAMETERS = {
 }
 
 
+def default_file():
+    """Where the parameters of this computer's robot are kept: jetbot.yaml in ROS's home (~/.ros)."""
+    return Path(os.environ.get("ROS_HOME") or Path.home() / ".ros", "jetbot.yaml")
+
+
 def load(file=None):
-    """The parameters in a YAML file, jetbot.yaml in ROS's home (~/.ros) where it exists and no other is named."""
-    path = Path(file or Path(os.environ.get("ROS_HOME") or Path.home() / ".ros", "jetbot.yaml"))
+    """The parameters in a YAML file, ``default_file`` where it exists and no other is named."""
+    path = Path(file or default_file())
     if not file and not path.exists():
         return {}
     try:

@@ -44,6 +44,8 @@ class SerialLink:
             with self._opening:
                 port = self._port = self._port or open_port(self.name)
             return action(port)
+        except BusError:
+            raise  # already in words
         except (OSError, TypeError) as error:  # TypeError: pyserial, when another thread closes the port meanwhile
             self.errors += 1
             self.close()
@@ -52,8 +54,13 @@ class SerialLink:
 
 def open_port(name):
     """The port with this name, at 115200 8N1."""
-    import serial  # here, so that a robot without a serial port does not need it
-    return serial.serial_for_url(name, BAUD_RATE, timeout=PATIENCE, write_timeout=PATIENCE)
+    try:
+        import serial  # here, so that a robot without a serial port does not need it
+        return serial.serial_for_url(name, BAUD_RATE, timeout=PATIENCE, write_timeout=PATIENCE)
+    except ImportError:
+        raise BusError("the Python package serial is missing", "Install it: sudo apt install python3-serial") from None
+    except ValueError as error:
+        raise InvalidValue(f"port cannot be {name!r}: {error}") from None
 
 
 def explain(error, name):

@@ -1,0 +1,28 @@
+"""The computer that all runs on: its model, its I2C buses, and which of them a JetBot's motors are on."""
+
+from pathlib import Path
+
+ROBOT_BUS = {"Jetson Nano": 1, "Xavier NX": 8, "Orin Nano": 7, "Raspberry Pi": 1}  # by a part of the model's name
+
+
+def model(file=Path("/proc/device-tree/model")):
+    """The computer's name as its maker gave it; "" on a computer without one, such as a PC."""
+    return file.read_text().rstrip("\0") if file.exists() else ""
+
+
+def robot_bus(name):
+    """The number of the bus that the motors are on, on a computer of this name; None for one that is not known."""
+    return next((bus for part, bus in ROBOT_BUS.items() if part in name), None)
+
+
+def buses(dev=Path("/dev")):
+    """The I2C buses there are, as paths, by their numbers."""
+    return sorted(dev.glob("i2c-*"), key=lambda path: (len(path.name), path.name))
+
+
+def which_buses():
+    """In a sentence or two, which buses there are and which one to use."""
+    there = ", ".join(map(str, buses())) or "no /dev/i2c-* at all"
+    usual = robot_bus(model())
+    hint = f" On a {model()} the motors are on bus {usual}: i2c_bus:={usual}." if usual is not None else ""
+    return f"This computer has {there}.{hint} Without a robot: i2c_bus:=fake."

@@ -1,0 +1,41 @@
+import math
+
+import pytest
+import yaml
+
+from jetbot import InvalidValue
+from jetbot.calibration import WHEEL_SEPARATION, as_yaml, orientation, trim
+from jetbot.parameters import checked
+
+
+@pytest.mark.parametrize("left_output, right_output, swap, left, right", [
+    (("left", 1), ("right", 1), False, False, False),
+    (("left", -1), ("right", 1), False, True, False),
+    (("right", 1), ("left", 1), True, False, False),
+    (("right", -1), ("left", 1), True, False, True),
+    (("right", -1), ("left", -1), True, True, True),
+])
+def test_orientation(left_output, right_output, swap, left, right):
+    assert orientation(left_output, right_output) == {
+        "swap_motors": swap, "invert_left": left, "invert_right": right}
+
+
+def test_one_wheel_cannot_turn_at_both_outputs():
+    with pytest.raises(InvalidValue, match="^The left wheel cannot have turned both times. Look again.$"):
+        orientation(("left", 1), ("left", -1))
+
+
+@pytest.mark.parametrize("left, right", [(1.0, 0.95), (0.9, 1.0), (1.0, 1.0)])
+def test_trim_makes_the_wheels_equal(left, right):
+    curvature = (right - left) / (WHEEL_SEPARATION * (right + left) / 2)
+    drift = math.copysign((1 - math.sqrt(1 - curvature ** 2)) / curvature, curvature) if curvature else 0
+    left_alpha, right_alpha = trim(1.0, 1.0, drift)
+    assert left * left_alpha == pytest.approx(right * right_alpha, rel=1e-3)
+    assert max(left_alpha, right_alpha) == 1
+
+
+def test_the_file_holds_the_parameters():
+    parameters = {"board": "waveshare", "i2c_bus": "1", "swap_motors": True, "left_motor_alpha": 0.95, "min_duty": 0.1}
+    read = yaml.safe_load(as_yaml(parameters))
+    assert read == parameters
+    assert checked(read)["swap_motors"] is True
