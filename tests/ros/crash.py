@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """When the controller itself is killed or frozen, the wheels stop, under roslaunch and under rosrun."""
 
+import contextlib
 import os
 import signal
+from pathlib import Path
 from xmlrpc.client import ServerProxy
 
 import rosgraph
@@ -33,6 +35,43 @@ class Crash(RobotTest):
         self.wait_for_wheels(0.5, 0.5)
         os.killpg(node.pid, signal.SIGKILL)
         self.wait_for_stop(within=LIMIT)
+
+    def test_killed_after_its_guard(self):
+        node = self.controller(cmd_vel_timeout=0)
+        self.command(0.5)
+        self.wait_for_wheels(0.5, 0.5)
+        self.wait_for(self.guard, START, "the guard")
+        first = self.guard()
+        os.kill(first, signal.SIGKILL)
+        self.wait_for(lambda: self.guard() not in (None, first), 2.0, "another guard")
+        os.killpg(node.pid, signal.SIGKILL)
+        self.wait_for_stop(within=LIMIT)
+
+    def test_killed_without_the_board_that_comes_back_later(self):
+        node = self.controller(cmd_vel_timeout=0)
+        self.command(0.5)
+        self.wait_for_wheels(0.5, 0.5)
+        os.rename(self.bus + "/0x60", self.bus + "/cable_is_out")
+        os.killpg(node.pid, signal.SIGKILL)
+        node.wait()
+        os.rename(self.bus + "/cable_is_out", self.bus + "/0x60")
+        self.wait_for_stop(within=LIMIT)
+
+    def test_roslaunch_itself_killed(self):
+        launch = self.launch("jetbot_control_node", "jetbot_controller.launch", "cmd_vel_timeout:=0")
+        self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
+        self.command(0.5)
+        self.wait_for_wheels(0.5, 0.5)
+        launch.kill()
+        self.wait_for_stop(within=LIMIT)
+
+    def guard(self):
+        """The process id of the guard on this test's bus."""
+        for path in Path("/proc").glob("[0-9]*"):
+            with contextlib.suppress(OSError):
+                if (path / "comm").read_text() == "jetbot_guard\n" and self.bus in (path / "cmdline").read_text():
+                    return int(path.name)
+        return None
 
     def test_frozen_controller(self):
         node = self.controller()

@@ -7,6 +7,7 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 
 from harness import RobotTest, main
+from jetbot.fake_i2c import power_on
 
 
 class Diagnostics(RobotTest):
@@ -43,6 +44,7 @@ class Diagnostics(RobotTest):
         self.wait_for_level(DiagnosticStatus.WARN, "stopped: no command for 0.2 s")
         os.unlink(os.path.join(self.bus, "0x60"))
         self.wait_for_level(DiagnosticStatus.ERROR, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")
+        power_on(self.bus)  # or else the guard goes on trying for minutes
 
 
 if __name__ == "__main__":

@@ -52,7 +52,7 @@ def make_robot(folder, monkeypatch):
 
     yield make
     for each in robots:
-        each.close()
+        each._close_at_exit()
 
 
 class NoGuard:
@@ -64,4 +64,4 @@ class NoGuard:
     def dismiss(self):
         pass
 
-    heartbeat = take_over = dismiss
+    heartbeat = leave = dismiss

@@ -23,8 +23,8 @@ def test_buses_by_number(tmp_path):
 
 
 @pytest.mark.parametrize("model, buses, sentence", [
-    ("Jetson Nano", ["/dev/i2c-0", "/dev/i2c-1"], "This computer has /dev/i2c-0, /dev/i2c-1. On a Jetson Nano the motors "
-     "are on bus 1: i2c_bus:=1. Without a robot: i2c_bus:=fake."),
+    ("Jetson Nano", ["/dev/i2c-0", "/dev/i2c-1"], "This computer has /dev/i2c-0, /dev/i2c-1. "
+     "On a Jetson Nano the motors are on bus 1: i2c_bus:=1. Without a robot: i2c_bus:=fake."),
     ("", [], "This computer has no /dev/i2c-* at all. Without a robot: i2c_bus:=fake."),
 ])
 def test_which_buses(monkeypatch, model, buses, sentence):

@@ -54,7 +54,8 @@ def test_a_missing_package(folder, monkeypatch):
 
 
 @pytest.mark.parametrize("group, advice", [
-    ("root", "only root may open it. Give it to a group with: sudo apt install i2c-tools   then start the computer again."),
+    ("root", "only root may open it. "
+     "Give it to a group with: sudo apt install i2c-tools   then start the computer again."),
     ("daemon", "this user may not open it. Join its group with: sudo usermod -aG daemon $USER   and log in again.")])
 def test_no_permission(tmp_path, monkeypatch, group, advice):
     monkeypatch.setattr(os, "access", lambda path, mode: False)

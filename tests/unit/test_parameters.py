@@ -21,10 +21,13 @@ def test_defaults():
         "invert_right": False, "min_duty": 0.0, "port": "/dev/ttyACM0", "publish_tf": False}
 
 
-def test_what_is_given_counts_and_strangers_are_left_out():
-    parameters = checked({"max_speed": 2, "something": "else"})
-    assert parameters["max_speed"] == 2
-    assert "something" not in parameters
+def test_what_is_given_counts():
+    assert checked({"max_speed": 2})["max_speed"] == 2
+
+
+def test_a_mistyped_name():
+    with pytest.raises(InvalidValue, match="^There is no parameter max_sped. The parameters are board, i2c_bus, "):
+        checked({"max_sped": 2})
 
 
 @pytest.mark.parametrize("name, value, must", [
@@ -81,8 +84,7 @@ def test_the_file_in_ros_home_is_used_where_it_exists(tmp_path, monkeypatch):
 @pytest.mark.parametrize("text, sentence", [
     (None, "The file {} cannot be read as YAML: .Errno 2. No such file"),
     ("a: [", "The file {} cannot be read as YAML: "),
-    ("max_sped: 1", "The file {} holds 'max_sped', which is no parameter. The parameters are board, "),
-    ("42", "The file {} holds 42, which is no parameter."),
+    ("42", "The file {} holds no parameters, but 42."),
 ])
 def test_a_file_that_cannot_be_used(tmp_path, text, sentence):
     file = tmp_path / "robot.yaml"

@@ -2,6 +2,7 @@
 
 import pytest
 
+from jetbot.fake_i2c import power_on
 from jetbot.i2c import I2CDevice
 from jetbot.pca9685 import PCA9685
 
@@ -22,6 +23,15 @@ def output(folder, number):
 def test_is_awake_at_1526_hz_after_start(chip, folder):
     registers = (folder / "0x60").read_bytes()
     assert (registers[0x00], registers[0x01], registers[0xFE]) == (0x20, 0x04, 3)
+
+
+def test_a_chip_in_any_state_is_set_up(folder):
+    power_on(folder)
+    (folder / "0x60").write_bytes(bytes([0xA0, 0x14]) + bytes([0, 0x10, 0, 0]) * 63 + bytes([0, 0, 0, 0]))
+    PCA9685(I2CDevice(f"fake:{folder}", 0x60), [range(4)]).start()
+    registers = (folder / "0x60").read_bytes()
+    assert (registers[0x00] & 0x7F, registers[0x01], registers[0xFE]) == (0x20, 0x04, 3)
+    assert registers[0x09:0x46:4] == bytes([0x10] * 16)
 
 
 def test_outputs_are_off_before_the_chip_wakes(folder, wire):
@@ -61,7 +71,7 @@ def test_outputs_of_a_group_switch_in_one_transfer(chip, wire):
     assert len(wire.bits) == 2
 
 
-@pytest.mark.parametrize("register, value", [(0x00, 0x11), (0x09, 0x00), (0x26, 0x55)])
+@pytest.mark.parametrize("register, value", [(0x00, 0x11), (0x01, 0x14), (0xFE, 0x1E), (0x09, 0x00), (0x26, 0x55)])
 def test_a_changed_register_is_noticed_and_mended(chip, folder, register, value):
     chip.set_outputs({8: 100, 13: 4096, 0: 7})
     good = (folder / "0x60").read_bytes()
@@ -82,10 +92,19 @@ def test_a_missing_chip_is_told_at_every_attempt(chip, folder):
         chip.set_outputs({8: 100})
 
 
-def test_a_failed_transfer_leads_to_a_fresh_start(chip, folder):
-    chip.set_outputs({8: 100})
-    (folder / "0x60.fail").write_text("3")
-    with pytest.raises(OSError):
-        chip.set_outputs({8: 200})
-    chip.set_outputs({8: 200})
-    assert output(folder, 8) == "00 00 c8 00"
+def test_a_command_that_failed_halfway_is_no_reason_to_send_less_later(chip, folder, monkeypatch):
+    chip.set_outputs({8: 0x111, 13: 0x111})
+    write = I2CDevice.write
+    (done, failed) = [], OSError("the second transfer fails")
+
+    def failing(device, register, data):
+        if done:
+            raise failed
+        done.append(write(device, register, data))
+
+    with monkeypatch.context() as patch:
+        patch.setattr(I2CDevice, "write", failing)
+        with pytest.raises(OSError, match="the second transfer fails"):
+            chip.set_outputs({8: 0x222, 13: 0x222})
+    chip.set_outputs({8: 0x111, 13: 0x111})
+    assert output(folder, 8) == output(folder, 13) == "00 00 11 01"

@@ -1,7 +1,13 @@
 #!/usr/bin/env python3
 """ROS node: drives a JetBot as cmd_vel says, stops it when it must not move, and tells why."""
 
+# ruff: noqa: E402
 import signal
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C during the start simply ends it; Python's handler might lose it
+
+import math
+import os
 import sys
 import threading
 import time
@@ -21,6 +27,7 @@ from jetbot.parameters import checked, load
 from jetbot.safety import Safety
 
 WATCH_PERIOD = 0.04       # seconds between two looks at what may stop the robot
+FAREWELL = 2.0            # seconds for the node to end once the robot stands
 DEFAULT_FAILSAFE = 1.0    # seconds, for a board with a timer, where cmd_vel_timeout is 0
 REPORT_PERIOD = 0.1       # seconds
 DIAGNOSTICS_PERIOD = 1.0  # seconds
@@ -28,7 +35,7 @@ REPEAT_LOG = 5.0          # seconds before the same line is logged again
 
 
 class Controller:
-    """Where commands, emergency stop and watch meet on the robot: under one lock, and nothing waits that holds it."""
+    """Where commands, emergency stop and watch meet on the robot, under one lock. Nothing moves before the watch."""
 
     def __init__(self, robot, cmd_vel_timeout, wheel_separation, max_speed):
         self.geometry = wheel_separation, max_speed
@@ -38,11 +45,13 @@ class Controller:
         self.status = None
         self.news = deque(maxlen=10)
         self.commands = 0
-        self._ending = self._closed = False
+        self._ending = False
+        self._watching = False
+        self._launcher = os.getppid()
         self._lock = threading.Lock()
         self._status_topic = rospy.Publisher("~status", String, latch=True, queue_size=1)
-        self._cmd_vel = rospy.Subscriber("cmd_vel", Twist, self._on_command, queue_size=1, tcp_nodelay=True)
         rospy.Subscriber("/emergency_stop", Bool, self._on_emergency_stop, queue_size=1, tcp_nodelay=True)
+        self._cmd_vel = rospy.Subscriber("cmd_vel", Twist, self._on_command, queue_size=1, tcp_nodelay=True)
 
     def _on_command(self, twist):
         with self._lock:
@@ -66,7 +75,8 @@ class Controller:
         Neither logs nor asks the master: a terminal or a network may hold up who does.
         """
         try:
-            while not (self._ending or rospy.is_shutdown()):
+            self._watching = True
+            while not self._is_over():
                 with self._lock:
                     self.safety.watch(self._cmd_vel.get_num_connections(), time.monotonic())
                     self._drive(idle=True)
@@ -74,13 +84,28 @@ class Controller:
                 time.sleep(WATCH_PERIOD)
         finally:
             with self._lock:
-                self._closed = True
-                self.robot.close()
-            rospy.signal_shutdown("the robot stands")
+                self._watching = False
+            self._close()
+
+    def _is_over(self):
+        orphaned = launched() and os.getppid() != self._launcher
+        return self._ending or orphaned or rospy.is_shutdown()
+
+    def _close(self):
+        try:
+            self.robot.close()
+            self.fault = None
+        except BusError as fault:
+            self.fault = fault
+        self._status_topic.publish("stopped: the controller has ended")
+        give_up = threading.Timer(FAREWELL, os._exit, [1])  # where the master or the terminal hangs
+        give_up.daemon = True
+        give_up.start()
+        rospy.signal_shutdown("the robot stands")
 
     def _drive(self, idle):
         """Bring the wheels to what is allowed now, and the board and this node to one mind."""
-        if self._closed:
+        if not self._watching:
             return
         try:
             self.robot.set_motors(*mix(*self.safety.velocity, *self.geometry))
@@ -98,13 +123,19 @@ class Controller:
             self.news.append((status, self.fault or self.safety.alarm))
 
 
+def launched():
+    """Whether roslaunch started this node, whose end then is the node's, too."""
+    return any(argument.startswith("__log:=") for argument in sys.argv)
+
+
 class Report:
     """What the node says of itself: log lines and /diagnostics, from the main thread, which may wait."""
 
     def __init__(self, controller, parameters):
         self._controller = controller
         self._parameters = parameters
-        self._logged = {}
+        self._logged = {None: math.inf}
+        self._last = None
         self._counted = (0, time.monotonic())
         self._updater = Updater()
         self._updater.setHardwareID(controller.robot.board.device.name)
@@ -116,6 +147,7 @@ class Report:
         while not rospy.is_shutdown():
             while self._controller.news:
                 self._log(*self._controller.news.popleft())
+            self._log(self._controller.status, self._controller.fault or self._controller.safety.alarm)
             if time.monotonic() >= due:
                 due = time.monotonic() + DIAGNOSTICS_PERIOD
                 self._updater.force_update()
@@ -123,8 +155,9 @@ class Report:
 
     def _log(self, status, alarm):
         now = time.monotonic()
-        if now - self._logged.get(status, -REPEAT_LOG) >= REPEAT_LOG:
+        if status != self._last and now - self._logged.get(status, -REPEAT_LOG) >= REPEAT_LOG:
             self._logged[status] = now
+            self._last = status
             (rospy.logwarn if alarm else rospy.loginfo)(status)
 
     def _diagnose(self, result):
@@ -174,17 +207,19 @@ def main():
         signal.signal(ending, controller.end)
     watch = threading.Thread(target=controller.watch)
     watch.start()
-    Report(controller, parameters).spin()
-    watch.join()
+    try:
+        Report(controller, parameters).spin()
+    finally:
+        controller.end()
+        watch.join()
+    return 1 if controller.fault else 0
 
 
 if __name__ == "__main__":
     try:
-        main()
+        sys.exit(main())
     except JetbotError as error:
         rospy.logfatal(error)
         sys.exit(1)
-    except ConnectionRefusedError:
+    except OSError:
         sys.exit(f"No ROS master at {rosgraph.get_master_uri()}. Start one in another terminal: roscore")
-    except KeyboardInterrupt:
-        sys.exit(1)

@@ -53,7 +53,7 @@ BOARDS = {
 
 def open_board(name, options):
     """The motor board with this name, started: whatever turned before now stands. Raises InvalidValue, BusError."""
-    if name not in BOARDS:
+    if name not in list(BOARDS):
         raise InvalidValue(f"there is no board {name!r}", f"Choose one of: {', '.join(BOARDS)}.")
     row = BOARDS[name]
     link = I2CDevice(options.i2c_bus, row.address) if row.address else SerialLink(options.port)

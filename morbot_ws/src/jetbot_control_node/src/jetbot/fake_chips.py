@@ -22,6 +22,10 @@ class PCA9685:
     def _store(registers, register, value):
         if register == 0xFE and not PCA9685.asleep(registers):
             return  # PRE_SCALE cannot be written while the chip is awake
+        if register == 0x00 and value & 0x10 and any(PCA9685.duty(registers, output) for output in range(16)):
+            value |= 0x80  # RESTART: put to sleep with an output on
+        elif 0x06 <= register <= 0x45:
+            registers[0x00] &= 0x7F
         registers[register] = value
         if 0xFA <= register <= 0xFD:
             first = register - 0xFA + 0x06

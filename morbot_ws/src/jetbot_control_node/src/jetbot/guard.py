@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 from .boards import Options, open_board
 from .errors import BusError
@@ -19,37 +20,57 @@ from .errors import BusError
 STANDING = b"s"
 HEARTBEAT = b"h"
 SILENCE = 1.0    # seconds without a heartbeat, after the first one, that mean that the driving process hangs
-PATIENCE = 10.0  # seconds to go on trying when the board does not answer
+PATIENCE = 600.0  # seconds to go on trying when the board does not answer
+PAUSE = 0.2       # seconds between two tries
+FAREWELL = 1.0    # seconds for the guard to end
 
 
 class Guard:
     """The driving process's end of the pipe."""
 
     def __init__(self, board, options):
+        self._command = [
+            sys.executable, "-IS", "-c", f"import sys; sys.path = {sys.path}; from {__name__} import main; main()",
+            board, str(options.i2c_bus), options.port]
+        self._start()
+
+    def _start(self):
         self._process = subprocess.Popen(
-            [sys.executable, "-IS", "-c", f"import sys; sys.path = {sys.path}; from {__name__} import main; main()",
-             board, str(options.i2c_bus), options.port], stdin=subprocess.PIPE,
+            self._command, stdin=subprocess.PIPE,
             start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
         os.set_blocking(self._process.stdin.fileno(), False)
 
     def heartbeat(self):
         """Say that this process does not hang. Once said, it must be said again within SILENCE seconds."""
-        with contextlib.suppress(OSError):  # the guard has ended, or hangs itself with the pipe full
-            os.write(self._process.stdin.fileno(), HEARTBEAT)
+        if self._process.poll() is not None:  # somebody killed the guard
+            self._process.stdin.close()
+            self._start()
+        self._say(HEARTBEAT)
 
     def dismiss(self):
         """End the guard: the wheels stand."""
-        self._process.communicate(STANDING)
+        self._say(STANDING)
+        self.leave()
+        try:
+            self._process.wait(FAREWELL)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
 
-    def take_over(self):
+    def leave(self):
         """Leave it to the guard to stop the wheels."""
         self._process.stdin.close()
+
+    def _say(self, word):
+        with contextlib.suppress(OSError):  # it has just been killed, or hangs with the pipe full
+            os.write(self._process.stdin.fileno(), word)
 
 
 def main():
     """The guard's process: stop the wheels at the pipe's end, and whenever heartbeats stay out."""
     for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, signal.SIG_IGN)
+    Path("/proc/self/comm").write_text("jetbot_guard")  # so that killall python3 leaves it alive
     word = patience = None
     while word != b"":
         word = hear(patience)
@@ -68,12 +89,15 @@ def hear(patience):
 
 
 def stop(board, i2c_bus, port):
-    """Stop the wheels; where the board does not answer, try again and again for some seconds."""
-    deadline = time.monotonic() + PATIENCE
-    while True:
+    """Stop the wheels; where the board does not answer, say so once and try again and again for some minutes."""
+    start, told = time.monotonic(), False
+    while time.monotonic() - start < PATIENCE:
         try:
             return open_board(board, Options(i2c_bus, port)).close()  # opening a board stops its wheels
         except BusError as error:
-            if time.monotonic() > deadline:
-                return print(f"jetbot: the wheels may still turn. {error}", file=sys.stderr)
-            time.sleep(0.1)
+            if not told:
+                told = True
+                with contextlib.suppress(OSError):
+                    print(f"jetbot: the wheels may still turn. {error}", file=sys.stderr, flush=True)
+            time.sleep(PAUSE)
+    return None

@@ -54,13 +54,15 @@ class I2CDevice:
                 self.errors += 1
                 self.close()
                 failure = error
+                if error.errno == errno.ETIMEDOUT:
+                    break  # a stuck bus takes a second for each try
         raise explain(failure, self.name, self.address) from None
 
 
 def bus_name(bus):
     """``/dev/i2c-N`` for a number, ``fake:FOLDER`` for a fake bus; anything else is an InvalidValue."""
     text = str(bus)
-    if text.isdigit():
+    if text.isascii() and text.isdigit():
         return f"/dev/i2c-{int(text)}"
     if text == "fake":
         from .fake_i2c import default_folder

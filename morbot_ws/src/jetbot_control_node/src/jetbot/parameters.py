@@ -61,15 +61,16 @@ def load(file=None):
         values = yaml.safe_load(path.read_text()) or {}
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
         raise InvalidValue(f"the file {path} cannot be read as YAML: {' '.join(str(error).split())}") from None
-    strangers = sorted(set(values) - set(PARAMETERS)) if isinstance(values, dict) else [values]
-    if strangers:
-        raise InvalidValue(f"the file {path} holds {strangers[0]!r}, which is no parameter",
-                           f"The parameters are {', '.join(PARAMETERS)}.")
+    if not isinstance(values, dict):
+        raise InvalidValue(f"the file {path} holds no parameters, but {values!r}")
     return values
 
 
 def checked(given, parameters=PARAMETERS):
     """All parameters as a dict, from those that were given; InvalidValue for one that cannot be used."""
+    strangers = sorted(set(given) - set(parameters), key=str)
+    if strangers:
+        raise InvalidValue(f"there is no parameter {strangers[0]}", f"The parameters are {', '.join(parameters)}.")
     for name, parameter in parameters.items():
         if name in given and not parameter.accepts(given[name]):
             raise InvalidValue(f"the parameter {name} must be {parameter.description}, not {given[name]!r}")

@@ -17,8 +17,9 @@ FULL_DUTY = 4096
 OSCILLATOR_START = 0.0005  # seconds
 
 BLOCK = 32              # bytes, the most that one SMBus transfer carries
-MOST_TRANSFERS = 3      # that a change of duties may take, each with address and register before its data
-ADDRESSING = 2          # bytes: a gap this short between changes costs no more than a transfer of its own
+ADDRESSING = 2          # bytes, address and register, before the data of a transfer
+MOST_TRANSFERS = 3      # that a mere change of duties may take,
+MOST_BITS = 160         # and bits on the wire, each byte with its acknowledgement, each transfer with start and stop
 
 
 class PCA9685:
@@ -68,7 +69,8 @@ class PCA9685:
             self._sent = sent
 
     def _holds(self, sent):
-        return self._device.read(MODE1) & ~RESTART == AUTO_INCREMENT and all(
+        mode1, mode2 = self._device.read_block(MODE1, 2)
+        return (mode1 & ~RESTART, mode2, self._device.read(PRE_SCALE)) == (AUTO_INCREMENT, OUTDRV, FASTEST) and all(
             self._device.read_block(FIRST_OUTPUT + span.start, len(span)) == sent[span.start:span.stop]
             for span in self._spans)
 
@@ -89,18 +91,19 @@ def transfers(sent, wanted, spans):
     a span goes out in one piece, and so never has two directions on at once.
     """
     changed = [i for i in range(len(wanted)) if sent[i] != wanted[i]]
-    pieces = join(changed, ADDRESSING)
-    if len(pieces) <= MOST_TRANSFERS and not any((sent[i] ^ wanted[i]) & FULL for i in changed if i % 2):
-        return pieces
-    return [piece for span in spans for piece in join([i for i in changed if i in span], len(span))]
+    if not any((sent[i] ^ wanted[i]) & FULL for i in changed if i % 2):
+        pieces = join(changed, MOST_TRANSFERS)
+        if sum(2 + 9 * (ADDRESSING + len(piece)) for piece in pieces) <= MOST_BITS:
+            return pieces
+    return [piece for span in spans for piece in join([i for i in changed if i in span], 1)]
 
 
-def join(indices, gap):
-    """Ascending indices as ranges, joined over gaps of up to ``gap``."""
-    pieces = []
-    for i in indices:
-        if pieces and i - pieces[-1].stop <= gap:
-            pieces[-1] = range(pieces[-1].start, i + 1)
-        else:
-            pieces.append(range(i, i + 1))
+def join(indices, most):
+    """Ascending indices as ranges: as few as ``most``, and fewer where a gap costs no more than a transfer."""
+    pieces = [range(i, i + 1) for i in indices]
+    while len(pieces) > 1:
+        gap, i = min((after.start - before.stop, i) for i, (before, after) in enumerate(zip(pieces, pieces[1:])))
+        if gap > ADDRESSING and len(pieces) <= most:
+            break
+        pieces[i:i + 2] = [range(pieces[i].start, pieces[i + 1].stop)]
     return pieces

@@ -1,6 +1,7 @@
 """``Robot``: two motors, by the names of the JetBot library."""
 
 import atexit
+import contextlib
 import math
 import os
 import threading
@@ -12,7 +13,7 @@ from .kinematics import clamp
 
 
 class Motor:
-    """One wheel of a Robot. ``alpha``: a trim that its speed is multiplied with."""
+    """One wheel of a Robot."""
 
     def __init__(self, robot, alpha, inverted, min_duty):
         self._robot = robot
@@ -29,6 +30,15 @@ class Motor:
     @value.setter
     def value(self, speed):
         self._robot.set_speeds({self: speed})
+
+    @property
+    def alpha(self):
+        """A trim that the speed is multiplied with from the next command on; a finite number."""
+        return self._alpha
+
+    @alpha.setter
+    def alpha(self, alpha):
+        self._alpha = finite(alpha, "an alpha")
 
     @property
     def output(self):
@@ -52,8 +62,10 @@ class Robot:
 
     Speeds are in [-1, 1], 1 full forward, and clamped beyond. A speed that is no finite number stops both wheels and
     raises InvalidValue (a ValueError). A board that does not answer raises BusError (an OSError), and is set up again
-    by the next call. Any thread may call.
+    by the next call. Any thread and any signal handler may call.
     """
+
+    _drivers = {}  # by link: the Robot that drives what hangs on it
 
     def __init__(self, board=None, i2c_bus=None, port=None, left_motor_alpha=1.0, right_motor_alpha=1.0,
                  swap_motors=False, invert_left=False, invert_right=False, min_duty=0.0, failsafe=1.0):
@@ -63,12 +75,14 @@ class Robot:
         options = Options(i2c_bus, port, failsafe)
         self.left_motor = Motor(self, left_motor_alpha, invert_left, min_duty)
         self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty)
-        self._connectors = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)
-        self._lock = threading.Lock()
+        self._outputs = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)
+        self._lock = threading.RLock()  # a signal handler may come in between, in the same thread
         self._closed = False
         self.board = open_board(board, options)
+        self._take_over()
         self._guard = Guard(board, options)
-        atexit.register(self.close)
+        atexit.register(self._close_at_exit)
+        os.register_at_fork(after_in_child=self._forget)
 
     def set_motors(self, left_speed, right_speed):
         """Drive both wheels."""
@@ -98,12 +112,13 @@ class Robot:
         """Drive the wheels in ``speeds``, a dict of Motor: speed; the others go on as they are."""
         with self._lock:
             try:
-                for motor, speed in speeds.items():
-                    motor._value = clamp(finite(speed))
+                speeds = {motor: clamp(finite(speed, "a speed")) for motor, speed in speeds.items()}
             except InvalidValue:
-                self.left_motor._value = self.right_motor._value = 0.0
+                speeds = {self.left_motor: 0.0, self.right_motor: 0.0}
                 raise
             finally:
+                for motor, speed in speeds.items():
+                    motor._value = speed
                 self._act(self.board.drive)
 
     def refresh(self, idle=True):
@@ -121,10 +136,19 @@ class Robot:
     def _act(self, action, *arguments):
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
-        action(*(motor.output for motor in self._connectors), *arguments)
+        done = None
+        while done != self._wanted():  # a signal handler may have set other speeds meanwhile
+            done = self._wanted()
+            action(*done, *arguments)
+
+    def _wanted(self):
+        return [motor.output for motor in self._outputs]
 
     def close(self):
-        """Stop the wheels and let go of the board. May be called twice."""
+        """Stop the wheels and let go of the board. May be called twice.
+
+        Raises BusError when the board does not answer; the guard then goes on trying for some minutes.
+        """
         with self._lock:
             if self._closed:
                 return
@@ -132,9 +156,26 @@ class Robot:
             try:
                 self.board.drive(0, 0)
                 self._guard.dismiss()
-            except BusError:
-                self._guard.take_over()
-            self.board.close()
+            finally:
+                self._guard.leave()
+                self.board.close()
+                atexit.unregister(self._close_at_exit)
+
+    def _take_over(self):
+        """Close an earlier Robot on the same board, as a notebook's cell leaves behind that is run again."""
+        link = self.board.device.name, self.board.device.address
+        predecessor, Robot._drivers[link] = Robot._drivers.get(link), self
+        if predecessor:
+            predecessor._close_at_exit()
+
+    def _close_at_exit(self):
+        with contextlib.suppress(BusError):  # the guard tells it
+            self.close()
+
+    def _forget(self):
+        """In a forked child: the wheels are the parent's, and so is the end of the pipe to the guard."""
+        self._closed = True
+        self._guard.leave()
 
     def __enter__(self):
         return self
@@ -143,11 +184,11 @@ class Robot:
         self.close()
 
 
-def finite(speed):
-    """The speed as a float; InvalidValue for what is no finite number."""
+def finite(number, name):
+    """The number as a float; InvalidValue for what is no finite number."""
     try:
-        if math.isfinite(speed):
-            return float(speed)
-    except TypeError:
+        if math.isfinite(number):
+            return float(number)
+    except (TypeError, ValueError, OverflowError):
         pass
-    raise InvalidValue(f"a speed must be a finite number, not {speed!r}", "Both wheels were stopped.")
+    raise InvalidValue(f"{name} must be a finite number, not {number!r}")

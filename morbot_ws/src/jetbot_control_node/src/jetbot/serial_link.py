@@ -15,6 +15,8 @@ class SerialLink:
     name: a device or any pyserial URL. Raises BusError.
     """
 
+    address = None  # one port, one board
+
     def __init__(self, name):
         if not isinstance(name, str) or not name:
             raise InvalidValue(f"port cannot be {name!r}", "Give a serial device such as /dev/ttyACM0.")
