@@ -173,8 +173,10 @@ def spin(simulator):
     """Step, publish and tell until the node ends."""
     name = rospy.get_namespace().strip("/")
     rate = rospy.Rate(RATE, reset=True)
+    steps = itertools.count()
     told = None
-    for step in itertools.count():
+    while not rospy.is_shutdown():
+        step = next(steps)
         simulator.step()
         if step % STEPS_PER_PATH == 0:
             simulator.publish_path()
