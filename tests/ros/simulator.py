@@ -12,35 +12,41 @@ from geometry_msgs.msg import Pose2D, Twist
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Empty
 
-from harness import START, RobotTest, main, read
+from harness import CONTROLLER, START, RobotTest, main, read
 from jetbot import Robot, boards
-from jetbot.fake_i2c import FakeBus
+from jetbot.fake_i2c import FakeBus, default_folder
 
+NAMESPACE = "simulated"  # in which simulator.test starts the simulator that these tests share
 MODE1, SLEEP = 0x00, 0x10
-LONG_ENOUGH = 1.5  # seconds between two samples of the odometry
+LONG_ENOUGH = 1.2  # seconds between two samples of the odometry
 
 
 class Simulator(RobotTest):
     def setUp(self):
         super().setUp()
+        self.bus = default_folder(NAMESPACE)
         self.samples = []
-        self.addCleanup(rospy.Subscriber("odom", Odometry, self.samples.append).unregister)
-
-    def simulator(self, *parameters):
-        process = self.start("rosrun", "simulation", "simulator.py", f"_i2c_bus:=fake:{self.bus}", *parameters)
+        self.addCleanup(rospy.Subscriber(f"{NAMESPACE}/odom", Odometry, self.samples.append).unregister)
         self.wait_for(lambda: self.samples, START, "odometry")
-        return process
+        self.wait_for_velocity(0, 0)
+
+    def robot(self):
+        """A robot of this test's own process."""
+        return Robot("adafruit", f"fake:{self.bus}")
 
     def wait_for_velocity(self, linear, angular):
-        self.wait_for(lambda: abs(self.twist().linear.x - linear) < 0.001
-                      and abs(self.twist().angular.z - angular) < 0.01, 5.0, f"{linear} m/s and {angular} rad/s")
+        self.wait_for(lambda: abs(self.velocity()[0] - linear) < 0.001 and abs(self.velocity()[1] - angular) < 0.01,
+                      5.0, f"{linear} m/s and {angular} rad/s")
 
-    def twist(self):
-        return self.samples[-1].twist.twist
+    def velocity(self):
+        twist = self.samples[-1].twist.twist
+        return twist.linear.x, twist.angular.z
 
     def position(self):
-        position = self.samples[-1].pose.pose.position
-        return position.x, position.y, heading(self.samples[-1])
+        """x, y and heading, to the centimetre."""
+        sample = self.samples[-1]
+        position = sample.pose.pose.position
+        return round(position.x, 2), round(position.y, 2), round(heading(sample), 2)
 
     def sample_after(self, seconds):
         """The newest sample now, and the one that comes so many seconds after it."""
@@ -49,11 +55,16 @@ class Simulator(RobotTest):
         return first, self.samples[-1]
 
     def test_drives_the_arc_of_the_command(self):
-        self.controller(cmd_vel_timeout=0, wheel_separation=0.1125, max_speed=0.6)
-        self.simulator()
+        self.start(*CONTROLLER, "_i2c_bus:=fake", "_cmd_vel_timeout:=0", "_wheel_separation:=0.1125", "_max_speed:=0.6",
+                   env={**os.environ, "ROS_NAMESPACE": NAMESPACE})
+        commands = rospy.Publisher(f"{NAMESPACE}/cmd_vel", Twist, queue_size=1, latch=True)
+        self.addCleanup(commands.unregister)
+        self.wait_for(commands.get_num_connections, START, "the controller to subscribe")
         for linear, angular in [(0.4, 0.0), (0.3, 1.0), (0.0, -2.0)]:
             with self.subTest(linear=linear, angular=angular):
-                self.command(linear, angular)
+                twist = Twist()
+                twist.linear.x, twist.angular.z = linear, angular
+                commands.publish(twist)
                 self.wait_for_velocity(linear, angular)
                 first, last = self.sample_after(LONG_ENOUGH)
                 seconds = elapsed(first, last)
@@ -63,56 +74,45 @@ class Simulator(RobotTest):
                 self.assertLess(abs(turn - angular * seconds), 0.01 * max(abs(angular) * seconds, 0.1))
 
     def test_a_driver_with_swapped_wheels_turns_it_the_other_way(self):
-        self.simulator()
-        with Robot("adafruit", f"fake:{self.bus}") as robot:
+        with self.robot() as robot:
             robot.set_motors(0.4, 0.6)
-            self.wait_for(lambda: self.twist().angular.z > 0.5, 5.0, "a turn to the left")
+            self.wait_for(lambda: self.velocity()[1] > 0.5, 5.0, "a turn to the left")
         left, right = boards.ADAFRUIT
         swapped = boards.Board(0x60, (boards.Wiring(left=right, right=left),))
-        with mock.patch.dict(boards.BOARDS, adafruit=swapped), Robot("adafruit", f"fake:{self.bus}") as robot:
+        with mock.patch.dict(boards.BOARDS, adafruit=swapped), self.robot() as robot:
             robot.set_motors(0.4, 0.6)
-            self.wait_for(lambda: self.twist().angular.z < -0.5, 5.0, "a turn to the right")
-
-    def test_the_waveshare_board(self):
-        self.simulator("_board:=waveshare")
-        with Robot("waveshare", f"fake:{self.bus}") as robot:
-            robot.set_motors(0.5, 0.5)
-            self.wait_for_velocity(0.3, 0)
+            self.wait_for(lambda: self.velocity()[1] < -0.5, 5.0, "a turn to the right")
 
     def test_a_sleeping_chip_does_not_move_it(self):
-        self.simulator("_motor_lag:=0")
-        bus = FakeBus(self.bus)
-        with Robot("adafruit", f"fake:{self.bus}") as robot:
+        chip = FakeBus(self.bus)
+        with self.robot() as robot:
             robot.set_motors(0.5, 0.5)
             self.wait_for_velocity(0.3, 0)
-            awake = bus.read_byte_data(0x60, MODE1)
-            bus.write_byte_data(0x60, MODE1, awake | SLEEP)
+            awake = chip.read_byte_data(0x60, MODE1)
+            chip.write_byte_data(0x60, MODE1, awake | SLEEP)
             self.wait_for_velocity(0, 0)
-            first, last = self.sample_after(0.5)
-            self.assertEqual(way(first, last), (0, 0, 0))
-            bus.write_byte_data(0x60, MODE1, awake)
+            self.assertLess(math.hypot(*way(*self.sample_after(0.5))), 0.001)
+            chip.write_byte_data(0x60, MODE1, awake)
             self.wait_for_velocity(0.3, 0)
 
     def test_is_placed_and_reset(self):
-        self.simulator("_x:=1.0", "_yaw:=0.5")
-        self.assertEqual(self.position(), (1.0, 0.0, 0.5))
-        place = rospy.Publisher("/jetbot_simulator/set_pose", Pose2D, queue_size=1, latch=True)
+        place = rospy.Publisher(f"{NAMESPACE}/jetbot_simulator/set_pose", Pose2D, queue_size=1)
         self.addCleanup(place.unregister)
-        place.publish(2.0, -3.0, math.nan)
         self.wait_for(place.get_num_connections, START, "the simulator to listen")
         place.publish(2.0, -3.0, 1.0)
         self.wait_for(lambda: self.position() == (2.0, -3.0, 1.0), 5.0, "the new pose")
-        rospy.ServiceProxy("/jetbot_simulator/reset", Empty)()
+        place.publish(0.0, math.nan, 0.0)
+        rospy.ServiceProxy(f"{NAMESPACE}/jetbot_simulator/reset", Empty)()
         self.wait_for(lambda: self.position() == (1.0, 0.0, 0.5), 5.0, "the first pose")
 
     def test_tells_in_words_and_only_when_something_moved(self):
-        process = self.simulator("_motor_lag:=0")
-        with Robot("adafruit", f"fake:{self.bus}") as robot:
+        process = self.start("rosrun", "simulation", "simulator.py", f"_i2c_bus:=fake:{self.bus}", "_motor_lag:=0")
+        with self.robot() as robot:
             robot.set_motors(0.5, 0.5)
-            self.wait_for(lambda: "left wheel 0.30 m/s, right wheel 0.30 m/s" in read(process), 5.0, "a line")
+            self.wait_for(lambda: "left wheel 0.30 m/s, right wheel 0.30 m/s" in read(process), START, "a line")
         self.wait_for(lambda: read(process).endswith("left wheel 0.00 m/s, right wheel 0.00 m/s\n"), 5.0, "a last line")
         lines = read(process).splitlines()
-        self.assertEqual(lines[0], "at x 0.00 m, y 0.00 m, heading 0 deg; left wheel 0.00 m/s, right wheel 0.00 m/s")
+        self.assertRegex(lines[-1], r"^at x 0\.\d\d m, y 0\.00 m, heading 0 deg; ")
         self.sample_after(1.2)
         self.assertEqual(read(process).splitlines(), lines)
 
@@ -122,17 +122,15 @@ class Simulator(RobotTest):
         self.assertIn("The parameter i2c_bus must be fake, or fake:FOLDER, not 1.", read(process))
 
     def test_its_track_is_drawn(self):
-        self.simulator()
-        live = self.draw("--seconds", "0.5")
+        live = self.draw("--robot", NAMESPACE, "--seconds", "0.3")
         bag = os.path.join(self.folder, "drive.bag")
-        with Robot("adafruit", f"fake:{self.bus}") as robot, rosbag.Bag(bag, "w") as file:
+        with self.robot() as robot, rosbag.Bag(bag, "w") as file:
             robot.set_motors(0.4, 0.6)
-            self.wait_for(lambda: self.twist().linear.x > 0.25, 5.0, "speed")
-            for sample in self.samples:
+            self.wait_for(lambda: self.velocity()[0] > 0.25, 5.0, "speed")
+            for sample in list(self.samples):
                 file.write("/odom", sample, sample.header.stamp)
             file.write("/cmd_vel", Twist(), self.samples[0].header.stamp)
-        recorded = self.draw("--bag", bag)
-        self.assertNotEqual(live, recorded)
+        self.assertNotEqual(live, self.draw("--bag", bag))
 
     def draw(self, *arguments):
         """The bytes of the picture that draw_track.py makes."""
@@ -147,7 +145,7 @@ class Simulator(RobotTest):
 
 def heading(sample):
     orientation = sample.pose.pose.orientation
-    return round(2 * math.atan2(orientation.z, orientation.w), 9)
+    return 2 * math.atan2(orientation.z, orientation.w)
 
 
 def elapsed(first, last):

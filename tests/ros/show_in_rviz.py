@@ -9,10 +9,12 @@ import rospy
 from nav_msgs.msg import Odometry
 from PIL import Image
 
-from harness import RobotTest, main, read
+from harness import START, RobotTest, main, read
 
-START_RVIZ = 60.0  # seconds, drawing without a graphics card
-PIXELS = 100
+START_RVIZ = 60.0             # seconds, drawing without a graphics card
+VIEW = 420, 110, 1020, 700    # left, upper, right and lower edge of the 3D view, in pixels
+BACKGROUND = 235, 236, 238    # red, green, blue; as in simulation.rviz
+PIXELS = 100                  # fewer may be chance
 
 
 class RViz(RobotTest):
@@ -28,7 +30,8 @@ class RViz(RobotTest):
         display = self.display()
         launch = self.launch("simulation", "simulation.launch", "motion:=true", "linear:=0.1", "angular:=0.2", "rviz:=auto",
                              env={**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"})
-        self.wait_for(lambda: len(green(self.screenshot(display))) > PIXELS, START_RVIZ, "the robot's board in RViz")
+        self.wait_for(lambda: self.yaw is not None, START, "odometry")
+        self.wait_for(lambda: shows_a_robot(self.screenshot(display)), START_RVIZ, "the robot in RViz")
         first, yaw = green(self.screenshot(display)), self.yaw
         self.wait_for(lambda: abs(self.yaw - yaw) > 0.2, 30.0, "the robot to turn")
         self.wait_for(lambda: len(orange(self.screenshot(display))) > PIXELS, 5.0, "its path")
@@ -55,14 +58,19 @@ def places(image, is_wanted):
     return {i for i, colour in enumerate(image.getdata()) if is_wanted(*colour)}
 
 
+def shows_a_robot(image):
+    """Whether the 3D view is there, with its light background, and a robot's board in it."""
+    return len(places(image.crop(VIEW), lambda *colour: colour == BACKGROUND)) > 100000 and len(green(image)) > PIXELS
+
+
 def green(image):
     """Where the robot's board is."""
-    return places(image.crop((420, 110, 1020, 700)), lambda r, g, b: g > r + 30 and g > b + 30)
+    return places(image.crop(VIEW), lambda r, g, b: g > r + 30 and g > b + 30)
 
 
 def orange(image):
     """Where the path is."""
-    return places(image.crop((420, 110, 1020, 700)), lambda r, g, b: r > 180 and r > g + 60 and g > b)
+    return places(image.crop(VIEW), lambda r, g, b: r > 180 and r > g + 60 and g > b)
 
 
 if __name__ == "__main__":
