@@ -5,12 +5,12 @@ import math
 import pytest
 
 from conftest import SIMULATION, SOURCE
-from simulation import Body, Motor, Pose
+from simulation import ORIGIN, Body, Motor, Pose
 
 SEPARATION, DIAMETER, MAX_SPEED = 0.1125, 0.06, 0.6
 
 
-def body(lag=0.0, dead_band=0.0, pose=Pose()):
+def body(lag=0.0, dead_band=0.0, pose=ORIGIN):
     return Body(Motor(MAX_SPEED, lag, dead_band), Motor(MAX_SPEED, lag, dead_band), SEPARATION, DIAMETER, pose)
 
 

@@ -20,7 +20,7 @@ from jetbot import InvalidValue
 from jetbot.fake_i2c import default_folder
 from jetbot.fake_motors import MOTORS, wheel_speeds
 from jetbot.parameters import NUMBER, POSITIVE, SECONDS, Parameter, checked, is_number
-from simulation import Body, Motor, Pose
+from simulation import ORIGIN, Body, Motor, Pose
 
 RATE = 50              # steps a second
 STEPS_PER_PATH = 10    # between two messages of the path
@@ -71,7 +71,7 @@ class Simulator:
         self._path_topic = rospy.Publisher("path", Path, queue_size=1, latch=True)
         self._transforms = TransformBroadcaster()
         self._map_transform = StaticTransformBroadcaster()
-        self._map_transform.sendTransform(transform(self._frames.map, self._frames.odom, rospy.Time.now(), Pose()))
+        self._map_transform.sendTransform(transform(self._frames.map, self._frames.odom, rospy.Time.now(), ORIGIN))
         rospy.Subscriber("~set_pose", Pose2D, self._on_set_pose, queue_size=1)
         rospy.Service("~reset", Empty, self._on_reset)
 

@@ -2,6 +2,6 @@
 
 from .body import Body
 from .motor import Motor
-from .pose import Pose
+from .pose import ORIGIN, Pose
 
-__all__ = ["Body", "Motor", "Pose"]
+__all__ = ["ORIGIN", "Body", "Motor", "Pose"]

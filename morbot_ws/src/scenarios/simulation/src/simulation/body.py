@@ -1,12 +1,12 @@
 """The body of a differential-drive robot: two motors, and the pose that they bring it to."""
 
-from .pose import Pose
+from .pose import ORIGIN
 
 
 class Body:
     """left, right: a Motor each; wheel_separation, wheel_diameter: metres; pose: where it starts."""
 
-    def __init__(self, left, right, wheel_separation, wheel_diameter, pose=Pose()):
+    def __init__(self, left, right, wheel_separation, wheel_diameter, pose=ORIGIN):
         self.left = left
         self.right = right
         self.pose = pose

@@ -20,6 +20,9 @@ class Pose(NamedTuple):
         return Pose(self.x + chord * math.cos(along), self.y + chord * math.sin(along), normalized(self.yaw + turn))
 
 
+ORIGIN = Pose()
+
+
 def normalized(angle):
     """The same angle within [-pi, pi]."""
     return math.remainder(angle, 2 * math.pi)
