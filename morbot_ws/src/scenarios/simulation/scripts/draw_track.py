@@ -93,7 +93,7 @@ def draw(recording, file):
     draw_speed(angular, recording, "angular", "turn (rad/s)")
     linear.sharex(angular)
     linear.tick_params(labelbottom=False)
-    linear.legend(loc="lower center", ncol=2)
+    linear.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=2, frameon=False)
     angular.set_xlabel("time (s)")
     figure.align_ylabels()
     figure.savefig(file, dpi=100)
