@@ -30,8 +30,9 @@ class RobotTest(unittest.TestCase):
         self.folder = tempfile.mkdtemp(prefix="jetbot_")
         self.bus = os.path.join(self.folder, "bus")
         self.processes = []
-        if rospy.has_param("/jetbot_controller"):
-            rospy.delete_param("/jetbot_controller")  # parameters outlive their node
+        for node in ("/jetbot_controller", "/jetbot_simulator"):
+            if rospy.has_param(node):
+                rospy.delete_param(node)  # parameters outlive their node
 
     def tearDown(self):
         for process in reversed(self.processes):
@@ -55,9 +56,9 @@ class RobotTest(unittest.TestCase):
         self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
         return process
 
-    def launch(self, package, file, *arguments):
+    def launch(self, package, file, *arguments, **options):
         """roslaunch on the fake bus."""
-        return self.start("roslaunch", package, file, f"i2c_bus:=fake:{self.bus}", *arguments)
+        return self.start("roslaunch", package, file, f"i2c_bus:=fake:{self.bus}", *arguments, **options)
 
     def commands(self):
         """The test's own publisher of commands, made when first asked for."""

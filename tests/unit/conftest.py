@@ -1,4 +1,4 @@
-"""Fixtures of the unit tests: the package from its source, on a fake bus that counts what crosses it."""
+"""Fixtures of the unit tests: the packages from their source, on a fake bus that counts what crosses it."""
 
 import sys
 from pathlib import Path
@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 SOURCE = Path(__file__).parents[2] / "morbot_ws/src/jetbot_control_node"
-sys.path.insert(0, str(SOURCE / "src"))
+SIMULATION = SOURCE.parent / "scenarios/simulation"
+sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src")]
 
 from jetbot import i2c, robot  # noqa: E402
 from jetbot.fake_i2c import FakeBus  # noqa: E402

@@ -1,19 +1,20 @@
-"""What the motors wired to a chip on the fake bus do. By hand: python3 -m jetbot.fake_motors [FOLDER] [BOARD]
+"""What the motors wired to a chip on the fake bus do.
 
 Written from the boards' circuit diagrams and not from ``boards``, so that a driver's mistake shows.
 """
 
-import sys
 import time
 
 from .fake_chips import PCA9685, SCMD
-from .fake_i2c import chip_file, default_folder
+from .fake_i2c import chip_file
 
 # board: (left, right), each the PCA9685 outputs at its motor driver: PWM (None: always on), forward input, other input
 MOTORS = {
     "adafruit": ((8, 9, 10), (13, 12, 11)),
     "waveshare": ((None, 1, 0), (None, 2, 3)),
 }
+MOTORS["jetbot"] = MOTORS["adafruit"]  # that driver serves both boards; this robot has the one
+WIRED = (*MOTORS, "sparkfun")          # every board that a robot on the fake bus can have
 
 
 def motor_speed(registers, pwm, forward, backward):
@@ -34,21 +35,3 @@ def wheel_speeds(folder, board="adafruit"):
     if board == "sparkfun":
         return tuple(SCMD.speed(registers, motor, time.time() - written) for motor in (0, 1))
     return tuple(motor_speed(registers, *motor) for motor in MOTORS[board])
-
-
-def main(folder=None, board="adafruit"):
-    """Print a line whenever a wheel changes its speed."""
-    shown = None
-    while True:
-        speeds = wheel_speeds(folder or default_folder(), board)
-        if speeds != shown:
-            print("left wheel {:+4.0%}, right wheel {:+4.0%}".format(*speeds), flush=True)
-            shown = speeds
-        time.sleep(0.1)
-
-
-if __name__ == "__main__":
-    try:
-        main(*sys.argv[1:])
-    except KeyboardInterrupt:
-        pass

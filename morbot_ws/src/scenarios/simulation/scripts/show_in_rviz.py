@@ -1,0 +1,32 @@
+#!/usr/bin/env python3
+"""Starts RViz on a configuration for one robot; in a namespace, its name comes before the robot's frames."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+
+def in_namespace(config, name):
+    """The configuration for the robot in this namespace; the topics follow by themselves."""
+    return (config.replace('TF Prefix: ""', f'TF Prefix: "{name}"')
+                  .replace("Target Frame: base_footprint", f"Target Frame: {name}/base_footprint"))
+
+
+def main(config, *ros_arguments):
+    if not shutil.which("rviz"):
+        return print("To see the robot here: sudo apt install rviz", flush=True)
+    name = os.environ.get("ROS_NAMESPACE", "").strip("/")
+    with tempfile.NamedTemporaryFile("w", suffix=".rviz") as file:
+        file.write(in_namespace(Path(config).read_text(), name) if name else Path(config).read_text())
+        file.flush()
+        return subprocess.call(["rviz", "-d", file.name, *ros_arguments])
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(*sys.argv[1:]))
+    except KeyboardInterrupt:
+        pass
