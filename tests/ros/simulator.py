@@ -102,11 +102,16 @@ class Simulator(RobotTest):
         place.publish(2.0, -3.0, 1.0)
         self.wait_for(lambda: self.position() == (2.0, -3.0, 1.0), 5.0, "the new pose")
         place.publish(0.0, math.nan, 0.0)
+        self.sample_after(0.1)
+        self.assertEqual(self.position(), (2.0, -3.0, 1.0), "a pose that is none counts for nothing")
         rospy.ServiceProxy(f"{NAMESPACE}/jetbot_simulator/reset", Empty)()
         self.wait_for(lambda: self.position() == (1.0, 0.0, 0.5), 5.0, "the first pose")
 
-    def test_tells_in_words(self):
+    def test_tells_in_words_and_only_when_something_moved(self):
         process = self.start("rosrun", "simulation", "simulator.py", f"_i2c_bus:=fake:{self.bus}", "_motor_lag:=0")
+        self.wait_for(lambda: read(process).startswith("at x 0.00 m, y 0.00 m, heading 0 deg; "), START, "a line")
+        self.sample_after(1.2)
+        self.assertEqual(len(read(process).splitlines()), 1, "it has not moved")
         with self.robot() as robot:
             robot.set_motors(0.5, 0.5)
             self.wait_for(lambda: "left wheel 0.30 m/s, right wheel 0.30 m/s" in read(process), START, "a line")
