@@ -28,7 +28,7 @@ class RViz(RobotTest):
 
     def test_shows_the_robot_move(self):
         display = self.display()
-        launch = self.launch("simulation", "simulation.launch", "motion:=true", "linear:=0.1", "angular:=0.2",
+        launch = self.launch("simulation", "simulation.launch", "motion:=true", "linear:=0.3", "angular:=1",
                              env={**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"})
         self.wait_for(lambda: self.yaw is not None, START, "odometry")
         self.wait_for(lambda: shows_a_robot(self.screenshot(display)), START_RVIZ, "the robot in RViz")

@@ -4,7 +4,6 @@ import math
 
 import pytest
 
-from conftest import SIMULATION, SOURCE
 from simulation import ORIGIN, Body, Motor, Pose
 
 SEPARATION, DIAMETER, MAX_SPEED = 0.1125, 0.06, 0.6
@@ -69,15 +68,3 @@ def test_dead_band(duty, speed):
     motor = Motor(MAX_SPEED, lag=0.0, dead_band=0.1)
     motor.turn(duty, 1.0)
     assert motor.speed == pytest.approx(speed)
-
-
-def numbers(file):
-    """The numbers in a YAML file of one level."""
-    lines = (line.split("#")[0].partition(":") for line in file.read_text().splitlines())
-    return {name: float(value) for name, _, value in lines if value}
-
-
-def test_the_body_has_the_size_that_the_controller_reckons_with():
-    size = numbers(SIMULATION / "config/jetbot.yaml")
-    assert numbers(SOURCE / "config/si_units.yaml") == {name: size[name] for name in ("wheel_separation", "max_speed")}
-    assert (SEPARATION, DIAMETER, MAX_SPEED) == (size["wheel_separation"], size["wheel_diameter"], size["max_speed"])

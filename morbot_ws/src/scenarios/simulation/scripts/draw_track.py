@@ -86,7 +86,7 @@ def listen(seconds, odom, cmd_vel):
 
 def draw(recording, file):
     """Draw the recording into a PNG file."""
-    figure, (track, linear, angular) = plt.subplots(3, figsize=(7, 9), layout="constrained",
+    figure, (track, linear, angular) = plt.subplots(3, figsize=(7, 9), constrained_layout=True,
                                                       gridspec_kw={"height_ratios": (5, 1.2, 1.2)})
     draw_track(track, recording.samples)
     draw_speed(linear, recording, "linear", "speed (m/s)")

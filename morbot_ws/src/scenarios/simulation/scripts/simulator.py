@@ -18,29 +18,16 @@ from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 
 from jetbot import InvalidValue
 from jetbot.fake_i2c import default_folder
-from jetbot.fake_motors import WIRED, wheel_speeds
-from jetbot.parameters import NUMBER, POSITIVE, SECONDS, Parameter, checked, is_number
+from jetbot.fake_motors import wheel_speeds
+from jetbot.parameters import checked
 from simulation import ORIGIN, Body, Motor, Pose
+from simulation.parameters import PARAMETERS
 
 RATE = 50              # steps a second
 STEPS_PER_PATH = 10    # between two messages of the path
 STEPS_PER_REPORT = 50  # between two lines on the terminal
 PATH_STEP = 0.02       # metres between two poses of the path
 PATH_LENGTH = 2000     # poses; the oldest are forgotten
-
-PARAMETERS = {
-    "board": Parameter("jetbot", lambda value: value in WIRED, f"one of {', '.join(WIRED)}"),
-    "i2c_bus": Parameter("fake", lambda value: str(value) == "fake" or str(value).startswith("fake:"),
-                         "fake, or fake:FOLDER"),
-    "wheel_separation": Parameter(0.1125, *POSITIVE),  # m
-    "wheel_diameter": Parameter(0.06, *POSITIVE),      # m
-    "max_speed": Parameter(0.6, *POSITIVE),            # m/s
-    "motor_lag": Parameter(0.1, *SECONDS),
-    "dead_band": Parameter(0.05, lambda value: is_number(value) and 0 <= value < 1, "a duty, 0 or more and below 1"),
-    "x": Parameter(0.0, *NUMBER),                      # m
-    "y": Parameter(0.0, *NUMBER),                      # m
-    "yaw": Parameter(0.0, *NUMBER),                    # rad, counterclockwise
-}
 
 
 class Frames:

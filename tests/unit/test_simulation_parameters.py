@@ -1,0 +1,61 @@
+"""The simulated robot's parameters: what is refused, and that its size is the same wherever it is told."""
+
+import xml.etree.ElementTree as ET
+
+import pytest
+
+from conftest import SIMULATION, SOURCE
+from jetbot import InvalidValue
+from jetbot.parameters import checked
+from simulation.parameters import PARAMETERS
+
+
+@pytest.mark.parametrize("name, value, must", [
+    ("i2c_bus", 1, "fake, or fake:FOLDER"),
+    ("i2c_bus", "faked", "fake, or fake:FOLDER"),
+    ("board", "lego", "one of adafruit, waveshare, jetbot"),
+    ("dead_band", 1, "a duty, 0 or more and below 1"),
+    ("dead_band", -0.1, "a duty, 0 or more and below 1"),
+    ("motor_lag", -1, "a number of seconds, 0 or more"),
+    ("wheel_diameter", 0, "a number above 0"),
+])
+def test_bad_values(name, value, must):
+    with pytest.raises(InvalidValue, match=f"The parameter {name} must be {must}, not "):
+        checked({name: value}, PARAMETERS)
+
+
+def test_defaults_are_good():
+    defaults = {name: parameter.default for name, parameter in PARAMETERS.items()}
+    assert checked(defaults, PARAMETERS) == checked({}, PARAMETERS) == defaults
+
+
+def numbers(file):
+    """The numbers in a YAML file of one level."""
+    lines = (line.split("#")[0].partition(":") for line in file.read_text().splitlines())
+    return {name: float(value) for name, _, value in lines if value}
+
+
+def test_the_file_of_the_body_tells_the_defaults():
+    size = numbers(SIMULATION / "config/jetbot.yaml")
+    assert size == {name: PARAMETERS[name].default for name in size}
+    assert len(size) == 5
+
+
+def test_the_controller_reckons_with_the_same_size():
+    size = numbers(SIMULATION / "config/jetbot.yaml")
+    assert numbers(SOURCE / "config/si_units.yaml") == {name: size[name] for name in ("wheel_separation", "max_speed")}
+
+
+def test_the_drawn_robot_has_the_same_size():
+    size = numbers(SIMULATION / "config/jetbot.yaml")
+    robot = ET.parse(SIMULATION / "urdf/jetbot.urdf").getroot()
+    for side, sign in (("left", 1), ("right", -1)):
+        radius = robot.find(f"link[@name='{side}_wheel']/visual/geometry/cylinder").get("radius")
+        place = robot.find(f"joint[@name='{side}_wheel_joint']/origin").get("xyz").split()
+        assert float(radius) == size["wheel_diameter"] / 2
+        assert float(place[1]) == sign * size["wheel_separation"] / 2
+
+
+@pytest.mark.parametrize("file", sorted((SIMULATION / "launch").glob("*.launch")), ids=lambda file: file.stem)
+def test_every_launch_argument_is_explained(file):
+    assert all(arg.get("doc") for arg in ET.parse(file).getroot().findall("arg"))
