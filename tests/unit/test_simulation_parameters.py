@@ -14,8 +14,8 @@ from simulation.parameters import PARAMETERS
     ("i2c_bus", 1, "fake, or fake:FOLDER"),
     ("i2c_bus", "faked", "fake, or fake:FOLDER"),
     ("board", "lego", "one of adafruit, waveshare, jetbot"),
-    ("dead_band", 1, "a duty, 0 or more and below 1"),
-    ("dead_band", -0.1, "a duty, 0 or more and below 1"),
+    ("dead_band", 1, "a number from 0 up to, but not, 1"),
+    ("dead_band", -0.1, "a number from 0 up to, but not, 1"),
     ("motor_lag", -1, "a number of seconds, 0 or more"),
     ("wheel_diameter", 0, "a number above 0"),
 ])
