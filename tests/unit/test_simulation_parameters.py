@@ -13,7 +13,7 @@ from simulation.parameters import PARAMETERS
 @pytest.mark.parametrize("name, value, must", [
     ("i2c_bus", 1, "fake, or fake:FOLDER"),
     ("i2c_bus", "faked", "fake, or fake:FOLDER"),
-    ("board", "lego", "one of adafruit, waveshare, jetbot"),
+    ("board", "lego", "one of adafruit, waveshare, jetbot, sparkfun"),
     ("dead_band", 1, "a number from 0 up to, but not, 1"),
     ("dead_band", -0.1, "a number from 0 up to, but not, 1"),
     ("motor_lag", -1, "a number of seconds, 0 or more"),
