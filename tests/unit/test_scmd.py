@@ -13,7 +13,7 @@ from jetbot.fake_motors import wheel_speeds
 
 @pytest.fixture
 def board(folder):
-    return open_board("sparkfun", Options(f"fake:{folder}"))
+    return open_board("sparkfun", Options(f"fake:{folder}", failsafe=1.0))
 
 
 def registers(folder):
@@ -49,7 +49,7 @@ def test_wheel_by_wheel_where_the_chip_takes_no_blocks(folder, monkeypatch):
     assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
 
 
-@pytest.mark.parametrize("seconds, register", [(1.0, 100), (0.5, 50), (9.0, 255), (0.01, 10)])
+@pytest.mark.parametrize("seconds, register", [(1.0, 100), (0.5, 50), (9.0, 255), (0.01, 10), (0, 0)])
 def test_failsafe_time(folder, seconds, register):
     open_board("sparkfun", Options(f"fake:{folder}", failsafe=seconds))
     assert registers(folder)[0x76] == register

@@ -26,12 +26,12 @@ class Options(NamedTuple):
     """How to reach a board, and what it should do when the computer hangs.
 
     i2c_bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; port: a serial device or pyserial URL;
-    failsafe: seconds without a word from the computer after which the board stops by itself, if it can.
+    failsafe: seconds without a word from the computer after which the board stops by itself, if it can; 0 for never.
     """
 
     i2c_bus: object = 1
     port: str = "/dev/ttyACM0"
-    failsafe: float = 1.0
+    failsafe: float = 0.0
 
 
 class Board(NamedTuple):

@@ -58,7 +58,7 @@ class Robot:
     left_motor_alpha, right_motor_alpha: trims for a robot that does not drive straight.
     swap_motors, invert_left, invert_right: for a robot whose motors are connected otherwise.
     min_duty: the least part of full power, 0 to 1, that turns a wheel; speeds above 0 begin there.
-    failsafe: seconds without a refresh after which a board that has a timer stops by itself.
+    failsafe: seconds without a refresh after which a board that has a timer stops by itself; 0 for never.
 
     Speeds are in [-1, 1], 1 full forward, and clamped beyond. A speed that is no finite number stops both wheels and
     raises InvalidValue (a ValueError). A board that does not answer raises BusError (an OSError), and is set up again
@@ -68,7 +68,7 @@ class Robot:
     _drivers = {}  # by link: the Robot that drives what hangs on it
 
     def __init__(self, board=None, i2c_bus=None, port=None, left_motor_alpha=1.0, right_motor_alpha=1.0,
-                 swap_motors=False, invert_left=False, invert_right=False, min_duty=0.0, failsafe=1.0):
+                 swap_motors=False, invert_left=False, invert_right=False, min_duty=0.0, failsafe=0.0):
         board = os.environ.get("JETBOT_BOARD", "jetbot") if board is None else board
         i2c_bus = os.environ.get("JETBOT_I2C_BUS", 1) if i2c_bus is None else i2c_bus
         port = os.environ.get("JETBOT_PORT", "/dev/ttyACM0") if port is None else port

@@ -22,12 +22,12 @@ START_UP = 2.0          # seconds; the firmware looks for further boards first
 class ScmdMotors:
     """Drives the SCMD. Every refresh is a transfer and so keeps its failsafe from stopping the wheels.
 
-    device: an I2CDevice; options.failsafe: 0.1 to 2.55 s, to which other times are brought.
+    device: an I2CDevice; options.failsafe: 0.1 to 2.55 s, to which other times are brought, or 0 for none.
     """
 
     def __init__(self, device, options):
         self.device = device
-        self._failsafe = min(255, max(10, round(options.failsafe * 100)))
+        self._failsafe = options.failsafe and min(255, max(10, round(options.failsafe * 100)))
         self._sent = None  # the drive bytes as the chip holds them; None: not known
         self._blocks = False
 
@@ -41,7 +41,7 @@ class ScmdMotors:
         self._blocks = self._takes_blocks()
         self._send(bytes([encode(0), encode(0)]))
         self.device.write(FAILSAFE_CONTROL, [STOP_MOTORS])
-        self.device.write(FAILSAFE_TIME, [self._failsafe])
+        self.device.write(FAILSAFE_TIME, [int(self._failsafe)])
         self.device.write(DRIVER_ENABLE, [1])
 
     def drive(self, left, right):
