@@ -43,7 +43,7 @@ class Frames:
 
 
 class Simulator:
-    """Moves the body by what the bus tells its motors. Its topic's, its service's and the main thread meet under a lock."""
+    """Moves the body by what the bus tells its motors. Callbacks and the main thread meet under a lock."""
 
     def __init__(self, body, read_duties):
         self.body = body
