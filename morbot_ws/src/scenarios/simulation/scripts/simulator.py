@@ -26,8 +26,8 @@ from simulation.parameters import PARAMETERS
 RATE = 50              # steps a second
 STEPS_PER_PATH = 10    # between two messages of the path
 STEPS_PER_REPORT = 50  # between two lines on the terminal
-PATH_STEP = 0.02       # metres between two poses of the path
-PATH_LENGTH = 2000     # poses; the oldest are forgotten
+PATH_STEP = 0.05       # metres between two poses of the path
+PATH_LENGTH = 1000     # poses; the oldest are forgotten
 
 
 class Frames:
@@ -43,7 +43,7 @@ class Frames:
 
 
 class Simulator:
-    """Moves the body by what the bus tells its motors. The services' threads and the main one meet under a lock."""
+    """Moves the body by what the bus tells its motors. Callbacks and the main thread meet under a lock."""
 
     def __init__(self, body, read_duties):
         self.body = body
@@ -84,11 +84,10 @@ class Simulator:
             self.body.move(self._read_duties(), now - self._then)
             self._then = now
             self._remember(stamp)
-            messages = (odometry(self._frames, stamp, self.body), joint_state(stamp, self.body),
-                        transform(self._frames.odom, self._frames.base_footprint, stamp, self.body.pose))
-        for publish, message in zip((self._odom_topic.publish, self._joints_topic.publish,
-                                     self._transforms.sendTransform), messages):
-            publish(message)
+            self._odom_topic.publish(odometry(self._frames, stamp, self.body))
+            self._joints_topic.publish(joint_state(stamp, self.body))
+            self._transforms.sendTransform(
+                transform(self._frames.odom, self._frames.base_footprint, stamp, self.body.pose))
 
     def _remember(self, stamp):
         pose = self.body.pose
@@ -191,5 +190,8 @@ if __name__ == "__main__":
         sys.exit(1)
     except ConnectionRefusedError:
         sys.exit(f"No ROS master at {rosgraph.get_master_uri()}. Start one in another terminal: roscore")
-    except (rospy.ROSException, KeyboardInterrupt):
-        pass  # the end has closed a topic under the last step
+    except rospy.ROSException:
+        if not rospy.is_shutdown():  # which closes the topics under the last step
+            raise
+    except KeyboardInterrupt:
+        sys.exit(1)
