@@ -21,6 +21,7 @@ from jetbot.fake_motors import wheel_speeds
 STILL = (0.0, 0.0)
 CONTROLLER = ("rosrun", "jetbot_control_node", "jetbot_controller.py")
 START = 15.0  # seconds that a process may take until it works; generous, for slow machines
+END = 45.0    # seconds that it may take to end: roslaunch ends its nodes one after the other
 
 
 class RobotTest(unittest.TestCase):
@@ -143,7 +144,7 @@ def end(process):
         for signal_number in (signal.SIGCONT, signal.SIGINT):
             os.killpg(process.pid, signal_number)
     try:
-        process.wait(START)
+        process.wait(END)
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()

@@ -74,7 +74,7 @@ class PwmMotors:
         if now - self._verified >= (VERIFY_IDLE if idle else VERIFY_AFTER_COMMAND):
             self._verified = now
             self._chip.verify()
-        self.drive(left, right)
+            self.drive(left, right)
 
     def close(self):
         """Let go of the bus; the wheels go on as they are."""
