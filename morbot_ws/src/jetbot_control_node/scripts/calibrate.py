@@ -142,5 +142,7 @@ if __name__ == "__main__":
         main()
     except JetbotError as error:
         sys.exit(str(error))
+    except OSError as error:
+        sys.exit(f"The wheels stand, but the file was not written: {error}")
     except (KeyboardInterrupt, EOFError):
         sys.exit("\nEnded; the wheels stand and nothing was written.")
