@@ -85,7 +85,7 @@ def test_telemetry_in_units(port):
     board = open_board("jetbot_pro", Options(port=name))
     heard = []
     board.listen(heard.append)
-    os.write(end, b"noise" + REPORT)
+    os.write(end, b"noise" + frame(0x01) + REPORT)  # whole, but too short for a report
     from test_robot import eventually
     assert eventually(lambda: heard)
     assert (heard[0].x, heard[0].y, heard[0].yaw) == (1.5, -0.25, 0.785)

@@ -13,7 +13,7 @@ from .errors import BusError
 
 HEAD = b"\xaa\x55"
 VELOCITY, PID, CORRECTIONS = 0x11, 0x12, 0x13   # to the board
-TELEMETRY = 0x01                                # from the board
+TELEMETRY, TELEMETRY_PAYLOAD = 0x01, 40         # from the board: type, bytes
 SHORTEST, LONGEST = 5, 64                       # bytes of a frame
 VENDORS_PID = (350, 120, 0)
 NO_CORRECTIONS = (1000, 1000)                   # thousandths: linear, angular
@@ -86,7 +86,7 @@ class JetBotPro:
                 time.sleep(0.1)  # whoever drives reports it
                 continue
             for kind, payload in reader.feed(received):
-                if kind == TELEMETRY:
+                if kind == TELEMETRY and len(payload) == TELEMETRY_PAYLOAD:
                     callback(telemetry(payload))
 
 
