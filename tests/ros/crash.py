@@ -29,17 +29,20 @@ class Crash(RobotTest):
         self.wheels_stay(0, 0, for_seconds=1)
         launch.wait(START)
 
-    def test_rosrun(self):
+    def driving_controller(self):
+        """A controller by rosrun that would drive on for ever."""
         node = self.controller(cmd_vel_timeout=0)
         self.command(0.5)
         self.wait_for_wheels(0.5, 0.5)
+        return node
+
+    def test_rosrun(self):
+        node = self.driving_controller()
         os.killpg(node.pid, signal.SIGKILL)
         self.wait_for_stop(within=LIMIT)
 
     def test_killed_after_its_guard(self):
-        node = self.controller(cmd_vel_timeout=0)
-        self.command(0.5)
-        self.wait_for_wheels(0.5, 0.5)
+        node = self.driving_controller()
         self.wait_for(self.guard, START, "the guard")
         first = self.guard()
         os.kill(first, signal.SIGKILL)
@@ -48,9 +51,7 @@ class Crash(RobotTest):
         self.wait_for_stop(within=LIMIT)
 
     def test_killed_without_the_board_that_comes_back_later(self):
-        node = self.controller(cmd_vel_timeout=0)
-        self.command(0.5)
-        self.wait_for_wheels(0.5, 0.5)
+        node = self.driving_controller()
         os.rename(self.bus + "/0x60", self.bus + "/cable_is_out")
         os.killpg(node.pid, signal.SIGKILL)
         node.wait()

@@ -10,9 +10,8 @@ import sys
 from pathlib import Path
 
 from jetbot import InvalidValue, JetbotError, Robot
-from jetbot.boards import BOARDS
 from jetbot.calibration import as_yaml, orientation, trim
-from jetbot.doctor import boards_at, check_users
+from jetbot.doctor import ADDRESSES, boards_at, check_users
 from jetbot.i2c import I2CDevice
 from jetbot.parameters import default_file
 from jetbot.terminal import choose, hold, move, number
@@ -96,7 +95,7 @@ class Wizard:
 
 def candidates(i2c_bus):
     """The I2C boards to try: those whose address answers on the bus."""
-    for address in sorted({row.address for row in BOARDS.values() if row.address}, reverse=True):
+    for address in reversed(ADDRESSES):
         try:
             I2CDevice(i2c_bus, address).read(0)
         except JetbotError:

@@ -47,7 +47,7 @@ class Controller:
         self.commands = 0
         self._ending = False
         self._watching = False
-        self._launcher = os.getppid()
+        self._launcher = os.getppid() if launched() else None
         self._lock = threading.Lock()
         self._status_topic = rospy.Publisher("~status", String, latch=True, queue_size=1)
         rospy.Subscriber("/emergency_stop", Bool, self._on_emergency_stop, queue_size=1, tcp_nodelay=True)
@@ -88,7 +88,7 @@ class Controller:
             self._close()
 
     def _is_over(self):
-        orphaned = launched() and os.getppid() != self._launcher
+        orphaned = self._launcher is not None and os.getppid() != self._launcher
         return self._ending or orphaned or rospy.is_shutdown()
 
     def _close(self):

@@ -1,8 +1,14 @@
-"""The computer that all runs on: its model, its I2C buses, and which of them a JetBot's motors are on."""
+"""The computer that all runs on: its model, its I2C buses, which of them a JetBot's motors are on, and ROS's home."""
 
+import os
 from pathlib import Path
 
 ROBOT_BUS = {"Jetson Nano": 1, "Xavier NX": 8, "Orin Nano": 7, "Raspberry Pi": 1}  # by a part of the model's name
+
+
+def ros_home():
+    """Where ROS keeps a user's files: ROS_HOME, else ~/.ros."""
+    return Path(os.environ.get("ROS_HOME") or Path.home() / ".ros")
 
 
 def model(file=Path("/proc/device-tree/model")):

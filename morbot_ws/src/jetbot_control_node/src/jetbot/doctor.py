@@ -15,6 +15,7 @@ from .jetbot_pro import TELEMETRY, FrameReader
 from .serial_link import SerialLink
 
 PACKAGES = {"rospy": "python3-rospy", "smbus2": "python3-smbus2", "serial": "python3-serial"}  # module: Debian package
+ADDRESSES = sorted({row.address for row in BOARDS.values() if row.address})  # on the I2C bus
 LISTENING = 1.0  # seconds for the JetBot Pro to report; it does so many times a second
 
 
@@ -48,7 +49,7 @@ def examine(buses, port):
         if path.exists():
             yield check_permission(path)
             yield check_users(path)
-        for address in sorted({row.address for row in BOARDS.values() if row.address}):
+        for address in ADDRESSES:
             check = check_address(bus, address)
             ways += [f"board:={boards_at(address)[0]} i2c_bus:={bus}"] if check.ok else []
             yield check

@@ -15,6 +15,7 @@ import sys
 import time
 from pathlib import Path
 
+from .computer import ros_home
 from .fake_chips import CHIPS
 
 REGISTERS = 256
@@ -22,8 +23,7 @@ REGISTERS = 256
 
 def default_folder(namespace="/"):
     """The folder that plain ``fake`` means: fake_i2c plus the node's namespace in ROS's home (~/.ros)."""
-    home = os.environ.get("ROS_HOME") or Path.home() / ".ros"
-    return Path(home, "fake_i2c", namespace.strip("/"))
+    return ros_home() / "fake_i2c" / namespace.strip("/")
 
 
 def chip_file(folder, address):

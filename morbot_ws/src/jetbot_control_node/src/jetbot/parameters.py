@@ -1,13 +1,13 @@
 """Parameters: their defaults, and one sentence for a value that cannot be used."""
 
 import math
-import os
 from pathlib import Path
 from typing import Callable, NamedTuple
 
 import yaml
 
 from .boards import BOARDS
+from .computer import ros_home
 from .errors import InvalidValue
 
 
@@ -49,7 +49,7 @@ PARAMETERS = {
 
 def default_file():
     """Where the parameters of this computer's robot are kept: jetbot.yaml in ROS's home (~/.ros)."""
-    return Path(os.environ.get("ROS_HOME") or Path.home() / ".ros", "jetbot.yaml")
+    return ros_home() / "jetbot.yaml"
 
 
 def load(file=None):
