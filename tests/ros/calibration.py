@@ -34,7 +34,7 @@ class Calibration(RobotTest):
     def watch_motion(self):
         """The wheels' speeds in the midst of the motion that starts now, and STILL where nothing turns."""
         speeds = STILL
-        while not self.terminal.expect([pexpect.TIMEOUT, r"Which wheel|How many cent"], timeout=0.02):
+        while not self.terminal.expect([pexpect.TIMEOUT, r"Which wheel|Did the|How many cent"], timeout=0.02):
             speeds = self.wheels() if self.wheels() != STILL else speeds
         self.assertEqual(self.wheels(), STILL, "after the motion")
         return speeds
@@ -43,7 +43,7 @@ class Calibration(RobotTest):
         self.answer("Enter starts it, any key stops it")
         left, right = self.watch_motion()
         if (left, right) == STILL:
-            return self.terminal.sendline("n")
+            return self.terminal.sendline("none")
         self.terminal.sendline("l" if left else "r")
         return self.answer("Forward or backward", "f" if left + right > 0 else "b")
 
@@ -53,16 +53,20 @@ class Calibration(RobotTest):
             left, right = self.watch_motion()
             curvature = (right - left) / (0.1125 * (right + left) / 2)
             if abs(curvature) < 0.01:
-                return self.terminal.sendline("0")
+                return self.terminal.sendline("")
             drift = (1 - math.sqrt(1 - curvature ** 2)) / curvature
-            self.terminal.sendline(f"{abs(100 * drift):.1f}")
-            self.answer("left or to the right", "l" if drift > 0 else "r")
+            self.terminal.sendline(f"{abs(100 * drift):.1f} cm")
+            self.answer("left or to the right", "left" if drift > 0 else "r")
 
     def ramp(self):
+        self.answer("press any key as soon as it turns")
+        self.terminal.send("x")
+        self.answer("Did the .* wheel turn", "n")  # the key came too early
         self.answer("press any key as soon as it turns")
         self.wait_for(lambda: self.wheels() != STILL, START, "the wheel to turn")
         self.terminal.send(" ")
         self.wait_for_stop(within=0.5)
+        self.answer("Did the .* wheel turn", "y")
 
     def test_from_the_box_to_a_straight_line(self):
         self.answer("Put the robot on a box")

@@ -15,13 +15,14 @@ from jetbot import computer, doctor
 from jetbot.fake_i2c import power_on
 
 
-def lines(buses=(), port="/dev/nowhere"):
-    return [str(check) for check in doctor.examine(buses, port)]
+def lines(bus=None, port="/dev/nowhere"):
+    return [str(check) for check in doctor.examine(bus, port)]
 
 
 @pytest.fixture(autouse=True)
-def installed(monkeypatch):
-    monkeypatch.setattr(doctor, "PACKAGES", {"json": "python3"})
+def one_package_and_no_file(monkeypatch, tmp_path):
+    monkeypatch.setattr(doctor, "PACKAGES", {"json": "json"})
+    monkeypatch.setenv("ROS_HOME", str(tmp_path))
 
 
 def test_a_machine_with_nothing(monkeypatch):
@@ -30,27 +31,64 @@ def test_a_machine_with_nothing(monkeypatch):
     assert lines() == [
         "ok  json: installed.",
         "ok  computer: not one of those that a JetBot carries.",
-        "NOT I2C buses: there is no /dev/i2c-*. On a Raspberry Pi switch I2C on with: sudo raspi-config"
-        "   On a PC there is none: use i2c_bus:=fake",
+        "NOT I2C buses: there is no /dev/i2c-*. "
+        "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.",
         "NOT /dev/nowhere: there is no serial port /dev/nowhere. Is the board plugged in and switched on?",
-        "NOT robot: no motor board found. To try everything without one: i2c_bus:=fake"]
+        "NOT robot: no motor board found. To try everything without one: roslaunch simulation simulation.launch"]
 
 
 def test_a_board_that_answers(folder):
     power_on(folder)
     (folder / "0x5d").unlink()
-    found = lines([f"fake:{folder}"])
+    found = lines(f"fake:{folder}")
     assert f"ok  0x60 on bus fake:{folder}: answers, and can be a board jetbot or adafruit or waveshare." in found
-    assert f"NOT 0x5d on bus fake:{folder}: no answer from 0x5d on fake:{folder}. To plug it in: " in found[3]
-    assert found[-1] == (f"ok  robot: drive it with: roslaunch jetbot_control_node jetbot_controller.launch "
-                         f"board:=jetbot i2c_bus:=fake:{folder}.")
+    assert f"NOT 0x5d on bus fake:{folder}: no answer from 0x5d on fake:{folder}. To plug it in: " in found[2]
+    assert found[-1] == ("ok  robot: could drive. "
+                         "Start it with: roslaunch jetbot_control_node jetbot_controller.launch "
+                         f"board:=jetbot i2c_bus:=fake:{folder}")
 
 
-def test_a_missing_package(folder, monkeypatch):
-    monkeypatch.setattr(doctor, "PACKAGES", {"nosuchmodule": "python3-nosuchmodule"})
-    found = lines([f"fake:{folder}"])
-    assert found[0] == "NOT nosuchmodule: not installed. Install it with: sudo apt install python3-nosuchmodule"
-    assert found[-1] == "NOT robot: cannot drive without nosuchmodule."
+def test_another_chip_at_sparkfuns_address(folder):
+    power_on(folder)
+    (folder / "0x5d").write_bytes(bytes(256))
+    assert str(doctor.check_address(f"fake:{folder}", 0x5D)) == (
+        f"NOT 0x5d on bus fake:{folder}: what answers is no SparkFun motor driver. It is of no use for driving.")
+
+
+@pytest.mark.parametrize("module, noetic, advice", [
+    ("rospy", False, "Install it with: sudo apt install python3-rospy"),
+    ("diagnostic_updater", False, "Install it with: sudo apt install python3-diagnostic-updater"),
+    ("smbus2", True, "Install it with: pip3 install smbus2"),
+    ("serial", True, "Install it with: sudo apt install python3-serial"),
+    ("rospy", True, "Type: source {}/setup.bash   Or install it with: sudo apt install ros-noetic-rospy")])
+def test_how_to_install_a_package(module, noetic, advice, tmp_path, monkeypatch):
+    monkeypatch.undo()
+    assert doctor.how_to_install(module, tmp_path if noetic else tmp_path / "none") == advice.format(tmp_path)
+
+
+def test_only_packages_that_every_robot_needs_keep_it_from_driving(folder, monkeypatch):
+    monkeypatch.setattr(doctor, "PACKAGES", {"nosuchmodule": "no-such-module"})
+    found = lines(f"fake:{folder}")
+    assert found[0] == "NOT nosuchmodule: not installed. Install it with: sudo apt install python3-no-such-module"
+    assert found[-1].startswith("ok  robot: could drive.")
+    monkeypatch.setattr(doctor, "NEEDED", ["nosuchmodule"])
+    assert lines(f"fake:{folder}")[-1] == "NOT robot: cannot drive as long as nosuchmodule is not ok."
+
+
+@pytest.mark.parametrize("text, line, last", [
+    ("board: waveshare\ni2c_bus: BUS", "ok  FILE: names the board waveshare, and 0x60 on bus BUS answers.",
+     "ok  robot: could drive. Start it with: roslaunch jetbot_control_node jetbot_controller.launch"),
+    ("board: jetbot_pro\nport: /dev/nowhere", "NOT FILE: names the board jetbot_pro, but there is no serial port "
+     "/dev/nowhere. Connect that board; or remove the file, and calibrate anew.",
+     "NOT robot: cannot drive as long as FILE is not ok."),
+    ("speed: 3", "NOT FILE: there is no parameter speed. Mend it, or remove it.",
+     "NOT robot: cannot drive as long as FILE is not ok.")])
+def test_the_file_of_parameters(folder, tmp_path, text, line, last):
+    file, bus = tmp_path / "jetbot.yaml", f"fake:{folder}"
+    file.write_text(text.replace("BUS", bus))
+    found = lines(bus)
+    assert line.replace("FILE", str(file)).replace("BUS", bus) in found
+    assert found[-1] == last.replace("FILE", str(file))
 
 
 @pytest.mark.parametrize("group, advice", [
@@ -63,13 +101,22 @@ def test_no_permission(tmp_path, monkeypatch, group, advice):
     assert str(doctor.check_permission(tmp_path)) == f"NOT {tmp_path}: {advice}"
 
 
+def test_a_group_without_a_name_as_in_a_container(tmp_path, monkeypatch):
+    monkeypatch.setattr(os, "access", lambda path, mode: False)
+    os.chown(tmp_path, -1, 12345) if os.geteuid() == 0 else pytest.skip("only root can give a file to such a group")
+    assert str(doctor.check_permission(tmp_path)) == (
+        f"NOT {tmp_path}: this user may not open it, and its group 12345 has no name here. "
+        "Start the container with: --group-add 12345")
+
+
 def test_who_else_has_the_bus_open(tmp_path):
     bus = tmp_path / "i2c-1"
     bus.touch()
-    assert doctor.check_users(bus).ok
+    assert doctor.check_users(tmp_path / "none") == []
+    assert str(doctor.check_users(bus)[0]).startswith(f"ok  {bus}: no other program")
     other = subprocess.Popen(["sleep", "60"], stdin=bus.open())
     try:
-        assert str(doctor.check_users(bus)) == (
+        assert str(doctor.check_users(bus)[0]) == (
             f"NOT {bus}: also open in sleep ({other.pid}). Two programs on one motor board disturb each other: "
             "end one of them.")
     finally:
@@ -93,14 +140,16 @@ def test_serial_port(sent, line, monkeypatch):
 
 
 @pytest.mark.parametrize("plugged, code", [(True, 0), (False, 1)])
-def test_json_and_exit_code(folder, plugged, code):
+def test_json_and_exit_code(folder, plugged, code, monkeypatch):
     power_on(folder)
     if not plugged:
         (folder / "0x60").unlink()
         (folder / "0x5d").unlink()
     before = sorted((path.name, path.read_bytes()) for path in folder.iterdir())
-    run = subprocess.run([sys.executable, str(SOURCE / "scripts/doctor.py"), "--json", "--i2c-bus", f"fake:{folder}"],
-                         env={**os.environ, "PYTHONPATH": os.pathsep.join([str(SOURCE / "src"), *sys.path])},
+    monkeypatch.undo()
+    run = subprocess.run([sys.executable, str(SOURCE / "scripts/doctor.py"), "--json"],
+                         env={**os.environ, "PYTHONPATH": os.pathsep.join([str(SOURCE / "src"), *sys.path]),
+                              "ROS_HOME": str(folder), "JETBOT_I2C_BUS": f"fake:{folder}"},
                          stdout=subprocess.PIPE, text=True)
     checks = json.loads(run.stdout)
     assert (checks[-1]["name"], checks[-1]["ok"]) == ("robot", plugged)

@@ -97,3 +97,16 @@ def test_telemetry_in_units(port):
 def test_no_such_port():
     with pytest.raises(BusError, match="^There is no serial port /dev/nowhere. Is the board plugged in and "):
         open_board("jetbot_pro", Options(port="/dev/nowhere"))
+
+
+def test_a_file_is_no_port(tmp_path):
+    (tmp_path / "port").touch()
+    with pytest.raises(BusError, match="is no serial port. Give a serial device such as /dev/ttyACM0.$"):
+        open_board("jetbot_pro", Options(port=str(tmp_path / "port")))
+
+
+def test_closing_while_it_listens_leaves_the_port_closed(port):
+    board = open_board("jetbot_pro", Options(port=port[1]))
+    board.listen(lambda report: None)
+    board.close()
+    assert board.device._port is None and not board._listener.is_alive()

@@ -61,7 +61,7 @@ def test_the_launch_file_passes_on_what_differs_from_a_default():
     launch = ET.parse(SOURCE / "launch/jetbot_controller.launch").getroot()
     passed = {param.get("name"): param.get("unless") for param in launch.iter("param")}
     assert passed == {"config": "$(eval config == '')", **{
-        name: f"$(eval {name} == {parameter.default!r})" for name, parameter in PARAMETERS.items()}}
+        name: f"$(eval str({name}) == '{parameter.default}')" for name, parameter in PARAMETERS.items()}}
 
 
 def test_readme_shows_the_defaults():

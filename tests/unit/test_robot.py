@@ -9,7 +9,7 @@ import time
 import pytest
 
 from conftest import SOURCE
-from jetbot import BusError, JetbotError
+from jetbot import BusError, InvalidValue, JetbotError
 from jetbot.fake_motors import wheel_speeds
 from jetbot.i2c import I2CDevice
 
@@ -194,3 +194,10 @@ def test_wheels_stop_when_the_process_is_killed(folder, killer):
     process.send_signal(killer)
     process.wait()
     assert eventually(lambda: wheel_speeds(folder) == (0, 0), within=1.5)
+
+
+@pytest.mark.parametrize("option, value", [("min_duty", 1), ("min_duty", -0.1), ("min_duty", math.nan),
+                                           ("min_duty", "much"), ("failsafe", "long"), ("failsafe", math.inf)])
+def test_options_that_cannot_be(make_robot, option, value):
+    with pytest.raises(InvalidValue, match=f"^{option.capitalize()} must be "):
+        make_robot(**{option: value})

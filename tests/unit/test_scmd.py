@@ -7,7 +7,7 @@ import pytest
 
 from jetbot import BusError
 from jetbot.boards import Options, open_board
-from jetbot.fake_i2c import power_on
+from jetbot.fake_i2c import FakeBus, power_on
 from jetbot.fake_motors import wheel_speeds
 
 
@@ -47,6 +47,30 @@ def test_wheel_by_wheel_where_the_chip_takes_no_blocks(folder, monkeypatch):
     monkeypatch.setattr(SCMD, "write", lambda registers, register, data: write(registers, register, data[:1]))
     open_board("sparkfun", Options(f"fake:{folder}")).drive(0.5, -0.25)
     assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
+
+
+def test_a_chip_that_refuses_blocks(folder, monkeypatch):
+    def write(bus, address, register, data):
+        raise OSError(121, "Remote I/O error")
+
+    write_block = FakeBus.write_i2c_block_data
+    monkeypatch.setattr(FakeBus, "write_byte_data", lambda bus, *args: write_block(bus, *args[:2], [args[2]]))
+    monkeypatch.setattr(FakeBus, "write_i2c_block_data", write)
+    open_board("sparkfun", Options(f"fake:{folder}")).drive(0.5, -0.25)
+    assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
+
+
+def test_a_chip_that_is_not_ready_holds_up_no_program_that_drives(board, folder, monkeypatch):
+    monkeypatch.setattr("jetbot.scmd.START_UP", 9)
+    board.drive(0.5, 0.5)
+    power_on(folder)
+    registers = bytearray((folder / "0x5d").read_bytes())
+    registers[0x77] = 0
+    (folder / "0x5d").write_bytes(registers)
+    start = time.monotonic()
+    with pytest.raises(BusError, match="^The motor driver on .* is not ready. Switch the robot off and on.$"):
+        board.refresh(0.5, 0.5, idle=True)
+    assert time.monotonic() - start < 1
 
 
 @pytest.mark.parametrize("seconds, register", [(1.0, 100), (0.5, 50), (9.0, 255), (0.01, 10), (0, 0)])

@@ -6,18 +6,18 @@ import json
 import os
 import sys
 
-from jetbot import computer, doctor
+from jetbot import JetbotError, doctor
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--json", action="store_true", help="print the checks as a JSON list")
-    parser.add_argument("--i2c-bus", help="look at this bus only: N for /dev/i2c-N, fake, or fake:FOLDER")
+    parser.add_argument("--i2c-bus", default=os.environ.get("JETBOT_I2C_BUS"),
+                        help="look at this bus only: N for /dev/i2c-N, fake, or fake:FOLDER")
     parser.add_argument("--port", default=os.environ.get("JETBOT_PORT", "/dev/ttyACM0"), help="of a JetBot Pro")
     options = parser.parse_args()
-    numbers = [path.name[len("i2c-"):] for path in computer.buses()]
     checks = []
-    for check in doctor.examine([options.i2c_bus] if options.i2c_bus else numbers, options.port):
+    for check in doctor.examine(options.i2c_bus, options.port):
         checks.append(check)
         if not options.json:
             print(check, flush=True)
@@ -27,4 +27,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except JetbotError as error:
+        sys.exit(str(error))

@@ -26,7 +26,7 @@ from jetbot.kinematics import mix
 from jetbot.parameters import checked, load
 from jetbot.safety import Safety
 
-WATCH_PERIOD = 0.04       # seconds between two looks at what may stop the robot
+WATCH_PERIOD = 0.03       # seconds between two looks at what may stop the robot
 FAREWELL = 2.0            # seconds for the node to end once the robot stands
 DEFAULT_FAILSAFE = 1.0    # seconds, for a board with a timer, where cmd_vel_timeout is 0
 REPORT_PERIOD = 0.1       # seconds
@@ -222,4 +222,6 @@ if __name__ == "__main__":
         rospy.logfatal(error)
         sys.exit(1)
     except OSError:
+        if rosgraph.is_master_online():
+            raise
         sys.exit(f"No ROS master at {rosgraph.get_master_uri()}. Start one in another terminal: roscore")

@@ -31,20 +31,26 @@ def orientation(left_output, right_output):
             "invert_left": ways["left"] < 0, "invert_right": ways["right"] < 0}
 
 
-def trim(left_alpha, right_alpha, drift):
+def orientation_of_both(ahead, turn):
+    """Parameters of a robot whose wheels cannot be driven alone, from what was seen when it was to drive ahead and to
+    turn to the left: 1 when it did, -1 when it did the opposite."""
+    return {"swap_motors": ahead != turn, "invert_left": ahead < 0, "invert_right": ahead < 0}
+
+
+def trim(left_alpha, right_alpha, drift, wheel_separation=WHEEL_SEPARATION):
     """Better alphas (left, right) for a robot that ends ``drift`` metres left of the line after one metre ahead.
 
     A drift to the right is negative. The path is an arc of curvature 2 * drift / (1 + drift^2), and on it the wheels'
-    speeds differ by curvature * wheel separation. The larger of the new alphas is 1.
+    speeds differ by curvature * wheel_separation (m). The larger of the new alphas is 1.
     """
-    difference = 2 * drift / (1 + drift ** 2) * WHEEL_SEPARATION / 2
+    difference = 2 * drift / (1 + drift ** 2) * wheel_separation / 2
     left, right = left_alpha * (1 + difference), right_alpha * (1 - difference)
     return round(left / max(left, right), 4), round(right / max(left, right), 4)
 
 
 def as_yaml(parameters):
     """The parameters as a YAML file with a comment for each."""
-    lines = ["# Made by calibrate.py for one robot; the controller loads it. To undo it, remove this file."]
+    lines = ["# Made by calibrate.py for one robot; the controller loads it. Without this file, the defaults hold."]
     lines += [f"{name}: {json.dumps(parameters[name])}  # {comment}"
               for name, comment in COMMENTS.items() if name in parameters]
     return "\n".join(lines) + "\n"

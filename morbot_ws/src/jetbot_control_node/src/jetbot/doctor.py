@@ -1,69 +1,69 @@
 """Finds out what keeps a JetBot from driving. Reads only: it never moves a wheel."""
 
+import contextlib
 import grp
 import importlib.util
 import os
 import time
+from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
-from . import computer
+from . import computer, scmd
 from .boards import BOARDS
 from .errors import JetbotError
-from .i2c import I2CDevice
-from .jetbot_pro import TELEMETRY, FrameReader
+from .i2c import I2CDevice, bus_name
+from .jetbot_pro import FrameReader, reports
+from .parameters import PARAMETERS, checked, default_file, load
 from .serial_link import SerialLink
 
-PACKAGES = {"rospy": "python3-rospy", "smbus2": "python3-smbus2", "serial": "python3-serial"}  # module: Debian package
+PACKAGES = {"rospy": "rospy", "diagnostic_updater": "diagnostic-updater", "smbus2": "smbus2", "serial": "serial"}
+NEEDED = ("rospy", "diagnostic_updater")  # by every robot; the others by those with an I2C bus, or a serial port
 ADDRESSES = sorted({row.address for row in BOARDS.values() if row.address})  # on the I2C bus
 LISTENING = 1.0  # seconds for the JetBot Pro to report; it does so many times a second
+LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
 
 
 class Check(NamedTuple):
-    """One thing looked at: what was found, and where that is not as it should be, what to do."""
+    """One thing looked at: what was found, and what to do where it is not as it should be."""
 
     name: str
     ok: bool
     finding: str
     advice: str = ""
+    command: str = ""  # starts a robot that this check has found
 
     def __str__(self):
         return f"{'ok' if self.ok else 'NOT':<4}{self.name}: {self.finding}. {self.advice}".rstrip()
 
 
-def examine(buses, port):
+def examine(bus=None, port=PARAMETERS["port"].default):
     """Yield all Checks, the last one telling whether a robot could drive.
 
-    buses: what to probe, each N for /dev/i2c-N or a fake bus; port: the serial port of a JetBot Pro.
+    bus: N for /dev/i2c-N or a fake bus, None for every /dev/i2c-* there is; port: the serial port of a JetBot Pro.
     """
-    missing = []
-    for module, package in PACKAGES.items():
-        check = check_package(module, package)
-        missing += [] if check.ok else [module]
+    checks = []
+    for check in chain(map(check_package, PACKAGES), [check_computer()], check_file(default_file()),
+                       check_all_buses() if bus is None else check_bus(bus), check_users(port), [check_serial(port)]):
+        checks.append(check)
         yield check
-    yield check_computer()
-    yield check_buses(computer.buses())
-    ways = []
-    for bus in buses:
-        path = Path(f"/dev/i2c-{bus}")
-        if path.exists():
-            yield check_permission(path)
-            yield check_users(path)
-        for address in ADDRESSES:
-            check = check_address(bus, address)
-            ways += [f"board:={boards_at(address)[0]} i2c_bus:={bus}"] if check.ok else []
-            yield check
-    check = check_serial(port)
-    ways += [f"board:=jetbot_pro port:={port}"] if check.ok else []
-    yield check
-    yield conclude(missing, ways)
+    yield conclude(checks)
 
 
-def check_package(module, package):
+def check_package(module):
     """Whether a Python module that the robot needs is installed."""
     if importlib.util.find_spec(module):
         return Check(module, True, "installed")
-    return Check(module, False, "not installed", f"Install it with: sudo apt install {package}")
+    return Check(module, False, "not installed", how_to_install(module))
+
+
+def how_to_install(module, noetic=Path("/opt/ros/noetic")):
+    """The command that brings a Python module, on Ubuntu 20.04 with Noetic or on a system that has ROS itself."""
+    if not noetic.exists() or module == "serial":
+        return f"Install it with: sudo apt install python3-{PACKAGES[module]}"
+    if module == "smbus2":
+        return "Install it with: pip3 install smbus2"
+    return f"Type: source {noetic}/setup.bash   Or install it with: sudo apt install ros-noetic-{PACKAGES[module]}"
 
 
 def check_computer():
@@ -75,19 +75,36 @@ def check_computer():
     return Check("computer", True, f"{model}, whose motors are on /dev/i2c-{bus}")
 
 
-def check_buses(paths):
-    """Whether there is any I2C bus."""
-    if paths:
-        return Check("I2C buses", True, ", ".join(map(str, paths)))
-    return Check("I2C buses", False, "there is no /dev/i2c-*",
-                 "On a Raspberry Pi switch I2C on with: sudo raspi-config   On a PC there is none: use i2c_bus:=fake")
+def check_all_buses():
+    """Whether there is any I2C bus, and what is on each."""
+    paths = computer.buses()
+    if not paths:
+        yield Check("I2C buses", False, "there is no /dev/i2c-*",
+                    "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.")
+    for path in paths:
+        yield from check_bus(path.name[len("i2c-"):])
+
+
+def check_bus(bus):
+    """Whether this user may open a bus, who else has, and which boards are on it."""
+    path = Path(bus_name(bus))
+    if path.exists():
+        yield check_permission(path)
+        yield from check_users(path)
+    for address in ADDRESSES:
+        yield check_address(bus, address)
 
 
 def check_permission(path):
     """Whether this user may open the bus."""
     if os.access(path, os.R_OK | os.W_OK):
         return Check(str(path), True, "this user may open it")
-    group = grp.getgrgid(path.stat().st_gid).gr_name
+    number = path.stat().st_gid
+    try:
+        group = grp.getgrgid(number).gr_name
+    except KeyError:
+        return Check(str(path), False, f"this user may not open it, and its group {number} has no name here",
+                     f"Start the container with: --group-add {number}")
     if group == "root":
         return Check(str(path), False, "only root may open it",
                      "Give it to a group with: sudo apt install i2c-tools   then start the computer again.")
@@ -96,13 +113,24 @@ def check_permission(path):
 
 
 def check_users(path, proc=Path("/proc")):
-    """Whether another program has the bus open."""
-    users = [f"{(process / 'comm').read_text().strip()} ({process.name})" for process in proc.glob("[0-9]*")
-             if int(process.name) != os.getpid() and has_open(process, path)]
+    """Whether another program has the device open; nothing where there is no such device."""
+    path = Path(path)
+    if not path.exists():
+        return []
+    users = [f"{name_of(process)} ({process.name})" for process in proc.glob("[0-9]*")
+             if int(process.name) != os.getpid() and has_open(process, path.resolve())]
     if not users:
-        return Check(str(path), True, "no other program has it open")
-    return Check(str(path), False, f"also open in {', '.join(users)}",
-                 "Two programs on one motor board disturb each other: end one of them.")
+        whose = "no other program" if os.geteuid() == 0 else "no other program of this user"
+        return [Check(str(path), True, f"{whose} has it open")]
+    return [Check(str(path), False, f"also open in {', '.join(users)}",
+                  "Two programs on one motor board disturb each other: end one of them.")]
+
+
+def name_of(process):
+    """The name of a process, a folder in /proc."""
+    with contextlib.suppress(OSError):
+        return (process / "comm").read_text().strip()
+    return "a program that has just ended"
 
 
 def has_open(process, path):
@@ -117,12 +145,16 @@ def check_address(bus, address):
     """Whether a motor board answers a read at this address."""
     name = f"0x{address:02x} on bus {bus}"
     try:
-        with_chip = I2CDevice(bus, address)
-        with_chip.read(0x00)
-        with_chip.close()
+        chip = I2CDevice(bus, address)
+        answer = chip.read(scmd.ID)
+        chip.close()
     except JetbotError as error:
         return Check(name, False, error.reason, error.advice)
-    return Check(name, True, f"answers, and can be a board {' or '.join(boards_at(address))}")
+    if address == BOARDS["sparkfun"].address and answer != scmd.ID_WORD:
+        return Check(name, False, "what answers is no SparkFun motor driver", "It is of no use for driving.")
+    boards = boards_at(address)
+    return Check(name, True, f"answers, and can be a board {' or '.join(boards)}",
+                 command=f"{LAUNCH} board:={boards[0]} i2c_bus:={bus}")
 
 
 def boards_at(address):
@@ -139,7 +171,7 @@ def check_serial(port):
     except JetbotError as error:
         return Check(port, False, error.reason, error.advice)
     if reports:
-        return Check(port, True, "a JetBot Pro reports")
+        return Check(port, True, "a JetBot Pro reports", command=f"{LAUNCH} board:=jetbot_pro port:={port}")
     return Check(port, False, "opens, but no JetBot Pro reports", "Is it this port, and is the robot switched on?")
 
 
@@ -147,15 +179,35 @@ def listen(link):
     """Whether a report arrives within ``LISTENING`` seconds."""
     reader, deadline = FrameReader(), time.monotonic() + LISTENING
     while time.monotonic() < deadline:
-        if any(kind == TELEMETRY for kind, _ in reader.feed(link.read())):
+        if any(reports(reader.feed(link.read()))):
             return True
     return False
 
 
-def conclude(missing, ways):
+def check_file(file):
+    """Whether the file of parameters, where there is one, can be read and its board answers."""
+    if not file.exists():
+        return []
+    try:
+        parameters = checked(load(file))
+    except JetbotError as error:
+        return [Check(str(file), False, error.reason, "Mend it, or remove it.")]
+    board, bus, port = parameters["board"], parameters["i2c_bus"], parameters["port"]
+    address = BOARDS[board].address
+    link = check_address(bus, address) if address else check_serial(port)
+    if link.ok:
+        return [Check(str(file), True, f"names the board {board}, and {link.name} answers", command=LAUNCH)]
+    return [Check(str(file), False, f"names the board {board}, but {link.finding}",
+                  "Connect that board; or remove the file, and calibrate anew.")]
+
+
+def conclude(checks):
     """Whether a robot could drive, and how."""
-    if missing:
-        return Check("robot", False, f"cannot drive without {', '.join(missing)}")
-    if not ways:
-        return Check("robot", False, "no motor board found", "To try everything without one: i2c_bus:=fake")
-    return Check("robot", True, f"drive it with: roslaunch jetbot_control_node jetbot_controller.launch {ways[0]}")
+    faults = [check.name for check in checks if not check.ok and check.name in (*NEEDED, str(default_file()))]
+    if faults:
+        return Check("robot", False, f"cannot drive as long as {faults[0]} is not ok")
+    commands = [check.command for check in checks if check.command]
+    if not commands:
+        return Check("robot", False, "no motor board found",
+                     "To try everything without one: roslaunch simulation simulation.launch")
+    return Check("robot", True, "could drive", f"Start it with: {commands[0]}", commands[0])

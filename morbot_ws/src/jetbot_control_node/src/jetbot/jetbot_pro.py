@@ -43,6 +43,7 @@ class JetBotPro:
         self.device = link
         self._sent = None
         self._closed = False
+        self._listener = None
 
     def start(self):
         """Set the board up with both wheels off."""
@@ -65,11 +66,14 @@ class JetBotPro:
 
     def listen(self, callback):
         """Call back with each Telemetry from now on, from a thread of its own."""
-        threading.Thread(target=self._listen, args=[callback], daemon=True).start()
+        self._listener = threading.Thread(target=self._listen, args=[callback], daemon=True)
+        self._listener.start()
 
     def close(self):
         """Let go of the port."""
         self._closed = True
+        if self._listener:
+            self._listener.join(1.0)  # its next read would open the port again
         self.device.close()
 
     def _send(self, wanted):
@@ -85,9 +89,8 @@ class JetBotPro:
             except BusError:
                 time.sleep(0.1)  # whoever drives reports it
                 continue
-            for kind, payload in reader.feed(received):
-                if kind == TELEMETRY and len(payload) == TELEMETRY_PAYLOAD:
-                    callback(telemetry(payload))
+            for report in reports(reader.feed(received)):
+                callback(report)
 
 
 class FrameReader:
@@ -128,8 +131,14 @@ def velocity(left, right):
     return frame(VELOCITY, round(500 * (left + right)), 0, round(500 * (right - left)))
 
 
+def reports(frames):
+    """The Telemetry in frames of (type, payload), of which others may be among them."""
+    return (telemetry(payload) for kind, payload in frames
+            if kind == TELEMETRY and len(payload) == TELEMETRY_PAYLOAD)
+
+
 def telemetry(payload):
-    """The Telemetry in a frame's payload: the frame's bytes 4.. gyro, 10.. acceleration, 22.. x, y (mm), yaw (mrad)."""
+    """The Telemetry in a payload: the frame's bytes 4.. gyro, 10.. acceleration, 22.. x, y (mm), yaw (mrad)."""
     motion = struct.unpack_from(">6h", payload, 0)
     x, y, yaw = struct.unpack_from(">3h", payload, 22 - 4)
     return Telemetry(tuple(GYRO_SCALE * value for value in motion[:3]),

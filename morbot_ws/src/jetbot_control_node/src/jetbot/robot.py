@@ -19,8 +19,10 @@ class Motor:
         self._robot = robot
         self._value = 0.0
         self._inverted = inverted
-        self._min_duty = min_duty
+        self._min_duty = finite(min_duty, "min_duty")
         self.alpha = alpha
+        if not 0 <= self._min_duty < 1:
+            raise InvalidValue(f"min_duty must be from 0 up to, but not, 1, not {min_duty!r}")
 
     @property
     def value(self):
@@ -72,7 +74,7 @@ class Robot:
         board = os.environ.get("JETBOT_BOARD", "jetbot") if board is None else board
         i2c_bus = os.environ.get("JETBOT_I2C_BUS", 1) if i2c_bus is None else i2c_bus
         port = os.environ.get("JETBOT_PORT", "/dev/ttyACM0") if port is None else port
-        options = Options(i2c_bus, port, failsafe)
+        options = Options(i2c_bus, port, finite(failsafe, "failsafe"))
         self.left_motor = Motor(self, left_motor_alpha, invert_left, min_duty)
         self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty)
         self._outputs = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)

@@ -20,7 +20,7 @@ START_UP = 2.0          # seconds; the firmware looks for further boards first
 
 
 class ScmdMotors:
-    """Drives the SCMD. Every refresh is a transfer and so keeps its failsafe from stopping the wheels.
+    """Drives the SCMD. Every idle refresh is a transfer, and so keeps its failsafe from stopping the wheels.
 
     device: an I2CDevice; options.failsafe: 0.1 to 2.55 s, to which other times are brought, or 0 for none.
     """
@@ -31,12 +31,12 @@ class ScmdMotors:
         self._sent = None  # the drive bytes as the chip holds them; None: not known
         self._blocks = False
 
-    def start(self):
-        """Set the chip up with both wheels off."""
+    def start(self, patience=START_UP):
+        """Set the chip up with both wheels off; ``patience``: seconds that it may take to become ready."""
         if self.device.read(ID) != ID_WORD:
             raise BusError(f"at 0x{self.device.address:02x} on {self.device.name} is no SparkFun motor driver",
                            "Something else answers there: choose another board.")
-        self._wait_until_ready()
+        self._wait_until_ready(patience)
         self.device.write(DRIVER_ENABLE, [0])
         self._blocks = self._takes_blocks()
         self._send(bytes([encode(0), encode(0)]))
@@ -47,13 +47,13 @@ class ScmdMotors:
     def drive(self, left, right):
         """Turn the wheels at these speeds, in [-1, 1]."""
         if self._sent is None:
-            self.start()
+            self.start(patience=0)  # a program that drives has no time to wait, and tries again
         wanted = bytes([encode(left), encode(right)])
         if wanted != self._sent:
             self._send(wanted)
 
     def refresh(self, left, right, idle):
-        """Drive as before, with a transfer in any case; set a chip up again that lost its power meanwhile."""
+        """Drive as before, when idle with a transfer; set a chip up again that lost its power meanwhile."""
         sent = self._sent
         if idle and sent is not None:
             self._sent = None
@@ -65,17 +65,20 @@ class ScmdMotors:
         """Let go of the bus; the wheels go on until the failsafe stops them."""
         self.device.close()
 
-    def _wait_until_ready(self):
-        deadline = time.monotonic() + START_UP
+    def _wait_until_ready(self, patience):
+        deadline = time.monotonic() + patience
         while not self.device.read(STATUS_1) & READY:
             if time.monotonic() > deadline:
-                raise BusError(f"the motor driver on {self.device.name} does not become ready",
+                raise BusError(f"the motor driver on {self.device.name} is not ready",
                                "Switch the robot off and on.")
             time.sleep(0.01)
 
     def _takes_blocks(self):
         """Whether both drive bytes arrive in one transfer; tried with the motors switched off."""
-        self.device.write(LEFT, [encode(0), encode(0) - 1])
+        try:
+            self.device.write(LEFT, [encode(0), encode(0) - 1])
+        except BusError:  # it refuses blocks; where it is gone, the next transfer tells
+            return False
         return self.device.read(RIGHT) == encode(0) - 1
 
     def _send(self, wanted):

@@ -2,6 +2,7 @@
 
 import errno
 import threading
+from pathlib import Path
 
 from .errors import BusError, InvalidValue
 
@@ -68,6 +69,8 @@ def open_port(name):
 def explain(error, name):
     """The BusError that says what an error of pyserial means and what to do."""
     number = getattr(error, "errno", None)
+    if Path(name).exists() and not Path(name).is_char_device():
+        return BusError(f"{name} is no serial port", "Give a serial device such as /dev/ttyACM0.", errno.ENOTTY)
     reason, advice = {
         errno.ENOENT: (f"there is no serial port {name}", "Is the board plugged in and switched on?"),
         errno.EACCES: (f"no permission to open {name}",

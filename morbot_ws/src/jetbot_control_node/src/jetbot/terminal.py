@@ -1,6 +1,7 @@
 """A person at a terminal: questions with few answers, and motions that any key ends."""
 
 import contextlib
+import re
 import select
 import sys
 import termios
@@ -11,22 +12,28 @@ STEP = 0.04  # seconds between two signs of life to the board
 ENDING = (b"\x03", b"\x04", b"\x1a", b"\x1c", b"")  # Ctrl-C, Ctrl-D, Ctrl-Z, Ctrl-\, and the terminal's end
 
 
+def pause(announcement):
+    """Tell something, and wait for Enter."""
+    input(f"{announcement} ")
+
+
 def choose(question, answers):
-    """Ask until one of the answers, a dict of key: meaning, is given; return its meaning."""
+    """Ask until one of the answers, a dict of word: meaning, is given, or its beginning; return its meaning."""
     while True:
-        answer = input(f"{question} [{'/'.join(answers)}] ").strip().lower()
-        if answer in answers:
-            return answers[answer]
+        given = input(f"{question} [{'/'.join(answers)}] ").strip().lower()
+        meant = [word for word in answers if given and word.startswith(given)]
+        if len(meant) == 1:
+            return answers[meant[0]]
         print(f"Please answer with one of: {', '.join(answers)}")
 
 
 def number(question, least, most):
-    """Ask until a number from least to most is given."""
+    """Ask until a number from least to most is given, with or without a unit; Enter alone means 0."""
     while True:
-        answer = input(f"{question} ").strip().replace(",", ".")
-        with contextlib.suppress(ValueError):
-            if least <= float(answer) <= most:
-                return float(answer)
+        given = re.fullmatch(r"([\d.]*)\s*(cm)?", input(f"{question} ").strip().lower().replace(",", "."))
+        with contextlib.suppress(TypeError, ValueError):  # no match; no number
+            if least <= float(given[1] or 0) <= most:
+                return float(given[1] or 0)
         print(f"Please answer with a number from {least} to {most}.")
 
 
@@ -48,7 +55,7 @@ def single_keys():
 def move(robot, speeds):
     """Drive through speeds, an iterable of (left, right), one every ``STEP`` seconds, until a key is pressed.
 
-    Returns the speeds at which it ended, and whether a key ended it. The robot stands then, whatever happened.
+    Returns the speeds at which it ended. The robot stands then, whatever happened.
     """
     now = (0.0, 0.0)
     pressed = False
@@ -65,7 +72,7 @@ def move(robot, speeds):
             robot.stop()
         if pressed and read_key() in ENDING:
             raise KeyboardInterrupt
-    return now, pressed
+    return now
 
 
 def read_key():

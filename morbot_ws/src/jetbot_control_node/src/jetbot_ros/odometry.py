@@ -4,17 +4,18 @@ import math
 import time
 
 import rospy
-from geometry_msgs.msg import Quaternion, TransformStamped
+from geometry_msgs.msg import Quaternion, TransformStamped, TwistWithCovariance
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu
 
+from jetbot.track import Track
+
 ODOM, BASE, IMU = "odom", "base_footprint", "imu_link"
-COUNTER_RANGE = 65.536   # m and rad: after so much, the board's int16 counters begin anew
 DRIFT = 0.05             # of the way driven and of the angle turned: wheel odometry on a floor, uncalibrated
 RESOLUTION = 0.001       # m and rad
 GYRO_ERROR = 0.09        # rad/s, and
 ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets typical of uncalibrated sensors of these ranges
-UNKNOWN = 1e6            # variance of what the wheels cannot measure
+UNKNOWN = 1e6            # variance of what is not measured
 
 
 class OdometryPublisher:
@@ -24,31 +25,22 @@ class OdometryPublisher:
         self._odom = rospy.Publisher("odom", Odometry, queue_size=1)
         self._imu = rospy.Publisher("imu/data_raw", Imu, queue_size=1)
         self._tf = make_broadcaster() if publish_tf else None
-        self._x = self._y = self._driven = self._turned = 0.0
-        self._last = None
+        self._track = Track()
 
     def __call__(self, telemetry):
-        stamp, now = rospy.Time.now(), time.monotonic()
-        last, last_time = self._last or (telemetry, now)
-        self._last = telemetry, now
-        dx, dy, turn = (unwrapped(getattr(telemetry, name) - getattr(last, name)) for name in ("x", "y", "yaw"))
-        self._x, self._y = (self._x + dx, self._y + dy) if now > last_time else (telemetry.x, telemetry.y)
-        ahead = dx * math.cos(telemetry.yaw) + dy * math.sin(telemetry.yaw)
-        self._driven += abs(ahead)
-        self._turned += abs(turn)
-        self._publish_odometry(stamp, telemetry.yaw, ahead, turn, (now - last_time) or math.inf)
+        stamp = rospy.Time.now()
+        self._track.add(telemetry.x, telemetry.y, telemetry.yaw, time.monotonic())
+        self._publish_odometry(stamp, self._track)
         self._publish_imu(stamp, telemetry)
 
-    def _publish_odometry(self, stamp, yaw, ahead, turn, seconds):
+    def _publish_odometry(self, stamp, track):
         odom = Odometry()
         odom.header.stamp, odom.header.frame_id, odom.child_frame_id = stamp, ODOM, BASE
-        odom.pose.pose.position.x, odom.pose.pose.position.y = self._x, self._y
-        odom.pose.pose.orientation = Quaternion(z=math.sin(yaw / 2), w=math.cos(yaw / 2))
-        position, heading = ((DRIFT * way) ** 2 + RESOLUTION ** 2 for way in (self._driven, self._turned))
-        odom.pose.covariance = diagonal(position + self._driven ** 2 * heading, heading)
-        odom.twist.twist.linear.x, odom.twist.twist.angular.z = ahead / seconds, turn / seconds
-        odom.twist.covariance = diagonal(*(RESOLUTION ** 2 / seconds ** 2 + (DRIFT * change / seconds) ** 2
-                                           for change in (ahead, turn)))
+        odom.pose.pose.position.x, odom.pose.pose.position.y = track.x, track.y
+        odom.pose.pose.orientation = Quaternion(z=math.sin(track.heading / 2), w=math.cos(track.heading / 2))
+        position, heading = ((DRIFT * way) ** 2 + RESOLUTION ** 2 for way in (track.driven, track.turned))
+        odom.pose.covariance = diagonal(position + track.driven ** 2 * heading, heading)
+        odom.twist = twist(track.recent())
         self._odom.publish(odom)
         if self._tf:
             self._tf.sendTransform(as_transform(odom))
@@ -65,9 +57,15 @@ class OdometryPublisher:
         self._imu.publish(imu)
 
 
-def unwrapped(change):
-    """A difference of two counts, when the counter may have begun anew between them."""
-    return (change + COUNTER_RANGE / 2) % COUNTER_RANGE - COUNTER_RANGE / 2
+def twist(recent):
+    """The speeds of a ``Track.recent``, with their covariance."""
+    if recent is None:
+        return TwistWithCovariance(covariance=diagonal(UNKNOWN, UNKNOWN))
+    seconds, ahead, turn = recent
+    result = TwistWithCovariance(covariance=diagonal(*(
+        (RESOLUTION / seconds) ** 2 + (DRIFT * change / seconds) ** 2 for change in (ahead, turn))))
+    result.twist.linear.x, result.twist.angular.z = ahead / seconds, turn / seconds
+    return result
 
 
 def diagonal(position, heading):

@@ -1,0 +1,53 @@
+"""Odometry goes on without a jump, whatever the board's counters do."""
+
+import math
+
+import pytest
+
+from jetbot.track import Track
+
+
+def follow(*counts, period=0.05):
+    track = Track()
+    for i, count in enumerate(counts):
+        track.add(*count, i * period)
+    return track
+
+
+def pose(track):
+    return track.x, track.y, math.remainder(track.heading, 2 * math.pi)
+
+
+def test_begins_where_the_board_is_and_has_not_moved():
+    track = follow((1.5, -0.25, 0.785))
+    assert pose(track) == (1.5, -0.25, 0.785)
+    assert (track.driven, track.turned, track.recent()) == (0, 0, None)
+
+
+@pytest.mark.parametrize("counts, expected", [
+    (((32.7, 0, 0), (-32.736, 0, 0)), (32.8, 0, 0)),
+    (((0, 0, 3.1), (0, 0, -3.1)), (0, 0, -3.1)),                        # a heading that wraps at pi
+    (((0, 0, 32.7), (0, 0, -32.736)), (0, 0, math.remainder(32.8, 2 * math.pi)))])
+def test_a_counter_that_wraps(counts, expected):
+    track = follow(*counts)
+    assert pose(track) == pytest.approx(expected)
+    assert track.driven + track.turned < 0.11
+
+
+def test_a_board_that_restarts_goes_on_from_there():
+    track = follow((1, 2, math.pi / 2), (0, 0, 0), (0.5, 0, 0))
+    assert pose(track) == pytest.approx((1, 2.5, math.pi / 2))
+    assert track.driven == pytest.approx(0.5)
+
+
+def test_speeds_of_a_curve_and_of_driving_backward():
+    curve = follow(*((0.01 * i, 0, 0.005 * i) for i in range(9)))
+    assert curve.recent() == pytest.approx((0.05, 0.01, 0.005), rel=0.01)
+    assert follow((0, 0, 3.1), (0.02, 0, 3.1)).recent()[1] == pytest.approx(-0.02, rel=0.01)
+
+
+def test_reports_in_bunches_make_no_speed_of_their_own():
+    track = follow(*((0.01 * (i // 2), 0, 0) for i in range(20)), period=0.025)
+    track.add(0.10, 0, 0, 0.475 + 1e-6)
+    seconds, ahead, _ = track.recent()
+    assert ahead / seconds < 0.5
