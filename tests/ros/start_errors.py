@@ -26,6 +26,10 @@ class StartErrors(RobotTest):
         self.assert_says("The parameter board must be one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro, "
                          "not 'lego'.", "_board:=lego")
 
+    def test_bad_namespace(self):
+        self.assert_says("A robot cannot be named jetbot-07. Begin with a letter, and use letters, digits and _.",
+                         "_i2c_bus:=fake", "__ns:=jetbot-07")
+
     def test_no_master(self):
         node = self.start(*CONTROLLER, "_i2c_bus:=fake", env={**os.environ, "ROS_MASTER_URI": "http://localhost:1"})
         self.assertNotEqual(node.wait(START), 0)

@@ -51,8 +51,8 @@ def test_bad_values(name, value, must):
 
 def test_launch_arguments_are_the_parameters():
     launch = ET.parse(SOURCE / "launch/jetbot_controller.launch").getroot()
-    args = {arg.get("name"): arg.get("default") for arg in launch.iter("arg")}
-    assert args.pop("config") == ""
+    args = {arg.get("name"): arg.get("default") for arg in launch.findall("arg")}
+    assert (args.pop("config"), args.pop("robot_name")) == ("", "")
     assert args == SHOWN_DEFAULTS
     assert all(arg.get("doc") for arg in launch.findall("arg"))
 

@@ -8,6 +8,7 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C during the start simply e
 
 import math
 import os
+import re
 import sys
 import threading
 import time
@@ -20,7 +21,7 @@ from diagnostic_updater import Updater
 from geometry_msgs.msg import Twist
 from std_msgs.msg import Bool, String
 
-from jetbot import BusError, JetbotError, Robot
+from jetbot import BusError, InvalidValue, JetbotError, Robot
 from jetbot.fake_i2c import default_folder
 from jetbot.kinematics import mix
 from jetbot.parameters import checked, load
@@ -177,6 +178,13 @@ class Report:
         return result
 
 
+def check_namespace(namespace):
+    """Raise InvalidValue for a namespace that ROS's own programs in C++ refuse."""
+    if not re.fullmatch(r"/([A-Za-z]\w*/)*", namespace, re.ASCII):
+        raise InvalidValue(f"a robot cannot be named {namespace.strip('/')}",
+                           "Begin with a letter, and use letters, digits and _.")
+
+
 def read_parameters():
     """All parameters: those of this node, then those of the configuration file, then the defaults."""
     given = rospy.get_param("~", {})
@@ -201,6 +209,7 @@ def main():
     # rospy's own signal handlers talk to the master before anything stops, and wait for ever if that hangs.
     rospy.init_node("jetbot_controller", disable_signals=True)
     parameters = read_parameters()
+    check_namespace(rospy.get_namespace())
     names = ("cmd_vel_timeout", "wheel_separation", "max_speed")
     controller = Controller(make_robot(parameters), *(parameters[name] for name in names))
     for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):

@@ -10,7 +10,6 @@ from sensor_msgs.msg import Imu
 
 from jetbot.track import Track
 
-ODOM, BASE, IMU = "odom", "base_footprint", "imu_link"
 DRIFT = 0.05             # of the way driven and of the angle turned: wheel odometry on a floor, uncalibrated
 RESOLUTION = 0.001       # m and rad
 GYRO_ERROR = 0.09        # rad/s, and
@@ -24,6 +23,9 @@ class OdometryPublisher:
     def __init__(self, publish_tf):
         self._odom = rospy.Publisher("odom", Odometry, queue_size=1)
         self._imu = rospy.Publisher("imu/data_raw", Imu, queue_size=1)
+        prefix = rospy.get_namespace()[1:]  # red's frames are red/odom and so on
+        self._odom_frame, self._base_frame, self._imu_frame = (
+            prefix + name for name in ("odom", "base_footprint", "imu_link"))
         self._tf = make_broadcaster() if publish_tf else None
         self._track = Track()
 
@@ -35,7 +37,7 @@ class OdometryPublisher:
 
     def _publish_odometry(self, stamp, track):
         odom = Odometry()
-        odom.header.stamp, odom.header.frame_id, odom.child_frame_id = stamp, ODOM, BASE
+        odom.header.stamp, odom.header.frame_id, odom.child_frame_id = stamp, self._odom_frame, self._base_frame
         odom.pose.pose.position.x, odom.pose.pose.position.y = track.x, track.y
         odom.pose.pose.orientation = Quaternion(z=math.sin(track.heading / 2), w=math.cos(track.heading / 2))
         position, heading = ((DRIFT * way) ** 2 + RESOLUTION ** 2 for way in (track.driven, track.turned))
@@ -47,7 +49,7 @@ class OdometryPublisher:
 
     def _publish_imu(self, stamp, telemetry):
         imu = Imu()
-        imu.header.stamp, imu.header.frame_id = stamp, IMU
+        imu.header.stamp, imu.header.frame_id = stamp, self._imu_frame
         imu.orientation_covariance[0] = -1  # the message's way to say that there is no orientation
         gyro, acceleration = imu.angular_velocity, imu.linear_acceleration
         gyro.x, gyro.y, gyro.z = telemetry.gyro
