@@ -30,8 +30,9 @@ class ManyRobots(RobotTest):
 
         self.start("roslaunch", "jetbot_control_node", "many_robots.launch", f"robots:={ROBOTS}",
                    env={**os.environ, "ROS_HOME": str(home)})
-        self.wait_for(lambda: all(each.get_num_connections() for each in publishers.values()), START_OF_ALL,
-                      "all to subscribe")
+        self.emergency_stop(False)
+        self.wait_for(lambda: all(each.get_num_connections() for each in publishers.values())
+                      and self._emergency.get_num_connections() == ROBOTS, START_OF_ALL, "all to subscribe")
         timer = rospy.Timer(rospy.Duration(0.1), command_all)
         self.addCleanup(timer.shutdown)
         self.wait_for(lambda: all_drive(lambda name: (speeds[name], speeds[name])), 5.0, "all to drive as they should")
