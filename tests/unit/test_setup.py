@@ -1,0 +1,68 @@
+"""What ./morbot installs on each system, with stand-ins for its package tools."""
+
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+MORBOT = Path(__file__).parents[2] / "morbot"
+TOOLS = {
+    "dpkg-query": "exit 1",                                        # nothing is installed yet
+    "id": "echo 0",
+    "python3": "exit 1",                                           # no smbus2
+    "apt-cache": 'case "$*" in *$UNKNOWN*) exit 100 ;; esac',
+    "apt-get": 'echo apt-get "$@" >>"$LOG"',
+    "pip3": 'echo pip3 "$@" >>"$LOG"',
+}
+
+
+@pytest.fixture
+def install(tmp_path):
+    """Runs ./morbot install on a system; (exit code, what it printed, the commands that it gave)."""
+    for name, body in TOOLS.items():
+        (tmp_path / name).write_text(f"#!/bin/sh\n{body}\n")
+        (tmp_path / name).chmod(0o755)
+
+    def run(system, version, unknown="nothing"):
+        (tmp_path / "os-release").write_text(f'ID={system}\nVERSION_ID="{version}"\nPRETTY_NAME="{system} {version}"\n')
+        log = tmp_path / "log"
+        log.touch()
+        environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "LOG": str(log), "UNKNOWN": unknown,
+                       "OS_RELEASE": str(tmp_path / "os-release")}
+        process = subprocess.run(["sh", str(MORBOT), "install"], env=environment, text=True, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT)
+        return process.returncode, process.stdout, log.read_text()
+
+    return run
+
+
+@pytest.mark.parametrize("system", [("debian", 12), ("debian", 13), ("ubuntu", "22.04"), ("ubuntu", "24.04")])
+def test_systems_with_ros_of_their_own(install, system):
+    code, _, commands = install(*system)
+    assert code == 0
+    assert " python3-rospy " in commands and " python3-smbus2 " in commands
+    assert "noetic" not in commands and "pip3" not in commands
+
+
+def test_noetic(install):
+    code, _, commands = install("ubuntu", "20.04")
+    assert code == 0
+    assert commands.endswith("pip3 install -q smbus2\n")
+    installed = set(re.findall(r"no-install-recommends (.*)", commands)[0].split())
+    assert {"ros-noetic-rospy", "ros-noetic-catkin", "ros-noetic-ros-environment", "ros-noetic-geometry-msgs",
+            "ros-noetic-rostest", "ros-noetic-tf2-ros", "ros-noetic-robot-state-publisher", "python3-serial",
+            "python3-pip", "g++"} <= installed
+    assert not {name for name in installed if re.match("python3-(ros|tf2|.*-msgs|smbus2)|lib|ros-(?!noetic)", name)}
+
+
+@pytest.mark.parametrize("system, unknown, sentence", [
+    (("ubuntu", "20.04"), "ros-noetic-", "morbot: finds no ROS Noetic. Add its source first: http://wiki.ros.org/noetic/"),
+    (("ubuntu", "22.04"), "python3-rospy", "morbot: does not find all of these packages. On Ubuntu, try: sudo "),
+    (("fedora", "41"), "nothing", "morbot: does not know how to set up fedora 41. By their Debian names, it needs: ")])
+def test_what_cannot_be_set_up_is_told_and_nothing_is_installed(install, system, unknown, sentence):
+    code, printed, commands = install(*system, unknown)
+    assert code == 1
+    assert sentence in printed
+    assert "install" not in commands
