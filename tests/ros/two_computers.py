@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""A laptop commands a robot over a network, until the link is cut, and again when it is back."""
+
+import os
+import subprocess
+import unittest
+
+from harness import START, STILL, RobotTest, main, near
+
+ADDRESSES = {"robot": "10.77.0.1", "laptop": "10.77.0.2"}  # of two network namespaces, which nothing else can reach
+TIMEOUT = 1.0  # seconds; the default of cmd_vel_timeout
+BACK = 15.0    # seconds; TCP waits longer and longer between two tries
+
+
+class TwoComputers(RobotTest):
+    def setUp(self):
+        self.names = {host: f"{host}_{os.getpid()}" for host in ADDRESSES}
+        for name in self.names.values():
+            try:
+                ip("netns", "add", name)
+            except subprocess.CalledProcessError:
+                raise unittest.SkipTest("this user may not make network namespaces") from None
+            self.addCleanup(ip, "netns", "delete", name)
+        super().setUp()
+        ip("-n", self.names["robot"], "link", "add", "eth0", "type", "veth", "peer", "eth0", "netns", self.names["laptop"])
+        for host, address in ADDRESSES.items():
+            ip("-n", self.names[host], "address", "add", f"{address}/24", "dev", "eth0")
+            self.set_link(host, "lo", "up")
+            self.set_link(host, "eth0", "up")
+
+    def set_link(self, host, device, state):
+        ip("-n", self.names[host], "link", "set", device, state)
+
+    def on(self, host, *command):
+        """Start a command on a computer, with the variables that README names."""
+        variables = {"ROS_HOSTNAME": ADDRESSES[host], "ROS_MASTER_URI": f"http://{ADDRESSES['robot']}:11311"}
+        return self.start("ip", "netns", "exec", self.names[host], *command, env={**os.environ, **variables})
+
+    def test_link_is_cut_and_returns(self):
+        self.on("robot", "roslaunch", "jetbot_control_node", "jetbot_controller.launch", f"i2c_bus:=fake:{self.bus}")
+        self.wait_for(lambda: os.path.exists(self.bus), START, "the controller")
+        self.on("laptop", "rostopic", "pub", "-r", "10", "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.5}}")
+        self.wait_for_wheels(0.5, 0.5, within=START)
+        self.set_link("robot", "eth0", "down")
+        self.wait_for_stop(within=TIMEOUT + 0.5)
+        self.wheels_stay(*STILL, for_seconds=1.0)
+        self.set_link("robot", "eth0", "up")
+        self.wait_for(lambda: near(self.wheels(), (0.5, 0.5)), BACK, "the robot to drive again")
+
+
+def ip(*arguments):
+    subprocess.run(["ip", *arguments], check=True)
+
+
+if __name__ == "__main__":
+    main(TwoComputers)
