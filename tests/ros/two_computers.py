@@ -22,7 +22,8 @@ class TwoComputers(RobotTest):
                 raise unittest.SkipTest("this user may not make network namespaces") from None
             self.addCleanup(ip, "netns", "delete", name)
         super().setUp()
-        ip("-n", self.names["robot"], "link", "add", "eth0", "type", "veth", "peer", "eth0", "netns", self.names["laptop"])
+        robot, laptop = self.names.values()
+        ip("-n", robot, "link", "add", "eth0", "type", "veth", "peer", "eth0", "netns", laptop)
         for host, address in ADDRESSES.items():
             ip("-n", self.names[host], "address", "add", f"{address}/24", "dev", "eth0")
             self.set_link(host, "lo", "up")

@@ -6,6 +6,8 @@ import pty
 import subprocess
 import sys
 import tty
+from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from test_jetbot_pro import REPORT
@@ -34,18 +36,34 @@ def test_a_machine_with_nothing(monkeypatch):
         "NOT I2C buses: there is no /dev/i2c-*. "
         "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.",
         "NOT /dev/nowhere: there is no serial port /dev/nowhere. Is the board plugged in and switched on?",
-        "NOT robot: no motor board found. To try everything without one: roslaunch simulation simulation.launch"]
+        "NOT robot: no motor board found. Mend what is NOT ok above. "
+        "To try everything without one: roslaunch simulation simulation.launch"]
 
 
 def test_a_board_that_answers(folder):
     power_on(folder)
     (folder / "0x5d").unlink()
-    found = lines(f"fake:{folder}")
-    assert f"ok  0x60 on bus fake:{folder}: answers, and can be a board jetbot or adafruit or waveshare." in found
-    assert f"NOT 0x5d on bus fake:{folder}: no answer from 0x5d on fake:{folder}. To plug it in: " in found[2]
-    assert found[-1] == ("ok  robot: could drive. "
-                         "Start it with: roslaunch jetbot_control_node jetbot_controller.launch "
-                         f"board:=jetbot i2c_bus:=fake:{folder}")
+    assert lines(f"fake:{folder}")[2:] == [
+        f"ok  0x60 on bus fake:{folder}: answers, and can be a board jetbot or adafruit or waveshare.",
+        "ok  robot: could drive. Start it with: roslaunch jetbot_control_node jetbot_controller.launch "
+        f"board:=jetbot i2c_bus:=fake:{folder}"]
+
+
+def test_a_bus_without_a_board(folder):
+    folder.mkdir()
+    assert lines(f"fake:{folder}")[2] == (f"NOT 0x60 on bus fake:{folder}: no answer from 0x60 on fake:{folder}. "
+                                          f"To plug it in: python3 -m jetbot.fake_i2c {folder}")
+
+
+def test_a_bus_that_cannot_be():
+    assert lines("banana")[2] == ("NOT bus banana: i2c_bus cannot be 'banana'. "
+                                  "Give a number (1 for /dev/i2c-1), fake, or fake:FOLDER.")
+
+
+def test_the_bus_of_this_computers_robot_is_looked_at_first(monkeypatch):
+    monkeypatch.setattr(computer, "model", lambda: "NVIDIA Jetson Orin Nano Developer Kit")
+    monkeypatch.setattr(computer, "buses", lambda: [Path(f"/dev/i2c-{number}") for number in (0, 1, 7, 10)])
+    assert doctor.all_buses() == [7, 0, 1, 10]
 
 
 def test_another_chip_at_sparkfuns_address(folder):
@@ -70,9 +88,9 @@ def test_only_packages_that_every_robot_needs_keep_it_from_driving(folder, monke
     monkeypatch.setattr(doctor, "PACKAGES", {"nosuchmodule": "no-such-module"})
     found = lines(f"fake:{folder}")
     assert found[0] == "NOT nosuchmodule: not installed. Install it with: sudo apt install python3-no-such-module"
-    assert found[-1].startswith("ok  robot: could drive.")
-    monkeypatch.setattr(doctor, "NEEDED", ["nosuchmodule"])
-    assert lines(f"fake:{folder}")[-1] == "NOT robot: cannot drive as long as nosuchmodule is not ok."
+    assert found[-1] == "NOT robot: cannot drive as long as nosuchmodule is not ok."
+    monkeypatch.setattr(doctor, "NOT_FOR_EVERY_ROBOT", ["nosuchmodule"])
+    assert lines(f"fake:{folder}")[-1].startswith("ok  robot: could drive.")
 
 
 @pytest.mark.parametrize("text, line, last", [
@@ -91,32 +109,35 @@ def test_the_file_of_parameters(folder, tmp_path, text, line, last):
     assert found[-1] == last.replace("FILE", str(file))
 
 
-@pytest.mark.parametrize("group, advice", [
-    ("root", "only root may open it. "
-     "Give it to a group with: sudo apt install i2c-tools   then start the computer again."),
-    ("daemon", "this user may not open it. Join its group with: sudo usermod -aG daemon $USER   and log in again.")])
-def test_no_permission(tmp_path, monkeypatch, group, advice):
-    monkeypatch.setattr(os, "access", lambda path, mode: False)
-    monkeypatch.setattr(doctor.grp, "getgrgid", lambda number: type("Group", (), {"gr_name": group}))
-    assert str(doctor.check_permission(tmp_path)) == f"NOT {tmp_path}: {advice}"
+@pytest.mark.parametrize("name, group, advice", [
+    ("i2c-1", "daemon", "Join its group with: sudo usermod -aG daemon $USER   and log in again."),
+    ("i2c-1", "root", "Give it to a group: sudo chgrp i2c {0} && sudo chmod g+rw {0}   "
+                      "and join that: sudo usermod -aG i2c $USER   and log in again."),
+    ("ttyACM0", "root", "Give it to a group: sudo chgrp dialout {0} && sudo chmod g+rw {0}   "
+                        "and join that: sudo usermod -aG dialout $USER   and log in again."),
+    ("i2c-1", None, "Its group has no name here, as in a container; start that with: --group-add {1}")])
+def test_no_permission(tmp_path, monkeypatch, name, group, advice):
+    def group_of(number):
+        if not group:
+            raise KeyError(number)
+        return SimpleNamespace(gr_name=group)
 
-
-def test_a_group_without_a_name_as_in_a_container(tmp_path, monkeypatch):
+    device = tmp_path / name
+    device.touch()
     monkeypatch.setattr(os, "access", lambda path, mode: False)
-    os.chown(tmp_path, -1, 12345) if os.geteuid() == 0 else pytest.skip("only root can give a file to such a group")
-    assert str(doctor.check_permission(tmp_path)) == (
-        f"NOT {tmp_path}: this user may not open it, and its group 12345 has no name here. "
-        "Start the container with: --group-add 12345")
+    monkeypatch.setattr(computer.grp, "getgrgid", group_of)
+    assert [str(check) for check in doctor.check_device(str(device))] == [
+        f"NOT {device}: this user may not open it. " + advice.format(device, device.stat().st_gid)]
 
 
 def test_who_else_has_the_bus_open(tmp_path):
     bus = tmp_path / "i2c-1"
     bus.touch()
-    assert doctor.check_users(tmp_path / "none") == []
-    assert str(doctor.check_users(bus)[0]).startswith(f"ok  {bus}: no other program")
+    assert doctor.check_device(str(tmp_path / "none")) == []
+    assert str(doctor.check_users(bus)).startswith(f"ok  {bus}: no other program")
     other = subprocess.Popen(["sleep", "60"], stdin=bus.open())
     try:
-        assert str(doctor.check_users(bus)[0]) == (
+        assert str(doctor.check_users(bus)) == (
             f"NOT {bus}: also open in sleep ({other.pid}). Two programs on one motor board disturb each other: "
             "end one of them.")
     finally:
@@ -148,7 +169,7 @@ def test_json_and_exit_code(folder, plugged, code, tmp_path):
     before = sorted((path.name, path.read_bytes()) for path in folder.iterdir())
     ros = tmp_path / "ros"
     ros.mkdir()
-    for module in doctor.NEEDED:
+    for module in ("rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros"):
         (ros / f"{module}.py").touch()  # installed, on a computer without ROS too
     run = subprocess.run([sys.executable, str(SOURCE / "scripts/doctor.py"), "--json"],
                          env={**os.environ, "PYTHONPATH": os.pathsep.join([str(SOURCE / "src"), *sys.path, str(ros)]),

@@ -41,7 +41,7 @@ def test_a_mistyped_name():
     ("wheel_separation", math.inf, "a number above 0"),
     ("left_motor_alpha", True, "a number"),
     ("swap_motors", 1, "true or false"),
-    ("min_duty", 1, "a number from 0 up to, but not, 1"),
+    ("min_duty", 1, "a number of at least 0 and below 1"),
 ])
 def test_bad_values(name, value, must):
     with pytest.raises(InvalidValue) as error:

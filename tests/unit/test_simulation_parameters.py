@@ -14,8 +14,8 @@ from simulation.parameters import PARAMETERS
     ("i2c_bus", 1, "fake, or fake:FOLDER"),
     ("i2c_bus", "faked", "fake, or fake:FOLDER"),
     ("board", "lego", "one of adafruit, waveshare, jetbot, sparkfun"),
-    ("dead_band", 1, "a number from 0 up to, but not, 1"),
-    ("dead_band", -0.1, "a number from 0 up to, but not, 1"),
+    ("dead_band", 1, "a number of at least 0 and below 1"),
+    ("dead_band", -0.1, "a number of at least 0 and below 1"),
     ("motor_lag", -1, "a number of seconds, 0 or more"),
     ("wheel_diameter", 0, "a number above 0"),
 ])

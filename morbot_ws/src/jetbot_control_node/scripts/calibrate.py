@@ -11,12 +11,13 @@ import sys
 from pathlib import Path
 
 from jetbot import JetbotError
-from jetbot.boards import BOARDS
+from jetbot.boards import BOARDS, PORT
 from jetbot.calibration import as_yaml
-from jetbot.doctor import check_address, check_serial, check_users
+from jetbot.computer import model, robot_bus
+from jetbot.doctor import check_address, check_device, check_serial
 from jetbot.i2c import bus_name
 from jetbot.parameters import default_file
-from jetbot.terminal import pause
+from jetbot.terminal import as_options, pause
 from jetbot.wizard import WIZARDS, Wizard
 
 
@@ -42,9 +43,7 @@ def calibrate(boards, bus, port):
             break
     else:
         raise JetbotError("no wheel turned", "Is the motors' battery on? See: rosrun jetbot_control_node doctor.py")
-    pause("\nNow put it on the floor, at the start of a straight line of two metres. Enter goes on.")
-    wizard.find_min_duty()
-    wizard.find_trim()
+    wizard.straighten()
     return wizard.parameters
 
 
@@ -61,11 +60,13 @@ def check_output(file):
 def write(file, text):
     """Write the text, keep what the file held before under another name, and say how to undo it."""
     undo = ["rm", str(file)]
+    new = Path(f"{file}.new")
+    new.write_text(text)
     if file.exists():
         before = next(path for path in (Path(f"{file}.{number}") for number in range(1, 1000)) if not path.exists())
         file.replace(before)
         undo = ["mv", str(before), str(file)]
-    file.write_text(text)
+    new.replace(file)
     print(f"Written to {file}. To undo it: {shlex.join(undo)}")
     if file == default_file():
         print("The controller uses it from now on.")
@@ -84,19 +85,21 @@ def bus_argument(text):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--board", choices=BOARDS, help="where it is known; otherwise it is found out")
-    parser.add_argument("--i2c-bus", default=os.environ.get("JETBOT_I2C_BUS", "1"), help="N, fake, or fake:FOLDER")
-    parser.add_argument("--port", default=os.environ.get("JETBOT_PORT", "/dev/ttyACM0"), help="of a JetBot Pro")
+    parser.add_argument("--board", choices=BOARDS, default=os.environ.get("JETBOT_BOARD"),
+                        help="where it is known; otherwise it is found out")
+    parser.add_argument("--i2c-bus", default=os.environ.get("JETBOT_I2C_BUS") or str(robot_bus(model()) or 1),
+                        help="N, fake, or fake:FOLDER")
+    parser.add_argument("--port", default=os.environ.get("JETBOT_PORT") or PORT, help="of a JetBot Pro")
     parser.add_argument("--output", type=Path, default=default_file(), help="the YAML file to write (%(default)s)")
-    options = parser.parse_args()
+    options = parser.parse_args(as_options(sys.argv[1:]))
     if not sys.stdin.isatty():
         raise JetbotError("calibrate.py asks questions and needs a terminal")
     check_output(options.output)
     bus = bus_argument(options.i2c_bus)
     boards = [options.board] if options.board else boards_there(bus, options.port)
-    for users in check_users(bus_name(bus) if BOARDS[boards[0]].address else options.port):
-        if not users.ok:
-            print(users)
+    for check in check_device(bus_name(bus) if BOARDS[boards[0]].address else options.port):
+        if not check.ok:
+            print(check)
     text = as_yaml(calibrate(boards, bus, options.port))
     print(f"\n{text}")
     write(options.output, text)

@@ -6,16 +6,18 @@ import json
 import os
 import sys
 
-from jetbot import JetbotError, doctor
+from jetbot import doctor
+from jetbot.boards import PORT
+from jetbot.terminal import as_options
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--json", action="store_true", help="print the checks as a JSON list")
-    parser.add_argument("--i2c-bus", default=os.environ.get("JETBOT_I2C_BUS"),
+    parser.add_argument("--i2c-bus", default=os.environ.get("JETBOT_I2C_BUS") or None,
                         help="look at this bus only: N for /dev/i2c-N, fake, or fake:FOLDER")
-    parser.add_argument("--port", default=os.environ.get("JETBOT_PORT", "/dev/ttyACM0"), help="of a JetBot Pro")
-    options = parser.parse_args()
+    parser.add_argument("--port", default=os.environ.get("JETBOT_PORT") or PORT, help="of a JetBot Pro")
+    options = parser.parse_args(as_options(sys.argv[1:]))
     checks = []
     for check in doctor.examine(options.i2c_bus, options.port):
         checks.append(check)
@@ -27,7 +29,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except JetbotError as error:
-        sys.exit(str(error))
+    sys.exit(main())

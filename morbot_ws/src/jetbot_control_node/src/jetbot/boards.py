@@ -21,6 +21,8 @@ from .pwm_motors import ADAFRUIT, WAVESHARE, PwmMotors
 from .scmd import ScmdMotors
 from .serial_link import SerialLink
 
+PORT = "/dev/ttyACM0"  # where a JetBot Pro is, unless told otherwise
+
 
 class Options(NamedTuple):
     """How to reach a board, and what it should do when the computer hangs.
@@ -30,7 +32,7 @@ class Options(NamedTuple):
     """
 
     i2c_bus: object = 1
-    port: str = "/dev/ttyACM0"
+    port: str = PORT
     failsafe: float = 0.0
 
 

@@ -37,13 +37,13 @@ def orientation_of_both(ahead, turn):
     return {"swap_motors": ahead != turn, "invert_left": ahead < 0, "invert_right": ahead < 0}
 
 
-def trim(left_alpha, right_alpha, drift, wheel_separation=WHEEL_SEPARATION):
+def trim(left_alpha, right_alpha, drift):
     """Better alphas (left, right) for a robot that ends ``drift`` metres left of the line after one metre ahead.
 
     A drift to the right is negative. The path is an arc of curvature 2 * drift / (1 + drift^2), and on it the wheels'
-    speeds differ by curvature * wheel_separation (m). The larger of the new alphas is 1.
+    speeds differ by curvature * WHEEL_SEPARATION. The larger of the new alphas is 1.
     """
-    difference = 2 * drift / (1 + drift ** 2) * wheel_separation / 2
+    difference = 2 * drift / (1 + drift ** 2) * WHEEL_SEPARATION / 2
     left, right = left_alpha * (1 + difference), right_alpha * (1 - difference)
     return round(left / max(left, right), 4), round(right / max(left, right), 4)
 

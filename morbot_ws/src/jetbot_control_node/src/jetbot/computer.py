@@ -1,5 +1,6 @@
 """The computer that all runs on: its model, its I2C buses, which of them a JetBot's motors are on, and ROS's home."""
 
+import grp
 import os
 from pathlib import Path
 
@@ -24,6 +25,23 @@ def robot_bus(name):
 def buses(dev=Path("/dev")):
     """The I2C buses there are, as paths, by their numbers."""
     return sorted(dev.glob("i2c-*"), key=lambda path: (len(path.name), path.name))
+
+
+def how_to_open(device, usual_group):
+    """What to do where this user may not open a device, a path in /dev; usual_group: whose such devices mostly are."""
+    group = usual_group
+    try:
+        number = os.stat(device).st_gid
+        group = grp.getgrgid(number).gr_name
+    except KeyError:
+        return f"Its group has no name here, as in a container; start that with: --group-add {number}"
+    except OSError:
+        pass  # it is gone again
+    join = f"sudo usermod -aG {usual_group if group == 'root' else group} $USER   and log in again."
+    if group == "root":
+        give = f"sudo chgrp {usual_group} {device} && sudo chmod g+rw {device}"
+        return f"Give it to a group: {give}   and join that: {join}"
+    return f"Join its group with: {join}"
 
 
 def which_buses():

@@ -1,24 +1,23 @@
 """Finds out what keeps a JetBot from driving. Reads only: it never moves a wheel."""
 
 import contextlib
-import grp
 import importlib.util
 import os
 import time
-from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
 from . import computer, scmd
-from .boards import BOARDS
-from .errors import JetbotError
+from .boards import BOARDS, PORT
+from .errors import InvalidValue, JetbotError
 from .i2c import I2CDevice, bus_name
 from .jetbot_pro import FrameReader, reports
-from .parameters import PARAMETERS, checked, default_file, load
+from .parameters import checked, default_file, load
 from .serial_link import SerialLink
 
-PACKAGES = {"rospy": "rospy", "diagnostic_updater": "diagnostic-updater", "smbus2": "smbus2", "serial": "serial"}
-NEEDED = ("rospy", "diagnostic_updater")  # by every robot; the others by those with an I2C bus, or a serial port
+PACKAGES = {"rospy": "rospy", "diagnostic_updater": "diagnostic-updater", "nav_msgs": "nav-msgs",
+            "sensor_msgs": "sensor-msgs", "tf2_ros": "tf2-ros", "yaml": "yaml", "smbus2": "smbus2", "serial": "serial"}
+NOT_FOR_EVERY_ROBOT = ("smbus2", "serial")  # but for those on an I2C bus, or on a serial port
 ADDRESSES = sorted({row.address for row in BOARDS.values() if row.address})  # on the I2C bus
 LISTENING = 1.0  # seconds for the JetBot Pro to report; it does so many times a second
 LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
@@ -37,17 +36,42 @@ class Check(NamedTuple):
         return f"{'ok' if self.ok else 'NOT':<4}{self.name}: {self.finding}. {self.advice}".rstrip()
 
 
-def examine(bus=None, port=PARAMETERS["port"].default):
+def examine(bus=None, port=PORT):
     """Yield all Checks, the last one telling whether a robot could drive.
 
     bus: N for /dev/i2c-N or a fake bus, None for every /dev/i2c-* there is; port: the serial port of a JetBot Pro.
     """
     checks = []
-    for check in chain(map(check_package, PACKAGES), [check_computer()], check_file(default_file()),
-                       check_all_buses() if bus is None else check_bus(bus), check_users(port), [check_serial(port)]):
+    for check in look(bus, port):
         checks.append(check)
         yield check
     yield conclude(checks)
+
+
+def look(bus, port):
+    """Yield a Check of everything; of the buses until one has a board."""
+    yield from map(check_package, PACKAGES)
+    yield check_computer()
+    yield from check_file(default_file())
+    found = False
+    for each in all_buses() if bus is None else [bus]:
+        for check in check_bus(each):
+            found = found or check.ok and bool(check.command)
+            yield check
+        if found:
+            break
+    if bus is None and not computer.buses():
+        yield Check("I2C buses", False, "there is no /dev/i2c-*",
+                    "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.")
+    if not found or os.path.exists(port):
+        yield from check_device(port)
+        yield check_serial(port)
+
+
+def all_buses():
+    """The numbers of all buses, first the one that this computer's motors should be on."""
+    usual = computer.robot_bus(computer.model())
+    return sorted((int(path.name[len("i2c-"):]) for path in computer.buses()), key=lambda bus: (bus != usual, bus))
 
 
 def check_package(module):
@@ -59,7 +83,7 @@ def check_package(module):
 
 def how_to_install(module, noetic=Path("/opt/ros/noetic")):
     """The command that brings a Python module, on Ubuntu 20.04 with Noetic or on a system that has ROS itself."""
-    if not noetic.exists() or module == "serial":
+    if not noetic.exists() or module in ("serial", "yaml"):
         return f"Install it with: sudo apt install python3-{PACKAGES[module]}"
     if module == "smbus2":
         return "Install it with: pip3 install smbus2"
@@ -75,55 +99,39 @@ def check_computer():
     return Check("computer", True, f"{model}, whose motors are on /dev/i2c-{bus}")
 
 
-def check_all_buses():
-    """Whether there is any I2C bus, and what is on each."""
-    paths = computer.buses()
-    if not paths:
-        yield Check("I2C buses", False, "there is no /dev/i2c-*",
-                    "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.")
-    for path in paths:
-        yield from check_bus(path.name[len("i2c-"):])
-
-
 def check_bus(bus):
     """Whether this user may open a bus, who else has, and which boards are on it."""
-    path = Path(bus_name(bus))
-    if path.exists():
-        yield check_permission(path)
-        yield from check_users(path)
-    for address in ADDRESSES:
-        yield check_address(bus, address)
-
-
-def check_permission(path):
-    """Whether this user may open the bus."""
-    if os.access(path, os.R_OK | os.W_OK):
-        return Check(str(path), True, "this user may open it")
-    number = path.stat().st_gid
     try:
-        group = grp.getgrgid(number).gr_name
-    except KeyError:
-        return Check(str(path), False, f"this user may not open it, and its group {number} has no name here",
-                     f"Start the container with: --group-add {number}")
-    if group == "root":
-        return Check(str(path), False, "only root may open it",
-                     "Give it to a group with: sudo apt install i2c-tools   then start the computer again.")
-    return Check(str(path), False, "this user may not open it",
-                 f"Join its group with: sudo usermod -aG {group} $USER   and log in again.")
+        device = check_device(bus_name(bus))
+    except InvalidValue as error:
+        yield Check(f"bus {bus}", False, error.reason, error.advice)
+        return
+    yield from device
+    if all(check.ok for check in device[:1]):
+        boards = [check_address(bus, address) for address in ADDRESSES]
+        yield from [check for check in boards if check.ok] or boards[-1:]
+
+
+def check_device(name):
+    """Whether this user may open a device, and who else has; nothing where there is no such device."""
+    path = Path(name)
+    if not os.path.exists(path):
+        return []
+    if not os.access(path, os.R_OK | os.W_OK):
+        group = "i2c" if path.name.startswith("i2c-") else "dialout"
+        return [Check(name, False, "this user may not open it", computer.how_to_open(path, group))]
+    return [Check(name, True, "this user may open it"), check_users(path)]
 
 
 def check_users(path, proc=Path("/proc")):
-    """Whether another program has the device open; nothing where there is no such device."""
-    path = Path(path)
-    if not path.exists():
-        return []
+    """Whether another program has the device open."""
     users = [f"{name_of(process)} ({process.name})" for process in proc.glob("[0-9]*")
              if int(process.name) != os.getpid() and has_open(process, path.resolve())]
     if not users:
         whose = "no other program" if os.geteuid() == 0 else "no other program of this user"
-        return [Check(str(path), True, f"{whose} has it open")]
-    return [Check(str(path), False, f"also open in {', '.join(users)}",
-                  "Two programs on one motor board disturb each other: end one of them.")]
+        return Check(str(path), True, f"{whose} has it open")
+    return Check(str(path), False, f"also open in {', '.join(users)}",
+                 "Two programs on one motor board disturb each other: end one of them.")
 
 
 def name_of(process):
@@ -186,7 +194,7 @@ def listen(link):
 
 def check_file(file):
     """Whether the file of parameters, where there is one, can be read and its board answers."""
-    if not file.exists():
+    if not os.path.exists(file):
         return []
     try:
         parameters = checked(load(file))
@@ -203,11 +211,12 @@ def check_file(file):
 
 def conclude(checks):
     """Whether a robot could drive, and how."""
-    faults = [check.name for check in checks if not check.ok and check.name in (*NEEDED, str(default_file()))]
+    needed = {*PACKAGES, str(default_file())}.difference(NOT_FOR_EVERY_ROBOT)
+    faults = [check.name for check in checks if not check.ok and check.name in needed]
     if faults:
         return Check("robot", False, f"cannot drive as long as {faults[0]} is not ok")
     commands = [check.command for check in checks if check.command]
     if not commands:
         return Check("robot", False, "no motor board found",
-                     "To try everything without one: roslaunch simulation simulation.launch")
+                     "Mend what is NOT ok above. To try everything without one: roslaunch simulation simulation.launch")
     return Check("robot", True, "could drive", f"Start it with: {commands[0]}", commands[0])

@@ -31,7 +31,7 @@ class Guard:
     def __init__(self, board, options):
         self._command = [
             sys.executable, "-IS", "-c", f"import sys; sys.path = {sys.path}; from {__name__} import main; main()",
-            board, str(options.i2c_bus), options.port]
+            board, str(options.i2c_bus), options.port, str(options.failsafe)]
         self._start()
 
     def _start(self):
@@ -88,12 +88,13 @@ def hear(patience):
     return None
 
 
-def stop(board, i2c_bus, port):
+def stop(board, i2c_bus, port, failsafe):
     """Stop the wheels; where the board does not answer, say so once and try again and again for some minutes."""
     start, told = time.monotonic(), False
     while time.monotonic() - start < PATIENCE:
         try:
-            return open_board(board, Options(i2c_bus, port)).close()  # opening a board stops its wheels
+            options = Options(i2c_bus, port, float(failsafe))
+            return open_board(board, options).close()  # opening a board stops its wheels
         except BusError as error:
             if not told:
                 told = True

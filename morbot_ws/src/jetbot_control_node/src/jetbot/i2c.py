@@ -2,7 +2,7 @@
 
 import errno
 
-from .computer import which_buses
+from .computer import how_to_open, which_buses
 from .errors import BusError, InvalidValue
 
 TRIES = 3  # a single failed transfer is noise; three in a row are a fault
@@ -88,8 +88,7 @@ def explain(error, bus, address):
     """The BusError that says what an OSError from the bus means and what to do."""
     reason, advice = {
         errno.ENOENT: (f"there is no I2C bus {bus}", which_buses()),
-        errno.EACCES: (f"no permission to open {bus}",
-                       "Join its group with: sudo usermod -aG i2c $USER   and log in again."),
+        errno.EACCES: (f"no permission to open {bus}", how_to_open(bus, "i2c")),
         errno.EBUSY: (f"0x{address:02x} on {bus} is taken by a driver of the kernel", "Unload that driver."),
         errno.ETIMEDOUT: (f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires."),
     }.get(error.errno, (f"no answer from 0x{address:02x} on {bus}",

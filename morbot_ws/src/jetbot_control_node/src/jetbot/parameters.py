@@ -1,12 +1,11 @@
 """Parameters: their defaults, and one sentence for a value that cannot be used."""
 
 import math
+import os
 from pathlib import Path
 from typing import Callable, NamedTuple
 
-import yaml
-
-from .boards import BOARDS
+from .boards import BOARDS, PORT
 from .computer import ros_home
 from .errors import InvalidValue
 
@@ -21,19 +20,19 @@ class Parameter(NamedTuple):
 
 def is_number(value):
     """A finite int or float; not a bool, which YAML's yes and no would give."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < math.inf
 
 
 SECONDS = (lambda value: is_number(value) and value >= 0, "a number of seconds, 0 or more")
 POSITIVE = (lambda value: is_number(value) and value > 0, "a number above 0")
 NUMBER = (is_number, "a number")
-PART = (lambda value: is_number(value) and 0 <= value < 1, "a number from 0 up to, but not, 1")
+PART = (lambda value: is_number(value) and 0 <= value < 1, "a number of at least 0 and below 1")
 YES_OR_NO = (lambda value: isinstance(value, bool), "true or false")
 
 PARAMETERS = {
     "board": Parameter("jetbot", lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}"),
     "i2c_bus": Parameter(1, lambda value: isinstance(value, (int, str)), "a number, fake, or fake:FOLDER"),
-    "port": Parameter("/dev/ttyACM0", lambda value: isinstance(value, str), "a serial device or pyserial URL"),
+    "port": Parameter(PORT, lambda value: isinstance(value, str), "a serial device or pyserial URL"),
     "cmd_vel_timeout": Parameter(1.0, *SECONDS),
     "wheel_separation": Parameter(2.0, *POSITIVE),
     "max_speed": Parameter(1.0, *POSITIVE),
@@ -54,8 +53,9 @@ def default_file():
 
 def load(file=None):
     """The parameters in a YAML file, ``default_file`` where it exists and no other is named."""
-    path = Path(file or default_file())
-    if not file and not path.exists():
+    import yaml  # here, so that doctor.py can tell when it is missing
+    path = Path(str(file or default_file())).expanduser().absolute()
+    if not file and not os.path.exists(path):
         return {}
     try:
         values = yaml.safe_load(path.read_text()) or {}

@@ -6,7 +6,7 @@ import math
 import os
 import threading
 
-from .boards import Options, open_board
+from .boards import PORT, Options, open_board
 from .errors import BusError, InvalidValue, JetbotError
 from .guard import Guard
 from .kinematics import clamp
@@ -22,7 +22,7 @@ class Motor:
         self._min_duty = finite(min_duty, "min_duty")
         self.alpha = alpha
         if not 0 <= self._min_duty < 1:
-            raise InvalidValue(f"min_duty must be from 0 up to, but not, 1, not {min_duty!r}")
+            raise InvalidValue(f"min_duty must be at least 0 and below 1, not {min_duty!r}")
 
     @property
     def value(self):
@@ -73,7 +73,7 @@ class Robot:
                  swap_motors=False, invert_left=False, invert_right=False, min_duty=0.0, failsafe=0.0):
         board = os.environ.get("JETBOT_BOARD", "jetbot") if board is None else board
         i2c_bus = os.environ.get("JETBOT_I2C_BUS", 1) if i2c_bus is None else i2c_bus
-        port = os.environ.get("JETBOT_PORT", "/dev/ttyACM0") if port is None else port
+        port = os.environ.get("JETBOT_PORT", PORT) if port is None else port
         options = Options(i2c_bus, port, finite(failsafe, "failsafe"))
         self.left_motor = Motor(self, left_motor_alpha, invert_left, min_duty)
         self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty)

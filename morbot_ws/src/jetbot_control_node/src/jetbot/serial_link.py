@@ -4,6 +4,7 @@ import errno
 import threading
 from pathlib import Path
 
+from .computer import how_to_open
 from .errors import BusError, InvalidValue
 
 BAUD_RATE = 115200
@@ -58,10 +59,11 @@ class SerialLink:
 def open_port(name):
     """The port with this name, at 115200 8N1."""
     try:
-        import serial  # here, so that a robot without a serial port does not need it
-        return serial.serial_for_url(name, BAUD_RATE, timeout=PATIENCE, write_timeout=PATIENCE)
+        from serial import serial_for_url  # here, so that a robot without a serial port does not need it
+        return serial_for_url(name, BAUD_RATE, timeout=PATIENCE, write_timeout=PATIENCE)
     except ImportError:
-        raise BusError("the Python package serial is missing", "Install it: sudo apt install python3-serial") from None
+        raise BusError("the Python package pyserial is missing",
+                       "Install it: sudo apt install python3-serial") from None
     except ValueError as error:
         raise InvalidValue(f"port cannot be {name!r}: {error}") from None
 
@@ -73,7 +75,6 @@ def explain(error, name):
         return BusError(f"{name} is no serial port", "Give a serial device such as /dev/ttyACM0.", errno.ENOTTY)
     reason, advice = {
         errno.ENOENT: (f"there is no serial port {name}", "Is the board plugged in and switched on?"),
-        errno.EACCES: (f"no permission to open {name}",
-                       "Join its group with: sudo usermod -aG dialout $USER   and log in again."),
+        errno.EACCES: (f"no permission to open {name}", how_to_open(name, "dialout")),
     }.get(number, (f"no answer from {name}", "Is the board plugged in and switched on?"))
     return BusError(reason, advice, number)

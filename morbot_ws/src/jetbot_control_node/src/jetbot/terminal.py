@@ -12,6 +12,11 @@ STEP = 0.04  # seconds between two signs of life to the board
 ENDING = (b"\x03", b"\x04", b"\x1a", b"\x1c", b"")  # Ctrl-C, Ctrl-D, Ctrl-Z, Ctrl-\, and the terminal's end
 
 
+def as_options(arguments):
+    """Command line arguments, where i2c_bus:=7, as ROS writes it, means --i2c-bus=7."""
+    return [re.sub(r"^(\w+):=", lambda name: f"--{name[1].replace('_', '-')}=", argument) for argument in arguments]
+
+
 def pause(announcement):
     """Tell something, and wait for Enter."""
     input(f"{announcement} ")
@@ -55,7 +60,7 @@ def single_keys():
 def move(robot, speeds):
     """Drive through speeds, an iterable of (left, right), one every ``STEP`` seconds, until a key is pressed.
 
-    Returns the speeds at which it ended. The robot stands then, whatever happened.
+    Returns the speeds at which a key ended it, else None. The robot stands then, whatever happened.
     """
     now = (0.0, 0.0)
     pressed = False
@@ -72,7 +77,7 @@ def move(robot, speeds):
             robot.stop()
         if pressed and read_key() in ENDING:
             raise KeyboardInterrupt
-    return now
+    return now if pressed else None
 
 
 def read_key():

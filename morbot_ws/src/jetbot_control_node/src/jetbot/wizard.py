@@ -1,6 +1,6 @@
 """Asks how a robot is wired and how straight it drives: short motions, each announced and ended by any key."""
 
-from .calibration import WHEEL_SEPARATION, orientation, orientation_of_both, trim
+from .calibration import orientation, orientation_of_both, trim
 from .errors import InvalidValue, JetbotError
 from .robot import Robot
 from .terminal import choose, hold, move, number, pause
@@ -11,6 +11,7 @@ DRIVE = 0.4        # part of full power, for the straight metre
 DRIVE_TIME = 4.0   # seconds
 RAMP_STEP = 0.002  # part of full power, every 0.04 s
 RAMP_END = 0.6
+FAILSAFE = 0.5     # seconds, for a board with a timer
 
 WHEELS = {"left": "left", "right": "right", "none": None}
 WAYS = {"forward": 1, "backward": -1}
@@ -23,14 +24,12 @@ class Wizard:
     board: its name in ``boards.BOARDS``; link: its i2c_bus or its port, by that name.
     """
 
-    wheel_separation = WHEEL_SEPARATION
-
     def __init__(self, board, **link):
         self.parameters = {"board": board, **link}
 
-    def robot(self, **options):
-        """The robot as far as it is known; with options for what is being tried."""
-        return Robot(**{**self.parameters, **options})
+    def robot(self):
+        """The robot as far as it is known."""
+        return Robot(**self.parameters, failsafe=FAILSAFE)
 
     def find_motors(self):
         """Which wheel turns which way at each output; whether any turned at all."""
@@ -58,19 +57,26 @@ class Wizard:
             raise JetbotError("only one motor turns", "Look at its plug and its wires, and start anew.")
         return False
 
+    def straighten(self):
+        """On the floor: the parameters with which both wheels turn, and alike."""
+        pause("\nNow put it on the floor, at the start of a straight line of two metres. Enter goes on.")
+        self.find_min_duty()
+        self.find_trim()
+
     def find_min_duty(self):
         """The least duty at which both wheels turn."""
         self.parameters["min_duty"] = max(self.ramp("left", 1, 0), self.ramp("right", 0, 1))
 
     def ramp(self, wheel, left, right):
         """Give one wheel more and more power until a key is pressed; the duty at which it turned."""
-        turned = False
-        while not turned:
+        reached = None
+        while not (reached and choose(f"Did the {wheel} wheel turn?", ANSWERS)):
             pause(f"\nThe {wheel} wheel gets power very slowly. Enter starts it; press any key as soon as it turns.")
             duties = [i * RAMP_STEP for i in range(int(RAMP_END / RAMP_STEP))]
             with self.robot() as robot:
                 reached = move(robot, ((left * duty, right * duty) for duty in duties))
-            turned = choose(f"Did the {wheel} wheel turn?", ANSWERS)
+            if not reached:
+                print(f"No key was pressed before {100 * RAMP_END:.0f} % of full power. Once more:")
         return round(max(reached), 3)
 
     def find_trim(self):
@@ -81,18 +87,17 @@ class Wizard:
             pause(f"\nIt will drive ahead for {DRIVE_TIME:.0f} s. Enter starts it, any key stops it.")
             with self.robot() as robot:
                 move(robot, hold(DRIVE, DRIVE, DRIVE_TIME))
-            drift = number("How many centimetres beside the line was it after one metre? Enter for none.", 0, 90) / 100
+            drift = number("How many centimetres beside the line was it after one metre? "
+                           "Enter alone if that is straight enough.", 0, 90) / 100
             straight = drift == 0
             if not straight:
                 side = choose("To the left or to the right of the line?", {"left": 1, "right": -1})
-                alphas = trim(*alphas, side * drift, self.wheel_separation)
+                alphas = trim(*alphas, side * drift)
                 print("Noted. Put it back to the start, and see whether it is straight now.")
 
 
 class JetBotProWizard(Wizard):
-    """For the board that is told how fast the robot drives and turns, and controls the wheels itself."""
-
-    wheel_separation = 2.0  # m: with it, a difference of 1 between the speeds is a turn of 1 rad/s, as the board's is
+    """For the board that is told how fast the robot drives and turns, and keeps its wheels at these speeds itself."""
 
     def find_motors(self):
         """Whether it drives ahead and turns left when it should; whether any wheel turned at all."""
@@ -111,8 +116,8 @@ class JetBotProWizard(Wizard):
         move(robot, hold(*speeds, 2 * TURN_TIME))
         return choose(question, {**answers, "none": None})
 
-    def find_min_duty(self):
-        """Nothing to do: the board's own control overcomes the friction."""
+    def straighten(self):
+        """Nothing to do: the board measures its wheels, and keeps them at the speeds that it was told."""
 
 
 WIZARDS = {"jetbot_pro": JetBotProWizard}  # for the other boards: Wizard

@@ -14,6 +14,7 @@ DRIFT = 0.05             # of the way driven and of the angle turned: wheel odom
 RESOLUTION = 0.001       # m and rad
 GYRO_ERROR = 0.09        # rad/s, and
 ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets typical of uncalibrated sensors of these ranges
+ANY_HEADING = math.pi ** 2 / 3  # rad^2: the variance of a heading of which nothing is known
 UNKNOWN = 1e6            # variance of what is not measured
 
 
@@ -40,8 +41,9 @@ class OdometryPublisher:
         odom.header.stamp, odom.header.frame_id, odom.child_frame_id = stamp, self._odom_frame, self._base_frame
         odom.pose.pose.position.x, odom.pose.pose.position.y = track.x, track.y
         odom.pose.pose.orientation = Quaternion(z=math.sin(track.heading / 2), w=math.cos(track.heading / 2))
-        position, heading = ((DRIFT * way) ** 2 + RESOLUTION ** 2 for way in (track.driven, track.turned))
-        odom.pose.covariance = diagonal(position + track.driven ** 2 * heading, heading)
+        heading = min((DRIFT * track.turned) ** 2 + RESOLUTION ** 2, ANY_HEADING)
+        position = min(DRIFT ** 2 + heading, 1) * track.driven ** 2 + RESOLUTION ** 2
+        odom.pose.covariance = diagonal(position, heading)
         odom.twist = twist(track.recent())
         self._odom.publish(odom)
         if self._tf:
