@@ -60,12 +60,13 @@ class Calibration(RobotTest):
 
     def ramp(self):
         self.answer("press any key as soon as it turns")
+        self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") != STILL, START, "the power to rise")
         self.terminal.send("x")
         self.answer("Did the .* wheel turn", "n")  # the key came too early
         self.answer("press any key as soon as it turns")
         self.wait_for(lambda: self.wheels() != STILL, START, "the wheel to turn")
         self.terminal.send(" ")
-        self.wait_for_stop(within=0.5)
+        self.wait_for_stop(within=1.0)
         self.answer("Did the .* wheel turn", "y")
 
     def test_from_the_box_to_a_straight_line(self):
@@ -91,7 +92,7 @@ class Calibration(RobotTest):
             self.answer("Enter starts it, any key stops it")
             self.wait_for(lambda: wheel_speeds(self.bus) != STILL, START, "a wheel to turn")
             self.terminal.send(key)
-            self.wait_for(lambda: wheel_speeds(self.bus) == STILL, 0.4, "the wheels to stop")
+            self.wait_for(lambda: wheel_speeds(self.bus) == STILL, 1.0, "the wheels to stop")
             if key == "x":
                 self.answer("Which wheel turned", "l")
                 self.answer("Forward or backward", "f")
@@ -104,8 +105,8 @@ class Calibration(RobotTest):
         self.wait_for(lambda: wheel_speeds(self.bus) != STILL, START, "a wheel to turn")
         lost = time.monotonic()
         self.terminal.close(force=False)
-        self.wait_for(lambda: wheel_speeds(self.bus) == STILL, 0.5, "the wheels to stop")
-        self.assertLess(time.monotonic() - lost, 0.5)
+        self.wait_for(lambda: wheel_speeds(self.bus) == STILL, 1.0, "the wheels to stop")
+        self.assertLess(time.monotonic() - lost, 1.0)
 
 
 def motor(duty):

@@ -34,7 +34,7 @@ class CalibrationOfAJetbotPro(RobotTest):
         self.wait_for(lambda: self.board.velocity not in (None, STILL), START, "a motion")
         motion = self.motion()
         self.terminal.send(" ")
-        self.wait_for(lambda: self.board.velocity == STILL, 0.5, "the robot to stop")
+        self.wait_for(lambda: self.board.velocity == STILL, 1.0, "the robot to stop")
         return motion
 
     def answer(self, question, text=""):
