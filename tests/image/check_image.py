@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""What the image promises, looked at from inside: docker/build runs this in it. Needs what the image has, no more."""
+
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from jetbot.fake_motors import wheel_speeds
+
+START = 30.0  # seconds that ROS may take until it works; generous, for slow machines
+LISTEN = "0A"  # state of a socket in /proc/net/tcp
+LOOPBACK = ("0100007F", "00000000000000000000000001000000")  # as /proc/net/tcp and tcp6 write 127.0.0.1 and ::1
+
+
+class Image(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.bus = Path(folder.name, "bus")
+        self.environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{free_port()}"}
+
+    def test_has_no_compiler(self):
+        self.assertFalse([name for name in ("cc", "gcc", "g++", "c++", "make", "cmake") if shutil.which(name)])
+
+    def test_runs_as_a_normal_user(self):
+        status = Path("/proc/self/status").read_text()
+        self.assertNotEqual(os.getuid(), 0)
+        self.assertIn("CapEff:\t0000000000000000\n", status)
+
+    def test_is_healthy_while_the_controller_answers(self):
+        self.assertFalse(self.is_healthy())
+        launch = self.launch("jetbot_control_node", "jetbot_controller.launch", ROS_NAMESPACE="red")
+        self.wait_for(self.is_healthy)
+        controller = descendants(launch.pid, "jetbot_controller.py")[0]
+        os.kill(controller, signal.SIGSTOP)
+        self.assertFalse(self.is_healthy())
+        os.kill(controller, signal.SIGCONT)
+        self.wait_for(self.is_healthy)
+
+    def test_stops_the_wheels_when_it_is_told_to_end(self):
+        launch = self.launch("workshop", "workshop_jetbot_controller.launch")
+        self.wait_for(self.drives)
+        start = time.monotonic()
+        launch.terminate()
+        self.wait_for(lambda: not self.drives())
+        stood = time.monotonic() - start
+        launch.wait(START)
+        print(f"the wheels stood after {stood:.2f} s, all had ended after {time.monotonic() - start:.2f} s", end=" ")
+
+    def test_listens_on_the_loopback_interface_alone(self):
+        launch = self.launch("workshop", "workshop_jetbot_controller.launch")
+        self.wait_for(self.drives)
+        addresses = listening([launch.pid, *descendants(launch.pid)])
+        self.assertTrue(addresses)
+        self.assertLessEqual(set(addresses), set(LOOPBACK))
+
+    def launch(self, package, file, **environment):
+        """roslaunch on a fake bus, by the image's entrypoint."""
+        process = subprocess.Popen(["/entrypoint", "roslaunch", package, file, f"i2c_bus:=fake:{self.bus}"],
+                                   env={**self.environment, **environment}, stdout=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.terminate)
+        return process
+
+    def is_healthy(self):
+        check = subprocess.run(["/entrypoint", "/healthcheck"], env=self.environment, stderr=subprocess.DEVNULL)
+        return check.returncode == 0
+
+    def drives(self):
+        return self.bus.exists() and wheel_speeds(self.bus) != (0.0, 0.0)
+
+    def wait_for(self, condition):
+        deadline = time.monotonic() + START
+        while not condition():
+            self.assertLess(time.monotonic(), deadline, "waited too long")
+            time.sleep(0.01)
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        return probe.getsockname()[1]
+
+
+def descendants(pid, program=""):
+    """The processes below this one whose command line names the program."""
+    children = [int(child) for threads in Path(f"/proc/{pid}/task").glob("*/children")
+                for child in threads.read_text().split()]
+    below = children + [each for child in children for each in descendants(child)]
+    return [each for each in below if program in Path(f"/proc/{each}/cmdline").read_text()]
+
+
+def listening(processes):
+    """The addresses on which these processes listen, in hexadecimal."""
+    sockets = {os.readlink(file) for pid in processes for file in Path(f"/proc/{pid}/fd").iterdir()}
+    rows = [row.split() for table in ("tcp", "tcp6")
+            for row in Path(f"/proc/net/{table}").read_text().splitlines()[1:]]
+    return [row[1].split(":")[0] for row in rows if row[3] == LISTEN and f"socket:[{row[9]}]" in sockets]
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
