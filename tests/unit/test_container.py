@@ -1,0 +1,45 @@
+"""What docker/ promises and files can tell: who may do what, and that nothing is missing from the image that runs."""
+
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+import yaml
+
+PROJECT = Path(__file__).parents[2]
+SERVICES = yaml.safe_load((PROJECT / "docker/compose.yaml").read_text())["services"]
+PACKAGES = [ElementTree.parse(file) for file in (PROJECT / "morbot_ws/src").rglob("package.xml")]
+OURS = {package.findtext("name") for package in PACKAGES}
+NOT_IN_THE_IMAGE = {"python3-matplotlib"}  # it draws on paper, and is as large as all of ROS
+
+
+@pytest.mark.parametrize("name", SERVICES)
+def test_service_has_no_privileges(name):
+    service = SERVICES[name]
+    assert service["cap_drop"] == ["ALL"] and service["security_opt"] == ["no-new-privileges:true"]
+    assert not {"privileged", "cap_add", "pid", "ipc", "ports", "user"} & set(service)
+    assert name == "test" or service["read_only"]
+    assert name == "robot" or "devices" not in service
+
+
+@pytest.mark.parametrize("name", SERVICES)
+def test_service_listens_on_the_loopback_interface_unless_told_otherwise(name):
+    hostname = SERVICES[name].get("environment", {}).get("ROS_HOSTNAME")
+    assert SERVICES[name]["network_mode"] == "none" or hostname == "${JETBOT_HOSTNAME:-localhost}"
+
+
+def test_image_has_all_that_the_nodes_need():
+    assert {debian_name(depend) for package in PACKAGES for depend in package.iterfind("exec_depend")
+            if depend.text not in OURS and "==" not in depend.get("condition", "")} - NOT_IN_THE_IMAGE <= installed()
+
+
+def installed():
+    """The packages that ./morbot installs in the image that runs."""
+    return set(re.search(r'^run_packages="(.*?)"', (PROJECT / "morbot").read_text(), re.M | re.S)[1].split())
+
+
+def debian_name(depend):
+    """Debian's name of what a package.xml names; where that is in C++, it begins with ros-."""
+    name = depend.text.replace("_", "-")
+    return f"ros-{name}" if name == "robot-state-publisher" else re.sub("^(python3-)?", "python3-", name)
