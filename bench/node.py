@@ -50,15 +50,16 @@ def started(*command, **options):
 
 @contextlib.contextmanager
 def master():
-    """A ROS master, and this program as a node of it."""
+    """A ROS master, and this program as a node of it, with logs and settings apart from the user's."""
     with socket.socket() as free:
         free.bind(("localhost", 0))
         port = str(free.getsockname()[1])
-    os.environ["ROS_MASTER_URI"] = f"http://localhost:{port}"
-    with started("roscore", "-p", port):
-        wait_for(rosgraph.is_master_online, START, "the ROS master did not start")
-        rospy.init_node("bench", disable_signals=True)
-        yield
+    with tempfile.TemporaryDirectory(prefix="jetbot_") as home:
+        os.environ.update(ROS_MASTER_URI=f"http://localhost:{port}", ROS_HOME=home)
+        with started("roscore", "-p", port):
+            wait_for(rosgraph.is_master_online, START, "the ROS master did not start")
+            rospy.init_node("bench", disable_signals=True)
+            yield
 
 
 def wait_for(condition, within, complaint):
