@@ -49,8 +49,8 @@ def measure_node(add, plan, contestant, clock):
 def measure_robots(add, plan, contestant, count):
     """Several robots, commanded one after the other."""
     with node.running(contestant, count, CLOCKS[0]) as robots:
-        measure_drive(add, plan, robots, ROBOTS_RATE, f"{count} robots")
-        add("roslaunch to all subscribed (s)", f"{count} robots", robots.startup)
+        measure_drive(add, plan, robots, ROBOTS_RATE, f"robots: {count}")
+        add("roslaunch to all subscribed (s)", f"robots: {count}", robots.startup)
 
 
 def measure_drive(add, plan, robots, rate, case):

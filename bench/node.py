@@ -28,8 +28,8 @@ LAUNCH = {  # contestant: what starts it, in a launch file, on the fake bus in a
     wire.FLOOR: SCRIPT.format("floor.py"),
 }
 OUTPUTS = slice(0x06, 0x46)      # the chip's registers that tell which command it holds
-LOOK = 0.0001                    # seconds between two looks at them
-START, END, OBEY = 60, 60, 200   # seconds that nodes may take to listen, to end, to obey the last command
+LOOK = 0.0002                    # seconds between two looks at them
+START, END, OBEY = 60, 60, 900   # seconds that nodes may take to listen, to end, to obey the last command
 
 
 @contextlib.contextmanager
