@@ -90,7 +90,8 @@ def main():
     given = arguments()
     plan = SimpleNamespace(**(SHORT if given.short else FULL))
     plan.runs = given.runs or plan.runs
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    for ending in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
+        signal.signal(ending, lambda *_: sys.exit(1))
     Path("/proc/self/timerslack_ns").write_text("1")  # the fake bus sleeps for each bit: let it be exact, for all alike
     figures = measure(plan)
     given.output.mkdir(parents=True, exist_ok=True)
@@ -100,7 +101,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except KeyboardInterrupt:
-        sys.exit(1)
+    main()

@@ -121,7 +121,9 @@ class Robots:
             watch.sent[robot, command] = time.perf_counter()
             self._publishers[robot].publish(twist(*speeds[command]))
         last = {(robot, len(speeds) - 1) for robot in range(len(self._chips))}
-        wait_for(lambda: last <= watch.seen.keys(), OBEY, f"{self._contestant} did not obey the last command")
+        wait_for(lambda: last <= watch.seen.keys() or not self._all_run(), OBEY, "the last command is not obeyed")
+        if not self._all_run():
+            sys.exit(f"bench: {self._contestant} has died")
         share = (self._cpu() - cpu) / (time.perf_counter() - start) / len(self._chips)
         watch.over = True
         watch.join()
@@ -130,6 +132,9 @@ class Robots:
     def memory(self, children):
         """MiB (RSS) of a node; children: with the processes that it started."""
         return sum(process.memory_info().rss for process in self._processes(children)) / 2**20 / len(self._nodes)
+
+    def _all_run(self):
+        return all(node.is_running() for node in self._nodes)
 
     def _cpu(self):
         times = [process.cpu_times() for process in self._processes(children=True)]
