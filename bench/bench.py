@@ -40,7 +40,7 @@ def measure_node(add, plan, contestant, clock):
             measure_drive(add, plan, robots, rate, f"{rate} Hz")
         for rate in plan.floods:
             latencies, _ = robots.drive([*wire.cruise(int(rate * plan.flood_seconds)), STOP], rate)
-            add(f"stop after a flood of {plan.flood_seconds} s (ms)", f"{rate} Hz", latencies[-1])
+            add(f"to obey a stop after a flood of {plan.flood_seconds} s (ms)", f"{rate} Hz", latencies[-1])
         add("memory (MiB)", "node", robots.memory(children=False))
         add("memory (MiB)", "node and guard", robots.memory(children=True))
         add("roslaunch to subscribed (s)", "", robots.startup)

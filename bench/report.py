@@ -86,7 +86,7 @@ def draw(figures, file):
     figure, ((wire, stop), (latency, cpu)) = plt.subplots(2, 2, figsize=(11, 7.5), constrained_layout=True)
     one = figures.medians(NODE.format(100))
     bars(wire, figures.medians(WIRE), "bits")
-    bars(stop, one, "stop after")
+    bars(stop, one, "to obey a stop")
     bars(latency, one, "publish to last bit, p99", alpha=0.3)
     bars(latency, one, "publish to last bit, p50")
     bars(cpu, one, "CPU")
