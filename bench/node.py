@@ -115,19 +115,25 @@ class Robots:
         watch = Watch(self._chips, states(self._contestant, speeds))
         watch.start()
         cpu, start = self._cpu(), time.perf_counter()
-        for turn in range(len(speeds) * len(self._chips)):
-            command, robot = divmod(turn, len(self._chips))
-            time.sleep(max(0, start + turn / rate / len(self._chips) - time.perf_counter()))
-            watch.sent[robot, command] = time.perf_counter()
-            self._publishers[robot].publish(twist(*speeds[command]))
-        last = {(robot, len(speeds) - 1) for robot in range(len(self._chips))}
-        wait_for(lambda: last <= watch.seen.keys() or not self._all_run(), OBEY, "the last command is not obeyed")
-        if not self._all_run():
-            sys.exit(f"bench: {self._contestant} has died")
+        self._send(speeds, rate, watch.sent)
+        self._wait_until(lambda: all((robot, len(speeds) - 1) in watch.seen for robot in range(len(self._chips))))
         share = (self._cpu() - cpu) / (time.perf_counter() - start) / len(self._chips)
         watch.over = True
         watch.join()
         return watch.latencies(), 100 * share
+
+    def _send(self, speeds, rate, sent):
+        start = time.perf_counter()
+        for turn in range(len(speeds) * len(self._chips)):
+            command, robot = divmod(turn, len(self._chips))
+            time.sleep(max(0, start + turn / rate / len(self._chips) - time.perf_counter()))
+            sent[robot, command] = time.perf_counter()
+            self._publishers[robot].publish(twist(*speeds[command]))
+
+    def _wait_until(self, obeyed):
+        wait_for(lambda: obeyed() or not self._all_run(), OBEY, f"{self._contestant} does not obey the last command")
+        if not self._all_run():
+            sys.exit(f"bench: {self._contestant} has died")
 
     def memory(self, children):
         """MiB (RSS) of a node; children: with the processes that it started."""
@@ -137,8 +143,7 @@ class Robots:
         return all(node.is_running() for node in self._nodes)
 
     def _cpu(self):
-        times = [process.cpu_times() for process in self._processes(children=True)]
-        return sum(time.user + time.system for time in times)
+        return sum(sum(process.cpu_times()[:2]) for process in self._processes(children=True))  # user, system
 
     def _processes(self, children):
         return [process for node in self._nodes for process in (node, *(node.children() if children else ()))]
