@@ -187,7 +187,7 @@ def running(contestant, count, clock):
         start = time.perf_counter()
         roslaunch = ending.enter_context(started("roslaunch", file, env=environment()))
         wait_for(lambda: all(publisher.get_num_connections() for publisher in publishers), START,
-                 f"{contestant} did not start; by hand: roslaunch {file}")
+                 f"{contestant} did not start within {START} s")
         yield Robots(contestant, buses, publishers, roslaunch, time.perf_counter() - start)
 
 
