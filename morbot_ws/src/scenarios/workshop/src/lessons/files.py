@@ -1,0 +1,99 @@
+"""Checks of a package's files."""
+
+import ast
+import os
+import shutil
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+from catkin_pkg.package import InvalidPackage, parse_package
+from rospkg import ResourceNotFound, RosPack
+
+CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch"
+
+
+def folder(package):
+    """The package's source folder; ResourceNotFound where there is none."""
+    return Path(RosPack().get_path(package))
+
+
+def found(package, source):
+    """Whether ROS finds the package; source: the command that brings it there."""
+    try:
+        folder(package)
+    except ResourceNotFound:
+        return f"There is no package {package} in {os.environ.get('ROS_PACKAGE_PATH', '').split(':')[0]}: {source}"
+    return None
+
+
+def built(package):
+    """Whether catkin_make has seen the package."""
+    prefixes = os.environ.get("CMAKE_PREFIX_PATH", "").split(":")
+    if any(Path(prefix, "share", package, "cmake").exists() for prefix in prefixes):
+        return None
+    return f"{package} is not built: ./morbot setup"
+
+
+def depends(package, *names):
+    """Whether package.xml names these packages as dependencies."""
+    file = folder(package) / "package.xml"
+    try:
+        given = parse_package(str(file))
+    except InvalidPackage as error:
+        return f"{file} cannot be read: {' '.join(str(error).split())}"
+    known = {dependency.name for dependency in given.exec_depends}
+    return next((f"{file} does not name {name}: add <exec_depend>{name}</exec_depend>"
+                 for name in names if name not in known), None)
+
+
+def scripts_start(package):
+    """Whether the package has scripts, and all of them can be started."""
+    there = sorted(folder(package).glob("scripts/*.py"))
+    if not there:
+        return f"{package} has no script: put one into {folder(package) / 'scripts'}"
+    return next(filter(None, map(script_starts, there)), None)
+
+
+def script_starts(path):
+    """Whether the system can start the script."""
+    first = path.read_bytes().partition(b"\n")[0].decode(errors="replace")
+    program = first.rstrip("\r").split(" ")[-1]
+    if not first.startswith("#!"):
+        return f"{path.name} does not begin with #!/usr/bin/env python3: make that the first line of {path}"
+    if first.endswith("\r"):
+        return fr"{path.name} has line ends of Windows: sed -i 's/\r$//' {path}"
+    if not shutil.which(program.replace("#!", "")):
+        return f"{path.name} begins with {first}, and there is no {program} here: write #!/usr/bin/env python3"
+    if not os.access(path, os.X_OK):
+        return f"{path.name} is not executable: chmod +x {path}"
+    return python_reads(path)
+
+
+def python_reads(path):
+    """Whether the script is Python."""
+    try:
+        ast.parse(path.read_bytes())
+    except (SyntaxError, ValueError) as error:
+        return f"{path.name} is no Python that can be read: {error}"
+    return None
+
+
+def launch_file_includes_controller(package):
+    """Whether one of the package's launch files includes the controller's, and passes its arguments on."""
+    there = sorted(folder(package).glob("launch/*.launch"))
+    if not there:
+        return f"{package} has no launch file: put one into {folder(package) / 'launch'}"
+    sentences = [includes_controller(file) for file in there]
+    return None if None in sentences else sentences[0]
+
+
+def includes_controller(file):
+    """Whether the launch file includes the controller's, and passes its arguments on."""
+    try:
+        includes = ET.parse(file).getroot().iter("include")
+    except ET.ParseError as error:
+        return f"{file} is not XML: {error}"
+    if any(include.get("file") == CONTROLLER_LAUNCH and include.get("pass_all_args") == "true" for include in includes):
+        return None
+    return (f"{file} does not include the controller and pass its arguments on: "
+            f'add <include file="{CONTROLLER_LAUNCH}" pass_all_args="true"/>')

@@ -1,0 +1,138 @@
+"""Checks of the running system: what the ROS master, its nodes and roslaunch say of themselves."""
+
+import contextlib
+from pathlib import Path
+from typing import NamedTuple
+from xmlrpc.client import Fault, ServerProxy, Transport
+
+import rosgraph
+
+from .files import folder
+
+CALLER = "/check_lesson"
+PATIENCE = 3.0  # seconds for a node to answer
+
+
+class ImpatientTransport(Transport):
+    """Gives up on a node that hangs."""
+
+    def make_connection(self, host):
+        connection = super().make_connection(host)
+        connection.timeout = PATIENCE
+        return connection
+
+
+class Graph(NamedTuple):
+    """What the master knows: topic: names of nodes, twice, and topic: type."""
+
+    publishers: dict
+    subscribers: dict
+    types: dict
+
+    @property
+    def nodes(self):
+        """The names of all nodes with a topic."""
+        return {node for nodes in (*self.publishers.values(), *self.subscribers.values()) for node in nodes}
+
+
+def look():
+    """The Graph now."""
+    master = rosgraph.Master(CALLER)
+    publishers, subscribers, _ = master.getSystemState()
+    return Graph(dict(publishers), dict(subscribers), dict(master.getTopicTypes()))
+
+
+def master_up():
+    """Whether there is a master."""
+    if rosgraph.is_master_online():
+        return None
+    return f"No ROS master at {rosgraph.get_master_uri()}: start one in another terminal with roscore"
+
+
+def node_up(name, start):
+    """Whether the node lives; start: the command that starts it."""
+    if name not in look().nodes:
+        return f"There is no node {name}: start it in another terminal with {start}"
+    if pid(name) is None:
+        return f"The node {name} does not answer: end it (after Ctrl-Z: fg, then Ctrl-C), then start it with {start}"
+    return None
+
+
+def listens(node, topic):
+    """Whether the node subscribes to the topic."""
+    if node in look().subscribers.get(topic, ()):
+        return None
+    return f"{node} does not listen to {topic}: was it started in a namespace, or {topic} remapped?"
+
+
+def has_type(topic, wanted):
+    """Whether the topic carries this type of message."""
+    given = look().types.get(topic)
+    return None if given == wanted else f"{topic} carries {given}, not {wanted}: which node publishes that?"
+
+
+def nobody_publishes(topic):
+    """Whether the topic is free."""
+    nodes = look().publishers.get(topic)
+    return nodes and f"{nodes[0]} publishes on {topic}: end it with Ctrl-C in its terminal, then try again"
+
+
+def publishes(package, topic):
+    """Whether a node of the package publishes on the topic."""
+    if publishers(package, topic):
+        return None
+    graph = look()
+    mine = sorted(node for node in graph.nodes if belongs(command_of(node), package))
+    if not mine:
+        return f"No node of {package} runs: start it in another terminal with rosrun {package}, or by its launch file"
+    others = sorted(name for name, nodes in graph.publishers.items() if mine[0] in nodes and name != "/rosout")
+    return f"{mine[0]} publishes on {' and '.join(others) or 'no topic'}, not on {topic}"
+
+
+def publishers(package, topic):
+    """The package's nodes that publish on the topic."""
+    return [node for node in look().publishers.get(topic, ()) if belongs(command_of(node), package)]
+
+
+def launched_together(*packages):
+    """Whether one roslaunch runs nodes of all these packages."""
+    if any(set(packages) <= running for running in launched()):
+        return None
+    return f"No launch file runs {' and '.join(packages)}: end what rosrun started, and start it with roslaunch"
+
+
+def launched():
+    """For each roslaunch of this master: the packages of which it runs nodes."""
+    uris = {}
+    with contextlib.suppress(rosgraph.MasterException):  # none was ever started
+        uris = rosgraph.Master(CALLER).getParam("/roslaunch/uris")
+    return [set(packages_of(uri)) for uri in uris.values()]
+
+
+def packages_of(uri):
+    """The packages of which the roslaunch at this address runs nodes; none when it has ended."""
+    with contextlib.suppress(OSError):
+        launch = ServerProxy(uri, ImpatientTransport())
+        for name, _ in launch.list_processes()[2][0]:
+            with contextlib.suppress(Fault):  # of the master itself, which is in no package
+                yield launch.process_info(name)[2]["package"]
+
+
+def pid(node):
+    """The node's process id, by its own word; None for one that does not answer."""
+    with contextlib.suppress(OSError, rosgraph.MasterException):
+        return ServerProxy(rosgraph.Master(CALLER).lookupNode(node), ImpatientTransport()).getPid(CALLER)[2]
+    return None
+
+
+def command_of(node):
+    """The command line of a node on this computer, as a list."""
+    with contextlib.suppress(OSError):
+        return Path(f"/proc/{pid(node)}/cmdline").read_text().split("\0")
+    return []
+
+
+def belongs(command, package):
+    """Whether a command line starts a script of the package."""
+    paths = [Path(argument) for argument in command]
+    return any(path.parent.name == package or folder(package) in path.parents for path in paths)
