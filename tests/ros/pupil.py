@@ -105,16 +105,21 @@ class Pupil:
         self._environment = {name: value for name, value in os.environ.items() if not name.startswith(WORKSPACE)}
         self._environment.update(HOME=str(home), TERM="dumb", GIT_TERMINAL_PROMPT="0")
         self._terminals = {}
+        self.followed = []
+        self.lost = False
 
     def follow(self, page):
         """Do what the page says; AssertionError, with the line of the page, where something else happens."""
+        self.followed.append(page)
         for box in boxes(page):
             try:
                 DO[box.how](self, box)
             except AssertionError as error:
+                self.lost = True
+                self.leave()
                 raise AssertionError(f"{box.place}: {box.text}{error}") from None
-        for number, terminal in self._terminals.items():
-            assert terminal.result is not None, f"{page.name} leaves something running in terminal {number}"
+        running = [number for number, terminal in self._terminals.items() if terminal.result is None]
+        assert not running, f"{page.name} leaves something running in the terminals {running}"
 
     def _terminal(self, number):
         if number not in self._terminals:

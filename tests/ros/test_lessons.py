@@ -4,32 +4,35 @@ import pytest
 from lesson_pages import boxes
 from pupil import ROOT, Offline, Pupil
 
-PAGES = {int(page.name[0]): page for page in (ROOT / "docs/lessons").glob("[0-9]*.md")}
-KEYBOARD = 4  # needs the internet; the other lessons do not need it
+PAGES = {int(page.name[0]): page for page in sorted((ROOT / "docs/lessons").glob("[0-9]*.md"))}
+BEFORE = {8: (1, 7)}  # which lessons one builds on; the others on the first alone
+
+
+@pytest.fixture(scope="module")
+def pupils(tmp_path_factory):
+    """The pupil who follows the lessons: one for all, since a new one must build a workspace first."""
+    pupils = []
+    yield pupils
+    for pupil in pupils:
+        assert not pupil.leave()
 
 
 @pytest.fixture
-def pupil(tmp_path):
-    pupil = Pupil(tmp_path)
-    left = None
-    try:
-        yield pupil
-    finally:
-        left = pupil.leave()
-    assert not left
+def pupil(pupils, tmp_path_factory):
+    """A pupil with whom nothing has gone wrong yet."""
+    if not pupils or pupils[-1].lost:
+        pupils.append(Pupil(tmp_path_factory.mktemp("home")))
+    return pupils[-1]
 
 
-def test_lessons(pupil):
-    for number in sorted(set(PAGES) - {KEYBOARD}):
-        pupil.follow(PAGES[number])
-
-
-def test_keyboard_lesson(pupil):
-    pupil.follow(PAGES[1])
-    try:
-        pupil.follow(PAGES[KEYBOARD])
-    except Offline as error:
-        pytest.skip(f"lesson {KEYBOARD} needs the internet: {error}")
+@pytest.mark.parametrize("number", PAGES)
+def test_lesson(pupil, number):
+    for page in (PAGES[before] for before in (*BEFORE.get(number, (1,)), number)):
+        if page not in pupil.followed:
+            try:
+                pupil.follow(page)
+            except Offline as error:
+                pytest.skip(f"{page.name} needs the internet: {error}")
 
 
 @pytest.mark.parametrize("text", [

@@ -6,9 +6,10 @@ import sys
 try:
     import rosgraph
     import rospy
+    from catkin_pkg.package import InvalidPackage
 
     from jetbot import JetbotError
-    from lessons import LAST, first_missing, needs_package
+    from lessons.table import LAST, first_missing, needs_package
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun workshop check_lesson.py N there.")
 
@@ -40,5 +41,7 @@ if __name__ == "__main__":
         sys.exit("Ended.")
     except EOFError:
         sys.exit("This lesson asks what you see: type it in a terminal.")
+    except InvalidPackage as error:
+        sys.exit(str(error))
     except (JetbotError, OSError, rosgraph.MasterException, rospy.ROSException) as error:
         sys.exit(f"Something went wrong while it looked: {error}")

@@ -13,8 +13,25 @@ CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch
 
 
 def folder(package):
-    """The package's source folder; ResourceNotFound where there is none."""
-    return Path(RosPack().get_path(package))
+    """The package's source folder; ResourceNotFound where there is none, InvalidPackage where any cannot be read."""
+    try:
+        return Path(RosPack().get_path(package))
+    except ET.ParseError:
+        raise InvalidPackage("; ".join(filter(None, map(not_xml, workspace().rglob("package.xml"))))) from None
+
+
+def workspace():
+    """The folder of the pupil's packages."""
+    return Path(os.environ.get("ROS_PACKAGE_PATH", "").split(":")[0])
+
+
+def not_xml(file):
+    """Whether the file is XML; the sentence where it is not."""
+    try:
+        ET.parse(file)
+    except ET.ParseError as error:
+        return f"{file} is not XML: {error}"
+    return None
 
 
 def found(package, source):
@@ -22,7 +39,9 @@ def found(package, source):
     try:
         folder(package)
     except ResourceNotFound:
-        return f"There is no package {package} in {os.environ.get('ROS_PACKAGE_PATH', '').split(':')[0]}: {source}"
+        return f"There is no package {package} in {workspace()}: {source}"
+    except InvalidPackage as error:
+        return str(error)
     return None
 
 
@@ -57,12 +76,12 @@ def scripts_start(package):
 def script_starts(path):
     """Whether the system can start the script."""
     first = path.read_bytes().partition(b"\n")[0].decode(errors="replace")
-    program = first.rstrip("\r").split(" ")[-1]
+    program = first[len("#!"):].rstrip("\r").split(" ")[-1]
     if not first.startswith("#!"):
         return f"{path.name} does not begin with #!/usr/bin/env python3: make that the first line of {path}"
     if first.endswith("\r"):
         return fr"{path.name} has line ends of Windows: sed -i 's/\r$//' {path}"
-    if not shutil.which(program.replace("#!", "")):
+    if not shutil.which(program):
         return f"{path.name} begins with {first}, and there is no {program} here: write #!/usr/bin/env python3"
     if not os.access(path, os.X_OK):
         return f"{path.name} is not executable: chmod +x {path}"
@@ -73,7 +92,9 @@ def python_reads(path):
     """Whether the script is Python."""
     try:
         ast.parse(path.read_bytes())
-    except (SyntaxError, ValueError) as error:
+    except SyntaxError as error:
+        return f"{path.name} is no Python that can be read, line {error.lineno}: {error.msg}"
+    except ValueError as error:
         return f"{path.name} is no Python that can be read: {error}"
     return None
 
@@ -89,11 +110,10 @@ def launch_file_includes_controller(package):
 
 def includes_controller(file):
     """Whether the launch file includes the controller's, and passes its arguments on."""
-    try:
-        includes = ET.parse(file).getroot().iter("include")
-    except ET.ParseError as error:
-        return f"{file} is not XML: {error}"
-    if any(include.get("file") == CONTROLLER_LAUNCH and include.get("pass_all_args") == "true" for include in includes):
+    if not_xml(file):
+        return not_xml(file)
+    wanted = {"file": CONTROLLER_LAUNCH, "pass_all_args": "true"}
+    if any(wanted.items() <= include.attrib.items() for include in ET.parse(file).iter("include")):
         return None
     return (f"{file} does not include the controller and pass its arguments on: "
             f'add <include file="{CONTROLLER_LAUNCH}" pass_all_args="true"/>')
