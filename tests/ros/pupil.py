@@ -19,6 +19,7 @@ PROMPT = re.compile(r"\[(\d+)\] pupil\$ $")
 TYPED = re.compile(r"^[^\n]*pupil\$ [^\n]*\n", re.MULTILINE)
 CONTROLS = re.compile(r"\x1b\][^\x07]*\x07|\x1b\[[\d;?]*[a-zA-Z]|\r")
 OFFLINE = re.compile(r"Could not resolve|unable to access|unable to look up|timed out")
+CONTROL_KEYS = {"Ctrl-C": "\x03", "Ctrl-Z": "\x1a"}
 LIMIT = 60.0  # seconds for anything to happen; generous, for slow machines
 PAUSE = 0.1   # seconds between two keys
 
@@ -40,6 +41,10 @@ class Terminal:
         """Forget what was shown so far."""
         self._box, self._seen = len(self._raw), 0
 
+    def look_away(self):
+        """From now on, see only what is new."""
+        self._seen = len(self.output)
+
     def type(self, line):
         if self.result is None:
             raise AssertionError(f"something still runs in this terminal\n{self.output}")
@@ -47,7 +52,7 @@ class Terminal:
         self._shell.sendline(line)
 
     def press(self, key):
-        self._shell.send("\x03" if key == "Ctrl-C" else key)
+        self._shell.send(CONTROL_KEYS.get(key, key))
         time.sleep(PAUSE)
 
     def see(self, text):
@@ -113,13 +118,19 @@ class Pupil:
         self.followed.append(page)
         for box in boxes(page):
             try:
-                DO[box.how](self, box)
+                self._do(box)
             except AssertionError as error:
                 self.lost = True
                 self.leave()
                 raise AssertionError(f"{box.place}: {box.text}{error}") from None
         running = [number for number, terminal in self._terminals.items() if terminal.result is None]
         assert not running, f"{page.name} leaves something running in the terminals {running}"
+
+    def _do(self, box):
+        if box.how != SEE:
+            for terminal in self._terminals.values():
+                terminal.look_away()
+        DO[box.how](self, box)
 
     def _terminal(self, number):
         if number not in self._terminals:
@@ -158,7 +169,7 @@ class Pupil:
         for terminal in self._at(box):
             for key in box.text.split():
                 terminal.press(key)
-            if key == "Ctrl-C":
+            if key in CONTROL_KEYS:
                 terminal.wait_for_end()
 
     def _see(self, box):

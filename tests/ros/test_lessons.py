@@ -1,11 +1,12 @@
-"""The lessons, followed word for word: every command works, and shows what the page says."""
+"""The pages, followed word for word: every command works, and shows what the page says."""
 
 import pytest
 from lesson_pages import boxes
 from pupil import ROOT, Offline, Pupil
 
-PAGES = {int(page.name[0]): page for page in sorted((ROOT / "docs/lessons").glob("[0-9]*.md"))}
-BEFORE = {8: (1, 7)}  # which lessons one builds on; the others on the first alone
+LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"))
+PAGES = {page.stem: page for page in [*LESSONS, ROOT / "docs/boards.md", ROOT / "docs/safety.md"]}
+BEFORE = {"8_your_launch_file": "7_your_package"}  # the page that one builds on, after the first
 
 
 @pytest.fixture(scope="module")
@@ -25,14 +26,15 @@ def pupil(pupils, tmp_path_factory):
     return pupils[-1]
 
 
-@pytest.mark.parametrize("number", PAGES)
-def test_lesson(pupil, number):
-    for page in (PAGES[before] for before in (*BEFORE.get(number, (1,)), number)):
-        if page not in pupil.followed:
-            try:
+@pytest.mark.parametrize("name", PAGES)
+def test_page(pupil, name):
+    before = [LESSONS[0], *([PAGES[BEFORE[name]]] if name in BEFORE else [])]
+    try:
+        for page in [*before, PAGES[name]]:
+            if page not in pupil.followed:
                 pupil.follow(page)
-            except Offline as error:
-                pytest.skip(f"{page.name} needs the internet: {error}")
+    except Offline as error:
+        pytest.skip(f"{name} needs the internet: {error}")
 
 
 @pytest.mark.parametrize("text", [

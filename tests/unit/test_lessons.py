@@ -1,6 +1,7 @@
 """What check_lesson.py says of a pupil's package and of the running system: one sentence for each thing missing."""
 
 import re
+import runpy
 
 import pytest
 
@@ -12,6 +13,30 @@ PACKAGE_XML = """<package format="3"><name>mine</name><version>0.0.1</version><d
 <depend>rospy</depend><depend>geometry_msgs</depend></package>"""
 SCRIPT = "#!/usr/bin/env python3\nprint()\n"
 INCLUDE = '<include file="$(find jetbot_control_node)/launch/jetbot_controller.launch" pass_all_args="true"/>'
+
+
+@pytest.fixture(scope="module")
+def lesson():
+    """What check_lesson.py makes of its arguments."""
+    return runpy.run_path(str(WORKSHOP / "scripts/check_lesson.py"))["lesson"]
+
+
+@pytest.mark.parametrize("arguments", [[], ["0"], ["9"], ["one"], ["-1"], ["\u00b2"], ["1", "mine", "yours"]])
+def test_no_such_lesson(lesson, arguments):
+    with pytest.raises(SystemExit, match=r"^Which lesson, 1 to 8\? Type: rosrun workshop check_lesson\.py N$"):
+        lesson(arguments)
+
+
+@pytest.mark.parametrize("number", ["7", "8"])
+def test_lesson_needs_a_package(lesson, number):
+    sentence = rf"Lesson {number} is about your own package\. Type: rosrun workshop check_lesson\.py {number} ITS_NAME"
+    with pytest.raises(SystemExit, match=f"^{sentence}$"):
+        lesson([number])
+
+
+def test_lesson_and_package(lesson):
+    assert lesson(["3"]) == (3,)
+    assert lesson(["8", "mine"]) == (8, "mine")
 
 
 @pytest.fixture

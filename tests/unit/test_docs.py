@@ -1,0 +1,67 @@
+"""What docs/ tells agrees with the code, and its links lead somewhere."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from jetbot import guard
+from jetbot.boards import BOARDS
+from jetbot.computer import ROBOT_BUS
+from jetbot.parameters import PARAMETERS
+from jetbot.pwm_motors import ADAFRUIT, WAVESHARE
+
+ROOT = Path(__file__).parents[2]
+PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
+BOARDS_PAGE, SAFETY_PAGE = ((ROOT / "docs" / name).read_text() for name in ("boards.md", "safety.md"))
+
+
+def rows(text):
+    """The cells of all tables in a page."""
+    return [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines() if line.startswith("|")]
+
+
+def heading_anchors(text):
+    titles = re.findall(r"^#+ (.*)$", text, re.MULTILINE)
+    return {re.sub(r"[^\w -]", "", title).strip().lower().replace(" ", "-") for title in titles}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_links_lead_somewhere(page):
+    for target, _, anchor in (link.partition("#") for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text())):
+        if not target.startswith("http"):
+            linked = page.parent / target if target else page
+            assert linked.exists(), target
+            assert not anchor or anchor in heading_anchors(linked.read_text()), f"{target}#{anchor}"
+
+
+def test_every_board_is_explained():
+    names = [re.match(r"`(\w+)`", row[0]) for row in rows(BOARDS_PAGE) if len(row) == 4]
+    assert {name[1] for name in names if name} == set(BOARDS)
+
+
+@pytest.mark.parametrize("board, wiring", [("adafruit", ADAFRUIT), ("waveshare", WAVESHARE)])
+def test_which_output_is_which_wheel(board, wiring):
+    told = {row[1]: tuple(int(cell) if cell else None for cell in row[2:])
+            for row in rows(BOARDS_PAGE) if row[0] == f"`{board}`" and row[1] in ("left", "right")}
+    assert told == {"left": wiring.left, "right": wiring.right}
+
+
+def test_the_picture_shows_these_outputs_and_their_registers():
+    picture = (ROOT / "docs/boards.svg").read_text()
+    used = [output for wiring in (ADAFRUIT, WAVESHARE) for bridge in wiring for output in bridge if output is not None]
+    assert sorted(map(int, re.findall(r">(\d+)</text>", picture))) == sorted(used)
+    assert sorted(re.findall(r">(0x\w\w)</text>", picture)) == sorted(
+        [*(f"0x{6 + 4 * output:02x}" for output in used), "0x60", "0x60"])
+
+
+def test_the_bus_of_each_computer():
+    told = {row[0]: row[1] for row in rows(BOARDS_PAGE) if len(row) == 2}
+    for computer, bus in ROBOT_BUS.items():
+        assert [cell for names, cell in told.items() if computer in names][0].startswith(f"`{bus}`")
+
+
+def test_safety_tells_the_times_of_the_code():
+    assert f"no sign of life for {guard.SILENCE} s" in SAFETY_PAGE
+    assert f"{PARAMETERS['cmd_vel_timeout'].default} s by default" in SAFETY_PAGE
+    assert guard.PATIENCE == 600 and "the guard for ten minutes" in SAFETY_PAGE
