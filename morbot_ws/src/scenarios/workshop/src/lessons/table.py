@@ -1,8 +1,9 @@
 """The table of the lessons: what must be there after each."""
 
-from .driving import key_pressed, publishes_at, wheels_obey, wheels_turn
+from .commands import key_pressed, publishes_at
 from .files import built, depends, found, launch_file_includes_controller, scripts_start
 from .graph import has_type, launched_together, listens, master_up, nobody_publishes, node_up, publishes
+from .wheels import wheels_obey, wheels_turn
 
 OWN = object()  # stands for the pupil's own package
 ROBOT, SCENARIO, KEYBOARD = "jetbot_control_node", "workshop", "teleop_twist_keyboard"

@@ -1,4 +1,4 @@
-"""Checks of a robot that drives, on the fake bus or a real one."""
+"""Checks of the wheels, on the fake bus or at a real robot."""
 
 import time
 
@@ -10,23 +10,13 @@ from std_msgs.msg import String
 from jetbot.fake_motors import wheel_speeds
 from jetbot.terminal import choose
 
-from .graph import publishers
+from .commands import TOPIC, join, soon
 
-TOPIC = "/cmd_vel"
 SPEED = 0.3        # m/s, of a command that tries the wheels
 TRY = 2.0          # seconds for the wheels to obey
 SHOW = 1.0         # seconds that a real robot's wheels turn
-LISTEN = 1.5       # seconds in which the rate is measured
-TOLERANCE = 0.1    # part of the rate
-KEY_WAIT = 20.0    # seconds for somebody to press a key
 NEWS = 5.0         # seconds for the controller to tell of itself
 STILL = (0.0, 0.0)
-
-
-def join():
-    """Become a node, if this process is none yet."""
-    if not rospy.core.is_initialized():
-        rospy.init_node("check_lesson", anonymous=True, disable_signals=True)
 
 
 def wheels_obey():
@@ -68,13 +58,12 @@ class Commander:
         """Command this speed ahead until done() is true, for ``TRY`` seconds at most; whether it was."""
         twist = Twist()
         twist.linear.x = linear
-        deadline = time.monotonic() + TRY
-        while not done():
-            if time.monotonic() > deadline:
-                return False
+
+        def obeyed():
             self._topic.publish(twist)
-            time.sleep(0.05)
-        return True
+            return done()
+
+        return soon(obeyed, TRY)
 
     def __exit__(self, *_):
         self._topic.publish(Twist())
@@ -85,58 +74,20 @@ def wheels_turn():
     """Whether the robot drives as somebody else commands it."""
     join()
     board, bus = robot()
-    deadline = time.monotonic() + TRY
-    while time.monotonic() < deadline:
-        if status() == "driving" and (not bus.startswith("fake:") or wheel_speeds(bus[len("fake:"):], board) != STILL):
-            return None
-    return not_obeyed("they stand")
 
+    def turn():
+        return status() == "driving" and (not bus.startswith("fake:") or wheel_speeds(bus[len("fake:"):], board) != STILL)
 
-def publishes_at(package, rate):
-    """Whether the package's node publishes ``rate`` commands a second."""
-    join()
-    nodes = publishers(package, TOPIC)
-    times = [when for when, node in heard(LISTEN) if node in nodes]
-    if len(times) < 2:
-        return f"No geometry_msgs/Twist comes from {nodes[0]} on {TOPIC}: does it publish again and again?"
-    measured = (len(times) - 1) / (times[-1] - times[0])
-    if abs(measured - rate) <= TOLERANCE * rate:
-        return None
-    return f"{nodes[0]} publishes {measured:.1f} times a second, not {rate}: use rospy.Rate({rate})"
-
-
-def heard(seconds):
-    """The commands of some seconds: for each the time, and the node that sent it."""
-    commands = []
-    subscriber = rospy.Subscriber(
-        TOPIC, Twist, lambda twist: commands.append((time.monotonic(), twist._connection_header["callerid"])))
-    time.sleep(seconds)
-    subscriber.unregister()
-    return commands
-
-
-def key_pressed(node):
-    """Whether the keyboard's node sends a command ahead, now that its user is asked to."""
-    join()
-    pressed = []
-    rospy.Subscriber(TOPIC, Twist, lambda twist: pressed.append(
-        twist.linear.x > 0 and twist._connection_header["callerid"] == node))
-    print(f"Click into the terminal of {node}, and keep i pressed.", flush=True)
-    deadline = time.monotonic() + KEY_WAIT
-    while not any(pressed):
-        if time.monotonic() > deadline:
-            return f"No command ahead came from {node}: click into its terminal, then press i"
-        time.sleep(0.05)
-    return None
+    return None if soon(turn, TRY) else not_obeyed("they stand")
 
 
 def robot():
     """The (board, bus) of the running controller, by its own word."""
     deadline = time.monotonic() + NEWS
     while time.monotonic() < deadline:
-        for told in rospy.wait_for_message("/diagnostics", DiagnosticArray, NEWS).status:
-            values = {pair.key: pair.value for pair in told.values}
-            if told.name == "jetbot_controller: motors" and "bus" in values:
+        for report in rospy.wait_for_message("/diagnostics", DiagnosticArray, NEWS).status:
+            values = {pair.key: pair.value for pair in report.values}
+            if report.name == "jetbot_controller: motors" and "bus" in values:
                 return values["board"], values["bus"]
     raise rospy.ROSException("the controller does not tell on /diagnostics which bus it is on")
 

@@ -1,0 +1,66 @@
+"""Checks of who commands the robot, and how often."""
+
+import time
+
+import rospy
+from geometry_msgs.msg import Twist
+
+from .graph import publishers
+
+TOPIC = "/cmd_vel"
+LISTEN = 1.5       # seconds in which the rate is measured
+TOLERANCE = 0.1    # part of the rate
+CONNECT = 2.0      # seconds to connect to who publishes
+KEY_WAIT = 20.0    # seconds for somebody to press a key
+
+
+def join():
+    """Become a node, if this process is none yet."""
+    if not rospy.core.is_initialized():
+        rospy.init_node("check_lesson", anonymous=True, disable_signals=True)
+
+
+def soon(condition, within):
+    """Wait until the condition is true; whether it became so within these seconds."""
+    deadline = time.monotonic() + within
+    while not condition():
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.05)
+    return True
+
+
+def publishes_at(package, rate):
+    """Whether the package's node publishes ``rate`` commands a second."""
+    join()
+    nodes = publishers(package, TOPIC)
+    times = [when for when, node in heard(LISTEN) if node in nodes]
+    if len(times) < 2:
+        return f"No geometry_msgs/Twist comes from {package} on {TOPIC}: does it publish again and again?"
+    measured = (len(times) - 1) / (times[-1] - times[0])
+    if abs(measured - rate) <= TOLERANCE * rate:
+        return None
+    return f"{nodes[0]} publishes {measured:.1f} times a second, not {rate}: use rospy.Rate({rate})"
+
+
+def heard(seconds):
+    """The commands of some seconds: for each the time, and the node that sent it."""
+    commands = []
+    subscriber = rospy.Subscriber(
+        TOPIC, Twist, lambda twist: commands.append((time.monotonic(), twist._connection_header["callerid"])))
+    time.sleep(seconds)
+    subscriber.unregister()
+    return commands
+
+
+def key_pressed(node):
+    """Whether the keyboard's node sends a command ahead, now that its user is asked to."""
+    join()
+    pressed = []
+    subscriber = rospy.Subscriber(TOPIC, Twist, lambda twist: pressed.append(
+        twist.linear.x > 0 and twist._connection_header["callerid"] == node))
+    soon(subscriber.get_num_connections, CONNECT)
+    print(f"Click into the terminal of {node}, and keep i pressed.", flush=True)
+    if soon(lambda: any(pressed), KEY_WAIT):
+        return None
+    return f"No command ahead came from {node}: click into its terminal, then press i"
