@@ -1,6 +1,7 @@
 """Checks of the wheels, on the fake bus or at a real robot."""
 
 import time
+from functools import partial
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
@@ -22,14 +23,11 @@ STILL = (0.0, 0.0)
 def wheels_obey():
     """Whether the wheels turn at a command and stand at the next; at a real robot, its owner is asked."""
     join()
-    board, bus = robot()
-    if bus.startswith("fake:"):
-        return fake_wheels_obey(lambda: wheel_speeds(bus[len("fake:"):], board))
-    return real_wheels_obey()
+    wheels = fake_wheels()
+    return fake_wheels_obey(wheels) if wheels else real_wheels_obey()
 
 
 def fake_wheels_obey(wheels):
-    """wheels: a function that returns the speeds (left, right)."""
     with Commander() as commander:
         if not commander.drive(SPEED, lambda: min(wheels()) > 0):
             return not_obeyed(f"at x {SPEED} they turn at {told(wheels())}")
@@ -73,12 +71,16 @@ class Commander:
 def wheels_turn():
     """Whether the robot drives as somebody else commands it."""
     join()
+    wheels = fake_wheels()
+    if soon(lambda: status() == "driving" and not (wheels and wheels() == STILL), TRY):
+        return None
+    return not_obeyed("they stand")
+
+
+def fake_wheels():
+    """A function that returns the speeds (left, right) of the wheels on the fake bus; None for a real robot."""
     board, bus = robot()
-
-    def turn():
-        return status() == "driving" and (not bus.startswith("fake:") or wheel_speeds(bus[len("fake:"):], board) != STILL)
-
-    return None if soon(turn, TRY) else not_obeyed("they stand")
+    return partial(wheel_speeds, bus[len("fake:"):], board) if bus.startswith("fake:") else None
 
 
 def robot():
