@@ -9,8 +9,10 @@ import rosgraph
 from jetbot_pro import Board
 
 from harness import CONTROLLER, START, STILL, RobotTest, main, read
+from lessons.commands import publishes_at
 from lessons.graph import publishes
 from lessons.table import first_missing
+from lessons.wheels import wheels_turn
 
 CHECK = ("rosrun", "workshop", "check_lesson.py")
 
@@ -32,42 +34,38 @@ class CheckLesson(RobotTest):
         self.commands().unregister()
         return controller
 
-    def test_files_and_node(self):
+    def test_from_the_files_to_wheels_that_obey(self):
         self.says([], "Which lesson, 1 to 8? Type: rosrun workshop check_lesson.py N")
         self.says(["1"], "Lesson 1: done.", exit_code=0)
         start = "start it in another terminal with rosrun jetbot_control_node jetbot_controller.py _i2c_bus:=fake"
         self.finds(2, f"There is no node /jetbot_controller: {start}")
         self.listening()
         self.finds(2, None)
+        self.finds(3, None)
+        self.assertEqual(self.wheels(), STILL)
+        self.publisher()
+        self.wait_for_wheels(0.5, 0.5, within=START)
+        [node] = dict(rosgraph.Master("/test").getSystemState()[0])["/cmd_vel"]
+        self.finds(3, f"{node} publishes on /cmd_vel: end it with Ctrl-C in its terminal, then try again")
 
     def test_no_master(self):
         nowhere = "http://localhost:1"
         self.says(["2"], f"Lesson 2: No ROS master at {nowhere}: start one in another terminal with roscore",
                   ROS_MASTER_URI=nowhere)
 
-    def test_wheels_obey(self):
-        self.listening()
-        self.finds(3, None)
-        self.assertEqual(self.wheels(), STILL)
-
     def test_wheels_do_not_obey(self):
         self.listening()
         self.emergency_stop(True)
         self.finds(3, "The wheels do not obey: at x 0.3 they turn at 0.00 and 0.00, "
                       "and the controller says 'stopped: emergency stop'")
+        self.assertEqual(wheels_turn(), "The wheels do not obey: they stand, "
+                                        "and the controller says 'stopped: emergency stop'")
         self.emergency_stop(False)
 
     def test_wheels_turn_the_wrong_way(self):
         self.listening(invert_left="true")
         self.finds(3, "The wheels do not obey: at x 0.3 they turn at -0.30 and 0.30, and the controller says 'driving'")
         self.wait_for_stop(within=1.0)
-
-    def test_somebody_else_commands(self):
-        self.listening()
-        self.publisher()
-        self.wait_for_wheels(0.5, 0.5, within=START)
-        [node] = dict(rosgraph.Master("/test").getSystemState()[0])["/cmd_vel"]
-        self.finds(3, f"{node} publishes on /cmd_vel: end it with Ctrl-C in its terminal, then try again")
 
     def test_frozen_controller(self):
         controller = self.listening()
@@ -87,18 +85,11 @@ class CheckLesson(RobotTest):
         self.finds(5, None)
         self.finds(6, None)
 
-    def test_scenario_at_another_rate(self):
-        self.launch("workshop", "workshop_jetbot_controller.launch", "rate:=5")
-        self.wait_for_wheels(0.4, 0.6, within=START)
-        self.assertRegex(first_missing(6), r"^/jetbot_motion_control publishes [45]\.\d times a second, not 10: "
-                                           r"use rospy\.Rate\(10\)$")
-
-    def test_scenario_of_a_robot_that_stands(self):
-        self.emergency_stop(True)
-        self.launch("workshop", "workshop_jetbot_controller.launch")
-        self.wait_for(lambda: not (first_missing(2) or publishes("workshop", "/cmd_vel")), START, "both nodes")
-        self.finds(6, "The wheels do not obey: they stand, and the controller says 'stopped: emergency stop'")
-        self.emergency_stop(False)
+    def test_another_rate(self):
+        self.start("rosrun", "workshop", "jetbot_motion_control.py", "_rate:=5")
+        self.wait_for(lambda: publishes("workshop", "/cmd_vel") is None, START, "the motion node")
+        self.assertRegex(publishes_at("workshop", 10), r"^/jetbot_motion_control publishes [45]\.\d times a second, "
+                                                       r"not 10: use rospy\.Rate\(10\)$")
 
     def test_asks_what_a_real_robot_did(self):
         board = Board(os.path.join(self.folder, "tty"))

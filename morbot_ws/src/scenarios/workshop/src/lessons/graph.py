@@ -10,7 +10,7 @@ import rosgraph
 from .files import folder
 
 CALLER = "/check_lesson"
-PATIENCE = 3.0  # seconds for a node to answer
+PATIENCE = 2.0  # seconds for a node to answer
 
 
 class ImpatientTransport(Transport):

@@ -14,7 +14,7 @@ from jetbot.terminal import choose
 from .commands import TOPIC, join, soon
 
 SPEED = 0.3        # m/s, of a command that tries the wheels
-TRY = 2.0          # seconds for the wheels to obey
+TRY = 1.5          # seconds for the wheels to obey
 SHOW = 1.0         # seconds that a real robot's wheels turn
 NEWS = 5.0         # seconds for the controller to tell of itself
 STILL = (0.0, 0.0)
