@@ -68,7 +68,7 @@ class Terminal:
         while not condition():
             if time.monotonic() > deadline:
                 raise AssertionError(f"waited {LIMIT:.0f} s for:\n{what}\n--- and there was:\n{self.output}")
-            time.sleep(0.02)
+            time.sleep(0.05)
 
     def wait_for_end(self):
         """Wait until what was typed last has ended; its exit code."""
@@ -110,18 +110,13 @@ class Pupil:
         self._environment = {name: value for name, value in os.environ.items() if not name.startswith(WORKSPACE)}
         self._environment.update(HOME=str(home), TERM="dumb", GIT_TERMINAL_PROMPT="0")
         self._terminals = {}
-        self.followed = []
-        self.lost = False
 
     def follow(self, page):
         """Do what the page says; AssertionError, with the line of the page, where something else happens."""
-        self.followed.append(page)
         for box in boxes(page):
             try:
                 self._do(box)
             except AssertionError as error:
-                self.lost = True
-                self.leave()
                 raise AssertionError(f"{box.place}: {box.text}{error}") from None
         running = [number for number, terminal in self._terminals.items() if terminal.result is None]
         assert not running, f"{page.name} leaves something running in the terminals {running}"

@@ -4,37 +4,30 @@ import pytest
 from lesson_pages import boxes
 from pupil import ROOT, Offline, Pupil
 
-LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"))
-PAGES = {page.stem: page for page in [*LESSONS, ROOT / "docs/boards.md", ROOT / "docs/safety.md"]}
-BEFORE = {"8_your_launch_file": "7_your_package"}  # the page that one builds on, after the first
-
-
-@pytest.fixture(scope="module")
-def pupils(tmp_path_factory):
-    """The pupil who follows the lessons: one for all, since a new one must build a workspace first."""
-    pupils = []
-    yield pupils
-    for pupil in pupils:
-        assert not pupil.leave()
+PAGES = [*sorted((ROOT / "docs/lessons").glob("[0-9]*.md")), ROOT / "docs/boards.md", ROOT / "docs/safety.md"]
 
 
 @pytest.fixture
-def pupil(pupils, tmp_path_factory):
-    """A pupil with whom nothing has gone wrong yet."""
-    if not pupils or pupils[-1].lost:
-        pupils.append(Pupil(tmp_path_factory.mktemp("home")))
-    return pupils[-1]
-
-
-@pytest.mark.parametrize("name", PAGES)
-def test_page(pupil, name):
-    before = [LESSONS[0], *([PAGES[BEFORE[name]]] if name in BEFORE else [])]
+def pupil(tmp_path):
+    pupil = Pupil(tmp_path)
+    left = None
     try:
-        for page in [*before, PAGES[name]]:
-            if page not in pupil.followed:
-                pupil.follow(page)
-    except Offline as error:
-        pytest.skip(f"{name} needs the internet: {error}")
+        yield pupil
+    finally:
+        left = pupil.leave()
+    assert not left
+
+
+def test_pages(pupil):
+    """One test, since the lessons build on one another, and a new pupil must first build the workspace."""
+    offline = []
+    for page in PAGES:
+        try:
+            pupil.follow(page)
+        except Offline as error:
+            offline.append(f"{page.name} needs the internet: {error}")
+    if offline:
+        pytest.skip(f"all else is well, but {offline[0]}")
 
 
 @pytest.mark.parametrize("text", [
