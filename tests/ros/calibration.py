@@ -35,7 +35,9 @@ class Calibration(RobotTest):
         """The wheels' speeds in the midst of the motion that starts now, and STILL where nothing turns."""
         speeds = STILL
         while not self.terminal.expect([pexpect.TIMEOUT, r"Which wheel|Did the|How many cent"], timeout=0.02):
-            speeds = self.wheels() if self.wheels() != STILL else speeds
+            if speeds == STILL and self.wheels() != STILL:
+                speeds = self.wheels()
+                self.terminal.send(" ")  # seen enough
         self.assertEqual(self.wheels(), STILL, "after the motion")
         return speeds
 
