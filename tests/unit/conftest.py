@@ -7,8 +7,7 @@ import pytest
 
 SOURCE = Path(__file__).parents[2] / "morbot_ws/src/jetbot_control_node"
 SIMULATION = SOURCE.parent / "scenarios/simulation"
-WORKSHOP = SOURCE.parent / "scenarios/workshop"
-sys.path[:0] = [str(package / "src") for package in (SOURCE, SIMULATION, WORKSHOP)]
+sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src")]
 
 from jetbot import i2c, robot  # noqa: E402
 from jetbot.fake_i2c import FakeBus  # noqa: E402

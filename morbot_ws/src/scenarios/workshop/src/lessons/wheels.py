@@ -41,7 +41,7 @@ def real_wheels_obey():
     with Commander() as commander:
         end = time.monotonic() + SHOW
         commander.drive(SPEED, lambda: time.monotonic() > end)
-    seen = choose("Did both wheels turn forward, and stop?", {"y": True, "n": False})
+    seen = choose("Did both wheels turn forward, and stop?", {"yes": True, "no": False})
     return None if seen else not_obeyed("see what rosrun jetbot_control_node doctor.py finds, then calibrate.py")
 
 

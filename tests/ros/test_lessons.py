@@ -2,11 +2,14 @@
 
 import re
 import runpy
+from pathlib import Path
 
 import pytest
 
-from conftest import SOURCE, WORKSHOP
 from lessons import files, graph
+
+SOURCE = Path(__file__).parents[2] / "morbot_ws/src/jetbot_control_node"
+WORKSHOP = SOURCE.parent / "scenarios/workshop"
 
 PACKAGE_XML = """<package format="3"><name>mine</name><version>0.0.1</version><description>Mine.</description>
 <maintainer email="me@example.com">Me</maintainer><license>MIT</license>
