@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
-"""Thirty robots under one master, ten commands a second each: all obey, and one emergency stop stops all."""
+"""Thirty robots under one master, ten commands a second each: all obey, one emergency stop stops all, and
+one that dies ends alone."""
 
 import os
+import signal
 from pathlib import Path
+from xmlrpc.client import ServerProxy
 
+import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 
@@ -25,8 +29,11 @@ class ManyRobots(RobotTest):
                 twist.linear.x = speed
                 publishers[name].publish(twist)
 
+        def wheels(name):
+            return wheel_speeds(home / "fake_i2c" / name)
+
         def all_drive(wanted):
-            return all(near(wheel_speeds(home / "fake_i2c" / name), wanted(name)) for name in speeds)
+            return all(near(wheels(name), wanted(name)) for name in speeds)
 
         self.start("roslaunch", "jetbot_control_node", "many_robots.launch", f"robots:={ROBOTS}",
                    env={**os.environ, "ROS_HOME": str(home)})
@@ -38,6 +45,16 @@ class ManyRobots(RobotTest):
         self.wait_for(lambda: all_drive(lambda name: (speeds[name], speeds[name])), 5.0, "all to drive as they should")
         self.emergency_stop(True)
         self.wait_for(lambda: all_drive(lambda name: STILL), 0.5, "all to stop")
+        os.kill(rosnode_pid("/jetbot_07/jetbot_controller"), signal.SIGKILL)
+        self.emergency_stop(False)
+        others = speeds.keys() - {"jetbot_07"}
+        self.wait_for(lambda: all(near(wheels(name), (speeds[name], speeds[name])) for name in others), 5.0,
+                      "all others to drive on")
+
+
+def rosnode_pid(node):
+    """The process id of a node."""
+    return ServerProxy(rosgraph.Master("/test").lookupNode(node)).getPid("/test")[2]
 
 
 if __name__ == "__main__":

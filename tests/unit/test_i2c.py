@@ -52,3 +52,8 @@ def test_a_lasting_failure_is_told(folder):
         device.read(0)
     assert str(error.value) == (f"No answer from 0x60 on fake:{folder}. "
                                 f"To plug it in: python3 -m jetbot.fake_i2c {folder}")
+
+
+def test_a_fake_bus_that_cannot_be_written():
+    assert str(explain(OSError(errno.EROFS, "Read-only file system"), "fake:/ro", 0x60)) == (
+        "The fake bus fake:/ro cannot be used: Read-only file system. Name another folder: fake:FOLDER")

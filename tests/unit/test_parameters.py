@@ -52,7 +52,7 @@ def test_bad_values(name, value, must):
 def test_launch_arguments_are_the_parameters():
     launch = ET.parse(SOURCE / "launch/jetbot_controller.launch").getroot()
     args = {arg.get("name"): arg.get("default") for arg in launch.findall("arg")}
-    assert (args.pop("config"), args.pop("robot_name")) == ("", "")
+    assert [args.pop(name) for name in ("config", "robot_name", "required")] == ["", "", "true"]
     assert args == SHOWN_DEFAULTS
     assert all(arg.get("doc") for arg in launch.findall("arg"))
 

@@ -26,7 +26,8 @@ def install(tmp_path):
         (tmp_path / name).chmod(0o755)
 
     def run(system, version, unknown="nothing"):
-        (tmp_path / "os-release").write_text(f'ID={system}\nVERSION_ID="{version}"\nPRETTY_NAME="{system} {version}"\n')
+        names = f'VERSION_ID="{version}"\nPRETTY_NAME="{system} {version}"\n' if version else ""
+        (tmp_path / "os-release").write_text(f"ID={system}\n{names}")
         log = tmp_path / "log"
         log.touch()
         environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "LOG": str(log), "UNKNOWN": unknown,
@@ -60,6 +61,7 @@ def test_noetic(install):
 @pytest.mark.parametrize("system, unknown, sentence", [
     (("ubuntu", "20.04"), "ros-noetic-", "morbot: finds no ROS Noetic. Add its source first: http://wiki.ros.org/noetic/"),
     (("ubuntu", "22.04"), "python3-rospy", "morbot: does not find all of these packages. On Ubuntu, try: sudo "),
+    (("arch", None), "nothing", "morbot: does not know how to set up this system. By their Debian names, it needs: "),
     (("fedora", "41"), "nothing", "morbot: does not know how to set up fedora 41. By their Debian names, it needs: ")])
 def test_what_cannot_be_set_up_is_told_and_nothing_is_installed(install, system, unknown, sentence):
     code, printed, commands = install(*system, unknown)

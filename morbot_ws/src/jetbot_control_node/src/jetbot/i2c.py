@@ -93,6 +93,9 @@ def explain(error, bus, address):
         errno.ETIMEDOUT: (f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires."),
     }.get(error.errno, (f"no answer from 0x{address:02x} on {bus}",
                         f"Is the motor board plugged in and its battery on? {which_buses()}"))
+    if bus.startswith("fake:") and error.errno in (errno.EROFS, errno.EACCES, errno.ENOTDIR, errno.ENOSPC):
+        return BusError(f"the fake bus {bus} cannot be used: {error.strerror}", "Name another folder: fake:FOLDER",
+                        error.errno)
     if bus.startswith("fake:"):
         advice = f"To plug it in: python3 -m jetbot.fake_i2c {bus[len('fake:'):]}"
     return BusError(reason, advice, error.errno)
