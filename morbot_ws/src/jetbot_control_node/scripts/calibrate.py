@@ -85,8 +85,8 @@ def bus_argument(text):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--board", choices=BOARDS, default=os.environ.get("JETBOT_BOARD"),
-                        help="where it is known; otherwise it is found out")
+    parser.add_argument("--board", default=os.environ.get("JETBOT_BOARD") or None,
+                        help=f"one of {', '.join(BOARDS)}, where it is known; otherwise it is found out")
     parser.add_argument("--i2c-bus", default=os.environ.get("JETBOT_I2C_BUS") or str(robot_bus(model()) or 1),
                         help="N, fake, or fake:FOLDER")
     parser.add_argument("--port", default=os.environ.get("JETBOT_PORT") or PORT, help="of a JetBot Pro")
@@ -94,6 +94,8 @@ def main():
     options = parser.parse_args(as_options(sys.argv[1:]))
     if not sys.stdin.isatty():
         raise JetbotError("calibrate.py asks questions and needs a terminal")
+    if options.board not in (None, *BOARDS):
+        raise JetbotError(f"there is no board {options.board!r}", f"Choose one of: {', '.join(BOARDS)}.")
     check_output(options.output)
     bus = bus_argument(options.i2c_bus)
     boards = [options.board] if options.board else boards_there(bus, options.port)

@@ -174,11 +174,11 @@ def check_serial(port):
     """Whether a JetBot Pro reports on the serial port."""
     try:
         link = SerialLink(port)
-        reports = listen(link)
+        reporting = listen(link)
         link.close()
     except JetbotError as error:
         return Check(port, False, error.reason, error.advice)
-    if reports:
+    if reporting:
         return Check(port, True, "a JetBot Pro reports", command=f"{LAUNCH} board:=jetbot_pro port:={port}")
     return Check(port, False, "opens, but no JetBot Pro reports", "Is it this port, and is the robot switched on?")
 
