@@ -1,6 +1,6 @@
 """The motor boards of the JetBot. A board is a row of BOARDS.
 
-What drives a board has five methods, of which all but ``close`` may raise BusError:
+What drives a board has four methods, of which all but ``close`` may raise BusError:
 
     start()                     set the board up with both wheels off
     drive(left, right)          turn the wheels at these speeds, in [-1, 1]; after a BusError, start anew first
@@ -8,7 +8,9 @@ What drives a board has five methods, of which all but ``close`` may raise BusEr
                                 second; idle: whether no command went out just now
     close()                     let go of the board; the wheels go on as they are
 
-and ``device``: its link, with ``name``, ``transfers`` and ``errors``.
+and ``device``: its link, with ``name``, ``transfers`` and ``errors``. A board that measures how it moves also has
+
+    listen(callback)            call back with each jetbot_pro.Telemetry, from a thread of its own
 """
 
 from functools import partial
