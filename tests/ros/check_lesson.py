@@ -14,6 +14,7 @@ from lessons.graph import publishes
 from lessons.table import first_missing
 from lessons.wheels import wheels_turn
 
+RELEASE = "; release that with rostopic pub -1 /emergency_stop std_msgs/Bool false"
 CHECK = ("rosrun", "workshop", "check_lesson.py")
 
 
@@ -57,9 +58,9 @@ class CheckLesson(RobotTest):
         self.listening()
         self.emergency_stop(True)
         self.finds(3, "The wheels do not obey: at x 0.3 they turn at 0.00 and 0.00, "
-                      "and the controller says 'stopped: emergency stop'")
+                      "and the controller says 'stopped: emergency stop'" + RELEASE)
         self.assertEqual(wheels_turn(), "The wheels do not obey: they stand, "
-                                        "and the controller says 'stopped: emergency stop'")
+                                        "and the controller says 'stopped: emergency stop'" + RELEASE)
         self.emergency_stop(False)
 
     def test_wheels_turn_the_wrong_way(self):

@@ -193,7 +193,8 @@ def test_somebody_else_publishes(running):
 
 
 def test_another_topic(mine, running):
-    assert graph.publishes("mine", "/cmd_vel") == "/mine publishes on /speed, not on /cmd_vel"
+    assert graph.publishes("mine", "/cmd_vel") == (
+        "/mine publishes on /speed, not on /cmd_vel: name that in rospy.Publisher")
 
 
 def test_node_does_not_run(mine, running):

@@ -36,7 +36,7 @@ def publishes_at(package, rate):
     nodes = publishers(package, TOPIC)
     times = [when for when, node in heard(LISTEN) if node in nodes]
     if len(times) < 2:
-        return f"No geometry_msgs/Twist comes from {package} on {TOPIC}: does it publish again and again?"
+        return f"{package} does not publish {rate} times a second: publish in a loop, with rospy.Rate({rate})"
     measured = (len(times) - 1) / (times[-1] - times[0])
     if abs(measured - rate) <= TOLERANCE * rate:
         return None

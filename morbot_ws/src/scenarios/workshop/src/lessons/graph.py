@@ -86,7 +86,7 @@ def publishes(package, topic):
     if not mine:
         return f"No node of {package} runs: start it in another terminal with rosrun {package}, or by its launch file"
     others = sorted(name for name, nodes in graph.publishers.items() if mine[0] in nodes and name != "/rosout")
-    return f"{mine[0]} publishes on {' and '.join(others) or 'no topic'}, not on {topic}"
+    return f"{mine[0]} publishes on {' and '.join(others) or 'no topic'}, not on {topic}: name that in rospy.Publisher"
 
 
 def publishers(package, topic):

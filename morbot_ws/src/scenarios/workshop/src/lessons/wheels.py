@@ -100,7 +100,10 @@ def status():
 
 
 def not_obeyed(how):
-    return f"The wheels do not obey: {how}, and the controller says {status()!r}"
+    """The sentence about wheels that do not obey; how: what they do."""
+    said = status()
+    release = "; release that with rostopic pub -1 /emergency_stop std_msgs/Bool false"
+    return f"The wheels do not obey: {how}, and the controller says {said!r}{release if 'emergency' in said else ''}"
 
 
 def told(speeds):
