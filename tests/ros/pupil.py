@@ -5,12 +5,12 @@ import os
 import re
 import shutil
 import signal
-import socket
 import time
 from pathlib import Path
 
 import pexpect
 from lesson_pages import FAILS, FILE, INTERNET, LEAVE, PRESS, RUN, SEE, boxes, pattern
+from ports import free_port
 
 ROOT = Path(__file__).parents[2]
 LEFT_OUT = ("build", "devel", "install", ".git", "__pycache__", "teleop_twist_keyboard", "my_scenario")
@@ -187,12 +187,6 @@ class Pupil:
 
 DO = {RUN: Pupil._run, FAILS: Pupil._run_in_vain, INTERNET: Pupil._run_with_internet, LEAVE: Pupil._leave_running,
       PRESS: Pupil._press, SEE: Pupil._see, FILE: Pupil._write}
-
-
-def free_port():
-    with socket.socket() as free:
-        free.bind(("localhost", 0))
-        return free.getsockname()[1]
 
 
 def processes_of(home):

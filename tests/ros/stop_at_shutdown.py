@@ -3,9 +3,9 @@
 
 import os
 import signal
-import socket
 
 import rosgraph
+from ports import free_port
 
 from harness import CONTROLLER, START, RobotTest, main
 
@@ -43,12 +43,6 @@ class StopAtShutdown(RobotTest):
         os.killpg(master.pid, signal.SIGSTOP)
         node.send_signal(signal.SIGTERM)
         self.wait_for_stop(within=0.7)
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ from jetbot import JetbotError
 from jetbot.boards import BOARDS, PORT
 from jetbot.calibration import as_yaml
 from jetbot.computer import model, robot_bus
-from jetbot.doctor import check_address, check_device, check_serial
+from jetbot.doctor import LAUNCH, check_address, check_device, check_serial
 from jetbot.i2c import bus_name
 from jetbot.parameters import default_file
 from jetbot.terminal import as_options, pause
@@ -72,7 +72,7 @@ def write(file, text):
         print("The controller uses it from now on.")
     else:
         argument = shlex.quote(f"config:={file.absolute()}")
-        print(f"To use it: roslaunch jetbot_control_node jetbot_controller.launch {argument}")
+        print(f"To use it: {LAUNCH} {argument}")
 
 
 def bus_argument(text):

@@ -110,8 +110,9 @@ def launch_file_includes_controller(package):
 
 def includes_controller(file):
     """Whether the launch file includes the controller's, and passes its arguments on."""
-    if not_xml(file):
-        return not_xml(file)
+    broken = not_xml(file)
+    if broken:
+        return broken
     wanted = {"file": CONTROLLER_LAUNCH, "pass_all_args": "true"}
     if any(wanted.items() <= include.attrib.items() for include in ET.parse(file).iter("include")):
         return None
