@@ -36,7 +36,8 @@ class CheckLesson(RobotTest):
         return controller
 
     def test_from_the_files_to_wheels_that_obey(self):
-        self.says([], "Which lesson, 1 to 8? Type: rosrun workshop check_lesson.py N")
+        self.says([], "Which lesson, 1 to 8? Type: rosrun workshop check_lesson.py N, "
+                      "and from lesson 7 on the name of your package")
         self.says(["1"], "Lesson 1: done.", exit_code=0)
         start = "start it in another terminal with rosrun jetbot_control_node jetbot_controller.py _i2c_bus:=fake"
         self.finds(2, f"There is no node /jetbot_controller: {start}")
@@ -88,7 +89,7 @@ class CheckLesson(RobotTest):
 
     def test_another_rate(self):
         self.start("rosrun", "workshop", "jetbot_motion_control.py", "_rate:=5")
-        self.wait_for(lambda: publishes("workshop", "/cmd_vel") is None, START, "the motion node")
+        self.wait_for(lambda: publishes("workshop", "/cmd_vel", "") is None, START, "the motion node")
         self.assertRegex(publishes_at("workshop", 10), r"^/jetbot_motion_control publishes [45]\.\d times a second, "
                                                        r"not 10: use rospy\.Rate\(10\)$")
 

@@ -16,9 +16,8 @@ import rostest
 from geometry_msgs.msg import Twist
 from std_msgs.msg import Bool, String
 
-from jetbot.fake_motors import wheel_speeds
+from jetbot.fake_motors import STILL, wheel_speeds
 
-STILL = (0.0, 0.0)
 CONTROLLER = ("rosrun", "jetbot_control_node", "jetbot_controller.py")
 START = 15.0  # seconds that a process may take until it works; generous, for slow machines
 END = 45.0    # seconds that it may take to end: roslaunch ends its nodes one after the other

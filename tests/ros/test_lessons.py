@@ -2,9 +2,12 @@
 
 import re
 import runpy
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
+from catkin_pkg.package import InvalidPackage
 
 from lessons import files, graph
 
@@ -26,7 +29,8 @@ def lesson():
 
 @pytest.mark.parametrize("arguments", [[], ["0"], ["9"], ["one"], ["-1"], ["\u00b2"], ["1", "mine", "yours"]])
 def test_no_such_lesson(lesson, arguments):
-    with pytest.raises(SystemExit, match=r"^Which lesson, 1 to 8\? Type: rosrun workshop check_lesson\.py N$"):
+    with pytest.raises(SystemExit, match=r"^Which lesson, 1 to 8\? Type: rosrun workshop check_lesson\.py N, and "
+                                         "from lesson 7 on the name of your package$"):
         lesson(arguments)
 
 
@@ -45,10 +49,10 @@ def test_lesson_and_package(lesson):
 @pytest.fixture
 def mine(tmp_path, monkeypatch):
     """The folder of a package with nothing missing."""
-    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path))
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "src"))
     monkeypatch.setenv("CMAKE_PREFIX_PATH", str(tmp_path / "devel"))
     (tmp_path / "devel/share/mine/cmake").mkdir(parents=True)
-    folder = tmp_path / "mine"
+    folder = tmp_path / "src/mine"
     for name in ("scripts", "launch"):
         (folder / name).mkdir(parents=True)
     (folder / "package.xml").write_text(PACKAGE_XML)
@@ -70,8 +74,34 @@ def test_no_package(mine):
     assert files.found("yours", "make it") == f"There is no package yours in {mine.parent}: make it"
 
 
+@pytest.mark.parametrize("given", ["Mine", "scenarios/mine", "/mine/"])
+def test_another_name(mine, given):
+    assert files.found(given, "make it") == f"There is no package {given}, but there is mine: type that name"
+
+
+@pytest.mark.parametrize("place", ["..", "other"])
+def test_package_where_ros_does_not_look(mine, place):
+    source = mine.parent
+    (source / "other").mkdir()
+    (source / "other/package.xml").write_text(PACKAGE_XML.replace("mine", "other"))
+    elsewhere = (source / place / "mine").resolve()
+    mine.rename(elsewhere)
+    assert files.found("mine", "make it") == f"{elsewhere} lies where ROS does not look: mv {elsewhere} {source}"
+
+
+def test_package_without_its_description(mine):
+    (mine / "package.xml").unlink()
+    assert files.found("mine", "make it") == f"{mine} has no package.xml: make it"
+
+
+def test_package_described_as_another(mine):
+    (mine / "package.xml").write_text(PACKAGE_XML.replace("mine", "yours"))
+    assert files.found("mine", "make it") == (
+        f"{mine}/package.xml names another package: write <name>mine</name> there")
+
+
 def test_not_built(mine):
-    (mine.parent / "devel").rename(mine.parent / "elsewhere")
+    (mine.parents[1] / "devel").rename(mine.parents[1] / "elsewhere")
     assert files.built("mine") == "mine is not built: ./morbot setup"
 
 
@@ -80,20 +110,22 @@ def test_dependency_is_not_named(mine):
         f"{mine}/package.xml does not name jetbot_control_node: add <exec_depend>jetbot_control_node</exec_depend>")
 
 
-@pytest.mark.parametrize("text", ["<package", "", "hello"])
+@pytest.mark.parametrize("text", ["<package", "", "hello", "<launch/>"])
 def test_package_xml_is_not_xml(mine, text):
     (mine / "package.xml").write_text(text)
-    assert re.fullmatch(rf"{mine}/package.xml is not XML: [^\n]+", files.found("mine", "make it"))
+    with pytest.raises(InvalidPackage, match=rf"^Error.* '{mine}/package.xml': The manifest [^\n]+$"):
+        files.found("mine", "make it")
 
 
 def test_package_xml_says_too_little(mine):
     (mine / "package.xml").write_text("<package><name>mine</name></package>")
-    assert re.fullmatch(rf"{mine}/package.xml cannot be read: [^\n]+", files.depends("mine", "rospy"))
+    assert re.fullmatch(rf"Error.* '{mine}/package.xml': [^\n]+", files.depends("mine", "rospy"))
 
 
 def test_no_script(mine):
     (mine / "scripts/drive.py").unlink()
-    assert files.scripts_start("mine") == f"mine has no script: put one into {mine}/scripts"
+    assert files.scripts_start("mine") == (
+        f"mine has no script: put one into {mine}/scripts, with a name that ends in .py")
 
 
 @pytest.mark.parametrize("text, sentence", [
@@ -111,10 +143,17 @@ def test_script_that_does_not_start(mine, text, sentence):
 
 
 @pytest.mark.parametrize("line, where", [
-    ("while True", ", line 3"), ("if 1:\nprint()", ", line 4"), ("\0", r"(, line \d)?")])
+    ("while True", "line 3 of "), ("if 1:\nprint()", "line 4 of "), ("\0", r"(line \d of )?")])
 def test_script_that_python_cannot_read(mine, line, where):
     (mine / "scripts/drive.py").write_text(f"{SCRIPT}{line}\n")
-    assert re.fullmatch(rf"drive\.py is no Python that can be read{where}: [^\n]+", files.scripts_start("mine"))
+    assert re.fullmatch(rf"Python cannot read {where}drive\.py: [^\n]+", files.scripts_start("mine"))
+
+
+def test_script_that_cannot_be_read(mine):
+    script = mine / "scripts/drive.py"
+    script.unlink()
+    script.symlink_to("nowhere")
+    assert files.scripts_start("mine") == f"{script} cannot be read: No such file or directory"
 
 
 def test_script_is_not_executable(mine):
@@ -155,7 +194,7 @@ def running(monkeypatch):
                       {"/cmd_vel": ["/robot"]}, {"/cmd_vel": "geometry_msgs/Twist"})
     monkeypatch.setattr(graph, "look", lambda: now)
     monkeypatch.setattr(graph, "pid", lambda node: None if node == "/other" else 1)
-    monkeypatch.setattr(graph, "command_of", lambda node: ["python3", f"/devel/lib{node}/drive.py"])
+    monkeypatch.setattr(graph, "command_of", lambda node: [Path(f"/devel/lib{node}/drive.py")])
     return monkeypatch
 
 
@@ -164,7 +203,7 @@ def test_nothing_is_missing_in_the_graph(mine, running):
     assert graph.listens("/robot", "/cmd_vel") is None
     assert graph.has_type("/cmd_vel", "geometry_msgs/Twist") is None
     assert graph.nobody_publishes("/nothing") is None
-    assert graph.publishes("mine", "/speed") is None
+    assert graph.publishes("mine", "/speed", "rosrun it") is None
 
 
 def test_no_node(running):
@@ -193,14 +232,14 @@ def test_somebody_else_publishes(running):
 
 
 def test_another_topic(mine, running):
-    assert graph.publishes("mine", "/cmd_vel") == (
+    assert graph.publishes("mine", "/cmd_vel", "rosrun it") == (
         "/mine publishes on /speed, not on /cmd_vel: name that in rospy.Publisher")
 
 
 def test_node_does_not_run(mine, running):
     running.setattr(graph, "command_of", lambda node: [])
-    assert graph.publishes("mine", "/cmd_vel") == (
-        "No node of mine runs: start it in another terminal with rosrun mine, or by its launch file")
+    assert graph.publishes("mine", "/cmd_vel", "rosrun it") == (
+        "No node of mine runs, and /other does not answer: start it in another terminal with rosrun it")
 
 
 def test_launch_file_starts_one_of_two(running):
@@ -210,8 +249,22 @@ def test_launch_file_starts_one_of_two(running):
         "No launch file runs robot and other: end what rosrun started, and start it with roslaunch")
 
 
-@pytest.mark.parametrize("command, whose", [
+@pytest.mark.parametrize("path, whose", [
     ("/ws/devel/lib/mine/drive.py", True), ("{}/scripts/drive.py", True),
     ("/home/mine/ws/devel/lib/yours/drive.py", False), ("/ws/yours/scripts/drive.py", False)])
-def test_whose_script_it_is(mine, command, whose):
-    assert graph.belongs(["python3", command.format(mine)], "mine") is whose
+def test_whose_script_it_is(mine, path, whose):
+    assert graph.belongs([Path("/usr/bin/python3"), Path(path.format(mine))], "mine") is whose
+
+
+@pytest.mark.parametrize("command, folder", [
+    ("drive.py", "scripts"), ("./drive.py", "scripts"), ("../mine/scripts/drive.py", "."),
+    ("{}/scripts/drive.py", "/")])
+def test_where_a_script_was_started(mine, monkeypatch, command, folder):
+    (mine / "scripts/drive.py").write_text("import time\ntime.sleep(60)")
+    process = subprocess.Popen([sys.executable, command.format(mine)], cwd=mine / folder)
+    try:
+        monkeypatch.setattr(graph, "pid", lambda node: process.pid)
+        assert graph.belongs(graph.command_of("/mine"), "mine")
+    finally:
+        process.kill()
+        process.wait()

@@ -16,6 +16,8 @@ MOTORS = {
 MOTORS["jetbot"] = MOTORS["adafruit"]  # that driver serves both boards; this robot has the one
 WIRED = (*MOTORS, "sparkfun")          # every board that a robot on the fake bus can have
 
+STILL = (0.0, 0.0)  # speeds (left, right) of wheels that stand
+
 
 def motor_speed(registers, pwm, forward, backward):
     """Speed in [-1, 1] of a motor behind an H bridge; with both inputs high, or both low, it stands."""
@@ -31,7 +33,7 @@ def wheel_speeds(folder, board="adafruit"):
     try:
         registers, written = chip.read_bytes(), chip.stat().st_mtime
     except FileNotFoundError:
-        return 0.0, 0.0
+        return STILL
     if board == "sparkfun":
         return tuple(SCMD.speed(registers, motor, time.time() - written) for motor in (0, 1))
     return tuple(motor_speed(registers, *motor) for motor in MOTORS[board])

@@ -9,11 +9,12 @@ try:
     from catkin_pkg.package import InvalidPackage
 
     from jetbot import JetbotError
-    from lessons.table import LAST, first_missing, needs_package
+    from lessons.table import FIRST_OWN, LAST, first_missing
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun workshop check_lesson.py N there.")
 
-USAGE = f"Which lesson, 1 to {LAST}? Type: rosrun workshop check_lesson.py N"
+USAGE = (f"Which lesson, 1 to {LAST}? Type: rosrun workshop check_lesson.py N, "
+         f"and from lesson {FIRST_OWN} on the name of your package")
 
 
 def lesson(given):
@@ -21,14 +22,26 @@ def lesson(given):
     number, *names = given or [""]
     if not (number.isdecimal() and 1 <= int(number) <= LAST and len(names) <= 1):
         sys.exit(USAGE)
-    if needs_package(int(number)) and not names:
+    if int(number) >= FIRST_OWN and not names:
         sys.exit(f"Lesson {number} is about your own package. Type: rosrun workshop check_lesson.py {number} ITS_NAME")
     return int(number), *names
 
 
+def found_out(number, *own):
+    """The sentence of what is missing, or of what hindered the look; None when all is there."""
+    try:
+        return first_missing(number, *own)
+    except EOFError:
+        return "this one asks what you see: type it in a terminal."
+    except InvalidPackage as error:
+        return str(error)
+    except (JetbotError, OSError, rosgraph.MasterException, rospy.ROSException) as error:
+        return f"the look ended with {error}. Try again."
+
+
 def main():
     number, *own = lesson(rospy.myargv()[1:])
-    sentence = first_missing(number, *own)
+    sentence = found_out(number, *own)
     if sentence:
         sys.exit(f"Lesson {number}: {sentence}")
     print(f"Lesson {number}: done.")
@@ -39,9 +52,4 @@ if __name__ == "__main__":
         main()
     except KeyboardInterrupt:
         sys.exit("Ended.")
-    except EOFError:
-        sys.exit("This lesson asks what you see: type it in a terminal.")
-    except InvalidPackage as error:
-        sys.exit(str(error))
-    except (JetbotError, OSError, rosgraph.MasterException, rospy.ROSException) as error:
-        sys.exit(f"Something went wrong while it looked: {error}")
+

@@ -5,7 +5,7 @@ import time
 import rospy
 from geometry_msgs.msg import Twist
 
-from .graph import publishers
+from .graph import own_publishers
 
 TOPIC = "/cmd_vel"
 LISTEN = 1.5       # seconds in which the rate is measured
@@ -14,7 +14,7 @@ CONNECT = 2.0      # seconds to connect to who publishes
 KEY_WAIT = 20.0    # seconds for somebody to press a key
 
 
-def join():
+def become_node():
     """Become a node, if this process is none yet."""
     if not rospy.core.is_initialized():
         rospy.init_node("check_lesson", anonymous=True, disable_signals=True)
@@ -32,8 +32,8 @@ def soon(condition, within):
 
 def publishes_at(package, rate):
     """Whether the package's node publishes ``rate`` commands a second."""
-    join()
-    nodes = publishers(package, TOPIC)
+    become_node()
+    nodes = own_publishers(package, TOPIC)
     times = [when for when, node in heard(LISTEN) if node in nodes]
     if len(times) < 2:
         return f"{package} does not publish {rate} times a second: publish in a loop, with rospy.Rate({rate})"
@@ -55,7 +55,7 @@ def heard(seconds):
 
 def key_pressed(node):
     """Whether the keyboard's node sends a command ahead, now that its user is asked to."""
-    join()
+    become_node()
     pressed = []
     subscriber = rospy.Subscriber(TOPIC, Twist, lambda twist: pressed.append(
         twist.linear.x > 0 and twist._connection_header["callerid"] == node))

@@ -16,8 +16,8 @@ def folder(package):
     """The package's source folder; ResourceNotFound where there is none, InvalidPackage where any cannot be read."""
     try:
         return Path(RosPack().get_path(package))
-    except ET.ParseError:
-        raise InvalidPackage("; ".join(filter(None, map(not_xml, workspace().rglob("package.xml"))))) from None
+    except (ET.ParseError, AttributeError):  # rospkg's, of a package.xml that is no XML or names no package
+        raise InvalidPackage(next(filter(None, map(unreadable, sorted(workspace().rglob("package.xml")))))) from None
 
 
 def workspace():
@@ -25,12 +25,12 @@ def workspace():
     return Path(os.environ.get("ROS_PACKAGE_PATH", "").split(":")[0])
 
 
-def not_xml(file):
-    """Whether the file is XML; the sentence where it is not."""
+def unreadable(package_xml):
+    """Whether the file describes a package."""
     try:
-        ET.parse(file)
-    except ET.ParseError as error:
-        return f"{file} is not XML: {error}"
+        parse_package(str(package_xml))
+    except InvalidPackage as error:
+        return " ".join(str(error).split())  # several lines, which name the file
     return None
 
 
@@ -39,10 +39,24 @@ def found(package, source):
     try:
         folder(package)
     except ResourceNotFound:
-        return f"There is no package {package} in {workspace()}: {source}"
-    except InvalidPackage as error:
-        return str(error)
+        return not_found(package, source)
     return None
+
+
+def not_found(package, source):
+    """The sentence about a package that ROS does not find."""
+    name = Path(package).name
+    alike = [known for known in RosPack().list() if known.lower() == name.lower()]
+    if alike:
+        return f"There is no package {package}, but there is {alike[0]}: type that name"
+    outside = [parent / name for parent in workspace().parents if (parent / name / "package.xml").exists()]
+    for place in [*filter(Path.is_dir, workspace().rglob(name)), *outside]:
+        if place in outside or any((parent / "package.xml").exists() for parent in place.parents):
+            return f"{place} lies where ROS does not look: mv {place} {workspace()}"
+        if not (place / "package.xml").exists():
+            return f"{place} has no package.xml: {source}"
+        return f"{place / 'package.xml'} names another package: write <name>{name}</name> there"
+    return f"There is no package {package} in {workspace()}: {source}"
 
 
 def built(package):
@@ -56,26 +70,28 @@ def built(package):
 def depends(package, *names):
     """Whether package.xml names these packages as dependencies."""
     file = folder(package) / "package.xml"
-    try:
-        given = parse_package(str(file))
-    except InvalidPackage as error:
-        return f"{file} cannot be read: {' '.join(str(error).split())}"
-    known = {dependency.name for dependency in given.exec_depends}
+    if unreadable(file):
+        return unreadable(file)
+    known = {dependency.name for dependency in parse_package(str(file)).exec_depends}
     return next((f"{file} does not name {name}: add <exec_depend>{name}</exec_depend>"
                  for name in names if name not in known), None)
 
 
 def scripts_start(package):
     """Whether the package has scripts, and all of them can be started."""
-    there = sorted(folder(package).glob("scripts/*.py"))
+    scripts = folder(package) / "scripts"
+    there = sorted(scripts.glob("*.py"))
     if not there:
-        return f"{package} has no script: put one into {folder(package) / 'scripts'}"
+        return f"{package} has no script: put one into {scripts}, with a name that ends in .py"
     return next(filter(None, map(script_starts, there)), None)
 
 
 def script_starts(path):
     """Whether the system can start the script."""
-    first = path.read_bytes().partition(b"\n")[0].decode(errors="replace")
+    try:
+        first = path.read_bytes().partition(b"\n")[0].decode(errors="replace")
+    except OSError as error:
+        return f"{path} cannot be read: {error.strerror}"
     program = first[len("#!"):].rstrip("\r").split(" ")[-1]
     if not first.startswith("#!"):
         return f"{path.name} does not begin with #!/usr/bin/env python3: make that the first line of {path}"
@@ -93,9 +109,9 @@ def python_reads(path):
     try:
         ast.parse(path.read_bytes())
     except SyntaxError as error:
-        return f"{path.name} is no Python that can be read, line {error.lineno}: {error.msg}"
+        return f"Python cannot read line {error.lineno} of {path.name}: {error.msg}"
     except ValueError as error:
-        return f"{path.name} is no Python that can be read: {error}"
+        return f"Python cannot read {path.name}: {error}"
     return None
 
 
@@ -110,11 +126,12 @@ def launch_file_includes_controller(package):
 
 def includes_controller(file):
     """Whether the launch file includes the controller's, and passes its arguments on."""
-    broken = not_xml(file)
-    if broken:
-        return broken
+    try:
+        includes = ET.parse(file).iter("include")
+    except ET.ParseError as error:
+        return f"{file} is not XML: {error}"
     wanted = {"file": CONTROLLER_LAUNCH, "pass_all_args": "true"}
-    if any(wanted.items() <= include.attrib.items() for include in ET.parse(file).iter("include")):
+    if any(wanted.items() <= include.attrib.items() for include in includes):
         return None
     return (f"{file} does not include the controller and pass its arguments on: "
             f'add <include file="{CONTROLLER_LAUNCH}" pass_all_args="true"/>')

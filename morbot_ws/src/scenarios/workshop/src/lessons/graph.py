@@ -1,9 +1,10 @@
 """Checks of the running system: what the ROS master, its nodes and roslaunch say of themselves."""
 
 import contextlib
+from http.client import HTTPException
 from pathlib import Path
 from typing import NamedTuple
-from xmlrpc.client import Fault, ServerProxy, Transport
+from xmlrpc.client import Error, Fault, ServerProxy, Transport
 
 import rosgraph
 
@@ -11,6 +12,7 @@ from .files import folder
 
 CALLER = "/check_lesson"
 PATIENCE = 2.0  # seconds for a node to answer
+NO_ANSWER = (OSError, HTTPException, Error)  # what comes of a node that hangs or is gone
 
 
 class ImpatientTransport(Transport):
@@ -23,11 +25,11 @@ class ImpatientTransport(Transport):
 
 
 class Graph(NamedTuple):
-    """What the master knows: topic: names of nodes, twice, and topic: type."""
+    """What the master knows of the topics."""
 
-    publishers: dict
-    subscribers: dict
-    types: dict
+    publishers: dict   # topic: names of nodes
+    subscribers: dict  # topic: names of nodes
+    types: dict        # topic: type of its messages
 
     @property
     def nodes(self):
@@ -42,11 +44,11 @@ def look():
     return Graph(dict(publishers), dict(subscribers), dict(master.getTopicTypes()))
 
 
-def master_up():
-    """Whether there is a master."""
+def master_up(start):
+    """Whether there is a master; start: the command that starts one."""
     if rosgraph.is_master_online():
         return None
-    return f"No ROS master at {rosgraph.get_master_uri()}: start one in another terminal with roscore"
+    return f"No ROS master at {rosgraph.get_master_uri()}: start one in another terminal with {start}"
 
 
 def node_up(name, start):
@@ -77,19 +79,20 @@ def nobody_publishes(topic):
     return nodes and f"{nodes[0]} publishes on {topic}: end it with Ctrl-C in its terminal, then try again"
 
 
-def publishes(package, topic):
-    """Whether a node of the package publishes on the topic."""
-    if publishers(package, topic):
+def publishes(package, topic, start):
+    """Whether a node of the package publishes on the topic; start: the command that starts it."""
+    if own_publishers(package, topic):
         return None
     graph = look()
     mine = sorted(node for node in graph.nodes if belongs(command_of(node), package))
     if not mine:
-        return f"No node of {package} runs: start it in another terminal with rosrun {package}, or by its launch file"
+        silent = "".join(f", and {node} does not answer" for node in sorted(graph.nodes) if pid(node) is None)
+        return f"No node of {package} runs{silent}: start it in another terminal with {start}"
     others = sorted(name for name, nodes in graph.publishers.items() if mine[0] in nodes and name != "/rosout")
     return f"{mine[0]} publishes on {' and '.join(others) or 'no topic'}, not on {topic}: name that in rospy.Publisher"
 
 
-def publishers(package, topic):
+def own_publishers(package, topic):
     """The package's nodes that publish on the topic."""
     return [node for node in look().publishers.get(topic, ()) if belongs(command_of(node), package)]
 
@@ -111,7 +114,7 @@ def launched():
 
 def packages_of(uri):
     """The packages of which the roslaunch at this address runs nodes; none when it has ended."""
-    with contextlib.suppress(OSError):
+    with contextlib.suppress(*NO_ANSWER):
         launch = ServerProxy(uri, ImpatientTransport())
         for name, _ in launch.list_processes()[2][0]:
             with contextlib.suppress(Fault):  # of the master itself, which is in no package
@@ -120,19 +123,21 @@ def packages_of(uri):
 
 def pid(node):
     """The node's process id, by its own word; None for one that does not answer."""
-    with contextlib.suppress(OSError, rosgraph.MasterException):
+    with contextlib.suppress(*NO_ANSWER, rosgraph.MasterException):
         return ServerProxy(rosgraph.Master(CALLER).lookupNode(node), ImpatientTransport()).getPid(CALLER)[2]
     return None
 
 
 def command_of(node):
-    """The command line of a node on this computer, as a list."""
+    """The command line of a node on this computer, each word as a path from the folder in which it was started."""
     with contextlib.suppress(OSError):
-        return Path(f"/proc/{pid(node)}/cmdline").read_text().split("\0")
+        process = Path("/proc", str(pid(node)))
+        here = (process / "cwd").resolve()
+        return [(here / word).resolve() for word in (process / "cmdline").read_text().split("\0")]
     return []
 
 
 def belongs(command, package):
-    """Whether a command line starts a script of the package."""
-    paths = [Path(argument) for argument in command]
-    return any(path.parent.name == package or folder(package) in path.parents for path in paths)
+    """Whether a command line starts a script of the package: its source, or what catkin makes of it."""
+    home = folder(package).resolve()
+    return any(path.parent.name == package or home in path.parents for path in command)

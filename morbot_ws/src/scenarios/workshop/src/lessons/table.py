@@ -5,8 +5,10 @@ from .files import built, depends, found, launch_file_includes_controller, scrip
 from .graph import has_type, launched_together, listens, master_up, nobody_publishes, node_up, publishes
 from .wheels import wheels_obey, wheels_turn
 
-OWN = object()  # stands for the pupil's own package
 ROBOT, SCENARIO, KEYBOARD = "jetbot_control_node", "workshop", "teleop_twist_keyboard"
+RUN = f"rosrun {ROBOT} jetbot_controller.py _i2c_bus:=fake"
+LAUNCH = f"roslaunch {ROBOT} jetbot_controller.launch i2c_bus:=fake"
+LAUNCH_SCENARIO = f"roslaunch {SCENARIO} workshop_jetbot_controller.launch i2c_bus:=fake"
 
 
 def package(name, *dependencies):
@@ -19,48 +21,47 @@ def package(name, *dependencies):
     ]
 
 
-def drives(name):
-    """What a scenario that runs does."""
-    return [(publishes, name, "/cmd_vel"), (publishes_at, name, 10), (wheels_turn,)]
+def controller(start, start_master=None):
+    """What a controller that runs does; start: the command that starts it, and the master where no other does."""
+    return [
+        (master_up, start_master or start),
+        (node_up, "/jetbot_controller", start),
+        (listens, "/jetbot_controller", "/cmd_vel"),
+        (has_type, "/cmd_vel", "geometry_msgs/Twist"),
+    ]
 
 
-CONTROLLER = [
-    (master_up,),
-    (node_up, "/jetbot_controller", f"rosrun {ROBOT} jetbot_controller.py _i2c_bus:=fake"),
-    (listens, "/jetbot_controller", "/cmd_vel"),
-    (has_type, "/cmd_vel", "geometry_msgs/Twist"),
-]
-
-TELEOP = [
-    (found, KEYBOARD, "get it with git clone and ./morbot setup, as lesson 4 does"),
-    *CONTROLLER,
-    (node_up, f"/{KEYBOARD}", f"rosrun {KEYBOARD} {KEYBOARD}.py"),
-    (key_pressed, f"/{KEYBOARD}"),
-]
-
-LESSONS = {  # number: checks, each a function and its arguments; the first that finds something missing is told
-    1: package(ROBOT) + package(SCENARIO, ROBOT),
-    2: CONTROLLER,
-    3: [*CONTROLLER, (nobody_publishes, "/cmd_vel"), (wheels_obey,)],
-    4: TELEOP,
-    5: [*CONTROLLER, (launched_together, ROBOT)],
-    6: [*CONTROLLER, (launched_together, ROBOT, SCENARIO), *drives(SCENARIO)],
-    7: [*package(OWN), *CONTROLLER, *drives(OWN)],
-    8: [*package(OWN, ROBOT), (launch_file_includes_controller, OWN), *CONTROLLER, (launched_together, ROBOT, OWN),
-        *drives(OWN)],
-}
-LAST = max(LESSONS)
+def drives(name, start):
+    """What a scenario that runs does; start: the command that starts it."""
+    return [(publishes, name, "/cmd_vel", start), (publishes_at, name, 10), (wheels_turn,)]
 
 
-def needs_package(number):
-    """Whether the lesson is about the pupil's own package."""
-    return any(OWN in arguments for _, *arguments in LESSONS[number])
+def lessons(own):
+    """Number: checks, each a function and its arguments; own: the name of the pupil's package."""
+    run_own = f"rosrun {own}, and the name of your script"
+    launch_own = f"roslaunch {own}, and the name of your launch file"
+    return {
+        1: package(ROBOT) + package(SCENARIO, ROBOT),
+        2: controller(RUN, "roscore"),
+        3: [*controller(RUN, "roscore"), (nobody_publishes, "/cmd_vel"), (wheels_obey,)],
+        4: [(found, KEYBOARD, "get it with git clone and ./morbot setup, as lesson 4 does"),
+            *controller(RUN, "roscore"),
+            (node_up, f"/{KEYBOARD}", f"rosrun {KEYBOARD} {KEYBOARD}.py"), (key_pressed, f"/{KEYBOARD}")],
+        5: [*controller(LAUNCH), (launched_together, ROBOT)],
+        6: [*controller(LAUNCH_SCENARIO), (launched_together, ROBOT, SCENARIO), *drives(SCENARIO, LAUNCH_SCENARIO)],
+        7: [*package(own), *controller(LAUNCH), *drives(own, run_own)],
+        8: [*package(own, ROBOT), (launch_file_includes_controller, own), *controller(launch_own),
+            (launched_together, ROBOT, own), *drives(own, launch_own)],
+    }
+
+
+FIRST_OWN, LAST = 7, 8  # the lessons about the pupil's own package
 
 
 def first_missing(number, own=None):
     """The first sentence of a lesson's checks; None when all is there. own: the name of the pupil's package."""
-    for check, *arguments in LESSONS[number]:
-        sentence = check(*(own if argument is OWN else argument for argument in arguments))
+    for check, *arguments in lessons(own)[number]:
+        sentence = check(*arguments)
         if sentence:
             return sentence
     return None

@@ -8,26 +8,26 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Twist
 from std_msgs.msg import String
 
-from jetbot.fake_motors import wheel_speeds
+from jetbot.fake_motors import STILL, wheel_speeds
 from jetbot.terminal import choose
 
-from .commands import TOPIC, join, soon
+from .commands import TOPIC, become_node, soon
 
 SPEED = 0.3        # m/s, of a command that tries the wheels
 TRY = 1.5          # seconds for the wheels to obey
 SHOW = 1.0         # seconds that a real robot's wheels turn
 NEWS = 5.0         # seconds for the controller to tell of itself
-STILL = (0.0, 0.0)
 
 
 def wheels_obey():
     """Whether the wheels turn at a command and stand at the next; at a real robot, its owner is asked."""
-    join()
+    become_node()
     wheels = fake_wheels()
     return fake_wheels_obey(wheels) if wheels else real_wheels_obey()
 
 
 def fake_wheels_obey(wheels):
+    """Whether the fake bus shows wheels that turn, then stand; wheels: a function that returns their speeds."""
     with Commander() as commander:
         if not commander.drive(SPEED, lambda: min(wheels()) > 0):
             return not_obeyed(f"at x {SPEED} they turn at {told(wheels())}")
@@ -37,6 +37,7 @@ def fake_wheels_obey(wheels):
 
 
 def real_wheels_obey():
+    """Whether the robot's owner says that both wheels turned, then stood."""
     input(f"Put the robot on a box, wheels in the air. They will turn for {SHOW:.0f} s. Enter starts it, Ctrl-C ends. ")
     with Commander() as commander:
         end = time.monotonic() + SHOW
@@ -70,7 +71,7 @@ class Commander:
 
 def wheels_turn():
     """Whether the robot drives as somebody else commands it."""
-    join()
+    become_node()
     wheels = fake_wheels()
     if soon(lambda: status() == "driving" and not (wheels and wheels() == STILL), TRY):
         return None
@@ -107,4 +108,5 @@ def not_obeyed(how):
 
 
 def told(speeds):
+    """Speeds in words."""
     return " and ".join(f"{speed:.2f}" for speed in speeds)
