@@ -1,6 +1,7 @@
 """Fixtures of the unit tests: the packages from their source, on a fake bus that counts what crosses it."""
 
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -29,7 +30,7 @@ class CountedBus(FakeBus):
 @pytest.fixture
 def wire(monkeypatch):
     """What crossed the fake bus since ``wire.bits.clear()``."""
-    monkeypatch.setattr(i2c, "open_bus", lambda name: CountedBus(name[len("fake:"):]))
+    monkeypatch.setattr(i2c, "open_bus", lambda name: CountedBus(i2c.fake_folder(name)))
     CountedBus.bits.clear()
     CountedBus.states.clear()
     return CountedBus
@@ -53,7 +54,17 @@ def make_robot(folder, monkeypatch):
 
     yield make
     for each in robots:
-        each._close_at_exit()
+        each._close_quietly()
+
+
+def eventually(condition, within=5.0):
+    """Whether the condition becomes true in time."""
+    deadline = time.monotonic() + within
+    while not condition():
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.01)
+    return True
 
 
 class NoGuard:

@@ -62,7 +62,7 @@ def test_never_both_directions_at_once_and_few_transfers(folder, wire, name):
         wire.bits.clear()
         wire.states.clear()
         board.drive(*after)
-        assert len(wire.bits) <= 2 and sum(wire.bits) <= 400 or len(wire.bits) <= 3 and sum(wire.bits) <= 160
+        assert (len(wire.bits) <= 2 and sum(wire.bits) <= 400) or (len(wire.bits) <= 3 and sum(wire.bits) <= 160)
         for state in wire.states:
             high = {output for output in range(16) if not state[0x09 + 4 * output] & 0x10}
             assert not any({forward, backward} <= high for forward, backward in ((9, 10), (12, 11), (1, 0), (2, 3)))

@@ -3,13 +3,19 @@
 import os
 import pty
 import struct
+import termios
 import tty
+from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
+import serial
 
+from conftest import eventually
 from jetbot import BusError
 from jetbot.boards import Options, open_board
 from jetbot.jetbot_pro import FrameReader, frame, velocity
+from jetbot.serial_link import SerialLink
 
 POSE = struct.pack(">3h", 1500, -250, 785)
 MOTION = struct.pack(">6h", 16384, 0, -16384, 0, 0, 16384)
@@ -86,7 +92,6 @@ def test_telemetry_in_units(port):
     heard = []
     board.listen(heard.append)
     os.write(end, b"noise" + frame(0x01) + REPORT)  # whole, but too short for a report
-    from test_robot import eventually
     assert eventually(lambda: heard)
     assert (heard[0].x, heard[0].y, heard[0].yaw) == (1.5, -0.25, 0.785)
     assert heard[0].gyro == pytest.approx((17.4533, 0, -17.4533), abs=1e-4)
@@ -106,7 +111,56 @@ def test_a_file_is_no_port(tmp_path):
 
 
 def test_closing_while_it_listens_leaves_the_port_closed(port):
-    board = open_board("jetbot_pro", Options(port=port[1]))
-    board.listen(lambda report: None)
-    board.close()
-    assert board.device._port is None and not board._listener.is_alive()
+    driver = open_board("jetbot_pro", Options(port=port[1]))
+    driver.listen(lambda report: None)
+    assert is_open(port[1])
+    driver.close()
+    assert not is_open(port[1])
+
+
+def test_who_listens_may_close(port):
+    end, name = port
+    driver = open_board("jetbot_pro", Options(port=name))
+    driver.listen(lambda report: driver.close())
+    os.write(end, REPORT)
+    assert eventually(lambda: not is_open(name))
+
+
+def is_open(name):
+    """Whether this process has the device open, beside the test."""
+    return sum(os.path.realpath(descriptor) == name for descriptor in Path("/proc/self/fd").iterdir()) > 1
+
+
+@pytest.mark.parametrize("failure", [termios.error(5, "Input/output error"), OSError(5, "Input/output error")])
+def test_a_port_that_goes_while_it_is_opened(port, monkeypatch, failure):
+    monkeypatch.setattr(termios, "tcflush", Mock(side_effect=failure))
+    with pytest.raises(BusError, match=f"^No answer from {port[1]}. "):
+        SerialLink(port[1]).write(b"x")
+
+
+def test_a_signal_handler_may_write_while_the_port_is_opened(port, monkeypatch):
+    link = SerialLink(port[1])
+    flush = termios.tcflush
+
+    def interrupted(*arguments):
+        monkeypatch.setattr(termios, "tcflush", flush)
+        link.write(b"handler ")
+
+    monkeypatch.setattr(termios, "tcflush", interrupted)
+    link.write(b"program")
+    assert read(port[0], 15) == b"handler program"
+
+
+def test_a_late_failure_leaves_the_new_port_open(port, monkeypatch):
+    link = SerialLink(port[1])
+    link.write(b"x")
+
+    def read_late(port):
+        link.close()
+        link.write(b"y")  # another thread opens the port anew
+        raise OSError
+
+    monkeypatch.setattr(serial.Serial, "read", lambda port, size: read_late(port))
+    with pytest.raises(BusError):
+        link.read()
+    assert is_open(port[1])

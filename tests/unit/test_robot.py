@@ -4,12 +4,12 @@ import signal
 import subprocess
 import sys
 import threading
-import time
 
 import pytest
 
-from conftest import SOURCE
-from jetbot import BusError, InvalidValue, JetbotError
+from conftest import SOURCE, eventually
+from jetbot import BusError, InvalidValue, JetbotError, Robot
+from jetbot.fake_i2c import power_on
 from jetbot.fake_motors import wheel_speeds
 from jetbot.i2c import I2CDevice
 
@@ -62,11 +62,19 @@ def test_min_duty_jumps_the_dead_band(make_robot, folder, speed, duty):
 
 
 @pytest.mark.parametrize("speed", [math.nan, math.inf, -math.inf, "fast", None, 10 ** 400])
-def test_what_is_no_speed_is_refused_and_stops(make_robot, folder, speed):
+@pytest.mark.parametrize("action", ["forward", "backward", "left", "right"])
+def test_what_is_no_speed_is_refused_and_stops(make_robot, folder, action, speed):
     robot = make_robot()
     robot.forward(0.5)
     with pytest.raises(ValueError, match="^A speed must be a finite number, not "):
-        robot.set_motors(0.5, speed)
+        getattr(robot, action)(speed)
+    assert wheel_speeds(folder) == (0, 0)
+
+
+def test_one_wrong_speed_of_two_stops_both(make_robot, folder):
+    robot = make_robot()
+    with pytest.raises(InvalidValue):
+        robot.set_motors(0.5, math.nan)
     assert wheel_speeds(folder) == (0, 0)
 
 
@@ -103,19 +111,57 @@ def test_many_threads(make_robot, folder):
     assert wheel_speeds(folder) == pytest.approx((robot.left_motor.value, robot.right_motor.value), abs=0.0003)
 
 
-def test_a_signal_handler_may_stop_it(make_robot, folder, monkeypatch):
+@pytest.mark.parametrize("handler", [Robot.stop, Robot.close])
+def test_a_signal_handler_may_stop_it(make_robot, folder, monkeypatch, handler):
     robot = make_robot()
     write = I2CDevice.write
 
-    def interrupted(device, register, data):
+    def interrupted(link, register, data):
         monkeypatch.setattr(I2CDevice, "write", write)
-        robot.stop()
-        write(device, register, data)
+        handler(robot)
+        write(link, register, data)
 
     robot.forward(0.3)
     monkeypatch.setattr(I2CDevice, "write", interrupted)
     robot.forward(0.5)
     assert wheel_speeds(folder) == wheel_speeds(folder, "waveshare") == (0, 0)
+
+
+def test_a_signal_handler_may_stop_it_at_any_line(make_robot, folder):
+    robot = make_robot()
+
+    def stop_at(line):
+        """Drive, and stop before this line of Python is run; whether there was such a line."""
+        left = line
+
+        def count(frame, event, argument):
+            nonlocal left
+            left -= 1
+            if left == 0:
+                sys.settrace(None)
+                robot.stop()
+            return count
+
+        sys.settrace(count)
+        try:
+            robot.forward(0.5)
+        finally:
+            sys.settrace(None)
+        return left <= 0
+
+    line = 1
+    while stop_at(line):
+        assert wheel_speeds(folder) in ((0, 0), (0.5, 0.5)), f"stopped at line {line}"
+        robot.stop()
+        line += 1
+    assert line > 20
+
+
+def test_no_guard_watches_over_a_closed_robot(make_robot, monkeypatch):
+    robot = make_robot()
+    monkeypatch.setattr(robot._guard, "heartbeat", lambda: pytest.fail("it would stop the next robot"))
+    robot.close()
+    robot.heartbeat()
 
 
 def test_a_board_that_is_gone_at_close_is_told(make_robot, folder):
@@ -151,7 +197,6 @@ def test_with_stops_at_the_end(make_robot, folder):
 
 
 def test_refresh_brings_a_chip_back_that_lost_its_power(make_robot, folder):
-    from jetbot.fake_i2c import power_on
     robot = make_robot()
     robot.set_motors(0.2, 0.4)
     power_on(folder)
@@ -159,21 +204,12 @@ def test_refresh_brings_a_chip_back_that_lost_its_power(make_robot, folder):
     assert wheel_speeds(folder) == pytest.approx((0.2, 0.4), abs=0.0003)
 
 
-def drive_in_a_process(folder, ending):
+def drive_in_a_process(folder, ending, **options):
     """Start a process that drives full ahead, then runs ``ending``."""
     return subprocess.Popen(
-        [sys.executable, "-c", f"from jetbot import Robot; robot = Robot(); robot.forward(); {ending}"],
-        env={**os.environ, "PYTHONPATH": str(SOURCE / "src"), "JETBOT_I2C_BUS": f"fake:{folder}"})
-
-
-def eventually(condition, within=5.0):
-    """Whether the condition becomes true in time."""
-    deadline = time.monotonic() + within
-    while not condition():
-        if time.monotonic() > deadline:
-            return False
-        time.sleep(0.01)
-    return True
+        [sys.executable, "-c", f"from jetbot import Robot; robot = Robot(); robot.forward()\n{ending}"],
+        env={**os.environ, "PYTHONPATH": str(SOURCE / "src"), "JETBOT_I2C_BUS": f"fake:{folder}", "JETBOT_BOARD": ""},
+        **options)
 
 
 def test_wheels_stop_when_the_interpreter_exits(folder):
@@ -181,7 +217,35 @@ def test_wheels_stop_when_the_interpreter_exits(folder):
     assert wheel_speeds(folder) == (0, 0)
 
 
-def test_a_forked_child_neither_drives_nor_keeps_the_guard_waiting(folder):
+def test_a_program_whose_output_is_read_ends_without_waiting_for_the_guard(folder):
+    process = drive_in_a_process(folder, "import os; os.unlink(f'{robot.driver.link.name[5:]}/0x60')",
+                                 stdout=subprocess.PIPE)
+    process.communicate(timeout=10)
+    power_on(folder)  # so that the guard ends
+
+
+def test_a_forked_child_can_neither_drive_nor_hang(folder):
+    process = drive_in_a_process(folder, """
+import os, threading
+def child():
+    try:
+        robot.backward()
+    except Exception as error:
+        os._exit(42 if "closed" in str(error) else 1)
+    os._exit(2)
+def fork():
+    status.append(os.waitpid(os.fork() or child(), 0)[1])
+status = []
+thread = threading.Thread(target=fork)
+with robot._lock:
+    thread.start()
+    thread.join()
+robot.forward()
+os._exit(os.WEXITSTATUS(status[0]))""")
+    assert process.wait(timeout=10) == 42
+
+
+def test_a_forked_child_does_not_keep_the_guard_waiting(folder):
     process = drive_in_a_process(folder, "import os, time; os.fork() or (time.sleep(3), os._exit(0)); os.abort()")
     process.wait()
     assert eventually(lambda: wheel_speeds(folder) == (0, 0), within=1.5)

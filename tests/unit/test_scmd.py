@@ -2,6 +2,7 @@
 
 import os
 import time
+from unittest.mock import Mock
 
 import pytest
 
@@ -9,6 +10,7 @@ from jetbot import BusError
 from jetbot.boards import Options, open_board
 from jetbot.fake_i2c import FakeBus, power_on
 from jetbot.fake_motors import wheel_speeds
+from jetbot.i2c import I2CDevice
 
 
 @pytest.fixture
@@ -96,8 +98,11 @@ def test_a_chip_that_lost_its_power_comes_back(board, folder):
     assert registers(folder)[0x76] == 100
 
 
-def test_another_chip_at_the_address(folder):
+def test_another_chip_at_the_address(folder, monkeypatch):
     power_on(folder)
     (folder / "0x5d").write_bytes(bytes(256))
+    close = Mock()
+    monkeypatch.setattr(I2CDevice, "close", close)
     with pytest.raises(BusError, match="^At 0x5d on fake:.* is no SparkFun motor driver. Something else answers there"):
         open_board("sparkfun", Options(f"fake:{folder}"))
+    close.assert_called_once()

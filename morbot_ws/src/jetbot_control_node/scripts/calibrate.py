@@ -15,7 +15,7 @@ from jetbot.boards import BOARDS, PORT
 from jetbot.calibration import as_yaml
 from jetbot.computer import model, robot_bus
 from jetbot.doctor import LAUNCH, check_address, check_device, check_serial
-from jetbot.i2c import bus_name
+from jetbot.i2c import bus_name, fake_folder
 from jetbot.parameters import default_file
 from jetbot.terminal import as_options, pause
 from jetbot.wizard import WIZARDS, Wizard
@@ -23,7 +23,8 @@ from jetbot.wizard import WIZARDS, Wizard
 
 def boards_there(bus, port):
     """The boards that may be there; those of one address cannot be told apart before a wheel turns."""
-    checks = {board: check_address(bus, BOARDS[board].address) for board in ("adafruit", "waveshare", "sparkfun")}
+    candidates = [board for board, row in BOARDS.items() if row.address and board != "jetbot"]  # which is two of them
+    checks = {board: check_address(bus, BOARDS[board].address) for board in candidates}
     if not any(check.ok for check in checks.values()):
         checks["jetbot_pro"] = check_serial(port)
     found = [board for board, check in checks.items() if check.ok]
@@ -37,7 +38,8 @@ def calibrate(boards, bus, port):
     """Go through all steps; the parameters that they have settled."""
     pause("Put the robot on a box, so that its wheels turn freely. Enter goes on, Ctrl-C ends at any time.")
     for board in boards:
-        wizard = WIZARDS.get(board, Wizard)(board, **({"i2c_bus": bus} if BOARDS[board].address else {"port": port}))
+        link = {"i2c_bus": bus} if BOARDS[board].address else {"port": port}
+        wizard = WIZARDS.get(board, Wizard)(board, **link)
         print(f"\nTrying the board {board}.")
         if wizard.find_motors():
             break
@@ -78,9 +80,8 @@ def write(file, text):
 def bus_argument(text):
     """The bus, so that it means the same from every folder: a number, or a fake bus's name in full."""
     name = bus_name(text)
-    if name.startswith("fake:"):
-        return f"fake:{Path(name[len('fake:'):]).absolute()}"
-    return int(text)
+    folder = fake_folder(name)
+    return f"fake:{Path(folder).absolute()}" if folder else int(text)
 
 
 def main():

@@ -43,6 +43,7 @@ class Controller:
         self.safety = Safety(cmd_vel_timeout)
         self.robot = robot
         self.fault = None  # the BusError, while the board does not answer
+        self.exit_code = 1  # until the watch has ended well
         self.status = None
         self.news = deque(maxlen=10)
         self.commands = 0
@@ -87,6 +88,7 @@ class Controller:
             with self._lock:
                 self._watching = False
             self._close()
+        self.exit_code = 1 if self.fault else 0
 
     def _is_over(self):
         orphaned = self._launcher is not None and os.getppid() != self._launcher
@@ -98,6 +100,10 @@ class Controller:
             self.fault = None
         except BusError as fault:
             self.fault = fault
+        finally:
+            self._end_node()
+
+    def _end_node(self):
         self._status_topic.publish("stopped: the controller has ended")
         give_up = threading.Timer(FAREWELL, os._exit, [1])  # where the master or the terminal hangs
         give_up.daemon = True
@@ -135,11 +141,11 @@ class Report:
     def __init__(self, controller, parameters):
         self._controller = controller
         self._parameters = parameters
-        self._logged = {None: math.inf}
+        self._logged = {}  # status: when
         self._last = None
         self._counted = (0, time.monotonic())
         self._updater = Updater()
-        self._updater.setHardwareID(controller.robot.board.device.name)
+        self._updater.setHardwareID(controller.robot.driver.link.name)
         self._updater.add("motors", self._diagnose)
 
     def spin(self):
@@ -148,7 +154,8 @@ class Report:
         while not rospy.is_shutdown():
             while self._controller.news:
                 self._log(*self._controller.news.popleft())
-            self._log(self._controller.status, self._controller.fault or self._controller.safety.alarm)
+            if self._controller.status:
+                self._log(self._controller.status, self._controller.fault or self._controller.safety.alarm)
             if time.monotonic() >= due:
                 due = time.monotonic() + DIAGNOSTICS_PERIOD
                 self._updater.force_update()
@@ -156,21 +163,21 @@ class Report:
 
     def _log(self, status, alarm):
         now = time.monotonic()
-        if status != self._last and now - self._logged.get(status, -REPEAT_LOG) >= REPEAT_LOG:
+        if status != self._last and now - self._logged.get(status, -math.inf) >= REPEAT_LOG:
             self._logged[status] = now
             self._last = status
             (rospy.logwarn if alarm else rospy.loginfo)(status)
 
     def _diagnose(self, result):
-        controller, device = self._controller, self._controller.robot.board.device
+        controller, link = self._controller, self._controller.robot.driver.link
         now = time.monotonic()
         level = (DiagnosticStatus.ERROR if controller.fault else
                  DiagnosticStatus.WARN if controller.safety.alarm else DiagnosticStatus.OK)
         result.summary(level, controller.status or "starting")
         result.add("board", self._parameters["board"])
-        result.add("bus", device.name)
-        result.add("transfers", device.transfers)
-        result.add("failed transfers", device.errors)
+        result.add("bus", link.name)
+        result.add("transfers", link.transfers)
+        result.add("failed transfers", link.errors)
         (commands, since), self._counted = self._counted, (controller.commands, now)
         result.add("commands per second", f"{(controller.commands - commands) / (now - since):.1f}")
         at = controller.safety.commanded_at
@@ -199,9 +206,9 @@ def make_robot(parameters):
     if options["i2c_bus"] == "fake":
         options["i2c_bus"] = f"fake:{default_folder(rospy.get_namespace())}"
     robot = Robot(**options, failsafe=parameters["cmd_vel_timeout"] or DEFAULT_FAILSAFE)
-    if hasattr(robot.board, "listen"):
+    if hasattr(robot.driver, "listen"):
         from jetbot_ros.odometry import OdometryPublisher  # here, since most robots have no such board
-        robot.board.listen(OdometryPublisher(parameters["publish_tf"]))
+        robot.driver.listen(OdometryPublisher(parameters["publish_tf"]))
     return robot
 
 
@@ -221,7 +228,7 @@ def main():
     finally:
         controller.end()
         watch.join()
-    return 1 if controller.fault else 0
+    return controller.exit_code
 
 
 if __name__ == "__main__":

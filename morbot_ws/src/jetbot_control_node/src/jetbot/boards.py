@@ -1,6 +1,6 @@
 """The motor boards of the JetBot. A board is a row of BOARDS.
 
-What drives a board has four methods, of which all but ``close`` may raise BusError:
+A driver, what drives a board, has four methods, of which all but ``close`` may raise BusError:
 
     start()                     set the board up with both wheels off
     drive(left, right)          turn the wheels at these speeds, in [-1, 1]; after a BusError, start anew first
@@ -8,7 +8,8 @@ What drives a board has four methods, of which all but ``close`` may raise BusEr
                                 second; idle: whether no command went out just now
     close()                     let go of the board; the wheels go on as they are
 
-and ``device``: its link, with ``name``, ``transfers`` and ``errors``. A board that measures how it moves also has
+and ``link``: the I2CDevice or SerialLink to the board, with ``name``, ``transfers`` (tried) and ``errors`` (of them).
+The driver of a board that measures how it moves also has
 
     listen(callback)            call back with each jetbot_pro.Telemetry, from a thread of its own
 """
@@ -16,7 +17,7 @@ and ``device``: its link, with ``name``, ``transfers`` and ``errors``. A board t
 from functools import partial
 from typing import Callable, NamedTuple, Optional
 
-from .errors import InvalidValue
+from .errors import InvalidValue, JetbotError
 from .i2c import I2CDevice
 from .jetbot_pro import JetBotPro
 from .pwm_motors import ADAFRUIT, WAVESHARE, PwmMotors
@@ -39,9 +40,9 @@ class Options(NamedTuple):
 
 
 class Board(NamedTuple):
-    """A row of the table: the class that drives the board, and its I2C address, None for the serial port."""
+    """A row of the table: the class of its driver, and its I2C address, None for the serial port."""
 
-    motors: Callable
+    driver: Callable
     address: Optional[int] = None
 
 
@@ -56,11 +57,18 @@ BOARDS = {
 
 
 def open_board(name, options):
-    """The motor board with this name, started: whatever turned before now stands. Raises InvalidValue, BusError."""
-    if name not in list(BOARDS):
+    """The driver of the board with this name, started: whatever turned before now stands.
+
+    Raises InvalidValue for a name or an option that cannot be, BusError for a board that does not answer.
+    """
+    if name not in list(BOARDS):  # a list: what a YAML file gives may not be hashable
         raise InvalidValue(f"there is no board {name!r}", f"Choose one of: {', '.join(BOARDS)}.")
     row = BOARDS[name]
     link = I2CDevice(options.i2c_bus, row.address) if row.address else SerialLink(options.port)
-    board = row.motors(link, options)
-    board.start()
-    return board
+    driver = row.driver(link, options)
+    try:
+        driver.start()
+    except JetbotError:
+        link.close()
+        raise
+    return driver

@@ -23,4 +23,4 @@ class BusError(JetbotError, OSError):
 
     def __init__(self, reason, advice="", errno=None):
         super().__init__(reason, advice)
-        self.errno = errno
+        self.errno, self.strerror = errno, reason

@@ -19,6 +19,7 @@ from .errors import BusError
 
 STANDING = b"s"
 HEARTBEAT = b"h"
+END = b""          # what one reads from a pipe that nobody can write to any more
 SILENCE = 1.0    # seconds without a heartbeat, after the first one, that mean that the driving process hangs
 PATIENCE = 600.0  # seconds to go on trying when the board does not answer
 PAUSE = 0.2       # seconds between two tries
@@ -26,7 +27,7 @@ FAREWELL = 1.0    # seconds for the guard to end
 
 
 class Guard:
-    """The driving process's end of the pipe."""
+    """The driving process's end of the pipe; board: a row of ``boards.BOARDS``, options: its ``boards.Options``."""
 
     def __init__(self, board, options):
         self._command = [
@@ -36,7 +37,7 @@ class Guard:
 
     def _start(self):
         self._process = subprocess.Popen(
-            self._command, stdin=subprocess.PIPE,
+            self._command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,  # who reads that need not wait
             start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
         os.set_blocking(self._process.stdin.fileno(), False)
 
@@ -71,19 +72,23 @@ def main():
     for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, signal.SIG_IGN)
     Path("/proc/self/comm").write_text("jetbot_guard")  # so that killall python3 leaves it alive
-    word = patience = None
-    while word != b"":
-        word = hear(patience)
+    silence = None  # a program need not send heartbeats; once it has, they must not stay out
+    while True:
+        word = hear(silence)
         if word == STANDING:
             return
-        if word != HEARTBEAT:
-            stop(*sys.argv[1:])
-        patience = SILENCE if word == HEARTBEAT else None
+        if word == HEARTBEAT:
+            silence = SILENCE
+            continue
+        stop(*sys.argv[1:])
+        if word == END:
+            return
+        silence = None
 
 
-def hear(patience):
-    """The newest word from the driving process; None after ``patience`` seconds of silence, b"" at its end."""
-    if select.select([sys.stdin], [], [], patience)[0]:
+def hear(silence):
+    """The newest word from the driving process; None after this many seconds of silence, END at its end."""
+    if select.select([sys.stdin], [], [], silence)[0]:
         return os.read(sys.stdin.fileno(), 4096)[-1:]
     return None
 
@@ -94,11 +99,11 @@ def stop(board, i2c_bus, port, failsafe):
     while time.monotonic() - start < PATIENCE:
         try:
             options = Options(i2c_bus, port, float(failsafe))
-            return open_board(board, options).close()  # opening a board stops its wheels
+            open_board(board, options).close()  # opening a board stops its wheels
+            return
         except BusError as error:
             if not told:
                 told = True
                 with contextlib.suppress(OSError):
                     print(f"jetbot: the wheels may still turn. {error}", file=sys.stderr, flush=True)
             time.sleep(PAUSE)
-    return None

@@ -67,16 +67,21 @@ def bus_name(bus):
     if text == "fake":
         from .fake_i2c import default_folder
         return f"fake:{default_folder()}"
-    if text.startswith("fake:") and text != "fake:":
+    if fake_folder(text):
         return text
     raise InvalidValue(f"i2c_bus cannot be {bus!r}", "Give a number (1 for /dev/i2c-1), fake, or fake:FOLDER.")
 
 
+def fake_folder(bus):
+    """FOLDER where the bus is ``fake:FOLDER``; None for any other."""
+    return bus[len("fake:"):] or None if bus.startswith("fake:") else None
+
+
 def open_bus(name):
     """The bus with this ``bus_name``, with the methods of smbus2.SMBus."""
-    if name.startswith("fake:"):
+    if fake_folder(name):
         from .fake_i2c import FakeBus
-        return FakeBus(name[len("fake:"):])
+        return FakeBus(fake_folder(name))
     try:
         from smbus2 import SMBus  # here, so that a machine without a bus does not need it
     except ImportError:
@@ -93,9 +98,9 @@ def explain(error, bus, address):
         errno.ETIMEDOUT: (f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires."),
     }.get(error.errno, (f"no answer from 0x{address:02x} on {bus}",
                         f"Is the motor board plugged in and its battery on? {which_buses()}"))
-    if bus.startswith("fake:") and error.errno in (errno.EROFS, errno.EACCES, errno.ENOTDIR, errno.ENOSPC):
+    if fake_folder(bus) and error.errno in (errno.EROFS, errno.EACCES, errno.ENOTDIR, errno.ENOSPC):
         return BusError(f"the fake bus {bus} cannot be used: {error.strerror}", "Name another folder: fake:FOLDER",
                         error.errno)
-    if bus.startswith("fake:"):
-        advice = f"To plug it in: python3 -m jetbot.fake_i2c {bus[len('fake:'):]}"
+    if fake_folder(bus):
+        advice = f"To plug it in: python3 -m jetbot.fake_i2c {fake_folder(bus)}"
     return BusError(reason, advice, error.errno)

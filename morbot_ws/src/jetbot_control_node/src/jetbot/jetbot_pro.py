@@ -23,13 +23,13 @@ ACCELERATION_SCALE = 2 * 9.80665 / 32768        # m/s^2
 
 
 class Telemetry(NamedTuple):
-    """What the board tells of itself: gyro in rad/s, acceleration in m/s^2, position in m, heading in rad."""
+    """What the board tells of itself; axes ahead, to the left and up. Position and yaw count from its start."""
 
-    gyro: Tuple[float, float, float]
-    acceleration: Tuple[float, float, float]
-    x: float
-    y: float
-    yaw: float
+    gyro: Tuple[float, float, float]          # rad/s
+    acceleration: Tuple[float, float, float]  # m/s^2
+    x: float    # m
+    y: float    # m
+    yaw: float  # rad, to the left
 
 
 class JetBotPro:
@@ -40,14 +40,14 @@ class JetBotPro:
     """
 
     def __init__(self, link, options):
-        self.device = link
+        self.link = link
         self._sent = None
         self._closed = False
         self._listener = None
 
     def start(self):
         """Set the board up with both wheels off."""
-        self.device.write(frame(PID, *VENDORS_PID) + frame(CORRECTIONS, *NO_CORRECTIONS))
+        self.link.write(frame(PID, *VENDORS_PID) + frame(CORRECTIONS, *NO_CORRECTIONS))
         self._send(velocity(0, 0))
 
     def drive(self, left, right):
@@ -65,27 +65,27 @@ class JetBotPro:
         self.drive(left, right)
 
     def listen(self, callback):
-        """Call back with each Telemetry from now on, from a thread of its own."""
+        """Call back with each Telemetry from now on, from a thread of its own. The callback must not raise."""
         self._listener = threading.Thread(target=self._listen, args=[callback], daemon=True)
         self._listener.start()
 
     def close(self):
         """Let go of the port."""
         self._closed = True
-        if self._listener:
+        if self._listener not in (None, threading.current_thread()):
             self._listener.join(1.0)  # its next read would open the port again
-        self.device.close()
+        self.link.close()
 
     def _send(self, wanted):
         self._sent = None  # until it went through
-        self.device.write(wanted)
+        self.link.write(wanted)
         self._sent = wanted
 
     def _listen(self, callback):
         reader = FrameReader()
         while not self._closed:
             try:
-                received = self.device.read()
+                received = self.link.read()
             except BusError:
                 time.sleep(0.1)  # whoever drives reports it
                 continue

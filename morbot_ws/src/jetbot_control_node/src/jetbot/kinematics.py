@@ -2,7 +2,7 @@
 
 
 def clamp(speed):
-    """The speed within [-1, 1], where 1 is all that the motor can give."""
+    """The speed, a finite number, brought into [-1, 1], where 1 is all that the motor can give."""
     return max(-1.0, min(1.0, speed))
 
 

@@ -34,8 +34,8 @@ PARAMETERS = {
     "i2c_bus": Parameter(1, lambda value: isinstance(value, (int, str)), "a number, fake, or fake:FOLDER"),
     "port": Parameter(PORT, lambda value: isinstance(value, str), "a serial device or pyserial URL"),
     "cmd_vel_timeout": Parameter(1.0, *SECONDS),
-    "wheel_separation": Parameter(2.0, *POSITIVE),
-    "max_speed": Parameter(1.0, *POSITIVE),
+    "wheel_separation": Parameter(2.0, *POSITIVE),  # m
+    "max_speed": Parameter(1.0, *POSITIVE),         # m/s
     "left_motor_alpha": Parameter(1.0, *NUMBER),
     "right_motor_alpha": Parameter(1.0, *NUMBER),
     "swap_motors": Parameter(False, *YES_OR_NO),
@@ -52,7 +52,10 @@ def default_file():
 
 
 def load(file=None):
-    """The parameters in a YAML file, ``default_file`` where it exists and no other is named."""
+    """The parameters in a YAML file, ``default_file`` where it exists and no other is named.
+
+    Raises InvalidValue for a file that cannot be read or holds something else.
+    """
     import yaml  # here, so that doctor.py can tell when it is missing
     path = Path(str(file or default_file())).expanduser().absolute()
     if not file and not os.path.exists(path):

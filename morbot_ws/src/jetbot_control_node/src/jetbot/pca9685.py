@@ -25,25 +25,25 @@ MOST_BITS = 160         # and bits on the wire, each byte with its acknowledgeme
 class PCA9685:
     """Writes only what changed, in as few bytes as the chip's auto-increment allows, and can tell what it forgot.
 
-    device: an I2CDevice; groups: ranges of up to 8 outputs, those that must switch on and off together.
+    link: an I2CDevice; groups: ranges of up to 8 outputs, those that must switch on and off together.
     Nothing is sent before ``start`` or the first ``set_outputs``. Every method raises BusError.
     """
 
-    def __init__(self, device, groups):
-        self._device = device
+    def __init__(self, link, groups):
+        self._link = link
         self._spans = [range(4 * group.start, 4 * group.stop) for group in groups]
         self._sent = None  # the output registers as the chip holds them; None: not known
 
     def start(self):
         """Set the chip up, whatever state it is in, with all outputs off before it wakes."""
-        self._device.read(MODE1)
-        self._device.write(MODE1, [SLEEP | AUTO_INCREMENT])
+        self._link.read(MODE1)
+        self._link.write(MODE1, [SLEEP | AUTO_INCREMENT])
         off = encode(0) * OUTPUTS
         for start in range(0, len(off), BLOCK):
-            self._device.write(FIRST_OUTPUT + start, off[start:start + BLOCK])
-        self._device.write(PRE_SCALE, [FASTEST])
-        self._device.write(MODE2, [OUTDRV])
-        self._device.write(MODE1, [AUTO_INCREMENT])
+            self._link.write(FIRST_OUTPUT + start, off[start:start + BLOCK])
+        self._link.write(PRE_SCALE, [FASTEST])
+        self._link.write(MODE2, [OUTDRV])
+        self._link.write(MODE1, [AUTO_INCREMENT])
         time.sleep(OSCILLATOR_START)
         self._sent = bytearray(off)
 
@@ -56,7 +56,7 @@ class PCA9685:
             wanted[4 * output:4 * output + 4] = encode(duty)
         self._sent = None  # until all of it went through
         for piece in transfers(sent, wanted, self._spans):
-            self._device.write(FIRST_OUTPUT + piece.start, wanted[piece.start:piece.stop])
+            self._link.write(FIRST_OUTPUT + piece.start, wanted[piece.start:piece.stop])
         self._sent = wanted
 
     def verify(self):
@@ -69,9 +69,9 @@ class PCA9685:
             self._sent = sent
 
     def _holds(self, sent):
-        mode1, mode2 = self._device.read_block(MODE1, 2)
-        return (mode1 & ~RESTART, mode2, self._device.read(PRE_SCALE)) == (AUTO_INCREMENT, OUTDRV, FASTEST) and all(
-            self._device.read_block(FIRST_OUTPUT + span.start, len(span)) == sent[span.start:span.stop]
+        mode1, mode2 = self._link.read_block(MODE1, 2)
+        return (mode1 & ~RESTART, mode2, self._link.read(PRE_SCALE)) == (AUTO_INCREMENT, OUTDRV, FASTEST) and all(
+            self._link.read_block(FIRST_OUTPUT + span.start, len(span)) == sent[span.start:span.stop]
             for span in self._spans)
 
 

@@ -47,13 +47,13 @@ WAVESHARE = Wiring(left=HBridge(forward=1, backward=0), right=HBridge(forward=2,
 class PwmMotors:
     """Motors on a PCA9685, wired in one way or, where a scan cannot tell which, in several at once.
 
-    device: an I2CDevice; options: a boards.Options, of which this board needs none.
+    link: an I2CDevice; options: a boards.Options, of which this board needs none.
     """
 
-    def __init__(self, device, options, wirings):
-        self.device = device
+    def __init__(self, link, options, wirings):
+        self.link = link
         self._wirings = wirings
-        self._chip = PCA9685(device, [outputs(wiring) for wiring in wirings])
+        self._chip = PCA9685(link, [outputs(wiring) for wiring in wirings])
         self._verified = 0.0
 
     def start(self):
@@ -61,7 +61,7 @@ class PwmMotors:
         self._chip.start()
 
     def drive(self, left, right):
-        """Turn the wheels at these speeds; after a BusError, the next call sets the board up anew."""
+        """Turn the wheels at these speeds, in [-1, 1]; after a BusError, the next call sets the board up anew."""
         duties = {}
         for wiring in self._wirings:
             duties.update(wiring.left.duties(left))
@@ -78,7 +78,7 @@ class PwmMotors:
 
     def close(self):
         """Let go of the bus; the wheels go on as they are."""
-        self.device.close()
+        self.link.close()
 
 
 def outputs(wiring):

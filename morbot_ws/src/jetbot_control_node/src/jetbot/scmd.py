@@ -22,27 +22,27 @@ START_UP = 2.0          # seconds; the firmware looks for further boards first
 class ScmdMotors:
     """Drives the SCMD. Every idle refresh is a transfer, and so keeps its failsafe from stopping the wheels.
 
-    device: an I2CDevice; options.failsafe: 0.1 to 2.55 s, to which other times are brought, or 0 for none.
+    link: an I2CDevice; options.failsafe: 0.1 to 2.55 s, to which other times are brought, or 0 for none.
     """
 
-    def __init__(self, device, options):
-        self.device = device
-        self._failsafe = options.failsafe and min(255, max(10, round(options.failsafe * 100)))
+    def __init__(self, link, options):
+        self.link = link
+        self._failsafe = failsafe_time(options.failsafe)
         self._sent = None  # the drive bytes as the chip holds them; None: not known
         self._blocks = False
 
     def start(self, patience=START_UP):
         """Set the chip up with both wheels off; ``patience``: seconds that it may take to become ready."""
-        if self.device.read(ID) != ID_WORD:
-            raise BusError(f"at 0x{self.device.address:02x} on {self.device.name} is no SparkFun motor driver",
+        if self.link.read(ID) != ID_WORD:
+            raise BusError(f"at 0x{self.link.address:02x} on {self.link.name} is no SparkFun motor driver",
                            "Something else answers there: choose another board.")
         self._wait_until_ready(patience)
-        self.device.write(DRIVER_ENABLE, [0])
+        self.link.write(DRIVER_ENABLE, [0])
         self._blocks = self._takes_blocks()
         self._send(bytes([encode(0), encode(0)]))
-        self.device.write(FAILSAFE_CONTROL, [STOP_MOTORS])
-        self.device.write(FAILSAFE_TIME, [int(self._failsafe)])
-        self.device.write(DRIVER_ENABLE, [1])
+        self.link.write(FAILSAFE_CONTROL, [STOP_MOTORS])
+        self.link.write(FAILSAFE_TIME, [self._failsafe])
+        self.link.write(DRIVER_ENABLE, [1])
 
     def drive(self, left, right):
         """Turn the wheels at these speeds, in [-1, 1]."""
@@ -57,38 +57,43 @@ class ScmdMotors:
         sent = self._sent
         if idle and sent is not None:
             self._sent = None
-            if self.device.read(DRIVER_ENABLE) & 1:
+            if self.link.read(DRIVER_ENABLE) & 1:
                 self._send(sent)
         self.drive(left, right)
 
     def close(self):
         """Let go of the bus; the wheels go on until the failsafe stops them."""
-        self.device.close()
+        self.link.close()
 
     def _wait_until_ready(self, patience):
         deadline = time.monotonic() + patience
-        while not self.device.read(STATUS_1) & READY:
+        while not self.link.read(STATUS_1) & READY:
             if time.monotonic() > deadline:
-                raise BusError(f"the motor driver on {self.device.name} is not ready",
+                raise BusError(f"the motor driver on {self.link.name} is not ready",
                                "Switch the robot off and on.")
             time.sleep(0.01)
 
     def _takes_blocks(self):
         """Whether both drive bytes arrive in one transfer; tried with the motors switched off."""
         try:
-            self.device.write(LEFT, [encode(0), encode(0) - 1])
+            self.link.write(LEFT, [encode(0), encode(0) - 1])
         except BusError:  # it refuses blocks; where it is gone, the next transfer tells
             return False
-        return self.device.read(RIGHT) == encode(0) - 1
+        return self.link.read(RIGHT) == encode(0) - 1
 
     def _send(self, wanted):
         self._sent = None  # until all of it went through
         if self._blocks:
-            self.device.write(LEFT, wanted)
+            self.link.write(LEFT, wanted)
         else:
-            self.device.write(LEFT, wanted[:1])
-            self.device.write(RIGHT, wanted[1:])
+            self.link.write(LEFT, wanted[:1])
+            self.link.write(RIGHT, wanted[1:])
         self._sent = wanted
+
+
+def failsafe_time(seconds):
+    """The byte for a failsafe of this time, brought to 0.1 to 2.55 s; 0 or less is none."""
+    return min(255, max(10, round(seconds * 100))) if seconds > 0 else 0
 
 
 def encode(speed):

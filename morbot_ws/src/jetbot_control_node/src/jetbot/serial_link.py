@@ -1,6 +1,7 @@
 """The edge to a serial port: which port a name means, and what to do when it fails."""
 
 import errno
+import termios
 import threading
 from pathlib import Path
 
@@ -25,12 +26,12 @@ class SerialLink:
         self.name = name
         self.transfers = self.errors = 0
         self._port = None
-        self._opening = threading.Lock()  # one thread may write while another reads
+        self._opening = threading.RLock()  # one thread may write while another reads; a signal handler may write, too
 
     def write(self, data):
         """Send bytes at once."""
-        self._try(lambda port: port.write(data))
         self.transfers += 1
+        self._try(lambda port: port.write(data))
 
     def read(self):
         """The bytes that have arrived; waits up to ``PATIENCE`` seconds for the first, and may return none."""
@@ -44,15 +45,18 @@ class SerialLink:
                 port.close()
 
     def _try(self, action):
+        port = None
         try:
             with self._opening:
                 port = self._port = self._port or open_port(self.name)
             return action(port)
         except BusError:
             raise  # already in words
-        except (OSError, TypeError) as error:  # TypeError: pyserial, when another thread closes the port meanwhile
+        except (OSError, termios.error, TypeError) as error:  # TypeError: of a port that another thread closed
             self.errors += 1
-            self.close()
+            with self._opening:
+                if port is self._port:  # and not one that another thread has opened since
+                    self.close()
             raise explain(error, self.name) from None
 
 
