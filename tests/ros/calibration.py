@@ -82,7 +82,7 @@ class Calibration(RobotTest):
         self.terminal.expect("To undo it: rm ")
         self.terminal.expect(pexpect.EOF)
         self.launch("jetbot_control_node", "jetbot_controller.launch", f"config:={self.file}")
-        self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
+        self.wait_for_controller()
         self.command(0.5)
         self.wait_for(lambda: min(self.wheels()) > 0.4, 5.0, "both wheels to turn forward")
         left, right = self.wheels()

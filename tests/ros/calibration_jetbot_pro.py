@@ -9,7 +9,7 @@ from jetbot_pro import STILL, Board
 from harness import CONTROLLER, START, RobotTest, main
 
 
-class CalibrationOfAJetbotPro(RobotTest):
+class CalibrationOfAJetBotPro(RobotTest):
     def setUp(self):
         super().setUp()
         self.link = os.path.join(self.folder, "tty")
@@ -50,11 +50,11 @@ class CalibrationOfAJetbotPro(RobotTest):
         self.terminal.expect("To undo it: rm ")
         self.terminal.expect(pexpect.EOF)
         self.start(*CONTROLLER, f"_config:={self.file}")
-        self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
+        self.wait_for_controller()
         self.command(0.5, 0.2)
         self.wait_for(lambda: self.board.velocity != STILL, 5.0, "the robot to drive")
         self.assertEqual(self.motion(), (0.5, 0.2))
 
 
 if __name__ == "__main__":
-    main(CalibrationOfAJetbotPro)
+    main(CalibrationOfAJetBotPro)

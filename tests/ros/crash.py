@@ -5,26 +5,18 @@ import contextlib
 import os
 import signal
 from pathlib import Path
-from xmlrpc.client import ServerProxy
 
-import rosgraph
-import rospy
-
-from harness import START, RobotTest, main
+from harness import START, RobotTest, main, read
+from lessons.graph import pid
 
 LIMIT = 1.5  # seconds from the blow to the stop
-
-
-def node_pid(name):
-    """The process id of a running ROS node, by its own word."""
-    return ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(name)).getPid(rospy.get_name())[2]
 
 
 class Crash(RobotTest):
     def test_roslaunch(self):
         launch = self.launch("workshop", "workshop_jetbot_controller.launch")
         self.wait_for_wheels(0.4, 0.6, within=START)
-        os.kill(node_pid("/jetbot_controller"), signal.SIGKILL)
+        os.kill(pid("/jetbot_controller"), signal.SIGKILL)
         self.wait_for_stop(within=LIMIT)
         self.wheels_stay(0, 0, for_seconds=1)
         launch.wait(START)
@@ -55,12 +47,13 @@ class Crash(RobotTest):
         os.rename(self.bus + "/0x60", self.bus + "/cable_is_out")
         os.killpg(node.pid, signal.SIGKILL)
         node.wait()
+        self.wait_for(lambda: "the wheels may still turn" in read(node), START, "the guard to miss the board")
         os.rename(self.bus + "/cable_is_out", self.bus + "/0x60")
         self.wait_for_stop(within=LIMIT)
 
     def test_roslaunch_itself_killed(self):
         launch = self.launch("jetbot_control_node", "jetbot_controller.launch", "cmd_vel_timeout:=0")
-        self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
+        self.wait_for_controller()
         self.command(0.5)
         self.wait_for_wheels(0.5, 0.5)
         launch.kill()

@@ -30,7 +30,7 @@ class RobotTest(unittest.TestCase):
         self.folder = tempfile.mkdtemp(prefix="jetbot_")
         self.bus = os.path.join(self.folder, "bus")
         self.processes = []
-        for node in ("/jetbot_controller", "/jetbot_simulator"):
+        for node in ("/jetbot_controller", "/jetbot_motion_control", "/jetbot_simulator"):
             if rospy.has_param(node):
                 rospy.delete_param(node)  # parameters outlive their node
 
@@ -53,8 +53,12 @@ class RobotTest(unittest.TestCase):
         """The controller on the fake bus, subscribed."""
         process = self.start(*CONTROLLER, f"_i2c_bus:=fake:{self.bus}",
                              *(f"_{name}:={value}" for name, value in parameters.items()))
-        self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
+        self.wait_for_controller()
         return process
+
+    def wait_for_controller(self):
+        """Wait until the controller listens to this test's commands."""
+        self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
 
     def launch(self, package, file, *arguments, **options):
         """roslaunch on the fake bus."""
@@ -69,9 +73,7 @@ class RobotTest(unittest.TestCase):
 
     def command(self, linear, angular=0.0):
         """Publish one command."""
-        twist = Twist()
-        twist.linear.x, twist.angular.z = linear, angular
-        self.commands().publish(twist)
+        self.commands().publish(twist(linear, angular))
 
     def emergency_stop(self, engaged):
         """Publish an emergency stop, or its release, and let it stand for those who join later."""
@@ -86,6 +88,7 @@ class RobotTest(unittest.TestCase):
                           f"{{linear: {{x: {linear}}}}}")
 
     def wheels(self):
+        """The speeds (left, right) of the wheels on the fake bus, in [-1, 1]."""
         return wheel_speeds(self.bus)
 
     def wait_for(self, condition, within, what):
@@ -97,6 +100,7 @@ class RobotTest(unittest.TestCase):
             time.sleep(0.005)
 
     def wait_for_wheels(self, left, right, within=5.0):
+        """Wait until the wheels turn at these speeds; fail after ``within`` seconds, here and below."""
         self.wait_for(lambda: near(self.wheels(), (left, right)), within, f"the wheels to turn at {left}, {right}")
 
     def wait_for_stop(self, within):
@@ -120,6 +124,7 @@ class RobotTest(unittest.TestCase):
         self.wait_for(lambda: texts and texts[-1] == text, within, f"the status {text!r} after {texts}")
 
     def logs(self):
+        """What all processes of this test have printed so far."""
         return "".join(f"\n--- {process.args}\n{read(process)}" for process in self.processes)
 
 
@@ -149,7 +154,15 @@ def end(process):
         process.wait()
 
 
+def twist(linear, angular=0.0):
+    """A Twist: m/s ahead, rad/s to the left."""
+    message = Twist()
+    message.linear.x, message.angular.z = linear, angular
+    return message
+
+
 def near(speeds, wanted):
+    """Whether speeds are those that were wanted, but for the steps in which a board counts."""
     return all(abs(speed - want) < 0.001 for speed, want in zip(speeds, wanted))
 
 

@@ -72,7 +72,7 @@ class Board:
         return self.received[-1][1] if self.received else None
 
 
-class JetbotPro(RobotTest):
+class JetBotPro(RobotTest):
     def setUp(self):
         super().setUp()
         self.link = os.path.join(self.folder, "tty")
@@ -80,7 +80,7 @@ class JetbotPro(RobotTest):
         self.addCleanup(self.board.unplug)
         self.node = self.start(*CONTROLLER, "_board:=jetbot_pro", f"_port:={self.link}", "_publish_tf:=true",
                                "_cmd_vel_timeout:=0.5")
-        self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
+        self.wait_for_controller()
 
     def wait_for_velocity(self, velocity, within=1.0):
         self.wait_for(lambda: self.board.velocity == velocity, within, f"{velocity}, not {self.board.velocity}")
@@ -148,4 +148,4 @@ class JetbotPro(RobotTest):
 
 
 if __name__ == "__main__":
-    main(JetbotPro)
+    main(JetBotPro)

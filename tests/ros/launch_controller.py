@@ -3,7 +3,7 @@
 
 import rospkg
 
-from harness import START, RobotTest, main
+from harness import RobotTest, main
 
 SI_UNITS = rospkg.RosPack().get_path("jetbot_control_node") + "/config/si_units.yaml"
 
@@ -11,7 +11,7 @@ SI_UNITS = rospkg.RosPack().get_path("jetbot_control_node") + "/config/si_units.
 class LaunchController(RobotTest):
     def launched(self, *arguments):
         self.launch("jetbot_control_node", "jetbot_controller.launch", *arguments)
-        self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
+        self.wait_for_controller()
 
     def test_defaults(self):
         self.launched()

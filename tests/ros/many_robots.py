@@ -5,13 +5,12 @@ one that dies ends alone."""
 import os
 import signal
 from pathlib import Path
-from xmlrpc.client import ServerProxy
 
-import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 
-from harness import STILL, RobotTest, main, near, wheel_speeds
+from harness import STILL, RobotTest, main, near, twist, wheel_speeds
+from lessons.graph import pid
 
 ROBOTS = 30
 START_OF_ALL = 60.0  # seconds; roslaunch starts one after the other
@@ -25,9 +24,7 @@ class ManyRobots(RobotTest):
 
         def command_all(_):
             for name, speed in speeds.items():
-                twist = Twist()
-                twist.linear.x = speed
-                publishers[name].publish(twist)
+                publishers[name].publish(twist(speed))
 
         def wheels(name):
             return wheel_speeds(home / "fake_i2c" / name)
@@ -45,16 +42,11 @@ class ManyRobots(RobotTest):
         self.wait_for(lambda: all_drive(lambda name: (speeds[name], speeds[name])), 5.0, "all to drive as they should")
         self.emergency_stop(True)
         self.wait_for(lambda: all_drive(lambda name: STILL), 0.5, "all to stop")
-        os.kill(rosnode_pid("/jetbot_07/jetbot_controller"), signal.SIGKILL)
+        os.kill(pid("/jetbot_07/jetbot_controller"), signal.SIGKILL)
         self.emergency_stop(False)
         others = speeds.keys() - {"jetbot_07"}
         self.wait_for(lambda: all(near(wheels(name), (speeds[name], speeds[name])) for name in others), 5.0,
                       "all others to drive on")
-
-
-def rosnode_pid(node):
-    """The process id of a node."""
-    return ServerProxy(rosgraph.Master("/test").lookupNode(node)).getPid("/test")[2]
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ from pathlib import Path
 import rospy
 from geometry_msgs.msg import Twist
 
-from harness import CONTROLLER, START, STILL, RobotTest, main, near, wheel_speeds
+from harness import CONTROLLER, START, STILL, RobotTest, main, near, twist, wheel_speeds
 
 
 class Namespaces(RobotTest):
@@ -18,9 +18,7 @@ class Namespaces(RobotTest):
             self.start(*CONTROLLER, "_i2c_bus:=fake", "_cmd_vel_timeout:=0",
                        env={**os.environ, "ROS_NAMESPACE": name, "ROS_HOME": str(home)})
             publisher = rospy.Publisher(f"/{name}/cmd_vel", Twist, queue_size=1, latch=True)
-            twist = Twist()
-            twist.linear.x = speed
-            publisher.publish(twist)
+            publisher.publish(twist(speed))
 
         def driving(name):
             return near(wheel_speeds(home / "fake_i2c" / name), (speeds[name], speeds[name]))

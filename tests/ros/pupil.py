@@ -20,7 +20,7 @@ TYPED = re.compile(r"^[^\n]*pupil\$ [^\n]*\n", re.MULTILINE)
 CONTROLS = re.compile(r"\x1b\][^\x07]*\x07|\x1b\[[\d;?]*[a-zA-Z]|\r")
 OFFLINE = re.compile(r"Could not resolve|unable to access|unable to look up|timed out")
 CONTROL_KEYS = {"Ctrl-C": "\x03", "Ctrl-Z": "\x1a"}
-LIMIT = 60.0  # seconds for anything to happen; generous, for slow machines
+LIMIT = 120.0  # seconds for anything to happen; generous, for slow machines
 PAUSE = 0.1   # seconds between two keys
 
 

@@ -13,7 +13,7 @@ from geometry_msgs.msg import Pose2D, Twist
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Empty
 
-from harness import CONTROLLER, START, RobotTest, main, read
+from harness import CONTROLLER, START, RobotTest, main, read, twist
 from jetbot import Robot, boards
 from jetbot.fake_i2c import FakeBus, default_folder
 from jetbot.pwm_motors import ADAFRUIT, PwmMotors, Wiring
@@ -64,9 +64,7 @@ class Simulator(RobotTest):
         self.wait_for(commands.get_num_connections, START, "the controller to subscribe")
         for linear, angular in [(0.4, 0.0), (0.3, 1.0), (0.0, -2.0)]:
             with self.subTest(linear=linear, angular=angular):
-                twist = Twist()
-                twist.linear.x, twist.angular.z = linear, angular
-                commands.publish(twist)
+                commands.publish(twist(linear, angular))
                 self.wait_for_velocity(linear, angular)
                 first, last = self.sample_after(LONG_ENOUGH)
                 seconds = elapsed(first, last)

@@ -239,7 +239,8 @@ def test_another_topic(mine, running):
 def test_node_does_not_run(mine, running):
     running.setattr(graph, "command_of", lambda node: [])
     assert graph.publishes("mine", "/cmd_vel", "rosrun it") == (
-        "No node of mine runs, and /other does not answer: start it in another terminal with rosrun it")
+        "No node of mine runs, and /other hangs (fg, then Ctrl-C, ends it): "
+        "start it in another terminal with rosrun it")
 
 
 def test_launch_file_starts_one_of_two(running):

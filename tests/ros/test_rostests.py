@@ -17,5 +17,5 @@ def test_rostest(file, tmp_path):
     if missing:
         pytest.skip(f"{', '.join(missing)} not installed; sudo apt install rviz xvfb imagemagick libgl1-mesa-dri")
     run = subprocess.run(["rostest", str(file)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                         env={**os.environ, "ROS_HOME": str(tmp_path)}, text=True, timeout=120)
+                         env={**os.environ, "ROS_HOME": str(tmp_path)}, text=True, timeout=240)
     assert run.returncode == 0, run.stdout

@@ -8,7 +8,7 @@ import tf2_ros
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
-from harness import START, RobotTest, main
+from harness import START, RobotTest, main, twist
 
 SPEEDS = {"red": (0.3, 0.0), "green": (0.0, 1.0), "blue": (-0.3, -0.5)}  # m/s, rad/s
 STARTS = {"red": 0.5, "green": 0.0, "blue": -0.5}                        # y in metres
@@ -27,9 +27,7 @@ class ThreeRobots(RobotTest):
 
         def driving():
             for name, (linear, angular) in SPEEDS.items():
-                twist = Twist()
-                twist.linear.x, twist.angular.z = linear, angular
-                publishers[name].publish(twist)
+                publishers[name].publish(twist(linear, angular))
             return velocities.keys() == SPEEDS.keys() and all(
                 abs(velocities[name][0] - SPEEDS[name][0]) < 0.01 and abs(velocities[name][1] - SPEEDS[name][1]) < 0.05
                 for name in SPEEDS)
