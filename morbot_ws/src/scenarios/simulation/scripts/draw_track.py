@@ -76,11 +76,13 @@ def listen(seconds, odom, cmd_vel):
     """A recording of the robot that drives now; Ctrl-C ends it early."""
     recording = Recording()
     rospy.init_node("draw_track", anonymous=True)
-    rospy.Subscriber(odom, Odometry, recording.add_odometry)
-    rospy.Subscriber(cmd_vel, Twist, lambda twist: recording.add_command(rospy.get_time(), twist))
+    subscribers = [rospy.Subscriber(odom, Odometry, recording.add_odometry),
+                   rospy.Subscriber(cmd_vel, Twist, lambda twist: recording.add_command(rospy.get_time(), twist))]
     end = rospy.get_time() + seconds
     while rospy.get_time() < end and not rospy.is_shutdown():
         rospy.rostime.wallsleep(0.1)
+    for subscriber in subscribers:
+        subscriber.unregister()
     return recording
 
 
@@ -160,5 +162,7 @@ if __name__ == "__main__":
         main()
     except ConnectionRefusedError:
         sys.exit(f"No ROS master at {rosgraph.get_master_uri()}. Start one in another terminal: roscore")
+    except (OSError, rosbag.ROSBagException) as error:
+        sys.exit(f"Nothing was drawn: {error}.")
     except KeyboardInterrupt:
         sys.exit(1)

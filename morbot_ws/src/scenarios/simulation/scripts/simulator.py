@@ -19,6 +19,7 @@ from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 from jetbot import InvalidValue
 from jetbot.fake_i2c import default_folder
 from jetbot.fake_motors import wheel_speeds
+from jetbot.i2c import fake_folder
 from jetbot.parameters import checked
 from simulation import ORIGIN, Body, Motor, Pose
 from simulation.parameters import PARAMETERS
@@ -175,7 +176,8 @@ def spin(simulator):
 def main():
     rospy.init_node("jetbot_simulator")
     given = checked(rospy.get_param("~", {}), PARAMETERS)
-    folder = (default_folder(rospy.get_namespace()) if given["i2c_bus"] == "fake" else given["i2c_bus"][len("fake:"):])
+    bus = given["i2c_bus"]
+    folder = default_folder(rospy.get_namespace()) if bus == "fake" else fake_folder(bus)
     left, right = (Motor(given["max_speed"], given["motor_lag"], given["dead_band"]) for _ in range(2))
     body = Body(left, right, given["wheel_separation"], given["wheel_diameter"],
                 Pose(given["x"], given["y"], given["yaw"]))

@@ -1,12 +1,13 @@
 """What may be set on a simulated robot. Where its sizes come from, config/jetbot.yaml tells."""
 
 from jetbot.fake_motors import WIRED
+from jetbot.i2c import fake_folder
 from jetbot.parameters import NUMBER, PART, POSITIVE, SECONDS, Parameter
 
 
 def is_fake(bus):
     """Whether this names a fake bus."""
-    return str(bus) == "fake" or str(bus).startswith("fake:")
+    return bus == "fake" or bool(fake_folder(str(bus)))
 
 
 PARAMETERS = {

@@ -86,8 +86,9 @@ def publishes(package, topic, start):
     graph = look()
     mine = sorted(node for node in graph.nodes if belongs(command_of(node), package))
     if not mine:
-        silent = "".join(f", and {node} does not answer" for node in sorted(graph.nodes) if pid(node) is None)
-        return f"No node of {package} runs{silent}: start it in another terminal with {start}"
+        hanging = "".join(f", and {node} hangs (fg, then Ctrl-C, ends it)" for node in sorted(graph.nodes)
+                          if pid(node) is None)
+        return f"No node of {package} runs{hanging}: start it in another terminal with {start}"
     others = sorted(name for name, nodes in graph.publishers.items() if mine[0] in nodes and name != "/rosout")
     return f"{mine[0]} publishes on {' and '.join(others) or 'no topic'}, not on {topic}: name that in rospy.Publisher"
 

@@ -9,6 +9,7 @@ from geometry_msgs.msg import Twist
 from std_msgs.msg import String
 
 from jetbot.fake_motors import STILL, wheel_speeds
+from jetbot.i2c import fake_folder
 from jetbot.terminal import choose
 
 from .commands import TOPIC, become_node, soon
@@ -81,7 +82,7 @@ def wheels_turn():
 def fake_wheels():
     """A function that returns the speeds (left, right) of the wheels on the fake bus; None for a real robot."""
     board, bus = robot()
-    return partial(wheel_speeds, bus[len("fake:"):], board) if bus.startswith("fake:") else None
+    return partial(wheel_speeds, fake_folder(bus), board) if fake_folder(bus) else None
 
 
 def robot():
