@@ -15,7 +15,7 @@ def follow(*counts, period=0.05):
 
 
 def pose(track):
-    return track.x, track.y, math.remainder(track.heading, 2 * math.pi)
+    return track.x, track.y, math.remainder(track.yaw, 2 * math.pi)
 
 
 def test_begins_where_the_board_is_and_has_not_moved():
@@ -26,7 +26,7 @@ def test_begins_where_the_board_is_and_has_not_moved():
 
 @pytest.mark.parametrize("counts, expected", [
     (((32.7, 0, 0), (-32.736, 0, 0)), (32.8, 0, 0)),
-    (((0, 0, 3.1), (0, 0, -3.1)), (0, 0, -3.1)),                        # a heading that wraps at pi
+    (((0, 0, 3.1), (0, 0, -3.1)), (0, 0, -3.1)),                        # a yaw that wraps at pi
     (((0, 0, 32.7), (0, 0, -32.736)), (0, 0, math.remainder(32.8, 2 * math.pi)))])
 def test_a_counter_that_wraps(counts, expected):
     track = follow(*counts)

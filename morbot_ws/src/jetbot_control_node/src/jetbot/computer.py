@@ -4,7 +4,8 @@ import grp
 import os
 from pathlib import Path
 
-ROBOT_BUS = {"Jetson Nano": 1, "Xavier NX": 8, "Orin Nano": 7, "Raspberry Pi": 1}  # by a part of the model's name
+# A part of the model's name: the bus on pins 3 and 5 of the 40-pin header, by NVIDIA's and Raspberry Pi's pinouts.
+ROBOT_BUS = {"Jetson Nano": 1, "Xavier NX": 8, "Orin Nano": 7, "Raspberry Pi": 1}
 
 
 def ros_home():

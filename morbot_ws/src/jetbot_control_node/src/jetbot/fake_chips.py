@@ -1,6 +1,7 @@
 """What the chips on the fake bus do with the bytes they are sent.
 
-Written from the data sheets and not from the drivers, registers as plain numbers, so that a driver's mistake shows.
+Written from NXP's data sheet of the PCA9685 (rev. 4) and SparkFun's description of the SCMD, not from the drivers, and
+with registers as plain numbers, so that a driver's mistake shows.
 """
 
 

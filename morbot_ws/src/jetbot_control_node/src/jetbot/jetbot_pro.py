@@ -1,6 +1,7 @@
 """Waveshare's JetBot ROS AI Kit, "JetBot Pro": a board of its own computer, driven by frames over a serial port.
 
 A frame is AA 55, the number of all its bytes, a type, the payload (big-endian), and the sum of the rest modulo 256.
+Numbers and units are those of Waveshare's own ROS node for this robot, package jetbot_pro.
 """
 
 import math
@@ -15,11 +16,11 @@ HEAD = b"\xaa\x55"
 VELOCITY, PID, CORRECTIONS = 0x11, 0x12, 0x13   # to the board
 TELEMETRY, TELEMETRY_PAYLOAD = 0x01, 40         # from the board: type, bytes
 SHORTEST, LONGEST = 5, 64                       # bytes of a frame
-VENDORS_PID = (350, 120, 0)
+VENDORS_PID = (350, 120, 0)                     # of the board's own control of the wheels' speeds
 NO_CORRECTIONS = (1000, 1000)                   # thousandths: linear, angular
 
-GYRO_SCALE = math.radians(2000) / 32768         # rad/s
-ACCELERATION_SCALE = 2 * 9.80665 / 32768        # m/s^2
+GYRO_SCALE = math.radians(2000) / 32768         # rad/s: an int16 for the range of 2000 deg/s
+ACCELERATION_SCALE = 2 * 9.80665 / 32768        # m/s^2: an int16 for the range of 2 g
 
 
 class Telemetry(NamedTuple):

@@ -36,8 +36,9 @@ class Wiring(NamedTuple):
     right: HBridge
 
 
-# Adafruit's FeatherWing 2927 and Motor HAT with a TB6612: motors M1 and M2. The robot moves forward when they
-# run what Adafruit's library calls backward, IN2 high.
+# Both as in the JetBot library, https://github.com/NVIDIA-AI-IOT/jetbot, jetbot/motor.py.
+# Adafruit's FeatherWing 2927 and Motor HAT with a TB6612: motors M1 and M2, by the numbers of Adafruit_MotorHAT. The
+# robot moves forward when they run what that library calls backward, IN2 high.
 ADAFRUIT = Wiring(left=HBridge(forward=9, backward=10, pwm=8), right=HBridge(forward=12, backward=11, pwm=13))
 
 # Waveshare's JetBot board: the duty is on the direction outputs.

@@ -14,25 +14,25 @@ WINDOW = 0.04           # seconds, at least, over which speeds are taken
 class Track:
     """Adds up what the board counts, without a jump where its counters wrap or its board restarts.
 
-    x, y: m; heading: rad, to the left; driven, turned: m and rad, the length of all ways and turns.
+    x, y: m; yaw: rad, to the left; driven, turned: m and rad, the length of all ways and turns.
     """
 
     def __init__(self):
-        self.x = self.y = self.heading = self.driven = self.turned = 0.0
+        self.x = self.y = self.yaw = self.driven = self.turned = 0.0
         self._counted = None    # x, y, yaw by the board
         self._rotation = 0.0    # rad, from the board's axes to these
         self._ahead = 0.0       # m
         self._time = 0.0        # of the last report
-        self._bunches = deque()  # [seconds, m ahead, heading]; the first was WINDOW old when the last began
+        self._bunches = deque()  # [seconds, m ahead, yaw]; the first was WINDOW old when the last began
         self._recent = None
 
     def add(self, x, y, yaw, now):
         """Go on to where the board is at the time ``now``, in seconds: x, y in m and yaw in rad, as it counts them."""
         last, self._counted = self._counted, (x, y, yaw)
         if last is None:
-            self.x, self.y, self.heading = x, y, yaw
+            self.x, self.y, self.yaw = x, y, yaw
         elif began_anew(last, self._counted, now - self._time):
-            self._rotation = self.heading - yaw
+            self._rotation = self.yaw - yaw
         else:
             self._go_on(least(x - last[0], COUNTER_RANGE), least(y - last[1], COUNTER_RANGE),
                         least(yaw - last[2], COUNTER_RANGE, 2 * math.pi))
@@ -45,20 +45,20 @@ class Track:
 
     def _gather(self, now):
         if self._bunches and now - self._bunches[-1][0] < BUNCH:
-            self._bunches[-1][1:] = self._ahead, self.heading
+            self._bunches[-1][1:] = self._ahead, self.yaw
             return
         if self._bunches:  # the last one is whole now
             while len(self._bunches) > 2 and self._bunches[-1][0] - self._bunches[1][0] >= WINDOW:
                 self._bunches.popleft()
             seconds, *way = (b - a for a, b in zip(self._bunches[0], self._bunches[-1]))
             self._recent = (seconds, *way) if seconds >= WINDOW else None
-        self._bunches.append([now, self._ahead, self.heading])
+        self._bunches.append([now, self._ahead, self.yaw])
 
     def _go_on(self, dx, dy, turn):
-        middle = self.heading + turn / 2
+        middle = self.yaw + turn / 2
         dx, dy = rotated(dx, dy, self._rotation)
         ahead, _ = rotated(dx, dy, -middle)
-        self.x, self.y, self.heading = self.x + dx, self.y + dy, self.heading + turn
+        self.x, self.y, self.yaw = self.x + dx, self.y + dy, self.yaw + turn
         self._ahead += ahead
         self.driven += abs(ahead)
         self.turned += abs(turn)

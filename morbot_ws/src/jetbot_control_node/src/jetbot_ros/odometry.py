@@ -13,8 +13,8 @@ from jetbot.track import Track
 DRIFT = 0.05             # of the way driven and of the angle turned: wheel odometry on a floor, uncalibrated
 RESOLUTION = 0.001       # m and rad
 GYRO_ERROR = 0.09        # rad/s, and
-ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets typical of uncalibrated sensors of these ranges
-ANY_HEADING = math.pi ** 2 / 3  # rad^2: the variance of a heading of which nothing is known
+ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets of uncalibrated sensors (5 deg/s and 80 mg for an MPU-9250)
+ANY_YAW = math.pi ** 2 / 3  # rad^2: the variance of a yaw of which nothing is known
 UNKNOWN = 1e6            # variance of what is not measured
 
 
@@ -40,10 +40,10 @@ class OdometryPublisher:
         odom = Odometry()
         odom.header.stamp, odom.header.frame_id, odom.child_frame_id = stamp, self._odom_frame, self._base_frame
         odom.pose.pose.position.x, odom.pose.pose.position.y = track.x, track.y
-        odom.pose.pose.orientation = Quaternion(z=math.sin(track.heading / 2), w=math.cos(track.heading / 2))
-        heading = min((DRIFT * track.turned) ** 2 + RESOLUTION ** 2, ANY_HEADING)
-        position = min(DRIFT ** 2 + heading, 1) * track.driven ** 2 + RESOLUTION ** 2
-        odom.pose.covariance = diagonal(position, heading)
+        odom.pose.pose.orientation = Quaternion(z=math.sin(track.yaw / 2), w=math.cos(track.yaw / 2))
+        yaw = min((DRIFT * track.turned) ** 2 + RESOLUTION ** 2, ANY_YAW)
+        position = min(DRIFT ** 2 + yaw, 1) * track.driven ** 2 + RESOLUTION ** 2
+        odom.pose.covariance = diagonal(position, yaw)
         odom.twist = twist(track.recent())
         self._odom.publish(odom)
         if self._tf:
@@ -72,10 +72,10 @@ def twist(recent):
     return result
 
 
-def diagonal(position, heading):
+def diagonal(position, yaw):
     """A covariance of x, y, z, roll, pitch, yaw, where only x, y and yaw are known."""
     covariance = [0.0] * 36
-    covariance[0::7] = [position, position, UNKNOWN, UNKNOWN, UNKNOWN, heading]
+    covariance[0::7] = [position, position, UNKNOWN, UNKNOWN, UNKNOWN, yaw]
     return covariance
 
 
