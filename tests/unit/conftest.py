@@ -1,17 +1,22 @@
 """Fixtures of the unit tests: the packages from their source, on a fake bus that counts what crosses it."""
 
+import os
+import pty
+import struct
 import sys
 import time
+import tty
 from pathlib import Path
 
 import pytest
 
-SOURCE = Path(__file__).parents[2] / "morbot_ws/src/jetbot_control_node"
+ROOT = Path(__file__).parents[2]
+SOURCE = ROOT / "morbot_ws/src/jetbot_control_node"
 SIMULATION = SOURCE.parent / "scenarios/simulation"
 sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src")]
 
 from jetbot import i2c, robot  # noqa: E402
-from jetbot.fake_i2c import FakeBus  # noqa: E402
+from jetbot.fake_i2c import FakeBus, chip_file  # noqa: E402
 
 
 class CountedBus(FakeBus):
@@ -40,6 +45,27 @@ def wire(monkeypatch):
 def folder(tmp_path):
     """A fake bus's folder, not made yet."""
     return tmp_path / "bus"
+
+
+def registers(folder, address=0x60):
+    """The registers of a chip on the fake bus."""
+    return chip_file(folder, address).read_bytes()
+
+
+# A JetBot Pro's report: gyro and acceleration, x, y and yaw.
+REPORT_BODY = (b"\xaa\x55\x2d\x01" + struct.pack(">6h", 16384, 0, -16384, 0, 0, 16384) + bytes(6)
+               + struct.pack(">3h", 1500, -250, 785) + bytes(16))
+REPORT = REPORT_BODY + bytes([sum(REPORT_BODY) % 256])
+
+
+@pytest.fixture
+def port():
+    """A pseudo-terminal: (the board's end, the name of the computer's end)."""
+    board, computer = pty.openpty()
+    tty.setraw(board)
+    yield board, os.ttyname(computer)
+    os.close(board)
+    os.close(computer)
 
 
 @pytest.fixture

@@ -5,6 +5,7 @@ from random import Random
 
 import pytest
 
+from conftest import registers
 from jetbot import InvalidValue
 from jetbot.boards import Options, open_board
 from jetbot.fake_motors import wheel_speeds
@@ -30,10 +31,6 @@ CASES = [(name, speeds, outputs) for name, table in
          (("adafruit", ADAFRUIT), ("waveshare", WAVESHARE), ("jetbot", JETBOT)) for speeds, outputs in table.items()]
 SPEEDS = (0, 0.5, 1, -0.3, -1)
 PAIRS = list(itertools.product(SPEEDS, SPEEDS))
-
-
-def registers(folder):
-    return (folder / "0x60").read_bytes()
 
 
 @pytest.mark.parametrize("name, speeds, outputs", CASES)

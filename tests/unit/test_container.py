@@ -1,15 +1,15 @@
 """What docker/ promises and files can tell: who may do what, and that nothing is missing from the image that runs."""
 
 import re
-from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 import yaml
 
-PROJECT = Path(__file__).parents[2]
-SERVICES = yaml.safe_load((PROJECT / "docker/compose.yaml").read_text())["services"]
-PACKAGES = [ElementTree.parse(file) for file in (PROJECT / "morbot_ws/src").rglob("package.xml")]
+from conftest import ROOT
+
+SERVICES = yaml.safe_load((ROOT / "docker/compose.yaml").read_text())["services"]
+PACKAGES = [ElementTree.parse(file) for file in (ROOT / "morbot_ws/src").rglob("package.xml")]
 OURS = {package.findtext("name") for package in PACKAGES}
 NOT_IN_THE_IMAGE = {"python3-matplotlib"}  # it draws on paper, and is as large as all of ROS
 
@@ -36,7 +36,7 @@ def test_image_has_all_that_the_nodes_need():
 
 def installed():
     """The packages that ./morbot installs in the image that runs."""
-    return set(re.search(r'^run_packages="(.*?)"', (PROJECT / "morbot").read_text(), re.M | re.S)[1].split())
+    return set(re.search(r'^run_packages="(.*?)"', (ROOT / "morbot").read_text(), re.M | re.S)[1].split())
 
 
 def debian_name(depend):

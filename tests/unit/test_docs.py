@@ -1,17 +1,16 @@
 """What docs/ tells agrees with the code, and its links lead somewhere."""
 
 import re
-from pathlib import Path
 
 import pytest
 
+from conftest import ROOT
 from jetbot import guard
 from jetbot.boards import BOARDS
 from jetbot.computer import ROBOT_BUS
 from jetbot.parameters import PARAMETERS
 from jetbot.pwm_motors import ADAFRUIT, WAVESHARE
 
-ROOT = Path(__file__).parents[2]
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
 BOARDS_PAGE, SAFETY_PAGE = ((ROOT / "docs" / name).read_text() for name in ("boards.md", "safety.md"))
 

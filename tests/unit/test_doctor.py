@@ -2,17 +2,14 @@
 
 import json
 import os
-import pty
 import subprocess
 import sys
-import tty
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from test_jetbot_pro import REPORT
 
-from conftest import SOURCE
+from conftest import REPORT, SOURCE
 from jetbot import computer, doctor
 from jetbot.fake_i2c import power_on
 
@@ -148,16 +145,12 @@ def test_who_else_has_the_bus_open(tmp_path):
 @pytest.mark.parametrize("sent, line", [
     (REPORT, "ok  {}: a JetBot Pro reports."),
     (b"login: ", "NOT {}: opens, but no JetBot Pro reports. Is it this port, and is the robot switched on?")])
-def test_serial_port(sent, line, monkeypatch):
+def test_serial_port(port, sent, line, monkeypatch):
     monkeypatch.setattr(doctor, "LISTENING", 0.1)
-    board, end = pty.openpty()
-    tty.setraw(end)
-    name = os.ttyname(end)
+    board, name = port
     original = doctor.SerialLink.read
     monkeypatch.setattr(doctor.SerialLink, "read", lambda link: (os.write(board, sent), original(link))[1])
     assert str(doctor.check_serial(name)) == line.format(name)
-    os.close(board)
-    os.close(end)
 
 
 @pytest.mark.parametrize("plugged, code", [(True, 0), (False, 1)])

@@ -2,6 +2,7 @@
 
 import pytest
 
+from conftest import registers
 from jetbot.fake_chips import PCA9685
 from jetbot.fake_i2c import FakeBus, power_on
 
@@ -9,10 +10,6 @@ from jetbot.fake_i2c import FakeBus, power_on
 @pytest.fixture
 def bus(folder):
     return FakeBus(folder)
-
-
-def registers(folder):
-    return (folder / "0x60").read_bytes()
 
 
 def test_power_on_values(bus, folder):

@@ -1,26 +1,18 @@
 """Frames of the JetBot Pro, to the byte, and how it finds them in noise."""
 
 import os
-import pty
-import struct
 import termios
-import tty
 from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
 import serial
 
-from conftest import eventually
+from conftest import REPORT, eventually
 from jetbot import BusError
 from jetbot.boards import Options, open_board
 from jetbot.jetbot_pro import FrameReader, frame, velocity
 from jetbot.serial_link import SerialLink
-
-POSE = struct.pack(">3h", 1500, -250, 785)
-MOTION = struct.pack(">6h", 16384, 0, -16384, 0, 0, 16384)
-REPORT_BODY = b"\xaa\x55\x2d\x01" + MOTION + bytes(6) + POSE + bytes(16)
-REPORT = REPORT_BODY + bytes([sum(REPORT_BODY) % 256])
 
 
 @pytest.mark.parametrize("left, right, bytes_", [
@@ -55,16 +47,6 @@ def test_finds_the_frames_behind_noise(noise):
     frames = list(FrameReader().feed(noise + REPORT + REPORT + REPORT))
     assert len(frames) >= 2
     assert set(frames) == {(0x01, REPORT[4:-1])}
-
-
-@pytest.fixture
-def port():
-    """A pseudo-terminal: (the board's end, the name of the computer's end)."""
-    board, computer = pty.openpty()
-    tty.setraw(board)
-    yield board, os.ttyname(computer)
-    os.close(board)
-    os.close(computer)
 
 
 def read(end, count):

@@ -6,6 +6,7 @@ from unittest.mock import Mock
 
 import pytest
 
+from conftest import registers
 from jetbot import BusError
 from jetbot.boards import Options, open_board
 from jetbot.fake_i2c import FakeBus, power_on
@@ -18,16 +19,12 @@ def board(folder):
     return open_board("sparkfun", Options(f"fake:{folder}", failsafe=1.0))
 
 
-def registers(folder):
-    return (folder / "0x5d").read_bytes()
-
-
 @pytest.mark.parametrize("left, right, drive", [
     (0, 0, "8080"), (1, 1, "0000"), (-1, -1, "ffff"), (0.5, -0.5, "40c0"), (0.001, -0.001, "8080"),
     (-0.999, 1, "ff00")])
 def test_drive_bytes(board, folder, left, right, drive):
     board.drive(left, right)
-    assert registers(folder)[0x20:0x22].hex() == drive
+    assert registers(folder, 0x5D)[0x20:0x22].hex() == drive
 
 
 def test_wheels_turn(board, folder):
@@ -78,8 +75,8 @@ def test_a_chip_that_is_not_ready_holds_up_no_program_that_drives(board, folder,
 @pytest.mark.parametrize("seconds, register", [(1.0, 100), (0.5, 50), (9.0, 255), (0.01, 10), (0, 0)])
 def test_failsafe_time(folder, seconds, register):
     open_board("sparkfun", Options(f"fake:{folder}", failsafe=seconds))
-    assert registers(folder)[0x76] == register
-    assert registers(folder)[0x1F] & 1
+    assert registers(folder, 0x5D)[0x76] == register
+    assert registers(folder, 0x5D)[0x1F] & 1
 
 
 def test_the_failsafe_stops_when_nothing_is_written(board, folder):
@@ -95,7 +92,7 @@ def test_a_chip_that_lost_its_power_comes_back(board, folder):
     power_on(folder)
     board.refresh(0.5, 0.5, idle=True)
     assert wheel_speeds(folder, "sparkfun") == (0.5, 0.5)
-    assert registers(folder)[0x76] == 100
+    assert registers(folder, 0x5D)[0x76] == 100
 
 
 def test_another_chip_at_the_address(folder, monkeypatch):

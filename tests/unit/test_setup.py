@@ -3,11 +3,12 @@
 import os
 import re
 import subprocess
-from pathlib import Path
 
 import pytest
 
-MORBOT = Path(__file__).parents[2] / "morbot"
+from conftest import ROOT
+
+MORBOT = ROOT / "morbot"
 TOOLS = {
     "dpkg-query": "exit 1",                                        # nothing is installed yet
     "id": "echo 0",

@@ -5,9 +5,11 @@ import xml.etree.ElementTree as ET
 import pytest
 
 from conftest import SIMULATION, SOURCE
-from jetbot import InvalidValue
-from jetbot.parameters import checked
+from jetbot import InvalidValue, calibration
+from jetbot.parameters import checked, load
 from simulation.parameters import PARAMETERS
+
+SIZE = load(SIMULATION / "config/jetbot.yaml")
 
 
 @pytest.mark.parametrize("name, value, must", [
@@ -29,31 +31,24 @@ def test_defaults_are_good():
     assert checked(defaults, PARAMETERS) == checked({}, PARAMETERS) == defaults
 
 
-def numbers(file):
-    """The numbers in a YAML file of one level."""
-    lines = (line.split("#")[0].partition(":") for line in file.read_text().splitlines())
-    return {name: float(value) for name, _, value in lines if value}
-
-
 def test_the_file_of_the_body_tells_the_defaults():
-    size = numbers(SIMULATION / "config/jetbot.yaml")
-    assert size == {name: PARAMETERS[name].default for name in size}
-    assert len(size) == 5
+    assert SIZE == {name: PARAMETERS[name].default for name in SIZE}
+    assert len(SIZE) == 5
 
 
 def test_the_controller_reckons_with_the_same_size():
-    size = numbers(SIMULATION / "config/jetbot.yaml")
-    assert numbers(SOURCE / "config/si_units.yaml") == {name: size[name] for name in ("wheel_separation", "max_speed")}
+    controller = load(SOURCE / "config/si_units.yaml")
+    assert controller == {name: SIZE[name] for name in ("wheel_separation", "max_speed")}
+    assert calibration.WHEEL_SEPARATION == SIZE["wheel_separation"]
 
 
 def test_the_drawn_robot_has_the_same_size():
-    size = numbers(SIMULATION / "config/jetbot.yaml")
     robot = ET.parse(SIMULATION / "urdf/jetbot.urdf").getroot()
     for side, sign in (("left", 1), ("right", -1)):
         radius = robot.find(f"link[@name='{side}_wheel']/visual/geometry/cylinder").get("radius")
         place = robot.find(f"joint[@name='{side}_wheel_joint']/origin").get("xyz").split()
-        assert float(radius) == size["wheel_diameter"] / 2
-        assert float(place[1]) == sign * size["wheel_separation"] / 2
+        assert float(radius) == SIZE["wheel_diameter"] / 2
+        assert float(place[1]) == sign * SIZE["wheel_separation"] / 2
 
 
 @pytest.mark.parametrize("file", sorted((SIMULATION / "launch").glob("*.launch")), ids=lambda file: file.stem)
