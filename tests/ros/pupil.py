@@ -162,9 +162,10 @@ class Pupil:
 
     def _press(self, box):
         for terminal in self._at(box):
-            for key in box.text.split():
+            keys = box.text.strip()
+            for key in [keys] if keys in CONTROL_KEYS else keys:
                 terminal.press(key)
-            if key in CONTROL_KEYS:
+            if keys in CONTROL_KEYS:
                 terminal.wait_for_end()
 
     def _see(self, box):

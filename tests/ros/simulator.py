@@ -125,7 +125,7 @@ class Simulator(RobotTest):
             robot.set_motors(0.4, 0.6)
             self.wait_for(lambda: self.velocity()[0] > 0.25, 5.0, "speed")
             for sample in list(self.samples):
-                file.write("/odom", sample, sample.header.stamp)
+                file.write("odom", sample, sample.header.stamp)
             file.write("/cmd_vel", Twist(), self.samples[0].header.stamp)
         recorded = self.draw("recorded.png", "--bag", bag)
         for process in live, recorded:

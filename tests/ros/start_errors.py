@@ -31,9 +31,14 @@ class StartErrors(RobotTest):
                          "_i2c_bus:=fake", "__ns:=jetbot-07")
 
     def test_no_master(self):
-        node = self.start(*CONTROLLER, "_i2c_bus:=fake", env={**os.environ, "ROS_MASTER_URI": "http://localhost:1"})
-        self.assertNotEqual(node.wait(START), 0)
-        self.assertEqual(read(node), "No ROS master at http://localhost:1. Start one in another terminal: roscore\n")
+        nowhere = {**os.environ, "ROS_MASTER_URI": "http://localhost:1"}
+        nodes = [self.start(*command, env=nowhere) for command in (
+            CONTROLLER, (*CONTROLLER, "_i2c_bus:=fake"), ("rosrun", "simulation", "simulator.py"),
+            ("rosrun", "simulation", "draw_track.py"))]
+        sentence = "No ROS master at http://localhost:1. Start one in another terminal: roscore\n"
+        for node in nodes:
+            self.assertNotEqual(node.wait(START), 0)
+            self.assertEqual(read(node), sentence)
 
     def test_roslaunch_ends_when_the_controller_cannot_start(self):
         launch = self.start("roslaunch", "workshop", "workshop_jetbot_controller.launch", "i2c_bus:=77")

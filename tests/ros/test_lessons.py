@@ -202,7 +202,8 @@ def test_nothing_is_missing_in_the_graph(mine, running):
     assert graph.node_up("/robot", "rosrun it") is None
     assert graph.listens("/robot", "/cmd_vel") is None
     assert graph.has_type("/cmd_vel", "geometry_msgs/Twist") is None
-    assert graph.nobody_publishes("/nothing") is None
+    assert not graph.nobody_else_publishes("/nothing")
+    assert not graph.nobody_else_publishes("/speed", "mine")
     assert graph.publishes("mine", "/speed", "rosrun it") is None
 
 
@@ -226,8 +227,10 @@ def test_another_type(running):
         "/cmd_vel carries geometry_msgs/Twist, not std_msgs/String: which node publishes that?")
 
 
-def test_somebody_else_publishes(running):
-    assert graph.nobody_publishes("/cmd_vel") == (
+@pytest.mark.parametrize("package", [None, "mine"])
+def test_somebody_else_publishes(mine, running, package):
+    running.setattr(graph, "pid", lambda node: 1)
+    assert graph.nobody_else_publishes("/cmd_vel", package) == (
         "/other publishes on /cmd_vel: end it with Ctrl-C in its terminal, then try again")
 
 
@@ -261,11 +264,12 @@ def test_whose_script_it_is(mine, path, whose):
     ("drive.py", "scripts"), ("./drive.py", "scripts"), ("../mine/scripts/drive.py", "."),
     ("{}/scripts/drive.py", "/")])
 def test_where_a_script_was_started(mine, monkeypatch, command, folder):
-    (mine / "scripts/drive.py").write_text("import time\ntime.sleep(60)")
-    process = subprocess.Popen([sys.executable, command.format(mine)], cwd=mine / folder)
+    (mine / "scripts/drive.py").write_text("print(flush=True)\ninput()")
+    process = subprocess.Popen([sys.executable, command.format(mine)], cwd=mine / folder, stdin=subprocess.PIPE,
+                               stdout=subprocess.PIPE)
+    process.stdout.readline()  # it runs
     try:
         monkeypatch.setattr(graph, "pid", lambda node: process.pid)
         assert graph.belongs(graph.command_of("/mine"), "mine")
     finally:
-        process.kill()
-        process.wait()
+        process.communicate(b"\n")

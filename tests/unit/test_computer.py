@@ -22,10 +22,13 @@ def test_buses_by_number(tmp_path):
     assert [path.name for path in computer.buses(tmp_path)] == ["i2c-1", "i2c-2", "i2c-10"]
 
 
+FAKE = "Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."
+
+
 @pytest.mark.parametrize("model, buses, sentence", [
     ("Jetson Nano", ["/dev/i2c-0", "/dev/i2c-1"], "This computer has /dev/i2c-0, /dev/i2c-1. "
-     "On a Jetson Nano the motors are on bus 1: i2c_bus:=1. Without a robot: i2c_bus:=fake."),
-    ("", [], "This computer has no /dev/i2c-* at all. Without a robot: i2c_bus:=fake."),
+     "On a Jetson Nano the motors are on bus 1: i2c_bus:=1. " + FAKE),
+    ("", [], "This computer has no /dev/i2c-* at all. " + FAKE),
 ])
 def test_which_buses(monkeypatch, model, buses, sentence):
     monkeypatch.setattr(computer, "model", lambda: model)

@@ -14,7 +14,6 @@ import threading
 import time
 from collections import deque
 
-import rosgraph
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
 from diagnostic_updater import Updater
@@ -26,13 +25,14 @@ from jetbot.fake_i2c import default_folder
 from jetbot.kinematics import mix
 from jetbot.parameters import checked, load
 from jetbot.safety import Safety
+from jetbot_ros.master import require_master
 
 WATCH_PERIOD = 0.03       # seconds between two looks at what may stop the robot
 FAREWELL = 2.0            # seconds for the node to end once the robot stands
 DEFAULT_FAILSAFE = 1.0    # seconds, for a board with a timer, where cmd_vel_timeout is 0
 REPORT_PERIOD = 0.1       # seconds
 DIAGNOSTICS_PERIOD = 1.0  # seconds
-REPEAT_LOG = 5.0          # seconds before the same line is logged again
+REPEAT_LOG = 1.0          # seconds before the same line is logged again
 
 
 class Controller:
@@ -213,6 +213,7 @@ def make_robot(parameters):
 
 
 def main():
+    require_master()
     # rospy's own signal handlers talk to the master before anything stops, and wait for ever if that hangs.
     rospy.init_node("jetbot_controller", disable_signals=True)
     parameters = read_parameters()
@@ -238,6 +239,5 @@ if __name__ == "__main__":
         rospy.logfatal(error)
         sys.exit(1)
     except OSError:
-        if rosgraph.is_master_online():
-            raise
-        sys.exit(f"No ROS master at {rosgraph.get_master_uri()}. Start one in another terminal: roscore")
+        require_master()  # it may have ended meanwhile
+        raise

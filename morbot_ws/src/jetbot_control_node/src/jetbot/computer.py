@@ -50,4 +50,4 @@ def which_buses():
     there = ", ".join(map(str, buses())) or "no /dev/i2c-* at all"
     usual = robot_bus(model())
     hint = f" On a {model()} the motors are on bus {usual}: i2c_bus:={usual}." if usual is not None else ""
-    return f"This computer has {there}.{hint} Without a robot: i2c_bus:=fake."
+    return f"This computer has {there}.{hint} Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."

@@ -21,6 +21,8 @@ import rospy  # noqa: E402
 from geometry_msgs.msg import Twist  # noqa: E402
 from nav_msgs.msg import Odometry  # noqa: E402
 
+from jetbot_ros.master import require_master  # noqa: E402
+
 ACTUAL, COMMANDED, START, END = "tab:blue", "tab:orange", "tab:green", "tab:red"
 
 
@@ -64,16 +66,18 @@ def read_bag(file, odom, cmd_vel):
     """The recording in a rosbag."""
     recording = Recording()
     with rosbag.Bag(file) as bag:
-        for topic, message, time in bag.read_messages([odom, cmd_vel]):
-            if topic == odom:
+        for topic, message, time in bag.read_messages():
+            name = "/" + topic.lstrip("/")  # rosbag keeps names as they were typed
+            if name == odom:
                 recording.add_odometry(message)
-            else:
+            elif name == cmd_vel:
                 recording.add_command(time.to_sec(), message)
     return recording
 
 
 def listen(seconds, odom, cmd_vel):
     """A recording of the robot that drives now; Ctrl-C ends it early."""
+    require_master()
     recording = Recording()
     rospy.init_node("draw_track", anonymous=True)
     subscribers = [rospy.Subscriber(odom, Odometry, recording.add_odometry),
@@ -151,6 +155,8 @@ def main():
     given = arguments()
     topics = [rosgraph.names.ns_join("/" + given.robot.strip("/"), name) for name in ("odom", "cmd_vel")]
     recording = read_bag(given.bag, *topics) if given.bag else listen(given.seconds, *topics)
+    if given.bag and not recording.samples:
+        sys.exit(f"{given.bag} holds nothing of {topics[0]}. Another robot's: --robot NAME")
     if not recording.samples:
         sys.exit(f"Nothing was published on {topics[0]}. Start the robot: roslaunch simulation simulation.launch")
     draw(recording, given.png)
@@ -160,8 +166,6 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except ConnectionRefusedError:
-        sys.exit(f"No ROS master at {rosgraph.get_master_uri()}. Start one in another terminal: roscore")
     except (OSError, rosbag.ROSBagException) as error:
         sys.exit(f"Nothing was drawn: {error}.")
     except KeyboardInterrupt:

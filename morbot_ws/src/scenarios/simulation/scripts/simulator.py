@@ -8,7 +8,6 @@ import threading
 import time
 from collections import deque
 
-import rosgraph
 import rospy
 from geometry_msgs.msg import Pose2D, PoseStamped, Quaternion, TransformStamped
 from nav_msgs.msg import Odometry, Path
@@ -21,6 +20,7 @@ from jetbot.fake_i2c import default_folder
 from jetbot.fake_motors import wheel_speeds
 from jetbot.i2c import fake_folder
 from jetbot.parameters import checked
+from jetbot_ros.master import require_master
 from simulation import ORIGIN, Body, Motor, Pose
 from simulation.parameters import PARAMETERS
 
@@ -174,6 +174,7 @@ def spin(simulator):
 
 
 def main():
+    require_master()
     rospy.init_node("jetbot_simulator")
     given = checked(rospy.get_param("~", {}), PARAMETERS)
     bus = given["i2c_bus"]
@@ -190,8 +191,6 @@ if __name__ == "__main__":
     except InvalidValue as error:
         rospy.logfatal(error)
         sys.exit(1)
-    except ConnectionRefusedError:
-        sys.exit(f"No ROS master at {rosgraph.get_master_uri()}. Start one in another terminal: roscore")
     except rospy.ROSException:
         if not rospy.is_shutdown():  # which closes the topics under the last step
             raise

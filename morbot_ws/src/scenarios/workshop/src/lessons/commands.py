@@ -30,17 +30,17 @@ def soon(condition, within):
     return True
 
 
-def publishes_at(package, rate):
-    """Whether the package's node publishes ``rate`` commands a second."""
+def publishes_at(package, rate, remedy):
+    """Whether the package's node publishes ``rate`` commands a second; remedy: what makes it do so."""
     become_node()
     nodes = own_publishers(package, TOPIC)
     times = [when for when, node in heard(LISTEN) if node in nodes]
     if len(times) < 2:
-        return f"{package} does not publish {rate} times a second: publish in a loop, with rospy.Rate({rate})"
+        return f"{package} does not publish {rate} times a second: {remedy}"
     measured = (len(times) - 1) / (times[-1] - times[0])
     if abs(measured - rate) <= TOLERANCE * rate:
         return None
-    return f"{nodes[0]} publishes {measured:.1f} times a second, not {rate}: use rospy.Rate({rate})"
+    return f"{nodes[0]} publishes {measured:.1f} times a second, not {rate}: {remedy}"
 
 
 def heard(seconds):

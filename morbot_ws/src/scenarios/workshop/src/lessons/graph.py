@@ -73,9 +73,10 @@ def has_type(topic, wanted):
     return None if given == wanted else f"{topic} carries {given}, not {wanted}: which node publishes that?"
 
 
-def nobody_publishes(topic):
-    """Whether the topic is free."""
-    nodes = look().publishers.get(topic)
+def nobody_else_publishes(topic, package=None):
+    """Whether nobody publishes on the topic, but for nodes of the package, and those that hang or are gone."""
+    own = own_publishers(package, topic) if package else []
+    nodes = [node for node in look().publishers.get(topic, ()) if node not in own and pid(node) is not None]
     return nodes and f"{nodes[0]} publishes on {topic}: end it with Ctrl-C in its terminal, then try again"
 
 

@@ -2,7 +2,7 @@
 
 from .commands import key_pressed, publishes_at
 from .files import built, depends, found, launch_file_includes_controller, scripts_start
-from .graph import has_type, launched_together, listens, master_up, nobody_publishes, node_up, publishes
+from .graph import has_type, launched_together, listens, master_up, nobody_else_publishes, node_up, publishes
 from .wheels import wheels_obey, wheels_turn
 
 ROBOT, SCENARIO, KEYBOARD = "jetbot_control_node", "workshop", "teleop_twist_keyboard"
@@ -31,9 +31,14 @@ def controller(start, start_master=None):
     ]
 
 
-def drives(name, start):
-    """What a scenario that runs does; start: the command that starts it."""
-    return [(publishes, name, "/cmd_vel", start), (publishes_at, name, 10), (wheels_turn,)]
+def drives(name, start, remedy="publish in a loop, with rospy.Rate(10)"):
+    """What a scenario that runs does; start: the command that starts it, remedy: what brings it to its rate."""
+    return [
+        (publishes, name, "/cmd_vel", start),
+        (nobody_else_publishes, "/cmd_vel", name),
+        (publishes_at, name, 10, remedy),
+        (wheels_turn,),
+    ]
 
 
 def lessons(own):
@@ -43,12 +48,13 @@ def lessons(own):
     return {
         1: package(ROBOT) + package(SCENARIO, ROBOT),
         2: controller(RUN, "roscore"),
-        3: [*controller(RUN, "roscore"), (nobody_publishes, "/cmd_vel"), (wheels_obey,)],
+        3: [*controller(RUN, "roscore"), (nobody_else_publishes, "/cmd_vel"), (wheels_obey,)],
         4: [(found, KEYBOARD, "get it with git clone and ./morbot setup, as lesson 4 does"),
             *controller(RUN, "roscore"),
             (node_up, f"/{KEYBOARD}", f"rosrun {KEYBOARD} {KEYBOARD}.py"), (key_pressed, f"/{KEYBOARD}")],
         5: [*controller(LAUNCH), (launched_together, ROBOT)],
-        6: [*controller(LAUNCH_SCENARIO), (launched_together, ROBOT, SCENARIO), *drives(SCENARIO, LAUNCH_SCENARIO)],
+        6: [*controller(LAUNCH_SCENARIO), (launched_together, ROBOT, SCENARIO),
+            *drives(SCENARIO, LAUNCH_SCENARIO, "start it without rate:=")],
         7: [*package(own), *controller(LAUNCH), *drives(own, run_own)],
         8: [*package(own, ROBOT), (launch_file_includes_controller, own), *controller(launch_own),
             (launched_together, ROBOT, own), *drives(own, launch_own)],
