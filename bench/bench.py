@@ -61,17 +61,21 @@ def measure_drive(add, plan, robots, rate, case):
 
 
 def measure(plan):
-    """The report.Figures; contestants take turns, so that what else the computer does meets all alike."""
+    """The report.Figures, and what failed; contestants take turns, so that what else runs here meets all alike."""
     jobs = [*((report.NODE.format(clock // 1000), partial(measure_node, clock=clock)) for clock in plan.clocks),
             *((report.ROBOTS, partial(measure_robots, count=count)) for count in plan.robots)]
     jobs = [(report.WIRE, measure_wire), *plan.runs * jobs]
-    figures = report.Figures()
+    figures, failures = report.Figures(), []
     with node.master():
         for number, (section, job) in enumerate(jobs, 1):
             for contestant in wire.CONTESTANTS:
                 progress(f"{number} of {len(jobs)}: {section}: {contestant}")
-                job(partial(figures.add, section, contestant), plan, contestant)
-    return figures
+                try:
+                    job(partial(figures.add, section, contestant), plan, contestant)
+                except node.Failure as failure:
+                    progress(f"left out: {failure}")
+                    failures.append(failure)
+    return figures, failures
 
 
 def progress(text):
@@ -93,12 +97,14 @@ def main():
     for ending in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
         signal.signal(ending, lambda *_: sys.exit(1))
     Path("/proc/self/timerslack_ns").write_text("1")  # the fake bus sleeps for each bit: let it be exact, for all alike
-    figures = measure(plan)
+    figures, failures = measure(plan)
     given.output.mkdir(parents=True, exist_ok=True)
-    (given.output / "results.md").write_text(report.text(figures, plan.runs, wire.cost_of_check(), wire.pace()))
+    page = report.text(figures, failures, plan.runs, wire.cost_of_check(), wire.pace())
+    (given.output / "results.md").write_text(page)
     report.draw(figures, given.output / "results.png")
     progress(f"wrote {given.output}/results.md and results.png")
+    return 1 if failures else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

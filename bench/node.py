@@ -62,11 +62,16 @@ def master():
             yield
 
 
+class Failure(Exception):
+    """A contestant did not do what was to be measured."""
+
+
 def wait_for(condition, within, complaint):
+    """Wait until the condition is true; Failure after so many seconds."""
     deadline = time.monotonic() + within
     while not condition():
         if time.monotonic() > deadline:
-            sys.exit(f"bench: {complaint}")
+            raise Failure(complaint)
         time.sleep(0.002)
 
 
@@ -133,7 +138,7 @@ class Robots:
     def _wait_until(self, obeyed):
         wait_for(lambda: obeyed() or not self._all_run(), OBEY, f"{self._contestant} does not obey the last command")
         if not self._all_run():
-            sys.exit(f"bench: {self._contestant} has died")
+            raise Failure(f"{self._contestant} has died")
 
     def memory(self, children):
         """MiB (RSS) of a node; children: with the processes that it started."""

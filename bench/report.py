@@ -1,5 +1,6 @@
 """What was measured, as tables and as a picture."""
 
+import math
 import os
 import platform
 import re
@@ -46,17 +47,18 @@ class Figures(dict):
                 for row in sorted(rows, key=lambda row: quantities.index(row[0]))}
 
 
-def text(figures, runs, check, pace):
-    """The Markdown of results.md. check, pace: what wire.cost_of_check and wire.pace say."""
+def text(figures, failures, runs, check, pace):
+    """The Markdown of results.md. failures: what is missing; check, pace: by wire.cost_of_check and wire.pace."""
     sections = [f"\n## {section}\n\n{table(figures.medians(section))}" for section in figures]
-    return PAGE.format(machine=machine(), runs=runs, check=check, pace=pace) + "".join(sections)
+    missing = [f"\nLeft out of one run: {failure}.\n" for failure in failures]
+    return PAGE.format(machine=machine(), runs=runs, check=check, pace=pace) + "".join(missing + sections)
 
 
 def table(medians):
     """A Markdown table: a column a contestant, and how many times as much the script, and this driver, take."""
     lines = [["", "", *COLORS, "script : driver", "driver : floor"], ["---", "---", *["---:"] * 5]]
     for (quantity, case), values in medians.items():
-        ours, baseline, floor = (values[name] for name in COLORS)
+        ours, baseline, floor = (values.get(name, math.nan) for name in COLORS)
         lines.append([quantity, case, *map(number, (ours, baseline, floor)), ratio(baseline, ours), ratio(ours, floor)])
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
@@ -103,7 +105,7 @@ def bars(axes, medians, quantity, **style):
     """A group of bars a case, a bar a contestant."""
     rows = [row for row in medians if row[0].startswith(quantity)]
     for place, (name, color) in enumerate(COLORS.items()):
-        heights = [medians[row][name] for row in rows]
+        heights = [medians[row].get(name, math.nan) for row in rows]
         drawn = axes.bar([group + 0.27 * (place - 1) for group in range(len(rows))], heights, 0.25,
                          color=color, label=name, **style)
         axes.bar_label(drawn, map(number, heights), fontsize=8)

@@ -29,6 +29,8 @@ class Namespaces(RobotTest):
         self.wait_for(lambda: all(map(driving, speeds)), START, "both to drive at their own speeds")
         self.emergency_stop(True)
         self.wait_for(lambda: all(map(still, speeds)), 1.0, "both to stop")
+        self.wait_for(lambda: all(f"{name}: stopped: emergency stop" in self.logs() for name in speeds), START,
+                      "both to tell which one they are")
 
 
 if __name__ == "__main__":

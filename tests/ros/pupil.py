@@ -46,12 +46,14 @@ class Terminal:
         self._seen = len(self.output)
 
     def type(self, line):
+        """Type a command; AssertionError where one still runs."""
         if self.result is None:
             raise AssertionError(f"something still runs in this terminal\n{self.output}")
         self._typed = len(self._raw)
         self._shell.sendline(line)
 
     def press(self, key):
+        """Press a key, or one of CONTROL_KEYS."""
         self._shell.send(CONTROL_KEYS.get(key, key))
         time.sleep(PAUSE)
 

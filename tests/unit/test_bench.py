@@ -44,9 +44,16 @@ def test_numbers_have_three_digits_and_no_exponent(value, text):
     assert report.number(value) == text
 
 
+def test_what_failed_is_told_and_the_rest_is_kept(figures):
+    figures.add("node", "floor", "memory (MiB)", "", 48)
+    assert rows(report.table(figures.medians("node")))[-1] == ["memory (MiB)", "", "nan", "nan", "48", "nan", "nan"]
+    page = report.text(figures, ["the script has died"], runs=3, check=(4, 503), pace=0.31)
+    assert "Left out of one run: the script has died." in page
+
+
 def test_the_page_names_the_machine_and_what_was_run(figures, monkeypatch):
     monkeypatch.setattr(report, "machine", lambda: "a Jetson Nano")
-    page = report.text(figures, runs=3, check=(4, 503), pace=0.31)
+    page = report.text(figures, [], runs=3, check=(4, 503), pace=0.31)
     assert "a Jetson Nano; medians of 3 run(s)" in page
     assert "took 0.31 ms" in page
     assert "4 transfers, 503 bits" in page

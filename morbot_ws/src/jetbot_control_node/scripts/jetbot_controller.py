@@ -143,6 +143,8 @@ class Report:
         self._parameters = parameters
         self._logged = {}  # status: when
         self._last = None
+        name = rospy.get_namespace().strip("/")
+        self._prefix = f"{name}: " if name else ""
         self._counted = (0, time.monotonic())
         self._updater = Updater()
         self._updater.setHardwareID(controller.robot.driver.link.name)
@@ -166,7 +168,7 @@ class Report:
         if status != self._last and now - self._logged.get(status, -math.inf) >= REPEAT_LOG:
             self._logged[status] = now
             self._last = status
-            (rospy.logwarn if alarm else rospy.loginfo)(status)
+            (rospy.logwarn if alarm else rospy.loginfo)(self._prefix + status)
 
     def _diagnose(self, result):
         controller, link = self._controller, self._controller.robot.driver.link

@@ -30,19 +30,22 @@ def buses(dev=Path("/dev")):
 
 def how_to_open(device, usual_group):
     """What to do where this user may not open a device, a path in /dev; usual_group: whose such devices mostly are."""
-    group = usual_group
     try:
         number = os.stat(device).st_gid
         group = grp.getgrgid(number).gr_name
+    except OSError:  # it is gone again
+        group = usual_group
     except KeyError:
         return f"Its group has no name here, as in a container; start that with: --group-add {number}"
-    except OSError:
-        pass  # it is gone again
-    join = f"sudo usermod -aG {usual_group if group == 'root' else group} $USER   and log in again."
     if group == "root":
         give = f"sudo chgrp {usual_group} {device} && sudo chmod g+rw {device}"
-        return f"Give it to a group: {give}   and join that: {join}"
-    return f"Join its group with: {join}"
+        return f"Give it to a group: {give}   and join that: {how_to_join(usual_group)}"
+    return f"Join its group with: {how_to_join(group)}"
+
+
+def how_to_join(group):
+    """The command, and what to do after it."""
+    return f"sudo usermod -aG {group} $USER   and log in again."
 
 
 def which_buses():

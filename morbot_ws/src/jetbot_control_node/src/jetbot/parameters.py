@@ -30,6 +30,7 @@ PART = (lambda value: is_number(value) and 0 <= value < 1, "a number of at least
 YES_OR_NO = (lambda value: isinstance(value, bool), "true or false")
 
 PARAMETERS = {
+    # a list: what a YAML file gives may not be hashable
     "board": Parameter("jetbot", lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}"),
     "i2c_bus": Parameter(1, lambda value: isinstance(value, (int, str)), "a number, fake, or fake:FOLDER"),
     "port": Parameter(PORT, lambda value: isinstance(value, str), "a serial device or pyserial URL"),

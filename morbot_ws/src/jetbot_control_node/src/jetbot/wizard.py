@@ -69,15 +69,15 @@ class Wizard:
 
     def ramp(self, wheel, left, right):
         """Give one wheel more and more power until a key is pressed; the duty at which it turned."""
-        reached = None
-        while not (reached and choose(f"Did the {wheel} wheel turn?", ANSWERS)):
+        while True:
             pause(f"\nThe {wheel} wheel gets power very slowly. Enter starts it; press any key as soon as it turns.")
             duties = [i * RAMP_STEP for i in range(int(RAMP_END / RAMP_STEP))]
             with self.robot() as robot:
                 reached = move(robot, ((left * duty, right * duty) for duty in duties))
             if not reached:
                 print(f"No key was pressed before {100 * RAMP_END:.0f} % of full power. Once more:")
-        return round(max(reached), 3)
+            elif choose(f"Did the {wheel} wheel turn?", ANSWERS):
+                return round(max(reached), 3)
 
     def find_trim(self):
         """The alphas with which it drives straight."""

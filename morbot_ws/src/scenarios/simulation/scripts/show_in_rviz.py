@@ -17,7 +17,8 @@ def in_namespace(config, name):
 
 def main(config, *ros_arguments):
     if not shutil.which("rviz"):
-        return print("To see the robot here: sudo apt install rviz", flush=True)
+        print("To see the robot here: sudo apt install rviz", flush=True)
+        return 0
     name = os.environ.get("ROS_NAMESPACE", "").strip("/")
     with tempfile.NamedTemporaryFile("w", suffix=".rviz") as file:
         file.write(in_namespace(Path(config).read_text(), name) if name else Path(config).read_text())
