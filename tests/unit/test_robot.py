@@ -159,7 +159,7 @@ def test_a_signal_handler_may_stop_it_at_any_line(make_robot, folder):
 
 def test_no_guard_watches_over_a_closed_robot(make_robot, monkeypatch):
     robot = make_robot()
-    monkeypatch.setattr(robot._guard, "heartbeat", lambda: pytest.fail("it would stop the next robot"))
+    monkeypatch.setattr(robot._guard, "start", lambda: pytest.fail("it would stop the next robot"))
     robot.close()
     robot.heartbeat()
 

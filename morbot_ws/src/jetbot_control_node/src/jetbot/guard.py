@@ -33,19 +33,22 @@ class Guard:
         self._command = [
             sys.executable, "-IS", "-c", f"import sys; sys.path = {sys.path}; from {__name__} import main; main()",
             board, str(options.i2c_bus), options.port, str(options.failsafe)]
-        self._start()
+        self.start()
 
-    def _start(self):
+    def start(self):
+        """Start the guard's process."""
         self._process = subprocess.Popen(
-            self._command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,  # who reads that need not wait
+            self._command, stdin=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,  # else who reads this program's output would wait for the guard's end
             start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
         os.set_blocking(self._process.stdin.fileno(), False)
 
+    def is_alive(self):
+        """Whether the guard's process runs."""
+        return self._process.poll() is None
+
     def heartbeat(self):
         """Say that this process does not hang. Once said, it must be said again within SILENCE seconds."""
-        if self._process.poll() is not None:  # somebody killed the guard
-            self._process.stdin.close()
-            self._start()
         self._say(HEARTBEAT)
 
     def dismiss(self):
@@ -63,7 +66,8 @@ class Guard:
         self._process.stdin.close()
 
     def _say(self, word):
-        with contextlib.suppress(OSError):  # it has just been killed, or hangs with the pipe full
+        # OSError: it has just been killed, or hangs with the pipe full; ValueError: it was dismissed meanwhile
+        with contextlib.suppress(OSError, ValueError):
             os.write(self._process.stdin.fileno(), word)
 
 

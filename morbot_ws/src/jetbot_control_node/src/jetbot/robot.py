@@ -83,6 +83,7 @@ class Robot:
         self.driver = open_board(board, options)
         self._take_over()
         self._guard = Guard(board, options)
+        Robot._open.append(self)
 
     def set_motors(self, left_speed, right_speed):
         """Drive both wheels."""
@@ -129,9 +130,11 @@ class Robot:
 
     def heartbeat(self):
         """Say that this program does not hang. Once said, it must be said again within a second, or the wheels stop."""
-        with self._lock:
-            if not self._closed:  # a guard of a closed robot would stop whoever drives the board now
-                self._guard.heartbeat()
+        if not self._guard.is_alive():  # somebody killed it
+            with self._lock:
+                if not self._closed:  # the guard of a closed robot would stop whoever drives the board now
+                    self._guard.start()
+        self._guard.heartbeat()
 
     def _act(self, action, *arguments):
         if self._closed:
@@ -161,9 +164,7 @@ class Robot:
 
     def _take_over(self):
         """Close an earlier Robot on the same board, as a notebook's cell leaves behind that is run again."""
-        predecessors = [other for other in Robot._open if other._place() == self._place()]
-        Robot._open.append(self)
-        for predecessor in predecessors:
+        for predecessor in [other for other in Robot._open if other._place() == self._place()]:
             predecessor._close_quietly()
 
     def _place(self):
