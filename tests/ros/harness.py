@@ -97,7 +97,7 @@ class RobotTest(unittest.TestCase):
         while not condition():
             if time.monotonic() > deadline:
                 self.fail(f"waited {within} s for {what}; wheels {self.wheels()}{self.logs()}")
-            time.sleep(0.005)
+            time.sleep(0.01)
 
     def wait_for_wheels(self, left, right, within=5.0):
         """Wait until the wheels turn at these speeds; fail after ``within`` seconds, here and below."""
@@ -111,7 +111,7 @@ class RobotTest(unittest.TestCase):
         deadline = time.monotonic() + for_seconds
         while time.monotonic() < deadline:
             self.assertTrue(near(self.wheels(), (left, right)), f"the wheels turn at {self.wheels()}{self.logs()}")
-            time.sleep(0.005)
+            time.sleep(0.01)
 
     def status(self):
         """A list of the controller's status texts, which grows as they come."""

@@ -9,10 +9,12 @@ import time
 from pathlib import Path
 
 import pexpect
+import pytest
 from lesson_pages import FAILS, FILE, INTERNET, LEAVE, PRESS, RUN, SEE, boxes, pattern
 from ports import free_port
 
 ROOT = Path(__file__).parents[2]
+LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"))
 LEFT_OUT = ("build", "devel", "install", ".git", "__pycache__", "teleop_twist_keyboard", "my_scenario")
 WORKSPACE = ("ROS", "CMAKE", "PYTHON", "PKG_CONFIG", "LD_LIBRARY", "JETBOT")  # variables that a sourced one sets
 PROMPT = re.compile(r"\[(\d+)\] pupil\$ $")
@@ -186,6 +188,22 @@ class Pupil:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
         return list(left.values())
+
+
+def follow(pages, home):
+    """Let a pupil follow the pages in this folder, and leave nothing running; skip where only the internet fails."""
+    pupil, offline, left = Pupil(home), [], None
+    try:
+        for page in pages:
+            try:
+                pupil.follow(page)
+            except Offline as error:
+                offline.append(f"{page.name} needs the internet: {error}")
+    finally:
+        left = pupil.leave()
+    assert not left
+    if offline:
+        pytest.skip(f"all else is well, but {offline[0]}")
 
 
 DO = {RUN: Pupil._run, FAILS: Pupil._run_in_vain, INTERNET: Pupil._run_with_internet, LEAVE: Pupil._leave_running,
