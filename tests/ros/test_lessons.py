@@ -204,6 +204,7 @@ def test_nothing_is_missing_in_the_graph(mine, running):
     assert graph.has_type("/cmd_vel", "geometry_msgs/Twist") is None
     assert not graph.nobody_else_publishes("/nothing")
     assert not graph.nobody_else_publishes("/speed", "mine")
+    assert not graph.nobody_else_publishes("/cmd_vel"), "it only has died"
     assert graph.publishes("mine", "/speed", "rosrun it") is None
 
 
