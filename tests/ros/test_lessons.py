@@ -110,10 +110,12 @@ def test_dependency_is_not_named(mine):
         f"{mine}/package.xml does not name jetbot_control_node: add <exec_depend>jetbot_control_node</exec_depend>")
 
 
-@pytest.mark.parametrize("text", ["<package", "", "hello", "<launch/>"])
+@pytest.mark.parametrize("text", [
+    "<package", "", "hello", "<launch/>", '<?xml version="1.0" encoding="foo"?><a/>', "\xff"])
 def test_package_xml_is_not_xml(mine, text):
-    (mine / "package.xml").write_text(text)
-    with pytest.raises(InvalidPackage, match=rf"^Error.* '{mine}/package.xml': The manifest [^\n]+$"):
+    (mine / "package.xml").write_bytes(text.encode("latin-1"))
+    file = re.escape(f"{mine}/package.xml")
+    with pytest.raises(InvalidPackage, match=rf"^(Error.* '{file}': The manifest|{file} cannot be read:) [^\n]+$"):
         files.found("mine", "make it")
 
 
@@ -153,7 +155,19 @@ def test_script_that_cannot_be_read(mine):
     script = mine / "scripts/drive.py"
     script.unlink()
     script.symlink_to("nowhere")
-    assert files.scripts_start("mine") == f"{script} cannot be read: No such file or directory"
+    assert files.scripts_start("mine") == f"{script} is no file: remove it"
+
+
+@pytest.mark.parametrize("name", [".drive.py", ".#drive.py", "notes.txt"])
+def test_hidden_and_other_files_are_no_scripts(mine, name):
+    (mine / "scripts" / name).symlink_to("nowhere")
+    assert files.scripts_start("mine") is None
+
+
+@pytest.mark.parametrize("first", ["#!/usr/bin/env python3 ", "#!/usr/bin/python3 -u", "#!/usr/bin/env -S python3 -u"])
+def test_first_lines_that_start(mine, first):
+    (mine / "scripts/drive.py").write_text(f"{first}\nprint()\n")
+    assert files.scripts_start("mine") is None
 
 
 def test_script_is_not_executable(mine):
@@ -191,7 +205,7 @@ def test_the_workshops_packages_are_complete(monkeypatch, package):
 def running(monkeypatch):
     """A graph in which /robot listens to /cmd_vel, /mine publishes on /speed and /other on /cmd_vel."""
     now = graph.Graph({"/speed": ["/mine"], "/cmd_vel": ["/other"], "/rosout": ["/mine"]},
-                      {"/cmd_vel": ["/robot"]}, {"/cmd_vel": "geometry_msgs/Twist"})
+                      {"/cmd_vel": ["/robot"]})
     monkeypatch.setattr(graph, "look", lambda: now)
     monkeypatch.setattr(graph, "pid", lambda node: None if node == "/other" else 1)
     monkeypatch.setattr(graph, "command_of", lambda node: [Path(f"/devel/lib{node}/drive.py")])
@@ -224,8 +238,14 @@ def test_node_that_does_not_listen(running):
 
 
 def test_another_type(running):
-    assert graph.has_type("/cmd_vel", "std_msgs/String") == (
-        "/cmd_vel carries geometry_msgs/Twist, not std_msgs/String: which node publishes that?")
+    running.setattr(graph, "ask", lambda node, question: [["/cmd_vel", "std_msgs/String"]])
+    assert graph.has_type("/cmd_vel", "geometry_msgs/Twist") == (
+        "/other publishes std_msgs/String on /cmd_vel, not geometry_msgs/Twist: end it with Ctrl-C in its terminal")
+
+
+def test_node_in_a_namespace(running):
+    running.setattr(graph, "look", lambda: graph.Graph({}, {"/red/cmd_vel": ["/red/robot"]}))
+    assert graph.node_up("/robot", "rosrun it") == "/red/robot runs in a namespace: start it without one"
 
 
 @pytest.mark.parametrize("package", [None, "mine"])
@@ -233,6 +253,16 @@ def test_somebody_else_publishes(mine, running, package):
     running.setattr(graph, "pid", lambda node: 1)
     assert graph.nobody_else_publishes("/cmd_vel", package) == (
         "/other publishes on /cmd_vel: end it with Ctrl-C in its terminal, then try again")
+
+
+def test_what_runs_in_the_packages_folder_need_not_be_of_it(mine, monkeypatch):
+    process = subprocess.Popen([sys.executable, "-c", "print(flush=True); input()", "pub"], cwd=mine,
+                               stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    process.stdout.readline()
+    monkeypatch.setattr(graph, "pid", lambda node: process.pid)
+    paths = graph.command_of("/mine")
+    process.communicate(b"\n")
+    assert "pub" not in {path.name for path in paths}
 
 
 def test_another_topic(mine, running):
@@ -243,7 +273,7 @@ def test_another_topic(mine, running):
 def test_node_does_not_run(mine, running):
     running.setattr(graph, "command_of", lambda node: [])
     assert graph.publishes("mine", "/cmd_vel", "rosrun it") == (
-        "No node of mine runs, and /other hangs (fg, then Ctrl-C, ends it): "
+        "No node of mine runs; /other was killed or hangs (fg, then Ctrl-C, ends it): "
         "start it in another terminal with rosrun it")
 
 

@@ -166,7 +166,7 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except (OSError, rosbag.ROSBagException) as error:
+    except (OSError, ValueError, rosbag.ROSBagException) as error:
         sys.exit(f"Nothing was drawn: {error}.")
     except KeyboardInterrupt:
         sys.exit(1)

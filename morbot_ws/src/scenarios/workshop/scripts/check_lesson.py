@@ -20,7 +20,7 @@ USAGE = (f"Which lesson, 1 to {LAST}? Type: rosrun workshop check_lesson.py N, "
 def lesson(given):
     """The number and the package's name in what was typed."""
     number, *names = given or [""]
-    if not (number.isdecimal() and 1 <= int(number) <= LAST and len(names) <= 1):
+    if number not in map(str, range(1, LAST + 1)) or len(names) > 1:
         sys.exit(USAGE)
     if int(number) >= FIRST_OWN and not names:
         sys.exit(f"Lesson {number} is about your own package. Type: rosrun workshop check_lesson.py {number} ITS_NAME")

@@ -5,6 +5,8 @@ import time
 import rospy
 from geometry_msgs.msg import Twist
 
+from jetbot_ros.master import require_master
+
 from .graph import own_publishers
 
 TOPIC = "/cmd_vel"
@@ -16,6 +18,7 @@ KEY_WAIT = 20.0    # seconds for somebody to press a key
 
 def become_node():
     """Become a node, if this process is none yet."""
+    require_master()
     if not rospy.core.is_initialized():
         rospy.init_node("check_lesson", anonymous=True, disable_signals=True)
 
@@ -34,6 +37,8 @@ def publishes_at(package, rate, remedy):
     """Whether the package's node publishes ``rate`` commands a second; remedy: what makes it do so."""
     become_node()
     nodes = own_publishers(package, TOPIC)
+    if len(nodes) > 1:
+        return f"{nodes[1]} of {package} publishes, too: end it with Ctrl-C in its terminal"
     times = [when for when, node in heard(LISTEN) if node in nodes]
     if len(times) < 2:
         return f"{package} does not publish {rate} times a second: {remedy}"

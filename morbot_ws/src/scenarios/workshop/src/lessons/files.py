@@ -3,12 +3,14 @@
 import ast
 import os
 import shutil
+import tokenize
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
 from catkin_pkg.package import InvalidPackage, parse_package
 from rospkg import ResourceNotFound, RosPack
 
+ODD_XML = (ValueError, LookupError, AssertionError, OSError)  # what parsers raise beside their own errors
 CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch"
 
 
@@ -16,8 +18,9 @@ def folder(package):
     """The package's source folder; ResourceNotFound where there is none, InvalidPackage where any cannot be read."""
     try:
         return Path(RosPack().get_path(package))
-    except (ET.ParseError, AttributeError):  # rospkg's, of a package.xml that is no XML or names no package
-        raise InvalidPackage(next(filter(None, map(unreadable, sorted(workspace().rglob("package.xml")))))) from None
+    except (ET.ParseError, AttributeError, *ODD_XML) as error:  # rospkg's, of any package.xml that it cannot read
+        sentences = filter(None, map(unreadable, sorted(workspace().rglob("package.xml"))))
+        raise InvalidPackage(next(sentences, f"A package.xml in {workspace()} cannot be read: {error}")) from None
 
 
 def workspace():
@@ -31,6 +34,8 @@ def unreadable(package_xml):
         parse_package(str(package_xml))
     except InvalidPackage as error:
         return " ".join(str(error).split())  # several lines, which name the file
+    except ODD_XML as error:
+        return f"{package_xml} cannot be read: {error}"
     return None
 
 
@@ -50,12 +55,14 @@ def not_found(package, source):
     if alike:
         return f"There is no package {package}, but there is {alike[0]}: type that name"
     outside = [parent / name for parent in workspace().parents if (parent / name / "package.xml").exists()]
-    for place in [*filter(Path.is_dir, workspace().rglob(name)), *outside]:
+    inside = [file.parent for file in workspace().rglob("package.xml") if file.parent.name == name]
+    for place in inside + outside:
         if place in outside or any((parent / "package.xml").exists() for parent in place.parents):
             return f"{place} lies where ROS does not look: mv {place} {workspace()}"
-        if not (place / "package.xml").exists():
-            return f"{place} has no package.xml: {source}"
         return f"{place / 'package.xml'} names another package: write <name>{name}</name> there"
+    for place in workspace() / name, workspace() / "scenarios" / name:
+        if name and place.is_dir():
+            return f"{place} has no package.xml: {source}"
     return f"There is no package {package} in {workspace()}: {source}"
 
 
@@ -80,7 +87,7 @@ def depends(package, *names):
 def scripts_start(package):
     """Whether the package has scripts, and all of them can be started."""
     scripts = folder(package) / "scripts"
-    there = sorted(scripts.glob("*.py"))
+    there = sorted(scripts.glob("[!.]*.py"))
     if not there:
         return f"{package} has no script: put one into {scripts}, with a name that ends in .py"
     return next(filter(None, map(script_starts, there)), None)
@@ -88,11 +95,13 @@ def scripts_start(package):
 
 def script_starts(path):
     """Whether the system can start the script."""
+    if not path.is_file():
+        return f"{path} is no file: remove it"
     try:
         first = path.read_bytes().partition(b"\n")[0].decode(errors="replace")
     except OSError as error:
         return f"{path} cannot be read: {error.strerror}"
-    program = first[len("#!"):].rstrip("\r").split(" ")[-1]
+    program = interpreter(first)
     if not first.startswith("#!"):
         return f"{path.name} does not begin with #!/usr/bin/env python3: make that the first line of {path}"
     if first.endswith("\r"):
@@ -104,10 +113,17 @@ def script_starts(path):
     return python_reads(path)
 
 
+def interpreter(first):
+    """The program that a script's first line names."""
+    words = [word for word in first[len("#!"):].split() if not word.startswith("-")] or [""]
+    return words[1] if words[0].endswith("/env") and len(words) > 1 else words[0]
+
+
 def python_reads(path):
     """Whether the script is Python."""
     try:
-        ast.parse(path.read_bytes())
+        with tokenize.open(path) as script:
+            ast.parse(script.read())
     except SyntaxError as error:
         return f"Python cannot read line {error.lineno} of {path.name}: {error.msg}"
     except ValueError as error:
@@ -128,7 +144,7 @@ def includes_controller(file):
     """Whether the launch file includes the controller's, and passes its arguments on."""
     try:
         includes = ET.parse(file).iter("include")
-    except ET.ParseError as error:
+    except (ET.ParseError, *ODD_XML) as error:
         return f"{file} is not XML: {error}"
     wanted = {"file": CONTROLLER_LAUNCH, "pass_all_args": "true"}
     if any(wanted.items() <= include.attrib.items() for include in includes):

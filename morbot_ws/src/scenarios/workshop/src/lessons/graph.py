@@ -29,7 +29,6 @@ class Graph(NamedTuple):
 
     publishers: dict   # topic: names of nodes
     subscribers: dict  # topic: names of nodes
-    types: dict        # topic: type of its messages
 
     @property
     def nodes(self):
@@ -41,7 +40,7 @@ def look():
     """The Graph now."""
     master = rosgraph.Master(CALLER)
     publishers, subscribers, _ = master.getSystemState()
-    return Graph(dict(publishers), dict(subscribers), dict(master.getTopicTypes()))
+    return Graph(dict(publishers), dict(subscribers))
 
 
 def master_up(start):
@@ -53,7 +52,11 @@ def master_up(start):
 
 def node_up(name, start):
     """Whether the node lives; start: the command that starts it."""
-    if name not in look().nodes:
+    nodes = look().nodes
+    elsewhere = [node for node in nodes if node.endswith(name) and node != name]
+    if name not in nodes and elsewhere:
+        return f"{elsewhere[0]} runs in a namespace: start it without one"
+    if name not in nodes:
         return f"There is no node {name}: start it in another terminal with {start}"
     if pid(name) is None:
         return f"The node {name} does not answer: end it (after Ctrl-Z: fg, then Ctrl-C), then start it with {start}"
@@ -68,9 +71,12 @@ def listens(node, topic):
 
 
 def has_type(topic, wanted):
-    """Whether the topic carries this type of message."""
-    given = look().types.get(topic)
-    return None if given == wanted else f"{topic} carries {given}, not {wanted}: which node publishes that?"
+    """Whether all who publish on the topic publish messages of this type."""
+    for node in look().publishers.get(topic, ()):
+        given = dict(ask(node, "getPublications") or ()).get(topic, wanted)
+        if given != wanted:
+            return f"{node} publishes {given} on {topic}, not {wanted}: end it with Ctrl-C in its terminal"
+    return None
 
 
 def nobody_else_publishes(topic, package=None):
@@ -87,7 +93,7 @@ def publishes(package, topic, start):
     graph = look()
     mine = sorted(node for node in graph.nodes if belongs(command_of(node), package))
     if not mine:
-        hanging = "".join(f", and {node} hangs (fg, then Ctrl-C, ends it)" for node in sorted(graph.nodes)
+        hanging = "".join(f"; {node} was killed or hangs (fg, then Ctrl-C, ends it)" for node in sorted(graph.nodes)
                           if pid(node) is None)
         return f"No node of {package} runs{hanging}: start it in another terminal with {start}"
     others = sorted(name for name, nodes in graph.publishers.items() if mine[0] in nodes and name != "/rosout")
@@ -125,17 +131,23 @@ def packages_of(uri):
 
 def pid(node):
     """The node's process id, by its own word; None for one that does not answer."""
+    return ask(node, "getPid")
+
+
+def ask(node, question):
+    """A node's answer to a question of ROS's slave API; None for one that does not answer."""
     with contextlib.suppress(*NO_ANSWER, rosgraph.MasterException):
-        return ServerProxy(rosgraph.Master(CALLER).lookupNode(node), ImpatientTransport()).getPid(CALLER)[2]
+        return getattr(ServerProxy(rosgraph.Master(CALLER).lookupNode(node), ImpatientTransport()), question)(CALLER)[2]
     return None
 
 
 def command_of(node):
-    """The command line of a node on this computer, each word as a path from the folder in which it was started."""
+    """The interpreter and the script of a node on this computer, as paths."""
     with contextlib.suppress(OSError):
         process = Path("/proc", str(pid(node)))
         here = (process / "cwd").resolve()
-        return [(here / word).resolve() for word in (process / "cmdline").read_text().split("\0")]
+        words = [word for word in (process / "cmdline").read_text().split("\0") if word and not word.startswith("-")]
+        return [(here / word).resolve() for word in words[:2]]
     return []
 
 
