@@ -58,6 +58,7 @@ class Crash(RobotTest):
         self.wait_for_wheels(0.5, 0.5)
         launch.kill()
         self.wait_for_stop(within=LIMIT)
+        self.wait_for(lambda: pid("/jetbot_controller") is None, START, "the controller to end, too")
 
     def guard(self):
         """The process id of the guard on this test's bus."""
