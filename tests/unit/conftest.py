@@ -28,7 +28,7 @@ class CountedBus(FakeBus):
     def _transfer(self, address, wire_bytes, action):
         result = super()._transfer(address, wire_bytes, action)
         self.bits.append(2 + 9 * wire_bytes)
-        self.states.append((self._folder / f"0x{address:02x}").read_bytes())
+        self.states.append(registers(self._folder, address))
         return result
 
 

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from jetbot import JetbotError
-from jetbot.boards import BOARDS, PORT
+from jetbot.boards import BOARDS, PORT, find_board
 from jetbot.calibration import as_yaml
 from jetbot.computer import model, robot_bus
 from jetbot.doctor import LAUNCH, check_address, check_device, check_serial
@@ -95,8 +95,8 @@ def main():
     options = parser.parse_args(as_options(sys.argv[1:]))
     if not sys.stdin.isatty():
         raise JetbotError("calibrate.py asks questions and needs a terminal")
-    if options.board not in (None, *BOARDS):
-        raise JetbotError(f"there is no board {options.board!r}", f"Choose one of: {', '.join(BOARDS)}.")
+    if options.board:
+        find_board(options.board)  # before all else, a name that is wrong
     check_output(options.output)
     bus = bus_argument(options.i2c_bus)
     boards = [options.board] if options.board else boards_there(bus, options.port)

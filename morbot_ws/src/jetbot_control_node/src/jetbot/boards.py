@@ -56,14 +56,19 @@ BOARDS = {
 }
 
 
+def find_board(name):
+    """The row of BOARDS with this name; InvalidValue where there is none."""
+    if name not in list(BOARDS):  # a list: what a YAML file gives may not be hashable
+        raise InvalidValue(f"there is no board {name!r}", f"Choose one of: {', '.join(BOARDS)}.")
+    return BOARDS[name]
+
+
 def open_board(name, options):
     """The driver of the board with this name, started: whatever turned before now stands.
 
     Raises InvalidValue for a name or an option that cannot be, BusError for a board that does not answer.
     """
-    if name not in list(BOARDS):  # a list: what a YAML file gives may not be hashable
-        raise InvalidValue(f"there is no board {name!r}", f"Choose one of: {', '.join(BOARDS)}.")
-    row = BOARDS[name]
+    row = find_board(name)
     link = I2CDevice(options.i2c_bus, row.address) if row.address else SerialLink(options.port)
     driver = row.driver(link, options)
     try:

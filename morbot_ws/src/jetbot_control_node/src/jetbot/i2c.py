@@ -79,9 +79,10 @@ def fake_folder(bus):
 
 def open_bus(name):
     """The bus with this ``bus_name``, with the methods of smbus2.SMBus."""
-    if fake_folder(name):
+    folder = fake_folder(name)
+    if folder:
         from .fake_i2c import FakeBus
-        return FakeBus(fake_folder(name))
+        return FakeBus(folder)
     try:
         from smbus2 import SMBus  # here, so that a machine without a bus does not need it
     except ImportError:
@@ -98,9 +99,10 @@ def explain(error, bus, address):
         errno.ETIMEDOUT: (f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires."),
     }.get(error.errno, (f"no answer from 0x{address:02x} on {bus}",
                         f"Is the motor board plugged in and its battery on? {which_buses()}"))
-    if fake_folder(bus) and error.errno in (errno.EROFS, errno.EACCES, errno.ENOTDIR, errno.ENOSPC):
+    folder = fake_folder(bus)
+    if folder and error.errno in (errno.EROFS, errno.EACCES, errno.ENOTDIR, errno.ENOSPC):
         return BusError(f"the fake bus {bus} cannot be used: {error.strerror}", "Name another folder: fake:FOLDER",
                         error.errno)
-    if fake_folder(bus):
-        advice = f"To plug it in: python3 -m jetbot.fake_i2c {fake_folder(bus)}"
+    if folder:
+        advice = f"To plug it in: python3 -m jetbot.fake_i2c {folder}"
     return BusError(reason, advice, error.errno)

@@ -52,4 +52,3 @@ if __name__ == "__main__":
         main()
     except KeyboardInterrupt:
         sys.exit("Ended.")
-

@@ -77,8 +77,9 @@ def built(package):
 def depends(package, *names):
     """Whether package.xml names these packages as dependencies."""
     file = folder(package) / "package.xml"
-    if unreadable(file):
-        return unreadable(file)
+    sentence = unreadable(file)
+    if sentence:
+        return sentence
     known = {dependency.name for dependency in parse_package(str(file)).exec_depends}
     return next((f"{file} does not name {name}: add <exec_depend>{name}</exec_depend>"
                  for name in names if name not in known), None)

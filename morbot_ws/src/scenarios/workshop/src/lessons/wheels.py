@@ -82,7 +82,8 @@ def wheels_turn():
 def fake_wheels():
     """A function that returns the speeds (left, right) of the wheels on the fake bus; None for a real robot."""
     board, bus = robot()
-    return partial(wheel_speeds, fake_folder(bus), board) if fake_folder(bus) else None
+    folder = fake_folder(bus)
+    return partial(wheel_speeds, folder, board) if folder else None
 
 
 def robot():
