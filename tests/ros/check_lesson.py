@@ -96,7 +96,7 @@ class CheckLesson(RobotTest):
     def test_asks_what_a_real_robot_did(self):
         board = Board(os.path.join(self.folder, "tty"))
         self.addCleanup(board.unplug)
-        self.start(*CONTROLLER, "_board:=jetbot_pro", f"_port:={self.folder}/tty")
+        self.start(*CONTROLLER, "_board:=jetbot_pro", f"_port:={self.folder}/tty", "_cmd_vel_timeout:=0")
         self.wait_for(lambda: first_missing(2) is None, START, "the controller")
         for answer, sentence in (("y", "Lesson 3: done."), ("n", "Lesson 3: The wheels do not obey: see what rosrun ")):
             terminal = pexpect.spawn(CHECK[0], [*CHECK[1:], "3"], timeout=START, encoding="utf-8")
@@ -106,7 +106,7 @@ class CheckLesson(RobotTest):
             terminal.sendline()
             self.wait_for(lambda: board.velocity == (300, 0), START, "the robot to move")
             terminal.expect("Did both wheels turn forward, and stop?")
-            self.assertEqual(board.velocity, (0, 0))
+            self.wait_for(lambda: board.velocity == (0, 0), START, "the robot to stand while its owner answers")
             terminal.sendline(answer)
             terminal.expect_exact(sentence)
 
