@@ -65,14 +65,22 @@ class Recording:
 def read_bag(file, odom, cmd_vel):
     """The recording in a rosbag."""
     recording = Recording()
-    with rosbag.Bag(file) as bag:
+    with open_bag(file) as bag:
         for topic, message, time in bag.read_messages():
             name = "/" + topic.lstrip("/")  # rosbag keeps names as they were typed
-            if name == odom:
+            if (name, message._type) == (odom, Odometry._type):
                 recording.add_odometry(message)
-            elif name == cmd_vel:
+            elif (name, message._type) == (cmd_vel, Twist._type):
                 recording.add_command(time.to_sec(), message)
     return recording
+
+
+def open_bag(file):
+    """The rosbag, to be read; ROSBagException with a remedy where its recorder was killed."""
+    try:
+        return rosbag.Bag(file)
+    except rosbag.ROSBagUnindexedException:
+        raise rosbag.ROSBagException(f"the recording of {file} was cut short. Mend it: rosbag reindex {file}") from None
 
 
 def listen(seconds, odom, cmd_vel):
@@ -156,7 +164,7 @@ def main():
     topics = [rosgraph.names.ns_join("/" + given.robot.strip("/"), name) for name in ("odom", "cmd_vel")]
     recording = read_bag(given.bag, *topics) if given.bag else listen(given.seconds, *topics)
     if given.bag and not recording.samples:
-        sys.exit(f"{given.bag} holds nothing of {topics[0]}. Another robot's: --robot NAME")
+        sys.exit(f"{given.bag} holds no {Odometry._type} on {topics[0]}. Another robot's: --robot NAME")
     if not recording.samples:
         sys.exit(f"Nothing was published on {topics[0]}. Start the robot: roslaunch simulation simulation.launch")
     draw(recording, given.png)
@@ -167,6 +175,6 @@ if __name__ == "__main__":
     try:
         main()
     except (OSError, ValueError, rosbag.ROSBagException) as error:
-        sys.exit(f"Nothing was drawn: {error}.")
+        sys.exit(f"Nothing was drawn: {error}")
     except KeyboardInterrupt:
         sys.exit(1)
