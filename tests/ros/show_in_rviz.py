@@ -27,19 +27,18 @@ class RViz(RobotTest):
         self.yaw = odometry.pose.pose.orientation.z
 
     def test_shows_the_robot_move(self):
-        display = self.display()
         launch = self.launch("simulation", "simulation.launch", "motion:=true", "linear:=0.3", "angular:=1",
-                             env={**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"})
+                             env={**os.environ, "DISPLAY": self.display(), "LIBGL_ALWAYS_SOFTWARE": "1"})
         self.wait_for(lambda: self.yaw is not None, START, "odometry")
-        self.wait_for(lambda: shows_a_robot(self.screenshot(display)), START_RVIZ, "the robot in RViz")
-        first, yaw = green(self.screenshot(display)), self.yaw
+        self.wait_for(lambda: shows_a_robot(self.screenshot()), START_RVIZ, "the robot in RViz")
+        first, yaw = green(self.screenshot()), self.yaw
         self.wait_for(lambda: abs(self.yaw - yaw) > 0.2, 30.0, "the robot to turn")
-        self.wait_for(lambda: len(orange(self.screenshot(display))) > PIXELS, 5.0, "its path")
-        self.assertGreater(len(first ^ green(self.screenshot(display))), PIXELS, "the board is where it was")
+        self.wait_for(lambda: len(orange(self.screenshot())) > PIXELS, 5.0, "its path")
+        self.assertGreater(len(first ^ green(self.screenshot())), PIXELS, "the board is where it was")
         self.assertNotIn("[ERROR]", read(launch))
 
     def display(self):
-        """The name of a new X display."""
+        """The name of a new X display, which keeps its picture in a file."""
         reading, writing = os.pipe()
         self.start("Xvfb", "-displayfd", str(writing), "-screen", "0", "1100x800x24", "-fbdir", self.folder,
                    pass_fds=[writing])
@@ -47,9 +46,10 @@ class RViz(RobotTest):
         with os.fdopen(reading) as number:
             return f":{number.readline().strip()}"
 
-    def screenshot(self, display):
+    def screenshot(self):
+        """What the display shows, from its file: who asks the display itself makes RViz wait."""
         file = Path(self.folder, "screen.png")
-        subprocess.run(["import", "-display", display, "-window", "root", str(file)], check=True)
+        subprocess.run(["convert", f"xwd:{self.folder}/Xvfb_screen0", str(file)], check=True)
         return Image.open(file).convert("RGB")
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 FILES = sorted(Path(__file__).parent.glob("*.test"))
-PROGRAMS = {"show_in_rviz": ("rviz", "Xvfb", "import")}  # what a test needs that ./morbot setup does not install
+PROGRAMS = {"show_in_rviz": ("rviz", "Xvfb", "convert")}  # what a test needs that ./morbot setup does not install
 
 
 @pytest.mark.parametrize("file", FILES, ids=[file.stem for file in FILES])

@@ -3,10 +3,13 @@
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+TRIES = 3  # without a graphics card it may crash at its start: Mesa draws into a window that X does not know yet
 
 
 def in_namespace(config, name):
@@ -23,7 +26,17 @@ def main(config, *ros_arguments):
     with tempfile.NamedTemporaryFile("w", suffix=".rviz") as file:
         file.write(in_namespace(Path(config).read_text(), name) if name else Path(config).read_text())
         file.flush()
-        return subprocess.call(["rviz", "-d", file.name, *ros_arguments])
+        return shown(["rviz", "-d", file.name, *ros_arguments])
+
+
+def shown(command):
+    """The exit code of RViz, which starts again where it crashes."""
+    for tries in range(1, TRIES + 1):
+        code = subprocess.call(command)
+        if code not in (-signal.SIGSEGV, -signal.SIGABRT):
+            break
+        print(f"RViz crashed, {tries} of {TRIES} times", flush=True)
+    return code
 
 
 if __name__ == "__main__":
