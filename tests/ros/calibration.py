@@ -7,7 +7,7 @@ import time
 
 import pexpect
 
-from harness import START, STILL, RobotTest, main, wheel_speeds
+from harness import START, STILL, RobotTest, main, program, wheel_speeds
 
 DEAD_BAND = 0.12
 WEAKNESS = 0.95
@@ -18,7 +18,7 @@ class Calibration(RobotTest):
         super().setUp()
         self.file = os.path.join(self.folder, "jetbot.yaml")
         self.terminal = pexpect.spawn(
-            "rosrun", ["jetbot_control_node", "calibrate.py", "--i2c-bus", f"fake:{self.bus}", "--output", self.file],
+            program("jetbot_control_node", "calibrate.py"), ["--i2c-bus", f"fake:{self.bus}", "--output", self.file],
             timeout=START, encoding="utf-8")
         self.addCleanup(self.terminal.close)
 

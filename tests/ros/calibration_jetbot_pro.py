@@ -6,7 +6,7 @@ import os
 import pexpect
 from jetbot_pro import STILL, Board
 
-from harness import CONTROLLER, START, RobotTest, main
+from harness import CONTROLLER, START, RobotTest, main, program
 
 
 class CalibrationOfAJetBotPro(RobotTest):
@@ -17,7 +17,7 @@ class CalibrationOfAJetBotPro(RobotTest):
         self.addCleanup(self.board.unplug)
         self.file = os.path.join(self.folder, "jetbot.yaml")
         self.terminal = pexpect.spawn(
-            "rosrun", ["jetbot_control_node", "calibrate.py", "--board", "jetbot_pro", "--port", self.link,
+            program("jetbot_control_node", "calibrate.py"), ["--board", "jetbot_pro", "--port", self.link,
                        "--output", self.file], timeout=START, encoding="utf-8")
         self.addCleanup(self.terminal.close)
 
@@ -49,7 +49,7 @@ class CalibrationOfAJetBotPro(RobotTest):
         self.answer("Which wheel turned forward", "right" if turn > 0 else "left")
         self.terminal.expect("To undo it: rm ")
         self.terminal.expect(pexpect.EOF)
-        self.start(*CONTROLLER, f"_config:={self.file}")
+        self.start(CONTROLLER, f"_config:={self.file}")
         self.wait_for_controller()
         self.command(0.5, 0.2)
         self.wait_for(lambda: self.board.velocity != STILL, 5.0, "the robot to drive")

@@ -8,14 +8,14 @@ import pexpect
 import rosgraph
 from jetbot_pro import Board
 
-from harness import CONTROLLER, START, STILL, RobotTest, main, read
+from harness import CONTROLLER, START, STILL, RobotTest, main, program, read
 from lessons.commands import publishes_at
 from lessons.graph import publishes
 from lessons.table import first_missing
 from lessons.wheels import wheels_turn
 
 RELEASE = "; release that with rostopic pub -1 /emergency_stop std_msgs/Bool false"
-CHECK = ("rosrun", "workshop", "check_lesson.py")
+CHECK = program("workshop", "check_lesson.py")
 
 
 class CheckLesson(RobotTest):
@@ -25,7 +25,7 @@ class CheckLesson(RobotTest):
 
     def says(self, arguments, sentence, exit_code=1, **environment):
         """Fail unless the program says just this."""
-        process = self.start(*CHECK, *arguments, env={**os.environ, **environment})
+        process = self.start(CHECK, *arguments, env={**os.environ, **environment})
         process.wait(START)
         self.assertEqual((read(process).strip(), process.returncode), (sentence, exit_code))
 
@@ -76,7 +76,7 @@ class CheckLesson(RobotTest):
 
     def test_two_nodes_without_a_launch_file(self):
         self.listening()
-        self.start("rosrun", "workshop", "jetbot_motion_control.py")
+        self.start(program("workshop", "jetbot_motion_control.py"))
         self.wait_for_wheels(0.4, 0.6, within=START)
         self.finds(6, "No launch file runs jetbot_control_node and workshop: "
                       "end what rosrun started, and start it with roslaunch")
@@ -88,7 +88,7 @@ class CheckLesson(RobotTest):
         self.finds(6, None)
 
     def test_another_rate(self):
-        self.start("rosrun", "workshop", "jetbot_motion_control.py", "_rate:=5")
+        self.start(program("workshop", "jetbot_motion_control.py"), "_rate:=5")
         self.wait_for(lambda: publishes("workshop", "/cmd_vel", "") is None, START, "the motion node")
         self.assertRegex(publishes_at("workshop", 10, "hurry"),
                          r"^/jetbot_motion_control publishes [45]\.\d times a second, not 10: hurry$")
@@ -96,10 +96,10 @@ class CheckLesson(RobotTest):
     def test_asks_what_a_real_robot_did(self):
         board = Board(os.path.join(self.folder, "tty"))
         self.addCleanup(board.unplug)
-        self.start(*CONTROLLER, "_board:=jetbot_pro", f"_port:={self.folder}/tty", "_cmd_vel_timeout:=0")
+        self.start(CONTROLLER, "_board:=jetbot_pro", f"_port:={self.folder}/tty", "_cmd_vel_timeout:=0")
         self.wait_for(lambda: first_missing(2) is None, START, "the controller")
         for answer, sentence in (("y", "Lesson 3: done."), ("n", "Lesson 3: The wheels do not obey: see what rosrun ")):
-            terminal = pexpect.spawn(CHECK[0], [*CHECK[1:], "3"], timeout=START, encoding="utf-8")
+            terminal = pexpect.spawn(CHECK, ["3"], timeout=START, encoding="utf-8")
             self.addCleanup(terminal.close)
             terminal.expect("Put the robot on a box, wheels in the air")
             self.assertIn(board.velocity, (None, (0, 0)))

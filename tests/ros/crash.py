@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""When the controller itself is killed or frozen, the wheels stop, under roslaunch and under rosrun."""
+"""When the controller itself is killed or frozen, the wheels stop, under roslaunch and without."""
 
 import contextlib
 import os
@@ -22,13 +22,13 @@ class Crash(RobotTest):
         launch.wait(START)
 
     def driving_controller(self):
-        """A controller by rosrun that would drive on for ever."""
+        """A controller that would drive on for ever."""
         node = self.controller(cmd_vel_timeout=0)
         self.command(0.5)
         self.wait_for_wheels(0.5, 0.5)
         return node
 
-    def test_rosrun(self):
+    def test_without_roslaunch(self):
         node = self.driving_controller()
         os.killpg(node.pid, signal.SIGKILL)
         self.wait_for_stop(within=LIMIT)

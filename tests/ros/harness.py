@@ -14,13 +14,21 @@ from pathlib import Path
 import rospy
 import rostest
 from geometry_msgs.msg import Twist
+from roslib.packages import find_node
 from std_msgs.msg import Bool, String
 
 from jetbot.fake_motors import STILL, wheel_speeds
 
-CONTROLLER = ("rosrun", "jetbot_control_node", "jetbot_controller.py")
 START = 15.0  # seconds that a process may take until it works; generous, for slow machines
 END = 45.0    # seconds that it may take to end: roslaunch ends its nodes one after the other
+
+
+def program(package, name):
+    """The path of a package's program, as rosrun finds it, without the half second that rosrun takes."""
+    return find_node(package, name)[0]
+
+
+CONTROLLER = program("jetbot_control_node", "jetbot_controller.py")
 
 
 class RobotTest(unittest.TestCase):
@@ -51,7 +59,7 @@ class RobotTest(unittest.TestCase):
 
     def controller(self, **parameters):
         """The controller on the fake bus, subscribed."""
-        process = self.start(*CONTROLLER, f"_i2c_bus:=fake:{self.bus}",
+        process = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}",
                              *(f"_{name}:={value}" for name, value in parameters.items()))
         self.wait_for_controller()
         return process

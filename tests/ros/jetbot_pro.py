@@ -78,7 +78,7 @@ class JetBotPro(RobotTest):
         self.link = os.path.join(self.folder, "tty")
         self.board = Board(self.link)
         self.addCleanup(self.board.unplug)
-        self.node = self.start(*CONTROLLER, "_board:=jetbot_pro", f"_port:={self.link}", "_publish_tf:=true",
+        self.node = self.start(CONTROLLER, "_board:=jetbot_pro", f"_port:={self.link}", "_publish_tf:=true",
                                "_cmd_vel_timeout:=0.5")
         self.wait_for_controller()
 

@@ -6,12 +6,12 @@ import time
 import rospy
 from geometry_msgs.msg import Twist
 
-from harness import START, RobotTest, main
+from harness import START, RobotTest, main, program
 
 
 class MotionRate(RobotTest):
     def test_rate_and_values(self):
-        self.start("rosrun", "workshop", "jetbot_motion_control.py")
+        self.start(program("workshop", "jetbot_motion_control.py"))
         received = []
         rospy.Subscriber("/cmd_vel", Twist, lambda twist: received.append((time.monotonic(), twist)))
         self.wait_for(lambda: len(received) > 30, START, "31 commands")

@@ -15,7 +15,7 @@ class Namespaces(RobotTest):
         home = Path(self.folder, "home")
         speeds = {"red": 0.25, "blue": 0.75}
         for name, speed in speeds.items():
-            self.start(*CONTROLLER, "_i2c_bus:=fake", "_cmd_vel_timeout:=0",
+            self.start(CONTROLLER, "_i2c_bus:=fake", "_cmd_vel_timeout:=0",
                        env={**os.environ, "ROS_NAMESPACE": name, "ROS_HOME": str(home)})
             publisher = rospy.Publisher(f"/{name}/cmd_vel", Twist, queue_size=1, latch=True)
             publisher.publish(twist(speed))

@@ -13,7 +13,7 @@ from geometry_msgs.msg import Pose2D, Twist
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Empty
 
-from harness import CONTROLLER, START, RobotTest, main, read, twist
+from harness import CONTROLLER, START, RobotTest, main, program, read, twist
 from jetbot import Robot, boards
 from jetbot.fake_i2c import FakeBus, default_folder
 from jetbot.pwm_motors import ADAFRUIT, PwmMotors, Wiring
@@ -57,7 +57,7 @@ class Simulator(RobotTest):
         return first, self.samples[-1]
 
     def test_drives_the_arc_of_the_command(self):
-        self.start(*CONTROLLER, "_i2c_bus:=fake", "_cmd_vel_timeout:=0", "_wheel_separation:=0.1125", "_max_speed:=0.6",
+        self.start(CONTROLLER, "_i2c_bus:=fake", "_cmd_vel_timeout:=0", "_wheel_separation:=0.1125", "_max_speed:=0.6",
                    env={**os.environ, "ROS_NAMESPACE": NAMESPACE})
         commands = rospy.Publisher(f"{NAMESPACE}/cmd_vel", Twist, queue_size=1, latch=True)
         self.addCleanup(commands.unregister)
@@ -108,7 +108,7 @@ class Simulator(RobotTest):
         self.wait_for(lambda: self.position() == (1.0, 0.0, 0.5), 5.0, "the first pose")
 
     def test_tells_in_words_and_only_when_something_moved(self):
-        process = self.start("rosrun", "simulation", "simulator.py", f"_i2c_bus:=fake:{self.bus}", "_motor_lag:=0")
+        process = self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}", "_motor_lag:=0")
         self.wait_for(lambda: read(process).startswith("at x 0.00 m, y 0.00 m, heading 0 deg; "), START, "a line")
         self.sample_after(1.2)
         self.assertEqual(len(read(process).splitlines()), 1, "it has not moved")
@@ -134,7 +134,7 @@ class Simulator(RobotTest):
 
     def draw(self, name, *arguments):
         """draw_track.py at work on a picture of this name."""
-        return self.start("rosrun", "simulation", "draw_track.py", *arguments, os.path.join(self.folder, name))
+        return self.start(program("simulation", "draw_track.py"), *arguments, os.path.join(self.folder, name))
 
 
 def heading(sample):

@@ -3,12 +3,12 @@
 
 import os
 
-from harness import CONTROLLER, START, RobotTest, main, read
+from harness import CONTROLLER, START, RobotTest, main, program, read
 
 
 class StartErrors(RobotTest):
     def assert_says(self, sentence, *parameters):
-        node = self.start(*CONTROLLER, *parameters)
+        node = self.start(CONTROLLER, *parameters)
         self.assertNotEqual(node.wait(START), 0)
         lines = read(node).splitlines()
         self.assertEqual(len(lines), 1, lines)
@@ -33,8 +33,8 @@ class StartErrors(RobotTest):
     def test_no_master(self):
         nowhere = {**os.environ, "ROS_MASTER_URI": "http://localhost:1"}
         nodes = [self.start(*command, env=nowhere) for command in (
-            CONTROLLER, (*CONTROLLER, "_i2c_bus:=fake"), ("rosrun", "simulation", "simulator.py"),
-            ("rosrun", "simulation", "draw_track.py"))]
+            [CONTROLLER], [CONTROLLER, "_i2c_bus:=fake"], [program("simulation", "simulator.py")],
+            [program("simulation", "draw_track.py")])]
         sentence = "No ROS master at http://localhost:1. Start one in another terminal: roscore\n"
         for node in nodes:
             self.assertNotEqual(node.wait(START), 0)

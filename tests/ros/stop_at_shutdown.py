@@ -7,7 +7,7 @@ import signal
 import rosgraph
 from ports import free_port
 
-from harness import CONTROLLER, START, RobotTest, main
+from harness import CONTROLLER, START, RobotTest, main, program
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -37,8 +37,8 @@ class StopAtShutdown(RobotTest):
         home = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{free_port()}"}
         master = self.start("roscore", "-p", home["ROS_MASTER_URI"].rpartition(":")[2])
         self.wait_for(lambda: rosgraph.is_master_online(home["ROS_MASTER_URI"]), START, "the master")
-        node = self.start(*CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "_cmd_vel_timeout:=0", env=home)
-        self.start("rosrun", "workshop", "jetbot_motion_control.py", env=home)
+        node = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "_cmd_vel_timeout:=0", env=home)
+        self.start(program("workshop", "jetbot_motion_control.py"), env=home)
         self.wait_for_wheels(0.4, 0.6, within=START)
         os.killpg(master.pid, signal.SIGSTOP)
         node.send_signal(signal.SIGTERM)
