@@ -56,6 +56,7 @@ def mine(tmp_path, monkeypatch):
     for name in ("scripts", "launch"):
         (folder / name).mkdir(parents=True)
     (folder / "package.xml").write_text(PACKAGE_XML)
+    (folder / "CMakeLists.txt").touch()
     (folder / "launch/drive.launch").write_text(f"<launch>{INCLUDE}</launch>")
     (folder / "scripts/drive.py").write_text(SCRIPT)
     (folder / "scripts/drive.py").chmod(0o755)
@@ -105,6 +106,12 @@ def test_not_built(mine):
     assert files.built("mine") == "mine is not built: ./morbot setup"
 
 
+def test_cannot_be_built_again(mine):
+    (mine / "CMakeLists.txt").unlink()
+    assert files.built("mine") == (
+        f"{mine} has no CMakeLists.txt: make a new package as lesson 7 does, and take its")
+
+
 def test_dependency_is_not_named(mine):
     assert files.depends("mine", "rospy", "jetbot_control_node") == (
         f"{mine}/package.xml does not name jetbot_control_node: add <exec_depend>jetbot_control_node</exec_depend>")
@@ -134,10 +141,8 @@ def test_no_script(mine):
     ("print()\n", "drive.py does not begin with #!/usr/bin/env python3: make that the first line of {}"),
     ("", "drive.py does not begin with #!/usr/bin/env python3: make that the first line of {}"),
     (SCRIPT.replace("\n", "\r\n"), r"drive.py has line ends of Windows: sed -i 's/\r$//' {}"),
-    ("#!/usr/bin/env snake\n", "drive.py begins with #!/usr/bin/env snake, and there is no snake here: "
-                               "write #!/usr/bin/env python3"),
-    ("#!/bin/nothing\n", "drive.py begins with #!/bin/nothing, and there is no /bin/nothing here: "
-                         "write #!/usr/bin/env python3")])
+    *((f"{first}\n", f"drive.py begins with {first}, which starts no Python here: write #!/usr/bin/env python3")
+      for first in ("#!/usr/bin/env snake", "#!/usr/bin/env python9", "#!/bin/nothing", "#!/bin/sh"))])
 def test_script_that_does_not_start(mine, text, sentence):
     script = mine / "scripts/drive.py"
     script.write_bytes(text.encode())

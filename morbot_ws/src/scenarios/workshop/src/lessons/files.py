@@ -67,7 +67,9 @@ def not_found(package, source):
 
 
 def built(package):
-    """Whether catkin_make has seen the package."""
+    """Whether catkin_make has seen the package, and can see it again."""
+    if not (folder(package) / "CMakeLists.txt").exists():
+        return f"{folder(package)} has no CMakeLists.txt: make a new package as lesson 7 does, and take its"
     prefixes = os.environ.get("CMAKE_PREFIX_PATH", "").split(":")
     if any(Path(prefix, "share", package, "cmake").exists() for prefix in prefixes):
         return None
@@ -102,13 +104,12 @@ def script_starts(path):
         first = path.read_bytes().partition(b"\n")[0].decode(errors="replace")
     except OSError as error:
         return f"{path} cannot be read: {error.strerror}"
-    program = interpreter(first)
     if not first.startswith("#!"):
         return f"{path.name} does not begin with #!/usr/bin/env python3: make that the first line of {path}"
     if first.endswith("\r"):
         return fr"{path.name} has line ends of Windows: sed -i 's/\r$//' {path}"
-    if not shutil.which(program):
-        return f"{path.name} begins with {first}, and there is no {program} here: write #!/usr/bin/env python3"
+    if not starts_python(interpreter(first)):
+        return f"{path.name} begins with {first}, which starts no Python here: write #!/usr/bin/env python3"
     if not os.access(path, os.X_OK):
         return f"{path.name} is not executable: chmod +x {path}"
     return python_reads(path)
@@ -118,6 +119,11 @@ def interpreter(first):
     """The program that a script's first line names."""
     words = [word for word in first[len("#!"):].split() if not word.startswith("-")] or [""]
     return words[1] if words[0].endswith("/env") and len(words) > 1 else words[0]
+
+
+def starts_python(program):
+    """Whether the program is a Python that is installed."""
+    return Path(program).name.startswith("python") and shutil.which(program) is not None
 
 
 def python_reads(path):
