@@ -15,7 +15,7 @@ def program():
 
 
 @pytest.mark.parametrize("command, code, lines", [
-    ("exit 0", 0, 0), ("exit 1", 1, 0), ("kill -INT $$", -2, 0), ("kill -SEGV $$", -11, 3), ("kill -ABRT $$", -6, 3)])
+    ("exit 0", 0, 0), ("exit 1", 1, 0), ("kill -TERM $$", -15, 0), ("kill -SEGV $$", -11, 3), ("kill -ABRT $$", -6, 3)])
 def test_starts_again_where_it_crashes(program, capsys, command, code, lines):
     assert program["shown"](["sh", "-c", command]) == code
     assert capsys.readouterr().out == "".join(f"RViz crashed, {tries + 1} of 3 times\n" for tries in range(lines))

@@ -132,8 +132,9 @@ def python_reads(path):
         with tokenize.open(path) as script:
             ast.parse(script.read())
     except SyntaxError as error:
-        return f"Python cannot read line {error.lineno} of {path.name}: {error.msg}"
-    except ValueError as error:
+        line = f"line {error.lineno} of " if error.lineno else ""
+        return f"Python cannot read {line}{path.name}: {error.msg}"
+    except ValueError as error:  # a zero byte, before Python 3.12
         return f"Python cannot read {path.name}: {error}"
     return None
 
