@@ -92,13 +92,13 @@ def test_package_where_ros_does_not_look(mine, place):
 
 def test_package_without_its_description(mine):
     (mine / "package.xml").unlink()
-    assert files.found("mine", "make it") == f"{mine} has no package.xml: make it"
+    assert files.found("mine", "make it") == f"{mine} has no package.xml: mv {mine} ~, then make it"
 
 
 def test_package_described_as_another(mine):
     (mine / "package.xml").write_text(PACKAGE_XML.replace("mine", "yours"))
     assert files.found("mine", "make it") == (
-        f"{mine}/package.xml names another package: write <name>mine</name> there")
+        f"{mine}/package.xml names another package: write <name>mine</name> there, and project(mine) in CMakeLists.txt")
 
 
 def test_not_built(mine):
@@ -106,15 +106,15 @@ def test_not_built(mine):
     assert files.built("mine") == "mine is not built: ./morbot setup"
 
 
-def test_cannot_be_built_again(mine):
+def test_package_that_catkin_cannot_build(mine):
     (mine / "CMakeLists.txt").unlink()
-    assert files.built("mine") == (
-        f"{mine} has no CMakeLists.txt: make a new package as lesson 7 does, and take its")
+    assert files.found("mine", "make it") == f"{mine} has no CMakeLists.txt: mv {mine} ~, then make it"
 
 
 def test_dependency_is_not_named(mine):
     assert files.depends("mine", "rospy", "jetbot_control_node") == (
-        f"{mine}/package.xml does not name jetbot_control_node: add <exec_depend>jetbot_control_node</exec_depend>")
+        f"{mine}/package.xml does not name jetbot_control_node: add <exec_depend>jetbot_control_node</exec_depend> "
+        "before </package>")
 
 
 @pytest.mark.parametrize("text", [
@@ -134,15 +134,16 @@ def test_package_xml_says_too_little(mine):
 def test_no_script(mine):
     (mine / "scripts/drive.py").unlink()
     assert files.scripts_start("mine") == (
-        f"mine has no script: put one into {mine}/scripts, with a name that ends in .py")
+        f"There is no script in {mine}/scripts: put one there, with a name that ends in .py")
 
 
 @pytest.mark.parametrize("text, sentence", [
     ("print()\n", "drive.py does not begin with #!/usr/bin/env python3: make that the first line of {}"),
     ("", "drive.py does not begin with #!/usr/bin/env python3: make that the first line of {}"),
     (SCRIPT.replace("\n", "\r\n"), r"drive.py has line ends of Windows: sed -i 's/\r$//' {}"),
-    *((f"{first}\n", f"drive.py begins with {first}, which starts no Python here: write #!/usr/bin/env python3")
-      for first in ("#!/usr/bin/env snake", "#!/usr/bin/env python9", "#!/bin/nothing", "#!/bin/sh"))])
+    *((f"{first}\n", f"drive.py begins with {first}, which does not start ROS's Python: write #!/usr/bin/env python3")
+      for first in ("#!/usr/bin/env snake", "#!usr/bin/env python3", "#!/usr/bin/env", "#!/bin/nothing", "#!/bin/sh",
+                    "#!"))])
 def test_script_that_does_not_start(mine, text, sentence):
     script = mine / "scripts/drive.py"
     script.write_bytes(text.encode())
@@ -183,14 +184,21 @@ def test_script_is_not_executable(mine):
 
 def test_no_launch_file(mine):
     (mine / "launch/drive.launch").unlink()
-    assert files.launch_file_includes_controller("mine") == f"mine has no launch file: put one into {mine}/launch"
-
-
-@pytest.mark.parametrize("text", ["<launch/>", f"<launch>{INCLUDE.replace('true', 'false')}</launch>"])
-def test_launch_file_without_the_controller(mine, text):
-    (mine / "launch/drive.launch").write_text(text)
     assert files.launch_file_includes_controller("mine") == (
-        f"{mine}/launch/drive.launch does not include the controller and pass its arguments on: add {INCLUDE}")
+        f"There is no launch file in {mine}/launch: put one there, with a name that ends in .launch")
+
+
+def test_launch_file_without_the_controller(mine):
+    (mine / "launch/drive.launch").write_text("<launch/>")
+    assert files.launch_file_includes_controller("mine") == (
+        f"{mine}/launch/drive.launch does not include the controller: add {INCLUDE} below <launch>")
+
+
+def test_launch_file_that_keeps_its_arguments(mine):
+    (mine / "launch/drive.launch").write_text(f"<launch>{INCLUDE.replace('true', 'false')}</launch>")
+    assert files.launch_file_includes_controller("mine") == (
+        f"{mine}/launch/drive.launch passes no arguments on to the controller: "
+        'write pass_all_args="true" into its <include>')
 
 
 def test_launch_file_is_not_xml(mine):
@@ -245,7 +253,8 @@ def test_node_that_does_not_listen(running):
 def test_another_type(running):
     running.setattr(graph, "ask", lambda node, question: [["/cmd_vel", "std_msgs/String"]])
     assert graph.has_type("/cmd_vel", "geometry_msgs/Twist") == (
-        "/other publishes std_msgs/String on /cmd_vel, not geometry_msgs/Twist: end it with Ctrl-C in its terminal")
+        "/other publishes std_msgs/String on /cmd_vel, not geometry_msgs/Twist: end it with Ctrl-C in its terminal; "
+        "a script of yours must name that type in rospy.Publisher")
 
 
 def test_node_in_a_namespace(running):
@@ -279,14 +288,21 @@ def test_node_does_not_run(mine, running):
     running.setattr(graph, "command_of", lambda node: [])
     assert graph.publishes("mine", "/cmd_vel", "rosrun it") == (
         "No node of mine runs; /other was killed or hangs (fg, then Ctrl-C, ends it): "
-        "start it in another terminal with rosrun it")
+        "start it in another terminal with rosrun it; where it ends by itself, that terminal tells why")
 
 
 def test_launch_file_starts_one_of_two(running):
     running.setattr(graph, "launched", lambda: [{"robot", "mine"}, {"other"}])
     assert graph.launched_together("robot", "mine") is None
     assert graph.launched_together("robot", "other") == (
-        "No launch file runs robot and other: end what rosrun started, and start it with roslaunch")
+        "roslaunch runs robot, but nothing of other: read what its terminal says, "
+        "and look at pkg and type of your <node>")
+
+
+def test_no_launch_file_was_started(running):
+    running.setattr(graph, "launched", lambda: [{"other"}])
+    assert graph.launched_together("robot", "mine") == (
+        "No launch file runs robot and mine: end what rosrun started, and start it with roslaunch")
 
 
 @pytest.mark.parametrize("path, whose", [

@@ -40,12 +40,17 @@ def unreadable(package_xml):
 
 
 def found(package, source):
-    """Whether ROS finds the package; source: the command that brings it there."""
+    """Whether ROS finds the package, and catkin can; source: the command that brings it there."""
     try:
-        folder(package)
+        place = folder(package)
     except ResourceNotFound:
         return not_found(package, source)
-    return None
+    return None if (place / "CMakeLists.txt").exists() else incomplete(place, "CMakeLists.txt", source)
+
+
+def incomplete(place, file, source):
+    """The sentence about a package without one of its files."""
+    return f"{place} has no {file}: mv {place} ~, then {source}"
 
 
 def not_found(package, source):
@@ -59,17 +64,16 @@ def not_found(package, source):
     for place in inside + outside:
         if place in outside or any((parent / "package.xml").exists() for parent in place.parents):
             return f"{place} lies where ROS does not look: mv {place} {workspace()}"
-        return f"{place / 'package.xml'} names another package: write <name>{name}</name> there"
+        return (f"{place / 'package.xml'} names another package: write <name>{name}</name> there, "
+                f"and project({name}) in CMakeLists.txt")
     for place in workspace() / name, workspace() / "scenarios" / name:
         if name and place.is_dir():
-            return f"{place} has no package.xml: {source}"
+            return incomplete(place, "package.xml", source)
     return f"There is no package {package} in {workspace()}: {source}"
 
 
 def built(package):
-    """Whether catkin_make has seen the package, and can see it again."""
-    if not (folder(package) / "CMakeLists.txt").exists():
-        return f"{folder(package)} has no CMakeLists.txt: make a new package as lesson 7 does, and take its"
+    """Whether catkin_make has seen the package."""
     prefixes = os.environ.get("CMAKE_PREFIX_PATH", "").split(":")
     if any(Path(prefix, "share", package, "cmake").exists() for prefix in prefixes):
         return None
@@ -83,7 +87,7 @@ def depends(package, *names):
     if sentence:
         return sentence
     known = {dependency.name for dependency in parse_package(str(file)).exec_depends}
-    return next((f"{file} does not name {name}: add <exec_depend>{name}</exec_depend>"
+    return next((f"{file} does not name {name}: add <exec_depend>{name}</exec_depend> before </package>"
                  for name in names if name not in known), None)
 
 
@@ -92,7 +96,7 @@ def scripts_start(package):
     scripts = folder(package) / "scripts"
     there = sorted(scripts.glob("[!.]*.py"))
     if not there:
-        return f"{package} has no script: put one into {scripts}, with a name that ends in .py"
+        return f"There is no script in {scripts}: put one there, with a name that ends in .py"
     return next(filter(None, map(script_starts, there)), None)
 
 
@@ -109,7 +113,7 @@ def script_starts(path):
     if first.endswith("\r"):
         return fr"{path.name} has line ends of Windows: sed -i 's/\r$//' {path}"
     if not starts_python(interpreter(first)):
-        return f"{path.name} begins with {first}, which starts no Python here: write #!/usr/bin/env python3"
+        return f"{path.name} begins with {first}, which does not start ROS's Python: write #!/usr/bin/env python3"
     if not os.access(path, os.X_OK):
         return f"{path.name} is not executable: chmod +x {path}"
     return python_reads(path)
@@ -118,12 +122,12 @@ def script_starts(path):
 def interpreter(first):
     """The program that a script's first line names."""
     words = [word for word in first[len("#!"):].split() if not word.startswith("-")] or [""]
-    return words[1] if words[0].endswith("/env") and len(words) > 1 else words[0]
+    return words[1] if words[0] in ("/usr/bin/env", "/bin/env") and len(words) > 1 else words[0]
 
 
 def starts_python(program):
-    """Whether the program is a Python that is installed."""
-    return Path(program).name.startswith("python") and shutil.which(program) is not None
+    """Whether the program is the Python for which ROS is installed."""
+    return Path(shutil.which(program) or "").resolve().match("/usr/bin/python3*")
 
 
 def python_reads(path):
@@ -141,9 +145,10 @@ def python_reads(path):
 
 def launch_file_includes_controller(package):
     """Whether one of the package's launch files includes the controller's, and passes its arguments on."""
-    there = sorted(folder(package).glob("launch/*.launch"))
+    launch = folder(package) / "launch"
+    there = sorted(launch.glob("*.launch"))
     if not there:
-        return f"{package} has no launch file: put one into {folder(package) / 'launch'}"
+        return f"There is no launch file in {launch}: put one there, with a name that ends in .launch"
     sentences = [includes_controller(file) for file in there]
     return None if None in sentences else sentences[0]
 
@@ -151,11 +156,13 @@ def launch_file_includes_controller(package):
 def includes_controller(file):
     """Whether the launch file includes the controller's, and passes its arguments on."""
     try:
-        includes = ET.parse(file).iter("include")
+        includes = list(ET.parse(file).iter("include"))
     except (ET.ParseError, *ODD_XML) as error:
         return f"{file} is not XML: {error}"
     wanted = {"file": CONTROLLER_LAUNCH, "pass_all_args": "true"}
     if any(wanted.items() <= include.attrib.items() for include in includes):
         return None
-    return (f"{file} does not include the controller and pass its arguments on: "
-            f'add <include file="{CONTROLLER_LAUNCH}" pass_all_args="true"/>')
+    if any(include.get("file") == CONTROLLER_LAUNCH for include in includes):
+        return f'{file} passes no arguments on to the controller: write pass_all_args="true" into its <include>'
+    return (f"{file} does not include the controller: "
+            f'add <include file="{CONTROLLER_LAUNCH}" pass_all_args="true"/> below <launch>')

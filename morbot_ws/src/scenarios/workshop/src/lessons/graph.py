@@ -75,7 +75,8 @@ def has_type(topic, wanted):
     for node in look().publishers.get(topic, ()):
         given = dict(ask(node, "getPublications") or ()).get(topic, wanted)
         if given != wanted:
-            return f"{node} publishes {given} on {topic}, not {wanted}: end it with Ctrl-C in its terminal"
+            return (f"{node} publishes {given} on {topic}, not {wanted}: end it with Ctrl-C in its terminal; "
+                    "a script of yours must name that type in rospy.Publisher")
     return None
 
 
@@ -95,7 +96,8 @@ def publishes(package, topic, start):
     if not mine:
         hanging = "".join(f"; {node} was killed or hangs (fg, then Ctrl-C, ends it)" for node in sorted(graph.nodes)
                           if pid(node) is None)
-        return f"No node of {package} runs{hanging}: start it in another terminal with {start}"
+        return (f"No node of {package} runs{hanging}: start it in another terminal with {start}; "
+                "where it ends by itself, that terminal tells why")
     others = sorted(name for name, nodes in graph.publishers.items() if mine[0] in nodes and name != "/rosout")
     return f"{mine[0]} publishes on {' and '.join(others) or 'no topic'}, not on {topic}: name that in rospy.Publisher"
 
@@ -107,8 +109,12 @@ def own_publishers(package, topic):
 
 def launched_together(*packages):
     """Whether one roslaunch runs nodes of all these packages."""
-    if any(set(packages) <= running for running in launched()):
+    running = launched()
+    if any(set(packages) <= together for together in running):
         return None
+    if any(packages[0] in together for together in running):
+        return (f"roslaunch runs {packages[0]}, but nothing of {packages[1]}: read what its terminal says, "
+                "and look at pkg and type of your <node>")
     return f"No launch file runs {' and '.join(packages)}: end what rosrun started, and start it with roslaunch"
 
 

@@ -31,7 +31,7 @@ def controller(start, start_master=None):
     ]
 
 
-def drives(name, start, remedy="publish in a loop, with rospy.Rate(10)"):
+def drives(name, start, remedy="publish in a loop, with rate = rospy.Rate(10) and rate.sleep()"):
     """What a scenario that runs does; start: the command that starts it, remedy: what brings it to its rate."""
     return [
         (publishes, name, "/cmd_vel", start),
@@ -44,7 +44,7 @@ def drives(name, start, remedy="publish in a loop, with rospy.Rate(10)"):
 def lessons(own):
     """Number: checks, each a function and its arguments; own: the name of the pupil's package."""
     run_own = f"rosrun {own}, and the name of your script"
-    launch_own = f"roslaunch {own}, and the name of your launch file"
+    launch_own = f"roslaunch {own}, the name of your launch file and, without a robot, i2c_bus:=fake"
     return {
         1: package(ROBOT) + package(SCENARIO, ROBOT),
         2: controller(RUN, "roscore"),

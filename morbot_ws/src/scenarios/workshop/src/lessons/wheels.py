@@ -76,7 +76,7 @@ def wheels_turn():
     wheels = fake_wheels()
     if soon(lambda: status() == "driving" and not (wheels and wheels() == STILL), TRY):
         return None
-    return not_obeyed("they stand")
+    return f"The wheels stand{reason()}"
 
 
 def fake_wheels():
@@ -104,9 +104,14 @@ def status():
 
 def not_obeyed(how):
     """The sentence about wheels that do not obey; how: what they do."""
+    return f"The wheels do not obey: {how}{reason()}"
+
+
+def reason():
+    """The end of a sentence: what the controller says it does."""
     said = status()
     release = "; release that with rostopic pub -1 /emergency_stop std_msgs/Bool false"
-    return f"The wheels do not obey: {how}, and the controller says {said!r}{release if 'emergency' in said else ''}"
+    return f", and the controller says {said!r}{release if 'emergency' in said else ''}"
 
 
 def told(speeds):
