@@ -77,8 +77,7 @@ class CheckLesson(RobotTest):
         self.listening()
         self.start(program("workshop", "jetbot_motion_control.py"))
         self.wait_for_wheels(0.4, 0.6, within=START)
-        self.finds(6, "No launch file runs jetbot_control_node and workshop: "
-                      "end what rosrun started, and start it with roslaunch")
+        self.assertIn("No launch file runs jetbot_control_node and workshop: ", first_missing(6))
 
     def test_scenario(self):
         self.launch("workshop", "workshop_jetbot_controller.launch")

@@ -19,9 +19,9 @@ def bag(tmp_path):
         yield bag
 
 
-def said(monkeypatch, bag, *arguments):
+def said(monkeypatch, bag):
     """What the program says of the bag as it ends."""
-    monkeypatch.setattr(sys, "argv", ["draw_track.py", "--bag", bag.filename, *arguments])
+    monkeypatch.setattr(sys, "argv", ["draw_track.py", "--bag", bag.filename])
     with pytest.raises(SystemExit) as end:
         runpy.run_path(str(PROGRAM), run_name="__main__")
     return end.value.code

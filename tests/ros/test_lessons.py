@@ -295,14 +295,8 @@ def test_launch_file_starts_one_of_two(running):
     running.setattr(graph, "launched", lambda: [{"robot", "mine"}, {"other"}])
     assert graph.launched_together("robot", "mine") is None
     assert graph.launched_together("robot", "other") == (
-        "roslaunch runs robot, but nothing of other: read what its terminal says, "
-        "and look at pkg and type of your <node>")
-
-
-def test_no_launch_file_was_started(running):
-    running.setattr(graph, "launched", lambda: [{"other"}])
-    assert graph.launched_together("robot", "mine") == (
-        "No launch file runs robot and mine: end what rosrun started, and start it with roslaunch")
+        "No launch file runs robot and other: end what runs, and start it with roslaunch; where you did so, "
+        "read what it shows, and look at pkg and type of each <node>")
 
 
 @pytest.mark.parametrize("path, whose", [

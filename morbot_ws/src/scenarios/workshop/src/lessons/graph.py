@@ -109,13 +109,10 @@ def own_publishers(package, topic):
 
 def launched_together(*packages):
     """Whether one roslaunch runs nodes of all these packages."""
-    running = launched()
-    if any(set(packages) <= together for together in running):
+    if any(set(packages) <= running for running in launched()):
         return None
-    if any(packages[0] in together for together in running):
-        return (f"roslaunch runs {packages[0]}, but nothing of {packages[1]}: read what its terminal says, "
-                "and look at pkg and type of your <node>")
-    return f"No launch file runs {' and '.join(packages)}: end what rosrun started, and start it with roslaunch"
+    return (f"No launch file runs {' and '.join(packages)}: end what runs, and start it with roslaunch; "
+            "where you did so, read what it shows, and look at pkg and type of each <node>")
 
 
 def launched():
