@@ -17,8 +17,8 @@ class CalibrationOfAJetBotPro(RobotTest):
         self.addCleanup(self.board.unplug)
         self.file = os.path.join(self.folder, "jetbot.yaml")
         self.terminal = pexpect.spawn(
-            program("jetbot_control_node", "calibrate.py"), ["--board", "jetbot_pro", "--port", self.link,
-                       "--output", self.file], timeout=START, encoding="utf-8")
+            program("jetbot_control_node", "calibrate.py"),
+            ["--board", "jetbot_pro", "--port", self.link, "--output", self.file], timeout=START, encoding="utf-8")
         self.addCleanup(self.terminal.close)
 
     def motion(self):

@@ -77,7 +77,8 @@ class CheckLesson(RobotTest):
         self.listening()
         self.start(program("workshop", "jetbot_motion_control.py"))
         self.wait_for_wheels(0.4, 0.6, within=START)
-        self.assertIn("No launch file runs jetbot_control_node and workshop: ", first_missing(6))
+        self.finds(6, "No launch file runs jetbot_control_node and workshop: end what runs, and start it with "
+                      "roslaunch; where you did so, read what it shows, and look at pkg and type of each <node>")
 
     def test_scenario(self):
         self.launch("workshop", "workshop_jetbot_controller.launch")

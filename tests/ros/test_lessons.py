@@ -142,8 +142,8 @@ def test_no_script(mine):
     ("", "drive.py does not begin with #!/usr/bin/env python3: make that the first line of {}"),
     (SCRIPT.replace("\n", "\r\n"), r"drive.py has line ends of Windows: sed -i 's/\r$//' {}"),
     *((f"{first}\n", f"drive.py begins with {first}, which does not start ROS's Python: write #!/usr/bin/env python3")
-      for first in ("#!/usr/bin/env snake", "#!usr/bin/env python3", "#!/usr/bin/env", "#!/bin/nothing", "#!/bin/sh",
-                    "#!"))])
+      for first in ("#!/usr/bin/env snake", "#!/usr/bin/env python9", "#!usr/bin/env python3", "#!/usr/bin/env",
+                    "#!/bin/nothing", "#!/bin/sh", "#!"))])
 def test_script_that_does_not_start(mine, text, sentence):
     script = mine / "scripts/drive.py"
     script.write_bytes(text.encode())
