@@ -6,7 +6,7 @@ from Adafruit_GPIO.I2C import Device
 from Adafruit_MotorHAT import Adafruit_MotorHAT
 from geometry_msgs.msg import Twist
 
-from jetbot.fake_i2c import FakeBus
+from jetbot.fake.bus import FakeBus
 
 
 class FakeI2C:

@@ -6,7 +6,7 @@ import struct
 import rospy
 from geometry_msgs.msg import Twist
 
-from jetbot.fake_i2c import FakeBus
+from jetbot.fake.bus import FakeBus
 
 ADDRESS, MODE1, AUTO_INCREMENT, FIRST_OUTPUT = 0x60, 0x00, 0x20, 0x06
 

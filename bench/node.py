@@ -18,7 +18,7 @@ import rospy
 import wire
 from geometry_msgs.msg import Twist
 
-from jetbot.fake_i2c import chip_file, power_on
+from jetbot.fake.bus import chip_file, power_on
 
 SCRIPT = '<node name="jetbot_controller" pkg="jetbot_bench" type="{}"><param name="folder" value="{{}}"/></node>'
 LAUNCH = {  # contestant: what starts it, in a launch file, on the fake bus in a folder

@@ -13,7 +13,7 @@ import baseline
 import floor
 
 from jetbot.boards import Options, open_board
-from jetbot.fake_i2c import FakeBus, power_on
+from jetbot.fake.bus import FakeBus, power_on
 
 OURS, BASELINE, FLOOR = CONTESTANTS = "this driver", "workshop's script", "floor"
 

@@ -11,7 +11,7 @@ import time
 import unittest
 from pathlib import Path
 
-from jetbot.fake_motors import wheel_speeds
+from jetbot.fake.motors import wheel_speeds
 
 START = 30.0  # seconds that ROS may take until it works; generous, for slow machines
 LISTEN = "0A"  # state of a socket in /proc/net/tcp

@@ -4,7 +4,7 @@
 import os
 
 from harness import RobotTest, main
-from jetbot.fake_i2c import power_on
+from jetbot.fake.bus import power_on
 
 
 class BusFaults(RobotTest):

@@ -9,13 +9,13 @@ import rosgraph
 from jetbot_pro import Board
 
 from harness import CONTROLLER, START, STILL, RobotTest, main, program, read
-from lessons.commands import publishes_at
-from lessons.graph import publishes
-from lessons.table import first_missing
-from lessons.wheels import wheels_turn
+from jetbot_lessons.commands import publishes_at
+from jetbot_lessons.graph import publishes
+from jetbot_lessons.table import first_missing
+from jetbot_lessons.wheels import wheels_turn
 
 RELEASE = "; release that with rostopic pub -1 /emergency_stop std_msgs/Bool false"
-CHECK = program("workshop", "check_lesson.py")
+CHECK = program("jetbot_lessons", "check_lesson.py")
 
 
 class CheckLesson(RobotTest):
@@ -36,7 +36,7 @@ class CheckLesson(RobotTest):
         return controller
 
     def test_from_the_files_to_wheels_that_obey(self):
-        self.says([], "Which lesson, 1 to 8? Type: rosrun workshop check_lesson.py N, "
+        self.says([], "Which lesson, 1 to 8? Type: rosrun jetbot_lessons check_lesson.py N, "
                       "and from lesson 7 on the name of your package")
         self.says(["1"], "Lesson 1: done.", exit_code=0)
         start = "start it in another terminal with rosrun jetbot_control_node jetbot_controller.py _i2c_bus:=fake"

@@ -7,7 +7,7 @@ import signal
 from pathlib import Path
 
 from harness import START, RobotTest, main, read
-from lessons.graph import pid
+from jetbot_lessons.graph import pid
 
 LIMIT = 1.5  # seconds from the blow to the stop
 

@@ -7,7 +7,7 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 
 from harness import RobotTest, main
-from jetbot.fake_i2c import power_on
+from jetbot.fake.bus import power_on
 
 
 class Diagnostics(RobotTest):

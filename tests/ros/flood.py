@@ -5,7 +5,7 @@ import os
 import time
 
 from harness import RobotTest, main
-from jetbot.fake_i2c import power_on
+from jetbot.fake.bus import power_on
 
 
 class Flood(RobotTest):

@@ -17,7 +17,7 @@ from geometry_msgs.msg import Twist
 from roslib.packages import find_node
 from std_msgs.msg import Bool, String
 
-from jetbot.fake_motors import STILL, wheel_speeds
+from jetbot.fake.motors import STILL, wheel_speeds
 
 START = 15.0  # seconds that a process may take until it works; generous, for slow machines
 END = 45.0    # seconds that it may take to end: roslaunch ends its nodes one after the other

@@ -10,7 +10,7 @@ import rospy
 from geometry_msgs.msg import Twist
 
 from harness import STILL, RobotTest, main, near, twist, wheel_speeds
-from lessons.graph import pid
+from jetbot_lessons.graph import pid
 
 ROBOTS = 30
 START_OF_ALL = 60.0  # seconds; roslaunch starts one after the other

@@ -15,8 +15,8 @@ from std_srvs.srv import Empty
 
 from harness import CONTROLLER, START, RobotTest, main, program, read, twist
 from jetbot import Robot, boards
-from jetbot.fake_i2c import FakeBus, default_folder
-from jetbot.pwm_motors import ADAFRUIT, PwmMotors, Wiring
+from jetbot.boards.pwm_motors import ADAFRUIT, PwmMotors, Wiring
+from jetbot.fake.bus import FakeBus, default_folder
 
 NAMESPACE = "simulated"  # in which simulator.test starts the simulator that these tests share
 MODE1, SLEEP = 0x00, 0x10

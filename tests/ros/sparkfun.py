@@ -6,7 +6,7 @@ import signal
 from pathlib import Path
 
 from harness import RobotTest, main, near, wheel_speeds
-from jetbot.fake_i2c import power_on
+from jetbot.fake.bus import power_on
 
 
 class Sparkfun(RobotTest):

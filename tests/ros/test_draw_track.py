@@ -9,7 +9,7 @@ import rosbag
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
-PROGRAM = Path(__file__).parents[2] / "morbot_ws/src/scenarios/simulation/scripts/draw_track.py"
+PROGRAM = Path(__file__).parents[2] / "morbot_ws/src/simulation/scripts/draw_track.py"
 
 
 @pytest.fixture

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 from catkin_pkg.package import InvalidPackage
 
-from lessons import files, graph
+from jetbot_lessons import files, graph
 
 SOURCE = Path(__file__).parents[2] / "morbot_ws/src/jetbot_control_node"
-WORKSHOP = SOURCE.parent / "scenarios/workshop"
+LESSONS = SOURCE.parent / "jetbot_lessons"
 
 PACKAGE_XML = """<package format="3"><name>mine</name><version>0.0.1</version><description>Mine.</description>
 <maintainer email="me@example.com">Me</maintainer><license>MIT</license>
@@ -24,19 +24,20 @@ INCLUDE = '<include file="$(find jetbot_control_node)/launch/jetbot_controller.l
 @pytest.fixture(scope="module")
 def lesson():
     """What check_lesson.py makes of its arguments."""
-    return runpy.run_path(str(WORKSHOP / "scripts/check_lesson.py"))["lesson"]
+    return runpy.run_path(str(LESSONS / "scripts/check_lesson.py"))["lesson"]
 
 
 @pytest.mark.parametrize("arguments", [[], ["0"], ["9"], ["one"], ["-1"], ["\u00b2"], ["1", "mine", "yours"]])
 def test_no_such_lesson(lesson, arguments):
-    with pytest.raises(SystemExit, match=r"^Which lesson, 1 to 8\? Type: rosrun workshop check_lesson\.py N, and "
+    with pytest.raises(SystemExit, match=r"^Which lesson, 1 to 8\? Type: rosrun jetbot_lessons check_lesson\.py N, and "
                                          "from lesson 7 on the name of your package$"):
         lesson(arguments)
 
 
 @pytest.mark.parametrize("number", ["7", "8"])
 def test_lesson_needs_a_package(lesson, number):
-    sentence = rf"Lesson {number} is about your own package\. Type: rosrun workshop check_lesson\.py {number} ITS_NAME"
+    sentence = (rf"Lesson {number} is about your own package\. "
+                rf"Type: rosrun jetbot_lessons check_lesson\.py {number} ITS_NAME")
     with pytest.raises(SystemExit, match=f"^{sentence}$"):
         lesson([number])
 
@@ -207,7 +208,7 @@ def test_launch_file_is_not_xml(mine):
         f"{mine}/launch/drive.launch is not XML: no element found: line 1, column 8")
 
 
-@pytest.mark.parametrize("package", [SOURCE, WORKSHOP], ids=lambda folder: folder.name)
+@pytest.mark.parametrize("package", [SOURCE, LESSONS], ids=lambda folder: folder.name)
 def test_the_workshops_packages_are_complete(monkeypatch, package):
     monkeypatch.setenv("ROS_PACKAGE_PATH", str(package.parent))
     assert files.depends(package.name, "rospy", "geometry_msgs") is None

@@ -12,11 +12,11 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 SOURCE = ROOT / "morbot_ws/src/jetbot_control_node"
-SIMULATION = SOURCE.parent / "scenarios/simulation"
+SIMULATION = SOURCE.parent / "simulation"
 sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src")]
 
 from jetbot import i2c, robot  # noqa: E402
-from jetbot.fake_i2c import FakeBus, chip_file  # noqa: E402
+from jetbot.fake.bus import FakeBus, chip_file  # noqa: E402
 
 
 class CountedBus(FakeBus):

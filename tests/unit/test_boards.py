@@ -8,7 +8,7 @@ import pytest
 from conftest import registers
 from jetbot import InvalidValue
 from jetbot.boards import Options, open_board
-from jetbot.fake_motors import wheel_speeds
+from jetbot.fake.motors import wheel_speeds
 
 OFF, HIGH, HALF = "00000010", "00100000", "00000008"
 

@@ -4,9 +4,9 @@ import pytest
 import yaml
 
 from jetbot import InvalidValue
-from jetbot.calibration import WHEEL_SEPARATION, as_yaml, orientation, orientation_of_both, trim
-from jetbot.fake_motors import wheel_speeds
-from jetbot.parameters import checked
+from jetbot.fake.motors import wheel_speeds
+from jetbot_ros.parameters import checked
+from jetbot_tools.calibration import WHEEL_SEPARATION, as_yaml, orientation, orientation_of_both, trim
 
 
 @pytest.mark.parametrize("left_output, right_output, swap, left, right", [

@@ -7,9 +7,9 @@ import pytest
 from conftest import ROOT
 from jetbot import guard
 from jetbot.boards import BOARDS
-from jetbot.computer import ROBOT_BUS
-from jetbot.parameters import PARAMETERS
-from jetbot.pwm_motors import ADAFRUIT, WAVESHARE
+from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE
+from jetbot.host import ROBOT_BUS
+from jetbot_ros.parameters import PARAMETERS
 
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
 BOARDS_PAGE, SAFETY_PAGE = ((ROOT / "docs" / name).read_text() for name in ("boards.md", "safety.md"))

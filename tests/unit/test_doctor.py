@@ -10,8 +10,9 @@ from types import SimpleNamespace
 import pytest
 
 from conftest import REPORT, SOURCE
-from jetbot import computer, doctor
-from jetbot.fake_i2c import power_on
+from jetbot import host
+from jetbot.fake.bus import power_on
+from jetbot_tools import doctor
 
 
 def lines(bus=None, port="/dev/nowhere"):
@@ -25,8 +26,8 @@ def one_package_and_no_file(monkeypatch, tmp_path):
 
 
 def test_a_machine_with_nothing(monkeypatch):
-    monkeypatch.setattr(computer, "buses", lambda: [])
-    monkeypatch.setattr(computer, "model", lambda: "")
+    monkeypatch.setattr(host, "buses", lambda: [])
+    monkeypatch.setattr(host, "model", lambda: "")
     assert lines() == [
         "ok  json: installed.",
         "ok  computer: not one of those that a JetBot carries.",
@@ -49,7 +50,7 @@ def test_a_board_that_answers(folder):
 def test_a_bus_without_a_board(folder):
     folder.mkdir()
     assert lines(f"fake:{folder}")[2] == (f"NOT 0x60 on bus fake:{folder}: no answer from 0x60 on fake:{folder}. "
-                                          f"To plug it in: python3 -m jetbot.fake_i2c {folder}")
+                                          f"To plug it in: python3 -m jetbot.fake {folder}")
 
 
 def test_a_bus_that_cannot_be():
@@ -58,8 +59,8 @@ def test_a_bus_that_cannot_be():
 
 
 def test_the_bus_of_this_computers_robot_is_looked_at_first(monkeypatch):
-    monkeypatch.setattr(computer, "model", lambda: "NVIDIA Jetson Orin Nano Developer Kit")
-    monkeypatch.setattr(computer, "buses", lambda: [Path(f"/dev/i2c-{number}") for number in (0, 1, 7, 10)])
+    monkeypatch.setattr(host, "model", lambda: "NVIDIA Jetson Orin Nano Developer Kit")
+    monkeypatch.setattr(host, "buses", lambda: [Path(f"/dev/i2c-{number}") for number in (0, 1, 7, 10)])
     assert doctor.all_buses() == [7, 0, 1, 10]
 
 
@@ -122,7 +123,7 @@ def test_no_permission(tmp_path, monkeypatch, name, group, advice):
     device = tmp_path / name
     device.touch()
     monkeypatch.setattr(os, "access", lambda path, mode: False)
-    monkeypatch.setattr(computer.grp, "getgrgid", group_of)
+    monkeypatch.setattr(host.grp, "getgrgid", group_of)
     assert [str(check) for check in doctor.check_device(str(device))] == [
         f"NOT {device}: this user may not open it. " + advice.format(device, device.stat().st_gid)]
 

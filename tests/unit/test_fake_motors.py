@@ -2,9 +2,9 @@
 
 import pytest
 
-from jetbot.fake_chips import PCA9685
-from jetbot.fake_i2c import chip_file
-from jetbot.fake_motors import wheel_speeds
+from jetbot.fake.bus import chip_file
+from jetbot.fake.chips import PCA9685
+from jetbot.fake.motors import wheel_speeds
 
 FULL, HALF, OFF = bytes([0, 0x10, 0, 0]), bytes([0, 0, 0, 0x08]), bytes([0, 0, 0, 0x10])  # one output's registers
 

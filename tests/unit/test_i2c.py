@@ -51,7 +51,7 @@ def test_a_lasting_failure_is_told(folder):
     with pytest.raises(BusError) as error:
         device.read(0)
     assert str(error.value) == (f"No answer from 0x60 on fake:{folder}. "
-                                f"To plug it in: python3 -m jetbot.fake_i2c {folder}")
+                                f"To plug it in: python3 -m jetbot.fake {folder}")
 
 
 def test_a_fake_bus_that_cannot_be_written():

@@ -11,7 +11,7 @@ import serial
 from conftest import REPORT, eventually
 from jetbot import BusError
 from jetbot.boards import Options, open_board
-from jetbot.jetbot_pro import FrameReader, frame, velocity
+from jetbot.boards.jetbot_pro import FrameReader, frame, velocity
 from jetbot.serial_link import SerialLink
 
 

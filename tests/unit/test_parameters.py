@@ -8,7 +8,7 @@ import pytest
 
 from conftest import SOURCE
 from jetbot import InvalidValue
-from jetbot.parameters import PARAMETERS, checked, load
+from jetbot_ros.parameters import PARAMETERS, checked, load
 
 SHOWN_DEFAULTS = {name: str(parameter.default).replace("True", "true").replace("False", "false")
                   for name, parameter in PARAMETERS.items()}

@@ -2,9 +2,9 @@
 
 import pytest
 
-from jetbot.fake_i2c import power_on
+from jetbot.boards.pca9685 import PCA9685
+from jetbot.fake.bus import power_on
 from jetbot.i2c import I2CDevice
-from jetbot.pca9685 import PCA9685
 
 
 @pytest.fixture

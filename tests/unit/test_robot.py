@@ -9,8 +9,8 @@ import pytest
 
 from conftest import SOURCE, eventually
 from jetbot import BusError, InvalidValue, JetbotError, Robot
-from jetbot.fake_i2c import power_on
-from jetbot.fake_motors import wheel_speeds
+from jetbot.fake.bus import power_on
+from jetbot.fake.motors import wheel_speeds
 from jetbot.i2c import I2CDevice
 
 

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from jetbot.safety import STILL, Safety
+from jetbot_ros.safety import STILL, Safety
 
 GO = (0.5, 0.1)
 

@@ -9,8 +9,8 @@ import pytest
 from conftest import registers
 from jetbot import BusError
 from jetbot.boards import Options, open_board
-from jetbot.fake_i2c import FakeBus, power_on
-from jetbot.fake_motors import wheel_speeds
+from jetbot.fake.bus import FakeBus, power_on
+from jetbot.fake.motors import wheel_speeds
 from jetbot.i2c import I2CDevice
 
 
@@ -41,7 +41,7 @@ def test_both_wheels_in_one_transfer_and_none_for_a_repeated_command(folder, wir
 
 
 def test_wheel_by_wheel_where_the_chip_takes_no_blocks(folder, monkeypatch):
-    from jetbot.fake_chips import SCMD
+    from jetbot.fake.chips import SCMD
     write = SCMD.write
     monkeypatch.setattr(SCMD, "write", lambda registers, register, data: write(registers, register, data[:1]))
     open_board("sparkfun", Options(f"fake:{folder}")).drive(0.5, -0.25)
@@ -60,7 +60,7 @@ def test_a_chip_that_refuses_blocks(folder, monkeypatch):
 
 
 def test_a_chip_that_is_not_ready_holds_up_no_program_that_drives(board, folder, monkeypatch):
-    monkeypatch.setattr("jetbot.scmd.START_UP", 9)
+    monkeypatch.setattr("jetbot.boards.scmd.START_UP", 9)
     board.drive(0.5, 0.5)
     power_on(folder)
     registers = bytearray((folder / "0x5d").read_bytes())

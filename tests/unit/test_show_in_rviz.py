@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-SIMULATION = Path(__file__).parents[2] / "morbot_ws/src/scenarios/simulation"
+SIMULATION = Path(__file__).parents[2] / "morbot_ws/src/simulation"
 
 
 @pytest.fixture(scope="module")

@@ -5,8 +5,9 @@ import xml.etree.ElementTree as ET
 import pytest
 
 from conftest import SIMULATION, SOURCE
-from jetbot import InvalidValue, calibration
-from jetbot.parameters import checked, load
+from jetbot import InvalidValue
+from jetbot_ros.parameters import checked, load
+from jetbot_tools import calibration
 from simulation.parameters import PARAMETERS
 
 SIZE = load(SIMULATION / "config/jetbot.yaml")

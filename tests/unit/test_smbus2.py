@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import pytest
 
 from jetbot import BusError
-from jetbot.fake_i2c import FakeBus, power_on
-from jetbot.fake_motors import wheel_speeds
+from jetbot.fake.bus import FakeBus, power_on
+from jetbot.fake.motors import wheel_speeds
 
 smbus2 = pytest.importorskip("smbus2.smbus2")
 

@@ -1,4 +1,5 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=["jetbot", "jetbot_ros"], package_dir={"": "src"}))
+setup(**generate_distutils_setup(
+    packages=["jetbot", "jetbot.boards", "jetbot.fake", "jetbot_ros", "jetbot_tools"], package_dir={"": "src"}))

@@ -12,13 +12,13 @@ from pathlib import Path
 
 from jetbot import JetbotError
 from jetbot.boards import BOARDS, PORT, find_board
-from jetbot.calibration import as_yaml
-from jetbot.computer import model, robot_bus
-from jetbot.doctor import LAUNCH, check_address, check_device, check_serial
+from jetbot.host import model, robot_bus
 from jetbot.i2c import bus_name, fake_folder
-from jetbot.parameters import default_file
-from jetbot.terminal import as_options, pause
-from jetbot.wizard import WIZARDS, Wizard
+from jetbot_ros.parameters import default_file
+from jetbot_tools.calibration import as_yaml
+from jetbot_tools.doctor import LAUNCH, check_address, check_device, check_serial
+from jetbot_tools.terminal import as_options, pause
+from jetbot_tools.wizard import WIZARDS, Wizard
 
 
 def boards_there(bus, port):

@@ -6,9 +6,9 @@ import json
 import os
 import sys
 
-from jetbot import doctor
 from jetbot.boards import PORT
-from jetbot.terminal import as_options
+from jetbot_tools import doctor
+from jetbot_tools.terminal import as_options
 
 
 def main():

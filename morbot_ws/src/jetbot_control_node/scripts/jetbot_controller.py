@@ -21,11 +21,11 @@ from geometry_msgs.msg import Twist
 from std_msgs.msg import Bool, String
 
 from jetbot import BusError, InvalidValue, JetbotError, Robot
-from jetbot.fake_i2c import default_folder
+from jetbot.fake.bus import default_folder
 from jetbot.kinematics import mix
-from jetbot.parameters import checked, load
-from jetbot.safety import Safety
 from jetbot_ros.master import require_master
+from jetbot_ros.parameters import checked, load
+from jetbot_ros.safety import Safety
 
 WATCH_PERIOD = 0.03       # seconds between two looks at what may stop the robot
 FAREWELL = 2.0            # seconds for the node to end once the robot stands

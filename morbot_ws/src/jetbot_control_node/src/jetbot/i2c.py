@@ -2,8 +2,8 @@
 
 import errno
 
-from .computer import how_to_open, which_buses
 from .errors import BusError, InvalidValue
+from .host import how_to_open, which_buses
 
 TRIES = 3  # a single failed transfer is noise; three in a row are a fault
 
@@ -65,7 +65,7 @@ def bus_name(bus):
     if text.isascii() and text.isdigit():
         return f"/dev/i2c-{int(text)}"
     if text == "fake":
-        from .fake_i2c import default_folder
+        from .fake.bus import default_folder
         return f"fake:{default_folder()}"
     if fake_folder(text):
         return text
@@ -81,7 +81,7 @@ def open_bus(name):
     """The bus with this ``bus_name``, with the methods of smbus2.SMBus."""
     folder = fake_folder(name)
     if folder:
-        from .fake_i2c import FakeBus
+        from .fake.bus import FakeBus
         return FakeBus(folder)
     try:
         from smbus2 import SMBus  # here, so that a machine without a bus does not need it
@@ -104,5 +104,5 @@ def explain(error, bus, address):
         return BusError(f"the fake bus {bus} cannot be used: {error.strerror}", "Name another folder: fake:FOLDER",
                         error.errno)
     if folder:
-        advice = f"To plug it in: python3 -m jetbot.fake_i2c {folder}"
+        advice = f"To plug it in: python3 -m jetbot.fake {folder}"
     return BusError(reason, advice, error.errno)

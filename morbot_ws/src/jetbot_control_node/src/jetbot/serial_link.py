@@ -5,8 +5,8 @@ import termios
 import threading
 from pathlib import Path
 
-from .computer import how_to_open
 from .errors import BusError, InvalidValue
+from .host import how_to_open
 
 BAUD_RATE = 115200
 PATIENCE = 0.05  # seconds that a write may take before the port counts as stuck

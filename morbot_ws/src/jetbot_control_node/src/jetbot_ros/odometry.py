@@ -8,7 +8,7 @@ from geometry_msgs.msg import Quaternion, TransformStamped, TwistWithCovariance
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu
 
-from jetbot.track import Track
+from jetbot_ros.pose_tracker import Track
 
 DRIFT = 0.05             # of the way driven and of the angle turned: wheel odometry on a floor, uncalibrated
 RESOLUTION = 0.001       # m and rad

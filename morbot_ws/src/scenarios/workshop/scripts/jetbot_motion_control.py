@@ -7,7 +7,7 @@ import rospy
 from geometry_msgs.msg import Twist
 
 from jetbot import InvalidValue
-from jetbot.parameters import NUMBER, POSITIVE, Parameter, checked
+from jetbot_ros.parameters import NUMBER, POSITIVE, Parameter, checked
 
 PARAMETERS = {
     "linear": Parameter(0.5, *NUMBER),   # m/s

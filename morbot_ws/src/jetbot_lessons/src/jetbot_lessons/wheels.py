@@ -8,9 +8,9 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Twist
 from std_msgs.msg import String
 
-from jetbot.fake_motors import STILL, wheel_speeds
+from jetbot.fake.motors import STILL, wheel_speeds
 from jetbot.i2c import fake_folder
-from jetbot.terminal import choose
+from jetbot_tools.terminal import choose
 
 from .commands import TOPIC, become_node, soon
 

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from jetbot.track import Track
+from jetbot_ros.pose_tracker import Track
 
 
 def follow(*counts, period=0.05):

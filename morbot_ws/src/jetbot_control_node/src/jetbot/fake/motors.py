@@ -5,8 +5,8 @@ Written from the boards' circuit diagrams and not from ``boards``, so that a dri
 
 import time
 
-from .fake_chips import PCA9685, SCMD
-from .fake_i2c import chip_file
+from .bus import chip_file
+from .chips import PCA9685, SCMD
 
 # board: (left, right), each the PCA9685 outputs at its motor driver: PWM (None: always on), forward input, other input
 MOTORS = {

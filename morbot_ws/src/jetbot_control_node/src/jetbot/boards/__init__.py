@@ -17,12 +17,12 @@ The driver of a board that measures how it moves also has
 from functools import partial
 from typing import Callable, NamedTuple, Optional
 
-from .errors import InvalidValue, JetbotError
-from .i2c import I2CDevice
+from ..errors import InvalidValue, JetbotError
+from ..i2c import I2CDevice
+from ..serial_link import SerialLink
 from .jetbot_pro import JetBotPro
 from .pwm_motors import ADAFRUIT, WAVESHARE, PwmMotors
 from .scmd import ScmdMotors
-from .serial_link import SerialLink
 
 PORT = "/dev/ttyACM0"  # where a JetBot Pro is, unless told otherwise
 

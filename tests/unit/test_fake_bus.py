@@ -3,8 +3,8 @@
 import pytest
 
 from conftest import registers
-from jetbot.fake_chips import PCA9685
-from jetbot.fake_i2c import FakeBus, power_on
+from jetbot.fake.bus import FakeBus, power_on
+from jetbot.fake.chips import PCA9685
 
 
 @pytest.fixture

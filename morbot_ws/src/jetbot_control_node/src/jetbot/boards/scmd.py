@@ -5,7 +5,7 @@ Registers as in SparkFun's firmware, https://github.com/sparkfun/Serial_Controll
 
 import time
 
-from .errors import BusError
+from ..errors import BusError
 
 ID = 0x01
 ID_WORD = 0xA9

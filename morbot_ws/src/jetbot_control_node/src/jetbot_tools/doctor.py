@@ -7,13 +7,13 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
-from . import computer, scmd
-from .boards import BOARDS, PORT
-from .errors import InvalidValue, JetbotError
-from .i2c import I2CDevice, bus_name
-from .jetbot_pro import FrameReader, reports
-from .parameters import checked, default_file, load
-from .serial_link import SerialLink
+from jetbot import host
+from jetbot.boards import BOARDS, PORT, scmd
+from jetbot.boards.jetbot_pro import FrameReader, reports
+from jetbot.errors import InvalidValue, JetbotError
+from jetbot.i2c import I2CDevice, bus_name
+from jetbot.serial_link import SerialLink
+from jetbot_ros.parameters import checked, default_file, load
 
 PACKAGES = {"rospy": "rospy", "diagnostic_updater": "diagnostic-updater", "nav_msgs": "nav-msgs",
             "sensor_msgs": "sensor-msgs", "tf2_ros": "tf2-ros", "yaml": "yaml", "smbus2": "smbus2", "serial": "serial"}
@@ -60,7 +60,7 @@ def look(bus, port):
             yield check
         if found:
             break
-    if bus is None and not computer.buses():
+    if bus is None and not host.buses():
         yield Check("I2C buses", False, "there is no /dev/i2c-*",
                     "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.")
     if not found or os.path.exists(port):
@@ -70,8 +70,8 @@ def look(bus, port):
 
 def all_buses():
     """The numbers of all buses, first the one that this computer's motors should be on."""
-    usual = computer.robot_bus(computer.model())
-    return sorted((int(path.name[len("i2c-"):]) for path in computer.buses()), key=lambda bus: (bus != usual, bus))
+    usual = host.robot_bus(host.model())
+    return sorted((int(path.name[len("i2c-"):]) for path in host.buses()), key=lambda bus: (bus != usual, bus))
 
 
 def check_package(module):
@@ -92,8 +92,8 @@ def how_to_install(module, noetic=Path("/opt/ros/noetic")):
 
 def check_computer():
     """Which computer this is, and which bus its robot is on."""
-    model = computer.model()
-    bus = computer.robot_bus(model)
+    model = host.model()
+    bus = host.robot_bus(model)
     if bus is None:
         return Check("computer", True, model or "not one of those that a JetBot carries")
     return Check("computer", True, f"{model}, whose motors are on /dev/i2c-{bus}")
@@ -119,7 +119,7 @@ def check_device(name):
         return []
     if not os.access(path, os.R_OK | os.W_OK):
         group = "i2c" if path.name.startswith("i2c-") else "dialout"
-        return [Check(name, False, "this user may not open it", computer.how_to_open(path, group))]
+        return [Check(name, False, "this user may not open it", host.how_to_open(path, group))]
     return [Check(name, True, "this user may open it"), check_users(path)]
 
 

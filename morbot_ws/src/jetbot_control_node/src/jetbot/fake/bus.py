@@ -6,17 +6,16 @@ Every process that opens the folder meets the same chips, and they stay powered 
     rm FOLDER/0x60                         unplug the chip
     echo 5 > FOLDER/0x60.fail              let its next 5 transfers fail
     echo 100000 > FOLDER/clock             take as long as a bus of 100 kHz (read when the bus is opened)
-    python3 -m jetbot.fake_i2c FOLDER      power every chip on anew: after an unplugging, or as a brown-out
+    python3 -m jetbot.fake FOLDER      power every chip on anew: after an unplugging, or as a brown-out
 """
 
 import errno
 import os
-import sys
 import time
 from pathlib import Path
 
-from .computer import ros_home
-from .fake_chips import CHIPS
+from ..host import ros_home
+from .chips import CHIPS
 
 REGISTERS = 256
 
@@ -106,7 +105,3 @@ def fail_if_asked(request):
 def no_answer():
     """What the kernel says when nobody acknowledges the address."""
     return OSError(errno.EREMOTEIO, os.strerror(errno.EREMOTEIO))
-
-
-if __name__ == "__main__":
-    power_on(sys.argv[1] if len(sys.argv) > 1 else default_folder())

@@ -1,8 +1,8 @@
 """What may be set on a simulated robot. Where its sizes come from, config/jetbot.yaml tells."""
 
-from jetbot.fake_motors import WIRED
+from jetbot.fake.motors import WIRED
 from jetbot.i2c import fake_folder
-from jetbot.parameters import NUMBER, PART, POSITIVE, SECONDS, Parameter
+from jetbot_ros.parameters import NUMBER, PART, POSITIVE, SECONDS, Parameter
 
 
 def is_fake(bus):

@@ -16,11 +16,11 @@ from std_srvs.srv import Empty, EmptyResponse
 from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 
 from jetbot import InvalidValue
-from jetbot.fake_i2c import default_folder
-from jetbot.fake_motors import wheel_speeds
+from jetbot.fake.bus import default_folder
+from jetbot.fake.motors import wheel_speeds
 from jetbot.i2c import fake_folder
-from jetbot.parameters import checked
 from jetbot_ros.master import require_master
+from jetbot_ros.parameters import checked
 from simulation import ORIGIN, Body, Motor, Pose
 from simulation.parameters import PARAMETERS
 

@@ -1,8 +1,9 @@
 """Asks how a robot is wired and how straight it drives: short motions, each announced and ended by any key."""
 
+from jetbot.errors import InvalidValue, JetbotError
+from jetbot.robot import Robot
+
 from .calibration import orientation, orientation_of_both, trim
-from .errors import InvalidValue, JetbotError
-from .robot import Robot
 from .terminal import choose, hold, move, number, pause
 
 TURN = 0.5         # part of full power

@@ -5,9 +5,9 @@ import os
 from pathlib import Path
 from typing import Callable, NamedTuple
 
-from .boards import BOARDS, PORT
-from .computer import ros_home
-from .errors import InvalidValue
+from jetbot.boards import BOARDS, PORT
+from jetbot.errors import InvalidValue
+from jetbot.host import ros_home
 
 
 class Parameter(NamedTuple):

@@ -10,7 +10,7 @@ import threading
 import time
 from typing import NamedTuple, Tuple
 
-from .errors import BusError
+from ..errors import BusError
 
 HEAD = b"\xaa\x55"
 VELOCITY, PID, CORRECTIONS = 0x11, 0x12, 0x13   # to the board

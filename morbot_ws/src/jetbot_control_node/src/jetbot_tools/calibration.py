@@ -2,7 +2,7 @@
 
 import json
 
-from .errors import InvalidValue
+from jetbot.errors import InvalidValue
 
 WHEEL_SEPARATION = 0.1125  # m; NVIDIA's model of the JetBot in Isaac Sim
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Says what is still missing after a lesson, in one sentence: rosrun workshop check_lesson.py N [YOUR_PACKAGE]."""
+"""Report what is missing after a lesson: rosrun jetbot_lessons check_lesson.py N [YOUR_PACKAGE]."""
 
 import sys
 
@@ -9,11 +9,11 @@ try:
     from catkin_pkg.package import InvalidPackage
 
     from jetbot import JetbotError
-    from lessons.table import FIRST_OWN, LAST, first_missing
+    from jetbot_lessons.table import FIRST_OWN, LAST, first_missing
 except ImportError as error:
-    sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun workshop check_lesson.py N there.")
+    sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun jetbot_lessons check_lesson.py N there.")
 
-USAGE = (f"Which lesson, 1 to {LAST}? Type: rosrun workshop check_lesson.py N, "
+USAGE = (f"Which lesson, 1 to {LAST}? Type: rosrun jetbot_lessons check_lesson.py N, "
          f"and from lesson {FIRST_OWN} on the name of your package")
 
 
@@ -23,7 +23,8 @@ def lesson(given):
     if number not in map(str, range(1, LAST + 1)) or len(names) > 1:
         sys.exit(USAGE)
     if int(number) >= FIRST_OWN and not names:
-        sys.exit(f"Lesson {number} is about your own package. Type: rosrun workshop check_lesson.py {number} ITS_NAME")
+        sys.exit(f"Lesson {number} is about your own package. "
+                 f"Type: rosrun jetbot_lessons check_lesson.py {number} ITS_NAME")
     return int(number), *names
 
 

@@ -1,25 +1,25 @@
 import pytest
 
-from jetbot import computer
+from jetbot import host
 
 
 @pytest.mark.parametrize("name, bus", [
     ("NVIDIA Jetson Nano Developer Kit", 1), ("NVIDIA Jetson Xavier NX Developer Kit", 8),
     ("NVIDIA Jetson Orin Nano Developer Kit", 7), ("Raspberry Pi 4 Model B Rev 1.4", 1), ("A PC", None), ("", None)])
 def test_robot_bus(name, bus):
-    assert computer.robot_bus(name) == bus
+    assert host.robot_bus(name) == bus
 
 
 def test_model(tmp_path):
     (tmp_path / "model").write_text("NVIDIA Jetson Nano Developer Kit\0")
-    assert computer.model(tmp_path / "model") == "NVIDIA Jetson Nano Developer Kit"
-    assert computer.model(tmp_path / "none") == ""
+    assert host.model(tmp_path / "model") == "NVIDIA Jetson Nano Developer Kit"
+    assert host.model(tmp_path / "none") == ""
 
 
 def test_buses_by_number(tmp_path):
     for name in ("i2c-10", "i2c-2", "i2c-1", "tty1"):
         (tmp_path / name).touch()
-    assert [path.name for path in computer.buses(tmp_path)] == ["i2c-1", "i2c-2", "i2c-10"]
+    assert [path.name for path in host.buses(tmp_path)] == ["i2c-1", "i2c-2", "i2c-10"]
 
 
 FAKE = "Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."
@@ -31,6 +31,6 @@ FAKE = "Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."
     ("", [], "This computer has no /dev/i2c-* at all. " + FAKE),
 ])
 def test_which_buses(monkeypatch, model, buses, sentence):
-    monkeypatch.setattr(computer, "model", lambda: model)
-    monkeypatch.setattr(computer, "buses", lambda: buses)
-    assert computer.which_buses() == sentence
+    monkeypatch.setattr(host, "model", lambda: model)
+    monkeypatch.setattr(host, "buses", lambda: buses)
+    assert host.which_buses() == sentence

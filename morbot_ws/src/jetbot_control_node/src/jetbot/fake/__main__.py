@@ -1,0 +1,7 @@
+"""``python3 -m jetbot.fake [FOLDER]``: power every chip of a fake bus on again."""
+
+import sys
+
+from .bus import default_folder, power_on
+
+power_on(sys.argv[1] if len(sys.argv) > 1 else default_folder())

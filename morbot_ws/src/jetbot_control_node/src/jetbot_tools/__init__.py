@@ -1,0 +1,1 @@
+"""Programs for the owner of a robot: the doctor and the calibration."""
