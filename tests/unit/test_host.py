@@ -30,7 +30,7 @@ FAKE = "Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."
      "On a Jetson Nano the motors are on bus 1: i2c_bus:=1. " + FAKE),
     ("", [], "This computer has no /dev/i2c-* at all. " + FAKE),
 ])
-def test_which_buses(monkeypatch, model, buses, sentence):
+def test_bus_advice(monkeypatch, model, buses, sentence):
     monkeypatch.setattr(host, "model", lambda: model)
     monkeypatch.setattr(host, "buses", lambda: buses)
-    assert host.which_buses() == sentence
+    assert host.bus_advice() == sentence

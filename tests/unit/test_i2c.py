@@ -10,7 +10,7 @@ from jetbot.i2c import I2CDevice, explain
 
 @pytest.fixture(autouse=True)
 def computer(monkeypatch):
-    monkeypatch.setattr(i2c, "which_buses", lambda: "This computer has /dev/i2c-0.")
+    monkeypatch.setattr(i2c, "bus_advice", lambda: "This computer has /dev/i2c-0.")
 
 
 @pytest.mark.parametrize("number, sentence", [

@@ -1,15 +1,17 @@
 """What can go wrong, as one small tree: every error is a JetbotError and a builtin error too."""
 
+from typing import Optional
+
 
 class JetbotError(Exception):
-    """A sentence for the user: what is wrong (``reason``) and what to do about it (``advice``)."""
+    """One sentence for the user: what is wrong (``reason``) and what to do about it (``advice``)."""
 
-    def __init__(self, reason, advice=""):
+    def __init__(self, reason: str, advice: str = ""):
         super().__init__(reason, advice)
         self.reason = reason
         self.advice = advice
 
-    def __str__(self):
+    def __str__(self) -> str:
         sentence = f"{self.reason[0].upper()}{self.reason[1:]}."
         return f"{sentence} {self.advice}" if self.advice else sentence
 
@@ -19,8 +21,28 @@ class InvalidValue(JetbotError, ValueError):
 
 
 class BusError(JetbotError, OSError):
-    """The motor board cannot be reached; ``errno`` tells why, as the operating system does."""
+    """The motor board cannot be driven; ``errno`` is the operating system's, None where it gave none."""
 
-    def __init__(self, reason, advice="", errno=None):
+    def __init__(self, reason: str, advice: str = "", errno: Optional[int] = None):
         super().__init__(reason, advice)
         self.errno, self.strerror = errno, reason
+
+
+class NotFound(BusError):
+    """There is no such bus or port."""
+
+
+class PermissionDenied(BusError):
+    """This user may not open the bus or the port."""
+
+
+class NoAnswer(BusError):
+    """The bus works, but the board does not answer."""
+
+
+class BusStuck(BusError):
+    """A transfer does not end: something holds the bus."""
+
+
+class NotReady(BusError):
+    """The board answers, but is still starting."""

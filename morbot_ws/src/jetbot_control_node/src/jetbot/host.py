@@ -28,7 +28,7 @@ def buses(dev=Path("/dev")):
     return sorted(dev.glob("i2c-*"), key=lambda path: (len(path.name), path.name))
 
 
-def how_to_open(device, usual_group):
+def permission_advice(device, usual_group):
     """What to do where this user may not open a device, a path in /dev; usual_group: whose such devices mostly are."""
     try:
         number = os.stat(device).st_gid
@@ -48,7 +48,7 @@ def how_to_join(group):
     return f"sudo usermod -aG {group} $USER   and log in again."
 
 
-def which_buses():
+def bus_advice():
     """In a sentence or two, which buses there are and which one to use."""
     there = ", ".join(map(str, buses())) or "no /dev/i2c-* at all"
     usual = robot_bus(model())

@@ -1,17 +1,22 @@
 """From a Twist to two wheel speeds."""
 
-
-def clamp(speed):
-    """The speed, a finite number, brought into [-1, 1], where 1 is all that the motor can give."""
-    return max(-1.0, min(1.0, speed))
+import sys
+from typing import Tuple
 
 
-def mix(linear, angular, wheel_separation=2.0, max_speed=1.0):
-    """Wheel speeds (left, right), each in [-1, 1], that move the robot as asked.
+def clamp(value: float, limit: float) -> float:
+    """Return the value, brought into [-limit, limit]."""
+    return max(-limit, min(limit, value))
 
-    linear: forward speed in m/s; angular: turn to the left in rad/s. Both must be finite.
+
+def mix(linear: float, angular: float, wheel_separation: float = 2.0, max_speed: float = 1.0) -> Tuple[float, float]:
+    """Return the wheel speeds (left, right) that move the robot as asked, 1 for a wheel at full power.
+
+    linear: forward speed in m/s; angular: turn to the left in rad/s; both finite.
     wheel_separation: metres between the wheels; max_speed: m/s of a wheel at full power.
-    The defaults make it the plain left = linear - angular, right = linear + angular.
+    The defaults make it the workshop's left = linear - angular, right = linear + angular.
+    The speeds are finite, and not limited to what the robot can do.
     """
     turn = angular * (wheel_separation / 2)
-    return clamp((linear - turn) / max_speed), clamp((linear + turn) / max_speed)
+    left, right = (linear - turn) / max_speed, (linear + turn) / max_speed
+    return clamp(left, sys.float_info.max), clamp(right, sys.float_info.max)

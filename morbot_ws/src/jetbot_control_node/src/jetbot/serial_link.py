@@ -1,43 +1,45 @@
-"""The edge to a serial port: which port a name means, and what to do when it fails."""
+"""The edge to a serial port: which port a name means, and one sentence for each failure."""
 
 import errno
 import termios
 import threading
 from pathlib import Path
 
-from .errors import BusError, InvalidValue
-from .host import how_to_open
+from . import fake
+from .errors import BusError, InvalidValue, NoAnswer, NotFound, PermissionDenied
+from .host import permission_advice
 
 BAUD_RATE = 115200
-PATIENCE = 0.05  # seconds that a write may take before the port counts as stuck
+TIMEOUT = 0.05  # s that a read waits for the first byte, and a write for its end
 
 
 class SerialLink:
-    """Bytes to and from a serial port, which is opened when first used, and anew after a failure.
+    """Bytes to and from a serial port, which is opened at the first use, and again after a failure.
 
-    name: a device or any pyserial URL. Raises BusError.
+    port: a device, a pyserial URL, ``fake`` or ``fake:FOLDER``. Reads and writes raise BusError.
+    transfers, errors: how many writes were tried, and how many reads and writes failed.
     """
 
     address = None  # one port, one board
 
-    def __init__(self, name):
-        if not isinstance(name, str) or not name:
-            raise InvalidValue(f"port cannot be {name!r}", "Give a serial device such as /dev/ttyACM0.")
-        self.name = name
+    def __init__(self, port: str):
+        if not isinstance(port, str) or not port:
+            raise InvalidValue(f"port cannot be {port!r}", "Give a serial device such as /dev/ttyACM0, or fake.")
+        self.name = fake.place(port)
         self.transfers = self.errors = 0
         self._port = None
         self._opening = threading.RLock()  # one thread may write while another reads; a signal handler may write, too
 
-    def write(self, data):
+    def write(self, data: bytes) -> None:
         """Send bytes at once."""
         self.transfers += 1
         self._try(lambda port: port.write(data))
 
-    def read(self):
-        """The bytes that have arrived; waits up to ``PATIENCE`` seconds for the first, and may return none."""
+    def read(self) -> bytes:
+        """Return the bytes that have arrived; wait up to ``TIMEOUT`` seconds for the first, and maybe return none."""
         return self._try(lambda port: port.read(port.in_waiting or 1))
 
-    def close(self):
+    def close(self) -> None:
         """Close the port; the next use opens it again."""
         with self._opening:
             port, self._port = self._port, None
@@ -51,7 +53,7 @@ class SerialLink:
                 port = self._port = self._port or open_port(self.name)
             return action(port)
         except BusError:
-            raise  # already in words
+            raise  # has its sentence already
         except (OSError, termios.error, TypeError) as error:  # TypeError: of a port that another thread closed
             self.errors += 1
             with self._opening:
@@ -60,11 +62,15 @@ class SerialLink:
             raise explain(error, self.name) from None
 
 
-def open_port(name):
-    """The port with this name, at 115200 8N1."""
+def open_port(name: str):
+    """Return the port with this name, at 115200 8N1, with the methods of serial.Serial."""
+    folder = fake.folder_of(name)
+    if folder:
+        from .fake.jetbot_pro import FakePort
+        return FakePort(folder, TIMEOUT)
     try:
         from serial import serial_for_url  # here, so that a robot without a serial port does not need it
-        return serial_for_url(name, BAUD_RATE, timeout=PATIENCE, write_timeout=PATIENCE)
+        return serial_for_url(name, BAUD_RATE, timeout=TIMEOUT, write_timeout=TIMEOUT)
     except ImportError:
         raise BusError("the Python package pyserial is missing",
                        "Install it: sudo apt install python3-serial") from None
@@ -72,13 +78,16 @@ def open_port(name):
         raise InvalidValue(f"port cannot be {name!r}: {error}") from None
 
 
-def explain(error, name):
-    """The BusError that says what an error of pyserial means and what to do."""
+def explain(error: Exception, name: str) -> BusError:
+    """Return the BusError for an error of pyserial."""
     number = getattr(error, "errno", None)
     if Path(name).exists() and not Path(name).is_char_device():
-        return BusError(f"{name} is no serial port", "Give a serial device such as /dev/ttyACM0.", errno.ENOTTY)
-    reason, advice = {
-        errno.ENOENT: (f"there is no serial port {name}", "Is the board plugged in and switched on?"),
-        errno.EACCES: (f"no permission to open {name}", how_to_open(name, "dialout")),
-    }.get(number, (f"no answer from {name}", "Is the board plugged in and switched on?"))
-    return BusError(reason, advice, number)
+        return NotFound(f"{name} is no serial port", "Give a serial device such as /dev/ttyACM0.", errno.ENOTTY)
+    plugged = "Is the board plugged in and switched on?"
+    kind, reason, advice = {
+        errno.ENOENT: (NotFound, f"there is no serial port {name}", plugged),
+        errno.EACCES: (PermissionDenied, f"no permission to open {name}", permission_advice(name, "dialout")),
+    }.get(number, (NoAnswer, f"no answer from {name}", plugged))
+    if fake.folder_of(name):
+        advice = f"To plug it in: python3 -m jetbot.fake {fake.folder_of(name)}"
+    return kind(reason, advice, number)

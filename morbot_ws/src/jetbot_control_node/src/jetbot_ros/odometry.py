@@ -1,94 +1,88 @@
-"""Odometry and IMU of a board that measures them, as ROS messages."""
+"""Odometry and IMU of a board that measures its motion, as ROS messages."""
 
 import math
 import time
+from typing import List, Optional
 
 import rospy
-from geometry_msgs.msg import Quaternion, TransformStamped, TwistWithCovariance
+from geometry_msgs.msg import TwistWithCovariance
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu
 
-from jetbot_ros.pose_tracker import Track
+from jetbot.boards import Telemetry
 
-DRIFT = 0.05             # of the way driven and of the angle turned: wheel odometry on a floor, uncalibrated
-RESOLUTION = 0.001       # m and rad
-GYRO_ERROR = 0.09        # rad/s, and
+from . import messages
+from .pose_tracker import PoseTracker, Velocity
+
+DRIFT = 0.05              # of the path length and of the total rotation: wheel odometry on a floor, uncalibrated
+RESOLUTION = 0.001        # m and rad
+GYRO_ERROR = 0.09         # rad/s, and
 ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets of uncalibrated sensors (5 deg/s and 80 mg for an MPU-9250)
-ANY_YAW = math.pi ** 2 / 3  # rad^2: the variance of a yaw of which nothing is known
-UNKNOWN = 1e6            # variance of what is not measured
+MAX_YAW_VARIANCE = math.pi ** 2 / 3  # rad^2: of a yaw of which nothing is known
+UNKNOWN = 1e6             # variance of what is not measured
 
 
 class OdometryPublisher:
     """Publishes ``odom``, ``imu/data_raw`` and, where asked for, tf odom -> base_footprint, for each Telemetry."""
 
-    def __init__(self, publish_tf):
+    def __init__(self, publish_tf: bool):
         self._odom = rospy.Publisher("odom", Odometry, queue_size=1)
         self._imu = rospy.Publisher("imu/data_raw", Imu, queue_size=1)
-        prefix = rospy.get_namespace()[1:]  # red's frames are red/odom and so on
-        self._odom_frame, self._base_frame, self._imu_frame = (
-            prefix + name for name in ("odom", "base_footprint", "imu_link"))
         self._tf = make_broadcaster() if publish_tf else None
-        self._track = Track()
+        self._tracker = PoseTracker()
 
-    def __call__(self, telemetry):
+    def __call__(self, telemetry: Telemetry) -> None:
         stamp = rospy.Time.now()
-        self._track.add(telemetry.x, telemetry.y, telemetry.yaw, time.monotonic())
-        self._publish_odometry(stamp, self._track)
-        self._publish_imu(stamp, telemetry)
-
-    def _publish_odometry(self, stamp, track):
-        odom = Odometry()
-        odom.header.stamp, odom.header.frame_id, odom.child_frame_id = stamp, self._odom_frame, self._base_frame
-        odom.pose.pose.position.x, odom.pose.pose.position.y = track.x, track.y
-        odom.pose.pose.orientation = Quaternion(z=math.sin(track.yaw / 2), w=math.cos(track.yaw / 2))
-        yaw = min((DRIFT * track.turned) ** 2 + RESOLUTION ** 2, ANY_YAW)
-        position = min(DRIFT ** 2 + yaw, 1) * track.driven ** 2 + RESOLUTION ** 2
-        odom.pose.covariance = diagonal(position, yaw)
-        odom.twist = twist(track.recent())
-        self._odom.publish(odom)
+        self._tracker.update((telemetry.x, telemetry.y, telemetry.yaw), time.monotonic())
+        self._odom.publish(odometry(stamp, self._tracker))
+        self._imu.publish(imu(stamp, telemetry))
         if self._tf:
-            self._tf.sendTransform(as_transform(odom))
-
-    def _publish_imu(self, stamp, telemetry):
-        imu = Imu()
-        imu.header.stamp, imu.header.frame_id = stamp, self._imu_frame
-        imu.orientation_covariance[0] = -1  # the message's way to say that there is no orientation
-        gyro, acceleration = imu.angular_velocity, imu.linear_acceleration
-        gyro.x, gyro.y, gyro.z = telemetry.gyro
-        acceleration.x, acceleration.y, acceleration.z = telemetry.acceleration
-        imu.angular_velocity_covariance[0::4] = [GYRO_ERROR ** 2] * 3
-        imu.linear_acceleration_covariance[0::4] = [ACCELERATION_ERROR ** 2] * 3
-        self._imu.publish(imu)
+            self._tf.sendTransform(messages.transform(
+                stamp, messages.frame_name("odom"), messages.frame_name("base_footprint"), self._tracker))
 
 
-def twist(recent):
-    """The speeds of a ``Track.recent``, with their covariance."""
-    if recent is None:
+def odometry(stamp: rospy.Time, tracker: PoseTracker) -> Odometry:
+    """Return the tracker's pose and velocity, with covariances that grow with the path."""
+    odom = messages.odometry(stamp, tracker)
+    yaw = min((DRIFT * tracker.total_rotation) ** 2 + RESOLUTION ** 2, MAX_YAW_VARIANCE)
+    position = min(DRIFT ** 2 + yaw, 1) * tracker.path_length ** 2 + RESOLUTION ** 2
+    odom.pose.covariance = diagonal(position, yaw)
+    odom.twist = twist(tracker.velocity)
+    return odom
+
+
+def twist(velocity: Optional[Velocity]) -> TwistWithCovariance:
+    """Return the velocity with its covariance."""
+    if velocity is None:
         return TwistWithCovariance(covariance=diagonal(UNKNOWN, UNKNOWN))
-    seconds, ahead, turn = recent
+    seconds, forward, turn = velocity
     result = TwistWithCovariance(covariance=diagonal(*(
-        (RESOLUTION / seconds) ** 2 + (DRIFT * change / seconds) ** 2 for change in (ahead, turn))))
-    result.twist.linear.x, result.twist.angular.z = ahead / seconds, turn / seconds
+        (RESOLUTION / seconds) ** 2 + (DRIFT * change / seconds) ** 2 for change in (forward, turn))))
+    result.twist.linear.x, result.twist.angular.z = forward / seconds, turn / seconds
     return result
 
 
-def diagonal(position, yaw):
-    """A covariance of x, y, z, roll, pitch, yaw, where only x, y and yaw are known."""
+def diagonal(position: float, yaw: float) -> List[float]:
+    """Return a covariance of x, y, z, roll, pitch, yaw, where only x, y and yaw are known."""
     covariance = [0.0] * 36
     covariance[0::7] = [position, position, UNKNOWN, UNKNOWN, UNKNOWN, yaw]
     return covariance
 
 
+def imu(stamp: rospy.Time, telemetry: Telemetry) -> Imu:
+    """Return the board's gyro and accelerometer."""
+    message = Imu()
+    message.header.stamp, message.header.frame_id = stamp, messages.frame_name("imu_link")
+    message.orientation_covariance[0] = -1  # the message's way to say that there is no orientation
+    rates, acceleration = message.angular_velocity, message.linear_acceleration
+    rates.x, rates.y, rates.z = telemetry.gyro
+    acceleration.x, acceleration.y, acceleration.z = telemetry.acceleration
+    message.angular_velocity_covariance[0::4] = [GYRO_ERROR ** 2] * 3
+    message.linear_acceleration_covariance[0::4] = [ACCELERATION_ERROR ** 2] * 3
+    return message
+
+
 def make_broadcaster():
-    """A tf2 broadcaster; imported here, since tf2 takes memory that most robots can use otherwise."""
+    """Return a tf2 broadcaster; imported here, since tf2 takes memory that most robots can use otherwise."""
     import tf2_ros
     return tf2_ros.TransformBroadcaster()
-
-
-def as_transform(odom):
-    """The transform odom -> base_footprint that an Odometry holds."""
-    transform = TransformStamped(header=odom.header, child_frame_id=odom.child_frame_id)
-    transform.transform.translation.x = odom.pose.pose.position.x
-    transform.transform.translation.y = odom.pose.pose.position.y
-    transform.transform.rotation = odom.pose.pose.orientation
-    return transform

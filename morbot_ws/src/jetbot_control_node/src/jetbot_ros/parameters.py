@@ -1,63 +1,77 @@
-"""Parameters: their defaults, and one sentence for a value that cannot be used."""
+"""The parameters. A parameter is a row: node, launch file, YAML comments, command lines and docs live from it."""
 
 import math
 import os
 from pathlib import Path
-from typing import Callable, NamedTuple
+from typing import Callable, Dict, NamedTuple, Optional
 
+from jetbot import InvalidValue, fake
 from jetbot.boards import BOARDS, PORT
-from jetbot.errors import InvalidValue
 from jetbot.host import ros_home
 
 
-class Parameter(NamedTuple):
-    """A default, and what a value must be: a test and the words for it."""
+class Kind(NamedTuple):
+    """What a value must be: a check, and its description."""
 
-    default: object
     accepts: Callable[[object], bool]
     description: str
 
 
-def is_number(value):
-    """A finite int or float; not a bool, which YAML's yes and no would give."""
+class Parameter(NamedTuple):
+    """A row: the default, what a value must be, what it means, and its unit."""
+
+    default: object
+    kind: Kind
+    doc: str
+    unit: str = ""
+
+
+def is_number(value) -> bool:
+    """Return whether this is a finite int or float; not a bool, which YAML's yes and no would give."""
     return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < math.inf
 
 
-SECONDS = (lambda value: is_number(value) and value >= 0, "a number of seconds, 0 or more")
-POSITIVE = (lambda value: is_number(value) and value > 0, "a number above 0")
-NUMBER = (is_number, "a number")
-PART = (lambda value: is_number(value) and 0 <= value < 1, "a number of at least 0 and below 1")
-YES_OR_NO = (lambda value: isinstance(value, bool), "true or false")
+NUMBER = Kind(is_number, "a number")
+POSITIVE = Kind(lambda value: is_number(value) and value > 0, "a number above 0")
+SECONDS = Kind(lambda value: is_number(value) and value >= 0, "a number of seconds, 0 or more")
+FRACTION = Kind(lambda value: is_number(value) and 0 <= value < 1, "a number of at least 0 and below 1")
+BOOLEAN = Kind(lambda value: isinstance(value, bool), "true or false")
+# A list: what a YAML file gives may not be hashable.
+BOARD = Kind(lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}")
+BUS = Kind(lambda value: isinstance(value, (int, str)), "a number, fake, or fake:FOLDER")
+SERIAL = Kind(lambda value: isinstance(value, str), "a serial device, a pyserial URL, fake, or fake:FOLDER")
 
 PARAMETERS = {
-    # a list: what a YAML file gives may not be hashable
-    "board": Parameter("jetbot", lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}"),
-    "i2c_bus": Parameter(1, lambda value: isinstance(value, (int, str)), "a number, fake, or fake:FOLDER"),
-    "port": Parameter(PORT, lambda value: isinstance(value, str), "a serial device or pyserial URL"),
-    "cmd_vel_timeout": Parameter(1.0, *SECONDS),
-    "wheel_separation": Parameter(2.0, *POSITIVE),  # m
-    "max_speed": Parameter(1.0, *POSITIVE),         # m/s
-    "left_motor_alpha": Parameter(1.0, *NUMBER),
-    "right_motor_alpha": Parameter(1.0, *NUMBER),
-    "swap_motors": Parameter(False, *YES_OR_NO),
-    "invert_left": Parameter(False, *YES_OR_NO),
-    "invert_right": Parameter(False, *YES_OR_NO),
-    "min_duty": Parameter(0.0, *PART),
-    "publish_tf": Parameter(False, *YES_OR_NO),
+    "board": Parameter("jetbot", BOARD, "motor board: jetbot (Adafruit's and Waveshare's layout at once), adafruit, "
+                                        "waveshare, sparkfun or jetbot_pro"),
+    "i2c_bus": Parameter(1, BUS, "I2C bus: N for /dev/i2c-N, fake (no robot needed), or fake:FOLDER"),
+    "port": Parameter(PORT, SERIAL, "serial port of a jetbot_pro: a device, a pyserial URL, fake, or fake:FOLDER"),
+    "cmd_vel_timeout": Parameter(1.0, SECONDS, "time without a command after which the robot stops; 0 holds the last "
+                                               "command", "s"),
+    "wheel_separation": Parameter(2.0, POSITIVE, "distance between the wheels; 2.0 makes it the workshop's "
+                                                 "left = x - z, right = x + z", "m"),
+    "max_speed": Parameter(1.0, POSITIVE, "speed of a wheel at full power", "m/s"),
+    "left_motor_alpha": Parameter(1.0, NUMBER, "trim of the left wheel, for a robot that does not drive straight"),
+    "right_motor_alpha": Parameter(1.0, NUMBER, "trim of the right wheel"),
+    "swap_motors": Parameter(False, BOOLEAN, "true: the left motor is wired as the right one, and vice versa"),
+    "invert_left": Parameter(False, BOOLEAN, "true: the left motor turns the wrong way"),
+    "invert_right": Parameter(False, BOOLEAN, "true: the right motor turns the wrong way"),
+    "min_duty": Parameter(0.0, FRACTION, "least part of full power that turns a wheel; speeds above 0 begin there"),
+    "publish_tf": Parameter(False, BOOLEAN, "true: a jetbot_pro publishes tf odom -> base_footprint"),
 }
 
 
-def default_file():
-    """Where the parameters of this computer's robot are kept: jetbot.yaml in ROS's home (~/.ros)."""
+def default_file() -> Path:
+    """Return the file that keeps the parameters of this computer's robot: jetbot.yaml in ROS's home (~/.ros)."""
     return ros_home() / "jetbot.yaml"
 
 
-def load(file=None):
-    """The parameters in a YAML file, ``default_file`` where it exists and no other is named.
+def load(file=None) -> Dict[str, object]:
+    """Return the parameters in a YAML file: ``default_file``, where it exists and no other is named.
 
     Raises InvalidValue for a file that cannot be read or holds something else.
     """
-    import yaml  # here, so that doctor.py can tell when it is missing
+    import yaml  # here, so that doctor.py can report that it is missing
     path = Path(str(file or default_file())).expanduser().absolute()
     if not file and not os.path.exists(path):
         return {}
@@ -70,12 +84,37 @@ def load(file=None):
     return values
 
 
-def checked(given, parameters=PARAMETERS):
-    """All parameters as a dict, from those that were given; InvalidValue for one that cannot be used."""
-    strangers = sorted(set(given) - set(parameters), key=str)
-    if strangers:
-        raise InvalidValue(f"there is no parameter {strangers[0]}", f"The parameters are {', '.join(parameters)}.")
-    for name, parameter in parameters.items():
-        if name in given and not parameter.accepts(given[name]):
-            raise InvalidValue(f"the parameter {name} must be {parameter.description}, not {given[name]!r}")
-    return {name: given.get(name, parameter.default) for name, parameter in parameters.items()}
+def resolve(typed: Dict[str, object]) -> Dict[str, object]:
+    """Return all parameters: what is typed wins over the file ``config``, the file over the default.
+
+    Without ``config``, the file is ``default_file``, which belongs to the real robot: a fake bus or port reads nothing
+    from it. Raises InvalidValue.
+    """
+    typed = given(typed)
+    config = typed.pop("config", None)
+    file = {} if config is None and is_fake(typed) else load(config)
+    return checked({**file, **typed})
+
+
+def checked(values: Dict[str, object], parameters: Optional[Dict[str, Parameter]] = None) -> Dict[str, object]:
+    """Return all parameters: the values that are given, else the defaults. Raise InvalidValue for a bad value."""
+    parameters = parameters or PARAMETERS
+    values = given(values)
+    unknown = sorted(set(values) - set(parameters), key=str)
+    if unknown:
+        raise InvalidValue(f"there is no parameter {unknown[0]}", f"The parameters are {', '.join(parameters)}.")
+    for name, row in parameters.items():
+        if name in values and not row.kind.accepts(values[name]):
+            raise InvalidValue(f"the parameter {name} must be {row.kind.description}, not {values[name]!r}")
+    return {name: values.get(name, row.default) for name, row in parameters.items()}
+
+
+def given(values: Dict[str, object]) -> Dict[str, object]:
+    """Return the values without those that are "", as a launch file passes on what was not typed."""
+    return {name: value for name, value in values.items() if value != ""}
+
+
+def is_fake(values: Dict[str, object]) -> bool:
+    """Return whether these parameters name a fake bus, or a fake port where the board is on one."""
+    place = values.get("i2c_bus" if BOARDS.get(str(values.get("board")), BOARDS["jetbot"]).address else "port", "")
+    return bool(fake.folder_of(fake.place(str(place))))

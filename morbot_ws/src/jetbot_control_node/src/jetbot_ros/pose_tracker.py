@@ -1,80 +1,95 @@
-"""The way of a robot whose board counts how far it came."""
+"""The pose of a robot whose board counts how far it moved."""
 
 import math
 from collections import deque
+from typing import NamedTuple, Optional, Tuple
 
-COUNTER_RANGE = 65.536  # m and rad: after so much, int16 counters of mm and mrad begin anew
-NEAR = 0.1              # m and rad, from where the counters of a board begin that restarts
-TOP_SPEED = (2, 2, 10)  # m/s, m/s and rad/s, which no JetBot reaches; faster, it is a restart
-GAP = 0.12              # seconds: reports that are further apart tell no more of a restart than this
-BUNCH = 0.01            # seconds within which reports count as one: the serial port may hold some back
-WINDOW = 0.04           # seconds, at least, over which speeds are taken
+COUNTER_RANGE = 0x10000  # after so many mm or mrad, the board's int16 counters begin again
+YAW_RANGE = 2000 * math.pi  # mrad: a board may also wrap its yaw at a full turn
+RESTART_RANGE = 100      # mm and mrad: where the counters of a board that restarts are at first
+MAX_RATES = (2000, 2000, 10000)  # mm/s, mm/s and mrad/s, which no JetBot reaches; faster, it is a restart
+MAX_GAP = 0.12           # s: a longer gap between reports says no more about a restart
+BURST_INTERVAL = 0.01    # s within which reports count as one: the serial port may hold some back
+WINDOW = 0.04            # s, at least, over which velocities are averaged
+
+Counts = Tuple[int, int, int]  # x, y in mm; yaw in mrad
 
 
-class Track:
+class Velocity(NamedTuple):
+    """How far the robot moved lately: metres forward and radians to the left, in so many seconds."""
+
+    seconds: float
+    forward: float
+    turn: float
+
+
+class PoseTracker:
     """Adds up what the board counts, without a jump where its counters wrap or its board restarts.
 
-    x, y: m; yaw: rad, to the left; driven, turned: m and rad, the length of all ways and turns.
+    x, y: m; yaw: rad, to the left, unbounded; path_length: m; total_rotation: rad;
+    velocity: over the last ``WINDOW`` or longer; None while it is not known.
     """
 
     def __init__(self):
-        self.x = self.y = self.yaw = self.driven = self.turned = 0.0
-        self._counted = None    # x, y, yaw by the board
-        self._rotation = 0.0    # rad, from the board's axes to these
-        self._ahead = 0.0       # m
-        self._time = 0.0        # of the last report
-        self._bunches = deque()  # [seconds, m ahead, yaw]; the first was WINDOW old when the last began
-        self._recent = None
+        self.x = self.y = self.yaw = self.path_length = self.total_rotation = 0.0
+        self.velocity: Optional[Velocity] = None
+        self._counts: Optional[Counts] = None
+        self._updated_at = 0.0
+        self._rotation = 0.0     # rad, from the board's axes to these
+        self._forward = 0.0      # m, in sum
+        self._samples = deque()  # [seconds, forward, yaw], one per burst
 
-    def add(self, x, y, yaw, now):
-        """Go on to where the board is at the time ``now``, in seconds: x, y in m and yaw in rad, as it counts them."""
-        last, self._counted = self._counted, (x, y, yaw)
+    def update(self, counts: Counts, now: float) -> None:
+        """Move on to the board's counts of x, y, yaw at the time ``now``, in seconds."""
+        last, self._counts = self._counts, counts
         if last is None:
-            self.x, self.y, self.yaw = x, y, yaw
-        elif began_anew(last, self._counted, now - self._time):
-            self._rotation = self.yaw - yaw
+            self.x, self.y, self.yaw = (count / 1000 for count in counts)
+        elif counters_reset(last, counts, now - self._updated_at):
+            self._rotation = self.yaw - counts[2] / 1000
         else:
-            self._go_on(least(x - last[0], COUNTER_RANGE), least(y - last[1], COUNTER_RANGE),
-                        least(yaw - last[2], COUNTER_RANGE, 2 * math.pi))
-        self._time = now
-        self._gather(now)
+            dx, dy, turn = (new - old for old, new in zip(last, counts))
+            self._integrate(unwrap(dx) / 1000, unwrap(dy) / 1000, unwrap_yaw(turn) / 1000)
+        self._updated_at = now
+        self._append_sample(now)
 
-    def recent(self):
-        """(seconds, m ahead, rad turned) of the last while, WINDOW long at least; None where it is not known yet."""
-        return self._recent
-
-    def _gather(self, now):
-        if self._bunches and now - self._bunches[-1][0] < BUNCH:
-            self._bunches[-1][1:] = self._ahead, self.yaw
-            return
-        if self._bunches:  # the last one is whole now
-            while len(self._bunches) > 2 and self._bunches[-1][0] - self._bunches[1][0] >= WINDOW:
-                self._bunches.popleft()
-            seconds, *way = (b - a for a, b in zip(self._bunches[0], self._bunches[-1]))
-            self._recent = (seconds, *way) if seconds >= WINDOW else None
-        self._bunches.append([now, self._ahead, self.yaw])
-
-    def _go_on(self, dx, dy, turn):
-        middle = self.yaw + turn / 2
-        dx, dy = rotated(dx, dy, self._rotation)
-        ahead, _ = rotated(dx, dy, -middle)
+    def _integrate(self, dx, dy, turn):
+        dx, dy = rotate(dx, dy, self._rotation)
+        forward, _ = rotate(dx, dy, -(self.yaw + turn / 2))
         self.x, self.y, self.yaw = self.x + dx, self.y + dy, self.yaw + turn
-        self._ahead += ahead
-        self.driven += abs(ahead)
-        self.turned += abs(turn)
+        self._forward += forward
+        self.path_length += abs(forward)
+        self.total_rotation += abs(turn)
+
+    def _append_sample(self, now):
+        samples = self._samples
+        if samples and now - samples[-1][0] < BURST_INTERVAL:
+            samples[-1][1:] = self._forward, self.yaw
+            return
+        if samples:  # the last burst is complete now
+            while len(samples) > 2 and samples[-1][0] - samples[1][0] >= WINDOW:
+                samples.popleft()
+            velocity = Velocity(*(last - first for first, last in zip(samples[0], samples[-1])))
+            self.velocity = velocity if velocity.seconds >= WINDOW else None
+        samples.append([now, self._forward, self.yaw])
 
 
-def began_anew(last, counted, seconds):
-    """Whether the board restarted between these two counts of x, y, yaw, so many seconds apart."""
-    steps = (abs(b - a) - NEAR for a, b in zip(last, counted))
-    return max(map(abs, counted)) < NEAR and any(step > top * min(seconds, GAP) for step, top in zip(steps, TOP_SPEED))
+def counters_reset(last: Counts, counts: Counts, seconds: float) -> bool:
+    """Return whether the board restarted between these two counts, so many seconds apart."""
+    jumps = (abs(new - old) - RESTART_RANGE for old, new in zip(last, counts))
+    return max(map(abs, counts)) < RESTART_RANGE and any(
+        jump > rate * min(seconds, MAX_GAP) for jump, rate in zip(jumps, MAX_RATES))
 
 
-def least(change, *ranges):
-    """A difference of two counts, of a counter that may have wrapped at one of these ranges."""
-    return min((change + way * size for size in ranges for way in (0, -1, 1)), key=abs)
+def unwrap(difference: int) -> int:
+    """Return the difference of two int16 counts, of a counter that may have wrapped once."""
+    return (difference + COUNTER_RANGE // 2) % COUNTER_RANGE - COUNTER_RANGE // 2
 
 
-def rotated(x, y, angle):
-    """The vector x, y, turned to the left by an angle in rad."""
+def unwrap_yaw(difference: int) -> float:
+    """Return the difference of two yaws, of a counter that may wrap as an int16 or at a full turn."""
+    return min(unwrap(difference), math.remainder(difference, YAW_RANGE), key=abs)
+
+
+def rotate(x: float, y: float, angle: float) -> Tuple[float, float]:
+    """Return the vector x, y, turned to the left by an angle in rad."""
     return x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle)

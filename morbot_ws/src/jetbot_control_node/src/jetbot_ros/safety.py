@@ -1,54 +1,63 @@
-"""What decides whether the robot may move. No ROS and no clock: times are monotonic seconds, handed in."""
+"""What decides whether the robot may move. No ROS, no thread and no clock: times are monotonic seconds, handed in."""
 
 import math
+from typing import NamedTuple, Optional, Tuple
 
-STILL = (0.0, 0.0)
+STOPPED = (0.0, 0.0)
 
 
-class Safety:
-    """Turns commands and events into the ``velocity`` that may be driven now, with the ``reason`` for it.
+class Safety(NamedTuple):
+    """The ``velocity`` that may be driven now, and why. Immutable: each event returns the state that follows it.
 
     timeout: seconds without a command after which the robot stops; 0 holds the last command.
-    velocity: (linear in m/s, angular in rad/s), always finite; alarm: whether something other than a command stops it.
+    velocity: (linear in m/s, angular in rad/s), always finite; status: one sentence for the user;
+    alarm: whether something other than a command stopped the robot; commands: how many arrived.
 
-    An emergency stop counts first, until it is released; then the newest command, until it is too old or nobody
-    is left who could send another. Whatever stopped the robot, only a new command moves it again.
+    An emergency stop counts first, until it is released; then the newest command, until it is too old or nobody is
+    left who could send another. Whatever stopped the robot, only a new command moves it again.
     """
 
-    def __init__(self, timeout):
-        self._timeout = timeout
-        self._emergency = False
-        self.commanded_at = None
-        self._stop("no command yet", alarm=False)
+    timeout: float
+    velocity: Tuple[float, float] = STOPPED
+    status: str = "stopped: no command yet"
+    alarm: bool = False
+    emergency: bool = False
+    commanded_at: Optional[float] = None
+    commands: int = 0
 
-    def command(self, linear, angular, now):
+    @property
+    def driving(self) -> bool:
+        """Whether the robot may move now."""
+        return self.velocity != STOPPED
+
+    def command(self, linear: float, angular: float, now: float) -> "Safety":
         """A command has arrived; one that is not finite stops the robot."""
-        self.commanded_at = now
-        if self._emergency:
-            return
+        state = self._replace(commanded_at=now, commands=self.commands + 1)
+        if self.emergency:
+            return state
         if not (math.isfinite(linear) and math.isfinite(angular)):
-            self._stop("command was not finite")
-        elif (linear, angular) == STILL:
-            self._stop("the command is zero", alarm=False)
-        else:
-            self.velocity, self.reason, self.alarm = (linear, angular), "driving", False
+            return state._stop("command was not finite")
+        if (linear, angular) == STOPPED:
+            return state._stop("the command is zero", alarm=False)
+        return state._replace(velocity=(linear, angular), status="driving", alarm=False)
 
-    def emergency_stop(self, engaged):
+    def emergency_stop(self, engaged: bool) -> "Safety":
         """The emergency stop was pressed (True) or released (False)."""
         if engaged:
-            self._stop("emergency stop")
-        elif self._emergency:
-            self._stop("no command since the emergency stop was released")
-        self._emergency = engaged
+            return self._stop("emergency stop")._replace(emergency=True)
+        if self.emergency:
+            return self._stop("no command since the emergency stop was released")._replace(emergency=False)
+        return self
 
-    def watch(self, publishers, now):
-        """Look at the time, and at how many publishers of commands are left. To be called often."""
-        if self.velocity == STILL:
-            return
+    def check_timeout(self, publishers: int, now: float) -> "Safety":
+        """Some time has passed; ``publishers`` of commands are left."""
+        if not self.driving:
+            return self
         if publishers == 0:
-            self._stop("nobody is left to send commands")
-        elif self._timeout and now - self.commanded_at >= self._timeout:
-            self._stop(f"no command for {self._timeout:.1f} s")
+            return self._stop("nobody is left to send commands")
+        if self.timeout and now - self.commanded_at >= self.timeout:
+            return self._stop(f"no command for {self.timeout:.1f} s")
+        return self
 
-    def _stop(self, cause, alarm=True):
-        self.velocity, self.reason, self.alarm = STILL, f"stopped: {cause}", alarm
+    def _stop(self, cause: str, alarm: bool = True) -> "Safety":
+        return self._replace(velocity=STOPPED, status=f"stopped: {cause}", alarm=alarm)

@@ -119,7 +119,7 @@ def check_device(name):
         return []
     if not os.access(path, os.R_OK | os.W_OK):
         group = "i2c" if path.name.startswith("i2c-") else "dialout"
-        return [Check(name, False, "this user may not open it", host.how_to_open(path, group))]
+        return [Check(name, False, "this user may not open it", host.permission_advice(path, group))]
     return [Check(name, True, "this user may open it"), check_users(path)]
 
 

@@ -1,109 +1,121 @@
-"""The PCA9685: sixteen PWM outputs of 12 bits on an I2C bus (NXP data sheet, rev. 4)."""
+"""The PCA9685: sixteen PWM outputs of 12 bits on an I2C bus. Names and facts: NXP data sheet, rev. 4."""
 
+import itertools
 import time
+from typing import Dict, List, Sequence
+
+from ..i2c import I2CDevice
 
 MODE1 = 0x00
-SLEEP = 0x10            # oscillator and outputs off
-AUTO_INCREMENT = 0x20   # without it, every byte of a block lands in the same register
-RESTART = 0x80          # set by the chip itself
+MODE1_RESTART = 0x80    # set by the chip itself
+MODE1_AI = 0x20         # auto-increment; without it, every byte of a block is written to the same register
+MODE1_SLEEP = 0x10      # oscillator and outputs off
 MODE2 = 0x01
-OUTDRV = 0x04           # outputs drive high and low
-FIRST_OUTPUT = 0x06     # four registers an output: ON_L, ON_H, OFF_L, OFF_H
-OUTPUTS = 16
+MODE2_OUTDRV = 0x04     # outputs drive high and low
+LED0_ON_L = 0x06        # four registers per output: ON_L, ON_H, OFF_L, OFF_H
+LED_FULL = 0x10         # in ON_H: always on; in OFF_H: always off, and off wins
 PRE_SCALE = 0xFE        # writable only asleep
-FASTEST = 3             # PRE_SCALE for 25 MHz / 4096 / (3 + 1) = 1526 Hz
-FULL = 0x10             # in ON_H: always on; in OFF_H: always off, and off wins
+PRESCALE_MIN = 3        # 25 MHz / 4096 / (3 + 1) = 1526 Hz
+OUTPUTS = 16
 FULL_DUTY = 4096
-OSCILLATOR_START = 0.0005  # seconds
+OSCILLATOR_START = 0.0005  # s
 
-BLOCK = 32              # bytes, the most that one SMBus transfer carries
-ADDRESSING = 2          # bytes, address and register, before the data of a transfer
-MOST_TRANSFERS = 3      # that a mere change of duties may take,
-MOST_BITS = 160         # and bits on the wire, each byte with its acknowledgement, each transfer with start and stop
+REGISTERS = 256
+BLOCK = 32              # bytes: the most that one SMBus transfer carries
+OVERHEAD = 2            # bytes, address and register, before the data of a transfer
+MAX_TRANSFERS = 3       # that a mere change of duties may take,
+MAX_BITS = 160          # and bits on the wire: nine per byte, two per transfer for START and STOP
 
 
 class PCA9685:
-    """Writes only what changed, in as few bytes as the chip's auto-increment allows, and can tell what it forgot.
+    """Writes only the registers that changed, and verifies what the chip holds block by block.
 
-    link: an I2CDevice; groups: ranges of up to 8 outputs, those that must switch on and off together.
-    Nothing is sent before ``start`` or the first ``set_outputs``. Every method raises BusError.
+    spans: ranges of up to 8 outputs; the outputs of a span switch on and off together.
+    Nothing is sent before ``start`` or the first ``set_outputs``. Every method may raise BusError.
     """
 
-    def __init__(self, link, groups):
+    def __init__(self, link: I2CDevice, spans: Sequence[range]):
         self._link = link
-        self._spans = [range(4 * group.start, 4 * group.stop) for group in groups]
-        self._sent = None  # the output registers as the chip holds them; None: not known
+        self._spans = [range(LED0_ON_L + 4 * span.start, LED0_ON_L + 4 * span.stop) for span in spans]
+        self._blocks = itertools.cycle([range(MODE1, MODE2 + 1), range(PRE_SCALE, PRE_SCALE + 1), *self._spans])
+        self._sent = None  # the registers as the chip holds them; None: not known
 
-    def start(self):
+    def start(self) -> None:
         """Set the chip up, whatever state it is in, with all outputs off before it wakes."""
         self._link.read(MODE1)
-        self._link.write(MODE1, [SLEEP | AUTO_INCREMENT])
+        self._link.write(MODE1, [MODE1_SLEEP | MODE1_AI])
         off = encode(0) * OUTPUTS
         for start in range(0, len(off), BLOCK):
-            self._link.write(FIRST_OUTPUT + start, off[start:start + BLOCK])
-        self._link.write(PRE_SCALE, [FASTEST])
-        self._link.write(MODE2, [OUTDRV])
-        self._link.write(MODE1, [AUTO_INCREMENT])
+            self._link.write(LED0_ON_L + start, off[start:start + BLOCK])
+        self._link.write(PRE_SCALE, [PRESCALE_MIN])
+        self._link.write(MODE2, [MODE2_OUTDRV])
+        self._link.write(MODE1, [MODE1_AI])
         time.sleep(OSCILLATOR_START)
-        self._sent = bytearray(off)
+        sent = bytearray(REGISTERS)
+        sent[MODE1], sent[MODE2], sent[PRE_SCALE] = MODE1_AI, MODE2_OUTDRV, PRESCALE_MIN
+        sent[LED0_ON_L:LED0_ON_L + len(off)] = off
+        self._sent = sent
 
-    def set_outputs(self, duties):
-        """Bring outputs to new duties, a dict of output: 0 to 4096 (of 4096); start the chip first where needed."""
+    def set_outputs(self, duties: Dict[int, int]) -> None:
+        """Set outputs to new duties, {output: 0 to 4096}, in 4096ths; start the chip first where its state is unknown."""
         if self._sent is None:
             self.start()
         sent, wanted = self._sent, bytearray(self._sent)
         for output, duty in duties.items():
-            wanted[4 * output:4 * output + 4] = encode(duty)
+            register = LED0_ON_L + 4 * output
+            wanted[register:register + 4] = encode(duty)
+        if wanted == sent:
+            return
         self._sent = None  # until all of it went through
         for piece in transfers(sent, wanted, self._spans):
-            self._link.write(FIRST_OUTPUT + piece.start, wanted[piece.start:piece.stop])
+            self._link.write(piece.start, wanted[piece.start:piece.stop])
         self._sent = wanted
 
-    def verify(self):
-        """Read back what the chip holds; if it lost it, the next ``set_outputs`` sets the chip up again.
+    def verify(self) -> None:
+        """Read back the next block of registers; if it differs, the next ``set_outputs`` sets the chip up again.
 
         A chip whose supply failed is back at its power-on values: asleep, all outputs off.
         """
         sent, self._sent = self._sent, None  # also when the chip does not answer
-        if sent is not None and self._holds(sent):
+        if sent is None:
+            return
+        block = next(self._blocks)
+        held = bytearray(self._link.read_block(block.start, len(block)))
+        if block.start == MODE1:
+            held[0] &= ~MODE1_RESTART
+        if held == sent[block.start:block.stop]:
             self._sent = sent
 
-    def _holds(self, sent):
-        mode1, mode2 = self._link.read_block(MODE1, 2)
-        return (mode1 & ~RESTART, mode2, self._link.read(PRE_SCALE)) == (AUTO_INCREMENT, OUTDRV, FASTEST) and all(
-            self._link.read_block(FIRST_OUTPUT + span.start, len(span)) == sent[span.start:span.stop]
-            for span in self._spans)
 
-
-def encode(duty):
-    """An output's four registers: on at the start of each period, off after ``duty`` 4096ths of it."""
+def encode(duty: int) -> bytes:
+    """Return an output's four registers: on at the start of each period, off after ``duty`` 4096ths of it."""
     if duty == 0:
-        return bytes([0, 0, 0, FULL])
+        return bytes([0, 0, 0, LED_FULL])
     if duty == FULL_DUTY:
-        return bytes([0, FULL, 0, 0])
+        return bytes([0, LED_FULL, 0, 0])
     return bytes([0, 0, duty & 0xFF, duty >> 8])
 
 
-def transfers(sent, wanted, spans):
-    """The ranges of the output registers to send: those that changed, and short gaps between them.
+def transfers(sent: bytes, wanted: bytes, spans: Sequence[range]) -> List[range]:
+    """Return the ranges of registers to write: those that changed, and short gaps between them.
 
-    Where full on or full off is among the changes (a wheel starts, stops, turns round or reaches full speed),
-    a span goes out in one piece, and so never has two directions on at once.
+    Where full on or full off is among the changes (a wheel starts, stops, reverses or reaches full speed), a span is
+    written in one transfer, and so never has two directions on at once.
     """
-    changed = [i for i in range(len(wanted)) if sent[i] != wanted[i]]
-    if not any((sent[i] ^ wanted[i]) & FULL for i in changed if i % 2):
-        pieces = join(changed, MOST_TRANSFERS)
-        if sum(2 + 9 * (ADDRESSING + len(piece)) for piece in pieces) <= MOST_BITS:
+    changed = [register for span in spans for register in span if sent[register] != wanted[register]]
+    if not any((sent[register] ^ wanted[register]) & LED_FULL for register in changed if register % 2):
+        pieces = join(sorted(changed), MAX_TRANSFERS)
+        if sum(2 + 9 * (OVERHEAD + len(piece)) for piece in pieces) <= MAX_BITS:
             return pieces
-    return [piece for span in spans for piece in join([i for i in changed if i in span], 1)]
+    return [piece for span in spans for piece in join([register for register in changed if register in span], 1)]
 
 
-def join(indices, most):
-    """Ascending indices as ranges: as few as ``most``, and fewer where a gap costs no more than a transfer."""
-    pieces = [range(i, i + 1) for i in indices]
+def join(registers: List[int], most: int) -> List[range]:
+    """Return ascending registers as at most ``most`` ranges; fewer where a gap costs no more than a transfer."""
+    pieces = [range(register, register + 1) for register in registers]
     while len(pieces) > 1:
         gap, i = min((after.start - before.stop, i) for i, (before, after) in enumerate(zip(pieces, pieces[1:])))
-        if gap > ADDRESSING and len(pieces) <= most:
+        if gap > OVERHEAD and len(pieces) <= most:
             break
         pieces[i:i + 2] = [range(pieces[i].start, pieces[i + 1].stop)]
     return pieces

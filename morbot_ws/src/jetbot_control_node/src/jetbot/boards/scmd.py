@@ -3,102 +3,89 @@
 Registers as in SparkFun's firmware, https://github.com/sparkfun/Serial_Controlled_Motor_Driver.
 """
 
-import time
+import itertools
 
-from ..errors import BusError
+from ..errors import BusError, NoAnswer, NotReady
+from ..i2c import I2CDevice
+from .driver import MotorDriver
 
 ID = 0x01
 ID_WORD = 0xA9
-FAILSAFE_CONTROL = 0x1F
-STOP_MOTORS = 0x01      # what the failsafe does when its time has run out
-LEFT, RIGHT = 0x20, 0x21
+FSAFE_CTRL = 0x1F
+FSAFE_STOP_MOTORS = 0x01
+MA_DRIVE, MB_DRIVE = 0x20, 0x21  # the left and the right motor
 DRIVER_ENABLE = 0x70    # 0 at power-on
-FAILSAFE_TIME = 0x76    # units of 10 ms without a transfer; 0: off
+FSAFE_TIME = 0x76       # units of 10 ms without a transfer; 0: off
 STATUS_1 = 0x77
-READY = 0x01
-START_UP = 2.0          # seconds; the firmware looks for further boards first
+STATUS_1_READY = 0x01   # 0 while the firmware looks for further boards
+
+STOP = 0x80
+TIMEOUT = 100           # FSAFE_TIME while the timer is fed: 1.0 s
 
 
-class ScmdMotors:
-    """Drives the SCMD. Every idle refresh is a transfer, and so keeps its failsafe from stopping the wheels.
+class ScmdMotors(MotorDriver):
+    """Drives the SCMD. Its timer is off until the first ``keep_alive``; from then on it must be fed within 1.0 s."""
 
-    link: an I2CDevice; options.failsafe: 0.1 to 2.55 s, to which other times are brought, or 0 for none.
-    """
-
-    def __init__(self, link, options):
-        self.link = link
-        self._failsafe = failsafe_time(options.failsafe)
+    def __init__(self, link: I2CDevice):
+        super().__init__(link)
         self._sent = None  # the drive bytes as the chip holds them; None: not known
-        self._blocks = False
+        self._has_blocks = False
+        self._registers = itertools.cycle([DRIVER_ENABLE, FSAFE_CTRL, MA_DRIVE, MB_DRIVE])
 
-    def start(self, patience=START_UP):
-        """Set the chip up with both wheels off; ``patience``: seconds that it may take to become ready."""
+    def start(self) -> None:
         if self.link.read(ID) != ID_WORD:
-            raise BusError(f"at 0x{self.link.address:02x} on {self.link.name} is no SparkFun motor driver",
+            raise NoAnswer(f"at 0x{self.link.address:02x} on {self.link.name} is no SparkFun motor driver",
                            "Something else answers there: choose another board.")
-        self._wait_until_ready(patience)
+        if not self.link.read(STATUS_1) & STATUS_1_READY:
+            raise NotReady(f"the motor driver on {self.link.name} is not ready", "Switch the robot off and on.")
         self.link.write(DRIVER_ENABLE, [0])
-        self._blocks = self._takes_blocks()
-        self._send(bytes([encode(0), encode(0)]))
-        self.link.write(FAILSAFE_CONTROL, [STOP_MOTORS])
-        self.link.write(FAILSAFE_TIME, [self._failsafe])
+        self._has_blocks = self._takes_blocks()
+        self._send(bytes([STOP, STOP]))
+        self.link.write(FSAFE_CTRL, [FSAFE_STOP_MOTORS])
+        self.link.write(FSAFE_TIME, [0])
         self.link.write(DRIVER_ENABLE, [1])
 
-    def drive(self, left, right):
-        """Turn the wheels at these speeds, in [-1, 1]."""
+    def drive(self, left: float, right: float) -> None:
         if self._sent is None:
-            self.start(patience=0)  # a program that drives has no time to wait, and tries again
+            self.start()
         wanted = bytes([encode(left), encode(right)])
         if wanted != self._sent:
             self._send(wanted)
 
-    def refresh(self, left, right, idle):
-        """Drive as before, when idle with a transfer; set a chip up again that lost its power meanwhile."""
-        sent = self._sent
-        if idle and sent is not None:
-            self._sent = None
-            if self.link.read(DRIVER_ENABLE) & 1:
-                self._send(sent)
-        self.drive(left, right)
+    def verify(self) -> None:
+        sent, self._sent = self._sent, None  # also when the chip does not answer
+        if sent is None:
+            return
+        expected = {DRIVER_ENABLE: 1, FSAFE_CTRL: FSAFE_STOP_MOTORS, MA_DRIVE: sent[0], MB_DRIVE: sent[1]}
+        register = next(self._registers)
+        if self.link.read(register) == expected[register]:
+            self._sent = sent
 
-    def close(self):
-        """Let go of the bus; the wheels go on until the failsafe stops them."""
-        self.link.close()
+    def keep_alive(self) -> None:
+        if self._sent is not None:
+            self.link.write(FSAFE_TIME, [TIMEOUT])
 
-    def _wait_until_ready(self, patience):
-        deadline = time.monotonic() + patience
-        while not self.link.read(STATUS_1) & READY:
-            if time.monotonic() > deadline:
-                raise BusError(f"the motor driver on {self.link.name} is not ready",
-                               "Switch the robot off and on.")
-            time.sleep(0.01)
-
-    def _takes_blocks(self):
-        """Whether both drive bytes arrive in one transfer; tried with the motors switched off."""
+    def _takes_blocks(self) -> bool:
+        """Return whether both drive bytes arrive in one transfer; tried with the motors switched off."""
         try:
-            self.link.write(LEFT, [encode(0), encode(0) - 1])
-        except BusError:  # it refuses blocks; where it is gone, the next transfer tells
+            self.link.write(MA_DRIVE, [STOP, STOP - 1])
+        except BusError:  # it refuses blocks; where it is gone, the next transfer fails
             return False
-        return self.link.read(RIGHT) == encode(0) - 1
+        return self.link.read(MB_DRIVE) == STOP - 1
 
     def _send(self, wanted):
         self._sent = None  # until all of it went through
-        if self._blocks:
-            self.link.write(LEFT, wanted)
+        if self._has_blocks:
+            self.link.write(MA_DRIVE, wanted)
         else:
-            self.link.write(LEFT, wanted[:1])
-            self.link.write(RIGHT, wanted[1:])
+            self.link.write(MA_DRIVE, wanted[:1])
+            self.link.write(MB_DRIVE, wanted[1:])
         self._sent = wanted
 
 
-def failsafe_time(seconds):
-    """The byte for a failsafe of this time, brought to 0.1 to 2.55 s; 0 or less is none."""
-    return min(255, max(10, round(seconds * 100))) if seconds > 0 else 0
-
-
-def encode(speed):
-    """The drive byte for a speed in [-1, 1]: 0x80 stands, and forward counts down, as the JetBot's motors are wired.
+def encode(speed: float) -> int:
+    """Return the drive byte for a speed in [-1, 1]: forward counts down from STOP, as the JetBot's motors are wired.
 
     Full backward would be 256, which a byte wraps to 0, full forward; 255 is as near as it gets.
     """
-    return min(255, max(0, 128 - round(speed * 128)))
+    return min(0xFF, max(0, STOP - round(speed * 0x80)))

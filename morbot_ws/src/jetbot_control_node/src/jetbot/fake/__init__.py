@@ -1,1 +1,29 @@
-"""Hardware that is not there: an I2C bus in a folder, its chips, and the motors behind them."""
+"""Simulated hardware, chosen by name: ``fake`` and ``fake:FOLDER`` in the place of a bus or a serial port.
+
+The folder is the wiring, a file in it a chip or a board. Every process that opens the folder meets the same chips.
+"""
+
+from pathlib import Path
+from typing import Optional
+
+from ..host import ros_home
+
+
+def default_folder(namespace: str = "/") -> Path:
+    """Return the folder that plain ``fake`` means: fake_i2c plus the node's namespace in ROS's home (~/.ros)."""
+    return ros_home() / "fake_i2c" / namespace.strip("/")
+
+
+def place(name: str, namespace: str = "/") -> str:
+    """Return ``fake:FOLDER`` for plain ``fake``; any other name unchanged."""
+    return f"fake:{default_folder(namespace)}" if name == "fake" else name
+
+
+def folder_of(name: str) -> Optional[str]:
+    """Return FOLDER where the name is ``fake:FOLDER``, else None."""
+    return name[len("fake:"):] or None if name.startswith("fake:") else None
+
+
+def chip_file(folder, address: Optional[int]) -> Path:
+    """Return the file that holds the chip at this I2C address; None: the JetBot Pro on the serial port."""
+    return Path(folder, "jetbot_pro" if address is None else f"0x{address:02x}")

@@ -2,6 +2,7 @@
 
 import sys
 
-from .bus import default_folder, power_on
+from . import default_folder
+from .bus import power_on
 
 power_on(sys.argv[1] if len(sys.argv) > 1 else default_folder())

@@ -1,48 +1,39 @@
 """An I2C bus without hardware: a folder is the bus, a file in it is a chip, a byte of the file is a register.
 
-Every process that opens the folder meets the same chips, and they stay powered when it ends. By hand:
+Chips stay powered when the process that uses them ends. By hand:
 
-    xxd FOLDER/0x60                        look at the registers
+    xxd FOLDER/0x60                        show the registers
     rm FOLDER/0x60                         unplug the chip
     echo 5 > FOLDER/0x60.fail              let its next 5 transfers fail
     echo 100000 > FOLDER/clock             take as long as a bus of 100 kHz (read when the bus is opened)
-    python3 -m jetbot.fake FOLDER      power every chip on anew: after an unplugging, or as a brown-out
+    python3 -m jetbot.fake FOLDER          power every chip on again: after unplugging, or as a brown-out
 """
 
 import errno
 import os
 import time
 from pathlib import Path
+from typing import List, Sequence
 
-from ..host import ros_home
-from .chips import CHIPS
+from . import chip_file
+from .motors import ROBOTS
 
 REGISTERS = 256
 
 
-def default_folder(namespace="/"):
-    """The folder that plain ``fake`` means: fake_i2c plus the node's namespace in ROS's home (~/.ros)."""
-    return ros_home() / "fake_i2c" / namespace.strip("/")
-
-
-def chip_file(folder, address):
-    """The file that stands for the chip at this address."""
-    return Path(folder, f"0x{address:02x}")
-
-
-def power_on(folder):
-    """Give every chip its power-on registers; make the folder and plug in the chips that are not there."""
+def power_on(folder) -> None:
+    """Give every chip its power-on registers; make the folder, and plug in the chips that are missing."""
     Path(folder).mkdir(parents=True, exist_ok=True)
-    for address, chip in CHIPS.items():
-        arriving = chip_file(folder, address).with_suffix(f".{os.getpid()}")
+    for file, chip in {chip_file(folder, robot.address): robot.chip for robot in ROBOTS.values()}.items():
+        arriving = file.with_suffix(f".{os.getpid()}")
         arriving.write_bytes(chip.POWER_ON)
-        arriving.replace(chip_file(folder, address))
+        arriving.replace(file)
 
 
 class FakeBus:
-    """Stands in for ``smbus2.SMBus``: the methods that the drivers use, and the OSErrors of the kernel.
+    """Takes the place of ``smbus2.SMBus``: the methods that the drivers use, and the OSErrors of the kernel.
 
-    folder: made, with every known chip on it, when it is not there.
+    folder: made, with every known chip in it, when it does not exist.
     """
 
     def __init__(self, folder):
@@ -52,26 +43,26 @@ class FakeBus:
         clock = self._folder / "clock"
         self._seconds_per_bit = 1 / float(clock.read_text()) if clock.exists() else 0
 
-    def read_byte_data(self, address, register):
+    def read_byte_data(self, address: int, register: int) -> int:
         return self._transfer(address, 4, lambda registers: registers[register])
 
-    def read_i2c_block_data(self, address, register, length):
+    def read_i2c_block_data(self, address: int, register: int, length: int) -> List[int]:
         return self._transfer(address, 3 + length, lambda registers: list(registers[register:register + length]))
 
-    def write_byte_data(self, address, register, value):
+    def write_byte_data(self, address: int, register: int, value: int) -> None:
         self.write_i2c_block_data(address, register, [value])
 
-    def write_i2c_block_data(self, address, register, data):
+    def write_i2c_block_data(self, address: int, register: int, data: Sequence[int]) -> None:
         if len(data) > 32:
             raise ValueError("an SMBus block holds 32 bytes at most")
-        self._transfer(address, 2 + len(data), lambda registers: CHIPS[address].write(registers, register, data))
+        self._transfer(address, 2 + len(data), lambda registers: chip_at(address).write(registers, register, data))
 
-    def close(self):
+    def close(self) -> None:
         """Nothing stays open between transfers."""
 
     def _transfer(self, address, wire_bytes, action):
-        """Act on the chip's registers and store them at once, as the chip does at the STOP."""
-        time.sleep((2 + 9 * wire_bytes) * self._seconds_per_bit)
+        """Act on the chip's registers and store them at once at the STOP, when the wire has carried all bytes."""
+        end = time.perf_counter() + (2 + 9 * wire_bytes) * self._seconds_per_bit
         file = f"{self._folder}/0x{address:02x}"  # pathlib would take longer than all the rest
         fail_if_asked(f"{file}.fail")
         try:
@@ -79,6 +70,8 @@ class FakeBus:
         except FileNotFoundError:
             raise no_answer() from None
         try:
+            if self._seconds_per_bit:
+                time.sleep(max(0.0, end - time.perf_counter()))
             registers = bytearray(os.pread(chip, REGISTERS, 0).ljust(REGISTERS, b"\0"))
             result = action(registers)
             if result is None:  # a write: it also sets the time since when nobody wrote
@@ -88,20 +81,25 @@ class FakeBus:
             os.close(chip)
 
 
-def fail_if_asked(request):
+def chip_at(address: int) -> type:
+    """Return what the chip at this address is, a class of ``chips``."""
+    return next(robot.chip for robot in ROBOTS.values() if robot.address == address)
+
+
+def fail_if_asked(request: str) -> None:
     """Fail as long as the file ``request`` holds a number above 0."""
     if not os.path.exists(request):
         return
     try:
-        left = int(Path(request).read_text())
+        remaining = int(Path(request).read_text())
     except (FileNotFoundError, ValueError):  # ValueError: it is just being written
         return
-    if left > 0:
-        Path(request).write_text(str(left - 1))
+    if remaining > 0:
+        Path(request).write_text(str(remaining - 1))
         raise no_answer()
     os.unlink(request)
 
 
-def no_answer():
-    """What the kernel says when nobody acknowledges the address."""
+def no_answer() -> OSError:
+    """Return what the kernel raises when nobody acknowledges the address."""
     return OSError(errno.EREMOTEIO, os.strerror(errno.EREMOTEIO))

@@ -1,7 +1,9 @@
 """What the chips on the fake bus do with the bytes they are sent.
 
 Written from NXP's data sheet of the PCA9685 (rev. 4) and SparkFun's description of the SCMD, not from the drivers, and
-with registers as plain numbers, so that a driver's mistake shows.
+with registers as plain numbers, so that a driver's mistake shows. A chip has ``POWER_ON``, its registers at power-on;
+``write(registers, register, data)``, which applies one transfer; and ``speed(registers, motor, silence)``, the speed in
+[-1, 1] of a motor that is wired to it, when nobody has written for ``silence`` seconds.
 """
 
 
@@ -12,7 +14,6 @@ class PCA9685:
 
     @staticmethod
     def write(registers, register, data):
-        """Apply one transfer to ``registers``, a bytearray of 256."""
         auto_increment = registers[0x00] & 0x20
         for value in data:
             PCA9685._store(registers, register, value)
@@ -33,18 +34,30 @@ class PCA9685:
             registers[first:0x46:4] = bytes([value] * 16)
 
     @staticmethod
-    def asleep(registers):
-        """Whether the oscillator, and with it every output, is off."""
+    def asleep(registers) -> bool:
+        """Return whether the oscillator, and with it every output, is off."""
         return bool(registers[0x00] & 0x10)
 
     @staticmethod
-    def duty(registers, output):
-        """The part of the time that an output is high: 0 to 1."""
+    def duty(registers, output) -> float:
+        """Return the part of the time that an output is high: 0 to 1."""
         on = int.from_bytes(registers[0x06 + 4 * output:][:2], "little")
         off = int.from_bytes(registers[0x08 + 4 * output:][:2], "little")
         if PCA9685.asleep(registers) or off & 0x1000:
             return 0.0
         return 1.0 if on & 0x1000 else (off - on) % 4096 / 4096
+
+    @staticmethod
+    def speed(registers, motor, silence=0) -> float:
+        """motor: the outputs at its H bridge (PWM, forward input, backward input); PWM None: always on.
+
+        With both inputs high, or both low, the motor gets no power.
+        """
+        pwm, forward, backward = motor
+        ahead, back = PCA9685.duty(registers, forward), PCA9685.duty(registers, backward)
+        if ahead and back:
+            return 0.0
+        return (ahead - back) * (1.0 if pwm is None else PCA9685.duty(registers, pwm))
 
 
 class SCMD:
@@ -55,18 +68,14 @@ class SCMD:
 
     @staticmethod
     def write(registers, register, data):
-        """Apply one transfer to ``registers``, a bytearray of 256."""
         for offset, value in enumerate(data):
             if register + offset not in SCMD.READ_ONLY:
                 registers[register + offset] = value
 
     @staticmethod
-    def speed(registers, motor, silence):
-        """Speed in [-1, 1] of motor 0 or 1, when nothing was written for ``silence`` seconds; forward counts down."""
+    def speed(registers, motor, silence) -> float:
+        """motor: the register of its drive byte, in which forward counts down."""
         timed_out = registers[0x1F] & 0x01 and registers[0x76] and silence > registers[0x76] / 100
         if timed_out or not registers[0x70] & 0x01:
             return 0.0
-        return (0x80 - registers[0x20 + motor]) / 0x80
-
-
-CHIPS = {0x60: PCA9685, 0x5D: SCMD}
+        return (0x80 - registers[motor]) / 0x80

@@ -1,39 +1,44 @@
-"""What the motors wired to a chip on the fake bus do.
+"""The robots that can be simulated. A robot is a row of ROBOTS: its chip, and how its motors are wired to it.
 
 Written from the boards' circuit diagrams and not from ``boards``, so that a driver's mistake shows.
 """
 
 import time
+from typing import NamedTuple, Optional, Tuple
 
-from .bus import chip_file
+from . import chip_file
 from .chips import PCA9685, SCMD
+from .jetbot_pro import JetBotPro
 
-# board: (left, right), each the PCA9685 outputs at its motor driver: PWM (None: always on), forward input, other input
-MOTORS = {
-    "adafruit": ((8, 9, 10), (13, 12, 11)),
-    "waveshare": ((None, 1, 0), (None, 2, 3)),
+STOPPED = (0.0, 0.0)  # speeds (left, right)
+
+
+class FakeRobot(NamedTuple):
+    """A row of ROBOTS. left, right: how each motor is wired to the chip, as the chip's ``speed`` takes it."""
+
+    chip: type
+    address: Optional[int]  # None: a board on the serial port
+    left: object
+    right: object
+    closed_loop: bool = False  # the board controls its wheel speeds, which are in m/s for wheels 2 m apart
+
+
+ROBOTS = {
+    "adafruit": FakeRobot(PCA9685, 0x60, left=(8, 9, 10), right=(13, 12, 11)),
+    "waveshare": FakeRobot(PCA9685, 0x60, left=(None, 1, 0), right=(None, 2, 3)),
+    "sparkfun": FakeRobot(SCMD, 0x5D, left=0x20, right=0x21),
+    "jetbot_pro": FakeRobot(JetBotPro, None, left=-1, right=1, closed_loop=True),
 }
-MOTORS["jetbot"] = MOTORS["adafruit"]  # that driver serves both boards; this robot has the one
-WIRED = (*MOTORS, "sparkfun")          # every board that a robot on the fake bus can have
-
-STILL = (0.0, 0.0)  # speeds (left, right) of wheels that stand
+ROBOTS["jetbot"] = ROBOTS["adafruit"]  # that driver serves both layouts; this robot has the one
 
 
-def motor_speed(registers, pwm, forward, backward):
-    """Speed in [-1, 1] of a motor behind an H bridge; with both inputs high, or both low, it stands."""
-    ahead, back = PCA9685.duty(registers, forward), PCA9685.duty(registers, backward)
-    if ahead and back:
-        return 0.0
-    return (ahead - back) * (1.0 if pwm is None else PCA9685.duty(registers, pwm))
-
-
-def wheel_speeds(folder, board="adafruit"):
-    """Speeds (left, right) of the robot with this board on the fake bus; 0 where its chip is unplugged."""
-    chip = chip_file(folder, 0x5D if board == "sparkfun" else 0x60)
+def wheel_speeds(folder, board: str = "adafruit") -> Tuple[float, float]:
+    """Return the speeds (left, right) of the robot with this board in a fake bus's folder; 0 where it is unplugged."""
+    robot = ROBOTS[board]
+    file = chip_file(folder, robot.address)
     try:
-        registers, written = chip.read_bytes(), chip.stat().st_mtime
+        registers, written = file.read_bytes(), file.stat().st_mtime
     except FileNotFoundError:
-        return STILL
-    if board == "sparkfun":
-        return tuple(SCMD.speed(registers, motor, time.time() - written) for motor in (0, 1))
-    return tuple(motor_speed(registers, *motor) for motor in MOTORS[board])
+        return STOPPED
+    silence = time.time() - written
+    return robot.chip.speed(registers, robot.left, silence), robot.chip.speed(registers, robot.right, silence)

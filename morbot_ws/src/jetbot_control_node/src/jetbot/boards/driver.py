@@ -1,0 +1,59 @@
+"""The contract between a robot and its motor board."""
+
+import abc
+from typing import Callable, NamedTuple, Tuple, Union
+
+from ..i2c import I2CDevice
+from ..serial_link import SerialLink
+
+
+class Telemetry(NamedTuple):
+    """What a board measures of its own motion. Axes: forward, left, up. Position and yaw count from the board's start.
+
+    x, y: mm and yaw: mrad, as the board counts them: signed 16-bit integers, which wrap.
+    """
+
+    gyro: Tuple[float, float, float]          # rad/s
+    acceleration: Tuple[float, float, float]  # m/s^2
+    x: int
+    y: int
+    yaw: int
+
+
+class MotorDriver(abc.ABC):
+    """Turns two wheel speeds into what one motor board understands.
+
+    A driver holds no clock and no thread but that of ``listen``; its caller decides when. Every method but ``close``
+    may raise BusError; after one, the next ``drive`` sets the board up again.
+    """
+
+    limit = 1.0  # largest |wheel speed| that the board can be told; Robot clamps a speed to it, and nothing else does
+    closed_loop = False  # True: the board measures its wheels and controls their speeds in m/s, for wheels 2 m apart
+    keep_alive_interval = 0.25  # s: how often ``keep_alive`` is due while the wheels turn
+
+    def __init__(self, link: Union[I2CDevice, SerialLink]):
+        self.link = link
+
+    @abc.abstractmethod
+    def start(self) -> None:
+        """Set the board up with both motors off, whatever state it is in; raise NotReady while it is starting."""
+
+    @abc.abstractmethod
+    def drive(self, left: float, right: float) -> None:
+        """Turn the wheels at these speeds, in [-limit, limit], positive forward. A repeated speed costs no transfer."""
+
+    def verify(self) -> None:
+        """Read back a part of what the board holds, in one transfer at most; the next ``drive`` restores what it lost.
+
+        Successive calls go through all parts.
+        """
+
+    def keep_alive(self) -> None:
+        """Feed the board's own timer, which stops the motors when it is no longer fed. Without a timer: nothing."""
+
+    def listen(self, callback: Callable[[Telemetry], None]) -> None:
+        """Call back with each Telemetry, from a thread of its own. A board that measures nothing never calls back."""
+
+    def close(self) -> None:
+        """Let go of the board; its motors keep their speeds."""
+        self.link.close()

@@ -1,0 +1,54 @@
+"""One wheel of a Robot: from a speed to the duty of its motor."""
+
+import math
+
+from .errors import InvalidValue
+from .kinematics import clamp
+
+
+class Motor:
+    """One wheel of a Robot; see there for alpha, inverted and min_duty."""
+
+    def __init__(self, robot, alpha: float, inverted: bool, min_duty: float):
+        self._robot = robot
+        self._inverted = inverted
+        self._min_duty = finite(min_duty, "min_duty")
+        self.alpha = alpha
+        if not 0 <= self._min_duty < 1:
+            raise InvalidValue(f"min_duty must be at least 0 and below 1, not {min_duty!r}")
+
+    @property
+    def value(self) -> float:
+        """The speed last set, 1 full forward. Setting it drives the wheel."""
+        return self._robot._speeds[self]
+
+    @value.setter
+    def value(self, speed):
+        self._robot._set_speeds({self: speed})
+
+    @property
+    def alpha(self) -> float:
+        """A trim that the speed is multiplied with from the next command on; a finite number."""
+        return self._alpha
+
+    @alpha.setter
+    def alpha(self, alpha):
+        self._alpha = finite(alpha, "an alpha")
+
+    def duty(self, limit: float) -> float:
+        """Return the duty in [-limit, limit]: trim, clamp, dead-band compensation, sign."""
+        speed = clamp(self.alpha * self.value, limit)
+        if speed == 0:
+            return 0.0
+        duty = self._min_duty + (1 - self._min_duty) * abs(speed)
+        return math.copysign(duty, -speed if self._inverted else speed)
+
+
+def finite(number, name: str) -> float:
+    """Return the number as a float; raise InvalidValue for what is no finite number."""
+    try:
+        if math.isfinite(number):
+            return float(number)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise InvalidValue(f"{name} must be a finite number, not {number!r}")

@@ -1,0 +1,36 @@
+"""Messages and frame names of a robot (REP 103, REP 105), as the controller and the simulator publish them."""
+
+import math
+
+import rospy
+from geometry_msgs.msg import Quaternion, TransformStamped
+from nav_msgs.msg import Odometry
+
+
+def frame_name(name: str) -> str:
+    """Return the name of one of the robot's frames, prefixed by the node's namespace: red/odom."""
+    return rospy.get_namespace()[1:] + name
+
+
+def quaternion(yaw: float) -> Quaternion:
+    """Return the rotation by ``yaw`` radians about the z axis."""
+    return Quaternion(z=math.sin(yaw / 2), w=math.cos(yaw / 2))
+
+
+def odometry(stamp: rospy.Time, pose, linear: float = 0.0, angular: float = 0.0) -> Odometry:
+    """Return the robot's pose (x, y in m, yaw in rad) in its odom frame, and its own velocity in m/s and rad/s."""
+    message = Odometry(child_frame_id=frame_name("base_footprint"))
+    message.header.stamp, message.header.frame_id = stamp, frame_name("odom")
+    message.pose.pose.position.x, message.pose.pose.position.y = pose.x, pose.y
+    message.pose.pose.orientation = quaternion(pose.yaw)
+    message.twist.twist.linear.x, message.twist.twist.angular.z = linear, angular
+    return message
+
+
+def transform(stamp: rospy.Time, parent: str, child: str, pose) -> TransformStamped:
+    """Return the pose (x, y in m, yaw in rad) of the child frame in its parent."""
+    message = TransformStamped(child_frame_id=child)
+    message.header.stamp, message.header.frame_id = stamp, parent
+    message.transform.translation.x, message.transform.translation.y = pose.x, pose.y
+    message.transform.rotation = quaternion(pose.yaw)
+    return message

@@ -1,0 +1,92 @@
+"""What makes the controller a well-behaved ROS node: a clear start, parameters, and an end that stops the robot."""
+
+import os
+import re
+import signal
+import sys
+import threading
+from typing import Callable, Dict
+
+import rospy
+
+from jetbot import InvalidValue, JetbotError, Robot, fake
+
+from .master import require_master
+from .parameters import resolve
+from .report import Report
+from .supervisor import Supervisor
+
+SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
+
+
+def init_node(name: str) -> None:
+    """Initialize the node; end the program with one sentence where there is no master. Raise InvalidValue."""
+    require_master()
+    # rospy's own signal handlers talk to the master before anything stops, and wait for ever if that hangs.
+    rospy.init_node(name, disable_signals=True)
+    namespace = rospy.get_namespace()
+    if not re.fullmatch(r"/([A-Za-z]\w*/)*", namespace, re.ASCII):  # ROS's programs in C++ refuse any other
+        raise InvalidValue(f"a robot cannot be named {namespace.strip('/')}",
+                           "Begin with a letter, and use letters, digits and _.")
+
+
+def read_parameters() -> Dict[str, object]:
+    """Return the node's parameters: typed ones, then those of the file, then the defaults. Raise InvalidValue."""
+    return resolve(rospy.get_param("~", {}))
+
+
+def make_robot(parameters: Dict[str, object]) -> Robot:
+    """Return the Robot that the parameters describe; where its board measures its motion, that is published now on."""
+    names = ("board", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left", "invert_right", "min_duty")
+    places = {name: fake.place(str(parameters[name]), rospy.get_namespace()) for name in ("i2c_bus", "port")}
+    robot = Robot(**{name: parameters[name] for name in names}, **places)
+    if robot.driver.closed_loop:
+        from .odometry import OdometryPublisher  # here, since most robots have no such board
+        robot.driver.listen(OdometryPublisher(parameters["publish_tf"]))
+    return robot
+
+
+def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
+    """Drive and report until the node ends, then stop the robot. Return the exit code."""
+    for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(ending, supervisor.end)
+    thread = threading.Thread(target=supervise, args=[supervisor, report])
+    thread.start()
+    try:
+        report.spin(supervisor, robot.driver.link)
+    finally:
+        supervisor.end()
+        thread.join()
+    return 0 if supervisor.closed else 1
+
+
+def supervise(supervisor: Supervisor, report: Report) -> None:
+    """Drive until the node ends, then end it. Neither logs nor asks the master: either may block."""
+    launcher = os.getppid() if is_launched() else None
+    try:
+        supervisor.run(lambda: rospy.is_shutdown() or launcher not in (None, os.getppid()))
+    except JetbotError:
+        pass  # the board does not answer: the guard reports it, and goes on trying
+    finally:
+        give_up = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # where the master or the terminal hangs
+        give_up.daemon = True
+        give_up.start()
+        report.end()
+        rospy.signal_shutdown("the robot is stopped")
+
+
+def is_launched() -> bool:
+    """Return whether roslaunch started this node, whose end then is the node's, too."""
+    return any(argument.startswith("__log:=") for argument in sys.argv)
+
+
+def main(start: Callable[[], int]) -> None:
+    """Run a node's ``start`` and exit with its code; what a user can cure ends it with one sentence."""
+    try:
+        sys.exit(start())
+    except JetbotError as error:
+        rospy.logfatal(error)
+        sys.exit(1)
+    except OSError:
+        require_master()  # it may have ended meanwhile
+        raise

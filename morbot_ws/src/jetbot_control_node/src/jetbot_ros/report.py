@@ -1,0 +1,86 @@
+"""What the node reports: its latched status, log lines and /diagnostics."""
+
+import contextlib
+import math
+import queue
+import time
+from typing import Dict
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticStatus
+from diagnostic_updater import Updater
+from std_msgs.msg import String
+
+from .supervisor import State, Supervisor
+
+DIAGNOSTICS_INTERVAL = 1.0  # s
+REPEAT_LOG = 1.0            # s before the same line is logged again
+
+
+class Report:
+    """``change`` publishes the status at once, from any thread; ``spin`` logs in the main thread, which may wait."""
+
+    def __init__(self, parameters: Dict[str, object]):
+        self._board = parameters["board"]
+        self._status_topic = rospy.Publisher("~status", String, latch=True, queue_size=1)
+        self._status_changes = queue.Queue(maxsize=10)
+        name = rospy.get_namespace().strip("/")
+        self._prefix = f"{name}: " if name else ""
+        self._logged = {}  # status: when
+        self._last = None
+        self._counted = (0, time.monotonic())
+
+    def change(self, state: State) -> None:
+        """Publish a status that differs from the one before."""
+        self._publish_status(state.status)
+        with contextlib.suppress(queue.Full):  # the terminal blocks the main thread, which then logs the latest only
+            self._status_changes.put_nowait(state)
+
+    def end(self) -> None:
+        """Publish the last status, and wake ``spin``."""
+        self._publish_status("stopped: the controller has ended")
+        with contextlib.suppress(queue.Full):
+            self._status_changes.put_nowait(None)
+
+    def spin(self, supervisor: Supervisor, link) -> None:
+        """Log and publish diagnostics until the node ends. link: of the robot's driver."""
+        updater = Updater()
+        updater.setHardwareID(link.name)
+        updater.add("motors", lambda result: self._diagnose(result, supervisor.state, link))
+        due = 0.0
+        while not rospy.is_shutdown():
+            state = self._next_change(due - time.monotonic())
+            self._log(state or supervisor.state)
+            if time.monotonic() >= due:
+                due = time.monotonic() + DIAGNOSTICS_INTERVAL
+                updater.force_update()
+
+    def _publish_status(self, status):
+        self._status_topic.publish(status)
+
+    def _next_change(self, timeout):
+        with contextlib.suppress(queue.Empty):
+            return self._status_changes.get(timeout=max(0.0, timeout))
+        return None
+
+    def _log(self, state):
+        now = time.monotonic()
+        if state.status != self._last and now - self._logged.get(state.status, -math.inf) >= REPEAT_LOG:
+            self._logged[state.status] = now
+            self._last = state.status
+            (rospy.logwarn if state.alarm else rospy.loginfo)(self._prefix + state.status)
+
+    def _diagnose(self, result, state, link):
+        now = time.monotonic()
+        level = (DiagnosticStatus.ERROR if state.fault else
+                 DiagnosticStatus.WARN if state.alarm else DiagnosticStatus.OK)
+        result.summary(level, state.status)
+        result.add("board", self._board)
+        result.add("bus", link.name)
+        result.add("transfers", link.transfers)
+        result.add("failed transfers", link.errors)
+        (commands, since), self._counted = self._counted, (state.safety.commands, now)
+        result.add("commands per second", f"{(state.safety.commands - commands) / (now - since):.1f}")
+        at = state.safety.commanded_at
+        result.add("age of the last command (s)", "none yet" if at is None else f"{now - at:.2f}")
+        return result

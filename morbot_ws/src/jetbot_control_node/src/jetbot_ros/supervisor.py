@@ -1,0 +1,123 @@
+"""The one thread that drives the robot: it owns the time, and stops the robot when it must not move. No ROS here."""
+
+import contextlib
+import threading
+import time
+from typing import Callable, NamedTuple, Optional
+
+from jetbot import BusError, Robot
+
+from .safety import Safety
+
+DRIVING_INTERVAL = 0.05      # s between two checks of what may stop the robot while it drives
+STOPPED_INTERVAL = 0.4       # s between two wake-ups while it is stopped; the guard's timeout is a second
+RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried again
+VERIFY_AFTER_COMMAND = 0.1   # s between two verifications right after a command, when none other is due soon
+VERIFY_IDLE = 0.3            # s between two of them at any other moment
+
+
+class State(NamedTuple):
+    """What the supervisor has last done. Immutable: any thread may keep it."""
+
+    safety: Safety
+    fault: Optional[BusError] = None  # while the board does not answer
+
+    @property
+    def status(self) -> str:
+        """What the robot does and why, in one sentence."""
+        return f"stopped: {self.fault.reason}, trying again" if self.fault else self.safety.status
+
+    @property
+    def alarm(self) -> bool:
+        """Whether something other than a command stopped the robot."""
+        return bool(self.fault) or self.safety.alarm
+
+
+class Supervisor:
+    """Drives the velocity that ``safety`` allows. Any thread may call ``command``, ``emergency_stop`` and ``end``.
+
+    drive: drives the robot at (linear, angular); count_publishers: returns how many nodes could send commands;
+    on_change: takes each State whose status differs from the one before. None of them may block.
+    closed: whether ``run`` has ended, with the wheels stopped.
+    """
+
+    def __init__(self, robot: Robot, drive: Callable[[float, float], None], cmd_vel_timeout: float,
+                 count_publishers: Callable[[], int], on_change: Callable[[State], None]):
+        self._robot, self._drive = robot, drive
+        self._count_publishers, self._on_change = count_publishers, on_change
+        self.safety = Safety(cmd_vel_timeout)
+        self.state = State(self.safety)
+        self.closed = False
+        self._lock = threading.Lock()  # held while ``safety`` is replaced, never during a transfer
+        self._wake = threading.Event()
+        self._ending = False
+        self._status = None
+        self._fed = self._verified = float("-inf")
+
+    def command(self, linear: float, angular: float) -> None:
+        """Note a command: m/s forward and rad/s to the left."""
+        self._change(Safety.command, linear, angular, time.monotonic())
+        self._wake.set()
+
+    def emergency_stop(self, engaged: bool) -> None:
+        """Note that the emergency stop was pressed or released."""
+        self._change(Safety.emergency_stop, engaged)
+        self._wake.set()
+
+    def end(self, *_) -> None:
+        """End ``run`` soon; fit to be a signal's handler."""
+        self._ending = True
+        self._wake.set()
+
+    def run(self, is_over: Callable[[], bool]) -> None:
+        """Drive until ``end`` or ``is_over``, then stop the robot and let go of it. Raise BusError where that fails."""
+        try:
+            commanded = False
+            while not (self._ending or is_over()):
+                delay = self.step(time.monotonic(), commanded)
+                commanded = self._wake.wait(delay)
+                self._wake.clear()
+        finally:
+            self._robot.close()
+            self.closed = True
+
+    def step(self, now: float, commanded: bool) -> float:
+        """Do all that is due at the time ``now``; return the seconds until the next step, if nothing happens before.
+
+        commanded: whether something has just happened, such as a command.
+        """
+        if self.safety.driving:
+            self._change(Safety.check_timeout, self._count_publishers(), now)
+        safety, fault = self.safety, None
+        try:
+            self._drive(*safety.velocity)
+            self._verify(now, commanded)
+        except BusError as error:
+            fault = error
+        interval = self._robot.driver.keep_alive_interval if safety.driving else STOPPED_INTERVAL
+        self._keep_alive(now, interval)
+        self._report(State(safety, fault))
+        pause = RETRY_INTERVAL if fault else DRIVING_INTERVAL if safety.driving else STOPPED_INTERVAL
+        return min(pause, self._fed + interval - now)
+
+    def _change(self, event, *arguments):
+        with self._lock:
+            self.safety = event(self.safety, *arguments)
+
+    def _verify(self, now, commanded):
+        """Verify a part of the board: after a command, or when none came for a while, so that it holds up none."""
+        if now - self._verified >= (VERIFY_AFTER_COMMAND if commanded else VERIFY_IDLE):
+            self._verified = now
+            self._robot.verify()
+
+    def _keep_alive(self, now, interval):
+        if now - self._fed >= interval:
+            self._fed = now
+            with contextlib.suppress(BusError):  # the next drive reports it
+                self._robot.keep_alive()
+
+    def _report(self, state):
+        self.state = state
+        if state.status != self._status:
+            self._status = state.status
+            self._on_change(state)
