@@ -1,10 +1,9 @@
-"""Fixtures of the unit tests: the packages from their source, on a fake bus that counts what crosses it."""
+"""Fixtures of the unit tests: the packages from their source, on a fake bus that counts its transfers."""
 
 import os
 import pty
 import struct
 import sys
-import time
 import tty
 from pathlib import Path
 
@@ -15,8 +14,8 @@ SOURCE = ROOT / "morbot_ws/src/jetbot_control_node"
 SIMULATION = SOURCE.parent / "simulation"
 sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src")]
 
-from jetbot import i2c, robot  # noqa: E402
-from jetbot.fake.bus import FakeBus, chip_file  # noqa: E402
+from jetbot import fake, i2c, robot  # noqa: E402
+from jetbot.fake.bus import FakeBus  # noqa: E402
 
 
 class CountedBus(FakeBus):
@@ -35,7 +34,7 @@ class CountedBus(FakeBus):
 @pytest.fixture
 def wire(monkeypatch):
     """What crossed the fake bus since ``wire.bits.clear()``."""
-    monkeypatch.setattr(i2c, "open_bus", lambda name: CountedBus(i2c.fake_folder(name)))
+    monkeypatch.setattr(i2c, "open_bus", lambda name: CountedBus(fake.folder_of(name)))
     CountedBus.bits.clear()
     CountedBus.states.clear()
     return CountedBus
@@ -49,7 +48,7 @@ def folder(tmp_path):
 
 def registers(folder, address=0x60):
     """The registers of a chip on the fake bus."""
-    return chip_file(folder, address).read_bytes()
+    return fake.chip_file(folder, address).read_bytes()
 
 
 # A JetBot Pro's report: gyro and acceleration, x, y and yaw.
@@ -83,26 +82,13 @@ def make_robot(folder, monkeypatch):
         each._close_quietly()
 
 
-def eventually(condition, within=5.0):
-    """Whether the condition becomes true in time."""
-    deadline = time.monotonic() + within
-    while not condition():
-        if time.monotonic() > deadline:
-            return False
-        time.sleep(0.01)
-    return True
-
-
 class NoGuard:
     """The guard has tests of its own."""
 
     def __init__(self, *_):
         pass
 
-    def is_alive(self):
-        return False
-
-    def start(self):
+    def leave(self):
         pass
 
-    heartbeat = leave = dismiss = start
+    heartbeat = dismiss = leave

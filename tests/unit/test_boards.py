@@ -7,7 +7,7 @@ import pytest
 
 from conftest import registers
 from jetbot import InvalidValue
-from jetbot.boards import Options, open_board
+from jetbot.boards import find_board
 from jetbot.fake.motors import wheel_speeds
 
 OFF, HIGH, HALF = "00000010", "00100000", "00000008"
@@ -35,7 +35,7 @@ PAIRS = list(itertools.product(SPEEDS, SPEEDS))
 
 @pytest.mark.parametrize("name, speeds, outputs", CASES)
 def test_registers(folder, name, speeds, outputs):
-    board = open_board(name, Options(f"fake:{folder}"))
+    board = find_board(name).open(f"fake:{folder}")
     for earlier in ((0.7, -0.2), (-0.7, 0.2), (1, 1), (0, 0)):
         board.drive(*earlier)
         board.drive(*speeds)
@@ -44,8 +44,8 @@ def test_registers(folder, name, speeds, outputs):
 
 
 @pytest.mark.parametrize("board", ["adafruit", "waveshare"])
-def test_motors_of_either_board_turn_as_told_by_jetbot(folder, board):
-    driver = open_board("jetbot", Options(f"fake:{folder}"))
+def test_jetbot_drives_either_board(folder, board):
+    driver = find_board("jetbot").open(f"fake:{folder}")
     for speeds in PAIRS:
         driver.drive(*speeds)
         assert wheel_speeds(folder, board) == pytest.approx(speeds, abs=0.0003)
@@ -53,7 +53,7 @@ def test_motors_of_either_board_turn_as_told_by_jetbot(folder, board):
 
 @pytest.mark.parametrize("name", ["jetbot", "adafruit", "waveshare"])
 def test_never_both_directions_at_once_and_few_transfers(folder, wire, name):
-    board = open_board(name, Options(f"fake:{folder}"))
+    board = find_board(name).open(f"fake:{folder}")
     for before, after in itertools.product(PAIRS, PAIRS):
         board.drive(*before)
         wire.bits.clear()
@@ -66,7 +66,7 @@ def test_never_both_directions_at_once_and_few_transfers(folder, wire, name):
 
 
 def test_any_change_of_speed_ahead_takes_at_most_three_transfers_and_160_bits(folder, wire):
-    board = open_board("jetbot", Options(f"fake:{folder}"))
+    board = find_board("jetbot").open(f"fake:{folder}")
     random = Random(1)
     board.drive(0.5, 0.5)
     for _ in range(300):
@@ -78,7 +78,7 @@ def test_any_change_of_speed_ahead_takes_at_most_three_transfers_and_160_bits(fo
 
 
 def test_a_repeated_command_takes_no_transfer(folder, wire):
-    board = open_board("jetbot", Options(f"fake:{folder}"))
+    board = find_board("jetbot").open(f"fake:{folder}")
     board.drive(0.3, -0.4)
     wire.bits.clear()
     board.drive(0.3, -0.4)
@@ -86,11 +86,11 @@ def test_a_repeated_command_takes_no_transfer(folder, wire):
 
 
 def test_opening_a_board_stops_what_turned(folder):
-    open_board("adafruit", Options(f"fake:{folder}")).drive(1, 1)
-    open_board("waveshare", Options(f"fake:{folder}"))
+    find_board("adafruit").open(f"fake:{folder}").drive(1, 1)
+    find_board("waveshare").open(f"fake:{folder}")
     assert wheel_speeds(folder) == (0, 0)
 
 
 def test_unknown_board():
     with pytest.raises(InvalidValue, match="^There is no board 'lego'. Choose one of: jetbot, .*, jetbot_pro.$"):
-        open_board("lego", Options())
+        find_board("lego")

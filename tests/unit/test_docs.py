@@ -61,6 +61,6 @@ def test_the_bus_of_each_computer():
 
 
 def test_safety_tells_the_times_of_the_code():
-    assert f"no sign of life for {guard.SILENCE} s" in SAFETY_PAGE
+    assert f"no sign of life for {guard.HEARTBEAT_TIMEOUT} s" in SAFETY_PAGE
     assert f"{PARAMETERS['cmd_vel_timeout'].default} s by default" in SAFETY_PAGE
-    assert guard.PATIENCE == 600 and "the guard for ten minutes" in SAFETY_PAGE
+    assert guard.RETRY_FOR == 600 and "the guard for ten minutes" in SAFETY_PAGE

@@ -5,38 +5,38 @@ import errno
 import pytest
 
 from jetbot import BusError, InvalidValue, i2c
+from jetbot.errors import BusStuck, NoAnswer, NotFound, PermissionDenied
 from jetbot.i2c import I2CDevice, explain
 
 
 @pytest.fixture(autouse=True)
-def computer(monkeypatch):
+def host(monkeypatch):
     monkeypatch.setattr(i2c, "bus_advice", lambda: "This computer has /dev/i2c-0.")
+    monkeypatch.setattr(i2c, "permission_advice", lambda device, group: f"Join its group {group}.")
 
 
-@pytest.mark.parametrize("number, sentence", [
-    (errno.ENOENT, "There is no I2C bus /dev/i2c-1. This computer has /dev/i2c-0."),
-    (errno.EACCES, "No permission to open /dev/i2c-1. Join its group with: sudo usermod -aG i2c $USER"
-                   "   and log in again."),
-    (errno.EBUSY, "0x60 on /dev/i2c-1 is taken by a driver of the kernel. Unload that driver."),
-    (errno.ETIMEDOUT, "The bus /dev/i2c-1 is stuck. Switch the robot off and on, and check the wires."),
-    (errno.ENXIO, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
-                  "This computer has /dev/i2c-0."),
-    (errno.EREMOTEIO, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
-                      "This computer has /dev/i2c-0."),
+@pytest.mark.parametrize("number, kind, sentence", [
+    (errno.ENOENT, NotFound, "There is no I2C bus /dev/i2c-1. This computer has /dev/i2c-0."),
+    (errno.EACCES, PermissionDenied, "No permission to open /dev/i2c-1. Join its group i2c."),
+    (errno.EBUSY, BusError, "0x60 on /dev/i2c-1 is taken by a driver of the kernel. Unload that driver."),
+    (errno.ETIMEDOUT, BusStuck, "The bus /dev/i2c-1 is stuck. Switch the robot off and on, and check the wires."),
+    (errno.ENXIO, NoAnswer, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
+                            "This computer has /dev/i2c-0."),
+    (errno.EREMOTEIO, NoAnswer, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
+                                "This computer has /dev/i2c-0."),
 ])
-def test_errno_in_words(number, sentence):
+def test_each_failure_has_its_class_and_sentence(number, kind, sentence):
     error = explain(OSError(number, ""), "/dev/i2c-1", 0x60)
-    assert str(error) == sentence
-    assert error.errno == number
+    assert (type(error), error.errno, str(error)) == (kind, number, sentence)
 
 
 @pytest.mark.parametrize("bus", ["", "one", "fake:", "-1", 1.5, None])
-def test_a_bus_that_cannot_be(bus):
+def test_a_bad_bus(bus):
     with pytest.raises(InvalidValue, match="^I2c_bus cannot be .*. Give a number"):
         I2CDevice(bus, 0x60)
 
 
-def test_one_failure_is_tried_again(folder):
+def test_one_failed_transfer_is_repeated(folder):
     device = I2CDevice(f"fake:{folder}", 0x60)
     device.read(0)
     (folder / "0x60.fail").write_text("1")
@@ -44,7 +44,7 @@ def test_one_failure_is_tried_again(folder):
     assert device.errors == 1
 
 
-def test_a_lasting_failure_is_told(folder):
+def test_a_lasting_failure_is_reported(folder):
     device = I2CDevice(f"fake:{folder}", 0x60)
     device.read(0)
     (folder / "0x60").unlink()

@@ -8,11 +8,14 @@ from unittest.mock import Mock
 import pytest
 import serial
 
-from conftest import REPORT, eventually
+from conftest import REPORT
 from jetbot import BusError
-from jetbot.boards import Options, open_board
+from jetbot.boards import find_board
 from jetbot.boards.jetbot_pro import FrameReader, frame, velocity
 from jetbot.serial_link import SerialLink
+from jetbot.wait import wait_until
+
+TIMEOUT = 5.0  # s
 
 
 @pytest.mark.parametrize("left, right, bytes_", [
@@ -20,12 +23,14 @@ from jetbot.serial_link import SerialLink
     (0.4, 0.6, "aa550b1101f400000064" "74"),   # 500 mm/s, 100 mrad/s
     (-1, -1, "aa550b11fc1800000000" "2f"),     # -1000 mm/s
     (1, -1, "aa550b1100000000fc18" "2f"),      # -1000 mrad/s
+    (-0.5, 1.5, "aa550b1101f4000003e8" "fb"),  # 500 mm/s, 1000 mrad/s: a Twist of (0.5, 1.0)
+    (32.767, 32.767, "aa550b117fff00000000" "99"),
 ])
 def test_velocity(left, right, bytes_):
     assert velocity(left, right).hex() == bytes_
 
 
-def test_frames_of_the_vendors_settings():
+def test_frames_of_the_default_settings():
     assert frame(0x12, 350, 120, 0).hex() == "aa550b12015e00780000f3"
     assert frame(0x13, 1000, 1000).hex() == "aa550913" + "03e803e8" + "f1"
 
@@ -43,7 +48,7 @@ def test_reads_a_frame_that_comes_byte_by_byte():
 @pytest.mark.parametrize("noise", [
     b"\x00", b"\xaa", b"\xaa\x55", b"\xaa\x55\x2d", b"\xaa\x55\xff\x01", b"\xaa\x55\x00\x01", REPORT[:-1] + b"\x00",
     REPORT[:20], bytes(range(256))])
-def test_finds_the_frames_behind_noise(noise):
+def test_finds_the_frames_after_noise(noise):
     frames = list(FrameReader().feed(noise + REPORT + REPORT + REPORT))
     assert len(frames) >= 2
     assert set(frames) == {(0x01, REPORT[4:-1])}
@@ -56,44 +61,44 @@ def read(end, count):
     return data
 
 
-def test_driving_sends_changes_and_refreshing_repeats(port):
+def test_driving_sends_changes_and_keep_alive_repeats(port):
     end, name = port
-    board = open_board("jetbot_pro", Options(port=name))
+    board = find_board("jetbot_pro").open(name)
     settings = frame(0x12, 350, 120, 0) + frame(0x13, 1000, 1000)
     assert read(end, 31) == settings + velocity(0, 0)
     board.drive(0.4, 0.6)
     board.drive(0.4, 0.6)
-    board.refresh(0.4, 0.6, idle=True)
+    board.keep_alive()
     assert read(end, 22) == velocity(0.4, 0.6) * 2
     board.close()
 
 
 def test_telemetry_in_units(port):
     end, name = port
-    board = open_board("jetbot_pro", Options(port=name))
-    heard = []
-    board.listen(heard.append)
+    board = find_board("jetbot_pro").open(name)
+    telemetry = []
+    board.listen(telemetry.append)
     os.write(end, b"noise" + frame(0x01) + REPORT)  # whole, but too short for a report
-    assert eventually(lambda: heard)
-    assert (heard[0].x, heard[0].y, heard[0].yaw) == (1.5, -0.25, 0.785)
-    assert heard[0].gyro == pytest.approx((17.4533, 0, -17.4533), abs=1e-4)
-    assert heard[0].acceleration == pytest.approx((0, 0, 9.80665))
+    assert wait_until(lambda: telemetry, TIMEOUT)
+    assert (telemetry[0].x, telemetry[0].y, telemetry[0].yaw) == (1500, -250, 785)
+    assert telemetry[0].gyro == pytest.approx((17.4533, 0, -17.4533), abs=1e-4)
+    assert telemetry[0].acceleration == pytest.approx((0, 0, 9.80665))
     board.close()
 
 
 def test_no_such_port():
     with pytest.raises(BusError, match="^There is no serial port /dev/nowhere. Is the board plugged in and "):
-        open_board("jetbot_pro", Options(port="/dev/nowhere"))
+        find_board("jetbot_pro").open("/dev/nowhere")
 
 
 def test_a_file_is_no_port(tmp_path):
     (tmp_path / "port").touch()
     with pytest.raises(BusError, match="is no serial port. Give a serial device such as /dev/ttyACM0.$"):
-        open_board("jetbot_pro", Options(port=str(tmp_path / "port")))
+        find_board("jetbot_pro").open(str(tmp_path / "port"))
 
 
 def test_closing_while_it_listens_leaves_the_port_closed(port):
-    driver = open_board("jetbot_pro", Options(port=port[1]))
+    driver = find_board("jetbot_pro").open(port[1])
     driver.listen(lambda report: None)
     assert is_open(port[1])
     driver.close()
@@ -102,10 +107,10 @@ def test_closing_while_it_listens_leaves_the_port_closed(port):
 
 def test_who_listens_may_close(port):
     end, name = port
-    driver = open_board("jetbot_pro", Options(port=name))
+    driver = find_board("jetbot_pro").open(name)
     driver.listen(lambda report: driver.close())
     os.write(end, REPORT)
-    assert eventually(lambda: not is_open(name))
+    assert wait_until(lambda: not is_open(name), TIMEOUT)
 
 
 def is_open(name):
@@ -139,7 +144,7 @@ def test_a_late_failure_leaves_the_new_port_open(port, monkeypatch):
 
     def read_late(port):
         link.close()
-        link.write(b"y")  # another thread opens the port anew
+        link.write(b"y")  # another thread opens the port again
         raise OSError
 
     monkeypatch.setattr(serial.Serial, "read", lambda port, size: read_late(port))

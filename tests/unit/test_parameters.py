@@ -1,4 +1,4 @@
-"""Bad parameters get one sentence; the README and the launch file show the defaults that the node has."""
+"""A parameter is one row: bad values get one sentence, and the launch file and the docs show the rows."""
 
 import math
 import re
@@ -6,12 +6,16 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from conftest import SOURCE
+from conftest import ROOT, SOURCE
 from jetbot import InvalidValue
-from jetbot_ros.parameters import PARAMETERS, checked, load
+from jetbot_ros.parameters import PARAMETERS, checked, load, resolve
 
-SHOWN_DEFAULTS = {name: str(parameter.default).replace("True", "true").replace("False", "false")
-                  for name, parameter in PARAMETERS.items()}
+LAUNCH = ET.parse(SOURCE / "launch/jetbot_controller.launch").getroot()
+
+
+def shown(value):
+    """Return a default as YAML and roslaunch write it."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def test_defaults():
@@ -21,8 +25,8 @@ def test_defaults():
         "invert_right": False, "min_duty": 0.0, "port": "/dev/ttyACM0", "publish_tf": False}
 
 
-def test_what_is_given_counts():
-    assert checked({"max_speed": 2})["max_speed"] == 2
+def test_a_given_value_counts_and_an_empty_one_is_not_given():
+    assert checked({"max_speed": 2, "min_duty": ""}) == {**checked({}), "max_speed": 2}
 
 
 def test_a_mistyped_name():
@@ -34,6 +38,7 @@ def test_a_mistyped_name():
     ("board", "lego", "one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro"),
     ("board", ["jetbot"], "one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro"),
     ("i2c_bus", 1.5, "a number, fake, or fake:FOLDER"),
+    ("port", 7, "a serial device, a pyserial URL, fake, or fake:FOLDER"),
     ("cmd_vel_timeout", -1, "a number of seconds, 0 or more"),
     ("cmd_vel_timeout", math.nan, "a number of seconds, 0 or more"),
     ("cmd_vel_timeout", "soon", "a number of seconds, 0 or more"),
@@ -49,24 +54,23 @@ def test_bad_values(name, value, must):
     assert str(error.value) == f"The parameter {name} must be {must}, not {value!r}."
 
 
-def test_launch_arguments_are_the_parameters():
-    launch = ET.parse(SOURCE / "launch/jetbot_controller.launch").getroot()
-    args = {arg.get("name"): arg.get("default") for arg in launch.findall("arg")}
-    assert [args.pop(name) for name in ("config", "robot_name", "required")] == ["", "", "true"]
-    assert args == SHOWN_DEFAULTS
-    assert all(arg.get("doc") for arg in launch.findall("arg"))
+@pytest.mark.parametrize("name", PARAMETERS)
+def test_a_launch_argument_shows_its_row_and_is_empty_unless_typed(name):
+    row = PARAMETERS[name]
+    argument = next(each for each in LAUNCH.findall("arg") if each.get("name") == name)
+    assert argument.get("default") == ""
+    assert argument.get("doc") == f"{row.doc} ({' '.join(filter(None, (shown(row.default), row.unit)))})"
 
 
-def test_the_launch_file_passes_on_what_differs_from_a_default():
-    launch = ET.parse(SOURCE / "launch/jetbot_controller.launch").getroot()
-    passed = {param.get("name"): param.get("unless") for param in launch.iter("param")}
-    assert passed == {"config": "$(eval config == '')", **{
-        name: f"$(eval str({name}) == '{parameter.default}')" for name, parameter in PARAMETERS.items()}}
+def test_the_launch_file_passes_every_parameter_on():
+    passed = {param.get("name"): param.get("value") for param in LAUNCH.iter("param")}
+    assert passed == {name: f"$(arg {name})" for name in (*PARAMETERS, "config")}
+    assert all(set(param.attrib) == {"name", "value"} for param in LAUNCH.iter("param"))
 
 
-def test_readme_shows_the_defaults():
-    rows = re.findall(r"^\| `(\w+)` \| `([^`]*)`", (SOURCE / "../../../README.md").read_text(), re.M)
-    assert dict(rows) == SHOWN_DEFAULTS
+def test_the_reference_shows_the_rows():
+    rows = re.findall(r"^\| `(\w+)` \| `([^`]*)` \| (.*?) ?\| (.*) \|$", (ROOT / "docs/reference.md").read_text(), re.M)
+    assert rows == [(name, shown(row.default), row.unit, row.doc) for name, row in PARAMETERS.items()]
 
 
 def test_a_file_of_parameters(tmp_path):
@@ -74,11 +78,37 @@ def test_a_file_of_parameters(tmp_path):
     assert load(tmp_path / "robot.yaml") == {"max_speed": 0.5, "invert_left": True}
 
 
-def test_the_file_in_ros_home_is_used_where_it_exists(tmp_path, monkeypatch):
-    monkeypatch.setenv("ROS_HOME", str(tmp_path))
+def test_the_file_in_ros_home_is_used_where_it_exists(ros_home):
     assert load() == {}
-    (tmp_path / "jetbot.yaml").write_text("board: sparkfun")
+    (ros_home / "jetbot.yaml").write_text("board: sparkfun")
     assert load() == {"board": "sparkfun"}
+
+
+@pytest.fixture
+def ros_home(tmp_path, monkeypatch):
+    monkeypatch.setenv("ROS_HOME", str(tmp_path))
+    return tmp_path
+
+
+@pytest.mark.parametrize("typed, max_speed, timeout", [
+    ({}, 0.5, 1.0), ({"max_speed": 0.25}, 0.25, 1.0), ({"max_speed": 1.0}, 1.0, 1.0), ({"max_speed": ""}, 0.5, 1.0),
+    ({"cmd_vel_timeout": 3}, 0.5, 3)])
+def test_what_is_typed_wins_over_the_file_and_the_file_over_the_default(ros_home, typed, max_speed, timeout):
+    (ros_home / "jetbot.yaml").write_text("max_speed: 0.5")
+    resolved = resolve(typed)
+    assert (resolved["max_speed"], resolved["cmd_vel_timeout"]) == (max_speed, timeout)
+
+
+@pytest.mark.parametrize("typed", [
+    {"i2c_bus": "fake"}, {"i2c_bus": "fake:/tmp/x"}, {"board": "jetbot_pro", "port": "fake"}])
+def test_a_fake_robot_reads_nothing_from_the_file_of_the_real_one(ros_home, typed):
+    (ros_home / "jetbot.yaml").write_text("max_speed: 0.5\nboard: sparkfun")
+    assert resolve(typed) == checked(typed)
+
+
+def test_a_fake_robot_reads_the_file_that_is_named(ros_home):
+    (ros_home / "mine.yaml").write_text("max_speed: 0.5")
+    assert resolve({"i2c_bus": "fake", "config": str(ros_home / "mine.yaml")})["max_speed"] == 0.5
 
 
 @pytest.mark.parametrize("text, sentence", [

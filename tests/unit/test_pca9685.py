@@ -6,6 +6,8 @@ from jetbot.boards.pca9685 import PCA9685
 from jetbot.fake.bus import power_on
 from jetbot.i2c import I2CDevice
 
+BLOCKS = 4  # that are read back in turn: MODE1 and MODE2, PRE_SCALE, and two spans of outputs
+
 
 @pytest.fixture
 def chip(folder, wire):
@@ -72,18 +74,25 @@ def test_outputs_of_a_group_switch_in_one_transfer(chip, wire):
 
 
 @pytest.mark.parametrize("register, value", [(0x00, 0x11), (0x01, 0x14), (0xFE, 0x1E), (0x09, 0x00), (0x26, 0x55)])
-def test_a_changed_register_is_noticed_and_mended(chip, folder, register, value):
+def test_a_changed_register_is_restored(chip, folder, register, value):
     chip.set_outputs({8: 100, 13: 4096, 0: 7})
     good = (folder / "0x60").read_bytes()
     with open(folder / "0x60", "r+b") as file:
         file.seek(register)
         file.write(bytes([value]))
-    chip.verify()
+    for _ in range(BLOCKS):
+        chip.verify()
     chip.set_outputs({8: 100, 13: 4096, 0: 7})
     assert (folder / "0x60").read_bytes() == good
 
 
-def test_a_missing_chip_is_told_at_every_attempt(chip, folder):
+def test_each_verification_is_one_transfer_and_successive_ones_read_all(chip, wire):
+    for _ in range(BLOCKS):
+        chip.verify()
+    assert wire.bits == [2 + 9 * (3 + length) for length in (2, 1, 24, 16)]
+
+
+def test_a_missing_chip_is_reported_at_every_attempt(chip, folder):
     chip.set_outputs({8: 100})
     (folder / "0x60").unlink()
     with pytest.raises(OSError):
@@ -92,7 +101,7 @@ def test_a_missing_chip_is_told_at_every_attempt(chip, folder):
         chip.set_outputs({8: 100})
 
 
-def test_a_command_that_failed_halfway_is_no_reason_to_send_less_later(chip, folder, monkeypatch):
+def test_after_a_command_that_failed_halfway_all_is_sent(chip, folder, monkeypatch):
     chip.set_outputs({8: 0x111, 13: 0x111})
     write = I2CDevice.write
     (done, failed) = [], OSError("the second transfer fails")

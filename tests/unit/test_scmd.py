@@ -8,15 +8,19 @@ import pytest
 
 from conftest import registers
 from jetbot import BusError
-from jetbot.boards import Options, open_board
+from jetbot.boards import find_board
+from jetbot.errors import NotReady
 from jetbot.fake.bus import FakeBus, power_on
+from jetbot.fake.chips import SCMD
 from jetbot.fake.motors import wheel_speeds
 from jetbot.i2c import I2CDevice
+
+REGISTERS = 4  # that are read back in turn
 
 
 @pytest.fixture
 def board(folder):
-    return open_board("sparkfun", Options(f"fake:{folder}", failsafe=1.0))
+    return find_board("sparkfun").open(f"fake:{folder}")
 
 
 @pytest.mark.parametrize("left, right, drive", [
@@ -33,7 +37,7 @@ def test_wheels_turn(board, folder):
 
 
 def test_both_wheels_in_one_transfer_and_none_for_a_repeated_command(folder, wire):
-    board = open_board("sparkfun", Options(f"fake:{folder}"))
+    board = find_board("sparkfun").open(f"fake:{folder}")
     wire.bits.clear()
     board.drive(0.5, 0.25)
     board.drive(0.5, 0.25)
@@ -41,10 +45,9 @@ def test_both_wheels_in_one_transfer_and_none_for_a_repeated_command(folder, wir
 
 
 def test_wheel_by_wheel_where_the_chip_takes_no_blocks(folder, monkeypatch):
-    from jetbot.fake.chips import SCMD
     write = SCMD.write
     monkeypatch.setattr(SCMD, "write", lambda registers, register, data: write(registers, register, data[:1]))
-    open_board("sparkfun", Options(f"fake:{folder}")).drive(0.5, -0.25)
+    find_board("sparkfun").open(f"fake:{folder}").drive(0.5, -0.25)
     assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
 
 
@@ -55,44 +58,84 @@ def test_a_chip_that_refuses_blocks(folder, monkeypatch):
     write_block = FakeBus.write_i2c_block_data
     monkeypatch.setattr(FakeBus, "write_byte_data", lambda bus, *args: write_block(bus, *args[:2], [args[2]]))
     monkeypatch.setattr(FakeBus, "write_i2c_block_data", write)
-    open_board("sparkfun", Options(f"fake:{folder}")).drive(0.5, -0.25)
+    find_board("sparkfun").open(f"fake:{folder}").drive(0.5, -0.25)
     assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
 
 
-def test_a_chip_that_is_not_ready_holds_up_no_program_that_drives(board, folder, monkeypatch):
-    monkeypatch.setattr("jetbot.boards.scmd.START_UP", 9)
-    board.drive(0.5, 0.5)
+@pytest.fixture
+def not_ready(folder):
+    """A chip that is just starting."""
     power_on(folder)
-    registers = bytearray((folder / "0x5d").read_bytes())
-    registers[0x77] = 0
-    (folder / "0x5d").write_bytes(registers)
-    start = time.monotonic()
-    with pytest.raises(BusError, match="^The motor driver on .* is not ready. Switch the robot off and on.$"):
-        board.refresh(0.5, 0.5, idle=True)
-    assert time.monotonic() - start < 1
+    chip = bytearray(registers(folder, 0x5D))
+    chip[0x77] = 0
+    (folder / "0x5d").write_bytes(chip)
 
 
-@pytest.mark.parametrize("seconds, register", [(1.0, 100), (0.5, 50), (9.0, 255), (0.01, 10), (0, 0)])
-def test_failsafe_time(folder, seconds, register):
-    open_board("sparkfun", Options(f"fake:{folder}", failsafe=seconds))
-    assert registers(folder, 0x5D)[0x76] == register
+def test_a_chip_that_is_not_ready_holds_up_no_program_that_drives(board, not_ready):
+    for _ in range(REGISTERS):
+        board.verify()
+    with pytest.raises(NotReady, match="^The motor driver on .* is not ready. Switch the robot off and on.$"):
+        board.drive(0.5, 0.5)
+
+
+def test_opening_waits_until_the_chip_is_ready(not_ready, folder, monkeypatch):
+    def become_ready(_):
+        (folder / "0x5d").write_bytes(SCMD.POWER_ON)
+
+    monkeypatch.setattr("jetbot.wait.time.sleep", become_ready)
+    find_board("sparkfun").open(f"fake:{folder}").drive(0.5, 0.5)
+    assert wheel_speeds(folder, "sparkfun") == (0.5, 0.5)
+
+
+def test_a_chip_that_never_becomes_ready_is_reported(not_ready, folder, monkeypatch):
+    monkeypatch.setattr("jetbot.boards.READY_TIMEOUT", 0.05)
+    with pytest.raises(NotReady):
+        find_board("sparkfun").open(f"fake:{folder}")
+
+
+def test_the_timer_is_off_until_it_is_fed(board, folder):
+    assert registers(folder, 0x5D)[0x76] == 0
+    board.keep_alive()
+    assert registers(folder, 0x5D)[0x76] == 100
     assert registers(folder, 0x5D)[0x1F] & 1
 
 
-def test_the_failsafe_stops_when_nothing_is_written(board, folder):
+def test_the_timer_stops_the_motors_when_it_is_not_fed(board, folder):
     board.drive(1, 1)
+    board.keep_alive()
     os.utime(folder / "0x5d", (time.time() - 1.1, time.time() - 1.1))
     assert wheel_speeds(folder, "sparkfun") == (0, 0)
-    board.refresh(1, 1, idle=True)
+    board.keep_alive()
     assert wheel_speeds(folder, "sparkfun") == (1, 1)
+
+
+@pytest.mark.parametrize("register, value", [(0x70, 0), (0x1F, 0), (0x20, 0x80), (0x21, 0)])
+def test_a_changed_register_is_restored(board, folder, register, value):
+    board.drive(0.5, 0.5)
+    good = registers(folder, 0x5D)
+    with open(folder / "0x5d", "r+b") as file:
+        file.seek(register)
+        file.write(bytes([value]))
+    for _ in range(REGISTERS):
+        board.verify()
+    board.drive(0.5, 0.5)
+    assert registers(folder, 0x5D) == good
+
+
+def test_each_verification_is_one_transfer(board, folder, wire):
+    board = find_board("sparkfun").open(f"fake:{folder}")
+    wire.bits.clear()
+    for _ in range(REGISTERS):
+        board.verify()
+    assert wire.bits == [2 + 9 * 4] * REGISTERS
 
 
 def test_a_chip_that_lost_its_power_comes_back(board, folder):
     board.drive(0.5, 0.5)
     power_on(folder)
-    board.refresh(0.5, 0.5, idle=True)
+    board.verify()
+    board.drive(0.5, 0.5)
     assert wheel_speeds(folder, "sparkfun") == (0.5, 0.5)
-    assert registers(folder, 0x5D)[0x76] == 100
 
 
 def test_another_chip_at_the_address(folder, monkeypatch):
@@ -101,5 +144,5 @@ def test_another_chip_at_the_address(folder, monkeypatch):
     close = Mock()
     monkeypatch.setattr(I2CDevice, "close", close)
     with pytest.raises(BusError, match="^At 0x5d on fake:.* is no SparkFun motor driver. Something else answers there"):
-        open_board("sparkfun", Options(f"fake:{folder}"))
+        find_board("sparkfun").open(f"fake:{folder}")
     close.assert_called_once()

@@ -75,7 +75,7 @@ def test_a_chip_that_lost_its_power_comes_back(kernel, make_robot, folder):
     robot = make_robot(i2c_bus=1)
     robot.set_motors(0.5, 0.25)
     power_on(folder)
-    robot.refresh()
+    robot.verify()
     assert wheel_speeds(folder) == (0.5, 0.25)
 
 
