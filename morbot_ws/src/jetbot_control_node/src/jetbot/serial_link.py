@@ -66,7 +66,7 @@ def open_port(name: str):
     """Return the port with this name, at 115200 8N1, with the methods of serial.Serial."""
     folder = fake.folder_of(name)
     if folder:
-        from .fake.jetbot_pro import FakePort
+        from .fake.port import FakePort
         return FakePort(folder, TIMEOUT)
     try:
         from serial import serial_for_url  # here, so that a robot without a serial port does not need it

@@ -57,7 +57,7 @@ class PCA9685:
         self._sent = sent
 
     def set_outputs(self, duties: Dict[int, int]) -> None:
-        """Set outputs to new duties, {output: 0 to 4096}, in 4096ths; start the chip first where its state is unknown."""
+        """Set outputs to duties, {output: 0 to 4096}, in 4096ths; start the chip first where its state is unknown."""
         if self._sent is None:
             self.start()
         sent, wanted = self._sent, bytearray(self._sent)

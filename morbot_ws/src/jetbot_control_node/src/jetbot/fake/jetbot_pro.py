@@ -1,20 +1,15 @@
-"""A simulated JetBot Pro: takes frames, keeps the velocity they ask for, and reports its motion.
+"""A simulated JetBot Pro: takes frames, and reports its motion.
 
-Its file holds the last velocity frame that it received, byte by byte as on the wire. Written from Waveshare's ROS node
-for this robot, not from the driver.
+Its registers are the last velocity frame that it received, byte by byte as on the wire. Written from Waveshare's ROS
+node for this robot, not from the driver.
 """
 
 import math
-import os
 import struct
-import time
-from pathlib import Path
-
-from . import chip_file
+from typing import Tuple
 
 HEAD = b"\xaa\x55"
 VELOCITY = 0x11
-REPORT_INTERVAL = 1 / 30  # s
 
 
 def sealed(body: bytes) -> bytes:
@@ -23,7 +18,7 @@ def sealed(body: bytes) -> bytes:
 
 
 class JetBotPro:
-    """The board's side of the wire. velocities: (mm/s, mrad/s) of every velocity frame; bad: bytes that are no frame."""
+    """The board's end of the wire. velocities: (mm/s, mrad/s) of each velocity frame; bad: what is no frame."""
 
     POWER_ON = sealed(HEAD + struct.pack(">BB3h", 11, VELOCITY, 0, 0, 0))
 
@@ -59,48 +54,7 @@ class JetBotPro:
         return (linear + side * angular) / 1000
 
 
-class FakePort:
-    """Takes the place of ``serial.Serial``, with a JetBot Pro at the other end that drives as it is told.
-
-    folder: made, with the board in it, when it does not exist; timeout: s that a read waits.
-    """
-
-    in_waiting = 0
-
-    def __init__(self, folder, timeout: float):
-        if not os.path.exists(folder):
-            from .bus import power_on
-            power_on(folder)
-        self._file = chip_file(folder, None)
-        self._timeout = timeout
-        self._board = JetBotPro()
-        self._pose = (0.0, 0.0, 0.0)  # mm, mm, mrad
-        self._reported = time.monotonic()
-
-    def write(self, data: bytes) -> None:
-        frame = self._board.receive(data)
-        with self._file.open("r+b") as file:  # FileNotFoundError: unplugged
-            file.write(frame)
-
-    def read(self, size: int) -> bytes:
-        """Return the next telemetry frame, whatever the size asked for; b"" when none is due within the timeout."""
-        time.sleep(min(self._timeout, max(0.0, self._reported + REPORT_INTERVAL - time.monotonic())))
-        seconds = time.monotonic() - self._reported
-        linear, angular = decode(self._file.read_bytes())
-        if seconds < REPORT_INTERVAL:
-            return b""
-        self._reported += seconds
-        x, y, yaw = self._pose
-        heading = (yaw + angular * seconds / 2) / 1000
-        way = linear * seconds
-        self._pose = x + way * math.cos(heading), y + way * math.sin(heading), yaw + angular * seconds
-        return self._board.report(*self._pose, angular / 1000)
-
-    def close(self) -> None:
-        """Nothing stays open between transfers."""
-
-
-def decode(frame: bytes):
+def decode(frame: bytes) -> Tuple[int, int]:
     """Return (mm/s, mrad/s) of a velocity frame."""
     linear, _, angular = struct.unpack_from(">3h", frame, 4)
     return linear, angular

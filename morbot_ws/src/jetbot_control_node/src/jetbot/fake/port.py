@@ -1,0 +1,51 @@
+"""A serial port without hardware, with a simulated JetBot Pro at the other end, which is a file in a folder."""
+
+import math
+import os
+import time
+
+from . import chip_file
+from .bus import power_on
+from .jetbot_pro import JetBotPro, decode
+
+REPORT_INTERVAL = 1 / 30  # s
+
+
+class FakePort:
+    """Takes the place of ``serial.Serial``, with a JetBot Pro at the other end that drives as it is told.
+
+    folder: made, with the board in it, when it does not exist; timeout: s that a read waits.
+    """
+
+    in_waiting = 0
+
+    def __init__(self, folder, timeout: float):
+        if not os.path.exists(folder):
+            power_on(folder)
+        self._file = chip_file(folder, None)
+        self._timeout = timeout
+        self._board = JetBotPro()
+        self._pose = (0.0, 0.0, 0.0)  # mm, mm, mrad
+        self._reported = time.monotonic()
+
+    def write(self, data: bytes) -> None:
+        frame = self._board.receive(data)
+        with self._file.open("r+b") as file:  # FileNotFoundError: unplugged
+            file.write(frame)
+
+    def read(self, size: int) -> bytes:
+        """Return the next telemetry frame, whatever the size asked for; b"" when none is due within the timeout."""
+        time.sleep(min(self._timeout, max(0.0, self._reported + REPORT_INTERVAL - time.monotonic())))
+        seconds = time.monotonic() - self._reported
+        linear, angular = decode(self._file.read_bytes())
+        if seconds < REPORT_INTERVAL:
+            return b""
+        self._reported += seconds
+        x, y, yaw = self._pose
+        heading = (yaw + angular * seconds / 2) / 1000
+        way = linear * seconds
+        self._pose = x + way * math.cos(heading), y + way * math.sin(heading), yaw + angular * seconds
+        return self._board.report(*self._pose, angular / 1000)
+
+    def close(self) -> None:
+        """Nothing stays open between transfers."""
