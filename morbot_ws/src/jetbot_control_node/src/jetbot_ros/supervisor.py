@@ -1,6 +1,7 @@
 """The one thread that drives the robot: it owns the time, and stops the robot when it must not move. No ROS here."""
 
 import contextlib
+import queue
 import threading
 import time
 from typing import Callable, NamedTuple, Optional
@@ -49,7 +50,7 @@ class Supervisor:
         self.state = State(self.safety)
         self.closed = False
         self._lock = threading.Lock()  # held while ``safety`` is replaced, never during a transfer
-        self._wake = threading.Event()
+        self._events = queue.SimpleQueue()  # its put is reentrant: fit for a signal's handler
         self._ending = False
         self._status = None
         self._fed = self._verified = float("-inf")
@@ -57,26 +58,24 @@ class Supervisor:
     def command(self, linear: float, angular: float) -> None:
         """Note a command: m/s forward and rad/s to the left."""
         self._change(Safety.command, linear, angular, time.monotonic())
-        self._wake.set()
+        self._wake()
 
     def emergency_stop(self, engaged: bool) -> None:
         """Note that the emergency stop was pressed or released."""
         self._change(Safety.emergency_stop, engaged)
-        self._wake.set()
+        self._wake()
 
     def end(self, *_) -> None:
         """End ``run`` soon; fit to be a signal's handler."""
         self._ending = True
-        self._wake.set()
+        self._wake()
 
     def run(self, is_over: Callable[[], bool]) -> None:
         """Drive until ``end`` or ``is_over``, then stop the robot and let go of it. Raise BusError where that fails."""
         try:
             commanded = False
             while not (self._ending or is_over()):
-                delay = self.step(time.monotonic(), commanded)
-                commanded = self._wake.wait(delay)
-                self._wake.clear()
+                commanded = self._sleep(self.step(time.monotonic(), commanded))
         finally:
             self._robot.close()
             self.closed = True
@@ -99,6 +98,17 @@ class Supervisor:
         self._report(State(safety, fault))
         pause = RETRY_INTERVAL if fault else DRIVING_INTERVAL if safety.driving else STOPPED_INTERVAL
         return min(pause, self._fed + interval - now)
+
+    def _wake(self):
+        if self._events.empty():  # one that the thread has not taken yet will do
+            self._events.put(None)
+
+    def _sleep(self, seconds):
+        """Sleep until something happens, for so long at most; return whether it did."""
+        with contextlib.suppress(queue.Empty):
+            self._events.get(timeout=max(0.0, seconds))
+            return True
+        return False
 
     def _change(self, event, *arguments):
         with self._lock:

@@ -112,10 +112,13 @@ def transfers(sent: bytes, wanted: bytes, spans: Sequence[range]) -> List[range]
 
 def join(registers: List[int], most: int) -> List[range]:
     """Return ascending registers as at most ``most`` ranges; fewer where a gap costs no more than a transfer."""
-    pieces = [range(register, register + 1) for register in registers]
-    while len(pieces) > 1:
-        gap, i = min((after.start - before.stop, i) for i, (before, after) in enumerate(zip(pieces, pieces[1:])))
-        if gap > OVERHEAD and len(pieces) <= most:
-            break
+    pieces = []
+    for register in registers:
+        if pieces and register - pieces[-1].stop <= OVERHEAD:
+            pieces[-1] = range(pieces[-1].start, register + 1)
+        else:
+            pieces.append(range(register, register + 1))
+    while len(pieces) > most:
+        i = min(range(len(pieces) - 1), key=lambda i: pieces[i + 1].start - pieces[i].stop)
         pieces[i:i + 2] = [range(pieces[i].start, pieces[i + 1].stop)]
     return pieces

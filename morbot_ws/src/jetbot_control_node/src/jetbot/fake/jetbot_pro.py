@@ -6,6 +6,7 @@ node for this robot, not from the driver.
 
 import math
 import struct
+from collections import deque
 from typing import Tuple
 
 HEAD = b"\xaa\x55"
@@ -18,13 +19,13 @@ def sealed(body: bytes) -> bytes:
 
 
 class JetBotPro:
-    """The board's end of the wire. velocities: (mm/s, mrad/s) of each velocity frame; bad: what is no frame."""
+    """The board's end of the wire. velocities: (mm/s, mrad/s) of the last velocity frames; bad: what is no frame."""
 
     POWER_ON = sealed(HEAD + struct.pack(">BB3h", 11, VELOCITY, 0, 0, 0))
 
     def __init__(self):
-        self.velocities = []
-        self.bad = []
+        self.velocities = deque(maxlen=1000)
+        self.bad = deque(maxlen=1000)
         self._buffer = b""
 
     def receive(self, data: bytes) -> bytes:
