@@ -1,19 +1,32 @@
 #!/usr/bin/env python3
 """The workshop's launch file starts both nodes and passes its arguments on."""
 
+import rosgraph
+import rospy
+
 from harness import START, RobotTest, main, wheel_speeds
 
 
 class LaunchWorkshop(RobotTest):
+    def launch_workshop(self, *arguments):
+        self.launch("workshop", "workshop_jetbot_controller.launch", *arguments)
+
     def test_drives_the_workshops_motion(self):
-        self.launch("workshop", "workshop_jetbot_controller.launch")
+        rospy.set_param("/jetbot_motion_control/linear", 0.2)  # left by an earlier start
+        self.launch_workshop()
         self.wait_for_wheels(0.4, 0.6, within=START)
 
     def test_passes_arguments_on(self):
-        self.launch("workshop", "workshop_jetbot_controller.launch", "board:=waveshare", "max_speed:=2", "linear:=1.0",
-                    "angular:=0.0")
+        self.launch_workshop("board:=waveshare", "max_speed:=2", "linear:=1.0", "angular:=0.0")
         self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") == (0.5, 0.5), START, "the Waveshare board's wheels")
         self.assertEqual(self.wheels(), (0, 0), "and not the Adafruit board's")
+
+    def test_robot_name_is_the_namespace_of_both_nodes(self):
+        self.launch_workshop("robot_name:=red")
+        self.wait_for_wheels(0.4, 0.6, within=START)
+        publishers, subscribers, _ = map(dict, rosgraph.Master("/test").getSystemState())
+        self.assertEqual(publishers["/red/cmd_vel"], ["/red/jetbot_motion_control"])
+        self.assertEqual(subscribers["/red/cmd_vel"], ["/red/jetbot_controller"])
 
 
 if __name__ == "__main__":

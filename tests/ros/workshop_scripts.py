@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Scripts as the workshop has its reader write them, as a class and as functions, drive and stop the wheels."""
+"""The workshop's own scripts, as a class and as functions, drive the wheels and stop them at their end."""
 
 import os
 import signal

@@ -8,8 +8,7 @@ try:
     import rospy
     from catkin_pkg.package import InvalidPackage
 
-    from jetbot import JetbotError
-    from jetbot_lessons.table import FIRST_OWN, LAST, first_missing
+    from jetbot_lessons.table import FIRST_OWN, LAST, first_problem
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun jetbot_lessons check_lesson.py N there.")
 
@@ -17,9 +16,9 @@ USAGE = (f"Which lesson, 1 to {LAST}? Type: rosrun jetbot_lessons check_lesson.p
          f"and from lesson {FIRST_OWN} on the name of your package")
 
 
-def lesson(given):
-    """The number and the package's name in what was typed."""
-    number, *names = given or [""]
+def lesson(arguments):
+    """Return the number and the package's name in the command line's arguments; SystemExit for others."""
+    number, *names = arguments or [""]
     if number not in map(str, range(1, LAST + 1)) or len(names) > 1:
         sys.exit(USAGE)
     if int(number) >= FIRST_OWN and not names:
@@ -28,23 +27,23 @@ def lesson(given):
     return int(number), *names
 
 
-def found_out(number, *own):
-    """The sentence of what is missing, or of what hindered the look; None when all is there."""
+def problem_of(number, *own):
+    """Return the lesson's first problem, or the one that ended the check; None if the lesson is done."""
     try:
-        return first_missing(number, *own)
+        return first_problem(number, *own)
     except EOFError:
-        return "this one asks what you see: type it in a terminal."
+        return "this lesson asks what you see: run the check in a terminal"
     except InvalidPackage as error:
         return str(error)
-    except (JetbotError, OSError, rosgraph.MasterException, rospy.ROSException) as error:
-        return f"the look ended with {error}. Try again."
+    except (OSError, rosgraph.MasterException, rospy.ROSException) as error:
+        return f"the check ended early: {error}; try again"
 
 
 def main():
     number, *own = lesson(rospy.myargv()[1:])
-    sentence = found_out(number, *own)
-    if sentence:
-        sys.exit(f"Lesson {number}: {sentence}")
+    problem = problem_of(number, *own)
+    if problem:
+        sys.exit(f"Lesson {number}: {problem}")
     print(f"Lesson {number}: done.")
 
 
@@ -52,4 +51,4 @@ if __name__ == "__main__":
     try:
         main()
     except KeyboardInterrupt:
-        sys.exit("Ended.")
+        sys.exit("Cancelled.")

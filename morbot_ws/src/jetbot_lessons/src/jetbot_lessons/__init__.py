@@ -1,4 +1,8 @@
-"""What must be there after each lesson of docs/lessons.
+"""Checks of a pupil's work after each lesson of docs/lessons.
 
-A check is a function that returns None, or one sentence that says what is missing and what to do.
+A check returns the problem as one sentence that names the fix, or None.
 """
+
+from typing import Optional
+
+Problem = Optional[str]

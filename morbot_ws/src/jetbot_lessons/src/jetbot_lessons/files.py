@@ -10,159 +10,157 @@ from pathlib import Path
 from catkin_pkg.package import InvalidPackage, parse_package
 from rospkg import ResourceNotFound, RosPack
 
-ODD_XML = (ValueError, LookupError, AssertionError, OSError)  # what parsers raise beside their own errors
+from . import Problem
+
+XML_ERRORS = (ValueError, LookupError, AssertionError, OSError)  # what parsers raise beside their own errors
 CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch"
+SHEBANG = "#!/usr/bin/env python3"
 
 
-def folder(package):
-    """The package's source folder; ResourceNotFound where there is none, InvalidPackage where any cannot be read."""
+def folder(package: str) -> Path:
+    """Return the package's source folder.
+
+    Raises ResourceNotFound for an unknown package, InvalidPackage where ROS cannot read some package.xml.
+    """
     try:
         return Path(RosPack().get_path(package))
-    except (ET.ParseError, AttributeError, *ODD_XML) as error:  # rospkg's, of any package.xml that it cannot read
-        sentences = filter(None, map(unreadable, sorted(workspace().rglob("package.xml"))))
-        raise InvalidPackage(next(sentences, f"A package.xml in {workspace()} cannot be read: {error}")) from None
+    except (ET.ParseError, AttributeError, *XML_ERRORS) as error:  # rospkg's, of any file; it does not name the file
+        problems = filter(None, map(_check_package_xml, sorted(workspace().rglob("package.xml"))))
+        raise InvalidPackage(next(problems, f"A package.xml in {workspace()} cannot be read: {error}")) from None
 
 
-def workspace():
-    """The folder of the pupil's packages."""
+def workspace() -> Path:
+    """Return the source folder of the pupil's workspace."""
     return Path(os.environ.get("ROS_PACKAGE_PATH", "").split(":")[0])
 
 
-def unreadable(package_xml):
-    """Whether the file describes a package."""
+def _check_package_xml(file: Path) -> Problem:
+    """Return the problem, or None if the file describes a package."""
     try:
-        parse_package(str(package_xml))
+        parse_package(str(file))
     except InvalidPackage as error:
         return " ".join(str(error).split())  # several lines, which name the file
-    except ODD_XML as error:
-        return f"{package_xml} cannot be read: {error}"
+    except XML_ERRORS as error:
+        return f"{file} cannot be read: {error}"
     return None
 
 
-def found(package, source):
-    """Whether ROS finds the package, and catkin can; source: the command that brings it there."""
+def check_exists(package: str, source: str) -> Problem:
+    """Return the problem, or None if ROS and catkin find the package; ``source`` is how to get it."""
     try:
         place = folder(package)
     except ResourceNotFound:
-        return not_found(package, source)
-    return None if (place / "CMakeLists.txt").exists() else incomplete(place, "CMakeLists.txt", source)
+        return _not_found(package, source)
+    return None if (place / "CMakeLists.txt").exists() else _incomplete(place, "CMakeLists.txt", source)
 
 
-def incomplete(place, file, source):
-    """The sentence about a package without one of its files."""
+def _incomplete(place: Path, file: str, source: str) -> str:
     return f"{place} has no {file}: mv {place} ~, then {source}"
 
 
-def not_found(package, source):
-    """The sentence about a package that ROS does not find."""
-    name = Path(package).name
+def _not_found(package: str, source: str) -> str:
+    """Return why ROS does not find the package."""
+    name, root = Path(package).name, workspace()
     alike = [known for known in RosPack().list() if known.lower() == name.lower()]
     if alike:
         return f"There is no package {package}, but there is {alike[0]}: type that name"
-    outside = [parent / name for parent in workspace().parents if (parent / name / "package.xml").exists()]
-    inside = [file.parent for file in workspace().rglob("package.xml") if file.parent.name == name]
+    inside = [file.parent for file in root.rglob("package.xml") if file.parent.name == name]
+    outside = [parent / name for parent in root.parents if (parent / name / "package.xml").exists()]
     for place in inside + outside:
         if place in outside or any((parent / "package.xml").exists() for parent in place.parents):
-            return f"{place} lies where ROS does not look: mv {place} {workspace()}"
+            return f"ROS does not search {place.parent} for packages: mv {place} {root}"
         return (f"{place / 'package.xml'} names another package: write <name>{name}</name> there, "
                 f"and project({name}) in CMakeLists.txt")
-    for place in workspace() / name, workspace() / "scenarios" / name:
+    for place in root / name, root / "scenarios" / name:
         if name and place.is_dir():
-            return incomplete(place, "package.xml", source)
-    return f"There is no package {package} in {workspace()}: {source}"
+            return _incomplete(place, "package.xml", source)
+    return f"There is no package {package} in {root}: {source}"
 
 
-def built(package):
-    """Whether catkin_make has seen the package."""
+def check_built(package: str) -> Problem:
+    """Return the problem, or None if catkin_make has built the package."""
     prefixes = os.environ.get("CMAKE_PREFIX_PATH", "").split(":")
     if any(Path(prefix, "share", package, "cmake").exists() for prefix in prefixes):
         return None
     return f"{package} is not built: ./morbot setup"
 
 
-def depends(package, *names):
-    """Whether package.xml names these packages as dependencies."""
+def check_depends(package: str, *names: str) -> Problem:
+    """Return the problem, or None if package.xml names these packages as dependencies."""
     file = folder(package) / "package.xml"
-    sentence = unreadable(file)
-    if sentence:
-        return sentence
+    problem = _check_package_xml(file)
+    if problem:
+        return problem
     known = {dependency.name for dependency in parse_package(str(file)).exec_depends}
     return next((f"{file} does not name {name}: add <exec_depend>{name}</exec_depend> before </package>"
                  for name in names if name not in known), None)
 
 
-def scripts_start(package):
-    """Whether the package has scripts, and all of them can be started."""
+def check_scripts(package: str) -> Problem:
+    """Return the problem, or None if the package has scripts and the system can start each."""
     scripts = folder(package) / "scripts"
-    there = sorted(scripts.glob("[!.]*.py"))
-    if not there:
+    files = sorted(scripts.glob("[!.]*.py"))
+    if not files:
         return f"There is no script in {scripts}: put one there, with a name that ends in .py"
-    return next(filter(None, map(script_starts, there)), None)
+    return next(filter(None, map(_check_script, files)), None)
 
 
-def script_starts(path):
-    """Whether the system can start the script."""
+def _check_script(path: Path) -> Problem:
     if not path.is_file():
-        return f"{path} is no file: remove it"
+        return f"{path} is not a file: remove it"
     try:
         first = path.read_bytes().partition(b"\n")[0].decode(errors="replace")
     except OSError as error:
         return f"{path} cannot be read: {error.strerror}"
     if not first.startswith("#!"):
-        return f"{path.name} does not begin with #!/usr/bin/env python3: make that the first line of {path}"
+        return f"{path.name} does not begin with {SHEBANG}: make that the first line of {path}"
     if first.endswith("\r"):
-        return fr"{path.name} has line ends of Windows: sed -i 's/\r$//' {path}"
-    if not starts_python(interpreter(first)):
-        return f"{path.name} begins with {first}, which does not start ROS's Python: write #!/usr/bin/env python3"
+        return fr"{path.name} has Windows line endings: sed -i 's/\r$//' {path}"
+    if not _is_ros_python(_interpreter(first)):
+        return f"{path.name} begins with {first}, which does not start ROS's Python: write {SHEBANG}"
     if not os.access(path, os.X_OK):
         return f"{path.name} is not executable: chmod +x {path}"
-    return python_reads(path)
+    return _check_syntax(path)
 
 
-def interpreter(first):
-    """The program that a script's first line names."""
+def _interpreter(first: str) -> str:
+    """Return the program that a script's first line names."""
     words = [word for word in first[len("#!"):].split() if not word.startswith("-")] or [""]
     return words[1] if words[0] in ("/usr/bin/env", "/bin/env") and len(words) > 1 else words[0]
 
 
-def starts_python(program):
-    """Whether the program is the Python for which ROS is installed."""
+def _is_ros_python(program: str) -> bool:
     return Path(shutil.which(program) or "").resolve().match("/usr/bin/python3*")
 
 
-def python_reads(path):
-    """Whether the script is Python."""
+def _check_syntax(path: Path) -> Problem:
     try:
         with tokenize.open(path) as script:
             ast.parse(script.read())
-    except SyntaxError as error:
-        line = f"line {error.lineno} of " if error.lineno else ""
-        return f"Python cannot read {line}{path.name}: {error.msg}"
-    except ValueError as error:  # a zero byte, before Python 3.12
-        return f"Python cannot read {path.name}: {error}"
+    except (SyntaxError, ValueError) as error:  # ValueError: a zero byte, before Python 3.12
+        line = f"line {error.lineno} of " if getattr(error, "lineno", None) else ""
+        return f"Python cannot read {line}{path.name}: {getattr(error, 'msg', error)}"
     return None
 
 
-def launch_file_includes_controller(package):
-    """Whether one of the package's launch files includes the controller's, and passes its arguments on."""
+def check_launch_files(package: str) -> Problem:
+    """Return the problem, or None if a launch file includes the controller's and passes its arguments on."""
     launch = folder(package) / "launch"
-    there = sorted(launch.glob("*.launch"))
-    if not there:
+    problems = [_check_launch_file(file) for file in sorted(launch.glob("*.launch"))]
+    if not problems:
         return f"There is no launch file in {launch}: put one there, with a name that ends in .launch"
-    sentences = [includes_controller(file) for file in there]
-    return None if None in sentences else sentences[0]
+    return None if None in problems else problems[0]
 
 
-def includes_controller(file):
-    """Whether the launch file includes the controller's, and passes its arguments on."""
+def _check_launch_file(file: Path) -> Problem:
     try:
-        includes = list(ET.parse(file).iter("include"))
-    except (ET.ParseError, *ODD_XML) as error:
+        includes = [include.attrib for include in ET.parse(file).iter("include")]
+    except (ET.ParseError, *XML_ERRORS) as error:
         return f"{file} is not XML: {error}"
-    wanted = {"file": CONTROLLER_LAUNCH, "pass_all_args": "true"}
-    if any(wanted.items() <= include.attrib.items() for include in includes):
-        return None
-    if any(include.get("file") == CONTROLLER_LAUNCH for include in includes):
-        return f'{file} passes no arguments on to the controller: write pass_all_args="true" into its <include>'
-    return (f"{file} does not include the controller: "
-            f'add <include file="{CONTROLLER_LAUNCH}" pass_all_args="true"/> below <launch>')
+    passing = [include.get("pass_all_args") for include in includes if include.get("file") == CONTROLLER_LAUNCH]
+    if not passing:
+        return (f"{file} does not include the controller: "
+                f'add <include file="{CONTROLLER_LAUNCH}" pass_all_args="true"/> below <launch>')
+    if "true" not in passing:
+        return f'{file} does not pass its arguments on to the controller: write pass_all_args="true" in its <include>'
+    return None

@@ -1,73 +1,70 @@
-"""The table of the lessons: what must be there after each."""
+"""The table of the lessons: what each checks, in this order."""
 
-from .commands import key_pressed, publishes_at
-from .files import built, depends, found, launch_file_includes_controller, scripts_start
-from .graph import has_type, launched_together, listens, master_up, nobody_else_publishes, node_up, publishes
-from .wheels import wheels_obey, wheels_turn
+from functools import partial
+from typing import Callable, Dict, List
 
+from . import Problem, commands, files, graph, wheels
+from .commands import TOPIC
+
+FIRST_OWN, LAST = 7, 8  # the lessons about the pupil's own package
 ROBOT, SCENARIO, KEYBOARD = "jetbot_control_node", "workshop", "teleop_twist_keyboard"
 RUN = f"rosrun {ROBOT} jetbot_controller.py _i2c_bus:=fake"
 LAUNCH = f"roslaunch {ROBOT} jetbot_controller.launch i2c_bus:=fake"
 LAUNCH_SCENARIO = f"roslaunch {SCENARIO} workshop_jetbot_controller.launch i2c_bus:=fake"
+IN_A_LOOP = "publish in a loop, with rate = rospy.Rate(10) and rate.sleep()"
+
+Checks = List[Callable[[], Problem]]
 
 
-def package(name, *dependencies):
-    """What makes a package that drives."""
-    return [
-        (found, name, "make it with catkin_create_pkg, as lesson 7 does"),
-        (depends, name, "rospy", "geometry_msgs", *dependencies),
-        (scripts_start, name),
-        (built, name),
-    ]
+def package(name: str, *dependencies: str) -> Checks:
+    """Return the checks of a package that drives the robot."""
+    return [partial(files.check_exists, name, "create it with catkin_create_pkg, as in lesson 7"),
+            partial(files.check_depends, name, "rospy", "geometry_msgs", *dependencies),
+            partial(files.check_scripts, name),
+            partial(files.check_built, name)]
 
 
-def controller(start, start_master=None):
-    """What a controller that runs does; start: the command that starts it, and the master where no other does."""
-    return [
-        (master_up, start_master or start),
-        (node_up, "/jetbot_controller", start),
-        (listens, "/jetbot_controller", "/cmd_vel"),
-        (has_type, "/cmd_vel", "geometry_msgs/Twist"),
-    ]
+def controller(start: str, start_master: str = "") -> Checks:
+    """Return the checks of the running controller; start: what starts it, and the master if nothing else does."""
+    return [partial(graph.check_master, start_master or start),
+            partial(graph.check_node, "/jetbot_controller", start),
+            partial(graph.check_subscribes, "/jetbot_controller", TOPIC),
+            partial(graph.check_type, TOPIC, "geometry_msgs/Twist")]
 
 
-def drives(name, start, remedy="publish in a loop, with rate = rospy.Rate(10) and rate.sleep()"):
-    """What a scenario that runs does; start: the command that starts it, remedy: what brings it to its rate."""
-    return [
-        (publishes, name, "/cmd_vel", start),
-        (nobody_else_publishes, "/cmd_vel", name),
-        (publishes_at, name, 10, remedy),
-        (wheels_turn,),
-    ]
+def keyboard() -> Checks:
+    """Return the checks of the keyboard's running node."""
+    return [partial(graph.check_node, f"/{KEYBOARD}", f"rosrun {KEYBOARD} {KEYBOARD}.py"),
+            partial(commands.check_key, f"/{KEYBOARD}")]
 
 
-def lessons(own):
-    """Number: checks, each a function and its arguments; own: the name of the pupil's package."""
+def drives(name: str, start: str, fix: str = IN_A_LOOP) -> Checks:
+    """Return the checks of a running scenario; start: what starts it, fix: what brings it to 10 commands a second."""
+    return [partial(graph.check_publishes, name, TOPIC, start),
+            partial(graph.check_no_other_publisher, TOPIC, name),
+            partial(commands.check_rate, name, 10, fix),
+            wheels.check_wheels_turn]
+
+
+def lessons(own: str) -> Dict[int, Checks]:
+    """Return the checks of each lesson by its number; own: the name of the pupil's package."""
+    get_keyboard = "get it with git clone and ./morbot setup, as in lesson 4"
     run_own = f"rosrun {own}, and the name of your script"
     launch_own = f"roslaunch {own}, the name of your launch file and, without a robot, i2c_bus:=fake"
     return {
         1: package(ROBOT) + package(SCENARIO, ROBOT),
         2: controller(RUN, "roscore"),
-        3: [*controller(RUN, "roscore"), (nobody_else_publishes, "/cmd_vel"), (wheels_obey,)],
-        4: [(found, KEYBOARD, "get it with git clone and ./morbot setup, as lesson 4 does"),
-            *controller(RUN, "roscore"),
-            (node_up, f"/{KEYBOARD}", f"rosrun {KEYBOARD} {KEYBOARD}.py"), (key_pressed, f"/{KEYBOARD}")],
-        5: [*controller(LAUNCH), (launched_together, ROBOT)],
-        6: [*controller(LAUNCH_SCENARIO), (launched_together, ROBOT, SCENARIO),
+        3: [*controller(RUN, "roscore"), partial(graph.check_no_other_publisher, TOPIC), wheels.check_wheels_obey],
+        4: [partial(files.check_exists, KEYBOARD, get_keyboard), *controller(RUN, "roscore"), *keyboard()],
+        5: [*controller(LAUNCH), partial(graph.check_launched_together, ROBOT)],
+        6: [*controller(LAUNCH_SCENARIO), partial(graph.check_launched_together, ROBOT, SCENARIO),
             *drives(SCENARIO, LAUNCH_SCENARIO, "start it without rate:=")],
         7: [*package(own), *controller(LAUNCH), *drives(own, run_own)],
-        8: [*package(own, ROBOT), (launch_file_includes_controller, own), *controller(launch_own),
-            (launched_together, ROBOT, own), *drives(own, launch_own)],
+        8: [*package(own, ROBOT), partial(files.check_launch_files, own), *controller(launch_own),
+            partial(graph.check_launched_together, ROBOT, own), *drives(own, launch_own)],
     }
 
 
-FIRST_OWN, LAST = 7, 8  # the lessons about the pupil's own package
-
-
-def first_missing(number, own=None):
-    """The first sentence of a lesson's checks; None when all is there. own: the name of the pupil's package."""
-    for check, *arguments in lessons(own)[number]:
-        sentence = check(*arguments)
-        if sentence:
-            return sentence
-    return None
+def first_problem(lesson: int, own: str = "") -> Problem:
+    """Return the first problem of a lesson, or None if it is done; own: the name of the pupil's package."""
+    return next(filter(None, (check() for check in lessons(own)[lesson])), None)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""ROS node: publishes one motion again and again, by default 0.5 ahead with a slight turn, ten times a second."""
+"""ROS node: publish one motion on cmd_vel at a steady rate."""
 
 import sys
 
@@ -10,28 +10,28 @@ from jetbot import InvalidValue
 from jetbot_ros.parameters import NUMBER, POSITIVE, Parameter, checked
 
 PARAMETERS = {
-    "linear": Parameter(0.5, *NUMBER),   # m/s
-    "angular": Parameter(0.1, *NUMBER),  # rad/s, to the left
-    "rate": Parameter(10, *POSITIVE),    # Hz
+    "linear": Parameter(0.5, NUMBER, "forward speed", "m/s"),
+    "angular": Parameter(0.1, NUMBER, "turn to the left", "rad/s"),
+    "rate": Parameter(10, POSITIVE, "commands a second", "Hz"),
 }
 
 
-def main():
+def driver():
     rospy.init_node("jetbot_motion_control")
-    parameters = checked(rospy.get_param("~", {}), PARAMETERS)
-    motion = Twist()
-    motion.linear.x = parameters["linear"]
-    motion.angular.z = parameters["angular"]
-    rate = rospy.Rate(parameters["rate"])
+    motion = checked(rospy.get_param("~", {}), PARAMETERS)
     publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
+    rate = rospy.Rate(motion["rate"])
     while not rospy.is_shutdown():
-        publisher.publish(motion)
+        twist = Twist()
+        twist.linear.x = motion["linear"]
+        twist.angular.z = motion["angular"]
+        publisher.publish(twist)
         rate.sleep()
 
 
 if __name__ == "__main__":
     try:
-        main()
+        driver()
     except rospy.ROSInterruptException:
         pass
     except InvalidValue as error:
