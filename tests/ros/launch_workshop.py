@@ -1,10 +1,17 @@
 #!/usr/bin/env python3
 """The workshop's launch file starts both nodes and passes its arguments on."""
 
+import runpy
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
 import rosgraph
 import rospy
+from rospkg import RosPack
 
 from harness import START, RobotTest, main, wheel_speeds
+
+WORKSHOP = Path(RosPack().get_path("workshop"))
 
 
 class LaunchWorkshop(RobotTest):
@@ -20,6 +27,13 @@ class LaunchWorkshop(RobotTest):
         self.launch_workshop("board:=waveshare", "max_speed:=2", "linear:=1.0", "angular:=0.0")
         self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") == (0.5, 0.5), START, "the Waveshare board's wheels")
         self.assertEqual(self.wheels(), (0, 0), "and not the Adafruit board's")
+
+    def test_documents_the_nodes_defaults(self):
+        rows = runpy.run_path(str(WORKSHOP / "scripts/jetbot_motion_control.py"))["PARAMETERS"]
+        arguments = ET.parse(WORKSHOP / "launch/workshop_jetbot_controller.launch").iter("arg")
+        docs = {argument.get("name"): argument.get("doc") for argument in arguments}
+        for name, row in rows.items():
+            self.assertEqual(docs[name], f"{row.doc} ({row.default} {row.unit})")
 
     def test_robot_name_is_the_namespace_of_both_nodes(self):
         self.launch_workshop("robot_name:=red")

@@ -17,6 +17,10 @@ SCRIPT = "#!/usr/bin/env python3\nprint()\n"
 INCLUDE = '<include file="$(find jetbot_control_node)/launch/jetbot_controller.launch" pass_all_args="true"/>'
 
 
+def exists(package):
+    return files.check_exists(package, "make it")
+
+
 @pytest.fixture
 def mine(tmp_path, monkeypatch):
     """The folder of a package with nothing missing."""
@@ -35,7 +39,7 @@ def mine(tmp_path, monkeypatch):
 
 
 def test_nothing_is_missing(mine):
-    assert files.check_exists("mine", "make it") is None
+    assert exists("mine") is None
     assert files.check_depends("mine", "rospy", "geometry_msgs") is None
     assert files.check_scripts("mine") is None
     assert files.check_built("mine") is None
@@ -43,12 +47,12 @@ def test_nothing_is_missing(mine):
 
 
 def test_no_package(mine):
-    assert files.check_exists("yours", "make it") == f"There is no package yours in {mine.parent}: make it"
+    assert exists("yours") == f"There is no package yours in {mine.parent}: make it"
 
 
 @pytest.mark.parametrize("given", ["Mine", "scenarios/mine", "/mine/"])
 def test_another_name(mine, given):
-    assert files.check_exists(given, "make it") == f"There is no package {given}, but there is mine: type that name"
+    assert exists(given) == f"There is no package {given}, but there is mine: type that name"
 
 
 @pytest.mark.parametrize("place", ["..", "other"])
@@ -58,29 +62,31 @@ def test_package_where_ros_does_not_search(mine, place):
     (source / "other/package.xml").write_text(PACKAGE_XML.replace("mine", "other"))
     elsewhere = (source / place / "mine").resolve()
     mine.rename(elsewhere)
-    assert files.check_exists("mine", "make it") == (
+    assert exists("mine") == (
         f"ROS does not search {elsewhere.parent} for packages: mv {elsewhere} {source}")
 
 
-def test_package_without_its_description(mine):
-    (mine / "package.xml").unlink()
-    assert files.check_exists("mine", "make it") == f"{mine} has no package.xml: mv {mine} ~, then make it"
+@pytest.mark.parametrize("file, check, problem", [
+    ("package.xml", exists, "{0} has no package.xml: mv {0} ~, then make it"),
+    ("CMakeLists.txt", exists, "{0} has no CMakeLists.txt: mv {0} ~, then make it"),
+    ("scripts/drive.py", files.check_scripts,
+     "There is no script in {0}/scripts: put one there, with a name that ends in .py"),
+    ("launch/drive.launch", files.check_launch_files,
+     "There is no launch file in {0}/launch: put one there, with a name that ends in .launch")])
+def test_missing_file(mine, file, check, problem):
+    (mine / file).unlink()
+    assert check("mine") == problem.format(mine)
 
 
 def test_package_described_as_another(mine):
     (mine / "package.xml").write_text(PACKAGE_XML.replace("mine", "yours"))
-    assert files.check_exists("mine", "make it") == (
+    assert exists("mine") == (
         f"{mine}/package.xml names another package: write <name>mine</name> there, and project(mine) in CMakeLists.txt")
 
 
 def test_not_built(mine):
     (mine.parents[1] / "devel").rename(mine.parents[1] / "elsewhere")
     assert files.check_built("mine") == "mine is not built: ./morbot setup"
-
-
-def test_package_that_catkin_cannot_build(mine):
-    (mine / "CMakeLists.txt").unlink()
-    assert files.check_exists("mine", "make it") == f"{mine} has no CMakeLists.txt: mv {mine} ~, then make it"
 
 
 def test_dependency_is_not_named(mine):
@@ -95,18 +101,12 @@ def test_package_xml_is_not_xml(mine, text):
     (mine / "package.xml").write_bytes(text.encode("latin-1"))
     file = re.escape(f"{mine}/package.xml")
     with pytest.raises(InvalidPackage, match=rf"^(Error.* '{file}': The manifest|{file} cannot be read:) [^\n]+$"):
-        files.check_exists("mine", "make it")
+        exists("mine")
 
 
 def test_package_xml_is_incomplete(mine):
     (mine / "package.xml").write_text("<package><name>mine</name></package>")
     assert re.fullmatch(rf"Error.* '{mine}/package.xml': [^\n]+", files.check_depends("mine", "rospy"))
-
-
-def test_no_script(mine):
-    (mine / "scripts/drive.py").unlink()
-    assert files.check_scripts("mine") == (
-        f"There is no script in {mine}/scripts: put one there, with a name that ends in .py")
 
 
 @pytest.mark.parametrize("text, sentence", [
@@ -154,29 +154,15 @@ def test_script_is_not_executable(mine):
     assert files.check_scripts("mine") == f"drive.py is not executable: chmod +x {script}"
 
 
-def test_no_launch_file(mine):
-    (mine / "launch/drive.launch").unlink()
-    assert files.check_launch_files("mine") == (
-        f"There is no launch file in {mine}/launch: put one there, with a name that ends in .launch")
-
-
-def test_launch_file_without_the_controller(mine):
-    (mine / "launch/drive.launch").write_text("<launch/>")
-    assert files.check_launch_files("mine") == (
-        f"{mine}/launch/drive.launch does not include the controller: add {INCLUDE} below <launch>")
-
-
-def test_launch_file_that_does_not_pass_its_arguments_on(mine):
-    (mine / "launch/drive.launch").write_text(f"<launch>{INCLUDE.replace('true', 'false')}</launch>")
-    assert files.check_launch_files("mine") == (
-        f"{mine}/launch/drive.launch does not pass its arguments on to the controller: "
-        'write pass_all_args="true" in its <include>')
-
-
-def test_launch_file_is_not_xml(mine):
-    (mine / "launch/drive.launch").write_text("<launch>")
-    assert files.check_launch_files("mine") == (
-        f"{mine}/launch/drive.launch is not XML: no element found: line 1, column 8")
+@pytest.mark.parametrize("text, problem", [
+    ("<launch/>", f"does not include the controller: add {INCLUDE} below <launch>"),
+    (f"<launch>{INCLUDE.replace('true', 'false')}</launch>",
+     'does not pass its arguments on to the controller: write pass_all_args="true" in its <include>'),
+    ("<launch>", "is not XML: no element found: line 1, column 8")])
+def test_launch_file_without_the_controller(mine, text, problem):
+    launch = mine / "launch/drive.launch"
+    launch.write_text(text)
+    assert files.check_launch_files("mine") == f"{launch} {problem}"
 
 
 @pytest.mark.parametrize("package", ["jetbot_control_node", "jetbot_lessons", "workshop"])

@@ -69,19 +69,17 @@ def test_nothing_is_missing_in_the_graph(mine, running):
     assert graph.check_publishes("mine", "/speed", "rosrun it") is None
 
 
-def test_no_node(running):
-    assert graph.check_node("/nobody", "rosrun it") == (
-        "There is no node /nobody: start it in another terminal with rosrun it")
-
-
-def test_node_that_does_not_answer(running):
-    assert graph.check_node("/other", "rosrun it") == (
-        "The node /other does not answer: stop it (after Ctrl-Z: fg, then Ctrl-C), then start it with rosrun it")
-
-
-def test_node_that_does_not_subscribe(running):
-    assert graph.check_subscribes("/robot", "/speed") == (
-        "/robot does not subscribe to /speed: was it started in a namespace, or was /speed remapped?")
+@pytest.mark.parametrize("check, arguments, problem", [
+    (graph.check_node, ("/nobody", "rosrun it"),
+     "There is no node /nobody: start it in another terminal with rosrun it"),
+    (graph.check_node, ("/other", "rosrun it"),
+     "The node /other does not answer: stop it (after Ctrl-Z: fg, then Ctrl-C), then start it with rosrun it"),
+    (graph.check_subscribes, ("/robot", "/speed"),
+     "/robot does not subscribe to /speed: was it started in a namespace, or was /speed remapped?"),
+    (graph.check_publishes, ("mine", "/cmd_vel", "rosrun it"),
+     "/mine publishes on /speed, not on /cmd_vel: use that in rospy.Publisher")])
+def test_problem_in_the_graph(mine, running, check, arguments, problem):
+    assert check(*arguments) == problem
 
 
 def test_another_type(running):
@@ -101,21 +99,6 @@ def test_somebody_else_publishes(mine, running, package):
     running.setattr(graph, "pid", lambda node: 1)
     assert graph.check_no_other_publisher("/cmd_vel", package) == (
         "/other publishes on /cmd_vel: stop it with Ctrl-C in its terminal, then try again")
-
-
-def test_argument_is_not_taken_for_the_script(mine, monkeypatch):
-    process = subprocess.Popen([sys.executable, "-c", "print(flush=True); input()", "pub"], cwd=mine,
-                               stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-    process.stdout.readline()
-    monkeypatch.setattr(graph, "pid", lambda node: process.pid)
-    paths = graph.command_of("/mine")
-    process.communicate(b"\n")
-    assert "pub" not in {path.name for path in paths}
-
-
-def test_another_topic(mine, running):
-    assert graph.check_publishes("mine", "/cmd_vel", "rosrun it") == (
-        "/mine publishes on /speed, not on /cmd_vel: use that in rospy.Publisher")
 
 
 def test_node_does_not_run(mine, running):
@@ -140,16 +123,28 @@ def test_whose_script_it_is(mine, path, whose):
     assert graph.belongs([Path("/usr/bin/python3"), Path(path.format(mine))], "mine") is whose
 
 
+@pytest.fixture
+def command_of(mine, monkeypatch):
+    """A function that starts Python with arguments in a folder, as a node, and returns its command."""
+    def start(folder, *arguments):
+        process = subprocess.Popen([sys.executable, *arguments], cwd=folder, stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE)
+        process.stdout.readline()  # it runs
+        monkeypatch.setattr(graph, "pid", lambda node: process.pid)
+        command = graph.command_of("/mine")
+        process.communicate(b"\n")
+        return command
+
+    return start
+
+
+def test_argument_is_not_taken_for_the_script(mine, command_of):
+    assert "pub" not in {path.name for path in command_of(mine, "-c", "print(flush=True); input()", "pub")}
+
+
 @pytest.mark.parametrize("command, folder", [
     ("drive.py", "scripts"), ("./drive.py", "scripts"), ("../mine/scripts/drive.py", "."),
     ("{}/scripts/drive.py", "/")])
-def test_where_a_script_was_started(mine, monkeypatch, command, folder):
+def test_where_a_script_was_started(mine, command_of, command, folder):
     (mine / "scripts/drive.py").write_text("print(flush=True)\ninput()")
-    process = subprocess.Popen([sys.executable, command.format(mine)], cwd=mine / folder, stdin=subprocess.PIPE,
-                               stdout=subprocess.PIPE)
-    process.stdout.readline()  # it runs
-    try:
-        monkeypatch.setattr(graph, "pid", lambda node: process.pid)
-        assert graph.belongs(graph.command_of("/mine"), "mine")
-    finally:
-        process.communicate(b"\n")
+    assert graph.belongs(command_of(mine / folder, command.format(mine)), "mine")

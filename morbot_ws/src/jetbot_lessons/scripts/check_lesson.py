@@ -2,6 +2,7 @@
 """Report what is missing after a lesson: rosrun jetbot_lessons check_lesson.py N [YOUR_PACKAGE]."""
 
 import sys
+from typing import List, Optional, Tuple, Union
 
 try:
     import rosgraph
@@ -16,7 +17,7 @@ USAGE = (f"Which lesson, 1 to {LAST}? Type: rosrun jetbot_lessons check_lesson.p
          f"and from lesson {FIRST_OWN} on the name of your package")
 
 
-def lesson(arguments):
+def lesson(arguments: List[str]) -> Tuple[Union[int, str], ...]:
     """Return the number and the package's name in the command line's arguments; SystemExit for others."""
     number, *names = arguments or [""]
     if number not in map(str, range(1, LAST + 1)) or len(names) > 1:
@@ -27,7 +28,7 @@ def lesson(arguments):
     return int(number), *names
 
 
-def problem_of(number, *own):
+def problem_of(number: int, *own: str) -> Optional[str]:
     """Return the lesson's first problem, or the one that ended the check; None if the lesson is done."""
     try:
         return first_problem(number, *own)

@@ -61,9 +61,9 @@ def _incomplete(place: Path, file: str, source: str) -> str:
 def _not_found(package: str, source: str) -> str:
     """Return why ROS does not find the package."""
     name, root = Path(package).name, workspace()
-    alike = [known for known in RosPack().list() if known.lower() == name.lower()]
-    if alike:
-        return f"There is no package {package}, but there is {alike[0]}: type that name"
+    similar = [known for known in RosPack().list() if known.lower() == name.lower()]
+    if similar:
+        return f"There is no package {package}, but there is {similar[0]}: type that name"
     inside = [file.parent for file in root.rglob("package.xml") if file.parent.name == name]
     outside = [parent / name for parent in root.parents if (parent / name / "package.xml").exists()]
     for place in inside + outside:
@@ -116,20 +116,17 @@ def _check_script(path: Path) -> Problem:
         return f"{path.name} does not begin with {SHEBANG}: make that the first line of {path}"
     if first.endswith("\r"):
         return fr"{path.name} has Windows line endings: sed -i 's/\r$//' {path}"
-    if not _is_ros_python(_interpreter(first)):
+    if not _starts_ros_python(first):
         return f"{path.name} begins with {first}, which does not start ROS's Python: write {SHEBANG}"
     if not os.access(path, os.X_OK):
         return f"{path.name} is not executable: chmod +x {path}"
     return _check_syntax(path)
 
 
-def _interpreter(first: str) -> str:
-    """Return the program that a script's first line names."""
+def _starts_ros_python(first: str) -> bool:
+    """Return whether a script with this first line runs in the Python for which ROS is installed."""
     words = [word for word in first[len("#!"):].split() if not word.startswith("-")] or [""]
-    return words[1] if words[0] in ("/usr/bin/env", "/bin/env") and len(words) > 1 else words[0]
-
-
-def _is_ros_python(program: str) -> bool:
+    program = words[1] if words[0] in ("/usr/bin/env", "/bin/env") and len(words) > 1 else words[0]
     return Path(shutil.which(program) or "").resolve().match("/usr/bin/python3*")
 
 

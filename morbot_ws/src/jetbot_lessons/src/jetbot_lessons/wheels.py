@@ -80,7 +80,7 @@ def check_wheels_turn() -> Problem:
 
 
 def fake_wheels() -> Optional[Callable[[], Speeds]]:
-    """Return a function that returns the fake robot's wheel speeds (left, right) in [-1, 1]; None for a real robot."""
+    """Return a function that returns the fake robot's wheel speeds (left, right); None for a real robot."""
     board, bus = robot()
     folder = fake.folder_of(bus)
     return partial(wheel_speeds, folder, board) if folder else None

@@ -11,8 +11,8 @@ from jetbot_ros.parameters import NUMBER, POSITIVE, Parameter, checked
 
 PARAMETERS = {
     "linear": Parameter(0.5, NUMBER, "forward speed", "m/s"),
-    "angular": Parameter(0.1, NUMBER, "turn to the left", "rad/s"),
-    "rate": Parameter(10, POSITIVE, "commands a second", "Hz"),
+    "angular": Parameter(0.1, NUMBER, "turning speed, positive to the left", "rad/s"),
+    "rate": Parameter(10, POSITIVE, "rate of the commands", "Hz"),
 }
 
 
