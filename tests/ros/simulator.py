@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The simulated robot drives as the bytes on the fake bus say, and where a command's arc leads."""
+"""The simulated robot drives as the registers on the fake bus command, along the arc of the velocity."""
 
 import math
 import os
@@ -16,9 +16,9 @@ from std_srvs.srv import Empty
 from harness import CONTROLLER, START, RobotTest, main, program, read, twist
 from jetbot import Robot, boards
 from jetbot.boards.pwm_motors import ADAFRUIT, PwmMotors, Wiring
-from jetbot.fake.bus import FakeBus, default_folder
+from jetbot.fake.bus import FakeBus
 
-NAMESPACE = "simulated"  # in which simulator.test starts the simulator that these tests share
+NAMESPACE = "simulated"  # of the simulator that each test starts
 MODE1, SLEEP = 0x00, 0x10
 LONG_ENOUGH = 1.0  # seconds between two samples of the odometry
 
@@ -26,14 +26,16 @@ LONG_ENOUGH = 1.0  # seconds between two samples of the odometry
 class Simulator(RobotTest):
     def setUp(self):
         super().setUp()
-        self.bus = default_folder(NAMESPACE)
+        self.environment = {**os.environ, "ROS_NAMESPACE": NAMESPACE}
+        self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}", "_motor_lag:=0.05", "_x:=1",
+                   "_yaw:=0.5", env=self.environment)
         self.samples = []
         self.addCleanup(rospy.Subscriber(f"{NAMESPACE}/odom", Odometry, self.samples.append).unregister)
         self.wait_for(lambda: self.samples, START, "odometry")
         self.wait_for_velocity(0, 0)
 
     def robot(self):
-        """A robot of this test's own process."""
+        """Return a robot that this process drives."""
         return Robot("adafruit", f"fake:{self.bus}")
 
     def wait_for_velocity(self, linear, angular):
@@ -45,20 +47,20 @@ class Simulator(RobotTest):
         return twist.linear.x, twist.angular.z
 
     def position(self):
-        """x, y and heading, to the centimetre."""
+        """Return x, y and heading, rounded to 0.01 m and rad."""
         sample = self.samples[-1]
         position = sample.pose.pose.position
         return round(position.x, 2), round(position.y, 2), round(heading(sample), 2)
 
     def sample_after(self, seconds):
-        """The newest sample now, and the one that comes so many seconds after it."""
+        """Return the newest sample now, and the first that is so many seconds later."""
         first = self.samples[-1]
         self.wait_for(lambda: elapsed(first, self.samples[-1]) >= seconds, seconds + 5, "odometry")
         return first, self.samples[-1]
 
     def test_drives_the_arc_of_the_command(self):
-        self.start(CONTROLLER, "_i2c_bus:=fake", "_cmd_vel_timeout:=0", "_wheel_separation:=0.1125", "_max_speed:=0.6",
-                   env={**os.environ, "ROS_NAMESPACE": NAMESPACE})
+        self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "_cmd_vel_timeout:=0", "_wheel_separation:=0.1125",
+                   "_max_speed:=0.6", env=self.environment)
         commands = rospy.Publisher(f"{NAMESPACE}/cmd_vel", Twist, queue_size=1, latch=True)
         self.addCleanup(commands.unregister)
         self.wait_for(commands.get_num_connections, START, "the controller to subscribe")
@@ -68,7 +70,7 @@ class Simulator(RobotTest):
                 self.wait_for_velocity(linear, angular)
                 first, last = self.sample_after(LONG_ENOUGH)
                 seconds = elapsed(first, last)
-                x, y, turn = way(first, last)
+                x, y, turn = motion(first, last)
                 wanted_x, wanted_y = arc(linear, angular, seconds)
                 self.assertLess(math.hypot(x - wanted_x, y - wanted_y), 0.01 * max(linear * seconds, 0.1))
                 self.assertLess(abs(turn - angular * seconds), 0.01 * max(abs(angular) * seconds, 0.1))
@@ -91,27 +93,27 @@ class Simulator(RobotTest):
             awake = chip.read_byte_data(0x60, MODE1)
             chip.write_byte_data(0x60, MODE1, awake | SLEEP)
             self.wait_for_velocity(0, 0)
-            self.assertLess(math.hypot(*way(*self.sample_after(0.5))), 0.001)
+            self.assertLess(math.hypot(*motion(*self.sample_after(0.5))), 0.001)
             chip.write_byte_data(0x60, MODE1, awake)
             self.wait_for_velocity(0.3, 0)
 
     def test_is_placed_and_reset(self):
         place = rospy.Publisher(f"{NAMESPACE}/jetbot_simulator/set_pose", Pose2D, queue_size=1)
         self.addCleanup(place.unregister)
-        self.wait_for(place.get_num_connections, START, "the simulator to listen")
+        self.wait_for(place.get_num_connections, START, "the simulator to subscribe")
         place.publish(2.0, -3.0, 1.0)
         self.wait_for(lambda: self.position() == (2.0, -3.0, 1.0), 5.0, "the new pose")
         place.publish(0.0, math.nan, 0.0)
         self.sample_after(0.1)
-        self.assertEqual(self.position(), (2.0, -3.0, 1.0), "a pose that is none counts for nothing")
+        self.assertEqual(self.position(), (2.0, -3.0, 1.0), "a pose that is not finite is ignored")
         rospy.ServiceProxy(f"{NAMESPACE}/jetbot_simulator/reset", Empty)()
         self.wait_for(lambda: self.position() == (1.0, 0.0, 0.5), 5.0, "the first pose")
 
-    def test_tells_in_words_and_only_when_something_moved(self):
+    def test_prints_its_state_when_it_changes(self):
         process = self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}", "_motor_lag:=0")
         self.wait_for(lambda: read(process).startswith("at x 0.00 m, y 0.00 m, heading 0 deg; "), START, "a line")
         self.sample_after(1.2)
-        self.assertEqual(len(read(process).splitlines()), 1, "it has not moved")
+        self.assertEqual(len(read(process).splitlines()), 1, "its state has not changed")
         with self.robot() as robot:
             robot.set_motors(0.5, 0.5)
             self.wait_for(lambda: "left wheel 0.30 m/s, right wheel 0.30 m/s" in read(process), START, "a line")
@@ -133,7 +135,7 @@ class Simulator(RobotTest):
             self.assertEqual(Path(process.args[-1]).read_bytes()[:4], b"\x89PNG")
 
     def draw(self, name, *arguments):
-        """draw_track.py at work on a picture of this name."""
+        """Start draw_track.py with a picture of this name."""
         return self.start(program("simulation", "draw_track.py"), *arguments, os.path.join(self.folder, name))
 
 
@@ -146,8 +148,8 @@ def elapsed(first, last):
     return (last.header.stamp - first.header.stamp).to_sec()
 
 
-def way(first, last):
-    """From one sample to another, as the robot saw it at the first: (metres ahead, metres to the left, radians)."""
+def motion(first, last):
+    """Return the motion from one sample to another in the robot's frame at the first: (x in m, y in m, yaw in rad)."""
     start, end, yaw = first.pose.pose.position, last.pose.pose.position, heading(first)
     x, y = end.x - start.x, end.y - start.y
     turn = math.remainder(heading(last) - yaw, 2 * math.pi)
@@ -155,7 +157,7 @@ def way(first, last):
 
 
 def arc(linear, angular, seconds):
-    """Where a constant velocity leads in the plane, in closed form."""
+    """Return (x, y) in m after a constant velocity, in closed form."""
     if not angular:
         return linear * seconds, 0.0
     return linear / angular * math.sin(angular * seconds), linear / angular * (1 - math.cos(angular * seconds))

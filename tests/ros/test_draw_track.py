@@ -1,4 +1,4 @@
-"""What draw_track.py says of bags from which it cannot draw."""
+"""One sentence from draw_track.py for each bag from which it cannot draw."""
 
 import runpy
 import sys
@@ -14,13 +14,13 @@ PROGRAM = Path(__file__).parents[2] / "morbot_ws/src/simulation/scripts/draw_tra
 
 @pytest.fixture
 def bag(tmp_path):
-    """A bag to write into."""
+    """A bag, open for writing."""
     with rosbag.Bag(str(tmp_path / "drive.bag"), "w") as bag:
         yield bag
 
 
-def said(monkeypatch, bag):
-    """What the program says of the bag as it ends."""
+def error_of(monkeypatch, bag):
+    """Return the message with which the program exits."""
     monkeypatch.setattr(sys, "argv", ["draw_track.py", "--bag", bag.filename])
     with pytest.raises(SystemExit) as end:
         runpy.run_path(str(PROGRAM), run_name="__main__")
@@ -31,18 +31,18 @@ def said(monkeypatch, bag):
 def test_no_odometry_of_this_robot(monkeypatch, bag, topic, message):
     bag.write(topic, message)
     bag.close()
-    assert said(monkeypatch, bag) == (
+    assert error_of(monkeypatch, bag) == (
         f"{bag.filename} holds no nav_msgs/Odometry on /odom. Another robot's: --robot NAME")
 
 
 def test_recording_cut_short(monkeypatch, bag):
     bag.write("odom", Odometry())
     bag.flush()
-    assert said(monkeypatch, bag) == (
-        f"Nothing was drawn: the recording of {bag.filename} was cut short. Mend it: rosbag reindex {bag.filename}")
+    assert error_of(monkeypatch, bag) == (
+        f"Nothing was drawn: the recording of {bag.filename} was cut short. Fix it: rosbag reindex {bag.filename}")
 
 
 def test_no_bag(monkeypatch, bag, tmp_path):
     bag.close()
     Path(bag.filename).write_text("hello")
-    assert said(monkeypatch, bag).startswith("Nothing was drawn: ")
+    assert error_of(monkeypatch, bag).startswith("Nothing was drawn: ")

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Three simulated robots in three namespaces share one map, and each obeys its own cmd_vel on its own fake bus."""
+"""Three simulated robots in three namespaces share one map; each is driven by its own cmd_vel on its own fake bus."""
 
 import os
 
+import rospkg
 import rospy
 import tf2_ros
 from geometry_msgs.msg import Twist
@@ -10,6 +11,7 @@ from nav_msgs.msg import Odometry
 
 from harness import START, RobotTest, main, twist
 
+SI_UNITS = os.path.join(rospkg.RosPack().get_path("jetbot_control_node"), "config/si_units.yaml")
 SPEEDS = {"red": (0.3, 0.0), "green": (0.0, 1.0), "blue": (-0.3, -0.5)}  # m/s, rad/s
 STARTS = {"red": 0.5, "green": 0.0, "blue": -0.5}                        # y in metres
 
@@ -22,7 +24,7 @@ class ThreeRobots(RobotTest):
             publishers[name] = rospy.Publisher(f"/{name}/cmd_vel", Twist, queue_size=1)
         frames = tf2_ros.Buffer()
         tf2_ros.TransformListener(frames)
-        self.start("roslaunch", "simulation", "three_robots.launch", "rviz:=false",
+        self.start("roslaunch", "simulation", "three_robots.launch", "rviz:=false", f"config:={SI_UNITS}",
                    env={**os.environ, "ROS_HOME": os.path.join(self.folder, "home")})
 
         def driving():

@@ -1,11 +1,10 @@
-"""RViz on one configuration, for a robot in any namespace, and again where it crashes."""
+"""RViz with one configuration, for a robot in any namespace; it is restarted when it crashes."""
 
 import runpy
-from pathlib import Path
 
 import pytest
 
-SIMULATION = Path(__file__).parents[2] / "morbot_ws/src/simulation"
+from conftest import SIMULATION
 
 
 @pytest.fixture(scope="module")
@@ -16,13 +15,13 @@ def program():
 
 @pytest.mark.parametrize("command, code, lines", [
     ("exit 0", 0, 0), ("exit 1", 1, 0), ("kill -TERM $$", -15, 0), ("kill -SEGV $$", -11, 3), ("kill -ABRT $$", -6, 3)])
-def test_starts_again_where_it_crashes(program, capsys, command, code, lines):
-    assert program["shown"](["sh", "-c", command]) == code
+def test_restarts_when_it_crashes(program, capsys, command, code, lines):
+    assert program["run"](["sh", "-c", command]) == code
     assert capsys.readouterr().out == "".join(f"RViz crashed, {tries + 1} of 3 times\n" for tries in range(lines))
 
 
 def test_frames_of_a_namespace(program):
     config = (SIMULATION / "rviz/simulation.rviz").read_text()
-    red = program["in_namespace"](config, "red")
+    red = program["add_namespace"](config, "red")
     assert set(red.splitlines()) - set(config.splitlines()) == {
         '      TF Prefix: "red"', "      Target Frame: red/base_footprint"}

@@ -1,4 +1,4 @@
-"""The simulated robot's parameters: what is refused, and that its size is the same wherever it is told."""
+"""The simulated robot's parameters: which are refused, whose board counts, and one size of the robot in every file."""
 
 import xml.etree.ElementTree as ET
 
@@ -8,15 +8,17 @@ from conftest import SIMULATION, SOURCE
 from jetbot import InvalidValue
 from jetbot_ros.parameters import checked, load
 from jetbot_tools import calibration
-from simulation.parameters import PARAMETERS
+from simulation.parameters import PARAMETERS, fake_folder, resolve
 
-SIZE = load(SIMULATION / "config/jetbot.yaml")
+BODY = SIMULATION / "config/jetbot.yaml"
+SIZE = load(BODY)
 
 
 @pytest.mark.parametrize("name, value, must", [
     ("i2c_bus", 1, "fake, or fake:FOLDER"),
     ("i2c_bus", "faked", "fake, or fake:FOLDER"),
-    ("board", "lego", "one of adafruit, waveshare, jetbot, sparkfun"),
+    ("port", "/dev/ttyACM0", "fake, or fake:FOLDER"),
+    ("board", "lego", "one of adafruit, waveshare, sparkfun, jetbot_pro, jetbot"),
     ("dead_band", 1, "a number of at least 0 and below 1"),
     ("dead_band", -0.1, "a number of at least 0 and below 1"),
     ("motor_lag", -1, "a number of seconds, 0 or more"),
@@ -24,20 +26,41 @@ SIZE = load(SIMULATION / "config/jetbot.yaml")
 ])
 def test_bad_values(name, value, must):
     with pytest.raises(InvalidValue, match=f"The parameter {name} must be {must}, not "):
-        checked({name: value}, PARAMETERS)
+        resolve({name: value})
 
 
 def test_defaults_are_good():
     defaults = {name: parameter.default for name, parameter in PARAMETERS.items()}
-    assert checked(defaults, PARAMETERS) == checked({}, PARAMETERS) == defaults
+    assert checked(defaults, PARAMETERS) == resolve({}) == defaults
 
 
-def test_the_file_of_the_body_tells_the_defaults():
-    assert SIZE == {name: PARAMETERS[name].default for name in SIZE}
+@pytest.mark.parametrize("typed, file, board", [
+    ("", "", "jetbot"), ("", "board: sparkfun", "sparkfun"), ("jetbot", "board: sparkfun", "jetbot"),
+    ("", "i2c_bus: 1", "jetbot")])
+def test_simulates_the_board_that_the_controller_drives(tmp_path, typed, file, board):
+    (tmp_path / "robot.yaml").write_text(file)
+    parameters = resolve({"board": typed, "config": str(tmp_path / "robot.yaml"), "x": ""})
+    assert (parameters["board"], parameters["i2c_bus"], parameters["x"]) == (board, "fake", 0.0)
+
+
+@pytest.mark.parametrize("board, folder", [("jetbot", "bus"), ("sparkfun", "bus"), ("jetbot_pro", "port")])
+def test_reads_the_bus_or_the_port_of_the_board(board, folder):
+    assert fake_folder(resolve({"board": board, "i2c_bus": "fake:bus", "port": "fake:port"}), "/") == folder
+
+
+def test_each_namespace_has_fake_hardware_of_its_own(tmp_path, monkeypatch):
+    monkeypatch.setenv("ROS_HOME", str(tmp_path))
+    assert fake_folder(resolve({}), "/red/") == str(tmp_path / "fake_i2c/red")
+
+
+def test_the_file_of_the_body_shows_each_default_with_its_unit_and_meaning():
+    rows = {name: row for name, row in PARAMETERS.items() if name in SIZE}
+    assert BODY.read_text().splitlines()[1:] == [
+        f"{name}: {row.default}  # {row.unit + '; ' if row.unit else ''}{row.doc}" for name, row in rows.items()]
     assert len(SIZE) == 5
 
 
-def test_the_controller_reckons_with_the_same_size():
+def test_the_controller_assumes_the_same_size():
     controller = load(SOURCE / "config/si_units.yaml")
     assert controller == {name: SIZE[name] for name in ("wheel_separation", "max_speed")}
     assert calibration.WHEEL_SEPARATION == SIZE["wheel_separation"]
@@ -55,3 +78,12 @@ def test_the_drawn_robot_has_the_same_size():
 @pytest.mark.parametrize("file", sorted((SIMULATION / "launch").glob("*.launch")), ids=lambda file: file.stem)
 def test_every_launch_argument_is_explained(file):
     assert all(arg.get("doc") for arg in ET.parse(file).getroot().findall("arg"))
+
+
+def test_the_launch_file_gives_what_is_typed_and_fake_hardware():
+    launch = ET.parse(SIMULATION / "launch/simulation.launch").getroot()
+    defaults = {arg.get("name"): arg.get("default") for arg in launch.findall("arg")}
+    given = {param.get("name"): param.get("value") for param in launch.findall(".//node[@name='jetbot_simulator']/param")}
+    assert given == {name: f"$(arg {name})" for name in given}
+    assert {name: defaults[name] for name in given} == {
+        "i2c_bus": "fake", "port": "fake", "board": "", "config": "", "x": "", "y": "", "yaw": ""}

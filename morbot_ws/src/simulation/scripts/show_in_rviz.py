@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Starts RViz on a configuration for one robot; in a namespace, its name comes before the robot's frames."""
+"""Starts RViz with a configuration for one robot; in a namespace, the frames of that robot."""
 
 import os
 import shutil
@@ -12,8 +12,8 @@ from pathlib import Path
 TRIES = 3  # without a graphics card it may crash at its start: Mesa draws into a window that X does not know yet
 
 
-def in_namespace(config, name):
-    """The configuration for the robot in this namespace; the topics follow by themselves."""
+def add_namespace(config, name):
+    """Return the configuration for the robot in this namespace. Relative topic names need no change."""
     return (config.replace('TF Prefix: ""', f'TF Prefix: "{name}"')
                   .replace("Target Frame: base_footprint", f"Target Frame: {name}/base_footprint"))
 
@@ -22,15 +22,15 @@ def main(config, *ros_arguments):
     if not shutil.which("rviz"):
         print("To see the robot here: sudo apt install rviz", flush=True)
         return 0
-    name = os.environ.get("ROS_NAMESPACE", "").strip("/")
+    name, text = os.environ.get("ROS_NAMESPACE", "").strip("/"), Path(config).read_text()
     with tempfile.NamedTemporaryFile("w", suffix=".rviz") as file:
-        file.write(in_namespace(Path(config).read_text(), name) if name else Path(config).read_text())
+        file.write(add_namespace(text, name) if name else text)
         file.flush()
-        return shown(["rviz", "-d", file.name, *ros_arguments])
+        return run(["rviz", "-d", file.name, *ros_arguments])
 
 
-def shown(command):
-    """The exit code of RViz, which starts again where it crashes."""
+def run(command):
+    """Return the exit code of RViz, which is restarted when it crashes."""
     for tries in range(1, TRIES + 1):
         code = subprocess.call(command)
         if code not in (-signal.SIGSEGV, -signal.SIGABRT):

@@ -1,7 +1,1 @@
-"""The body of a JetBot that is not there: ``Body`` moves as its motors are driven."""
-
-from .body import Body
-from .motor import Motor
-from .pose import ORIGIN, Pose
-
-__all__ = ["ORIGIN", "Body", "Motor", "Pose"]
+"""A simulated JetBot: the model of its body, the node that drives it, and drawings of its track."""

@@ -1,24 +1,41 @@
-"""What may be set on a simulated robot. Where its sizes come from, config/jetbot.yaml tells."""
+"""The parameters of a simulated robot. config/jetbot.yaml holds those of its body."""
 
-from jetbot.fake.motors import WIRED
-from jetbot.i2c import fake_folder
-from jetbot_ros.parameters import NUMBER, PART, POSITIVE, SECONDS, Parameter
+from typing import Dict
 
+from jetbot import fake
+from jetbot.boards import find_board
+from jetbot.fake.motors import ROBOTS
+from jetbot_ros import parameters as controller
+from jetbot_ros.parameters import FRACTION, NUMBER, POSITIVE, SECONDS, Kind, Parameter, checked
 
-def is_fake(bus):
-    """Whether this names a fake bus."""
-    return bus == "fake" or bool(fake_folder(str(bus)))
-
+FAKE = Kind(lambda value: value == "fake" or bool(fake.folder_of(str(value))), "fake, or fake:FOLDER")
 
 PARAMETERS = {
-    "board": Parameter("jetbot", lambda value: value in WIRED, f"one of {', '.join(WIRED)}"),
-    "i2c_bus": Parameter("fake", is_fake, "fake, or fake:FOLDER"),
-    "wheel_separation": Parameter(0.1125, *POSITIVE),  # m
-    "wheel_diameter": Parameter(0.06, *POSITIVE),      # m
-    "max_speed": Parameter(0.6, *POSITIVE),            # m/s
-    "motor_lag": Parameter(0.1, *SECONDS),
-    "dead_band": Parameter(0.05, *PART),
-    "x": Parameter(0.0, *NUMBER),                      # m
-    "y": Parameter(0.0, *NUMBER),                      # m
-    "yaw": Parameter(0.0, *NUMBER),                    # rad, counterclockwise
+    "board": Parameter("jetbot", Kind(lambda value: value in list(ROBOTS), f"one of {', '.join(ROBOTS)}"),
+                       "motor board; jetbot has Adafruit's layout here"),
+    "i2c_bus": Parameter("fake", FAKE, "fake I2C bus"),
+    "port": Parameter("fake", FAKE, "fake serial port, for jetbot_pro"),
+    "wheel_separation": Parameter(0.1125, POSITIVE, "distance between the wheels; NVIDIA's model in Isaac Sim", "m"),
+    "wheel_diameter": Parameter(0.06, POSITIVE, "the same model", "m"),
+    "max_speed": Parameter(0.6, POSITIVE, "60 mm wheels on TT gear motors, about 200 turns per minute at 5 V", "m/s"),
+    "motor_lag": Parameter(0.1, SECONDS, "time to 63 % of a change of speed; an estimate", "s"),
+    "dead_band": Parameter(0.05, FRACTION, "duty below which a motor only hums; an estimate, a heavy robot needs more"),
+    "x": Parameter(0.0, NUMBER, "where the robot starts", "m"),
+    "y": Parameter(0.0, NUMBER, "where the robot starts", "m"),
+    "yaw": Parameter(0.0, NUMBER, "heading at the start, counterclockwise", "rad"),
 }
+
+
+def resolve(typed: Dict[str, object]) -> Dict[str, object]:
+    """Return all parameters. The board is the controller's: typed, or from its file ``config``, or its default."""
+    typed = dict(typed)
+    config = typed.pop("config", "")
+    parameters = checked(typed, PARAMETERS)
+    shared = {"i2c_bus": parameters["i2c_bus"], "port": parameters["port"], "board": typed.get("board", "")}
+    return checked({**parameters, "board": controller.resolve({"config": config, **shared})["board"]}, PARAMETERS)
+
+
+def fake_folder(parameters: Dict[str, object], namespace: str) -> str:
+    """Return the folder of the fake bus or port that the board is on. namespace: the node's."""
+    i2c_bus, port = (fake.place(parameters[name], namespace) for name in ("i2c_bus", "port"))
+    return fake.folder_of(find_board(parameters["board"]).place(i2c_bus, port))

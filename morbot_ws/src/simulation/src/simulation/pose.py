@@ -1,4 +1,4 @@
-"""Where a robot is on the floor, and how two wheels move it."""
+"""The pose of a robot on the floor, and how two wheels change it."""
 
 import math
 from typing import NamedTuple
@@ -11,18 +11,13 @@ class Pose(NamedTuple):
     y: float = 0.0
     yaw: float = 0.0
 
-    def moved(self, left, right, wheel_separation):
-        """The pose after the wheels have rolled ``left`` and ``right`` metres, evenly: along an arc of a circle."""
-        turn = (right - left) / wheel_separation
-        arc = (left + right) / 2
-        chord = arc * math.sin(turn / 2) / (turn / 2) if turn else arc
-        along = self.yaw + turn / 2
-        return Pose(self.x + chord * math.cos(along), self.y + chord * math.sin(along), normalized(self.yaw + turn))
+    def integrate_arc(self, left: float, right: float, wheel_separation: float) -> "Pose":
+        """Return the pose at the end of the arc on which the wheels roll ``left`` and ``right`` metres."""
+        rotation, arc = (right - left) / wheel_separation, (left + right) / 2
+        chord = arc * math.sin(rotation / 2) / (rotation / 2) if rotation else arc
+        heading = self.yaw + rotation / 2
+        return Pose(self.x + chord * math.cos(heading), self.y + chord * math.sin(heading),
+                    math.remainder(self.yaw + rotation, math.tau))
 
 
 ORIGIN = Pose()
-
-
-def normalized(angle):
-    """The same angle within [-pi, pi]."""
-    return math.remainder(angle, 2 * math.pi)
