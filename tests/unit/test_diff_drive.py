@@ -6,9 +6,10 @@ import pytest
 
 from simulation.diff_drive import DiffDriveModel
 from simulation.motor import Motor
-from simulation.pose import ORIGIN, Pose
+from simulation.pose import Pose
 
 SEPARATION, DIAMETER, MAX_SPEED = 0.1125, 0.06, 0.6
+ORIGIN = Pose()
 
 
 def model(pose=ORIGIN, dead_band=0.0, closed_loop=False):

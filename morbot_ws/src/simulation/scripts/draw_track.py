@@ -37,7 +37,7 @@ def main():
         require_master()
         recording = record(odom, cmd_vel, given.seconds)
         missing = f"Nothing was published on {odom}. Start the robot: roslaunch simulation simulation.launch"
-    if not recording.samples:
+    if not recording.odometry:
         sys.exit(missing)
     draw(recording, given.png)
     print(f"Drew {given.png}.")

@@ -5,7 +5,7 @@ from typing import Tuple
 from jetbot.kinematics import clamp, mix
 
 from .motor import Motor
-from .pose import ORIGIN, Pose
+from .pose import Pose
 
 Pair = Tuple[float, float]  # left, right
 
@@ -17,7 +17,7 @@ class DiffDriveModel:
     """
 
     def __init__(self, wheel_separation: float, wheel_diameter: float, max_speed: float, motor_lag: float,
-                 dead_band: float, pose: Pose = ORIGIN, closed_loop: bool = False):
+                 dead_band: float, pose: Pose, closed_loop: bool = False):
         self.left, self.right = (Motor(max_speed, motor_lag, 0.0 if closed_loop else dead_band) for _ in range(2))
         self.pose = pose
         self._geometry = wheel_separation, max_speed

@@ -18,6 +18,3 @@ class Pose(NamedTuple):
         heading = self.yaw + rotation / 2
         return Pose(self.x + chord * math.cos(heading), self.y + chord * math.sin(heading),
                     math.remainder(self.yaw + rotation, math.tau))
-
-
-ORIGIN = Pose()

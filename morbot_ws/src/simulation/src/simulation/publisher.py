@@ -12,8 +12,9 @@ from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 from jetbot_ros.messages import frame_name, odometry, transform
 
 from .diff_drive import DiffDriveModel
-from .pose import ORIGIN
+from .pose import Pose
 
+JOINTS = ["left_wheel_joint", "right_wheel_joint"]  # as in jetbot.urdf
 PATH_STEP = 0.05    # metres between two poses of the path
 PATH_LENGTH = 1000  # poses; the oldest are dropped
 
@@ -31,14 +32,14 @@ class StatePublisher:
         self._poses = deque(maxlen=PATH_LENGTH)
         self._tf = TransformBroadcaster()
         self._static_tf = StaticTransformBroadcaster()
-        self._static_tf.sendTransform(transform(rospy.Time.now(), "map", frame_name("odom"), ORIGIN))
+        self._static_tf.sendTransform(transform(rospy.Time.now(), "map", frame_name("odom"), Pose()))
 
     def publish(self, model: DiffDriveModel) -> None:
         """Publish the state of the model now; the path, where it has become longer."""
         odom = odometry(rospy.Time.now(), model.pose, *model.velocity)
         if self._odom:
             self._odom.publish(odom)
-        self._joint_states.publish(joint_state(odom.header.stamp, model))
+        self._joint_states.publish(JointState(odom.header, JOINTS, model.wheel_angles, model.wheel_rates, []))
         self._tf.sendTransform(transform(odom.header.stamp, odom.header.frame_id, odom.child_frame_id, model.pose))
         self._extend_path(odom)
 
@@ -51,11 +52,3 @@ class StatePublisher:
     def clear_path(self) -> None:
         """Start a new path with the next pose."""
         self._poses.clear()
-
-
-def joint_state(stamp: rospy.Time, model: DiffDriveModel) -> JointState:
-    """Return the angles and speeds of the wheels, with the names of the joints in jetbot.urdf."""
-    message = JointState(name=["left_wheel_joint", "right_wheel_joint"], position=model.wheel_angles,
-                         velocity=model.wheel_rates)
-    message.header.stamp = stamp
-    return message
