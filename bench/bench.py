@@ -17,7 +17,6 @@ import numpy
 import report
 import wire
 
-STOP = 0.0, 0.0
 ROBOTS_RATE = 10  # commands per second
 
 Add = Callable[[str, str, float], None]  # quantity, case, value
@@ -33,8 +32,8 @@ def measure_wire(add: Add, plan: Plan, implementation: str) -> None:
     """Measure the writes for a command, on average; the first command does not count."""
     for case, speeds in wire.SPEEDS.items():
         commands = wire.replay(implementation, speeds)[1:]
-        add("transfers per command", case, mean(command.transfers for command in commands))
-        add("bits per command", case, mean(command.bits for command in commands))
+        add("transfers per command", case, mean(len(command.writes) for command in commands))
+        add("bits per command", case, mean(sum(command.writes) for command in commands))
 
 
 def measure_node(add: Add, plan: Plan, implementation: str) -> None:
@@ -43,7 +42,7 @@ def measure_node(add: Add, plan: Plan, implementation: str) -> None:
         for rate in plan.rates:
             measure_drive(add, plan, robots, rate, f"{rate} Hz")
         for rate in plan.floods:
-            latencies, *_ = robots.drive([*wire.cruise(int(rate * plan.flood_seconds)), STOP], rate)
+            latencies, *_ = robots.drive([*wire.cruise(int(rate * plan.flood_seconds)), (0, 0)], rate)
             add(f"to obey a stop after a flood of {plan.flood_seconds} s (ms)", f"{rate} Hz", latencies[-1])
         add_cpu(add, "idle", robots.cpu_during(lambda: time.sleep(plan.idle_seconds)))
         reads = node.transfer_rate(plan.idle_seconds) if implementation == "driver" else 0  # the others read nothing
@@ -110,8 +109,7 @@ def arguments() -> argparse.Namespace:
 
 def main() -> int:
     given = arguments()
-    plan = SHORT if given.short else FULL
-    plan = plan._replace(runs=given.runs or plan.runs, clock=given.clock)
+    plan = (SHORT if given.short else FULL)._replace(clock=given.clock, **({"runs": given.runs} if given.runs else {}))
     for number in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
         signal.signal(number, lambda *_: sys.exit(1))
     Path("/proc/self/timerslack_ns").write_text("1")  # the fake bus sleeps for each bit: let it be exact, for all alike

@@ -17,18 +17,20 @@ from jetbot.fake import chip_file
 from jetbot.fake.bus import FakeBus, power_on
 
 Speeds = Tuple[float, float]  # left, right, in [-1, 1]
-
 IMPLEMENTATIONS = "driver", "script", "floor"
 ADDRESS, LED0_ON_L = 0x60, 0x06
 OUTPUTS = slice(LED0_ON_L, 0x46)  # the registers of all outputs
 
 
 class Command(NamedTuple):
-    """What a command leaves in the chip's output registers, and what was written for it."""
+    """What a command leaves in the chip's output registers, and the bits of each of its writes.
+
+    wire_bits: those until the registers first hold the command; later writes change nothing.
+    """
 
     outputs: bytes
-    transfers: int
-    bits: int
+    writes: List[int]
+    wire_bits: int
 
 
 def open_driver(implementation: str, folder: str) -> Callable[[float, float], object]:
@@ -62,38 +64,46 @@ def fake_bus(clock: int = 0) -> Iterator[str]:
 
 
 @contextmanager
-def recorded() -> Iterator[Tuple[List[int], List[int]]]:
-    """Yield two lists that collect the bits of every write and of every read, as the fake bus counts them."""
+def recorded_bus() -> Iterator[Tuple[str, list, list]]:
+    """Yield the folder of a fake bus, and its writes and its reads: the bits, and the chip's outputs after them."""
     writes, reads, transfer = [], [], FakeBus._transfer
+    with fake_bus() as folder:
+        def record(bus, address, wire_bytes, action):
+            result = transfer(bus, address, wire_bytes, action)
+            (writes if result is None else reads).append((2 + 9 * wire_bytes, outputs(folder)))
+            return result
 
-    def record(bus, address, wire_bytes, action):
-        result = transfer(bus, address, wire_bytes, action)
-        (writes if result is None else reads).append(2 + 9 * wire_bytes)
-        return result
+        with patch.object(FakeBus, "_transfer", record):
+            yield folder, writes, reads
 
-    with patch.object(FakeBus, "_transfer", record):
-        yield writes, reads
+
+def outputs(folder: str) -> bytes:
+    """Return the chip's output registers."""
+    return chip_file(folder, ADDRESS).read_bytes()[OUTPUTS]
 
 
 def replay(implementation: str, speeds: Sequence[Speeds]) -> List[Command]:
     """Return what each command does to a chip that was just started; only writes count."""
-    with fake_bus() as folder, recorded() as (writes, _):
+    with recorded_bus() as (folder, writes, _):
         drive, commands = open_driver(implementation, folder), []
         for pair in speeds:
             writes.clear()
             drive(*pair)
-            commands.append(Command(chip_file(folder, ADDRESS).read_bytes()[OUTPUTS], len(writes), sum(writes)))
+            final, states = outputs(folder), [state for _, state in writes]
+            bits = [bits for bits, _ in writes]
+            commands.append(Command(final, bits, sum(bits[:states.index(final) + 1]) if bits else 0))
         return commands
 
 
 def verification() -> List[int]:
     """Return the bits of the reads with which the driver verifies the chip, one per call, until they repeat."""
-    with fake_bus() as folder, recorded() as (_, reads):
+    with recorded_bus() as (folder, _, reads):
         driver = find_board("jetbot").open(f"fake:{folder}")
         reads.clear()
         for _ in range(16):
             driver.verify()
-        return reads[:reads.index(reads[0], 1)]
+        pieces = [bits for bits, _ in reads]
+        return pieces[:pieces.index(pieces[0], 1)]
 
 
 def pace(clock: int, repeat: int = 100) -> Tuple[float, float, float]:

@@ -78,18 +78,31 @@ def test_the_page_names_the_machine_and_what_was_run(figures):
     assert "## node | | | driver |" in text
 
 
-def test_only_writes_count_as_a_commands_bits(monkeypatch):
-    def open_reading_driver(_, folder):
-        bus = FakeBus(folder)
-        return lambda left, right: (bus.read_byte_data(0x60, 0x06), bus.write_byte_data(0x60, 0x06, 1))
-
-    monkeypatch.setattr(wire, "open_driver", open_reading_driver)
+def replay(monkeypatch, drive):
+    monkeypatch.setattr(wire, "open_driver", lambda _, folder: lambda *speeds: drive(FakeBus(folder)))
     (command,) = wire.replay("driver", [(0.5, 0.5)])
-    assert (command.transfers, command.bits) == (1, 29)
+    return command
+
+
+def test_only_writes_count_as_a_commands_bits(monkeypatch):
+    def drive(bus):
+        bus.read_byte_data(0x60, 0x06)
+        bus.write_byte_data(0x60, 0x06, 1)
+
+    assert replay(monkeypatch, drive).writes == [29]
+
+
+def test_the_wire_is_done_with_a_command_when_the_registers_hold_it(monkeypatch):
+    def drive(bus):
+        for register, value in (0x06, 1), (0x07, 1), (0x06, 1):
+            bus.write_byte_data(0x60, register, value)
+
+    command = replay(monkeypatch, drive)
+    assert (sum(command.writes), command.wire_bits) == (3 * 29, 2 * 29)
 
 
 def test_the_fake_bus_takes_as_long_as_a_wire_and_sleeps_meanwhile():
     write, read, cpu = wire.pace(clock=2000, repeat=5)
-    assert 14.5 <= write < 1.2 * 14.5
-    assert 19 <= read < 1.2 * 19
+    assert 14.5 <= write < 2 * 14.5
+    assert 19 <= read < 2 * 19
     assert cpu < 0.1 * write
