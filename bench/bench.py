@@ -1,105 +1,121 @@
 #!/usr/bin/env python3
-"""Measures this driver, the workshop's script on Adafruit's library, and the least that a node can do, side by side."""
+"""Measures this driver, the workshop's script on Adafruit's library, and a bare rospy subscriber, side by side."""
 
 import argparse
 import signal
 import sys
+import time
+from collections import namedtuple
 from functools import partial
+from itertools import product
 from pathlib import Path
-from types import SimpleNamespace
+from statistics import mean
+from typing import Callable, List, Sequence, Tuple
 
 import node
 import numpy
 import report
 import wire
 
-CLOCKS = 100_000, 400_000  # Hz
-STOP = 0.0, 0.0
-ROBOTS_RATE = 10           # commands a second
-# clocks in Hz; rates and floods in commands a second; seconds and the least number of commands at each rate
-FULL = {"runs": 3, "clocks": CLOCKS, "rates": (10, 50, 100, 200), "seconds": 5, "least": 100,
-        "floods": (500, 1000), "flood_seconds": 5, "robots": (1, 10, 30)}
-SHORT = {"runs": 1, "clocks": CLOCKS[:1], "rates": (50,), "seconds": 1, "least": 0,
-         "floods": (500,), "flood_seconds": 0.5, "robots": (3,)}
+ROBOTS_RATE = 10  # commands per second
+
+Add = Callable[[str, str, float], None]  # quantity, case, value
+# rates, floods: commands per second; clock: of the buses, in Hz
+Plan = namedtuple("Plan", "runs rates seconds floods flood_seconds idle_seconds robots clock")
+FULL = Plan(3, (10, 100, 200), 10, (500, 1000), 5, 10, (1, 10, 30), 100_000)
+SHORT = Plan(1, (50,), 1, (500,), 0.5, 2, (3,), 100_000)
+
+progress = partial(print, "bench:", file=sys.stderr, flush=True)
 
 
-def measure_wire(add, plan, contestant):
-    """What crosses the wire for a command, on average."""
+def measure_wire(add: Add, plan: Plan, implementation: str) -> None:
+    """Measure the writes for a command, on average; the first command does not count."""
     for case, speeds in wire.SPEEDS.items():
-        transfers, bits = wire.cost(contestant, speeds)
-        add("transfers", case, transfers)
-        add("bits", case, bits)
-        for clock in CLOCKS:
-            add(f"ms at {clock // 1000} kHz", case, 1000 * bits / clock)
+        commands = wire.replay(implementation, speeds)[1:]
+        add("transfers per command", case, mean(len(command.writes) for command in commands))
+        add("bits per command", case, mean(sum(command.writes) for command in commands))
 
 
-def measure_node(add, plan, contestant, clock):
-    """One robot."""
-    with node.running(contestant, 1, clock) as robots:
+def measure_node(add: Add, plan: Plan, implementation: str) -> None:
+    """Measure one robot."""
+    with node.running(implementation, 1, plan.clock) as robots:
         for rate in plan.rates:
             measure_drive(add, plan, robots, rate, f"{rate} Hz")
         for rate in plan.floods:
-            latencies, _ = robots.drive([*wire.cruise(int(rate * plan.flood_seconds)), STOP], rate)
+            latencies, *_ = robots.drive([*wire.cruise(int(rate * plan.flood_seconds)), (0, 0)], rate)
             add(f"to obey a stop after a flood of {plan.flood_seconds} s (ms)", f"{rate} Hz", latencies[-1])
-        add("memory (MiB)", "node", robots.memory(children=False))
-        add("memory (MiB)", "node and guard", robots.memory(children=True))
+        add_cpu(add, "idle", robots.cpu_during(lambda: time.sleep(plan.idle_seconds)))
+        reads = node.transfer_rate(plan.idle_seconds) if implementation == "driver" else 0  # the others read nothing
+        add("read back to verify the chip (transfers per second)", "idle", reads)
+        add("read back to verify the chip (bits per second)", "idle", reads * mean(wire.verification()))
+        for process, memory in zip(("node", "guard"), robots.memory()):
+            add("memory (MiB)", process, memory)
         add("roslaunch to subscribed (s)", "", robots.startup)
 
 
-def measure_robots(add, plan, contestant, count):
-    """Several robots, commanded one after the other."""
-    with node.running(contestant, count, CLOCKS[0]) as robots:
+def measure_robots(add: Add, plan: Plan, implementation: str, count: int) -> None:
+    """Measure several robots, commanded one after the other."""
+    with node.running(implementation, count, plan.clock) as robots:
         measure_drive(add, plan, robots, ROBOTS_RATE, f"robots: {count}")
         add("roslaunch to all subscribed (s)", f"robots: {count}", robots.startup)
 
 
-def measure_drive(add, plan, robots, rate, case):
-    latencies, cpu = robots.drive(wire.cruise(max(int(rate * plan.seconds), plan.least)), rate)
-    for percent in 50, 99:
-        add(f"publish to last bit, p{percent} (ms)", case, numpy.percentile(latencies, percent))
-    add("CPU, each (% of a core)", case, cpu)
+def measure_drive(add: Add, plan: Plan, robots: node.Robots, rate: int, case: str) -> None:
+    """Measure latency and CPU at ``rate`` commands per second for each robot."""
+    latencies, software, cpu = robots.drive(wire.cruise(int(rate * plan.seconds)), rate)
+    for quantity, values in ("publish to last bit", latencies), ("software's share", software):
+        for percent in 50, 99:
+            add(f"{quantity}, p{percent} (ms)", case, numpy.percentile(values, percent))
+    add_cpu(add, case, cpu)
 
 
-def measure(plan):
-    """The report.Figures, and what failed; contestants take turns, so that what else runs here meets all alike."""
-    jobs = [*((report.NODE.format(clock // 1000), partial(measure_node, clock=clock)) for clock in plan.clocks),
-            *((report.ROBOTS, partial(measure_robots, count=count)) for count in plan.robots)]
-    jobs = [(report.WIRE, measure_wire), *plan.runs * jobs]
+def add_cpu(add: Add, case: str, cpu: Sequence[float]) -> None:
+    """Add what ``Robots.cpu_during`` returned."""
+    add("CPU, node and guard (% of a core)", case, sum(cpu))
+    add("CPU, guard alone (% of a core)", case, cpu[1])
+
+
+def measure(plan: Plan, implementations: Sequence[str]) -> Tuple[report.Figures, List[node.Failure]]:
+    """Return the figures and what failed; the implementations take turns, so that other load affects all alike."""
+    robots = [(report.ROBOTS, partial(measure_robots, count=count)) for count in plan.robots]
+    jobs = [(report.WIRE, measure_wire), *plan.runs * [(report.NODE, measure_node), *robots]]
     figures, failures = report.Figures(), []
     with node.master():
-        for number, (section, job) in enumerate(jobs, 1):
-            for contestant in wire.CONTESTANTS:
-                progress(f"{number} of {len(jobs)}: {section}: {contestant}")
-                try:
-                    job(partial(figures.add, section, contestant), plan, contestant)
-                except node.Failure as failure:
-                    progress(f"left out: {failure}")
-                    failures.append(failure)
+        for (number, (section, job)), name in product(enumerate(jobs, 1), implementations):
+            progress(f"{number} of {len(jobs)}: {section}: {name}")
+            try:
+                job(partial(figures.add, section, name), plan, name)
+            except node.Failure as failure:
+                progress(f"left out: {failure}")
+                failures.append(failure)
     return figures, failures
 
 
-def progress(text):
-    print(f"bench: {text}", file=sys.stderr, flush=True)
+def implementations(names: str) -> List[str]:
+    """Return the implementations in a comma-separated list; raise ValueError for an unknown one."""
+    return sorted(names.split(","), key=wire.IMPLEMENTATIONS.index)
 
 
-def arguments():
+def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bench/run", description=f"{__doc__} Writes results.md and results.png.")
-    parser.add_argument("--runs", type=int, help="the results are the medians of so many; 3 unless --short")
-    parser.add_argument("--short", action="store_true", help="less of everything, to see that it works: a minute")
+    parser.add_argument("--runs", type=int, help="the results are the medians of so many runs; 3 unless --short")
+    parser.add_argument("--short", action="store_true", help="measure less, to check that it works: a minute")
+    parser.add_argument("--only", type=implementations, default=wire.IMPLEMENTATIONS, metavar="NAME,...",
+                        help=f"some of {','.join(wire.IMPLEMENTATIONS)}; driver,floor take four minutes per run")
+    parser.add_argument("--clock", type=int, default=FULL.clock, help="of the buses, in Hz; 100000")
     parser.add_argument("--output", type=Path, default=Path(__file__).parent, help="the folder for the results")
     return parser.parse_args()
 
 
-def main():
+def main() -> int:
     given = arguments()
-    plan = SimpleNamespace(**(SHORT if given.short else FULL))
-    plan.runs = given.runs or plan.runs
-    for ending in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
-        signal.signal(ending, lambda *_: sys.exit(1))
+    plan = (SHORT if given.short else FULL)._replace(clock=given.clock, **({"runs": given.runs} if given.runs else {}))
+    for number in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
+        signal.signal(number, lambda *_: sys.exit(1))
     Path("/proc/self/timerslack_ns").write_text("1")  # the fake bus sleeps for each bit: let it be exact, for all alike
-    figures, failures = measure(plan)
+    figures, failures = measure(plan, given.only)
     given.output.mkdir(parents=True, exist_ok=True)
-    page = report.text(figures, failures, plan.runs, wire.cost_of_check(), wire.pace())
+    page = report.text(figures, failures, plan, wire.verification(), wire.pace(plan.clock))
     (given.output / "results.md").write_text(page)
     report.draw(figures, given.output / "results.png")
     progress(f"wrote {given.output}/results.md and results.png")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The least that a node of rospy can do: take the newest command, and write it as one block of six bytes."""
+"""A bare rospy subscriber: takes the newest command and writes one block of six bytes."""
 
 import struct
 
@@ -8,15 +8,15 @@ from geometry_msgs.msg import Twist
 
 from jetbot.fake.bus import FakeBus
 
-ADDRESS, MODE1, AUTO_INCREMENT, FIRST_OUTPUT = 0x60, 0x00, 0x20, 0x06
+ADDRESS, MODE1, MODE1_AI, LED0_ON_L = 0x60, 0x00, 0x20, 0x06
 
 
 def open_driver(folder):
-    """A function of the speeds (left, right), in [-1, 1], that leaves them in the chip on the fake bus in a folder."""
+    """Return the function that writes the speeds left, right to the chip; see wire.open_driver."""
     bus = FakeBus(folder)
-    bus.write_byte_data(ADDRESS, MODE1, AUTO_INCREMENT)
+    bus.write_byte_data(ADDRESS, MODE1, MODE1_AI)
     return lambda left, right: bus.write_i2c_block_data(
-        ADDRESS, FIRST_OUTPUT, struct.pack("<3h", int(4096 * left), int(4096 * right), 0))
+        ADDRESS, LED0_ON_L, struct.pack("<3h", int(4096 * left), int(4096 * right), 0))
 
 
 if __name__ == "__main__":

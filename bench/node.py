@@ -1,7 +1,5 @@
-"""Whole nodes under a master of their own: how soon a command is in the chip, and what the node costs."""
+"""Nodes under a master of their own: how soon the chips hold a command, and what the nodes take of the computer."""
 
-import contextlib
-import mmap
 import os
 import signal
 import socket
@@ -10,199 +8,169 @@ import sys
 import tempfile
 import threading
 import time
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import Callable, Iterator, Sequence, Tuple
 
+import numpy
 import psutil
 import rosgraph
 import rospy
 import wire
-from geometry_msgs.msg import Twist
+from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import Twist, Vector3
 
-from jetbot.fake.bus import chip_file, power_on
+from jetbot.fake import chip_file
+from jetbot.wait import wait_until
 
-SCRIPT = '<node name="jetbot_controller" pkg="jetbot_bench" type="{}"><param name="folder" value="{{}}"/></node>'
-LAUNCH = {  # contestant: what starts it, in a launch file, on the fake bus in a folder
-    wire.OURS: '<include file="$(find jetbot_control_node)/launch/jetbot_controller.launch">'
-               '<arg name="i2c_bus" value="fake:{}"/></include>',
-    wire.BASELINE: SCRIPT.format("baseline.py"),
-    wire.FLOOR: SCRIPT.format("floor.py"),
-}
-OUTPUTS = slice(0x06, 0x46)      # the chip's registers that tell which command it holds
-LOOK = 0.0002                    # seconds between two looks at them
-START, END, OBEY = 60, 60, 900   # seconds that nodes may take to listen, to end, to obey the last command
+# In a launch file: what starts an implementation on the fake bus in a folder.
+DRIVER = ('<include file="$(find jetbot_control_node)/launch/jetbot_controller.launch">'
+          '<arg name="i2c_bus" value="fake:{folder}"/></include>')
+OTHER = ('<node name="jetbot_controller" pkg="jetbot_bench" type="{name}.py">'
+         '<param name="folder" value="{folder}"/></node>')
+POLL_INTERVAL, START_TIMEOUT, SHUTDOWN_TIMEOUT, OBEY_TIMEOUT = 0.0002, 60, 60, 300  # s
+QUIET = 3.0  # % of a core that a node and its guard take at most when they have started
 
 
-@contextlib.contextmanager
-def started(*command, **options):
-    """A process that ends with the block, politely or by force, with all of its group."""
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
-                               **options)
+class Failure(Exception):
+    """An implementation did not do what was to be measured."""
+
+
+def require(condition: Callable[[], object], timeout: float, problem: str) -> None:
+    """Wait until the condition is true; raise Failure after ``timeout`` seconds."""
+    if not wait_until(condition, timeout, 0.002):
+        raise Failure(problem)
+
+
+@contextmanager
+def started(*command) -> Iterator[subprocess.Popen]:
+    """Start a process; at the end of the block, interrupt it, and kill its group if it does not end."""
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
     try:
         yield process
     finally:
         process.send_signal(signal.SIGINT)
-        try:
-            process.wait(END)
-        except subprocess.TimeoutExpired:
+        if not wait_until(lambda: process.poll() is not None, SHUTDOWN_TIMEOUT):
             os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
+        process.wait()
 
 
-@contextlib.contextmanager
-def master():
-    """A ROS master, and this program as a node of it, with logs and settings apart from the user's."""
+@contextmanager
+def master() -> Iterator[None]:
+    """Start a ROS master with this program as a node; logs and settings are apart from the user's.
+
+    What is started from now on uses this Python, which has Adafruit's library, and has the nodes in this folder.
+    """
     with socket.socket() as free:
         free.bind(("localhost", 0))
         port = str(free.getsockname()[1])
     with tempfile.TemporaryDirectory(prefix="jetbot_") as home:
-        os.environ.update(ROS_MASTER_URI=f"http://localhost:{port}", ROS_HOME=home)
+        os.environ.update(ROS_MASTER_URI=f"http://localhost:{port}", ROS_HOME=home,
+                          PATH=f"{Path(sys.executable).parent}:{os.environ['PATH']}",
+                          ROS_PACKAGE_PATH=f"{os.environ['ROS_PACKAGE_PATH']}:{Path(__file__).resolve().parent}")
         with started("roscore", "-p", port):
-            wait_for(rosgraph.is_master_online, START, "the ROS master did not start")
+            require(rosgraph.is_master_online, START_TIMEOUT, "the ROS master did not start")
             rospy.init_node("bench", disable_signals=True)
             yield
 
 
-class Failure(Exception):
-    """A contestant did not do what was to be measured."""
-
-
-def wait_for(condition, within, complaint):
-    """Wait until the condition is true; Failure after so many seconds."""
-    deadline = time.monotonic() + within
-    while not condition():
-        if time.monotonic() > deadline:
-            raise Failure(complaint)
-        time.sleep(0.002)
-
-
-class Watch(threading.Thread):
-    """Looks at the chips from outside, and notes when each first holds what a command that was sent makes of it.
-
-    states: the registers after each command; sent, seen: seconds, by robot and command.
-    """
-
-    def __init__(self, chips, states):
-        super().__init__(daemon=True)
-        self._chips = chips
-        self._commands = {state: command for command, state in enumerate(states)}
-        self.over = False
-        self.sent, self.seen = {}, {}
-
-    def run(self):
-        while not self.over:
-            for robot, chip in enumerate(self._chips):
-                key = robot, self._commands.get(chip[OUTPUTS])
-                if key in self.sent and key not in self.seen:
-                    self.seen[key] = time.perf_counter()
-            time.sleep(LOOK)
-
-    def latencies(self):
-        """Milliseconds, a command; without those that newer ones overtook."""
-        return [1000 * (self.seen[key] - sent) for key, sent in self.sent.items() if key in self.seen]
-
-
 class Robots:
-    """Nodes of one contestant, each with a namespace and a fake bus of its own, started by one roslaunch.
+    """Nodes of one implementation, each on its own fake bus of ``clock`` Hz; startup: s until all had subscribed."""
 
-    startup: seconds from roslaunch until all listened.
-    """
+    def __init__(self, implementation: str, clock: int, buses: Sequence[Path], roslaunch: int):
+        start = time.perf_counter()
+        self._implementation, self._clock = implementation, clock
+        self._chips = [numpy.memmap(chip_file(bus, wire.ADDRESS), mode="r") for bus in buses]
+        self.publishers = [rospy.Publisher(f"/{bus.name}/cmd_vel", Twist, queue_size=10) for bus in buses]
+        require(lambda: all(publisher.get_num_connections() for publisher in self.publishers), START_TIMEOUT,
+                f"{implementation} did not start within {START_TIMEOUT} s")
+        self.startup = time.perf_counter() - start
+        self._nodes = psutil.Process(roslaunch).children()
+        self._guards = [guard for node in self._nodes for guard in node.children()]
+        require(lambda: sum(self.cpu_during(lambda: time.sleep(0.5))) < QUIET, START_TIMEOUT,
+                f"{implementation} is never idle")
 
-    def __init__(self, contestant, buses, publishers, roslaunch, startup):
-        self._contestant, self._publishers, self.startup = contestant, publishers, startup
-        self._chips = [map_chip(bus) for bus in buses]
-        self._nodes = psutil.Process(roslaunch.pid).children()
+    def drive(self, speeds: Sequence[wire.Speeds], rate: float) -> Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
+        """Send each robot ``rate`` commands per second, one robot after the other; wait until the last is obeyed.
 
-    def drive(self, speeds, rate):
-        """Command each robot ``rate`` times a second, one robot after the other, and wait until the last is obeyed.
-
-        Returns the latencies in ms, that of the last command last, and the CPU share of a node in percent.
+        Returns the ms from publish to last bit, the same less the wire time of the command's own writes, and what
+        ``cpu_during`` returns. The first command does not count: what it changes depends on the one before.
         """
-        watch = Watch(self._chips, states(self._contestant, speeds))
-        watch.start()
-        cpu, start = self._cpu(), time.perf_counter()
-        self._send(speeds, rate, watch.sent)
-        self._wait_until(lambda: all((robot, len(speeds) - 1) in watch.seen for robot in range(len(self._chips))))
-        share = (self._cpu() - cpu) / (time.perf_counter() - start) / len(self._chips)
-        watch.over = True
-        watch.join()
-        return watch.latencies(), 100 * share
+        commands = wire.replay(self._implementation, speeds)
+        sent, seen, over = {}, {}, threading.Event()  # sent, seen: times in s by (robot, number of the command)
+        threading.Thread(target=self._watch, args=(commands, sent, seen, over)).start()
+        try:
+            cpu = self.cpu_during(lambda: self._send(speeds, rate, sent, seen))
+        finally:
+            over.set()
+        keys = [key for key in list(seen) if key[1]]
+        latencies = numpy.array([1000 * (seen[key] - sent[key]) for key in keys])
+        return latencies, latencies - [1000 * commands[number].wire_bits / self._clock for _, number in keys], cpu
 
-    def _send(self, speeds, rate, sent):
-        start = time.perf_counter()
-        for turn in range(len(speeds) * len(self._chips)):
-            command, robot = divmod(turn, len(self._chips))
-            time.sleep(max(0, start + turn / rate / len(self._chips) - time.perf_counter()))
-            sent[robot, command] = time.perf_counter()
-            self._publishers[robot].publish(twist(*speeds[command]))
+    def _watch(self, commands, sent, seen, over):
+        """Poll the chips; record when each first holds a command."""
+        numbers = {command.outputs: number for number, command in enumerate(commands)}
+        while not over.wait(POLL_INTERVAL):
+            for robot, chip in enumerate(self._chips):
+                key = robot, numbers.get(chip[wire.OUTPUTS].tobytes())
+                if key in sent and key not in seen:
+                    seen[key] = time.perf_counter()
 
-    def _wait_until(self, obeyed):
-        wait_for(lambda: obeyed() or not self._all_run(), OBEY, f"{self._contestant} does not obey the last command")
-        if not self._all_run():
-            raise Failure(f"{self._contestant} has died")
+    def _send(self, speeds, rate, sent, seen):
+        start, robots = time.perf_counter(), len(self._chips)
+        for turn in range(len(speeds) * robots):
+            number, robot = divmod(turn, robots)
+            left, right = speeds[number]  # left = x - z, right = x + z
+            time.sleep(max(0, start + turn / rate / robots - time.perf_counter()))
+            sent[robot, number] = time.perf_counter()
+            self.publishers[robot].publish(Vector3((left + right) / 2, 0, 0), Vector3(0, 0, (right - left) / 2))
+        last = {(robot, len(speeds) - 1) for robot in range(robots)}
+        require(lambda: last <= seen.keys(), OBEY_TIMEOUT, f"{self._implementation} does not obey the last command")
 
-    def memory(self, children):
-        """MiB (RSS) of a node; children: with the processes that it started."""
-        return sum(process.memory_info().rss for process in self._processes(children)) / 2**20 / len(self._nodes)
+    def cpu_during(self, action: Callable[[], object]) -> numpy.ndarray:
+        """Return the CPU, in % of a core, that a node and that its guard use while the action runs."""
+        before, start = self._each(cpu_time), time.perf_counter()
+        action()
+        return 100 * (self._each(cpu_time) - before) / (time.perf_counter() - start)
 
-    def _all_run(self):
-        return all(node.is_running() for node in self._nodes)
+    def memory(self) -> numpy.ndarray:
+        """Return the resident memory in MiB of a node and of its guard."""
+        return self._each(lambda process: process.memory_info().rss / 2**20)
 
-    def _cpu(self):
-        return sum(sum(process.cpu_times()[:2]) for process in self._processes(children=True))  # user, system
-
-    def _processes(self, children):
-        return [process for node in self._nodes for process in (node, *(node.children() if children else ()))]
-
-
-def map_chip(bus):
-    with chip_file(bus, 0x60).open("rb") as file:
-        return mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-
-
-def twist(left, right):
-    """The command that makes left = x - z and right = x + z."""
-    message = Twist()
-    message.linear.x, message.angular.z = (left + right) / 2, (right - left) / 2
-    return message
+    def _each(self, quantity):
+        return numpy.array([sum(map(quantity, group)) / len(self._nodes) for group in (self._nodes, self._guards)])
 
 
-def states(contestant, speeds):
-    """What the chip's outputs hold after each of these commands, by the contestant's own driver."""
-    with wire.fake_bus() as folder:
-        drive = wire.DRIVERS[contestant](folder)
-        result = []
-        for message in (twist(*pair) for pair in speeds):
-            drive(message.linear.x - message.angular.z, message.linear.x + message.angular.z)
-            result.append(chip_file(folder, 0x60).read_bytes()[OUTPUTS])
-        return result
+def cpu_time(process: psutil.Process) -> float:
+    """Return the CPU time in s of all threads of a process, by its own clock: clock_getcpuclockid(3) on Linux."""
+    return time.clock_gettime(~process.pid << 3 | 2)
 
 
-@contextlib.contextmanager
-def running(contestant, count, clock):
-    """This many Robots, on fake buses of ``clock`` Hz; they end with the block."""
-    with tempfile.TemporaryDirectory(prefix="jetbot_") as folder, contextlib.ExitStack() as ending:
-        buses = [Path(folder, f"r{robot}") for robot in range(count)]
-        publishers = [rospy.Publisher(f"/{bus.name}/cmd_vel", Twist, queue_size=10) for bus in buses]
-        for bus, publisher in zip(buses, publishers):
-            power_on(bus)
-            (bus / "clock").write_text(str(clock))
-            ending.callback(publisher.unregister)
-        file = Path(folder, "robots.launch")
-        file.write_text(launch_file(contestant, buses))
-        start = time.perf_counter()
-        roslaunch = ending.enter_context(started("roslaunch", file, env=environment()))
-        wait_for(lambda: all(publisher.get_num_connections() for publisher in publishers), START,
-                 f"{contestant} did not start within {START} s")
-        yield Robots(contestant, buses, publishers, roslaunch, time.perf_counter() - start)
+def transfer_rate(seconds: float) -> float:
+    """Return the bus transfers per second that the driver reports in /diagnostics."""
+    def count():
+        message = rospy.wait_for_message("/diagnostics", DiagnosticArray, START_TIMEOUT)
+        values = {pair.key: pair.value for status in message.status for pair in status.values}
+        return numpy.array([message.header.stamp.to_sec(), int(values["transfers"])])
+
+    start = count()
+    time.sleep(seconds)
+    elapsed, transfers = count() - start
+    return transfers / elapsed
 
 
-def launch_file(contestant, buses):
-    """XML that starts a robot a bus, in the namespace that the bus is called."""
-    robots = (f'<group ns="{bus.name}">{LAUNCH[contestant].format(bus)}</group>' for bus in buses)
-    return f"<launch>{''.join(robots)}</launch>"
+@contextmanager
+def running(implementation: str, count: int, clock: int) -> Iterator[Robots]:
+    """Start this many robots, in namespaces and on fake buses of their own; they end with the block."""
+    with ExitStack() as stack:
+        buses = [Path(stack.enter_context(wire.fake_bus(clock))) for _ in range(count)]
+        robot = DRIVER if implementation == "driver" else OTHER
+        groups = (f'<group ns="{bus.name}">{robot.format(name=implementation, folder=bus)}</group>' for bus in buses)
+        file = Path(os.environ["ROS_HOME"], "robots.launch")
+        file.write_text(f"<launch>{''.join(groups)}</launch>")
+        roslaunch = stack.enter_context(started("roslaunch", file))
+        robots = Robots(implementation, clock, buses, roslaunch.pid)
+        yield robots
+        for publisher in robots.publishers:
+            publisher.unregister()
 
-
-def environment():
-    """With this Python, which has Adafruit's library, and with the nodes in this folder."""
-    return {**os.environ, "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
-            "ROS_PACKAGE_PATH": f"{os.environ['ROS_PACKAGE_PATH']}:{Path(__file__).resolve().parent}"}

@@ -1,4 +1,4 @@
-"""What was measured, as tables and as a picture."""
+"""The measured figures as tables and as a picture."""
 
 import math
 import os
@@ -7,108 +7,103 @@ import re
 import subprocess
 from pathlib import Path
 from statistics import median
+from typing import Dict, Sequence, Tuple
 
-WIRE = "On the wire, for a command on average"
-NODE = "A node on a bus of {} kHz"
-ROBOTS = "Robots under one master, 10 commands a second each, buses of 100 kHz"
-COLORS = {"this driver": "tab:blue", "workshop's script": "tab:orange", "floor": "tab:gray"}  # by contestant
+WIRE = "What is written, on average"
+NODE = "One robot"
+ROBOTS = "Robots under one master, 10 commands per second each"
+COLORS = {"driver": "tab:blue", "script": "tab:orange", "floor": "tab:gray"}  # by implementation
+RATIOS = ("script", "driver"), ("driver", "floor")
+PANELS = (  # of the picture: section, the beginning of the quantity, scale
+    (WIRE, "bits", "linear"), (NODE, "to obey a stop", "log"), (NODE, "CPU, node", "linear"),
+    (NODE, "publish to last bit, p50", "log"), (NODE, "publish to last bit, p99", "log"),
+    (NODE, "software's share, p99", "log"))
 
 PAGE = """# How fast it is
 
-Measured by `bench/run` on {machine}; medians of {runs} run(s).
+Measured by `bench/run` on {machine}; medians of {runs} run(s); buses of {khz:g} kHz.
 
-- **this driver**: `jetbot_controller.launch` as it comes.
-- **workshop's script**: the script of the workshop on Adafruit_MotorHAT, called as the JetBot library calls it
-  (`baseline.py`).
-- **floor**: the least that a node of rospy can do: take the newest command, write one block of six bytes (`floor.py`).
-  It drives no robot, so it can need more bits: it writes each command, also one that changes nothing.
+- **driver**: `jetbot_controller.launch` with its defaults.
+- **script**: the workshop's script on Adafruit_MotorHAT, called as the JetBot library calls it (`script.py`).
+- **floor**: a bare rospy subscriber that writes one block of six bytes for every command (`floor.py`).
 
-All get the same commands, on the same fake chip. A transfer is a start, a stop, and nine bits a byte, those of address
-and register included. "Last bit" is when the chip's registers, looked at from outside, first hold all of a command;
-commands that newer ones overtook do not count. On this fake bus, a transfer of 29 bits took {pace:.2f} ms, on a wire of
-100 kHz it takes 0.29 ms. Besides, two to four times a second, this driver checks that the chip still holds what it was
-told: {check[0]} transfers, {check[1]} bits.
+All get the same commands on the same fake chip. A transfer is a start, a stop and nine bits per byte, address and
+register included; a command's bits are those of its writes. *Publish to last bit*: until the chip's registers, polled
+from outside, hold all of a command; commands that newer ones overtook do not count. *Software's share*: that time less
+the wire time of the command's own writes. *p50*: half of all commands took less; *p99*: 99 of 100 did. *Idle*: the
+robot is stopped and nobody publishes.
 
-p50: half of all commands took less; p99: 99 of 100 did.
+On the fake bus, a write of 29 bits took {pace[0]:.2f} ms (on a wire {wire[0]:.2f}) and a read of 38 bits took
+{pace[1]:.2f} ms (on a wire {wire[1]:.2f}); {pace[2]:.3f} ms of it were CPU time. To verify the chip, the driver reads
+it back in {count} transfers of {pieces} bits, one at a time.
 """
 
 
 class Figures(dict):
-    """section: {(quantity, case): {contestant: [a value a run]}}."""
+    """section: {(quantity, case): {implementation: [one value per run]}}."""
 
-    def add(self, section, contestant, quantity, case, value):
-        self.setdefault(section, {}).setdefault((quantity, case), {}).setdefault(contestant, []).append(value)
+    def add(self, section: str, implementation: str, quantity: str, case: str, value: float) -> None:
+        """Add the value of one run."""
+        self.setdefault(section, {}).setdefault((quantity, case), {}).setdefault(implementation, []).append(value)
 
-    def medians(self, section):
-        """(quantity, case): {contestant: median}, by quantity."""
+    def medians(self, section: str) -> Dict[Tuple[str, str], Dict[str, float]]:
+        """Return (quantity, case): {implementation: median}, grouped by quantity."""
         rows = self[section]
         quantities = list(dict.fromkeys(quantity for quantity, _ in rows))
         return {row: {name: median(values) for name, values in rows[row].items()}
                 for row in sorted(rows, key=lambda row: quantities.index(row[0]))}
 
 
-def text(figures, failures, runs, check, pace):
-    """The Markdown of results.md. failures: what is missing; check, pace: by wire.cost_of_check and wire.pace."""
-    sections = [f"\n## {section}\n\n{table(figures.medians(section))}" for section in figures]
+def text(figures: Figures, failures: Sequence, plan, pieces: Sequence[int], pace: Sequence[float]) -> str:
+    """Return the Markdown of results.md. pieces: by wire.verification; pace: by wire.pace."""
+    page = PAGE.format(machine=machine(), runs=plan.runs, khz=plan.clock / 1000, pace=pace, count=len(pieces),
+                       wire=[1000 * bits / plan.clock for bits in (29, 38)], pieces=", ".join(map(str, pieces)))
     missing = [f"\nLeft out of one run: {failure}.\n" for failure in failures]
-    return PAGE.format(machine=machine(), runs=runs, check=check, pace=pace) + "".join(missing + sections)
+    return "".join([page, *missing, *(f"\n## {name}\n\n{table(figures.medians(name))}" for name in figures)])
 
 
-def table(medians):
-    """A Markdown table: a column a contestant, and how many times as much the script, and this driver, take."""
-    lines = [["", "", *COLORS, "script : driver", "driver : floor"], ["---", "---", *["---:"] * 5]]
+def table(medians: Dict[Tuple[str, str], Dict[str, float]]) -> str:
+    """Return a Markdown table: a column per implementation and per ratio of two of them."""
+    names = [name for name in COLORS if any(name in values for values in medians.values())]
+    ratios = [pair for pair in RATIOS if set(pair) <= set(names)]
+    lines = [["", "", *names, *map(" : ".join, ratios)], ["---", "---", *["---:"] * len([*names, *ratios])]]
     for (quantity, case), values in medians.items():
-        ours, baseline, floor = (values.get(name, math.nan) for name in COLORS)
-        lines.append([quantity, case, *map(number, (ours, baseline, floor)), ratio(baseline, ours), ratio(ours, floor)])
+        row = {name: values.get(name, math.nan) for name in names}
+        lines.append([quantity, case, *map(number, row.values()), *(ratio(row[a], row[b]) for a, b in ratios)])
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
-def number(value):
-    """Three digits, and no exponent."""
+def number(value: float) -> str:
+    """Return three digits without an exponent."""
     return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
 
 
-def ratio(value, other):
+def ratio(value: float, other: float) -> str:
+    """Return how many times the other the value is; nothing where the other is 0."""
     return number(value / other) if other else ""
 
 
-def machine():
-    """The computer and its software, in a line."""
+def machine() -> str:
+    """Return the computer and its software in one line."""
     model = re.search(r"^(?:model name|Model)\s*: (.+)", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
     ros = subprocess.run(["rosversion", "rospy"], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
     return (f"{model[1] if model else platform.machine()}, {os.cpu_count()} cores, Linux {platform.release()}, "
             f"Python {platform.python_version()}, rospy {ros}")
 
 
-def draw(figures, file):
-    """Four groups of bars, in a PNG file."""
+def draw(figures: Figures, file: Path) -> None:
+    """Draw the panels into a PNG file: a group of bars per case, a bar per implementation."""
     from matplotlib.figure import Figure  # here, since the tables do without it
-    figure = Figure(figsize=(11, 7.5), constrained_layout=True)
-    (wire, stop), (latency, cpu) = figure.subplots(2, 2)
-    one = figures.medians(NODE.format(100))
-    bars(wire, figures.medians(WIRE), "bits")
-    bars(stop, one, "to obey a stop")
-    bars(latency, one, "publish to last bit, p99", alpha=0.3)
-    bars(latency, one, "publish to last bit, p50")
-    bars(cpu, one, "CPU")
-    wire.legend(frameon=False)
-    wire.set_title("bits on the wire for a command")
-    latency.set_title("publish to last bit, p50 and (pale) p99 (ms)")
-    for axes in stop, latency:
-        axes.set_yscale("log")
-        axes.set_ylabel("each line is ten times the one below")
-        axes.set_ylim(bottom=0.5)
+    figure = Figure(figsize=(14, 7.5), constrained_layout=True)
+    for axes, (section, quantity, scale) in zip(figure.subplots(2, 3).flat, PANELS):
+        rows = {row: values for row, values in figures.medians(section).items() if row[0].startswith(quantity)}
+        for place, (name, color) in enumerate(COLORS.items()):
+            heights = [values.get(name, math.nan) for values in rows.values()]
+            bars = axes.bar([group + 0.27 * (place - 1) for group in range(len(rows))], heights, 0.25, color=color,
+                            label=name)
+            axes.bar_label(bars, map(number, heights), fontsize=8)
+        axes.set(title=list(rows)[0][0], yscale=scale)
+        axes.set_ylim(0.1 if scale == "log" else 0, 1.3 * axes.get_ylim()[1])
+        axes.set_xticks(range(len(rows)), [case for _, case in rows])
+    figure.axes[0].legend(frameon=False)
     figure.savefig(file, dpi=90)
-
-
-def bars(axes, medians, quantity, **style):
-    """A group of bars a case, a bar a contestant."""
-    rows = [row for row in medians if row[0].startswith(quantity)]
-    for place, (name, color) in enumerate(COLORS.items()):
-        heights = [medians[row].get(name, math.nan) for row in rows]
-        drawn = axes.bar([group + 0.27 * (place - 1) for group in range(len(rows))], heights, 0.25,
-                         color=color, label=name, **style)
-        axes.bar_label(drawn, map(number, heights), fontsize=8)
-    axes.set_title(rows[0][0])
-    axes.set_xticks(range(len(rows)), [case for _, case in rows])
-    axes.spines[["top", "right"]].set_visible(False)

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """The workshop's script, with Adafruit's library called as the JetBot library calls it, on the fake bus."""
 
+from types import SimpleNamespace
+
 import rospy
 from Adafruit_GPIO.I2C import Device
 from Adafruit_MotorHAT import Adafruit_MotorHAT
@@ -9,18 +11,8 @@ from geometry_msgs.msg import Twist
 from jetbot.fake.bus import FakeBus
 
 
-class FakeI2C:
-    """What Adafruit_MotorHAT takes as ``i2c``: makes Adafruit's own devices, on the fake bus."""
-
-    def __init__(self, folder):
-        self._folder = folder
-
-    def get_i2c_device(self, address):
-        return Device(address, 0, lambda _: FakeBus(self._folder))
-
-
 class Motor:
-    """A wheel, told at each change of its speed, on Adafruit's motor and on Waveshare's two outputs."""
+    """A motor of the JetBot library: on Adafruit's driver and on Waveshare's two outputs, written when it changes."""
 
     def __init__(self, hat, number, forward, backward):
         self._hat, self._motor, self._outputs = hat, hat.getMotor(number), (forward, backward)
@@ -38,8 +30,9 @@ class Motor:
 
 
 def open_driver(folder):
-    """A function of the speeds (left, right), in [-1, 1], that drives the robot on the fake bus in a folder."""
-    hat = Adafruit_MotorHAT(i2c=FakeI2C(folder))
+    """Return the function that drives the robot on the fake bus in a folder; see wire.open_driver."""
+    fake_i2c = SimpleNamespace(get_i2c_device=lambda address: Device(address, 0, lambda _: FakeBus(folder)))
+    hat = Adafruit_MotorHAT(i2c=fake_i2c)
     motors = Motor(hat, 1, forward=1, backward=0), Motor(hat, 2, forward=2, backward=3)
     return lambda *speeds: [motor.drive(speed) for motor, speed in zip(motors, speeds)]
 
