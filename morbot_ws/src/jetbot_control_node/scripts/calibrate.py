@@ -1,109 +1,107 @@
 #!/usr/bin/env python3
-"""Asks at the terminal how a robot is wired and how straight it drives, and writes that down for the controller.
+"""Asks at the terminal how a robot is wired and how straight it drives, and writes the answers for the controller.
 
-Every motion is announced and short, and any key ends it.
+Every motion is announced and short, and any key stops it.
 """
 
 import argparse
+import contextlib
+import itertools
 import os
 import shlex
 import sys
 from pathlib import Path
 
 from jetbot import JetbotError
-from jetbot.boards import BOARDS, PORT, find_board
+from jetbot.boards import BOARDS, find_board
 from jetbot.host import model, robot_bus
-from jetbot.i2c import bus_name, fake_folder
-from jetbot_ros.parameters import default_file
+from jetbot_ros.parameters import PARAMETERS, default_file
 from jetbot_tools.calibration import as_yaml
-from jetbot_tools.doctor import LAUNCH, check_address, check_device, check_serial
-from jetbot_tools.terminal import as_options, pause
+from jetbot_tools.options import add_options, as_options, is_fake
+from jetbot_tools.probe import LAUNCH, check_board, check_users
 from jetbot_tools.wizard import WIZARDS, Wizard
 
 
-def boards_there(bus, port):
-    """The boards that may be there; those of one address cannot be told apart before a wheel turns."""
-    candidates = [board for board, row in BOARDS.items() if row.address and board != "jetbot"]  # which is two of them
-    checks = {board: check_address(bus, BOARDS[board].address) for board in candidates}
-    if not any(check.ok for check in checks.values()):
-        checks["jetbot_pro"] = check_serial(port)
-    found = [board for board, check in checks.items() if check.ok]
-    if not found:
-        print(*dict.fromkeys(map(str, checks.values())), sep="\n")
-        raise JetbotError("no motor board found", "If you know which one it is, name it with --board.")
-    return found
+def find_boards(i2c_bus, port):
+    """Return the boards that answer on the bus, else on the port; those at one address cannot be told apart yet."""
+    failures = []
+    places = {board: row.place(i2c_bus, port) for board, row in BOARDS.items() if board != "jetbot"}  # which is two
+    for place in dict.fromkeys(places.values()):
+        checks = {board: check_board(board, place) for board in places if places[board] == place}
+        found = [board for board, check in checks.items() if check.ok]
+        if found:
+            return found
+        failures += checks.values()
+    print(*dict.fromkeys(map(str, failures)), sep="\n")
+    raise JetbotError("no motor board found", "If you know which one it is, name it with --board.")
 
 
-def calibrate(boards, bus, port):
-    """Go through all steps; the parameters that they have settled."""
-    pause("Put the robot on a box, so that its wheels turn freely. Enter goes on, Ctrl-C ends at any time.")
+def calibrate(boards, **link):
+    """Try the boards until a wheel turns; return the parameters of that robot."""
+    input("Put the robot on a box, so that its wheels turn freely. Press Enter to continue; Ctrl-C quits at any time. ")
     for board in boards:
-        link = {"i2c_bus": bus} if BOARDS[board].address else {"port": port}
-        wizard = WIZARDS.get(board, Wizard)(board, **link)
+        wizard = WIZARDS.get(board, Wizard)(board=board, **link)
         print(f"\nTrying the board {board}.")
         if wizard.find_motors():
-            break
-    else:
-        raise JetbotError("no wheel turned", "Is the motors' battery on? See: rosrun jetbot_control_node doctor.py")
-    wizard.straighten()
-    return wizard.parameters
+            wizard.straighten()
+            return wizard.parameters
+    raise JetbotError("no wheel turned", "Is the motors' battery on? Run: rosrun jetbot_control_node doctor.py")
 
 
-def check_output(file):
-    """Raise a JetbotError where the file cannot be written later."""
-    try:
+def check_output(file, simulated):
+    """Raise a JetbotError where the file cannot be written later, or is the real robot's and this one is simulated."""
+    if simulated and file.absolute() == default_file().absolute():
+        raise JetbotError(f"{file} is for the real robot, and this one is simulated", "Name another with --output.")
+    with contextlib.suppress(OSError):
         file.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise JetbotError(f"there is no place for {file}: {error}") from None
     if not os.access(file.parent, os.W_OK) or file.exists() and not file.is_file():
         raise JetbotError(f"the file {file} cannot be written", "Name another with --output.")
 
 
 def write(file, text):
-    """Write the text, keep what the file held before under another name, and say how to undo it."""
+    """Write the text, keep what the file held before under another name, and print how to undo and to use it."""
     undo = ["rm", str(file)]
     new = Path(f"{file}.new")
     new.write_text(text)
     if file.exists():
-        before = next(path for path in (Path(f"{file}.{number}") for number in range(1, 1000)) if not path.exists())
-        file.replace(before)
-        undo = ["mv", str(before), str(file)]
+        old = next(old for old in (Path(f"{file}.{number}") for number in itertools.count(1)) if not old.exists())
+        file.replace(old)
+        undo = ["mv", str(old), str(file)]
     new.replace(file)
     print(f"Written to {file}. To undo it: {shlex.join(undo)}")
     if file == default_file():
         print("The controller uses it from now on.")
     else:
-        argument = shlex.quote(f"config:={file.absolute()}")
-        print(f"To use it: {LAUNCH} {argument}")
+        print(f"To use it: {LAUNCH} {shlex.quote(f'config:={file.absolute()}')}")
 
 
-def bus_argument(text):
-    """The bus, so that it means the same from every folder: a number, or a fake bus's name in full."""
-    name = bus_name(text)
-    folder = fake_folder(name)
-    return f"fake:{Path(folder).absolute()}" if folder else int(text)
+def parse():
+    """Return the command line's options."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    add_options(parser, board="those that answer are tried", i2c_bus="the one of this computer's motors", port="")
+    parser.add_argument("--output", type=Path, help=f"the YAML file to write (default: {default_file()})")
+    options = parser.parse_args(as_options(sys.argv[1:]))
+    options.simulated = is_fake(options.i2c_bus, options.port)
+    file = default_file()
+    options.output = options.output or (file.with_name("jetbot_fake.yaml") if options.simulated else file)
+    if options.i2c_bus is None:
+        options.board = options.board or options.port and "jetbot_pro"
+        options.i2c_bus = robot_bus(model()) or PARAMETERS["i2c_bus"].default
+    options.port = options.port or PARAMETERS["port"].default
+    return options
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--board", default=os.environ.get("JETBOT_BOARD") or None,
-                        help=f"one of {', '.join(BOARDS)}, where it is known; otherwise it is found out")
-    parser.add_argument("--i2c-bus", default=os.environ.get("JETBOT_I2C_BUS") or str(robot_bus(model()) or 1),
-                        help="N, fake, or fake:FOLDER")
-    parser.add_argument("--port", default=os.environ.get("JETBOT_PORT") or PORT, help="of a JetBot Pro")
-    parser.add_argument("--output", type=Path, default=default_file(), help="the YAML file to write (%(default)s)")
-    options = parser.parse_args(as_options(sys.argv[1:]))
+    options = parse()
+    link = {"i2c_bus": options.i2c_bus, "port": options.port}
     if not sys.stdin.isatty():
         raise JetbotError("calibrate.py asks questions and needs a terminal")
-    if options.board:
-        find_board(options.board)  # before all else, a name that is wrong
-    check_output(options.output)
-    bus = bus_argument(options.i2c_bus)
-    boards = [options.board] if options.board else boards_there(bus, options.port)
-    for check in check_device(bus_name(bus) if BOARDS[boards[0]].address else options.port):
+    check_output(options.output, options.simulated)
+    boards = [options.board] if options.board else find_boards(**link)
+    for check in check_users(find_board(boards[0]).place(**link)):
         if not check.ok:
             print(check)
-    text = as_yaml(calibrate(boards, bus, options.port))
+    text = as_yaml(calibrate(boards, **link))
     print(f"\n{text}")
     write(options.output, text)
 
@@ -114,6 +112,6 @@ if __name__ == "__main__":
     except JetbotError as error:
         sys.exit(str(error))
     except OSError as error:
-        sys.exit(f"The wheels stand, but the file was not written: {error}")
+        sys.exit(f"The wheels are stopped, but the file was not written: {error}")
     except (KeyboardInterrupt, EOFError):
-        sys.exit("\nEnded; the wheels stand and nothing was written.")
+        sys.exit("\nCancelled: the wheels are stopped and nothing was written.")

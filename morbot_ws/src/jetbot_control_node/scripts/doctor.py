@@ -1,25 +1,21 @@
 #!/usr/bin/env python3
-"""Looks at everything that a JetBot needs to drive, and says what is missing. Needs no roscore; moves no wheel."""
+"""Checks everything that a JetBot needs to drive, and prints what is missing. Needs no roscore; moves no wheel."""
 
 import argparse
 import json
-import os
 import sys
 
-from jetbot.boards import PORT
-from jetbot_tools import doctor
-from jetbot_tools.terminal import as_options
+from jetbot_tools.doctor import run_checks
+from jetbot_tools.options import add_options, as_options
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--json", action="store_true", help="print the checks as a JSON list")
-    parser.add_argument("--i2c-bus", default=os.environ.get("JETBOT_I2C_BUS") or None,
-                        help="look at this bus only: N for /dev/i2c-N, fake, or fake:FOLDER")
-    parser.add_argument("--port", default=os.environ.get("JETBOT_PORT") or PORT, help="of a JetBot Pro")
+    add_options(parser, i2c_bus="every bus", port="")
     options = parser.parse_args(as_options(sys.argv[1:]))
     checks = []
-    for check in doctor.examine(options.i2c_bus, options.port):
+    for check in run_checks(options.i2c_bus, options.port):
         checks.append(check)
         if not options.json:
             print(check, flush=True)

@@ -1,0 +1,42 @@
+"""Command lines of the tools, made from the rows of the controller's parameters."""
+
+import os
+import re
+from argparse import ArgumentParser
+from pathlib import Path
+from typing import List, Union
+
+from jetbot import fake
+from jetbot_ros.parameters import PARAMETERS
+
+Place = Union[int, str]  # N for /dev/i2c-N, a serial port, fake, or fake:FOLDER
+
+
+def add_options(parser: ArgumentParser, **meaning: str) -> None:
+    """Add an option for each parameter named; one that is not given is JETBOT_<NAME>, else None.
+
+    meaning: what None means, for the help; "" where it is the parameter's own default.
+    """
+    for name, default in meaning.items():
+        row = PARAMETERS[name]
+        parser.add_argument(f"--{name.replace('_', '-')}", type=place_name,
+                            default=os.environ.get(f"JETBOT_{name.upper()}") or None,
+                            help=f"{row.doc} (default: {default or row.default})".replace("%", "%%"))
+
+
+def as_options(arguments: List[str]) -> List[str]:
+    """Return the arguments with i2c_bus:=7 and _i2c_bus:=7, as ROS writes them, as --i2c-bus=7."""
+    return [re.sub(r"^_?(\w+):=", lambda name: f"--{name[1].replace('_', '-')}=", argument) for argument in arguments]
+
+
+def place_name(text: str) -> Place:
+    """Return a number as an int, a fake place with its whole path, so that it means the same in every folder."""
+    folder = fake.folder_of(fake.place(text))
+    if folder:
+        return f"fake:{Path(folder).absolute()}"
+    return int(text) if text.isascii() and text.isdigit() else text
+
+
+def is_fake(*places: Place) -> bool:
+    """Return whether a bus or port among these is a fake one."""
+    return any(fake.folder_of(fake.place(str(place))) for place in places)

@@ -1,0 +1,90 @@
+"""Checks of what a motor board may be connected to, which only read."""
+
+import contextlib
+import os
+import threading
+from pathlib import Path
+from typing import List, NamedTuple
+
+from jetbot.boards import BOARDS, find_board, scmd
+from jetbot.boards.jetbot_pro import JetBotPro
+from jetbot.errors import JetbotError
+from jetbot.i2c import I2CDevice
+from jetbot.serial_link import SerialLink
+
+LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
+TELEMETRY_TIMEOUT = 1.0  # seconds; a JetBot Pro sends many in that time
+
+
+class Check(NamedTuple):
+    """The result of one check: whether it is as it should be, what was found, and what to do about it."""
+
+    name: str
+    ok: bool
+    finding: str
+    advice: str = ""
+    command: str = ""  # starts the robot that the check has found
+
+    def __str__(self) -> str:
+        return f"{'ok' if self.ok else 'NOT':<4}{self.name}: {self.finding}. {self.advice}".rstrip()
+
+
+def check_users(device: str) -> List[Check]:
+    """Check that no other program has a device open; nothing where there is no such device."""
+    if not os.path.exists(device):
+        return []
+    users = users_of(Path(device))
+    if users:
+        return [Check(device, False, f"also open in {', '.join(users)}",
+                      "Two programs on one motor board disturb each other: end one of them.")]
+    whose = "" if os.geteuid() == 0 else " of this user"
+    return [Check(device, True, f"no other program{whose} has it open")]
+
+
+def users_of(path: Path, proc: Path = Path("/proc")) -> List[str]:
+    """Return the other programs that have a file open, as far as this user may know, as "name (process id)"."""
+    target, users = str(path.resolve()), []
+    for process in proc.glob("[0-9]*"):
+        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
+            if int(process.name) != os.getpid() and target in map(os.readlink, (process / "fd").iterdir()):
+                users.append(f"{(process / 'comm').read_text().strip()} ({process.name})")
+    return users
+
+
+def check_board(board: str, place: str) -> Check:
+    """Check that a board answers at its ``place``."""
+    address = find_board(board).address
+    return check_chip(place, address) if address else check_serial(place)
+
+
+def check_chip(bus: str, address: int) -> Check:
+    """Check that a motor board answers a read; those at one address cannot be told apart by it."""
+    name = f"0x{address:02x} on {bus}"
+    chip = I2CDevice(bus, address)
+    try:
+        answer = chip.read(scmd.ID)
+    except JetbotError as error:
+        return Check(name, False, error.reason, error.advice)
+    finally:
+        chip.close()
+    if address == BOARDS["sparkfun"].address and answer != scmd.ID_WORD:
+        return Check(name, False, "the chip that answers is not a SparkFun motor driver")
+    boards = [board for board, row in BOARDS.items() if row.address == address]
+    finding = f"answers, and can be a board {' or '.join(boards)}"
+    return Check(name, True, finding, command=f"{LAUNCH} board:={boards[0]}")
+
+
+def check_serial(port: str) -> Check:
+    """Check that a JetBot Pro sends telemetry on the serial port."""
+    arrived = threading.Event()
+    driver = JetBotPro(SerialLink(port))
+    try:
+        driver.link.read()  # raises what ``listen`` would not
+        driver.listen(lambda telemetry: arrived.set())
+        if arrived.wait(TELEMETRY_TIMEOUT):
+            return Check(port, True, "a JetBot Pro reports", command=f"{LAUNCH} board:=jetbot_pro port:={port}")
+    except JetbotError as error:
+        return Check(port, False, error.reason, error.advice)
+    finally:
+        driver.close()
+    return Check(port, False, "opens, but no JetBot Pro reports", "Is it this port, and is the robot switched on?")
