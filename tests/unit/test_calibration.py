@@ -6,7 +6,7 @@ import yaml
 from jetbot import InvalidValue
 from jetbot.fake.motors import wheel_speeds
 from jetbot_ros.parameters import checked
-from jetbot_tools.calibration import WHEEL_SEPARATION, as_yaml, orientation, orientation_of_both, trim
+from jetbot_tools.calibration import WHEEL_SEPARATION, as_yaml, base_wiring, motor_wiring, trim
 
 
 @pytest.mark.parametrize("left_output, right_output, swap, left, right", [
@@ -16,21 +16,21 @@ from jetbot_tools.calibration import WHEEL_SEPARATION, as_yaml, orientation, ori
     (("right", -1), ("left", 1), True, False, True),
     (("right", -1), ("left", -1), True, True, True),
 ])
-def test_orientation(left_output, right_output, swap, left, right):
-    assert orientation(left_output, right_output) == {
+def test_motor_wiring(left_output, right_output, swap, left, right):
+    assert motor_wiring(left_output, right_output) == {
         "swap_motors": swap, "invert_left": left, "invert_right": right}
 
 
 @pytest.mark.parametrize("ahead, turn", [(1, 1), (1, -1), (-1, 1), (-1, -1)])
-def test_orientation_of_wheels_that_turn_together(ahead, turn, make_robot, folder):
-    make_robot(**orientation_of_both(ahead, turn)).set_motors(0.2, 0.6)
+def test_base_wiring(ahead, turn, make_robot, folder):
+    make_robot(**base_wiring(ahead, turn)).set_motors(0.2, 0.6)
     left, right = wheel_speeds(folder)
     assert (ahead * (left + right) / 2, turn * (right - left) / 2) == pytest.approx((0.4, 0.2), abs=0.0003)
 
 
 def test_one_wheel_cannot_turn_at_both_outputs():
-    with pytest.raises(InvalidValue, match="^The left wheel cannot have turned both times. Look again.$"):
-        orientation(("left", 1), ("left", -1))
+    with pytest.raises(InvalidValue, match="^The left wheel cannot have turned both times. Repeat both motions.$"):
+        motor_wiring(("left", 1), ("left", -1))
 
 
 @pytest.mark.parametrize("left, right", [(1.0, 0.95), (0.9, 1.0), (1.0, 1.0)])

@@ -1,3 +1,6 @@
+import os
+from types import SimpleNamespace
+
 import pytest
 
 from jetbot import host
@@ -19,14 +22,14 @@ def test_model(tmp_path):
 def test_buses_by_number(tmp_path):
     for name in ("i2c-10", "i2c-2", "i2c-1", "tty1"):
         (tmp_path / name).touch()
-    assert [path.name for path in host.buses(tmp_path)] == ["i2c-1", "i2c-2", "i2c-10"]
+    assert host.buses(tmp_path) == [1, 2, 10]
 
 
 FAKE = "Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."
 
 
 @pytest.mark.parametrize("model, buses, sentence", [
-    ("Jetson Nano", ["/dev/i2c-0", "/dev/i2c-1"], "This computer has /dev/i2c-0, /dev/i2c-1. "
+    ("Jetson Nano", [0, 1], "This computer has /dev/i2c-0, /dev/i2c-1. "
      "On a Jetson Nano the motors are on bus 1: i2c_bus:=1. " + FAKE),
     ("", [], "This computer has no /dev/i2c-* at all. " + FAKE),
 ])
@@ -34,3 +37,21 @@ def test_bus_advice(monkeypatch, model, buses, sentence):
     monkeypatch.setattr(host, "model", lambda: model)
     monkeypatch.setattr(host, "buses", lambda: buses)
     assert host.bus_advice() == sentence
+
+
+@pytest.mark.parametrize("name, group, advice", [
+    ("i2c-1", "daemon", "Join its group with: sudo usermod -aG daemon $USER   and log in again."),
+    ("i2c-1", "root", "Give it to a group: sudo chgrp i2c {0} && sudo chmod g+rw {0}   "
+                      "and join that: sudo usermod -aG i2c $USER   and log in again."),
+    ("i2c-1", None, "Its group has no name here, as in a container; start that with: --group-add {1}"),
+    ("i2c-9", "daemon", "Join its group with: sudo usermod -aG i2c $USER   and log in again.")])
+def test_permission_advice(tmp_path, monkeypatch, name, group, advice):
+    def group_of(number):
+        if not group:
+            raise KeyError(number)
+        return SimpleNamespace(gr_name=group)
+
+    (tmp_path / "i2c-1").touch()
+    monkeypatch.setattr(host.grp, "getgrgid", group_of)
+    device = tmp_path / name
+    assert host.permission_advice(device, "i2c") == advice.format(device, os.stat(tmp_path).st_gid)

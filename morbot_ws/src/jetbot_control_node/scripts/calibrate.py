@@ -15,9 +15,9 @@ from pathlib import Path
 from jetbot import JetbotError
 from jetbot.boards import BOARDS, find_board
 from jetbot.host import model, robot_bus
-from jetbot_ros.parameters import PARAMETERS, default_file
+from jetbot_ros.parameters import PARAMETERS, default_file, is_fake
 from jetbot_tools.calibration import as_yaml
-from jetbot_tools.options import add_options, as_options, is_fake
+from jetbot_tools.options import add_options, as_options
 from jetbot_tools.probe import LAUNCH, check_board, check_users
 from jetbot_tools.wizard import WIZARDS, Wizard
 
@@ -48,14 +48,16 @@ def calibrate(boards, **link):
     raise JetbotError("no wheel turned", "Is the motors' battery on? Run: rosrun jetbot_control_node doctor.py")
 
 
-def check_output(file, simulated):
-    """Raise a JetbotError where the file cannot be written later, or is the real robot's and this one is simulated."""
+def output(file, simulated):
+    """Return the file to write, the default where ``file`` is None; raise a JetbotError where it cannot be written."""
+    file = file or default_file().with_name("jetbot_fake.yaml" if simulated else "jetbot.yaml")
     if simulated and file.absolute() == default_file().absolute():
         raise JetbotError(f"{file} is for the real robot, and this one is simulated", "Name another with --output.")
     with contextlib.suppress(OSError):
         file.parent.mkdir(parents=True, exist_ok=True)
     if not os.access(file.parent, os.W_OK) or file.exists() and not file.is_file():
         raise JetbotError(f"the file {file} cannot be written", "Name another with --output.")
+    return file
 
 
 def write(file, text):
@@ -79,11 +81,9 @@ def parse():
     """Return the command line's options."""
     parser = argparse.ArgumentParser(description=__doc__)
     add_options(parser, board="those that answer are tried", i2c_bus="the one of this computer's motors", port="")
-    parser.add_argument("--output", type=Path, help=f"the YAML file to write (default: {default_file()})")
+    parser.add_argument("--output", type=Path, help="the YAML file to write (default: jetbot.yaml in ROS's home; "
+                                                    "jetbot_fake.yaml for a simulated robot)")
     options = parser.parse_args(as_options(sys.argv[1:]))
-    options.simulated = is_fake(options.i2c_bus, options.port)
-    file = default_file()
-    options.output = options.output or (file.with_name("jetbot_fake.yaml") if options.simulated else file)
     if options.i2c_bus is None:
         options.board = options.board or options.port and "jetbot_pro"
         options.i2c_bus = robot_bus(model()) or PARAMETERS["i2c_bus"].default
@@ -96,14 +96,15 @@ def main():
     link = {"i2c_bus": options.i2c_bus, "port": options.port}
     if not sys.stdin.isatty():
         raise JetbotError("calibrate.py asks questions and needs a terminal")
-    check_output(options.output, options.simulated)
     boards = [options.board] if options.board else find_boards(**link)
-    for check in check_users(find_board(boards[0]).place(**link)):
+    place = find_board(boards[0]).place(**link)
+    file = output(options.output, is_fake({"board": boards[0], **link}))
+    for check in check_users(place):
         if not check.ok:
             print(check)
     text = as_yaml(calibrate(boards, **link))
     print(f"\n{text}")
-    write(options.output, text)
+    write(file, text)
 
 
 if __name__ == "__main__":

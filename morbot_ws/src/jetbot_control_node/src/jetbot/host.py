@@ -24,9 +24,9 @@ def robot_bus(name: str) -> Optional[int]:
     return next((bus for part, bus in ROBOT_BUS.items() if part in name), None)
 
 
-def buses(dev: Path = Path("/dev")) -> List[Path]:
-    """Return the I2C buses of this computer, sorted by their numbers."""
-    return sorted(dev.glob("i2c-*"), key=lambda path: (len(path.name), path.name))
+def buses(dev: Path = Path("/dev")) -> List[int]:
+    """Return the numbers of this computer's I2C buses."""
+    return sorted(int(path.name[len("i2c-"):]) for path in dev.glob("i2c-*"))
 
 
 def permission_advice(device: Union[str, Path], usual_group: str) -> str:
@@ -47,7 +47,7 @@ def permission_advice(device: Union[str, Path], usual_group: str) -> str:
 
 def bus_advice() -> str:
     """Return which buses this computer has, and which one to use."""
-    existing = ", ".join(map(str, buses())) or "no /dev/i2c-* at all"
+    existing = ", ".join(f"/dev/i2c-{bus}" for bus in buses()) or "no /dev/i2c-* at all"
     usual = robot_bus(model())
     hint = f" On a {model()} the motors are on bus {usual}: i2c_bus:={usual}." if usual is not None else ""
     return f"This computer has {existing}.{hint} Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."

@@ -5,13 +5,13 @@ import os
 from pathlib import Path
 from typing import Iterator, List, Optional
 
-from jetbot import host
+from jetbot import fake, host
 from jetbot.boards import BOARDS, PORT, find_board
 from jetbot.errors import JetbotError
 from jetbot.i2c import bus_name
 from jetbot_ros.parameters import checked, default_file, load
 
-from .options import Place, is_fake
+from .options import Place
 from .probe import LAUNCH, Check, check_board, check_chip, check_serial, check_users
 
 PACKAGES = {"rospy": "rospy", "diagnostic_updater": "diagnostic-updater", "nav_msgs": "nav-msgs",
@@ -35,25 +35,21 @@ def all_checks(i2c_bus: Optional[Place], port: Optional[str]) -> Iterator[Check]
     """Yield a Check of everything; of the buses until one has a board, of the port where none has."""
     yield from map(check_package, PACKAGES)
     yield check_host()
-    if not is_fake(i2c_bus, port):  # a simulated robot does not use the file
+    if not any(fake.folder_of(fake.place(str(place))) for place in (i2c_bus, port)):  # simulated robots do not use it
         yield from check_file(default_file())
-    searched = i2c_bus is None and port is None
-    if searched and not host.buses():
-        yield Check("I2C buses", False, "there is no /dev/i2c-*",
-                    "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.")
-    for bus in all_buses() if searched else [i2c_bus] if i2c_bus is not None else []:
+    buses = [] if i2c_bus is None else [i2c_bus]
+    if i2c_bus is None and port is None:
+        buses = sorted(host.buses(), key=lambda bus: bus != host.robot_bus(host.model()))  # the usual one first
+        if not buses:
+            yield Check("I2C buses", False, "there is no /dev/i2c-*",
+                        "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.")
+    for bus in buses:
         checks = check_bus(bus)
         yield from checks
         if any(check.command for check in checks):
             return
     yield from check_users(port or PORT)
     yield check_serial(port or PORT)
-
-
-def all_buses() -> List[int]:
-    """Return the numbers of all buses, first the one that this computer's motors should be on."""
-    usual = host.robot_bus(host.model())
-    return sorted((int(path.name[len("i2c-"):]) for path in host.buses()), key=lambda bus: (bus != usual, bus))
 
 
 def check_package(module: str) -> Check:

@@ -35,8 +35,3 @@ def place_name(text: str) -> Place:
     if folder:
         return f"fake:{Path(folder).absolute()}"
     return int(text) if text.isascii() and text.isdigit() else text
-
-
-def is_fake(*places: Place) -> bool:
-    """Return whether a bus or port among these is a fake one."""
-    return any(fake.folder_of(fake.place(str(place))) for place in places)

@@ -86,9 +86,9 @@ class BaseWizard(Wizard):
 
     def find_motors(self) -> bool:
         """Find whether the robot drives ahead and turns left as it should; return whether any wheel turned."""
-        self.drive("The wheels will turn briefly, as if to drive ahead.", constant_speed(TURN, TURN, TURN_TIME))
+        self.drive("The wheels will turn as if to drive ahead.", constant_speed(TURN, TURN, 2 * TURN_TIME))
         ahead = choose("Which way did the wheels turn?", DIRECTIONS)
-        self.drive("The wheels will turn briefly, as if to turn left on the spot.", constant_speed(-1, 1, TURN_TIME))
+        self.drive("The wheels will turn as if to turn left on the spot.", constant_speed(-1, 1, 2 * TURN_TIME))
         left_turn = choose("Which wheel turned forward?", {"right": 1, "left": -1, "none": None})
         if not both_turned(ahead, left_turn):
             return False
