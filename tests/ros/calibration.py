@@ -35,8 +35,8 @@ class CalibrationTest(RobotTest):
     def drive(self, announcement):
         """Start a motion and end it by a key; return the speeds of the wheels, STOPPED where nothing turned."""
         self.answer(announcement)
-        asked = [pexpect.TIMEOUT, QUESTION]
-        self.wait_for(lambda: self.wheels() != STOPPED or self.terminal.expect(asked, timeout=0), START_TIMEOUT, "motion")
+        self.wait_for(lambda: self.wheels() != STOPPED or self.terminal.expect([pexpect.TIMEOUT, QUESTION], timeout=0),
+                      START_TIMEOUT, "a motion")
         speeds = self.wheels()
         if speeds != STOPPED:
             self.terminal.send(" ")
@@ -95,29 +95,23 @@ class Calibration(CalibrationTest):
         left, right = self.wheels()
         self.assertAlmostEqual(left / right, 1, delta=0.01)
 
-    def start_motion(self):
+    def interrupt_motion(self, interrupt, *arguments):
+        """Interrupt the first motion while its wheel turns; fail unless the wheel stops within a second."""
         self.answer("any key stops it")
         self.wait_for(lambda: wheel_speeds(self.bus) != STOPPED, START_TIMEOUT, "a wheel to turn")
-
-    def wait_for_the_end_of_the_motion(self):
-        self.wait_for(lambda: wheel_speeds(self.bus) == STOPPED, 1.0, "the wheels to stop")
+        interrupt(*arguments)
+        self.wait_for(lambda: wheel_speeds(self.bus) == STOPPED, 1.0, "the wheel to stop")
 
     def test_any_key_ends_a_motion_and_ctrl_c_the_calibration(self):
-        self.start_motion()
-        self.terminal.send("x")
-        self.wait_for_the_end_of_the_motion()
+        self.interrupt_motion(self.terminal.send, "x")
         self.answer("Which wheel turned", "l")
         self.answer("Forward or backward", "f")
-        self.start_motion()
-        self.terminal.send("\x03")
-        self.wait_for_the_end_of_the_motion()
+        self.interrupt_motion(self.terminal.send, "\x03")
         self.terminal.expect("Cancelled: the wheels are stopped and nothing was written.")
         self.assertFalse(os.path.exists(self.file))
 
     def test_a_lost_terminal_ends_a_motion(self):
-        self.start_motion()
-        self.terminal.close(force=False)
-        self.wait_for_the_end_of_the_motion()
+        self.interrupt_motion(self.terminal.close, False)
 
 
 def motor(duty):

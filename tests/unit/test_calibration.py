@@ -5,7 +5,7 @@ import yaml
 
 from jetbot import InvalidValue
 from jetbot.fake.motors import wheel_speeds
-from jetbot_ros.parameters import checked
+from jetbot_ros.parameters import PARAMETERS, checked
 from jetbot_tools.calibration import WHEEL_SEPARATION, as_yaml, base_wiring, motor_wiring, trim
 
 
@@ -46,4 +46,8 @@ def test_the_file_holds_the_parameters():
     parameters = {"board": "waveshare", "i2c_bus": "1", "swap_motors": True, "left_motor_alpha": 0.95, "min_duty": 0.1}
     read = yaml.safe_load(as_yaml(parameters))
     assert read == parameters
-    assert checked(read)["swap_motors"] is True
+    assert checked(read) == {**checked({}), **parameters}
+
+
+def test_the_file_explains_each_parameter():
+    assert f"min_duty: 0.1  # {PARAMETERS['min_duty'].doc}\n" in as_yaml({"min_duty": 0.1})

@@ -46,12 +46,7 @@ def test_bus_advice(monkeypatch, model, buses, sentence):
     ("i2c-1", None, "Its group has no name here, as in a container; start that with: --group-add {1}"),
     ("i2c-9", "daemon", "Join its group with: sudo usermod -aG i2c $USER   and log in again.")])
 def test_permission_advice(tmp_path, monkeypatch, name, group, advice):
-    def group_of(number):
-        if not group:
-            raise KeyError(number)
-        return SimpleNamespace(gr_name=group)
-
     (tmp_path / "i2c-1").touch()
-    monkeypatch.setattr(host.grp, "getgrgid", group_of)
-    device = tmp_path / name
-    assert host.permission_advice(device, "i2c") == advice.format(device, os.stat(tmp_path).st_gid)
+    number = os.stat(tmp_path / "i2c-1").st_gid
+    monkeypatch.setattr(host.grp, "getgrgid", {number: SimpleNamespace(gr_name=group)}.__getitem__ if group else {}.pop)
+    assert host.permission_advice(tmp_path / name, "i2c") == advice.format(tmp_path / name, number)

@@ -24,15 +24,12 @@ from jetbot_tools.wizard import WIZARDS, Wizard
 
 def find_boards(i2c_bus, port):
     """Return the boards that answer on the bus, else on the port; those at one address cannot be told apart yet."""
-    failures = []
     places = {board: row.place(i2c_bus, port) for board, row in BOARDS.items() if board != "jetbot"}  # which is two
     for place in dict.fromkeys(places.values()):
         checks = {board: check_board(board, place) for board in places if places[board] == place}
-        found = [board for board, check in checks.items() if check.ok]
-        if found:
-            return found
-        failures += checks.values()
-    print(*dict.fromkeys(map(str, failures)), sep="\n")
+        if any(check.ok for check in checks.values()):
+            return [board for board, check in checks.items() if check.ok]
+        print(*dict.fromkeys(map(str, checks.values())), sep="\n")
     raise JetbotError("no motor board found", "If you know which one it is, name it with --board.")
 
 
@@ -71,37 +68,26 @@ def write(file, text):
         undo = ["mv", str(old), str(file)]
     new.replace(file)
     print(f"Written to {file}. To undo it: {shlex.join(undo)}")
-    if file == default_file():
-        print("The controller uses it from now on.")
-    else:
-        print(f"To use it: {LAUNCH} {shlex.quote(f'config:={file.absolute()}')}")
+    command = f"{LAUNCH} {shlex.quote(f'config:={file.absolute()}')}"
+    print("The controller uses it from now on." if file == default_file() else f"To use it: {command}")
 
 
-def parse():
-    """Return the command line's options."""
+def main():
     parser = argparse.ArgumentParser(description=__doc__)
     add_options(parser, board="those that answer are tried", i2c_bus="the one of this computer's motors", port="")
     parser.add_argument("--output", type=Path, help="the YAML file to write (default: jetbot.yaml in ROS's home; "
                                                     "jetbot_fake.yaml for a simulated robot)")
     options = parser.parse_args(as_options(sys.argv[1:]))
-    if options.i2c_bus is None:
-        options.board = options.board or options.port and "jetbot_pro"
-        options.i2c_bus = robot_bus(model()) or PARAMETERS["i2c_bus"].default
-    options.port = options.port or PARAMETERS["port"].default
-    return options
-
-
-def main():
-    options = parse()
-    link = {"i2c_bus": options.i2c_bus, "port": options.port}
     if not sys.stdin.isatty():
         raise JetbotError("calibrate.py asks questions and needs a terminal")
+    if options.i2c_bus is None:
+        options.board = options.board or options.port and "jetbot_pro"  # the only board on a port
+        options.i2c_bus = robot_bus(model()) or PARAMETERS["i2c_bus"].default
+    link = {"i2c_bus": options.i2c_bus, "port": options.port or PARAMETERS["port"].default}
     boards = [options.board] if options.board else find_boards(**link)
     place = find_board(boards[0]).place(**link)
     file = output(options.output, is_fake({"board": boards[0], **link}))
-    for check in check_users(place):
-        if not check.ok:
-            print(check)
+    print(*(check for check in check_users(place) if not check.ok))
     text = as_yaml(calibrate(boards, **link))
     print(f"\n{text}")
     write(file, text)

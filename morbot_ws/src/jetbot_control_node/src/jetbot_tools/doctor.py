@@ -11,18 +11,17 @@ from jetbot.errors import JetbotError
 from jetbot.i2c import bus_name
 from jetbot_ros.parameters import checked, default_file, load
 
-from .options import Place
 from .probe import LAUNCH, Check, check_board, check_chip, check_serial, check_users
 
-PACKAGES = {"rospy": "rospy", "diagnostic_updater": "diagnostic-updater", "nav_msgs": "nav-msgs",
-            "sensor_msgs": "sensor-msgs", "tf2_ros": "tf2-ros", "yaml": "yaml", "smbus2": "smbus2", "serial": "serial"}
-NEEDED_BY_SOME = ("smbus2", "serial")  # by boards on an I2C bus, on a serial port
+MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial"]
+NEEDED_BY_SOME = ["smbus2", "serial"]  # by boards on an I2C bus, on a serial port
 
 
-def run_checks(i2c_bus: Optional[Place] = None, port: Optional[str] = None) -> Iterator[Check]:
+def run_checks(i2c_bus=None, port: Optional[str] = None) -> Iterator[Check]:
     """Yield every Check, the verdict last.
 
-    i2c_bus, port: where to look for a board; without both, on every bus of this computer and the default port.
+    i2c_bus: N for /dev/i2c-N, fake, or fake:FOLDER; port: a serial port, or the same. A board is looked for there;
+    without both, on every bus of this computer and on the default port.
     """
     checks = []
     for check in all_checks(i2c_bus, port):
@@ -31,9 +30,9 @@ def run_checks(i2c_bus: Optional[Place] = None, port: Optional[str] = None) -> I
     yield verdict(checks)
 
 
-def all_checks(i2c_bus: Optional[Place], port: Optional[str]) -> Iterator[Check]:
+def all_checks(i2c_bus, port: Optional[str]) -> Iterator[Check]:
     """Yield a Check of everything; of the buses until one has a board, of the port where none has."""
-    yield from map(check_package, PACKAGES)
+    yield from map(check_module, MODULES)
     yield check_host()
     if not any(fake.folder_of(fake.place(str(place))) for place in (i2c_bus, port)):  # simulated robots do not use it
         yield from check_file(default_file())
@@ -52,7 +51,7 @@ def all_checks(i2c_bus: Optional[Place], port: Optional[str]) -> Iterator[Check]
     yield check_serial(port or PORT)
 
 
-def check_package(module: str) -> Check:
+def check_module(module: str) -> Check:
     """Check that a Python module is installed."""
     if importlib.util.find_spec(module):
         return Check(module, True, "installed")
@@ -61,11 +60,12 @@ def check_package(module: str) -> Check:
 
 def install_advice(module: str, noetic: Path = Path("/opt/ros/noetic")) -> str:
     """Return how to install a Python module, on Ubuntu 20.04 with Noetic or on a system that has ROS itself."""
+    package = module.replace("_", "-")
     if not noetic.exists() or module in ("serial", "yaml"):
-        return f"Install it with: sudo apt install python3-{PACKAGES[module]}"
+        return f"Install it with: sudo apt install python3-{package}"
     if module == "smbus2":
         return "Install it with: pip3 install smbus2"
-    return f"Type: source {noetic}/setup.bash   Or install it with: sudo apt install ros-noetic-{PACKAGES[module]}"
+    return f"Type: source {noetic}/setup.bash   Or install it with: sudo apt install ros-noetic-{package}"
 
 
 def check_host() -> Check:
@@ -92,20 +92,21 @@ def check_file(file: Path) -> List[Check]:
                   "Connect that board; or remove the file, and calibrate again.")]
 
 
-def check_bus(bus: Place) -> List[Check]:
+def check_bus(bus) -> List[Check]:
     """Check that a board is on a bus, and that no other program uses it."""
     try:
         name = bus_name(bus)
     except JetbotError as error:
         return [Check(f"bus {bus}", False, error.reason, error.advice)]
-    chips = [check_chip(name, address) for address in sorted({row.address for row in BOARDS.values() if row.address})]
+    addresses = dict.fromkeys(row.address for row in BOARDS.values() if row.address)
+    chips = [check_chip(name, address) for address in addresses]
     boards = [chip._replace(command=f"{chip.command} i2c_bus:={bus}") for chip in chips if chip.ok]
-    return check_users(name) + (boards or chips[-1:])
+    return check_users(name) + (boards or chips[:1])
 
 
 def verdict(checks: List[Check]) -> Check:
     """Return whether a robot could drive, and how."""
-    needed = {*PACKAGES, str(default_file())}.difference(NEEDED_BY_SOME)
+    needed = {*MODULES, str(default_file())}.difference(NEEDED_BY_SOME)
     faults = [check.name for check in checks if not check.ok and check.name in needed]
     if faults:
         return Check("robot", False, f"cannot drive as long as {faults[0]} is not ok")

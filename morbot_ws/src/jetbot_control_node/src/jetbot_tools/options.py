@@ -9,8 +9,6 @@ from typing import List, Union
 from jetbot import fake
 from jetbot_ros.parameters import PARAMETERS
 
-Place = Union[int, str]  # N for /dev/i2c-N, a serial port, fake, or fake:FOLDER
-
 
 def add_options(parser: ArgumentParser, **meaning: str) -> None:
     """Add an option for each parameter named; one that is not given is JETBOT_<NAME>, else None.
@@ -29,7 +27,7 @@ def as_options(arguments: List[str]) -> List[str]:
     return [re.sub(r"^_?(\w+):=", lambda name: f"--{name[1].replace('_', '-')}=", argument) for argument in arguments]
 
 
-def place_name(text: str) -> Place:
+def place_name(text: str) -> Union[int, str]:
     """Return a number as an int, a fake place with its whole path, so that it means the same in every folder."""
     folder = fake.folder_of(fake.place(text))
     if folder:

@@ -1,0 +1,34 @@
+"""The tools' options come from the rows of the parameters."""
+
+import argparse
+import os
+
+import pytest
+
+from jetbot_ros.parameters import PARAMETERS
+from jetbot_tools.options import add_options, as_options
+
+
+@pytest.fixture
+def parser(monkeypatch):
+    monkeypatch.setenv("JETBOT_PORT", "/dev/ttyUSB0")
+    parser = argparse.ArgumentParser(formatter_class=lambda prog: argparse.HelpFormatter(prog, width=200))
+    add_options(parser, i2c_bus="every bus", port="")
+    return parser
+
+
+@pytest.mark.parametrize("argument, i2c_bus", [
+    ("--i2c-bus=0", 0), ("i2c_bus:=7", 7), ("_i2c_bus:=7", 7), ("i2c_bus:=fake", "fake:/home/of_ros/fake_i2c"),
+    ("i2c_bus:=fake:robot", f"fake:{os.getcwd()}/robot")])
+def test_options_as_the_shell_and_as_ros_write_them(parser, monkeypatch, argument, i2c_bus):
+    monkeypatch.setenv("ROS_HOME", "/home/of_ros")
+    assert parser.parse_args(as_options([argument])).i2c_bus == i2c_bus
+
+
+def test_without_an_option_the_environment_is_used(parser):
+    assert vars(parser.parse_args([])) == {"i2c_bus": None, "port": "/dev/ttyUSB0"}
+
+
+def test_help_has_the_meaning_and_the_default(parser):
+    assert f"{PARAMETERS['i2c_bus'].doc} (default: every bus)" in parser.format_help()
+    assert f"{PARAMETERS['port'].doc} (default: /dev/ttyACM0)" in parser.format_help()
