@@ -21,12 +21,16 @@ class CalibrationTest(RobotTest):
 
     def setUp(self):
         super().setUp()
-        self.file = os.path.join(self.folder, "jetbot.yaml")
-        self.terminal = pexpect.spawn(
-            program("jetbot_control_node", "calibrate.py"), [f"{self.link}:{self.bus}", "--output", self.file],
-            timeout=START_TIMEOUT, encoding="utf-8")
-        self.addCleanup(self.terminal.close)
+        self.file = os.path.join(self.folder, "jetbot_fake.yaml")  # never the real robot's jetbot.yaml
+        self.terminal = self.calibrate()
         self.answer("Put the robot on a box")
+
+    def calibrate(self, *options):
+        terminal = pexpect.spawn(
+            program("jetbot_control_node", "calibrate.py"), [f"{self.link}:{self.bus}", *options],
+            env={**os.environ, "ROS_HOME": self.folder}, timeout=START_TIMEOUT, encoding="utf-8")
+        self.addCleanup(terminal.close)
+        return terminal
 
     def answer(self, question, text=""):
         self.terminal.expect(question)
@@ -109,6 +113,11 @@ class Calibration(CalibrationTest):
         self.interrupt_motion(self.terminal.send, "\x03")
         self.terminal.expect("Cancelled: the wheels are stopped and nothing was written.")
         self.assertFalse(os.path.exists(self.file))
+
+    def test_a_fake_robot_is_not_written_to_the_real_ones_file(self):
+        self.terminal.close()
+        refused = self.calibrate("--output", os.path.join(self.folder, "jetbot.yaml"))
+        refused.expect("jetbot.yaml is for the real robot, and this one is simulated. Name another with --output.")
 
     def test_a_lost_terminal_ends_a_motion(self):
         self.interrupt_motion(self.terminal.close, False)

@@ -1,4 +1,4 @@
-"""The doctor prints one line per check; each failure is one sentence that says what to do."""
+"""The doctor prints one line per check; each failure is one sentence with its fix."""
 
 import json
 import runpy
@@ -94,9 +94,9 @@ def test_install_advice(module, noetic, advice, tmp_path, monkeypatch):
 
 def test_only_packages_that_every_robot_needs_keep_it_from_driving(folder, monkeypatch):
     monkeypatch.setattr(doctor, "MODULES", ["no_such_module"])
-    found = lines(f"fake:{folder}")
-    assert found[0] == "NOT no_such_module: not installed. Install it with: sudo apt install python3-no-such-module"
-    assert found[-1] == "NOT robot: cannot drive as long as no_such_module is not ok."
+    output = lines(f"fake:{folder}")
+    assert output[0] == "NOT no_such_module: not installed. Install it with: sudo apt install python3-no-such-module"
+    assert output[-1] == "NOT robot: cannot drive as long as no_such_module is not ok."
     monkeypatch.setattr(doctor, "NEEDED_BY_SOME", ["no_such_module"])
     assert lines(f"fake:{folder}")[-1].startswith("ok  robot: could drive.")
 
@@ -112,9 +112,9 @@ def test_only_packages_that_every_robot_needs_keep_it_from_driving(folder, monke
 def test_the_file_of_parameters(folder, tmp_path, text, line, last):
     file, bus = tmp_path / "jetbot.yaml", f"fake:{folder}"
     file.write_text(text.replace("BUS", bus))
-    found = lines()
-    assert line.replace("FILE", str(file)).replace("BUS", bus) in found
-    assert found[-1] == last.replace("FILE", str(file))
+    output = lines()
+    assert line.replace("FILE", str(file)).replace("BUS", bus) in output
+    assert output[-1] == last.replace("FILE", str(file))
 
 
 @pytest.mark.parametrize("bus, port", [("fake", None), (None, "fake")])

@@ -23,7 +23,7 @@ from jetbot_tools.wizard import WIZARDS, Wizard
 
 
 def find_boards(i2c_bus, port):
-    """Return the boards that answer on the bus, else on the port; those at one address cannot be told apart yet."""
+    """Return the boards that answer on the bus, else on the port; all at one address answer alike."""
     places = {board: row.place(i2c_bus, port) for board, row in BOARDS.items() if board != "jetbot"}  # which is two
     for place in dict.fromkeys(places.values()):
         checks = {board: check_board(board, place) for board in places if places[board] == place}

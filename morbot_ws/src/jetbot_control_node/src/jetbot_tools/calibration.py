@@ -26,7 +26,7 @@ def motor_wiring(left_output: Turn, right_output: Turn) -> Dict[str, bool]:
 def base_wiring(ahead: int, left_turn: int) -> Dict[str, bool]:
     """Return the parameters of a robot whose wheels cannot be driven one by one.
 
-    ahead, left_turn: 1 when it did so when told to, -1 when it did the opposite.
+    ahead, left_turn: 1 when it did so as commanded, -1 when it did the opposite.
     """
     return {"swap_motors": ahead != left_turn, "invert_left": ahead < 0, "invert_right": ahead < 0}
 

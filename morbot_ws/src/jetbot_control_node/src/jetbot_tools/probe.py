@@ -58,7 +58,7 @@ def check_board(board: str, place: str) -> Check:
 
 
 def check_chip(bus: str, address: int) -> Check:
-    """Check that a motor board answers a read; those at one address cannot be told apart by it."""
+    """Check that a motor board answers a read, as all boards at one address do."""
     name = f"0x{address:02x} on {bus}"
     chip = I2CDevice(bus, address)
     try:
