@@ -127,8 +127,8 @@ def test_who_else_has_a_device_open(tmp_path):
     device = tmp_path / "i2c-1"
     device.touch()
     assert probe.check_users(str(tmp_path / "none")) == []
-    assert str(probe.check_users(str(device))[0]).startswith(f"ok  {device}: no other program")
     with device.open() as file:
+        assert str(probe.check_users(str(device))[0]).startswith(f"ok  {device}: no other program")
         other = subprocess.Popen(["sleep", "60"], stdin=file)
     try:
         assert [str(check) for check in probe.check_users(str(device))] == [
