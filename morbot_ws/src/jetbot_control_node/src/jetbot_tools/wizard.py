@@ -16,7 +16,7 @@ RAMP_STEP = 0.002  # part of full power, every 0.04 s
 RAMP_END = 0.6
 
 WHEELS = {"left": "left", "right": "right", "none": None}
-DIRECTIONS = {"forward": 1, "backward": -1, "none": None}
+DIRECTIONS = {"forward": 1, "backward": -1}
 
 
 class Wizard:
@@ -47,8 +47,7 @@ class Wizard:
         """Drive one output forward; return which wheel turned which way, or None."""
         self.drive(f"The {output} output will turn one wheel briefly.", constant_speed(left, right, TURN_TIME))
         wheel = choose("Which wheel turned?", WHEELS)
-        direction = wheel and choose("Forward or backward?", DIRECTIONS)
-        return wheel and direction and (wheel, direction)
+        return wheel and (wheel, choose("Forward or backward?", DIRECTIONS))
 
     def straighten(self) -> None:
         """Find the parameters with which both wheels turn, and turn equally fast."""
@@ -87,7 +86,7 @@ class BaseWizard(Wizard):
     def find_motors(self) -> bool:
         """Find whether the robot drives ahead and turns left as it should; return whether any wheel turned."""
         self.drive("The wheels will turn as if to drive ahead.", constant_speed(TURN, TURN, 2 * TURN_TIME))
-        ahead = choose("Which way did the wheels turn?", DIRECTIONS)
+        ahead = choose("Which way did the wheels turn?", {**DIRECTIONS, "none": None})
         self.drive("The wheels will turn as if to turn left on the spot.", constant_speed(-1, 1, 2 * TURN_TIME))
         left_turn = choose("Which wheel turned forward?", {"right": 1, "left": -1, "none": None})
         if not both_turned(ahead, left_turn):
