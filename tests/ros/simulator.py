@@ -16,9 +16,9 @@ from std_srvs.srv import Empty
 from harness import CONTROLLER, START, RobotTest, main, program, read, twist
 from jetbot import Robot, boards
 from jetbot.boards.pwm_motors import ADAFRUIT, PwmMotors, Wiring
-from jetbot.fake.bus import FakeBus, default_folder
+from jetbot.fake.bus import FakeBus
 
-NAMESPACE = "simulated"  # in which simulator.test starts the simulator that these tests share
+NAMESPACE = "simulated"  # of the simulator that each test starts
 MODE1, SLEEP = 0x00, 0x10
 LONG_ENOUGH = 1.0  # seconds between two samples of the odometry
 
@@ -26,7 +26,9 @@ LONG_ENOUGH = 1.0  # seconds between two samples of the odometry
 class Simulator(RobotTest):
     def setUp(self):
         super().setUp()
-        self.bus = default_folder(NAMESPACE)
+        self.environment = {**os.environ, "ROS_NAMESPACE": NAMESPACE}
+        self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}", "_motor_lag:=0.05", "_x:=1",
+                   "_yaw:=0.5", env=self.environment)
         self.samples = []
         self.addCleanup(rospy.Subscriber(f"{NAMESPACE}/odom", Odometry, self.samples.append).unregister)
         self.wait_for(lambda: self.samples, START, "odometry")
@@ -57,8 +59,8 @@ class Simulator(RobotTest):
         return first, self.samples[-1]
 
     def test_drives_the_arc_of_the_command(self):
-        self.start(CONTROLLER, "_i2c_bus:=fake", "_cmd_vel_timeout:=0", "_wheel_separation:=0.1125", "_max_speed:=0.6",
-                   env={**os.environ, "ROS_NAMESPACE": NAMESPACE})
+        self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "_cmd_vel_timeout:=0", "_wheel_separation:=0.1125",
+                   "_max_speed:=0.6", env=self.environment)
         commands = rospy.Publisher(f"{NAMESPACE}/cmd_vel", Twist, queue_size=1, latch=True)
         self.addCleanup(commands.unregister)
         self.wait_for(commands.get_num_connections, START, "the controller to subscribe")
