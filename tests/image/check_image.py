@@ -11,7 +11,7 @@ import time
 import unittest
 from pathlib import Path
 
-from jetbot.fake.motors import STILL, wheel_speeds
+from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
 
 START_TIMEOUT = 30.0  # s, until ROS works; generous, for slow machines
@@ -75,7 +75,7 @@ class Image(unittest.TestCase):
         return check.returncode == 0
 
     def drives(self):
-        return wheel_speeds(self.bus) != STILL
+        return wheel_speeds(self.bus) != STOPPED
 
     def wait_for(self, condition):
         self.assertTrue(wait_until(condition, START_TIMEOUT), f"waited {START_TIMEOUT} s")

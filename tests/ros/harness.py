@@ -17,8 +17,7 @@ from geometry_msgs.msg import Twist
 from roslib.packages import find_node
 from std_msgs.msg import Bool, String
 
-from jetbot.fake.motors import STILL as STOPPED
-from jetbot.fake.motors import wheel_speeds
+from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
 
 START_TIMEOUT = 15.0     # s, until a process works; generous, for slow machines

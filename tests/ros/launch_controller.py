@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """The controller's launch file: a typed argument wins over the YAML file, the file over the default."""
 
+import os
+import struct
 from pathlib import Path
 
 import rospkg
@@ -11,8 +13,8 @@ SI_UNITS = rospkg.RosPack().get_path("jetbot_control_node") + "/config/si_units.
 
 
 class LaunchController(RobotTest):
-    def launched(self, *arguments):
-        self.launch("jetbot_control_node", "jetbot_controller.launch", *arguments)
+    def launched(self, *arguments, **options):
+        self.launch("jetbot_control_node", "jetbot_controller.launch", *arguments, **options)
         self.wait_for_controller()
 
     def assert_speed(self, speed, *arguments):
@@ -22,6 +24,10 @@ class LaunchController(RobotTest):
         self.launched(f"config:={file}", *arguments)
         self.command(0.3)
         self.wait_for_wheels(speed, speed)
+
+    def wait_for_velocity(self, file, velocity):
+        """Fail unless the frame in a simulated JetBot Pro's file comes to hold vx, vy in mm/s, wz in mrad/s."""
+        self.wait_for(lambda: struct.unpack_from(">3h", file.read_bytes(), 4) == velocity, 5.0, f"{velocity}")
 
     def test_defaults(self):
         self.launched()
@@ -49,6 +55,13 @@ class LaunchController(RobotTest):
 
     def test_an_argument_that_equals_the_default_wins_over_the_file(self):
         self.assert_speed(0.3, "max_speed:=1.0")
+
+    def test_a_twist_reaches_a_jetbot_pro_unchanged(self):
+        home = Path(self.folder, "home")
+        self.launched("board:=jetbot_pro", "port:=fake", env={**os.environ, "ROS_HOME": str(home)})
+        for x, z in (500, 1000), (0, 2000), (800, -700):
+            self.command(x / 1000, z / 1000)
+            self.wait_for_velocity(home / "fake_i2c/jetbot_pro", (x, 0, z))
 
 
 if __name__ == "__main__":
