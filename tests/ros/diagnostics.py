@@ -13,19 +13,17 @@ from jetbot.fake.bus import power_on
 class Diagnostics(RobotTest):
     def setUp(self):
         super().setUp()
-        self.latest = None
-        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, self.receive)
-        self.addCleanup(subscriber.unregister)
+        self.arrays = self.record("/diagnostics", DiagnosticArray)
 
-    def receive(self, array):
-        self.latest = array.status[0]
+    def latest(self):
+        return self.arrays[-1].status[0]
 
     def values(self):
-        return {pair.key: pair.value for pair in self.latest.values}
+        return {pair.key: pair.value for pair in self.latest().values}
 
-    def wait_for_level(self, level, message):
-        self.wait_for(lambda: self.latest and (self.latest.level, self.latest.message) == (level, message), 5.0,
-                      f"{message!r} in /diagnostics")
+    def wait_for_level(self, *wanted):
+        self.wait_for(lambda: self.arrays and (self.latest().level, self.latest().message) == wanted, 5.0,
+                      f"{wanted} in /diagnostics")
 
     def test_levels_and_values(self):
         self.controller(cmd_vel_timeout=0)

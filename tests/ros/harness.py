@@ -98,9 +98,9 @@ class RobotTest(unittest.TestCase):
             self.addCleanup(self._emergency.unregister)
         self._emergency.publish(engaged)
 
-    def publisher(self, linear: float = 0.5, rate: int = 10) -> subprocess.Popen:
-        """Start a process that publishes this command so many times per second."""
-        return self.start("rostopic", "pub", "-r", str(rate), "/cmd_vel", "geometry_msgs/Twist",
+    def publisher(self, linear: float = 0.5) -> subprocess.Popen:
+        """Start a process that publishes this command ten times per second."""
+        return self.start("rostopic", "pub", "-r", "10", "/cmd_vel", "geometry_msgs/Twist",
                           f"{{linear: {{x: {linear}}}}}")
 
     def wheels(self) -> Tuple[float, float]:
@@ -124,6 +124,12 @@ class RobotTest(unittest.TestCase):
         """Fail if the wheels leave these speeds within so many seconds."""
         if wait_until(lambda: not near(self.wheels(), (left, right)), for_seconds):
             self.fail(f"the wheels turn at {self.wheels()}{self.logs()}")
+
+    def record(self, topic: str, message_type: type) -> list:
+        """Return a list of the topic's messages, which grows as they arrive."""
+        messages = []
+        self.addCleanup(rospy.Subscriber(topic, message_type, messages.append).unregister)
+        return messages
 
     def status(self) -> List[str]:
         """Return a list of the controller's status texts, which grows as they arrive."""

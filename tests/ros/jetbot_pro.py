@@ -109,12 +109,6 @@ class JetBotProTest(RobotTest):
         self.wait_for_velocity((300, 0), within=START_TIMEOUT)
         self.wait_for_status(texts, "driving")
 
-    def record(self, topic, message_type):
-        """Return a list of the topic's messages, which grows as they arrive."""
-        messages = []
-        self.addCleanup(rospy.Subscriber(topic, message_type, messages.append).unregister)
-        return messages
-
     def test_odometry_imu_and_tf(self):
         odoms, imus = self.record("odom", Odometry), self.record("imu/data_raw", Imu)
         transforms = self.record("/tf", TFMessage)

@@ -5,11 +5,7 @@ import os
 import struct
 from pathlib import Path
 
-import rospkg
-
 from harness import RobotTest, main
-
-SI_UNITS = rospkg.RosPack().get_path("jetbot_control_node") + "/config/si_units.yaml"
 
 
 class LaunchController(RobotTest):
@@ -38,11 +34,6 @@ class LaunchController(RobotTest):
         self.launched("wheel_separation:=0.2", "max_speed:=0.5", "left_motor_alpha:=0.5")
         self.command(0.2, 1.0)
         self.wait_for_wheels(0.1, 0.6)
-
-    def test_si_units(self):
-        self.launched(f"config:={SI_UNITS}")
-        self.command(0.3, 1.0)
-        self.wait_for_wheels(0.40625, 0.59375)
 
     def test_the_file_wins_over_the_default(self):
         self.assert_speed(0.6)
