@@ -21,10 +21,6 @@ class LaunchController(RobotTest):
         self.command(0.3)
         self.wait_for_wheels(speed, speed)
 
-    def wait_for_velocity(self, file, velocity):
-        """Fail unless the frame in a simulated JetBot Pro's file comes to hold vx, vy in mm/s, wz in mrad/s."""
-        self.wait_for(lambda: struct.unpack_from(">3h", file.read_bytes(), 4) == velocity, 5.0, f"{velocity}")
-
     def test_defaults(self):
         self.launched()
         self.command(0.5, 0.1)
@@ -50,9 +46,11 @@ class LaunchController(RobotTest):
     def test_a_twist_reaches_a_jetbot_pro_unchanged(self):
         home = Path(self.folder, "home")
         self.launched("board:=jetbot_pro", "port:=fake", env={**os.environ, "ROS_HOME": str(home)})
+        board = home / "fake_i2c/jetbot_pro"  # holds the last frame; its payload: vx, vy in mm/s, wz in mrad/s
         for x, z in (500, 1000), (0, 2000), (800, -700):
             self.command(x / 1000, z / 1000)
-            self.wait_for_velocity(home / "fake_i2c/jetbot_pro", (x, 0, z))
+            payload = struct.pack(">3h", x, 0, z)
+            self.wait_for(lambda payload=payload: board.read_bytes()[4:-1] == payload, 5.0, f"{x} mm/s, {z} mrad/s")
 
 
 if __name__ == "__main__":
