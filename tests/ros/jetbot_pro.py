@@ -80,7 +80,7 @@ class JetBotProTest(RobotTest):
             x, z = (i - 30) / 100, (17 * i % 60 - 30) / 100
             self.command(x, z)
             self.wait_for_velocity((round(1000 * x), round(1000 * z)))
-        self.assertEqual(self.board.bad, [])
+        self.assertFalse(self.board.bad)
 
     def test_a_steady_command_is_repeated_20_times_per_second(self):
         self.publisher(0.5)

@@ -13,13 +13,10 @@ class LaunchController(RobotTest):
         self.launch("jetbot_control_node", "jetbot_controller.launch", *arguments, **options)
         self.wait_for_controller()
 
-    def assert_speed(self, speed, *arguments):
-        """Fail unless 0.3 m/s means this speed with these arguments and a file that sets max_speed to 0.5."""
+    def launched_with_a_file(self, *arguments):
         file = Path(self.folder, "robot.yaml")
-        file.write_text("max_speed: 0.5\n")
+        file.write_text("max_speed: 0.5\nleft_motor_alpha: 0.5\n")
         self.launched(f"config:={file}", *arguments)
-        self.command(0.3)
-        self.wait_for_wheels(speed, speed)
 
     def test_defaults(self):
         self.launched()
@@ -31,17 +28,15 @@ class LaunchController(RobotTest):
         self.command(0.2, 1.0)
         self.wait_for_wheels(0.1, 0.6)
 
-    def test_the_file_wins_over_the_default(self):
-        self.assert_speed(0.6)
+    def test_an_argument_wins_over_the_file_also_where_it_equals_the_default(self):
+        self.launched_with_a_file("max_speed:=1.0", "left_motor_alpha:=0.75")
+        self.command(0.4)
+        self.wait_for_wheels(0.3, 0.4)
 
-    def test_an_empty_argument_counts_as_not_given(self):
-        self.assert_speed(0.6, "max_speed:=")
-
-    def test_an_argument_wins_over_the_file(self):
-        self.assert_speed(0.25, "max_speed:=1.2")
-
-    def test_an_argument_that_equals_the_default_wins_over_the_file(self):
-        self.assert_speed(0.3, "max_speed:=1.0")
+    def test_the_file_wins_over_the_default_where_an_argument_is_empty_or_missing(self):
+        self.launched_with_a_file("max_speed:=")
+        self.command(0.4)
+        self.wait_for_wheels(0.4, 0.8)
 
     def test_a_twist_reaches_a_jetbot_pro_unchanged(self):
         home = Path(self.folder, "home")
