@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the image promises, looked at from inside: docker/build runs this in it. Needs what the image has, no more."""
+"""Checks what the image promises, from inside: docker/build runs this in it. Needs nothing that the image lacks."""
 
 import os
 import shutil
@@ -11,10 +11,11 @@ import time
 import unittest
 from pathlib import Path
 
-from jetbot.fake.motors import wheel_speeds
+from jetbot.fake.motors import STOPPED, wheel_speeds
+from jetbot.wait import wait_until
 
-START = 30.0  # seconds that ROS may take until it works; generous, for slow machines
-LISTEN = "0A"  # state of a socket in /proc/net/tcp
+START_TIMEOUT = 30.0  # s, until ROS works; generous, for slow machines
+LISTEN = "0A"         # state of a socket in /proc/net/tcp
 LOOPBACK = ("0100007F", "00000000000000000000000001000000")  # as /proc/net/tcp and tcp6 write 127.0.0.1 and ::1
 
 
@@ -44,15 +45,15 @@ class Image(unittest.TestCase):
         os.kill(controller, signal.SIGCONT)
         self.wait_for(self.is_healthy)
 
-    def test_stops_the_wheels_when_it_is_told_to_end(self):
+    def test_stops_the_wheels_when_it_is_asked_to_end(self):
         launch = self.launch("workshop", "workshop_jetbot_controller.launch")
         self.wait_for(self.drives)
         start = time.monotonic()
         launch.terminate()
         self.wait_for(lambda: not self.drives())
-        stood = time.monotonic() - start
-        launch.wait(START)
-        print(f"the wheels stood after {stood:.2f} s, all had ended after {time.monotonic() - start:.2f} s", end=" ")
+        stopped = time.monotonic() - start
+        launch.wait(START_TIMEOUT)
+        print(f"wheels stopped after {stopped:.2f} s, processes ended after {time.monotonic() - start:.2f} s", end=" ")
 
     def test_listens_on_the_loopback_interface_alone(self):
         launch = self.launch("workshop", "workshop_jetbot_controller.launch")
@@ -62,7 +63,7 @@ class Image(unittest.TestCase):
         self.assertLessEqual(set(addresses), set(LOOPBACK))
 
     def launch(self, package, file, **environment):
-        """roslaunch on a fake bus, by the image's entrypoint."""
+        """Start roslaunch on a fake bus by the image's entrypoint."""
         process = subprocess.Popen(["/entrypoint", "roslaunch", package, file, f"i2c_bus:=fake:{self.bus}"],
                                    env={**self.environment, **environment}, stdout=subprocess.DEVNULL)
         self.addCleanup(process.wait)
@@ -74,23 +75,21 @@ class Image(unittest.TestCase):
         return check.returncode == 0
 
     def drives(self):
-        return self.bus.exists() and wheel_speeds(self.bus) != (0.0, 0.0)
+        return wheel_speeds(self.bus) != STOPPED
 
     def wait_for(self, condition):
-        deadline = time.monotonic() + START
-        while not condition():
-            self.assertLess(time.monotonic(), deadline, "waited too long")
-            time.sleep(0.01)
+        self.assertTrue(wait_until(condition, START_TIMEOUT), f"waited {START_TIMEOUT} s")
 
 
 def free_port():
+    """Return a TCP port of this computer that no program uses."""
     with socket.socket() as probe:
         probe.bind(("localhost", 0))
         return probe.getsockname()[1]
 
 
 def descendants(pid, program=""):
-    """The processes below this one whose command line names the program."""
+    """Return the ids of the processes below this one whose command line contains the program's name."""
     children = [int(child) for threads in Path(f"/proc/{pid}/task").glob("*/children")
                 for child in threads.read_text().split()]
     below = children + [each for child in children for each in descendants(child)]
@@ -98,7 +97,7 @@ def descendants(pid, program=""):
 
 
 def listening(processes):
-    """The addresses on which these processes listen, in hexadecimal."""
+    """Return the addresses on which these processes listen, in hexadecimal."""
     sockets = {os.readlink(file) for pid in processes for file in Path(f"/proc/{pid}/fd").iterdir()}
     rows = [row.split() for table in ("tcp", "tcp6")
             for row in Path(f"/proc/net/{table}").read_text().splitlines()[1:]]

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
-"""A command that is not finite stops the robot, a huge one is clamped, a wrong type not obeyed; the node lives on."""
+"""A command that is not finite stops the robot, a huge one is clamped, another type ignored; the node keeps running."""
 
-import itertools
 import math
 
 from harness import RobotTest, main
@@ -11,13 +10,13 @@ class BadCommands(RobotTest):
     def test_not_finite(self):
         self.controller()
         texts = self.status()
-        for bad in itertools.chain(*(((value, 0.0), (0.5, value)) for value in (math.nan, math.inf, -math.inf))):
-            with self.subTest(bad):
-                self.command(0.5)
-                self.wait_for_wheels(0.5, 0.5)
-                self.command(*bad)
-                self.wait_for_stop(within=0.2)
-                self.wait_for_status(texts, "stopped: command was not finite")
+        for value in (math.nan, math.inf, -math.inf):
+            for bad in ((value, 0.0), (0.5, value)):
+                with self.subTest(bad):
+                    self.drive(0.5)
+                    self.command(*bad)
+                    self.wait_for_stop(within=0.2)
+                    self.wait_for_status(texts, "stopped: command was not finite")
 
     def test_huge(self):
         self.controller()
@@ -29,8 +28,7 @@ class BadCommands(RobotTest):
         self.start("rostopic", "pub", "-r", "10", "/cmd_vel", "std_msgs/Float64", "1.0")
         self.wheels_stay(0, 0, for_seconds=2)
         self.assertIsNone(node.poll())
-        self.command(0.5)
-        self.wait_for_wheels(0.5, 0.5)
+        self.drive(0.5)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The robot comes back by itself from failing transfers, a brown-out and an unplugged board."""
+"""The robot recovers by itself from failed transfers, a brown-out and an unplugged board."""
 
 import os
+from pathlib import Path
 
 from harness import RobotTest, main
 from jetbot.fake.bus import power_on
@@ -10,15 +11,14 @@ from jetbot.fake.bus import power_on
 class BusFaults(RobotTest):
     def setUp(self):
         super().setUp()
-        self.node = self.controller(cmd_vel_timeout=0)
+        self.controller(cmd_vel_timeout=0)
         self.texts = self.status()
         self.command(0.5)
         self.wait_for_status(self.texts, "driving")
         del self.texts[:-1]
 
     def fail_transfers(self, count):
-        with open(os.path.join(self.bus, "0x60.fail"), "w") as request:
-            request.write(str(count))
+        Path(self.bus, "0x60.fail").write_text(str(count))
 
     def test_one_failed_transfer_goes_unnoticed(self):
         self.fail_transfers(1)
@@ -33,12 +33,12 @@ class BusFaults(RobotTest):
         self.wait_for_wheels(0.75, 0.75, within=1.2)
         self.wait_for_status(self.texts, "driving")
 
-    def test_brown_out_with_a_steady_command(self):
+    def test_brown_out_during_a_steady_command(self):
         power_on(self.bus)
         self.assertEqual(self.wheels(), (0, 0))
         self.wait_for_wheels(0.5, 0.5, within=0.8)
 
-    def test_another_program_on_the_chip(self):
+    def test_another_program_writes_to_the_chip(self):
         with open(os.path.join(self.bus, "0x60"), "r+b") as chip:
             chip.seek(0x06)
             chip.write(bytes([0, 0, 0, 0x10]) * 16)
@@ -54,7 +54,7 @@ class BusFaults(RobotTest):
         power_on(self.bus)
         self.wait_for_wheels(0.59, 0.59, within=1.0)
         self.wait_for_status(self.texts, "driving")
-        self.assertEqual(len(self.texts), 3, f"each told once: {self.texts}")
+        self.assertEqual(len(self.texts), 3, f"each reported once: {self.texts}")
 
 
 if __name__ == "__main__":

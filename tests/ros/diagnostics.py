@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""/diagnostics tells what the robot does and why it stands."""
+"""/diagnostics reports what the robot does and why it is stopped."""
 
 import os
 
@@ -13,16 +13,17 @@ from jetbot.fake.bus import power_on
 class Diagnostics(RobotTest):
     def setUp(self):
         super().setUp()
-        self.latest = None
-        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, self.receive)
-        self.addCleanup(subscriber.unregister)
+        self.arrays = self.record("/diagnostics", DiagnosticArray)
 
-    def receive(self, array):
-        self.latest = array.status[0]
+    def latest(self):
+        return self.arrays[-1].status[0]
 
-    def wait_for_level(self, level, message):
-        self.wait_for(lambda: self.latest and (self.latest.level, self.latest.message) == (level, message), 5.0,
-                      f"{message!r} in /diagnostics")
+    def values(self):
+        return {pair.key: pair.value for pair in self.latest().values}
+
+    def wait_for_level(self, *wanted):
+        self.wait_for(lambda: self.arrays and (self.latest().level, self.latest().message) == wanted, 5.0,
+                      f"{wanted} in /diagnostics")
 
     def test_levels_and_values(self):
         self.controller(cmd_vel_timeout=0)
@@ -31,12 +32,12 @@ class Diagnostics(RobotTest):
             self.command(0.5)
             rospy.sleep(0.05)
         self.wait_for_level(DiagnosticStatus.OK, "driving")
-        values = {pair.key: pair.value for pair in self.latest.values}
+        values = self.values()
         self.assertEqual((values["board"], values["bus"]), ("jetbot", f"fake:{self.bus}"))
         self.assertGreater(int(values["transfers"]), 10)
         self.assertEqual(values["failed transfers"], "0")
         self.assertLess(float(values["age of the last command (s)"]), 3)
-        self.wait_for(lambda: self.latest.values[4].value != "0.0", 5.0, "a rate of commands")
+        self.wait_for(lambda: self.values()["commands per second"] != "0.0", 5.0, "a rate of commands")
 
     def test_alarm_and_fault(self):
         self.controller(cmd_vel_timeout=0.2)
@@ -44,7 +45,7 @@ class Diagnostics(RobotTest):
         self.wait_for_level(DiagnosticStatus.WARN, "stopped: no command for 0.2 s")
         os.unlink(os.path.join(self.bus, "0x60"))
         self.wait_for_level(DiagnosticStatus.ERROR, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")
-        power_on(self.bus)  # or else the guard goes on trying for minutes
+        power_on(self.bus)  # else the guard keeps trying for minutes
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""After 5 s of 1,000 commands a second on a 100 kHz bus, a stop is obeyed at once: nothing waits in a queue."""
+"""After 5 s of 1,000 commands per second on a 100 kHz bus, a stop is obeyed at once: no command waits in a queue."""
 
-import os
 import time
+from pathlib import Path
 
 from harness import RobotTest, main
 from jetbot.fake.bus import power_on
@@ -11,8 +11,7 @@ from jetbot.fake.bus import power_on
 class Flood(RobotTest):
     def test_stop_after_a_flood(self):
         power_on(self.bus)
-        with open(os.path.join(self.bus, "clock"), "w") as clock:
-            clock.write("100000")
+        Path(self.bus, "clock").write_text("100000")
         self.controller(cmd_vel_timeout=0)
         start = time.monotonic()
         for i in range(5000):

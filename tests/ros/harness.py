@@ -1,4 +1,4 @@
-"""What the tests share: real processes against the test's own master, a fake bus, and waiting for conditions."""
+"""What the tests share: real processes under the test's own master, a fake bus, and conditions to wait for."""
 
 import contextlib
 import os
@@ -7,9 +7,9 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 from pathlib import Path
+from typing import Callable, List, Tuple
 
 import rospy
 import rostest
@@ -17,14 +17,17 @@ from geometry_msgs.msg import Twist
 from roslib.packages import find_node
 from std_msgs.msg import Bool, String
 
-from jetbot.fake.motors import STILL, wheel_speeds
+from jetbot.fake.motors import STOPPED, wheel_speeds
+from jetbot.wait import wait_until
 
-START = 15.0  # seconds that a process may take until it works; generous, for slow machines
-END = 45.0    # seconds that it may take to end: roslaunch ends its nodes one after the other
+START_TIMEOUT = 15.0     # s, until a process works; generous, for slow machines
+SHUTDOWN_TIMEOUT = 45.0  # s, until a process has ended: roslaunch ends its nodes one after the other
+
+STILL, START = STOPPED, START_TIMEOUT  # names of before
 
 
-def program(package, name):
-    """The path of a package's program, as rosrun finds it, without the half second that rosrun takes."""
+def program(package: str, name: str) -> str:
+    """Return the path of a package's program, as rosrun finds it, without rosrun's 0.5 s of CPU time."""
     return find_node(package, name)[0]
 
 
@@ -32,24 +35,24 @@ CONTROLLER = program("jetbot_control_node", "jetbot_controller.py")
 
 
 class RobotTest(unittest.TestCase):
-    """Each test has a fake bus of its own, and leaves no process behind."""
+    """A test with a fake bus of its own, which leaves no process behind."""
 
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="jetbot_")
         self.bus = os.path.join(self.folder, "bus")
         self.processes = []
-        for node in ("/jetbot_controller", "/jetbot_motion_control", "/jetbot_simulator"):
-            if rospy.has_param(node):
-                rospy.delete_param(node)  # parameters outlive their node
+        for name in rospy.get_param_names():  # parameters outlive their node
+            if "/jetbot_" in name:
+                rospy.delete_param(name)
 
     def tearDown(self):
         for process in reversed(self.processes):
             end(process)
-        self.wait_for(lambda: not users(self.folder), START, f"the processes that use {self.folder} to end")
+        self.wait_for(lambda: not find_processes(self.folder), START_TIMEOUT, f"the processes in {self.folder} to end")
         shutil.rmtree(self.folder)
 
-    def start(self, *command, **options):
-        """A process in a group of its own, its output in ``process.log``."""
+    def start(self, *command: str, **options) -> subprocess.Popen:
+        """Start a process in a group of its own; ``read`` returns what it prints. options: of subprocess.Popen."""
         log = Path(self.folder, f"log_{len(self.processes)}")
         with log.open("w") as file:
             process = subprocess.Popen(command, stdout=file, stderr=file, start_new_session=True, **options)
@@ -57,125 +60,134 @@ class RobotTest(unittest.TestCase):
         self.processes.append(process)
         return process
 
-    def controller(self, **parameters):
-        """The controller on the fake bus, subscribed."""
+    def controller(self, **parameters) -> subprocess.Popen:
+        """Start the controller on the fake bus with these parameters; wait until it subscribes."""
         process = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}",
                              *(f"_{name}:={value}" for name, value in parameters.items()))
         self.wait_for_controller()
         return process
 
-    def wait_for_controller(self):
-        """Wait until the controller listens to this test's commands."""
-        self.wait_for(lambda: self.commands().get_num_connections(), START, "the controller to subscribe")
+    def wait_for_controller(self) -> None:
+        """Wait until the controller subscribes to this test's commands."""
+        self.wait_for(self.commands().get_num_connections, START_TIMEOUT, "the controller to subscribe")
 
-    def launch(self, package, file, *arguments, **options):
-        """roslaunch on the fake bus."""
+    def launch(self, package: str, file: str, *arguments: str, **options) -> subprocess.Popen:
+        """Start roslaunch on the fake bus."""
         return self.start("roslaunch", package, file, f"i2c_bus:=fake:{self.bus}", *arguments, **options)
 
-    def commands(self):
-        """The test's own publisher of commands, made when first asked for."""
+    def commands(self) -> rospy.Publisher:
+        """Return this test's publisher on cmd_vel, created when first needed."""
         if not hasattr(self, "_commands"):
             self._commands = rospy.Publisher("cmd_vel", Twist, queue_size=1)
             self.addCleanup(self._commands.unregister)
         return self._commands
 
-    def command(self, linear, angular=0.0):
-        """Publish one command."""
+    def command(self, linear: float, angular: float = 0.0) -> None:
+        """Publish one command, in m/s and rad/s."""
         self.commands().publish(twist(linear, angular))
 
-    def emergency_stop(self, engaged):
-        """Publish an emergency stop, or its release, and let it stand for those who join later."""
+    def drive(self, speed: float) -> None:
+        """Publish one command, and wait until both wheels turn at this speed."""
+        self.command(speed)
+        self.wait_for_wheels(speed, speed)
+
+    def emergency_stop(self, engaged: bool) -> None:
+        """Publish an emergency stop or its release, latched for robots that start later."""
         if not hasattr(self, "_emergency"):
             self._emergency = rospy.Publisher("/emergency_stop", Bool, queue_size=1, latch=True)
             self.addCleanup(self._emergency.unregister)
         self._emergency.publish(engaged)
 
-    def publisher(self, linear=0.5, rate=10):
-        """A process that publishes commands, as a pupil would start it."""
-        return self.start("rostopic", "pub", "-r", str(rate), "/cmd_vel", "geometry_msgs/Twist",
+    def publisher(self, linear: float = 0.5) -> subprocess.Popen:
+        """Start a process that publishes this command ten times per second."""
+        return self.start("rostopic", "pub", "-r", "10", "/cmd_vel", "geometry_msgs/Twist",
                           f"{{linear: {{x: {linear}}}}}")
 
-    def wheels(self):
-        """The speeds (left, right) of the wheels on the fake bus, in [-1, 1]."""
+    def wheels(self) -> Tuple[float, float]:
+        """Return the speeds (left, right) of the wheels on the fake bus, in [-1, 1]."""
         return wheel_speeds(self.bus)
 
-    def wait_for(self, condition, within, what):
-        """Wait until the condition is true; fail when it does not become so within these seconds."""
-        deadline = time.monotonic() + within
-        while not condition():
-            if time.monotonic() > deadline:
-                self.fail(f"waited {within} s for {what}; wheels {self.wheels()}{self.logs()}")
-            time.sleep(0.01)
+    def wait_for(self, condition: Callable[[], object], within: float, what: str) -> None:
+        """Fail unless the condition becomes true within so many seconds; what: its description."""
+        if not wait_until(condition, within):
+            self.fail(f"waited {within} s for {what}; wheels {self.wheels()}{self.logs()}")
 
-    def wait_for_wheels(self, left, right, within=5.0):
-        """Wait until the wheels turn at these speeds; fail after ``within`` seconds, here and below."""
+    def wait_for_wheels(self, left: float, right: float, within: float = 5.0) -> None:
+        """Fail unless the wheels reach these speeds within so many seconds."""
         self.wait_for(lambda: near(self.wheels(), (left, right)), within, f"the wheels to turn at {left}, {right}")
 
-    def wait_for_stop(self, within):
-        self.wait_for(lambda: self.wheels() == STILL, within, "the wheels to stop")
+    def wait_for_stop(self, within: float) -> None:
+        """Fail unless both wheels stop within so many seconds."""
+        self.wait_for(lambda: self.wheels() == STOPPED, within, "the wheels to stop")
 
-    def wheels_stay(self, left, right, for_seconds):
-        """Fail as soon as the wheels do anything else."""
-        deadline = time.monotonic() + for_seconds
-        while time.monotonic() < deadline:
-            self.assertTrue(near(self.wheels(), (left, right)), f"the wheels turn at {self.wheels()}{self.logs()}")
-            time.sleep(0.01)
+    def wheels_stay(self, left: float, right: float, for_seconds: float) -> None:
+        """Fail if the wheels leave these speeds within so many seconds."""
+        if wait_until(lambda: not near(self.wheels(), (left, right)), for_seconds):
+            self.fail(f"the wheels turn at {self.wheels()}{self.logs()}")
 
-    def status(self):
-        """A list of the controller's status texts, which grows as they come."""
+    def record(self, topic: str, message_type: type) -> list:
+        """Return a list of the topic's messages, which grows as they arrive."""
+        messages = []
+        self.addCleanup(rospy.Subscriber(topic, message_type, messages.append).unregister)
+        return messages
+
+    def status(self) -> List[str]:
+        """Return a list of the controller's status texts, which grows as they arrive."""
         texts = []
         subscriber = rospy.Subscriber("/jetbot_controller/status", String, lambda message: texts.append(message.data))
         self.addCleanup(subscriber.unregister)
         return texts
 
-    def wait_for_status(self, texts, text, within=5.0):
+    def wait_for_status(self, texts: List[str], text: str, within: float = 5.0) -> None:
+        """Fail unless this becomes the last of the status texts within so many seconds."""
         self.wait_for(lambda: texts and texts[-1] == text, within, f"the status {text!r} after {texts}")
 
-    def logs(self):
-        """What all processes of this test have printed so far."""
+    def logs(self) -> str:
+        """Return what all processes of this test have printed so far."""
         return "".join(f"\n--- {process.args}\n{read(process)}" for process in self.processes)
 
 
-def users(folder):
-    """The command lines of all processes that name the folder."""
-    commands = []
-    for path in Path("/proc").glob("[0-9]*/cmdline"):
-        with contextlib.suppress(FileNotFoundError, ProcessLookupError):  # those that have just ended
-            commands.append(path.read_text())
-    return [command for command in commands if folder in command]
+def find_processes(text: str, name: str = "") -> List[int]:
+    """Return the ids of the processes with this text in their command line, and this name, where one is given."""
+    ids = []
+    for path in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):  # it has just ended
+            if text in (path / "cmdline").read_text() and name in (path / "comm").read_text():
+                ids.append(int(path.name))
+    return ids
 
 
-def read(process):
-    """What the process has printed so far."""
+def read(process: subprocess.Popen) -> str:
+    """Return what the process has printed so far."""
     return process.log.read_text()
 
 
-def end(process):
-    """End the process: politely, then by force; with all of its group."""
+def end(process: subprocess.Popen) -> None:
+    """End the process by SIGINT to its group, after SHUTDOWN_TIMEOUT by SIGKILL."""
     if process.poll() is None:
         for signal_number in (signal.SIGCONT, signal.SIGINT):
             os.killpg(process.pid, signal_number)
     try:
-        process.wait(END)
+        process.wait(SHUTDOWN_TIMEOUT)
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()
 
 
-def twist(linear, angular=0.0):
-    """A Twist: m/s ahead, rad/s to the left."""
+def twist(linear: float, angular: float = 0.0) -> Twist:
+    """Return a Twist: m/s ahead, rad/s to the left."""
     message = Twist()
     message.linear.x, message.angular.z = linear, angular
     return message
 
 
-def near(speeds, wanted):
-    """Whether speeds are those that were wanted, but for the steps in which a board counts."""
+def near(speeds: Tuple[float, float], wanted: Tuple[float, float]) -> bool:
+    """Return whether the speeds are those wanted, to the steps in which a board counts."""
     return all(abs(speed - want) < 0.001 for speed, want in zip(speeds, wanted))
 
 
-def main(test_case):
-    """Run the tests of a case under rostest."""
-    name = os.path.splitext(os.path.basename(sys.argv[0]))[0]
+def main(test_case: type) -> None:
+    """Run the tests of a case as the behaviour that this script is named after."""
+    name = Path(sys.argv[0]).stem
     rospy.init_node("test_" + name)
     rostest.rosrun("jetbot_tests", name, test_case)

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Thirty robots under one master, ten commands a second each: all obey, one emergency stop stops all, and
-one that dies ends alone."""
+"""Thirty robots on one master: each obeys its own commands, one emergency stop stops all, one that dies ends alone."""
 
 import os
 import signal
@@ -9,44 +8,44 @@ from pathlib import Path
 import rospy
 from geometry_msgs.msg import Twist
 
-from harness import STILL, RobotTest, main, near, twist, wheel_speeds
+from harness import STOPPED, RobotTest, main, near, twist, wheel_speeds
 from jetbot_lessons.graph import pid
 
 ROBOTS = 30
-START_OF_ALL = 60.0  # seconds; roslaunch starts one after the other
+START_TIMEOUT = 60.0  # s, until all work; roslaunch starts one after the other
+KILLED = "jetbot_07"
 
 
 class ManyRobots(RobotTest):
+    def setUp(self):
+        super().setUp()
+        self.home = Path(self.folder, "home")
+        self.speeds = {f"jetbot_{i:02}": i / 100 for i in range(1, ROBOTS + 1)}
+        self.publishers = {name: rospy.Publisher(f"/{name}/cmd_vel", Twist, queue_size=1) for name in self.speeds}
+
+    def command_all(self, _):
+        for name, speed in self.speeds.items():
+            self.publishers[name].publish(twist(speed))
+
+    def is_at(self, name, wanted):
+        return near(wheel_speeds(self.home / "fake_i2c" / name), wanted)
+
+    def drive_at_their_speeds(self, names):
+        return all(self.is_at(name, (self.speeds[name], self.speeds[name])) for name in names)
+
     def test_thirty_robots(self):
-        home = Path(self.folder, "home")
-        speeds = {f"jetbot_{i:02}": i / 100 for i in range(1, ROBOTS + 1)}
-        publishers = {name: rospy.Publisher(f"/{name}/cmd_vel", Twist, queue_size=1) for name in speeds}
-
-        def command_all(_):
-            for name, speed in speeds.items():
-                publishers[name].publish(twist(speed))
-
-        def wheels(name):
-            return wheel_speeds(home / "fake_i2c" / name)
-
-        def all_drive(wanted):
-            return all(near(wheels(name), wanted(name)) for name in speeds)
-
         self.start("roslaunch", "jetbot_control_node", "many_robots.launch", f"robots:={ROBOTS}",
-                   env={**os.environ, "ROS_HOME": str(home)})
+                   env={**os.environ, "ROS_HOME": str(self.home)})
         self.emergency_stop(False)
-        self.wait_for(lambda: all(each.get_num_connections() for each in publishers.values())
-                      and self._emergency.get_num_connections() == ROBOTS, START_OF_ALL, "all to subscribe")
-        timer = rospy.Timer(rospy.Duration(0.1), command_all)
-        self.addCleanup(timer.shutdown)
-        self.wait_for(lambda: all_drive(lambda name: (speeds[name], speeds[name])), 5.0, "all to drive as they should")
+        self.wait_for(lambda: all(each.get_num_connections() for each in self.publishers.values())
+                      and self._emergency.get_num_connections() == ROBOTS, START_TIMEOUT, "all to subscribe")
+        self.addCleanup(rospy.Timer(rospy.Duration(0.1), self.command_all).shutdown)
+        self.wait_for(lambda: self.drive_at_their_speeds(self.speeds), 5.0, "each to drive at its own speed")
         self.emergency_stop(True)
-        self.wait_for(lambda: all_drive(lambda name: STILL), 0.5, "all to stop")
-        os.kill(pid("/jetbot_07/jetbot_controller"), signal.SIGKILL)
+        self.wait_for(lambda: all(self.is_at(name, STOPPED) for name in self.speeds), 0.5, "all to stop")
+        os.kill(pid(f"/{KILLED}/jetbot_controller"), signal.SIGKILL)
         self.emergency_stop(False)
-        others = speeds.keys() - {"jetbot_07"}
-        self.wait_for(lambda: all(near(wheels(name), (speeds[name], speeds[name])) for name in others), 5.0,
-                      "all others to drive on")
+        self.wait_for(lambda: self.drive_at_their_speeds(self.speeds.keys() - {KILLED}), 5.0, "all others to drive")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The wheels turn as the command says: left = x - z, right = x + z, each within [-1, 1]."""
+"""The wheels turn as commanded: left = x - z, right = x + z, each within [-1, 1]."""
 
 from harness import RobotTest, main
 

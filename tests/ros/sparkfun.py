@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""SparkFun's motor driver obeys, keeps driving while its failsafe is fed, and comes back from a brown-out."""
+"""SparkFun's motor driver obeys, with its own failsafe armed, also after a hang and a brown-out."""
 
 import os
 import signal
@@ -8,33 +8,44 @@ from pathlib import Path
 from harness import RobotTest, main, near, wheel_speeds
 from jetbot.fake.bus import power_on
 
+MA_DRIVE, MOTOR_OFF = 0x20, 0x80    # register of the left motor
+FSAFE_TIME, ONE_SECOND = 0x76, 100  # register of the failsafe, in units of 10 ms
+
 
 class Sparkfun(RobotTest):
     def wheels(self):
         return wheel_speeds(self.bus, "sparkfun")
 
-    def chip(self):
-        return Path(self.bus, "0x5d").read_bytes()
+    def driving_controller(self):
+        """Start a controller that drives, and whose board has the failsafe armed."""
+        node = self.controller(board="sparkfun", cmd_vel_timeout=0)
+        self.drive(0.5)
+        self.wait_for_register(FSAFE_TIME, ONE_SECOND, within=1.0)
+        return node
 
-    def test_drives_on_beyond_the_failsafe_and_returns(self):
-        self.controller(board="sparkfun", cmd_vel_timeout=0)
-        self.command(0.5)
-        self.wait_for_wheels(0.5, 0.5)
+    def wait_for_register(self, register, value, within):
+        self.wait_for(lambda: Path(self.bus, "0x5d").read_bytes()[register] == value, within,
+                      f"register 0x{register:02x} to hold {value}")
+
+    def test_keeps_driving_beyond_the_failsafe(self):
+        self.driving_controller()
         self.wheels_stay(0.5, 0.5, for_seconds=2.0)
+
+    def test_brown_out(self):
+        self.driving_controller()
         power_on(self.bus)
         self.wait_for_wheels(0.5, 0.5, within=0.6)
+        self.wait_for_register(FSAFE_TIME, ONE_SECOND, within=1.0)
 
-    def test_the_failsafe_is_still_set_after_a_hang(self):
-        node = self.controller(board="sparkfun", cmd_vel_timeout=0)
-        self.command(0.5)
-        self.wait_for_wheels(0.5, 0.5)
+    def test_hang(self):
+        node = self.driving_controller()
         os.killpg(node.pid, signal.SIGSTOP)
-        self.wait_for(lambda: self.chip()[0x20] == 0x80, 3.0, "the guard to stop the wheels")
+        self.wait_for_register(MA_DRIVE, MOTOR_OFF, within=3.0)
         os.killpg(node.pid, signal.SIGCONT)
         self.wait_for_wheels(0.5, 0.5)
-        self.assertEqual(self.chip()[0x76], 100)
+        self.wait_for_register(FSAFE_TIME, ONE_SECOND, within=1.0)
 
-    def test_stops_in_silence(self):
+    def test_stops_at_the_timeout(self):
         self.controller(board="sparkfun", cmd_vel_timeout=0.5)
         self.command(-1.0)
         self.wait_for(lambda: near(self.wheels(), (-1 + 1 / 128, -1 + 1 / 128)), 2.0, "full backward")

@@ -1,34 +1,34 @@
 #!/usr/bin/env python3
-"""What is not there or cannot be is told in one sentence, without a traceback, and the exit code is not 0."""
+"""A node that cannot start logs one sentence, without a traceback, and its exit code is not 0."""
 
 import os
 
-from harness import CONTROLLER, START, RobotTest, main, program, read
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, main, program, read
 
 
 class StartErrors(RobotTest):
-    def assert_says(self, sentence, *parameters):
+    def assert_fails(self, sentence, *parameters):
+        """Fail unless the controller fails with one line, which contains this sentence."""
         node = self.start(CONTROLLER, *parameters)
-        self.assertNotEqual(node.wait(START), 0)
+        self.assertNotEqual(node.wait(START_TIMEOUT), 0)
         lines = read(node).splitlines()
         self.assertEqual(len(lines), 1, lines)
         self.assertIn(sentence, lines[0])
 
     def test_missing_bus(self):
-        self.assert_says("There is no I2C bus /dev/i2c-77. This computer has ", "_i2c_bus:=77")
+        self.assert_fails("There is no I2C bus /dev/i2c-77. This computer has ", "_i2c_bus:=77")
 
     def test_missing_chip(self):
         os.mkdir(self.bus)
-        self.assert_says(f"No answer from 0x60 on fake:{self.bus}. To plug it in: ",
-                         f"_i2c_bus:=fake:{self.bus}")
+        self.assert_fails(f"No answer from 0x60 on fake:{self.bus}. To plug it in: ", f"_i2c_bus:=fake:{self.bus}")
 
     def test_bad_parameter(self):
-        self.assert_says("The parameter board must be one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro, "
-                         "not 'lego'.", "_board:=lego")
+        self.assert_fails("The parameter board must be one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro, "
+                          "not 'lego'.", "_board:=lego")
 
     def test_bad_namespace(self):
-        self.assert_says("A robot cannot be named jetbot-07. Begin with a letter, and use letters, digits and _.",
-                         "_i2c_bus:=fake", "__ns:=jetbot-07")
+        self.assert_fails("A robot cannot be named jetbot-07. Begin with a letter, and use letters, digits and _.",
+                          "_i2c_bus:=fake", "__ns:=jetbot-07")
 
     def test_no_master(self):
         nowhere = {**os.environ, "ROS_MASTER_URI": "http://localhost:1"}
@@ -37,12 +37,12 @@ class StartErrors(RobotTest):
             [program("simulation", "draw_track.py")])]
         sentence = "No ROS master at http://localhost:1. Start one in another terminal: roscore\n"
         for node in nodes:
-            self.assertNotEqual(node.wait(START), 0)
+            self.assertNotEqual(node.wait(START_TIMEOUT), 0)
             self.assertEqual(read(node), sentence)
 
     def test_roslaunch_ends_when_the_controller_cannot_start(self):
         launch = self.start("roslaunch", "workshop", "workshop_jetbot_controller.launch", "i2c_bus:=77")
-        launch.wait(START)
+        launch.wait(START_TIMEOUT)
         self.assertEqual(read(launch).count("There is no I2C bus /dev/i2c-77."), 1, "no endless respawns")
         self.assertNotIn("Traceback", read(launch))
 

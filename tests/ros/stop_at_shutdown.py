@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The wheels stop when the node, or roslaunch above it, is told to end."""
+"""The wheels stop when the node, or roslaunch above it, is asked to end."""
 
 import os
 import signal
@@ -7,39 +7,39 @@ import signal
 import rosgraph
 from ports import free_port
 
-from harness import CONTROLLER, START, RobotTest, main, program
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, main, program
 
-ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class StopAtShutdown(RobotTest):
     def test_node(self):
-        for ending in ENDINGS:
-            with self.subTest(ending):
+        for each in SIGNALS:
+            with self.subTest(each):
                 node = self.controller(cmd_vel_timeout=0)
-                self.command(0.5)
-                self.wait_for_wheels(0.5, 0.5)
-                node.send_signal(ending)
+                self.drive(0.5)
+                node.send_signal(each)
                 self.wait_for_stop(within=0.7)
-                self.assertEqual(node.wait(START), 0)
-                self.wait_for(lambda: not self.commands().get_num_connections(), START, "the node to unsubscribe")
+                self.assertEqual(node.wait(START_TIMEOUT), 0)
+                self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the node to unsubscribe")
 
     def test_roslaunch(self):
-        for ending in ENDINGS:
-            with self.subTest(ending):
+        for each in SIGNALS:
+            with self.subTest(each):
                 launch = self.launch("workshop", "workshop_jetbot_controller.launch")
-                self.wait_for_wheels(0.4, 0.6, within=START)
-                launch.send_signal(ending)
+                self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
+                launch.send_signal(each)
                 self.wait_for_stop(within=0.7)
-                launch.wait(START)
+                launch.wait(START_TIMEOUT)
 
-    def test_node_without_an_answer_from_the_master(self):
-        home = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{free_port()}"}
-        master = self.start("roscore", "-p", home["ROS_MASTER_URI"].rpartition(":")[2])
-        self.wait_for(lambda: rosgraph.is_master_online(home["ROS_MASTER_URI"]), START, "the master")
-        node = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "_cmd_vel_timeout:=0", env=home)
-        self.start(program("workshop", "jetbot_motion_control.py"), env=home)
-        self.wait_for_wheels(0.4, 0.6, within=START)
+    def test_node_whose_master_hangs(self):
+        port = str(free_port())
+        environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
+        master = self.start("roscore", "-p", port)
+        self.wait_for(lambda: rosgraph.is_master_online(environment["ROS_MASTER_URI"]), START_TIMEOUT, "the master")
+        node = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "_cmd_vel_timeout:=0", env=environment)
+        self.start(program("workshop", "jetbot_motion_control.py"), env=environment)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
         os.killpg(master.pid, signal.SIGSTOP)
         node.send_signal(signal.SIGTERM)
         self.wait_for_stop(within=0.7)

@@ -1,4 +1,4 @@
-"""Runs every .test file here by rostest, as one would by hand."""
+"""Runs each behaviour, an executable script with a RobotTest, as ``rostest behaviour.test test:=NAME`` does by hand."""
 
 import os
 import shutil
@@ -7,15 +7,17 @@ from pathlib import Path
 
 import pytest
 
-FILES = sorted(Path(__file__).parent.glob("*.test"))
-PROGRAMS = {"show_in_rviz": ("rviz", "Xvfb", "convert")}  # what a test needs that ./morbot setup does not install
+FOLDER = Path(__file__).parent
+BEHAVIOURS = sorted(path.stem for path in FOLDER.glob("*.py") if os.access(path, os.X_OK))
+PROGRAMS = {"show_in_rviz": ("rviz", "Xvfb", "convert")}  # that ./morbot setup does not install
 
 
-@pytest.mark.parametrize("file", FILES, ids=[file.stem for file in FILES])
-def test_rostest(file, tmp_path):
-    missing = [program for program in PROGRAMS.get(file.stem, ()) if not shutil.which(program)]
+@pytest.mark.parametrize("behaviour", BEHAVIOURS)
+def test_rostest(behaviour, tmp_path):
+    missing = [program for program in PROGRAMS.get(behaviour, ()) if not shutil.which(program)]
     if missing:
         pytest.skip(f"{', '.join(missing)} not installed; sudo apt install rviz xvfb imagemagick libgl1-mesa-dri")
-    run = subprocess.run(["rostest", str(file)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                         env={**os.environ, "ROS_HOME": str(tmp_path)}, text=True, timeout=240)
+    command = ["rostest", str(FOLDER / "behaviour.test"), f"test:={behaviour}"]
+    run = subprocess.run(command, env={**os.environ, "ROS_HOME": str(tmp_path)}, stdout=subprocess.PIPE,
+                         stderr=subprocess.STDOUT, text=True, timeout=240)
     assert run.returncode == 0, run.stdout

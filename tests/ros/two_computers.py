@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""A laptop commands a robot over a network, until the link is cut, and again when it is back."""
+"""A laptop commands a robot over a network; the robot stops while the link is cut, and drives when it is back."""
 
 import os
 import subprocess
 import unittest
 
-from harness import START, STILL, RobotTest, main, near
+from harness import START_TIMEOUT, RobotTest, main
 
 ADDRESSES = {"robot": "10.77.0.1", "laptop": "10.77.0.2"}  # of two network namespaces, which nothing else can reach
-TIMEOUT = 1.0  # seconds; the default of cmd_vel_timeout
-BACK = 15.0    # seconds; TCP waits longer and longer between two tries
+COMMAND_TIMEOUT = 1.0     # s; the default of cmd_vel_timeout
+RECONNECT_TIMEOUT = 15.0  # s; TCP waits longer and longer between two tries
 
 
 class TwoComputers(RobotTest):
@@ -21,7 +21,7 @@ class TwoComputers(RobotTest):
                 self.addCleanup(ip, "netns", "delete", name)
                 ip("-n", name, "link", "set", "lo", "up")
             except subprocess.CalledProcessError:
-                raise unittest.SkipTest("this user may not make network namespaces, or not enter them") from None
+                raise unittest.SkipTest("this user may not create or enter network namespaces") from None
         super().setUp()
         robot, laptop = self.names.values()
         ip("-n", robot, "link", "add", "eth0", "type", "veth", "peer", "eth0", "netns", laptop)
@@ -32,21 +32,22 @@ class TwoComputers(RobotTest):
     def set_link(self, host, state):
         ip("-n", self.names[host], "link", "set", "eth0", state)
 
-    def on(self, host, *command):
-        """Start a command on a computer, with the variables that README names."""
+    def start_on(self, host, *command):
+        """Start a command on a computer, with the variables of a network of two."""
         variables = {"ROS_HOSTNAME": ADDRESSES[host], "ROS_MASTER_URI": f"http://{ADDRESSES['robot']}:11311"}
         return self.start("ip", "netns", "exec", self.names[host], *command, env={**os.environ, **variables})
 
     def test_link_is_cut_and_returns(self):
-        self.on("robot", "roslaunch", "jetbot_control_node", "jetbot_controller.launch", f"i2c_bus:=fake:{self.bus}")
-        self.wait_for(lambda: os.path.exists(self.bus), START, "the controller")
-        self.on("laptop", "rostopic", "pub", "-r", "10", "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.5}}")
-        self.wait_for_wheels(0.5, 0.5, within=START)
+        self.start_on("robot", "roslaunch", "jetbot_control_node", "jetbot_controller.launch",
+                      f"i2c_bus:=fake:{self.bus}")
+        self.wait_for(lambda: os.path.exists(self.bus), START_TIMEOUT, "the controller")
+        self.start_on("laptop", "rostopic", "pub", "-r", "10", "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.5}}")
+        self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
         self.set_link("robot", "down")
-        self.wait_for_stop(within=TIMEOUT + 0.5)
-        self.wheels_stay(*STILL, for_seconds=1.0)
+        self.wait_for_stop(within=COMMAND_TIMEOUT + 0.5)
+        self.wheels_stay(0, 0, for_seconds=1.0)
         self.set_link("robot", "up")
-        self.wait_for(lambda: near(self.wheels(), (0.5, 0.5)), BACK, "the robot to drive again")
+        self.wait_for_wheels(0.5, 0.5, within=RECONNECT_TIMEOUT)
 
 
 def ip(*arguments):
