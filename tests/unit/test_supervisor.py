@@ -39,7 +39,7 @@ def steps(supervisor, start, seconds):
 
 def go(supervisor, now=0.0):
     """A command at the time ``now``."""
-    supervisor.safety = supervisor.safety.command(0.5, 0.1, now)
+    supervisor.state = supervisor.state.command(0.5, 0.1, now)
 
 
 def test_a_command_turns_the_wheels(supervisor, folder, statuses):

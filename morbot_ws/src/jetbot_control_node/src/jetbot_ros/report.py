@@ -11,7 +11,8 @@ from diagnostic_msgs.msg import DiagnosticStatus
 from diagnostic_updater import Updater
 from std_msgs.msg import String
 
-from .supervisor import State, Supervisor
+from .safety import State
+from .supervisor import Supervisor
 
 DIAGNOSTICS_INTERVAL = 1.0  # s
 REPEAT_LOG = 1.0            # s before the same line is logged again
@@ -68,7 +69,7 @@ class Report:
         if state.status != self._last and now - self._logged.get(state.status, -math.inf) >= REPEAT_LOG:
             self._logged[state.status] = now
             self._last = state.status
-            (rospy.logwarn if state.alarm else rospy.loginfo)(self._prefix + state.status)
+            (rospy.logwarn if state.fault or state.alarm else rospy.loginfo)(self._prefix + state.status)
 
     def _diagnose(self, result, state, link):
         now = time.monotonic()
@@ -79,8 +80,8 @@ class Report:
         result.add("bus", link.name)
         result.add("transfers", link.transfers)
         result.add("failed transfers", link.errors)
-        (commands, since), self._counted = self._counted, (state.safety.commands, now)
-        result.add("commands per second", f"{(state.safety.commands - commands) / (now - since):.1f}")
-        at = state.safety.commanded_at
+        (commands, since), self._counted = self._counted, (state.commands, now)
+        result.add("commands per second", f"{(state.commands - commands) / (now - since):.1f}")
+        at = state.commanded_at
         result.add("age of the last command (s)", "none yet" if at is None else f"{now - at:.2f}")
         return result

@@ -4,11 +4,11 @@ import contextlib
 import queue
 import threading
 import time
-from typing import Callable, NamedTuple, Optional
+from typing import Callable
 
 from jetbot import BusError, Robot
 
-from .safety import Safety
+from .safety import State
 
 DRIVING_INTERVAL = 0.05      # s between two checks of what may stop the robot while it drives
 STOPPED_INTERVAL = 0.4       # s between two wake-ups while it is stopped; the guard's timeout is a second
@@ -17,25 +17,8 @@ VERIFY_AFTER_COMMAND = 0.1   # s between two verifications right after a command
 VERIFY_IDLE = 0.3            # s between two of them at any other moment
 
 
-class State(NamedTuple):
-    """What the supervisor has last done. Immutable: any thread may keep it."""
-
-    safety: Safety
-    fault: Optional[BusError] = None  # while the board does not answer
-
-    @property
-    def status(self) -> str:
-        """What the robot does and why, in one sentence."""
-        return f"stopped: {self.fault.reason}, trying again" if self.fault else self.safety.status
-
-    @property
-    def alarm(self) -> bool:
-        """Whether something other than a command stopped the robot."""
-        return bool(self.fault) or self.safety.alarm
-
-
 class Supervisor:
-    """Drives the velocity that ``safety`` allows. Any thread may call ``command``, ``emergency_stop`` and ``end``.
+    """Drives the velocity that its ``state`` allows. Any thread may call ``command``, ``emergency_stop`` and ``end``.
 
     drive: drives the robot at (linear, angular); count_publishers: returns how many nodes could send commands;
     on_change: takes each State whose status differs from the one before. None of them may block.
@@ -46,10 +29,9 @@ class Supervisor:
                  count_publishers: Callable[[], int], on_change: Callable[[State], None]):
         self._robot, self._drive = robot, drive
         self._count_publishers, self._on_change = count_publishers, on_change
-        self.safety = Safety(cmd_vel_timeout)
-        self.state = State(self.safety)
+        self.state = State(cmd_vel_timeout)
         self.closed = False
-        self._lock = threading.Lock()  # held while ``safety`` is replaced, never during a transfer
+        self._lock = threading.Lock()  # held while ``state`` is replaced, never during a transfer
         self._events = queue.SimpleQueue()  # its put is reentrant: fit for a signal's handler
         self._ending = False
         self._status = None
@@ -57,12 +39,12 @@ class Supervisor:
 
     def command(self, linear: float, angular: float) -> None:
         """Note a command: m/s forward and rad/s to the left."""
-        self._change(Safety.command, linear, angular, time.monotonic())
+        self._change(State.command, linear, angular, time.monotonic())
         self._wake()
 
     def emergency_stop(self, engaged: bool) -> None:
         """Note that the emergency stop was pressed or released."""
-        self._change(Safety.emergency_stop, engaged)
+        self._change(State.emergency_stop, engaged)
         self._wake()
 
     def end(self, *_) -> None:
@@ -85,18 +67,18 @@ class Supervisor:
 
         commanded: whether something has just happened, such as a command.
         """
-        if self.safety.driving:
-            self._change(Safety.check_timeout, self._count_publishers(), now)
-        safety, fault = self.safety, None
+        self._change(State.check_timeout, self._count_publishers(), now)
+        state, fault = self.state, None
         try:
-            self._drive(*safety.velocity)
+            self._drive(*state.velocity)
             self._verify(now, commanded)
         except BusError as error:
             fault = error
-        interval = self._robot.driver.keep_alive_interval if safety.driving else STOPPED_INTERVAL
+        interval = self._robot.driver.keep_alive_interval if state.driving else STOPPED_INTERVAL
         self._keep_alive(now, interval)
-        self._report(State(safety, fault))
-        pause = RETRY_INTERVAL if fault else DRIVING_INTERVAL if safety.driving else STOPPED_INTERVAL
+        self._change(State.board_answered, fault)
+        self._report()
+        pause = RETRY_INTERVAL if fault else DRIVING_INTERVAL if state.driving else STOPPED_INTERVAL
         return min(pause, self._fed + interval - now)
 
     def _wake(self):
@@ -112,7 +94,7 @@ class Supervisor:
 
     def _change(self, event, *arguments):
         with self._lock:
-            self.safety = event(self.safety, *arguments)
+            self.state = event(self.state, *arguments)
 
     def _verify(self, now, commanded):
         """Verify a part of the board: after a command, or when none came for a while, so that it holds up none."""
@@ -126,8 +108,8 @@ class Supervisor:
             with contextlib.suppress(BusError):  # the next drive reports it
                 self._robot.keep_alive()
 
-    def _report(self, state):
-        self.state = state
+    def _report(self):
+        state = self.state
         if state.status != self._status:
             self._status = state.status
             self._on_change(state)
