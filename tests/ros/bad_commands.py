@@ -13,7 +13,7 @@ class BadCommands(RobotTest):
         for value in (math.nan, math.inf, -math.inf):
             for bad in ((value, 0.0), (0.5, value)):
                 with self.subTest(bad):
-                    self.drive(0.5)
+                    self.drive_at(0.5)
                     self.command(*bad)
                     self.wait_for_stop(within=0.2)
                     self.wait_for_status(texts, "stopped: command was not finite")
@@ -28,7 +28,7 @@ class BadCommands(RobotTest):
         self.start("rostopic", "pub", "-r", "10", "/cmd_vel", "std_msgs/Float64", "1.0")
         self.wheels_stay(0, 0, for_seconds=2)
         self.assertIsNone(node.poll())
-        self.drive(0.5)
+        self.drive_at(0.5)
 
 
 if __name__ == "__main__":

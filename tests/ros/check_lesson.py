@@ -8,7 +8,7 @@ import pexpect
 import rosgraph
 from jetbot_pro import Board
 
-from harness import CONTROLLER, START, RobotTest, main, program, read
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, main, program, read
 from jetbot.fake.motors import STOPPED
 from jetbot_lessons.commands import check_rate
 from jetbot_lessons.graph import check_publishes
@@ -27,7 +27,7 @@ class CheckLesson(RobotTest):
     def assert_output(self, arguments, output, exit_code=1, **environment):
         """Fail unless the program prints just this."""
         process = self.start(CHECK, *arguments, env={**os.environ, **environment})
-        process.wait(START)
+        process.wait(START_TIMEOUT)
         self.assertEqual((read(process).strip(), process.returncode), (output, exit_code))
 
     def idle_controller(self, **parameters):
@@ -47,7 +47,7 @@ class CheckLesson(RobotTest):
         self.assert_problem(3, None)
         self.assertEqual(self.wheels(), STOPPED)
         self.publisher()
-        self.wait_for_wheels(0.5, 0.5, within=START)
+        self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
         [node] = dict(rosgraph.Master("/test").getSystemState()[0])["/cmd_vel"]
         self.assert_problem(3, f"{node} publishes on /cmd_vel: stop it with Ctrl-C in its terminal, then try again")
 
@@ -79,19 +79,19 @@ class CheckLesson(RobotTest):
     def test_two_nodes_without_a_launch_file(self):
         self.idle_controller()
         self.start(program("workshop", "jetbot_motion_control.py"))
-        self.wait_for_wheels(0.4, 0.6, within=START)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
         self.assert_problem(6, "No launch file runs jetbot_control_node and workshop: stop what runs, and start it "
                                "with roslaunch; if you did so, read its output, and check pkg and type of each <node>")
 
     def test_scenario(self):
         self.launch("workshop", "workshop_jetbot_controller.launch")
-        self.wait_for_wheels(0.4, 0.6, within=START)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
         self.assert_problem(5, None)
         self.assert_problem(6, None)
 
     def test_another_rate(self):
         self.start(program("workshop", "jetbot_motion_control.py"), "_rate:=5")
-        self.wait_for(lambda: check_publishes("workshop", "/cmd_vel", "") is None, START, "the motion node")
+        self.wait_for(lambda: check_publishes("workshop", "/cmd_vel", "") is None, START_TIMEOUT, "the motion node")
         self.assertRegex(check_rate("workshop", 10, "hurry"),
                          r"^/jetbot_motion_control publishes [45]\.\d times a second, not 10: hurry$")
 
@@ -99,16 +99,16 @@ class CheckLesson(RobotTest):
         board = Board(os.path.join(self.folder, "tty"))
         self.addCleanup(board.unplug)
         self.start(CONTROLLER, "_board:=jetbot_pro", f"_port:={self.folder}/tty", "_cmd_vel_timeout:=0")
-        self.wait_for(lambda: first_problem(2) is None, START, "the controller")
+        self.wait_for(lambda: first_problem(2) is None, START_TIMEOUT, "the controller")
         for answer, result in (("y", "Lesson 3: done."), ("n", "Lesson 3: The wheels do not follow the command: run ")):
-            terminal = pexpect.spawn(CHECK, ["3"], timeout=START, encoding="utf-8")
+            terminal = pexpect.spawn(CHECK, ["3"], timeout=START_TIMEOUT, encoding="utf-8")
             self.addCleanup(terminal.close)
             terminal.expect("Put the robot on a box, wheels in the air")
             self.assertIn(board.velocity, (None, (0, 0)))
             terminal.sendline()
-            self.wait_for(lambda: board.velocity == (300, 0), START, "the robot to drive")
+            self.wait_for(lambda: board.velocity == (300, 0), START_TIMEOUT, "the robot to drive")
             terminal.expect("Did both wheels turn forward, and stop?")
-            self.wait_for(lambda: board.velocity == (0, 0), START, "the robot to stop before its user answers")
+            self.wait_for(lambda: board.velocity == (0, 0), START_TIMEOUT, "the robot to stop before its user answers")
             terminal.sendline(answer)
             terminal.expect_exact(result)
 

@@ -19,16 +19,16 @@ class CommandTimeout(RobotTest):
     def test_no_command_for_the_timeout(self):
         self.controller(cmd_vel_timeout=0.5)
         texts = self.status()
-        self.drive(0.5)
+        self.drive_at(0.5)
         self.wheels_stay(0.5, 0.5, for_seconds=0.3)
         self.wait_for_stop(within=0.4)
         self.wait_for_status(texts, "stopped: no command for 0.5 s")
-        self.drive(0.5)
+        self.drive_at(0.5)
         self.wait_for_status(texts, "driving")
 
     def test_timeout_0_holds_the_last_command(self):
         self.controller(cmd_vel_timeout=0)
-        self.drive(0.5)
+        self.drive_at(0.5)
         self.wheels_stay(0.5, 0.5, for_seconds=2)
 
     def test_frozen_publisher(self):

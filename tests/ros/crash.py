@@ -22,7 +22,7 @@ class Crash(RobotTest):
     def driving_controller(self):
         """Start a controller that drives until something fails."""
         node = self.controller(cmd_vel_timeout=0)
-        self.drive(0.5)
+        self.drive_at(0.5)
         return node
 
     def test_killed_without_roslaunch(self):
@@ -51,7 +51,7 @@ class Crash(RobotTest):
     def test_roslaunch_itself_killed(self):
         launch = self.launch("jetbot_control_node", "jetbot_controller.launch", "cmd_vel_timeout:=0")
         self.wait_for_controller()
-        self.drive(0.5)
+        self.drive_at(0.5)
         launch.kill()
         self.wait_for_stop(within=STOP_TIMEOUT)
         self.wait_for(lambda: pid("/jetbot_controller") is None, START_TIMEOUT, "the controller to end, too")

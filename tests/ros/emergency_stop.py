@@ -13,7 +13,7 @@ class EmergencyStop(RobotTest):
     def test_stop_and_release(self):
         self.controller(cmd_vel_timeout=0)
         texts = self.status()
-        self.drive(0.5)
+        self.drive_at(0.5)
         self.emergency_stop(True)
         self.wait_for_stop(within=1.0)
         self.wait_for_status(texts, "stopped: emergency stop")
@@ -21,7 +21,7 @@ class EmergencyStop(RobotTest):
         self.emergency_stop(False)
         self.wait_for_status(texts, "stopped: no command since the emergency stop was released")
         self.wheels_stay(0, 0, for_seconds=0.3)
-        self.drive(0.25)
+        self.drive_at(0.25)
 
     def test_stops_a_robot_started_later(self):
         self.emergency_stop(True)

@@ -23,8 +23,6 @@ from jetbot.wait import wait_until
 START_TIMEOUT = 15.0     # s, until a process works; generous, for slow machines
 SHUTDOWN_TIMEOUT = 45.0  # s, until a process has ended: roslaunch ends its nodes one after the other
 
-STILL, START = STOPPED, START_TIMEOUT  # names of before
-
 
 def program(package: str, name: str) -> str:
     """Return the path of a package's program, as rosrun finds it, without rosrun's 0.5 s of CPU time."""
@@ -86,7 +84,7 @@ class RobotTest(unittest.TestCase):
         """Publish one command, in m/s and rad/s."""
         self.commands().publish(twist(linear, angular))
 
-    def drive(self, speed: float) -> None:
+    def drive_at(self, speed: float) -> None:
         """Publish one command, and wait until both wheels turn at this speed."""
         self.command(speed)
         self.wait_for_wheels(speed, speed)

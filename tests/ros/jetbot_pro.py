@@ -17,7 +17,7 @@ from tf2_msgs.msg import TFMessage
 from harness import CONTROLLER, START_TIMEOUT, RobotTest, main
 from jetbot.fake.jetbot_pro import JetBotPro
 
-STOPPED = STILL = (0, 0)  # mm/s, mrad/s
+STOPPED = (0, 0)  # mm/s, mrad/s
 
 
 class Board(JetBotPro):
@@ -71,7 +71,7 @@ class JetBotProTest(RobotTest):
     def wait_for_velocity(self, velocity, within=1.0):
         self.wait_for(lambda: self.board.velocity == velocity, within, f"{velocity}, not {self.board.velocity}")
 
-    def drive(self, speed):
+    def drive_at(self, speed):
         self.command(speed)
         self.wait_for_velocity((1000 * speed, 0))
 
@@ -89,14 +89,14 @@ class JetBotProTest(RobotTest):
         self.wait_for(lambda: len(self.board.velocities) > count + 40, 2.0, "more than 20 frames per second")
 
     def test_stops_at_the_timeout_and_at_shutdown(self):
-        self.drive(0.5)
+        self.drive_at(0.5)
         self.wait_for_velocity(STOPPED, within=0.8)
-        self.drive(0.5)
+        self.drive_at(0.5)
         self.node.send_signal(signal.SIGINT)
         self.wait_for_velocity(STOPPED)
 
     def test_stops_when_the_controller_is_killed(self):
-        self.drive(0.5)
+        self.drive_at(0.5)
         os.killpg(self.node.pid, signal.SIGKILL)
         self.wait_for_velocity(STOPPED, within=1.5)
 

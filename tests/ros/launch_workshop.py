@@ -9,7 +9,7 @@ import rosgraph
 import rospy
 from rospkg import RosPack
 
-from harness import START, RobotTest, main, wheel_speeds
+from harness import START_TIMEOUT, RobotTest, main, wheel_speeds
 
 WORKSHOP = Path(RosPack().get_path("workshop"))
 
@@ -21,11 +21,12 @@ class LaunchWorkshop(RobotTest):
     def test_drives_the_workshops_motion(self):
         rospy.set_param("/jetbot_motion_control/linear", 0.2)  # left by an earlier start
         self.launch_workshop()
-        self.wait_for_wheels(0.4, 0.6, within=START)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
 
     def test_passes_arguments_on(self):
         self.launch_workshop("board:=waveshare", "max_speed:=2", "linear:=1.0", "angular:=0.0")
-        self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") == (0.5, 0.5), START, "the Waveshare board's wheels")
+        self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") == (0.5, 0.5), START_TIMEOUT,
+                      "the Waveshare board's wheels")
         self.assertEqual(self.wheels(), (0, 0), "and not the Adafruit board's")
 
     def test_documents_the_nodes_defaults(self):
@@ -37,7 +38,7 @@ class LaunchWorkshop(RobotTest):
 
     def test_robot_name_is_the_namespace_of_both_nodes(self):
         self.launch_workshop("robot_name:=red")
-        self.wait_for_wheels(0.4, 0.6, within=START)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
         publishers, subscribers, _ = map(dict, rosgraph.Master("/test").getSystemState())
         self.assertEqual(publishers["/red/cmd_vel"], ["/red/jetbot_motion_control"])
         self.assertEqual(subscribers["/red/cmd_vel"], ["/red/jetbot_controller"])

@@ -6,7 +6,7 @@ import time
 import rospy
 from geometry_msgs.msg import Twist
 
-from harness import START, RobotTest, main, program, read
+from harness import START_TIMEOUT, RobotTest, main, program, read
 
 MOTION = program("workshop", "jetbot_motion_control.py")
 
@@ -16,14 +16,14 @@ class MotionRate(RobotTest):
         self.start(MOTION)
         received = []
         rospy.Subscriber("/cmd_vel", Twist, lambda twist: received.append((time.monotonic(), twist)))
-        self.wait_for(lambda: len(received) > 30, START, "31 commands")
+        self.wait_for(lambda: len(received) > 30, START_TIMEOUT, "31 commands")
         (first, _), (last, _) = received[0], received[30]
         self.assertAlmostEqual(30 / (last - first), 10, delta=0.5)
         self.assertEqual({(twist.linear.x, twist.angular.z) for _, twist in received}, {(0.5, 0.1)})
 
     def test_bad_parameter(self):
         node = self.start(MOTION, "_rate:=0")
-        self.assertNotEqual(node.wait(START), 0)
+        self.assertNotEqual(node.wait(START_TIMEOUT), 0)
         [line] = read(node).splitlines()
         self.assertIn("The parameter rate must be a number above 0, not 0.", line)
 

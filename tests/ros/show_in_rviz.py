@@ -9,7 +9,7 @@ import rospy
 from nav_msgs.msg import Odometry
 from PIL import Image
 
-from harness import START, RobotTest, main, read
+from harness import START_TIMEOUT, RobotTest, main, read
 
 START_RVIZ = 60.0             # seconds, drawing without a graphics card
 VIEW = 420, 110, 1020, 700    # left, upper, right and lower edge of the 3D view, in pixels
@@ -29,7 +29,7 @@ class RViz(RobotTest):
     def test_shows_the_robot_move(self):
         launch = self.launch("simulation", "simulation.launch", "motion:=true", "linear:=0.3", "angular:=0.1",
                              env={**os.environ, "DISPLAY": self.display(), "LIBGL_ALWAYS_SOFTWARE": "1"})
-        self.wait_for(lambda: self.yaw is not None, START, "odometry")
+        self.wait_for(lambda: self.yaw is not None, START_TIMEOUT, "odometry")
         self.wait_for(lambda: shows_a_robot(self.screenshot()), START_RVIZ, "the robot in RViz")
         first, yaw = green(self.screenshot()), self.yaw
         self.wait_for(lambda: abs(self.yaw - yaw) > 0.2, 30.0, "the robot to turn")

@@ -9,7 +9,7 @@ import rospy
 import tf2_ros
 from nav_msgs.msg import Odometry
 
-from harness import START, RobotTest, main
+from harness import START_TIMEOUT, RobotTest, main
 
 
 class SimulationLaunch(RobotTest):
@@ -28,7 +28,7 @@ class SimulationLaunch(RobotTest):
         def driving():
             self.command(*command)
             return self.velocity and all(abs(now - wanted) < 0.02 for now, wanted in zip(self.velocity, velocity))
-        self.wait_for(driving, START, f"a velocity of {velocity}")
+        self.wait_for(driving, START_TIMEOUT, f"a velocity of {velocity}")
 
     def test_a_command_is_a_fraction_of_full_power(self):
         self.simulate()
@@ -47,7 +47,7 @@ class SimulationLaunch(RobotTest):
         self.simulate("board:=jetbot_pro")
         self.assert_drives((0.4, 0.2), (0.4, 0.2))
         self.assertEqual(dict(rosgraph.Master(rospy.get_name()).getSystemState()[0])["/odom"], ["/jetbot_controller"])
-        self.wait_for(lambda: heading(frames) > 0.04, START, "the simulated robot to turn to the left")
+        self.wait_for(lambda: heading(frames) > 0.04, START_TIMEOUT, "the simulated robot to turn to the left")
 
 
 def heading(frames):

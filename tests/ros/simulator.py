@@ -13,7 +13,7 @@ from geometry_msgs.msg import Pose2D, Twist
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Empty
 
-from harness import CONTROLLER, START, RobotTest, main, program, read, twist
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, main, program, read, twist
 from jetbot import Robot, boards
 from jetbot.boards.pwm_motors import ADAFRUIT, PwmMotors, Wiring
 from jetbot.fake.bus import FakeBus
@@ -31,7 +31,7 @@ class Simulator(RobotTest):
                    "_yaw:=0.5", env=self.environment)
         self.samples = []
         self.addCleanup(rospy.Subscriber(f"{NAMESPACE}/odom", Odometry, self.samples.append).unregister)
-        self.wait_for(lambda: self.samples, START, "odometry")
+        self.wait_for(lambda: self.samples, START_TIMEOUT, "odometry")
         self.wait_for_velocity(0, 0)
 
     def robot(self):
@@ -63,7 +63,7 @@ class Simulator(RobotTest):
                    "_max_speed:=0.6", env=self.environment)
         commands = rospy.Publisher(f"{NAMESPACE}/cmd_vel", Twist, queue_size=1, latch=True)
         self.addCleanup(commands.unregister)
-        self.wait_for(commands.get_num_connections, START, "the controller to subscribe")
+        self.wait_for(commands.get_num_connections, START_TIMEOUT, "the controller to subscribe")
         for linear, angular in [(0.4, 0.0), (0.3, 1.0), (0.0, -2.0)]:
             with self.subTest(linear=linear, angular=angular):
                 commands.publish(twist(linear, angular))
@@ -100,7 +100,7 @@ class Simulator(RobotTest):
     def test_is_placed_and_reset(self):
         place = rospy.Publisher(f"{NAMESPACE}/jetbot_simulator/set_pose", Pose2D, queue_size=1)
         self.addCleanup(place.unregister)
-        self.wait_for(place.get_num_connections, START, "the simulator to subscribe")
+        self.wait_for(place.get_num_connections, START_TIMEOUT, "the simulator to subscribe")
         place.publish(2.0, -3.0, 1.0)
         self.wait_for(lambda: self.position() == (2.0, -3.0, 1.0), 5.0, "the new pose")
         place.publish(0.0, math.nan, 0.0)
@@ -111,12 +111,13 @@ class Simulator(RobotTest):
 
     def test_prints_its_state_when_it_changes(self):
         process = self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}", "_motor_lag:=0")
-        self.wait_for(lambda: read(process).startswith("at x 0.00 m, y 0.00 m, heading 0 deg; "), START, "a line")
+        self.wait_for(lambda: read(process).startswith("at x 0.00 m, y 0.00 m, heading 0 deg; "), START_TIMEOUT,
+                      "a line")
         self.sample_after(1.2)
         self.assertEqual(len(read(process).splitlines()), 1, "its state has not changed")
         with self.robot() as robot:
             robot.set_motors(0.5, 0.5)
-            self.wait_for(lambda: "left wheel 0.30 m/s, right wheel 0.30 m/s" in read(process), START, "a line")
+            self.wait_for(lambda: "left wheel 0.30 m/s, right wheel 0.30 m/s" in read(process), START_TIMEOUT, "a line")
         self.wait_for(lambda: read(process).endswith("left wheel 0.00 m/s, right wheel 0.00 m/s\n"), 5.0, "a last line")
         self.assertRegex(read(process).splitlines()[-1], r"^at x 0\.\d\d m, y 0\.00 m, heading 0 deg; ")
 
@@ -131,7 +132,7 @@ class Simulator(RobotTest):
             file.write("/cmd_vel", Twist(), self.samples[0].header.stamp)
         recorded = self.draw("recorded.png", "--bag", bag)
         for process in live, recorded:
-            self.assertEqual(process.wait(START), 0, read(process))
+            self.assertEqual(process.wait(START_TIMEOUT), 0, read(process))
             self.assertEqual(Path(process.args[-1]).read_bytes()[:4], b"\x89PNG")
 
     def draw(self, name, *arguments):

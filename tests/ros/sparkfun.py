@@ -19,7 +19,7 @@ class Sparkfun(RobotTest):
     def driving_controller(self):
         """Start a controller that drives, and whose board has the failsafe armed."""
         node = self.controller(board="sparkfun", cmd_vel_timeout=0)
-        self.drive(0.5)
+        self.drive_at(0.5)
         self.wait_for_register(FSAFE_TIME, ONE_SECOND, within=1.0)
         return node
 

@@ -17,7 +17,7 @@ class StopAtShutdown(RobotTest):
         for each in SIGNALS:
             with self.subTest(each):
                 node = self.controller(cmd_vel_timeout=0)
-                self.drive(0.5)
+                self.drive_at(0.5)
                 node.send_signal(each)
                 self.wait_for_stop(within=0.7)
                 self.assertEqual(node.wait(START_TIMEOUT), 0)

@@ -9,7 +9,7 @@ import tf2_ros
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
-from harness import START, RobotTest, main, twist
+from harness import START_TIMEOUT, RobotTest, main, twist
 
 SI_UNITS = os.path.join(rospkg.RosPack().get_path("jetbot_control_node"), "config/si_units.yaml")
 SPEEDS = {"red": (0.3, 0.0), "green": (0.0, 1.0), "blue": (-0.3, -0.5)}  # m/s, rad/s
@@ -35,11 +35,11 @@ class ThreeRobots(RobotTest):
                 for name in SPEEDS)
 
         for name, y in STARTS.items():
-            self.wait_for(lambda name=name: frames.can_transform("map", f"{name}/left_wheel", rospy.Time()), START,
-                          f"{name} on the map")
+            self.wait_for(lambda name=name: frames.can_transform("map", f"{name}/left_wheel", rospy.Time()),
+                          START_TIMEOUT, f"{name} on the map")
             where = frames.lookup_transform("map", f"{name}/base_link", rospy.Time()).transform.translation
             self.assertEqual((where.x, where.y, where.z), (0, y, 0.03))
-        self.wait_for(driving, START, f"each robot's own velocity; now {velocities}")
+        self.wait_for(driving, START_TIMEOUT, f"each robot's own velocity; now {velocities}")
 
     def keep_velocity(self, odometry, velocities_and_name):
         velocities, name = velocities_and_name

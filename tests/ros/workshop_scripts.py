@@ -5,7 +5,7 @@ import os
 import signal
 import sys
 
-from harness import START, RobotTest, main
+from harness import START_TIMEOUT, RobotTest, main
 
 AS_A_CLASS = """
 import rospy
@@ -46,13 +46,13 @@ class WorkshopScripts(RobotTest):
             with self.subTest(ending):
                 process = self.start(sys.executable, "-c", script,
                                      env={**os.environ, "JETBOT_I2C_BUS": f"fake:{self.bus}"})
-                self.wait_for(lambda: self.commands().get_num_connections(), START, "the script to subscribe")
+                self.wait_for_controller()
                 self.command(0.5, 0.1)
                 self.wait_for_wheels(0.4, 0.6)
                 process.send_signal(ending)
-                process.wait(START)
+                process.wait(START_TIMEOUT)
                 self.wait_for_stop(within=1.5)
-                self.wait_for(lambda: not self.commands().get_num_connections(), START, "the script to unsubscribe")
+                self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the script to unsubscribe")
 
     def test_class(self):
         self.drives_and_stops(AS_A_CLASS)
