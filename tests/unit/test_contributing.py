@@ -15,11 +15,10 @@ RECIPE = (ROOT / "CONTRIBUTING.md").read_text().split("## A board")[1].split("\n
 @pytest.fixture
 def myboard(monkeypatch):
     """The name of the board that the recipe adds."""
-    for table, module in zip(("BOARDS", "ROBOTS"), (boards, motors)):
-        row = next(box for box in re.findall(r"```python\n(.*?)```", RECIPE, re.S) if table == "BOARDS" in box
-                   or ("FakeRobot" in box) == (table == "ROBOTS"))
-        names = {**vars(boards), **vars(motors)}
-        monkeypatch.setattr(module, table, {**getattr(module, table), **eval(f"{{{row}}}", names)})
+    rows = re.findall(r"```python\n(.*?)```", RECIPE, re.S)
+    for table, module, row in zip((boards.BOARDS, motors.ROBOTS), (boards, motors), rows):
+        for name, board in eval(f"{{{row}}}", dict(vars(module))).items():
+            monkeypatch.setitem(table, name, board)
     return "myboard"
 
 
