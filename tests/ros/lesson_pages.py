@@ -1,8 +1,8 @@
-"""What the lessons' pages have their reader do, box by box; the line above a box says what kind it is."""
+"""What a page has its reader do, box by box; the line above a box names its kind."""
 
 import re
 from pathlib import Path
-from typing import NamedTuple
+from typing import Iterator, NamedTuple, Pattern, Tuple
 
 RUN, FILE = "run", "file"
 LEAVE, FAILS, INTERNET, PRESS, SEE = "leave it running", "this fails", "with internet", "press", "you see"
@@ -15,34 +15,34 @@ DRAWING = "mermaid"
 
 
 class Box(NamedTuple):
-    """A box of a page: where it stands, what to do with it, in which terminals; for a FILE, its path."""
+    """A box of a page: its page and line, what to do with it, in which terminals; for a FILE, its path."""
 
     place: str
     how: str
-    terminals: tuple
+    terminals: Tuple[int, ...]
     file: str
     text: str
 
 
-def boxes(page):
-    """The boxes of a page, in order; ValueError for one whose heading is none of those in HEADING."""
-    text = Path(page).read_text()
-    found = [match for match in BOX.finditer(text) if match["language"] != DRAWING]
-    if 2 * (len(found) + text.count("```" + DRAWING)) != len(FENCES.findall(text)):
-        raise ValueError(f"{page.name}: a box has no line above it that says what it is")
+def boxes(page: Path) -> Iterator[Box]:
+    """Yield the boxes of a page in order; raise ValueError for one whose heading does not match HEADING."""
+    text = page.read_text()
+    matches = [match for match in BOX.finditer(text) if match["language"] != DRAWING]
+    if 2 * (len(matches) + text.count("```" + DRAWING)) != len(FENCES.findall(text)):
+        raise ValueError(f"{page.name}: a box has no line above it that names its kind")
     terminals = ()
-    for match in found:
+    for match in matches:
         place = f"{page.name}:{text.count(chr(10), 0, match.start()) + 1}"
         heading = HEADING.fullmatch(match["heading"])
         if not heading:
-            raise ValueError(f"{place}: {match['heading']!r} does not say what to do with the box below it")
+            raise ValueError(f"{place}: {match['heading']!r} is no heading of a box")
         terminals = tuple(map(int, re.findall(r"\d", heading["terminals"] or ""))) or terminals
         how = SEE if heading["see"] else FILE if heading["file"] else heading["how"] or RUN
         yield Box(place, how, terminals, heading["file"], match["text"])
 
 
-def pattern(text):
-    """A regular expression for what a page shows: ``...`` is anything in a line, or any lines."""
+def pattern(text: str) -> Pattern[str]:
+    """Return a regular expression for what a page shows: ``...`` is anything in a line, or any lines."""
     lines = [".*" if line == "..." else r"[^\n]*".join(map(re.escape, line.rstrip().split("...")))
              for line in text.splitlines()]
     source = "".join(line if line == ".*" else rf"^{line}[ \t]*$\n?" for line in lines)

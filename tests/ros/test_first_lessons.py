@@ -1,4 +1,4 @@
-"""The first lessons; apart from the other pages, so that two workers share them."""
+"""The first lessons; in a file of their own, so that two workers share the pages."""
 
 from pupil import LESSONS, follow
 

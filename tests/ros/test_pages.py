@@ -1,4 +1,4 @@
-"""The pages, followed word for word: every command works, and shows what the page says."""
+"""The pages, followed word for word: every command works, and shows what the page shows."""
 
 import pytest
 from lesson_pages import boxes
@@ -13,7 +13,7 @@ def test_your_own_package_and_the_other_pages(tmp_path):
 @pytest.mark.parametrize("text", [
     "Somewhere:\n\n```sh\ntrue\n```\n", "```sh\ntrue\n```\n", "Terminal 1:\n```sh\ntrue\n```\n",
     "Terminal 1, leave it:\n\n```sh\ntrue\n```\n"])
-def test_a_box_that_says_nothing_of_itself_is_refused(tmp_path, text):
+def test_a_box_of_no_known_kind_is_refused(tmp_path, text):
     page = tmp_path / "page.md"
     page.write_text(text)
     with pytest.raises(ValueError, match=r"page\.md"):

@@ -1,4 +1,4 @@
-"""What docker/ promises and files can tell: who may do what, and that nothing is missing from the image that runs."""
+"""What the files in docker/ promise: what a service may do, and that the image `run` has every dependency."""
 
 import re
 from xml.etree import ElementTree
@@ -11,7 +11,7 @@ from conftest import ROOT
 SERVICES = yaml.safe_load((ROOT / "docker/compose.yaml").read_text())["services"]
 PACKAGES = [ElementTree.parse(file) for file in (ROOT / "morbot_ws/src").rglob("package.xml")]
 OURS = {package.findtext("name") for package in PACKAGES}
-NOT_IN_THE_IMAGE = {"python3-matplotlib"}  # it draws on paper, and is as large as all of ROS
+NOT_IN_THE_IMAGE = {"python3-matplotlib"}  # it draws pictures, and is as large as all of ROS
 
 
 @pytest.mark.parametrize("name", SERVICES)
@@ -24,7 +24,7 @@ def test_service_has_no_privileges(name):
 
 
 @pytest.mark.parametrize("name", SERVICES)
-def test_service_listens_on_the_loopback_interface_unless_told_otherwise(name):
+def test_service_listens_on_the_loopback_interface_by_default(name):
     hostname = SERVICES[name].get("environment", {}).get("ROS_HOSTNAME")
     assert SERVICES[name]["network_mode"] == "none" or hostname == "${JETBOT_HOSTNAME:-localhost}"
 
@@ -35,11 +35,11 @@ def test_image_has_all_that_the_nodes_need():
 
 
 def installed():
-    """The packages that ./morbot installs in the image that runs."""
+    """Return the packages that ./morbot installs in the image `run`."""
     return set(re.search(r'^run_packages="(.*?)"', (ROOT / "morbot").read_text(), re.M | re.S)[1].split())
 
 
 def debian_name(depend):
-    """Debian's name of what a package.xml names; where that is in C++, it begins with ros-."""
+    """Return Debian's name of a dependency in a package.xml; a package in C++ begins with ros-."""
     name = depend.text.replace("_", "-")
     return f"ros-{name}" if name == "robot-state-publisher" else re.sub("^(python3-)?", "python3-", name)

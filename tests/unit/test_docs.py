@@ -1,4 +1,4 @@
-"""What docs/ tells agrees with the code, and its links lead somewhere."""
+"""The docs agree with the code, every page is linked, and every link has a target."""
 
 import re
 
@@ -6,7 +6,7 @@ import pytest
 
 from conftest import ROOT
 from jetbot import guard
-from jetbot.boards import BOARDS
+from jetbot.boards import BOARDS, scmd
 from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE
 from jetbot.host import ROBOT_BUS
 from jetbot_ros.parameters import PARAMETERS
@@ -16,8 +16,12 @@ BOARDS_PAGE, SAFETY_PAGE = ((ROOT / "docs" / name).read_text() for name in ("boa
 
 
 def rows(text):
-    """The cells of all tables in a page."""
+    """Return the cells of all tables in a page, row by row."""
     return [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines() if line.startswith("|")]
+
+
+def links(page):
+    return re.findall(r"\]\(([^)\s]+)\)", page.read_text())
 
 
 def heading_anchors(text):
@@ -26,12 +30,20 @@ def heading_anchors(text):
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
-def test_links_lead_somewhere(page):
-    for target, _, anchor in (link.partition("#") for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text())):
+def test_links_have_a_target(page):
+    for target, _, anchor in (link.partition("#") for link in links(page)):
         if not target.startswith("http"):
             linked = page.parent / target if target else page
             assert linked.exists(), target
             assert not anchor or anchor in heading_anchors(linked.read_text()), f"{target}#{anchor}"
+
+
+def test_readme_is_short_and_links_each_page_once():
+    readme = ROOT / "README.md"
+    assert len(readme.read_text().splitlines()) <= 180
+    linked = [link for link in links(readme) if link.endswith(".md")]
+    assert sorted(linked) == sorted(
+        ["CONTRIBUTING.md", "docs/lessons/README.md", *(f"docs/{page.name}" for page in (ROOT / "docs").glob("*.md"))])
 
 
 def test_every_board_is_explained():
@@ -41,9 +53,9 @@ def test_every_board_is_explained():
 
 @pytest.mark.parametrize("board, wiring", [("adafruit", ADAFRUIT), ("waveshare", WAVESHARE)])
 def test_which_output_is_which_wheel(board, wiring):
-    told = {row[1]: tuple(int(cell) if cell else None for cell in row[2:])
-            for row in rows(BOARDS_PAGE) if row[0] == f"`{board}`" and row[1] in ("left", "right")}
-    assert told == {"left": wiring.left, "right": wiring.right}
+    outputs = {row[1]: tuple(int(cell) if cell else None for cell in row[2:])
+               for row in rows(BOARDS_PAGE) if row[0] == f"`{board}`" and row[1] in ("left", "right")}
+    assert outputs == {"left": wiring.left, "right": wiring.right}
 
 
 def test_the_picture_shows_these_outputs_and_their_registers():
@@ -55,12 +67,13 @@ def test_the_picture_shows_these_outputs_and_their_registers():
 
 
 def test_the_bus_of_each_computer():
-    told = {row[0]: row[1] for row in rows(BOARDS_PAGE) if len(row) == 2}
+    buses = {row[0]: row[1] for row in rows(BOARDS_PAGE) if len(row) == 2}
     for computer, bus in ROBOT_BUS.items():
-        assert [cell for names, cell in told.items() if computer in names][0].startswith(f"`{bus}`")
+        assert [cell for names, cell in buses.items() if computer in names][0].startswith(f"`{bus}`")
 
 
-def test_safety_tells_the_times_of_the_code():
-    assert f"no sign of life for {guard.HEARTBEAT_TIMEOUT} s" in SAFETY_PAGE
+def test_safety_page_has_the_times_of_the_code():
+    assert f"no heartbeat for {guard.HEARTBEAT_TIMEOUT} s" in SAFETY_PAGE
     assert f"{PARAMETERS['cmd_vel_timeout'].default} s by default" in SAFETY_PAGE
+    assert f"not fed for {scmd.TIMEOUT / 100} s" in SAFETY_PAGE
     assert guard.RETRY_FOR == 600 and "the guard for ten minutes" in SAFETY_PAGE

@@ -1,4 +1,4 @@
-"""What ./morbot installs on each system, with stand-ins for its package tools."""
+"""What ./morbot installs on each system, with fake package tools."""
 
 import os
 import re
@@ -21,7 +21,7 @@ TOOLS = {
 
 @pytest.fixture
 def install(tmp_path):
-    """Runs ./morbot install on a system; (exit code, what it printed, the commands that it gave)."""
+    """Return a function that runs ./morbot install on a system: (exit code, output, commands of the tools)."""
     for name, body in TOOLS.items():
         (tmp_path / name).write_text(f"#!/bin/sh\n{body}\n")
         (tmp_path / name).chmod(0o755)
@@ -41,7 +41,7 @@ def install(tmp_path):
 
 
 @pytest.mark.parametrize("system", [("debian", 12), ("debian", 13), ("ubuntu", "22.04"), ("ubuntu", "24.04")])
-def test_systems_with_ros_of_their_own(install, system):
+def test_systems_that_package_ros_themselves(install, system):
     code, _, commands = install(*system)
     assert code == 0
     assert " python3-rospy " in commands and " python3-smbus2 " in commands
@@ -60,11 +60,11 @@ def test_noetic(install):
 
 
 @pytest.mark.parametrize("system, unknown, sentence", [
-    (("ubuntu", "20.04"), "ros-noetic-", "morbot: finds no ROS Noetic. Add its source first: http://wiki.ros.org/noetic/"),
-    (("ubuntu", "22.04"), "python3-rospy", "morbot: does not find all of these packages. On Ubuntu, try: sudo "),
-    (("arch", None), "nothing", "morbot: does not know how to set up this system. By their Debian names, it needs: "),
-    (("fedora", "41"), "nothing", "morbot: does not know how to set up fedora 41. By their Debian names, it needs: ")])
-def test_what_cannot_be_set_up_is_told_and_nothing_is_installed(install, system, unknown, sentence):
+    (("ubuntu", "20.04"), "ros-noetic-", "morbot: cannot find ROS Noetic. First add its source: http://wiki."),
+    (("ubuntu", "22.04"), "python3-rospy", "morbot: cannot find all of these packages. On Ubuntu, try: sudo "),
+    (("arch", None), "nothing", "morbot: cannot set up this system. These Debian packages are needed: "),
+    (("fedora", "41"), "nothing", "morbot: cannot set up fedora 41. These Debian packages are needed: ")])
+def test_what_cannot_be_set_up_is_reported_and_nothing_is_installed(install, system, unknown, sentence):
     code, printed, commands = install(*system, unknown)
     assert code == 1
     assert sentence in printed
