@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from conftest import ROOT
+from conftest import ROOT, SOURCE
 from jetbot import guard
 from jetbot.boards import BOARDS, scmd
 from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE
@@ -12,7 +12,8 @@ from jetbot.host import ROBOT_BUS
 from jetbot_ros.parameters import PARAMETERS
 
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
-BOARDS_PAGE, SAFETY_PAGE = ((ROOT / "docs" / name).read_text() for name in ("boards.md", "safety.md"))
+BOARDS_PAGE, SAFETY_PAGE, DESIGN_PAGE = (
+    (ROOT / "docs" / name).read_text() for name in ("boards.md", "safety.md", "design.md"))
 
 
 def rows(text):
@@ -44,6 +45,11 @@ def test_readme_is_short_and_links_each_page_once():
     linked = [link for link in links(readme) if link.endswith(".md")]
     assert sorted(linked) == sorted(
         ["CONTRIBUTING.md", "docs/lessons/README.md", *(f"docs/{page.name}" for page in (ROOT / "docs").glob("*.md"))])
+
+
+def test_every_module_is_in_a_layer():
+    modules = {file.stem for file in (SOURCE / "src").rglob("[!_]*.py")}
+    assert {module for module in modules if f"`{module}`" not in DESIGN_PAGE} == set()
 
 
 def test_every_board_is_explained():
