@@ -6,7 +6,7 @@ import re
 import shutil
 import signal
 from pathlib import Path
-from typing import Dict, Iterator, List, Sequence
+from typing import Dict, List, Sequence
 
 import pytest
 from lesson_pages import FAILS, FILE, INTERNET, LEAVE, PRESS, RUN, SEE, Box, boxes
@@ -40,7 +40,7 @@ class Pupil:
         self._terminals = {}
 
     def follow(self, page: Path) -> None:
-        """Do what the page says; raise AssertionError with the line of the page if something else happens."""
+        """Do what the page asks for; raise AssertionError with the line of the page if something else happens."""
         for box in boxes(page):
             try:
                 self._do(box)
@@ -73,25 +73,14 @@ class Pupil:
 
 
 def run(terminal: Terminal, box: Box) -> None:
-    for result in results(terminal, box):
-        assert result == 0, f"ended with {result}\n{terminal.output}"
-
-
-def run_and_fail(terminal: Terminal, box: Box) -> None:
-    assert all(results(terminal, box)), "did not fail"
-
-
-def run_with_internet(terminal: Terminal, box: Box) -> None:
-    if any(results(terminal, box)):
-        raise (Offline if OFFLINE.search(terminal.output) else AssertionError)(terminal.output)
-
-
-def results(terminal: Terminal, box: Box) -> Iterator[int]:
-    """Type the lines of a box, and yield the exit code of each."""
+    """Type each line of a box, and check that it ends as the heading announces."""
     terminal.new_box()
     for line in box.text.splitlines():
         terminal.type(line)
-        yield terminal.wait_for_end()
+        code = terminal.wait_for_end()
+        if code and box.how == INTERNET and OFFLINE.search(terminal.output):
+            raise Offline(terminal.output)
+        assert (code != 0) == (box.how == FAILS), f"ended with {code}\n{terminal.output}"
 
 
 def leave_running(terminal: Terminal, box: Box) -> None:
@@ -99,7 +88,7 @@ def leave_running(terminal: Terminal, box: Box) -> None:
     terminal.type(box.text.strip())
 
 
-ACTIONS = {RUN: run, FAILS: run_and_fail, INTERNET: run_with_internet, LEAVE: leave_running,
+ACTIONS = {RUN: run, FAILS: run, INTERNET: run, LEAVE: leave_running,
            PRESS: lambda terminal, box: terminal.press(box.text.strip()),
            SEE: lambda terminal, box: terminal.see(box.text)}
 
