@@ -12,10 +12,7 @@ Turn = Tuple[str, int]  # which wheel turned, "left" or "right"; 1 forward, -1 b
 
 
 def motor_wiring(left_output: Turn, right_output: Turn) -> Dict[str, bool]:
-    """Return the parameters for the Turns seen when each output was driven forward.
-
-    Raises InvalidValue when the same wheel was seen twice.
-    """
+    """Return the parameters for the Turns seen as each output was driven forward; InvalidValue for one wheel twice."""
     directions = dict([left_output, right_output])
     if len(directions) < 2:
         raise InvalidValue(f"the {left_output[0]} wheel cannot have turned both times", "Repeat both motions.")
@@ -24,20 +21,17 @@ def motor_wiring(left_output: Turn, right_output: Turn) -> Dict[str, bool]:
 
 
 def base_wiring(ahead: int, left_turn: int) -> Dict[str, bool]:
-    """Return the parameters of a robot whose wheels cannot be driven one by one.
-
-    ahead, left_turn: 1 when it did so as commanded, -1 when it did the opposite.
-    """
+    """Return the parameters of a robot that was driven ahead and turned left: 1 for as commanded, -1 for opposite."""
     return {"swap_motors": ahead != left_turn, "invert_left": ahead < 0, "invert_right": ahead < 0}
 
 
 def trim(left_alpha: float, right_alpha: float, drift: float) -> Tuple[float, float]:
-    """Return better alphas (left, right) for a robot that is ``drift`` m left of the line after one metre ahead.
+    """Return better alphas (left, right) for a robot ``drift`` m left of the line, negative: right, after one metre.
 
-    A drift to the right is negative. The path is an arc of curvature 2 * drift / (1 + drift^2), on which the wheels'
-    speeds differ by curvature * WHEEL_SEPARATION. The larger of the returned alphas is 1.
+    The path is an arc of curvature 2 * drift / (1 + drift^2), on which the wheels' speeds differ by
+    curvature * WHEEL_SEPARATION. The larger of the returned alphas is 1.
     """
-    difference = 2 * drift / (1 + drift ** 2) * WHEEL_SEPARATION / 2
+    difference = drift / (1 + drift ** 2) * WHEEL_SEPARATION
     left, right = left_alpha * (1 + difference), right_alpha * (1 - difference)
     return round(left / max(left, right), 4), round(right / max(left, right), 4)
 

@@ -1,108 +1,112 @@
 """Asks how a robot is wired and how straight it drives, by short motions, each announced and stopped by any key."""
 
-from typing import Any, Iterable, Optional
+from typing import Any, List, Optional, Sequence, Tuple
 
 from jetbot.errors import InvalidValue, JetbotError
 from jetbot.robot import Robot
 
-from .calibration import Turn, base_wiring, motor_wiring, trim
-from .terminal import Speeds, choose, constant_speed, drive_until_key, number
+from .calibration import base_wiring, motor_wiring, trim
+from .terminal import choose, key_pressed, number, single_keys
 
+STEP = 0.04        # seconds between two calls to the robot, which feed its watchdog
 TURN = 0.5         # part of full power
-TURN_TIME = 0.8    # seconds
+TURN_STEPS = 20    # 0.8 s
 DRIVE = 0.4        # part of full power, for the straight metre
-DRIVE_TIME = 4.0   # seconds
-RAMP_STEP = 0.002  # part of full power, every 0.04 s
-RAMP_END = 0.6
+DRIVE_STEPS = 100  # 4 s
+RAMP = [step * 0.002 for step in range(300)]  # parts of full power, to 60 %
 
-WHEELS = {"left": "left", "right": "right", "none": None}
 DIRECTIONS = {"forward": 1, "backward": -1}
+
+Speeds = Tuple[float, float]  # left, right
 
 
 class Wizard:
     """Collects the ``parameters`` of one robot, whose board drives each wheel by itself."""
 
+    wiring = staticmethod(motor_wiring)
+
     def __init__(self, **known: Any):
         self.parameters = known
 
-    def drive(self, announcement: str, speeds: Iterable[Speeds]) -> Optional[Speeds]:
-        """Wait for Enter, then drive; return the speeds at which a key was pressed, None where none was."""
+    def drive(self, announcement: str, speeds: Sequence[Speeds]) -> Optional[Speeds]:
+        """Wait for Enter, then drive at one pair of speeds after the other, each for ``STEP`` seconds.
+
+        Returns the speeds at which a key was pressed, None where none was. Raises KeyboardInterrupt for an abort key.
+        """
         input(f"\n{announcement} Press Enter to start; any key stops it. ")
-        with Robot(**self.parameters) as robot:
-            return drive_until_key(robot, speeds)
+        with single_keys(), Robot(**self.parameters) as robot:
+            for pair in speeds:
+                robot.set_motors(*pair)
+                robot.keep_alive()
+                robot.verify()
+                if key_pressed(STEP):
+                    return pair
+        return None
 
     def find_motors(self) -> bool:
-        """Find which output turns which wheel which way; return whether any wheel turned."""
+        """Find how the motors are wired; return whether any wheel turned, raise JetbotError where only one did."""
         while True:
-            turns = [self.turn("left", TURN, 0), self.turn("right", 0, TURN)]
-            if not both_turned(*turns):
+            seen = self.observe_motions()
+            if not any(seen):
                 return False
+            if not all(seen):
+                raise JetbotError("only one motor turns",
+                                  "Check the plug and the wires of the other one, and start again.")
             try:
-                self.parameters.update(motor_wiring(*turns))
+                self.parameters.update(self.wiring(*seen))
                 return True
             except InvalidValue as error:
                 print(error)
 
-    def turn(self, output: str, left: float, right: float) -> Optional[Turn]:
-        """Drive one output forward; return which wheel turned which way, or None."""
-        self.drive(f"The {output} output will turn one wheel briefly.", constant_speed(left, right, TURN_TIME))
-        wheel = choose("Which wheel turned?", WHEELS)
-        return wheel and (wheel, choose("Forward or backward?", DIRECTIONS))
+    def observe_motions(self) -> List[Any]:
+        """Drive one output after the other forward; return the Turn that each causes, or None."""
+        turns = []
+        for output, speeds in ("left", (TURN, 0)), ("right", (0, TURN)):
+            self.drive(f"The {output} output will turn one wheel briefly.", [speeds] * TURN_STEPS)
+            wheel = choose("Which wheel turned?", {"left": "left", "right": "right", "none": None})
+            turns.append(wheel and (wheel, choose("Forward or backward?", DIRECTIONS)))
+        return turns
 
     def straighten(self) -> None:
-        """Find the parameters with which both wheels turn, and turn equally fast."""
+        """Find the least duty at which both wheels turn, and the alphas at which they turn equally fast."""
         input("\nPut the robot on the floor, at the start of a straight line of two metres. Press Enter to continue. ")
         self.parameters["min_duty"] = max(self.ramp("left", 1, 0), self.ramp("right", 0, 1))
-        self.find_trim()
-
-    def ramp(self, wheel: str, left: int, right: int) -> float:
-        """Raise the power of one wheel, whose factor is 1, until a key is pressed; return its duty then."""
-        while True:
-            duties = [step * RAMP_STEP for step in range(round(RAMP_END / RAMP_STEP))]
-            reached = self.drive(f"The power of the {wheel} wheel will rise slowly: press a key as soon as it turns.",
-                                 ((left * duty, right * duty) for duty in duties))
-            if not reached:
-                print(f"No key was pressed below {100 * RAMP_END:.0f} % of full power. Try again.")
-            elif choose(f"Did the {wheel} wheel turn?", {"yes": True, "no": False}):
-                return round(max(reached), 3)
-
-    def find_trim(self) -> None:
-        """Find the alphas with which the robot drives straight."""
         alphas = (1.0, 1.0)
         while True:
             self.parameters.update(zip(("left_motor_alpha", "right_motor_alpha"), alphas))
-            self.drive(f"The robot will drive ahead for {DRIVE_TIME:.0f} s.", constant_speed(DRIVE, DRIVE, DRIVE_TIME))
+            self.drive(f"The robot will drive ahead for {DRIVE_STEPS * STEP:.0f} s.", [(DRIVE, DRIVE)] * DRIVE_STEPS)
             drift = number("How many centimetres off the line was it after one metre? "
-                           "Press Enter alone if that is straight enough.", 0, 90) / 100
+                           "Press Enter alone if that is straight enough.", 90) / 100
             if not drift:
                 return
             alphas = trim(*alphas, drift * choose("Left or right of the line?", {"left": 1, "right": -1}))
             print("The trim is changed. Put the robot back at the start.")
 
+    def ramp(self, wheel: str, left: int, right: int) -> float:
+        """Raise the power of one wheel, whose factor is 1, until a key is pressed; return its duty then."""
+        while True:
+            reached = self.drive(f"The power of the {wheel} wheel will rise slowly: press a key as soon as it turns.",
+                                 [(left * duty, right * duty) for duty in RAMP])
+            if not reached:
+                print(f"No key was pressed below {100 * RAMP[-1]:.0f} % of full power. Try again.")
+            elif choose(f"Did the {wheel} wheel turn?", {"yes": True, "no": False}):
+                return round(max(reached), 3)
+
 
 class BaseWizard(Wizard):
     """For a board that takes the speeds of the whole robot, and controls those of the wheels itself."""
 
-    def find_motors(self) -> bool:
-        """Find whether the robot drives ahead and turns left as it should; return whether any wheel turned."""
-        self.drive("The wheels will turn as if to drive ahead.", constant_speed(TURN, TURN, 2 * TURN_TIME))
+    wiring = staticmethod(base_wiring)
+
+    def observe_motions(self) -> List[Any]:
+        """Drive ahead, then turn left; return for each 1 when the robot did so, -1 when the opposite, or None."""
+        self.drive("The wheels will turn as if to drive ahead.", [(TURN, TURN)] * 2 * TURN_STEPS)
         ahead = choose("Which way did the wheels turn?", {**DIRECTIONS, "none": None})
-        self.drive("The wheels will turn as if to turn left on the spot.", constant_speed(-1, 1, 2 * TURN_TIME))
-        left_turn = choose("Which wheel turned forward?", {"right": 1, "left": -1, "none": None})
-        if not both_turned(ahead, left_turn):
-            return False
-        self.parameters.update(base_wiring(ahead, left_turn))
-        return True
+        self.drive("The wheels will turn as if to turn left on the spot.", [(-1, 1)] * 2 * TURN_STEPS)
+        return [ahead, choose("Which wheel turned forward?", {"right": 1, "left": -1, "none": None})]
 
     def straighten(self) -> None:
         """Do nothing: the board measures its wheels and keeps them equally fast."""
 
 
 WIZARDS = {"jetbot_pro": BaseWizard}  # for the other boards: Wizard
-
-
-def both_turned(*seen: Any) -> bool:
-    """Return whether something turned in both motions; raise JetbotError where it did in one of them."""
-    if any(seen) and not all(seen):
-        raise JetbotError("only one motor turns", "Check the plug and the wires of the other one, and start again.")
-    return all(seen)
