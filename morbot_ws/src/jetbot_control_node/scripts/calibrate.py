@@ -22,11 +22,11 @@ from jetbot_tools.probe import LAUNCH, check_board, check_users
 from jetbot_tools.wizard import WIZARDS, Wizard
 
 
-def find_boards(i2c_bus, port):
+def find_boards(**link):
     """Return the boards that answer on the bus, else on the port; all at one address answer alike."""
-    places = {board: row.place(i2c_bus, port) for board, row in BOARDS.items() if board != "jetbot"}  # which is two
+    places = {board: row.place(**link) for board, row in BOARDS.items() if board != "jetbot"}  # which is two
     for place in dict.fromkeys(places.values()):
-        checks = {board: check_board(board, place) for board in places if places[board] == place}
+        checks = {board: check_board(board, **link) for board in places if places[board] == place}
         if any(check.ok for check in checks.values()):
             return [board for board, check in checks.items() if check.ok]
         print(*dict.fromkeys(map(str, checks.values())), sep="\n")
@@ -85,9 +85,10 @@ def main():
         options.i2c_bus = robot_bus(model()) or PARAMETERS["i2c_bus"].default
     link = {"i2c_bus": options.i2c_bus, "port": options.port or PARAMETERS["port"].default}
     boards = [options.board] if options.board else find_boards(**link)
-    place = find_board(boards[0]).place(**link)
     file = output(options.output, is_fake({"board": boards[0], **link}))
-    print(*(check for check in check_users(place) if not check.ok))
+    for check in check_users(find_board(boards[0]).place(**link)):
+        if not check.ok:
+            print(check)
     text = as_yaml(calibrate(boards, **link))
     print(f"\n{text}")
     write(file, text)

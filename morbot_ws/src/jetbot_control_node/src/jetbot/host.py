@@ -38,11 +38,11 @@ def permission_advice(device: Union[str, Path], usual_group: str) -> str:
         group = usual_group
     except KeyError:
         return f"Its group has no name here, as in a container; start that with: --group-add {number}"
-    join = f"sudo usermod -aG {usual_group if group == 'root' else group} $USER   and log in again."
+    join = "Join its group with:"
     if group == "root":
-        give = f"sudo chgrp {usual_group} {device} && sudo chmod g+rw {device}"
-        return f"Give it to a group: {give}   and join that: {join}"
-    return f"Join its group with: {join}"
+        group = usual_group
+        join = f"Give it to a group: sudo chgrp {group} {device} && sudo chmod g+rw {device}   and join that:"
+    return f"{join} sudo usermod -aG {group} $USER   and log in again."
 
 
 def bus_advice() -> str:

@@ -29,10 +29,10 @@ def trim(left_alpha: float, right_alpha: float, drift: float) -> Tuple[float, fl
     """Return better alphas (left, right) for a robot ``drift`` m left of the line, negative: right, after one metre.
 
     The path is an arc of curvature 2 * drift / (1 + drift^2), on which the wheels' speeds differ by
-    curvature * WHEEL_SEPARATION. The larger of the returned alphas is 1.
+    curvature * WHEEL_SEPARATION; each alpha makes up half of that. The larger of the returned alphas is 1.
     """
-    difference = drift / (1 + drift ** 2) * WHEEL_SEPARATION
-    left, right = left_alpha * (1 + difference), right_alpha * (1 - difference)
+    change = drift / (1 + drift ** 2) * WHEEL_SEPARATION
+    left, right = left_alpha * (1 + change), right_alpha * (1 - change)
     return round(left / max(left, right), 4), round(right / max(left, right), 4)
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Iterator, List, Optional
 
 from jetbot import fake, host
-from jetbot.boards import BOARDS, PORT, find_board
+from jetbot.boards import BOARDS, PORT
 from jetbot.errors import JetbotError
 from jetbot.i2c import bus_name
 from jetbot_ros.parameters import checked, default_file, load
@@ -34,8 +34,10 @@ def all_checks(i2c_bus, port: Optional[str]) -> Iterator[Check]:
     """Yield a Check of everything; of the buses until one has a board, of the port where none has."""
     yield from map(check_module, MODULES)
     yield check_host()
-    if not any(fake.folder_of(fake.place(str(place))) for place in (i2c_bus, port)):  # simulated robots do not use it
-        yield from check_file(default_file())
+    file = default_file()
+    simulated = any(fake.folder_of(fake.place(str(place))) for place in (i2c_bus, port))
+    if os.path.exists(file) and not simulated:
+        yield check_file(file)
     buses = [] if i2c_bus is None else [i2c_bus]
     if i2c_bus is None and port is None:
         buses = sorted(host.buses(), key=lambda bus: bus != host.robot_bus(host.model()))  # the usual one first
@@ -76,20 +78,18 @@ def check_host() -> Check:
     return Check("computer", True, f"{model}{where}" or "not one of those that a JetBot carries")
 
 
-def check_file(file: Path) -> List[Check]:
-    """Check that the file of parameters, where there is one, can be used and its board answers."""
-    if not os.path.exists(file):
-        return []
+def check_file(file: Path) -> Check:
+    """Check that the file of parameters can be used and that its board answers."""
     try:
         parameters = checked(load(file))
         board = parameters["board"]
-        link = check_board(board, find_board(board).place(parameters["i2c_bus"], parameters["port"]))
+        answer = check_board(board, parameters["i2c_bus"], parameters["port"])
     except JetbotError as error:
-        return [Check(str(file), False, error.reason, "Fix it, or remove it.")]
-    if link.ok:
-        return [Check(str(file), True, f"names the board {board}, and {link.name} answers", command=LAUNCH)]
-    return [Check(str(file), False, f"names the board {board}, but {link.finding}",
-                  "Connect that board; or remove the file, and calibrate again.")]
+        return Check(str(file), False, error.reason, "Fix it, or remove it.")
+    if answer.ok:
+        return Check(str(file), True, f"names the board {board}, and {answer.name} answers", command=LAUNCH)
+    return Check(str(file), False, f"names the board {board}, but {answer.finding}",
+                 "Connect that board; or remove the file, and calibrate again.")
 
 
 def check_bus(bus) -> List[Check]:
@@ -99,9 +99,8 @@ def check_bus(bus) -> List[Check]:
     except JetbotError as error:
         return [Check(f"bus {bus}", False, error.reason, error.advice)]
     addresses = dict.fromkeys(row.address for row in BOARDS.values() if row.address)
-    chips = [check_chip(name, address) for address in addresses]
-    boards = [chip._replace(command=f"{chip.command} i2c_bus:={bus}") for chip in chips if chip.ok]
-    return check_users(name) + (boards or chips[:1])
+    chips = [check_chip(bus, address) for address in addresses]
+    return check_users(name) + ([chip for chip in chips if chip.ok] or chips[:1])
 
 
 def verdict(checks: List[Check]) -> Check:

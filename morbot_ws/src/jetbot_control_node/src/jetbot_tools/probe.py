@@ -30,10 +30,14 @@ class Check(NamedTuple):
 
 
 def check_users(device: str) -> List[Check]:
-    """Check that no other program has a device open; nothing where there is no such device."""
+    """Check that no other program has a device open, as far as this user may know; [] where there is no such device."""
     if not os.path.exists(device):
         return []
-    users = users_of(Path(device))
+    target, users = os.path.realpath(device), []
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
+            if int(process.name) != os.getpid() and target in map(os.readlink, (process / "fd").iterdir()):
+                users.append(f"{(process / 'comm').read_text().strip()} ({process.name})")
     if users:
         return [Check(device, False, f"also open in {', '.join(users)}",
                       "Two programs on one motor board disturb each other: end one of them.")]
@@ -41,50 +45,38 @@ def check_users(device: str) -> List[Check]:
     return [Check(device, True, f"no other program{whose} has it open")]
 
 
-def users_of(path: Path, proc: Path = Path("/proc")) -> List[str]:
-    """Return the other programs that have a file open, as far as this user may know, as "name (process id)"."""
-    target, users = str(path.resolve()), []
-    for process in proc.glob("[0-9]*"):
-        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
-            if int(process.name) != os.getpid() and target in map(os.readlink, (process / "fd").iterdir()):
-                users.append(f"{(process / 'comm').read_text().strip()} ({process.name})")
-    return users
+def check_board(board: str, i2c_bus, port: str) -> Check:
+    """Check that a board answers on the bus, or on the port; raise InvalidValue for one that cannot be."""
+    row = find_board(board)
+    place = row.place(i2c_bus, port)
+    return check_chip(place, row.address) if row.address else check_serial(place)
 
 
-def check_board(board: str, place: str) -> Check:
-    """Check that a board answers at its ``place``."""
-    address = find_board(board).address
-    return check_chip(place, address) if address else check_serial(place)
-
-
-def check_chip(bus: str, address: int) -> Check:
-    """Check that a motor board answers a read, as all boards at one address do."""
-    name = f"0x{address:02x} on {bus}"
-    chip = I2CDevice(bus, address)
-    try:
-        answer = chip.read(scmd.ID)
-    except JetbotError as error:
-        return Check(name, False, error.reason, error.advice)
-    finally:
-        chip.close()
+def check_chip(bus, address: int) -> Check:
+    """Check that a motor board answers a read, as all boards at one address do. bus: as for an I2CDevice."""
+    with contextlib.closing(I2CDevice(bus, address)) as chip:
+        name = f"0x{address:02x} on {chip.name}"
+        try:
+            answer = chip.read(scmd.ID)
+        except JetbotError as error:
+            return Check(name, False, error.reason, error.advice)
     if address == BOARDS["sparkfun"].address and answer != scmd.ID_WORD:
         return Check(name, False, "the chip that answers is not a SparkFun motor driver")
     boards = [board for board, row in BOARDS.items() if row.address == address]
     finding = f"answers, and can be a board {' or '.join(boards)}"
-    return Check(name, True, finding, command=f"{LAUNCH} board:={boards[0]}")
+    return Check(name, True, finding, command=f"{LAUNCH} board:={boards[0]} i2c_bus:={bus}")
 
 
 def check_serial(port: str) -> Check:
     """Check that a JetBot Pro sends telemetry on the serial port."""
     arrived = threading.Event()
-    driver = JetBotPro(SerialLink(port))
     try:
-        driver.link.read()  # raises what ``listen`` would not
-        driver.listen(lambda telemetry: arrived.set())
-        if arrived.wait(TELEMETRY_TIMEOUT):
-            return Check(port, True, "a JetBot Pro reports", command=f"{LAUNCH} board:=jetbot_pro port:={port}")
+        with contextlib.closing(JetBotPro(SerialLink(port))) as driver:
+            driver.link.read()  # raises what ``listen`` would not
+            driver.listen(lambda telemetry: arrived.set())
+            arrived.wait(TELEMETRY_TIMEOUT)
     except JetbotError as error:
         return Check(port, False, error.reason, error.advice)
-    finally:
-        driver.close()
+    if arrived.is_set():
+        return Check(port, True, "a JetBot Pro reports", command=f"{LAUNCH} board:=jetbot_pro port:={port}")
     return Check(port, False, "opens, but no JetBot Pro reports", "Is it this port, and is the robot switched on?")
