@@ -9,8 +9,8 @@ from simulation.diff_drive import DiffDriveModel, Motor, Pose
 SEPARATION, DIAMETER, MAX_SPEED = 0.1125, 0.06, 0.6
 
 
-def model(pose=Pose(), dead_band=0.0, closed_loop=False):
-    return DiffDriveModel(SEPARATION, DIAMETER, MAX_SPEED, 0.0, dead_band, pose, closed_loop)
+def model(**options):
+    return DiffDriveModel(SEPARATION, DIAMETER, MAX_SPEED, 0.0, **{"dead_band": 0.0, "pose": Pose(), **options})
 
 
 @pytest.mark.parametrize("steps", [1, 1000])
@@ -27,7 +27,7 @@ def test_drives_the_arc_of_linear_and_angular_speed(linear, angular, steps):
 
 
 def test_starts_from_its_pose():
-    robot = model(Pose(1.0, 2.0, math.pi / 2))
+    robot = model(pose=Pose(1.0, 2.0, math.pi / 2))
     robot.step((1.0, 1.0), 1.0)
     assert robot.pose == pytest.approx((1.0, 2.0 + MAX_SPEED, math.pi / 2))
 
