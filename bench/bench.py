@@ -10,7 +10,7 @@ from functools import partial
 from itertools import product
 from pathlib import Path
 from statistics import mean
-from typing import Callable, List, Sequence, Tuple
+from typing import Iterator, List, Sequence, Tuple
 
 import node
 import numpy
@@ -19,7 +19,7 @@ import wire
 
 ROBOTS_RATE = 10  # commands per second
 
-Add = Callable[[str, str, float], None]  # quantity, case, value
+Rows = Iterator[Tuple[str, str, float]]  # quantity, case, value
 # rates, floods: commands per second; clock: of the buses, in Hz
 Plan = namedtuple("Plan", "runs rates seconds floods flood_seconds idle_seconds robots clock")
 FULL = Plan(3, (10, 100, 200), 10, (500, 1000), 5, 10, (1, 10, 30), 100_000)
@@ -28,51 +28,50 @@ SHORT = Plan(1, (50,), 1, (500,), 0.5, 2, (3,), 100_000)
 progress = partial(print, "bench:", file=sys.stderr, flush=True)
 
 
-def measure_wire(add: Add, plan: Plan, implementation: str) -> None:
+def measure_wire(plan: Plan, implementation: str) -> Rows:
     """Measure the writes for a command, on average; the first command does not count."""
     for case, speeds in wire.SPEEDS.items():
         commands = wire.replay(implementation, speeds)[1:]
-        add("transfers per command", case, mean(len(command.writes) for command in commands))
-        add("bits per command", case, mean(sum(command.writes) for command in commands))
+        yield "transfers per command", case, mean(len(command.writes) for command in commands)
+        yield "bits per command", case, mean(sum(command.writes) for command in commands)
 
 
-def measure_node(add: Add, plan: Plan, implementation: str) -> None:
+def measure_node(plan: Plan, implementation: str) -> Rows:
     """Measure one robot."""
     with node.running(implementation, 1, plan.clock) as robots:
         for rate in plan.rates:
-            measure_drive(add, plan, robots, rate, f"{rate} Hz")
+            yield from measure_drive(plan, robots, rate, f"{rate} Hz")
         for rate in plan.floods:
             latencies, *_ = robots.drive([*wire.cruise(int(rate * plan.flood_seconds)), (0, 0)], rate)
-            add(f"to obey a stop after a flood of {plan.flood_seconds} s (ms)", f"{rate} Hz", latencies[-1])
-        add_cpu(add, "idle", robots.cpu_during(lambda: time.sleep(plan.idle_seconds)))
+            yield f"to obey a stop after a flood of {plan.flood_seconds} s (ms)", f"{rate} Hz", latencies[-1]
+        yield from cpu_rows("idle", robots.cpu_during(lambda: time.sleep(plan.idle_seconds)))
         reads = node.transfer_rate(plan.idle_seconds) if implementation == "driver" else 0  # the others read nothing
-        add("read back to verify the chip (transfers per second)", "idle", reads)
-        add("read back to verify the chip (bits per second)", "idle", reads * mean(wire.verification()))
+        yield "read back to verify the chip (transfers per second)", "idle", reads
         for process, memory in zip(("node", "guard"), robots.memory()):
-            add("memory (MiB)", process, memory)
-        add("roslaunch to subscribed (s)", "", robots.startup)
+            yield "memory (MiB)", process, memory
+        yield "roslaunch to subscribed (s)", "", robots.startup
 
 
-def measure_robots(add: Add, plan: Plan, implementation: str, count: int) -> None:
+def measure_robots(plan: Plan, implementation: str, count: int) -> Rows:
     """Measure several robots, commanded one after the other."""
     with node.running(implementation, count, plan.clock) as robots:
-        measure_drive(add, plan, robots, ROBOTS_RATE, f"robots: {count}")
-        add("roslaunch to all subscribed (s)", f"robots: {count}", robots.startup)
+        yield from measure_drive(plan, robots, ROBOTS_RATE, f"robots: {count}")
+        yield "roslaunch to all subscribed (s)", f"robots: {count}", robots.startup
 
 
-def measure_drive(add: Add, plan: Plan, robots: node.Robots, rate: int, case: str) -> None:
+def measure_drive(plan: Plan, robots: node.Robots, rate: int, case: str) -> Rows:
     """Measure latency and CPU at ``rate`` commands per second for each robot."""
     latencies, software, cpu = robots.drive(wire.cruise(int(rate * plan.seconds)), rate)
     for quantity, values in ("publish to last bit", latencies), ("software's share", software):
         for percent in 50, 99:
-            add(f"{quantity}, p{percent} (ms)", case, numpy.percentile(values, percent))
-    add_cpu(add, case, cpu)
+            yield f"{quantity}, p{percent} (ms)", case, numpy.percentile(values, percent)
+    yield from cpu_rows(case, cpu)
 
 
-def add_cpu(add: Add, case: str, cpu: Sequence[float]) -> None:
-    """Add what ``Robots.cpu_during`` returned."""
-    add("CPU, node and guard (% of a core)", case, sum(cpu))
-    add("CPU, guard alone (% of a core)", case, cpu[1])
+def cpu_rows(case: str, cpu: Sequence[float]) -> Rows:
+    """Return what ``Robots.cpu_during`` returned as rows."""
+    yield "CPU, node and guard (% of a core)", case, sum(cpu)
+    yield "CPU, guard alone (% of a core)", case, cpu[1]
 
 
 def measure(plan: Plan, implementations: Sequence[str]) -> Tuple[report.Figures, List[node.Failure]]:
@@ -84,24 +83,20 @@ def measure(plan: Plan, implementations: Sequence[str]) -> Tuple[report.Figures,
         for (number, (section, job)), name in product(enumerate(jobs, 1), implementations):
             progress(f"{number} of {len(jobs)}: {section}: {name}")
             try:
-                job(partial(figures.add, section, name), plan, name)
+                for row in job(plan, name):
+                    figures.add(section, name, *row)
             except node.Failure as failure:
                 progress(f"left out: {failure}")
                 failures.append(failure)
     return figures, failures
 
 
-def implementations(names: str) -> List[str]:
-    """Return the implementations in a comma-separated list; raise ValueError for an unknown one."""
-    return sorted(names.split(","), key=wire.IMPLEMENTATIONS.index)
-
-
 def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bench/run", description=f"{__doc__} Writes results.md and results.png.")
     parser.add_argument("--runs", type=int, help="the results are the medians of so many runs; 3 unless --short")
     parser.add_argument("--short", action="store_true", help="measure less, to check that it works: a minute")
-    parser.add_argument("--only", type=implementations, default=wire.IMPLEMENTATIONS, metavar="NAME,...",
-                        help=f"some of {','.join(wire.IMPLEMENTATIONS)}; driver,floor take four minutes per run")
+    parser.add_argument("--only", nargs="+", choices=wire.IMPLEMENTATIONS, default=wire.IMPLEMENTATIONS,
+                        help="driver and floor take four minutes per run")
     parser.add_argument("--clock", type=int, default=FULL.clock, help="of the buses, in Hz; 100000")
     parser.add_argument("--output", type=Path, default=Path(__file__).parent, help="the folder for the results")
     return parser.parse_args()
@@ -109,14 +104,14 @@ def arguments() -> argparse.Namespace:
 
 def main() -> int:
     given = arguments()
-    plan = (SHORT if given.short else FULL)._replace(clock=given.clock, **({"runs": given.runs} if given.runs else {}))
+    plan = SHORT if given.short else FULL
+    plan = plan._replace(clock=given.clock, runs=given.runs or plan.runs)
     for number in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
         signal.signal(number, lambda *_: sys.exit(1))
     Path("/proc/self/timerslack_ns").write_text("1")  # the fake bus sleeps for each bit: let it be exact, for all alike
     figures, failures = measure(plan, given.only)
     given.output.mkdir(parents=True, exist_ok=True)
-    page = report.text(figures, failures, plan, wire.verification(), wire.pace(plan.clock))
-    (given.output / "results.md").write_text(page)
+    (given.output / "results.md").write_text(report.text(figures, failures, plan))
     report.draw(figures, given.output / "results.png")
     progress(f"wrote {given.output}/results.md and results.png")
     return 1 if failures else 0

@@ -81,8 +81,8 @@ class Robots:
         start = time.perf_counter()
         self._implementation, self._clock = implementation, clock
         self._chips = [numpy.memmap(chip_file(bus, wire.ADDRESS), mode="r") for bus in buses]
-        self.publishers = [rospy.Publisher(f"/{bus.name}/cmd_vel", Twist, queue_size=10) for bus in buses]
-        require(lambda: all(publisher.get_num_connections() for publisher in self.publishers), START_TIMEOUT,
+        self._publishers = [rospy.Publisher(f"/{bus.name}/cmd_vel", Twist, queue_size=10) for bus in buses]
+        require(lambda: all(publisher.get_num_connections() for publisher in self._publishers), START_TIMEOUT,
                 f"{implementation} did not start within {START_TIMEOUT} s")
         self.startup = time.perf_counter() - start
         self._nodes = psutil.Process(roslaunch).children()
@@ -123,12 +123,15 @@ class Robots:
             left, right = speeds[number]  # left = x - z, right = x + z
             time.sleep(max(0, start + turn / rate / robots - time.perf_counter()))
             sent[robot, number] = time.perf_counter()
-            self.publishers[robot].publish(Vector3((left + right) / 2, 0, 0), Vector3(0, 0, (right - left) / 2))
+            self._publishers[robot].publish(Vector3((left + right) / 2, 0, 0), Vector3(0, 0, (right - left) / 2))
         last = {(robot, len(speeds) - 1) for robot in range(robots)}
         require(lambda: last <= seen.keys(), OBEY_TIMEOUT, f"{self._implementation} does not obey the last command")
 
     def cpu_during(self, action: Callable[[], object]) -> numpy.ndarray:
         """Return the CPU, in % of a core, that a node and that its guard use while the action runs."""
+        def cpu_time(process):  # in s, of all threads, by the process's own clock: clock_getcpuclockid(3) on Linux
+            return time.clock_gettime(~process.pid << 3 | 2)
+
         before, start = self._each(cpu_time), time.perf_counter()
         action()
         return 100 * (self._each(cpu_time) - before) / (time.perf_counter() - start)
@@ -139,11 +142,6 @@ class Robots:
 
     def _each(self, quantity):
         return numpy.array([sum(map(quantity, group)) / len(self._nodes) for group in (self._nodes, self._guards)])
-
-
-def cpu_time(process: psutil.Process) -> float:
-    """Return the CPU time in s of all threads of a process, by its own clock: clock_getcpuclockid(3) on Linux."""
-    return time.clock_gettime(~process.pid << 3 | 2)
 
 
 def transfer_rate(seconds: float) -> float:
@@ -169,8 +167,5 @@ def running(implementation: str, count: int, clock: int) -> Iterator[Robots]:
         file = Path(os.environ["ROS_HOME"], "robots.launch")
         file.write_text(f"<launch>{''.join(groups)}</launch>")
         roslaunch = stack.enter_context(started("roslaunch", file))
-        robots = Robots(implementation, clock, buses, roslaunch.pid)
-        yield robots
-        for publisher in robots.publishers:
-            publisher.unregister()
+        yield Robots(implementation, clock, buses, roslaunch.pid)
 

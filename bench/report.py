@@ -30,12 +30,8 @@ Measured by `bench/run` on {machine}; medians of {runs} run(s); buses of {khz:g}
 All get the same commands on the same fake chip. A transfer is a start, a stop and nine bits per byte, address and
 register included; a command's bits are those of its writes. *Publish to last bit*: until the chip's registers, polled
 from outside, hold all of a command; commands that newer ones overtook do not count. *Software's share*: that time less
-the wire time of the command's own writes. *p50*: half of all commands took less; *p99*: 99 of 100 did. *Idle*: the
-robot is stopped and nobody publishes.
-
-On the fake bus, a write of 29 bits took {pace[0]:.2f} ms (on a wire {wire[0]:.2f}) and a read of 38 bits took
-{pace[1]:.2f} ms (on a wire {wire[1]:.2f}); {pace[2]:.3f} ms of it were CPU time. To verify the chip, the driver reads
-it back in {count} transfers of {pieces} bits, one at a time.
+the wire time of the command's own writes; what the fake bus itself takes counts to it. *p50*: half of all commands took
+less; *p99*: 99 of 100 did. *Idle*: the robot is stopped and nobody publishes.
 """
 
 
@@ -54,10 +50,9 @@ class Figures(dict):
                 for row in sorted(rows, key=lambda row: quantities.index(row[0]))}
 
 
-def text(figures: Figures, failures: Sequence, plan, pieces: Sequence[int], pace: Sequence[float]) -> str:
-    """Return the Markdown of results.md. pieces: by wire.verification; pace: by wire.pace."""
-    page = PAGE.format(machine=machine(), runs=plan.runs, khz=plan.clock / 1000, pace=pace, count=len(pieces),
-                       wire=[1000 * bits / plan.clock for bits in (29, 38)], pieces=", ".join(map(str, pieces)))
+def text(figures: Figures, failures: Sequence, plan) -> str:
+    """Return the Markdown of results.md."""
+    page = PAGE.format(machine=machine(), runs=plan.runs, khz=plan.clock / 1000)
     missing = [f"\nLeft out of one run: {failure}.\n" for failure in failures]
     return "".join([page, *missing, *(f"\n## {name}\n\n{table(figures.medians(name))}" for name in figures)])
 
@@ -69,18 +64,14 @@ def table(medians: Dict[Tuple[str, str], Dict[str, float]]) -> str:
     lines = [["", "", *names, *map(" : ".join, ratios)], ["---", "---", *["---:"] * len([*names, *ratios])]]
     for (quantity, case), values in medians.items():
         row = {name: values.get(name, math.nan) for name in names}
-        lines.append([quantity, case, *map(number, row.values()), *(ratio(row[a], row[b]) for a, b in ratios)])
+        lines.append([quantity, case, *map(number, row.values()),
+                      *(number(row[a] / row[b]) if row[b] else "" for a, b in ratios)])
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def number(value: float) -> str:
     """Return three digits without an exponent."""
     return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
-
-
-def ratio(value: float, other: float) -> str:
-    """Return how many times the other the value is; nothing where the other is 0."""
-    return number(value / other) if other else ""
 
 
 def machine() -> str:

@@ -3,12 +3,9 @@
 import importlib
 import random
 import tempfile
-import time
-import timeit
 from contextlib import contextmanager
 from itertools import product
 from pathlib import Path
-from statistics import median
 from typing import Callable, Iterator, List, NamedTuple, Sequence, Tuple
 from unittest.mock import patch
 
@@ -29,7 +26,7 @@ class Command(NamedTuple):
     """
 
     outputs: bytes
-    writes: List[int]
+    writes: Sequence[int]
     wire_bits: int
 
 
@@ -63,53 +60,24 @@ def fake_bus(clock: int = 0) -> Iterator[str]:
         yield folder
 
 
-@contextmanager
-def recorded_bus() -> Iterator[Tuple[str, list, list]]:
-    """Yield the folder of a fake bus, and its writes and its reads: the bits, and the chip's outputs after them."""
-    writes, reads, transfer = [], [], FakeBus._transfer
-    with fake_bus() as folder:
-        def record(bus, address, wire_bytes, action):
-            result = transfer(bus, address, wire_bytes, action)
-            (writes if result is None else reads).append((2 + 9 * wire_bytes, outputs(folder)))
-            return result
-
-        with patch.object(FakeBus, "_transfer", record):
-            yield folder, writes, reads
-
-
-def outputs(folder: str) -> bytes:
-    """Return the chip's output registers."""
-    return chip_file(folder, ADDRESS).read_bytes()[OUTPUTS]
-
-
 def replay(implementation: str, speeds: Sequence[Speeds]) -> List[Command]:
     """Return what each command does to a chip that was just started; only writes count."""
-    with recorded_bus() as (folder, writes, _):
+    writes, transfer = [], FakeBus._transfer
+
+    def outputs():
+        return chip_file(folder, ADDRESS).read_bytes()[OUTPUTS]
+
+    def record(bus, address, wire_bytes, action):
+        result = transfer(bus, address, wire_bytes, action)
+        if result is None:  # a write
+            writes.append((2 + 9 * wire_bytes, outputs()))
+        return result
+
+    with fake_bus() as folder, patch.object(FakeBus, "_transfer", record):
         drive, commands = open_driver(implementation, folder), []
         for pair in speeds:
             writes.clear()
             drive(*pair)
-            final, states = outputs(folder), [state for _, state in writes]
-            bits = [bits for bits, _ in writes]
-            commands.append(Command(final, bits, sum(bits[:states.index(final) + 1]) if bits else 0))
+            bits, states = zip(*writes) if writes else ((), (outputs(),))
+            commands.append(Command(outputs(), bits, sum(bits[:states.index(outputs()) + 1])))
         return commands
-
-
-def verification() -> List[int]:
-    """Return the bits of the reads with which the driver verifies the chip, one per call, until they repeat."""
-    with recorded_bus() as (folder, _, reads):
-        driver = find_board("jetbot").open(f"fake:{folder}")
-        reads.clear()
-        for _ in range(16):
-            driver.verify()
-        pieces = [bits for bits, _ in reads]
-        return pieces[:pieces.index(pieces[0], 1)]
-
-
-def pace(clock: int, repeat: int = 100) -> Tuple[float, float, float]:
-    """Return the ms that a write of 29 and a read of 38 bits take on a bus of ``clock`` Hz, and the CPU time of one."""
-    with fake_bus(clock) as folder:
-        bus, cpu = FakeBus(folder), time.thread_time()
-        write, read = (1000 * median(timeit.repeat(transfer, number=1, repeat=repeat)) for transfer in (
-            lambda: bus.write_byte_data(ADDRESS, LED0_ON_L, 0), lambda: bus.read_byte_data(ADDRESS, LED0_ON_L)))
-        return write, read, 1000 * (time.thread_time() - cpu) / (2 * repeat)

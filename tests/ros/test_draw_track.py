@@ -1,4 +1,4 @@
-"""One sentence from draw_track.py for each bag from which it cannot draw."""
+"""draw_track.py draws from a bag; where it cannot, it ends with one sentence."""
 
 import runpy
 import sys
@@ -14,35 +14,45 @@ PROGRAM = Path(__file__).parents[2] / "morbot_ws/src/simulation/scripts/draw_tra
 
 @pytest.fixture
 def bag(tmp_path):
-    """A bag, open for writing."""
+    """A bag with odometry of the robot red."""
     with rosbag.Bag(str(tmp_path / "drive.bag"), "w") as bag:
+        bag.write("red/odom", Odometry())
+        bag.write("/red/cmd_vel", Twist())
         yield bag
 
 
-def error_of(monkeypatch, bag):
-    """Return the message with which the program exits."""
-    monkeypatch.setattr(sys, "argv", ["draw_track.py", "--bag", bag.filename])
-    with pytest.raises(SystemExit) as end:
-        runpy.run_path(str(PROGRAM), run_name="__main__")
-    return end.value.code
+@pytest.fixture
+def draw(monkeypatch, tmp_path):
+    """Draws track.png from a bag; returns the message with which the program exits, or None."""
+    def run(bag, robot="red"):
+        monkeypatch.setattr(sys, "argv", ["", "--bag", bag.filename, "--robot", robot, str(tmp_path / "track.png")])
+        try:
+            runpy.run_path(str(PROGRAM), run_name="__main__")
+        except SystemExit as end:
+            return end.code
+    return run
 
 
-@pytest.mark.parametrize("topic, message", [("odom", Twist()), ("/red/odom", Odometry())])
-def test_no_odometry_of_this_robot(monkeypatch, bag, topic, message):
-    bag.write(topic, message)
+def test_draws_a_bag(draw, bag, tmp_path):
     bag.close()
-    assert error_of(monkeypatch, bag) == (
-        f"{bag.filename} holds no nav_msgs/Odometry on /odom. Another robot's: --robot NAME")
+    assert draw(bag) is None
+    assert (tmp_path / "track.png").read_bytes()[:4] == b"\x89PNG"
 
 
-def test_recording_cut_short(monkeypatch, bag):
-    bag.write("odom", Odometry())
+@pytest.mark.parametrize("robot, odom", [("", "/odom"), ("green", "/green/odom")])
+def test_no_odometry_of_this_robot(draw, bag, robot, odom):
+    bag.write("odom", Twist())
+    bag.close()
+    assert draw(bag, robot) == f"{bag.filename} holds no nav_msgs/Odometry on {odom}. Another robot's: --robot NAME"
+
+
+def test_recording_cut_short(draw, bag):
     bag.flush()
-    assert error_of(monkeypatch, bag) == (
+    assert draw(bag) == (
         f"Nothing was drawn: the recording of {bag.filename} was cut short. Fix it: rosbag reindex {bag.filename}")
 
 
-def test_no_bag(monkeypatch, bag, tmp_path):
+def test_no_bag(draw, bag):
     bag.close()
     Path(bag.filename).write_text("hello")
-    assert error_of(monkeypatch, bag).startswith("Nothing was drawn: ")
+    assert draw(bag).startswith("Nothing was drawn: ")

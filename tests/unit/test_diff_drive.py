@@ -4,45 +4,30 @@ import math
 
 import pytest
 
-from simulation.diff_drive import DiffDriveModel
-from simulation.motor import Motor
-from simulation.pose import Pose
+from simulation.diff_drive import DiffDriveModel, Motor, Pose
 
 SEPARATION, DIAMETER, MAX_SPEED = 0.1125, 0.06, 0.6
-ORIGIN = Pose()
 
 
-def model(pose=ORIGIN, dead_band=0.0, closed_loop=False):
-    return DiffDriveModel(SEPARATION, DIAMETER, MAX_SPEED, 0.0, dead_band, pose, closed_loop)
+def model(**options):
+    return DiffDriveModel(SEPARATION, DIAMETER, MAX_SPEED, 0.0, **{"dead_band": 0.0, "pose": Pose(), **options})
 
 
-def duties(linear, angular):
-    turn = angular * SEPARATION / 2
-    return (linear - turn) / MAX_SPEED, (linear + turn) / MAX_SPEED
-
-
-@pytest.mark.parametrize("steps", [1, 7, 1000])
-@pytest.mark.parametrize("linear, angular", [(0.5, 0.0), (-0.3, 0.0), (0.5, 0.1), (0.2, -1.5), (-0.3, 0.7)])
+@pytest.mark.parametrize("steps", [1, 1000])
+@pytest.mark.parametrize("linear, angular", [(0.5, 0.0), (-0.3, 0.0), (0.5, 0.1), (0.2, -1.5), (-0.3, 0.7), (0, 2.0)])
 def test_drives_the_arc_of_linear_and_angular_speed(linear, angular, steps):
-    robot = model()
+    robot, turn = model(), angular * SEPARATION / 2
     for _ in range(steps):
-        robot.step(duties(linear, angular), 2.0 / steps)
+        robot.step(((linear - turn) / MAX_SPEED, (linear + turn) / MAX_SPEED), 2.0 / steps)
     yaw = angular * 2.0
     x = linear / angular * math.sin(yaw) if angular else linear * 2.0
     y = linear / angular * (1 - math.cos(yaw)) if angular else 0.0
-    wrapped = math.remainder(yaw, 2 * math.pi)
-    assert robot.pose == pytest.approx((x, y, wrapped), abs=1e-9)
+    assert robot.pose == pytest.approx((x, y, math.remainder(yaw, 2 * math.pi)), abs=1e-9)
     assert robot.velocity == pytest.approx((linear, angular))
 
 
-def test_spins_in_place_with_a_heading_within_pi():
-    robot = model()
-    robot.step(duties(0.0, 4.0), 1.0)
-    assert robot.pose == pytest.approx((0, 0, 4.0 - 2 * math.pi))
-
-
 def test_starts_from_its_pose():
-    robot = model(Pose(1.0, 2.0, math.pi / 2))
+    robot = model(pose=Pose(1.0, 2.0, math.pi / 2))
     robot.step((1.0, 1.0), 1.0)
     assert robot.pose == pytest.approx((1.0, 2.0 + MAX_SPEED, math.pi / 2))
 
@@ -50,11 +35,12 @@ def test_starts_from_its_pose():
 def test_wheels_turn_without_slipping():
     robot = model()
     robot.step((0.5, -1.0), 2.0)
-    assert robot.wheel_angles == pytest.approx((2 * 0.3 / 0.03, -2 * 0.6 / 0.03))
-    assert robot.wheel_rates == pytest.approx((0.3 / 0.03, -0.6 / 0.03))
+    angles, rates = robot.joints
+    assert angles == pytest.approx((2 * 0.3 / 0.03, -2 * 0.6 / 0.03))
+    assert rates == pytest.approx((0.3 / 0.03, -0.6 / 0.03))
 
 
-@pytest.mark.parametrize("linear, angular", [(0.5, 1.0), (0.0, 2.0), (-0.3, -0.7), (0.01, 0.0)])
+@pytest.mark.parametrize("linear, angular", [(0.5, 1.0), (-0.3, -0.7), (0.01, 0.0)])
 def test_closed_loop_drives_the_velocity_of_the_twist_without_a_dead_band(linear, angular):
     robot = model(dead_band=0.1, closed_loop=True)
     robot.step((linear - angular, linear + angular), 1.0)
@@ -78,8 +64,7 @@ def test_lag(steps):
     assert motor.speed == pytest.approx(0, abs=1e-4)
 
 
-@pytest.mark.parametrize("duty, speed", [
-    (0.1, 0.06), (-0.1, -0.06), (0.0999, 0.0), (-0.0999, 0.0), (0.0, 0.0), (1.0, 0.6)])
+@pytest.mark.parametrize("duty, speed", [(0.1, 0.06), (-0.1, -0.06), (0.0999, 0.0), (-0.0999, 0.0)])
 def test_dead_band(duty, speed):
     motor = Motor(MAX_SPEED, lag=0.0, dead_band=0.1)
     motor.step(duty, 1.0)

@@ -20,7 +20,6 @@ SIZE = load(BODY)
     ("port", "/dev/ttyACM0", "fake, or fake:FOLDER"),
     ("board", "lego", "one of adafruit, waveshare, sparkfun, jetbot_pro, jetbot"),
     ("dead_band", 1, "a number of at least 0 and below 1"),
-    ("dead_band", -0.1, "a number of at least 0 and below 1"),
     ("motor_lag", -1, "a number of seconds, 0 or more"),
     ("wheel_diameter", 0, "a number above 0"),
 ])
@@ -46,11 +45,6 @@ def test_simulates_the_board_that_the_controller_drives(tmp_path, typed, file, b
 @pytest.mark.parametrize("board, folder", [("jetbot", "bus"), ("sparkfun", "bus"), ("jetbot_pro", "port")])
 def test_reads_the_bus_or_the_port_of_the_board(board, folder):
     assert fake_folder(resolve({"board": board, "i2c_bus": "fake:bus", "port": "fake:port"}), "/") == folder
-
-
-def test_each_namespace_has_fake_hardware_of_its_own(tmp_path, monkeypatch):
-    monkeypatch.setenv("ROS_HOME", str(tmp_path))
-    assert fake_folder(resolve({}), "/red/") == str(tmp_path / "fake_i2c/red")
 
 
 def test_the_file_of_the_body_shows_each_default_with_its_unit_and_meaning():

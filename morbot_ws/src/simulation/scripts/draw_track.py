@@ -1,15 +1,11 @@
 #!/usr/bin/env python3
-"""Draws where a robot drove, from above, and how fast, over time: of the robot that drives now, or from a rosbag.
-
-    rosrun simulation draw_track.py --seconds 20 track.png
-    rosrun simulation draw_track.py --bag drive.bag track.png
-"""
+"""Draws where a robot drove, and how fast, into a PNG file."""
 
 import argparse
+import os
 import sys
 
 import rosbag
-import rosgraph
 import rospy
 
 from jetbot_ros.master import require_master
@@ -18,7 +14,7 @@ from simulation.recording import read_bag, record
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(description="Draw where a robot drove, and how fast, into a PNG file.")
+    parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("png", nargs="?", default="track.png")
     source = parser.add_mutually_exclusive_group()
     source.add_argument("--bag", help="a rosbag with odom and cmd_vel")
@@ -29,7 +25,7 @@ def parse_arguments():
 
 def main():
     given = parse_arguments()
-    odom, cmd_vel = (rosgraph.names.ns_join("/" + given.robot.strip("/"), name) for name in ("odom", "cmd_vel"))
+    odom, cmd_vel = (os.path.join("/", given.robot.strip("/"), name) for name in ("odom", "cmd_vel"))
     if given.bag:
         recording = read_bag(given.bag, odom, cmd_vel)
         missing = f"{given.bag} holds no nav_msgs/Odometry on {odom}. Another robot's: --robot NAME"
@@ -37,7 +33,7 @@ def main():
         require_master()
         recording = record(odom, cmd_vel, given.seconds)
         missing = f"Nothing was published on {odom}. Start the robot: roslaunch simulation simulation.launch"
-    if not recording.odometry:
+    if not recording.velocities:
         sys.exit(missing)
     draw(recording, given.png)
     print(f"Drew {given.png}.")

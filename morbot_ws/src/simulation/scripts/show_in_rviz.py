@@ -15,27 +15,21 @@ TRIES = 3  # without a graphics card it may crash at its start: Mesa draws into 
 def add_namespace(config, name):
     """Return the configuration for the robot in this namespace. Relative topic names need no change."""
     return (config.replace('TF Prefix: ""', f'TF Prefix: "{name}"')
-                  .replace("Target Frame: base_footprint", f"Target Frame: {name}/base_footprint"))
+                  .replace("Target Frame: base_footprint", f"Target Frame: {os.path.join(name, 'base_footprint')}"))
 
 
 def main(config, *ros_arguments):
     if not shutil.which("rviz"):
         print("To see the robot here: sudo apt install rviz", flush=True)
         return 0
-    name, text = os.environ.get("ROS_NAMESPACE", "").strip("/"), Path(config).read_text()
     with tempfile.NamedTemporaryFile("w", suffix=".rviz") as file:
-        file.write(add_namespace(text, name) if name else text)
+        file.write(add_namespace(Path(config).read_text(), os.environ.get("ROS_NAMESPACE", "").strip("/")))
         file.flush()
-        return run(["rviz", "-d", file.name, *ros_arguments])
-
-
-def run(command):
-    """Return the exit code of RViz, which is restarted when it crashes."""
-    for tries in range(1, TRIES + 1):
-        code = subprocess.call(command)
-        if code not in (-signal.SIGSEGV, -signal.SIGABRT):
-            break
-        print(f"RViz crashed, {tries} of {TRIES} times", flush=True)
+        for tries in range(1, TRIES + 1):
+            code = subprocess.call(["rviz", "-d", file.name, *ros_arguments])
+            if code not in (-signal.SIGSEGV, -signal.SIGABRT):
+                break
+            print(f"RViz crashed, {tries} of {TRIES} times", flush=True)
     return code
 
 

@@ -8,10 +8,8 @@ import rospy
 from jetbot import InvalidValue
 from jetbot.fake.motors import ROBOTS, wheel_speeds
 from jetbot_ros.master import require_master
-from simulation.diff_drive import DiffDriveModel
+from simulation.diff_drive import DiffDriveModel, Pose
 from simulation.parameters import fake_folder, resolve
-from simulation.pose import Pose
-from simulation.publisher import StatePublisher
 from simulation.simulator import Simulator
 
 
@@ -24,8 +22,8 @@ def main():
     model = DiffDriveModel(
         given["wheel_separation"], given["wheel_diameter"], given["max_speed"], given["motor_lag"], given["dead_band"],
         Pose(given["x"], given["y"], given["yaw"]), closed_loop)
-    publisher = StatePublisher(publish_odom=not closed_loop)  # such a board measures: its controller publishes odom
-    Simulator(model, lambda: wheel_speeds(folder, board), publisher).spin()
+    # A board with a closed loop measures its motion: its controller publishes odom.
+    Simulator(model, lambda: wheel_speeds(folder, board), publish_odom=not closed_loop).spin()
 
 
 if __name__ == "__main__":
@@ -37,5 +35,3 @@ if __name__ == "__main__":
     except rospy.ROSException:
         if not rospy.is_shutdown():  # a shutdown closes the topics while the last step publishes
             raise
-    except KeyboardInterrupt:
-        sys.exit(1)

@@ -1,13 +1,50 @@
 """A differential-drive robot: two motors, and the pose that results."""
 
-from typing import Tuple
+import math
+from typing import NamedTuple, Tuple
 
 from jetbot.kinematics import clamp, mix
 
-from .motor import Motor
-from .pose import Pose
-
 Pair = Tuple[float, float]  # left, right
+
+
+class Pose(NamedTuple):
+    """x, y in metres; yaw in radians, counterclockwise from the x axis (REP 103)."""
+
+    x: float = 0.0
+    y: float = 0.0
+    yaw: float = 0.0
+
+    def integrate_arc(self, left: float, right: float, wheel_separation: float) -> "Pose":
+        """Return the pose at the end of the arc on which the wheels roll ``left`` and ``right`` metres."""
+        rotation, arc = (right - left) / wheel_separation, (left + right) / 2
+        chord = arc * math.sin(rotation / 2) / (rotation / 2) if rotation else arc
+        heading = self.yaw + rotation / 2
+        return Pose(self.x + chord * math.cos(heading), self.y + chord * math.sin(heading),
+                    math.remainder(self.yaw + rotation, math.tau))
+
+
+class Motor:
+    """A geared DC motor with its wheel, stopped at first.
+
+    max_speed: m/s at full duty; lag: time constant in seconds (63 % of a change of speed), 0 for none;
+    dead_band: duty in [0, 1) below which the motor does not turn.
+    speed: m/s; distance: metres rolled so far, negative for backward.
+    """
+
+    def __init__(self, max_speed: float, lag: float, dead_band: float):
+        self._max_speed, self._lag, self._dead_band = max_speed, lag, dead_band
+        self.speed = self.distance = 0.0
+
+    def step(self, duty: float, seconds: float) -> float:
+        """Apply a duty in [-1, 1] for some time; return the metres that the wheel rolls."""
+        target = duty * self._max_speed if abs(duty) >= self._dead_band else 0.0
+        error = self.speed - target
+        decay = math.exp(-seconds / self._lag) if self._lag else 0.0
+        rolled = target * seconds + error * self._lag * (1 - decay)  # the integral of the speed over the time
+        self.speed = target + error * decay
+        self.distance += rolled
+        return rolled
 
 
 class DiffDriveModel:
@@ -41,11 +78,7 @@ class DiffDriveModel:
         return (self.left.speed + self.right.speed) / 2, (self.right.speed - self.left.speed) / self._geometry[0]
 
     @property
-    def wheel_angles(self) -> Pair:
-        """The rotation of the wheels (left, right) since the start, in radians."""
-        return self.left.distance / self._wheel_radius, self.right.distance / self._wheel_radius
-
-    @property
-    def wheel_rates(self) -> Pair:
-        """The angular speeds of the wheels (left, right), in rad/s."""
-        return self.left.speed / self._wheel_radius, self.right.speed / self._wheel_radius
+    def joints(self) -> Tuple[Pair, Pair]:
+        """The rotations of the wheels (left, right) since the start in rad, and their angular speeds in rad/s."""
+        left, right, radius = self.left, self.right, self._wheel_radius
+        return (left.distance / radius, right.distance / radius), (left.speed / radius, right.speed / radius)

@@ -6,7 +6,9 @@ from matplotlib.figure import Figure
 
 from .recording import Recording
 
-ACTUAL, COMMANDED, START, END = "tab:blue", "tab:orange", "tab:green", "tab:red"
+BLUE, ORANGE, START, END = "tab:blue", "tab:orange", "tab:green", "tab:red"
+COMMANDED = {"label": "commanded", "color": ORANGE, "linewidth": 4, "alpha": 0.6, "drawstyle": "steps-post"}
+ACTUAL = {"label": "actual", "color": BLUE, "linewidth": 1.5}
 ARROWS = 8  # along the track
 
 
@@ -14,9 +16,9 @@ def draw(recording: Recording, file: str) -> None:
     """Draw a recording that holds odometry into a PNG file; raise OSError where it cannot be written."""
     figure = Figure(figsize=(7, 9), constrained_layout=True)
     track, linear, angular = figure.subplots(3, gridspec_kw={"height_ratios": (5, 1.2, 1.2)})
-    draw_track(track, [sample.pose for sample in recording.odometry])
-    draw_speed(linear, recording, "linear", "speed (m/s)")
-    draw_speed(angular, recording, "angular", "turn (rad/s)")
+    draw_track(track, recording.poses)
+    draw_speed(linear, recording, lambda twist: twist.linear.x, "speed (m/s)")
+    draw_speed(angular, recording, lambda twist: twist.angular.z, "turn (rad/s)")
     linear.tick_params(labelbottom=False)
     linear.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=2, frameon=False)
     angular.set_xlabel("time (s)")
@@ -26,11 +28,13 @@ def draw(recording: Recording, file: str) -> None:
 
 def draw_track(axes, poses):
     """Draw the track from above, with arrows in the direction of the heading."""
-    axes.plot([pose.x for pose in poses], [pose.y for pose in poses], color=ACTUAL, linewidth=2)
+    axes.plot([pose.x for pose in poses], [pose.y for pose in poses], color=BLUE, linewidth=2)
     for pose in poses[::max(1, len(poses) // ARROWS)]:
-        draw_heading(axes, pose, ACTUAL)
-    draw_heading(axes, poses[0], START, "start")
-    draw_heading(axes, poses[-1], END, "end")
+        draw_heading(axes, pose, BLUE, scale=40, width=0.006)
+    for name, pose, color in ("start", poses[0], START), ("end", poses[-1], END):
+        draw_heading(axes, pose, color, scale=22, width=0.011)
+        axes.plot([], [], marker=(3, 0, -90), markersize=11, linestyle="", color=color,
+                  label=f"{name}: x {pose.x:.2f} m, y {pose.y:.2f} m, heading {math.degrees(pose.yaw):.0f}°")
     axes.legend(loc="upper left")
     axes.set_aspect("equal", "datalim")
     axes.margins(0.1)
@@ -38,25 +42,18 @@ def draw_track(axes, poses):
     axes.grid(alpha=0.3)
 
 
-def draw_heading(axes, pose, color, label=None):
-    """Draw an arrow; one with a label is larger and appears in the legend."""
+def draw_heading(axes, pose, color, **size):
+    """Draw an arrow at the pose."""
     axes.quiver(pose.x, pose.y, math.cos(pose.yaw), math.sin(pose.yaw), color=color, zorder=3, pivot="mid",
-                scale=22 if label else 40, width=0.011 if label else 0.006, headlength=4, headaxislength=4)
-    if label:
-        axes.plot([], [], marker=(3, 0, -90), markersize=11, linestyle="", color=color,
-                  label=f"{label}: x {pose.x:.2f} m, y {pose.y:.2f} m, heading {math.degrees(pose.yaw):.0f}°")
+                headlength=4, headaxislength=4, **size)
 
 
-def draw_speed(axes, recording, name, label):
-    """Draw one speed, "linear" or "angular", as commanded and as driven, over the time of the odometry."""
-    start, end = recording.odometry[0].time, recording.odometry[-1].time
-
-    def plot(samples, **style):
-        axes.plot([sample.time - start for sample in samples], [getattr(sample, name) for sample in samples], **style)
-
-    plot([command for command in recording.commands if start <= command.time <= end], drawstyle="steps-post",
-         label="commanded", color=COMMANDED, linewidth=4, alpha=0.6)
-    plot(recording.odometry, label="actual", color=ACTUAL, linewidth=1.5)
+def draw_speed(axes, recording, speed, label):
+    """Draw the speed that a function takes from a Twist, as commanded and as driven, over the time of the odometry."""
+    (start, _), (end, _) = recording.velocities[0], recording.velocities[-1]
+    commands = [(time, twist) for time, twist in recording.commands if start <= time <= end]
+    for samples, style in (commands, COMMANDED), (recording.velocities, ACTUAL):
+        axes.plot([time - start for time, _ in samples], [speed(twist) for _, twist in samples], **style)
     axes.set_ylabel(label)
     axes.margins(x=0.01, y=0.15)
     axes.grid(alpha=0.3)

@@ -28,11 +28,10 @@ PARAMETERS = {
 
 def resolve(typed: Dict[str, object]) -> Dict[str, object]:
     """Return all parameters. The board is the controller's: typed, or from its file ``config``, or its default."""
-    typed = dict(typed)
-    config = typed.pop("config", "")
-    parameters = checked(typed, PARAMETERS)
-    shared = {"i2c_bus": parameters["i2c_bus"], "port": parameters["port"], "board": typed.get("board", "")}
-    return checked({**parameters, "board": controller.resolve({"config": config, **shared})["board"]}, PARAMETERS)
+    parameters = checked({name: value for name, value in typed.items() if name != "config"}, PARAMETERS)
+    shared = {name: typed.get(name, "") for name in ("board", "config")}
+    shared.update({name: parameters[name] for name in ("i2c_bus", "port")})
+    return checked({**parameters, "board": controller.resolve(shared)["board"]}, PARAMETERS)
 
 
 def fake_folder(parameters: Dict[str, object], namespace: str) -> str:

@@ -1,7 +1,7 @@
 """What a robot was commanded and what it did, from its topics or from a rosbag."""
 
 import math
-from typing import Iterable, List, NamedTuple, Optional, Tuple, Union
+from typing import Iterable, List, NamedTuple, Tuple, Union
 
 import rosbag
 import rospy
@@ -10,23 +10,15 @@ from nav_msgs.msg import Odometry
 
 from jetbot.wait import wait_until
 
-from .pose import Pose
-
-
-class Sample(NamedTuple):
-    """A velocity in m/s and rad/s at a time in s; of odometry, with the pose."""
-
-    time: float
-    linear: float
-    angular: float
-    pose: Optional[Pose] = None
+from .diff_drive import Pose
 
 
 class Recording(NamedTuple):
-    """What the robot did, and what it was commanded."""
+    """The robot's velocities, its pose at each of them, and the commands. Times are in s."""
 
-    odometry: List[Sample]
-    commands: List[Sample]
+    velocities: List[Tuple[float, Twist]]
+    poses: List[Pose]
+    commands: List[Tuple[float, Twist]]
 
 
 def read_bag(file: str, odom: str, cmd_vel: str) -> Recording:
@@ -44,23 +36,25 @@ def record(odom: str, cmd_vel: str, seconds: float) -> Recording:
     """Return what these topics carry for some seconds, or until Ctrl-C."""
     messages = []
     rospy.init_node("draw_track", anonymous=True)
-    subscribers = [rospy.Subscriber(topic, kind, lambda message: messages.append((rospy.get_time(), message)))
-                   for topic, kind in ((odom, Odometry), (cmd_vel, Twist))]
+    for topic, kind in (odom, Odometry), (cmd_vel, Twist):
+        rospy.Subscriber(topic, kind, lambda message: messages.append((rospy.get_time(), message)))
     wait_until(rospy.is_shutdown, timeout=seconds)
-    for subscriber in subscribers:
-        subscriber.unregister()
-    return make_recording(messages)
+    return make_recording(list(messages))
 
 
 def make_recording(messages: Iterable[Tuple[float, Union[Odometry, Twist]]]) -> Recording:
     """Return the recording of messages, each with the time in s at which it arrived."""
-    recording = Recording([], [])
+    recording = Recording([], [], [])
     for time, message in messages:
         if message._type == Twist._type:
-            recording.commands.append(Sample(time, message.linear.x, message.angular.z))
+            recording.commands.append((time, message))
         else:
-            position, orientation = message.pose.pose.position, message.pose.pose.orientation
-            yaw = math.remainder(2 * math.atan2(orientation.z, orientation.w), math.tau)
-            recording.odometry.append(Sample(message.header.stamp.to_sec(), message.twist.twist.linear.x,
-                                             message.twist.twist.angular.z, Pose(position.x, position.y, yaw)))
+            recording.velocities.append((message.header.stamp.to_sec(), message.twist.twist))
+            recording.poses.append(pose_of(message))
     return recording
+
+
+def pose_of(message: Odometry) -> Pose:
+    """Return the pose of a robot on a flat floor."""
+    position, orientation = message.pose.pose.position, message.pose.pose.orientation
+    return Pose(position.x, position.y, math.remainder(2 * math.atan2(orientation.z, orientation.w), math.tau))

@@ -1,37 +1,47 @@
-"""The simulator's loop: reads what the board commands, advances the model, publishes and reports its state."""
+"""The simulator: reads what the board commands, advances the model, publishes and prints its state."""
 
-import itertools
 import math
 import time
 from collections import deque
 from typing import Callable
 
 import rospy
-from geometry_msgs.msg import Pose2D
+from geometry_msgs.msg import Pose2D, PoseStamped
+from nav_msgs.msg import Odometry, Path
+from sensor_msgs.msg import JointState
 from std_srvs.srv import Empty, EmptyResponse
+from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 
-from .diff_drive import DiffDriveModel, Pair
-from .pose import Pose
-from .publisher import StatePublisher
+from jetbot_ros.messages import frame_name, odometry, transform
 
-RATE = 50              # steps per second
-STEPS_PER_REPORT = 50  # between two lines on the terminal
+from .diff_drive import DiffDriveModel, Pair, Pose
+
+RATE = 50           # steps per second
+JOINTS = ["left_wheel_joint", "right_wheel_joint"]  # as in jetbot.urdf
+PATH_STEP = 0.05    # metres between two poses of the path
+PATH_LENGTH = 1000  # poses; the oldest are dropped
 
 
 class Simulator:
-    """Drives the model at the speeds that ``wheel_speeds`` returns.
+    """Drives the model at the speeds that ``wheel_speeds`` returns; publishes ``joint_states``, ``path`` and tf.
 
-    ``~set_pose`` and ``~reset`` hand a pose to the loop, which alone uses the model.
+    publish_odom: whether to publish ``odom`` too. It has no drift: every odom frame coincides with the shared ``map``.
+    ``~set_pose`` and ``~reset`` hand a pose to the loop, which alone changes the model.
     """
 
-    def __init__(self, model: DiffDriveModel, wheel_speeds: Callable[[], Pair], publisher: StatePublisher):
+    def __init__(self, model: DiffDriveModel, wheel_speeds: Callable[[], Pair], publish_odom: bool):
         self._model = model
         self._wheel_speeds = wheel_speeds
-        self._publisher = publisher
         self._start = model.pose
         self._new_pose = deque(maxlen=1)
         self._stepped_at = time.monotonic()
-        self._reported = None
+        self._printed = ""
+        self._poses = deque(maxlen=PATH_LENGTH)
+        self._odom = rospy.Publisher("odom", Odometry, queue_size=10) if publish_odom else None
+        self._joint_states = rospy.Publisher("joint_states", JointState, queue_size=10)
+        self._path = rospy.Publisher("path", Path, queue_size=1, latch=True)
+        self._tf = TransformBroadcaster()
+        StaticTransformBroadcaster().sendTransform(transform(rospy.Time.now(), "map", frame_name("odom"), Pose()))
         rospy.Subscriber("~set_pose", Pose2D, self._on_set_pose, queue_size=1)
         rospy.Service("~reset", Empty, self._on_reset)
 
@@ -46,35 +56,40 @@ class Simulator:
         return EmptyResponse()
 
     def spin(self) -> None:
-        """Step, publish and report until the node is shut down."""
+        """Step and publish, and print once per second, until the node is shut down."""
+        rospy.Timer(rospy.Duration(1.0), self._print_state)
         rate = rospy.Rate(RATE, reset=True)
-        for step in itertools.count():
-            if rospy.is_shutdown():
-                return
+        while not rospy.is_shutdown():
             self._step()
-            if step % STEPS_PER_REPORT == 0:
-                self._report()
+            self._publish()
             rate.sleep()
 
     def _step(self):
         if self._new_pose:
             self._model.pose = self._new_pose.popleft()
-            self._publisher.clear_path()
+            self._poses.clear()
         now = time.monotonic()
         self._model.step(self._wheel_speeds(), now - self._stepped_at)
         self._stepped_at = now
-        self._publisher.publish(self._model)
 
-    def _report(self):
-        state = format_state(self._model)
-        if state != self._reported:
-            self._reported = state
+    def _publish(self):
+        model = self._model
+        odom = odometry(rospy.Time.now(), model.pose, *model.velocity)
+        if self._odom:
+            self._odom.publish(odom)
+        self._joint_states.publish(JointState(odom.header, JOINTS, *model.joints, []))
+        self._tf.sendTransform(transform(odom.header.stamp, odom.header.frame_id, odom.child_frame_id, model.pose))
+        position, last = odom.pose.pose.position, self._poses[-1].pose.position if self._poses else None
+        if last is None or math.hypot(position.x - last.x, position.y - last.y) >= PATH_STEP:
+            self._poses.append(PoseStamped(odom.header, odom.pose.pose))
+            self._path.publish(Path(odom.header, list(self._poses)))
+
+    def _print_state(self, _):
+        """Print pose and wheel speeds where they have changed, with two decimals and no -0.00."""
+        pose, wheels = self._model.pose, (self._model.left.speed, self._model.right.speed)
+        x, y, left, right = (f"{round(value, 2) + 0.0:.2f}" for value in (pose.x, pose.y, *wheels))
+        state = (f"at x {x} m, y {y} m, heading {round(math.degrees(pose.yaw))} deg; "
+                 f"left wheel {left} m/s, right wheel {right} m/s")
+        if state != self._printed:
+            self._printed = state
             print(f"{rospy.get_namespace().strip('/')} {state}".strip(), flush=True)
-
-
-def format_state(model: DiffDriveModel) -> str:
-    """Return pose and wheel speeds in one line, with two decimals and no -0.00."""
-    x, y, left, right = (f"{round(value, 2) + 0.0:.2f}"
-                         for value in (*model.pose[:2], model.left.speed, model.right.speed))
-    return (f"at x {x} m, y {y} m, heading {round(math.degrees(model.pose.yaw))} deg; "
-            f"left wheel {left} m/s, right wheel {right} m/s")
