@@ -43,14 +43,6 @@ def test_registers(folder, name, speeds, outputs):
             assert registers(folder)[0x06 + 4 * output:][:4].hex() == outputs.get(output, OFF)
 
 
-@pytest.mark.parametrize("board", ["adafruit", "waveshare"])
-def test_jetbot_drives_either_board(folder, board):
-    driver = find_board("jetbot").open(f"fake:{folder}")
-    for speeds in PAIRS:
-        driver.drive(*speeds)
-        assert wheel_speeds(folder, board) == pytest.approx(speeds, abs=0.0003)
-
-
 @pytest.mark.parametrize("name", ["jetbot", "adafruit", "waveshare"])
 def test_never_both_directions_at_once_and_few_transfers(folder, wire, name):
     board = find_board(name).open(f"fake:{folder}")

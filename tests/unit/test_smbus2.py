@@ -83,8 +83,3 @@ def test_no_answer(kernel, make_robot, folder):
     (folder / "0x60").unlink()
     with pytest.raises(BusError, match="^No answer from 0x60 on /dev/i2c-1."):
         make_robot(i2c_bus=1)
-
-
-def test_no_such_bus(kernel, make_robot):
-    with pytest.raises(BusError, match="^There is no I2C bus /dev/i2c-7."):
-        make_robot(i2c_bus=7)
