@@ -43,6 +43,8 @@ class ManyRobots(RobotTest):
         self.wait_for(lambda: self.drive_at_their_speeds(self.speeds), 5.0, "each to drive at its own speed")
         self.emergency_stop(True)
         self.wait_for(lambda: all(self.is_at(name, STOPPED) for name in self.speeds), 0.5, "all to stop")
+        self.wait_for(lambda: all(f"{name}: stopped: emergency stop" in self.logs() for name in self.speeds), 5.0,
+                      "all to log their names")
         os.kill(pid(f"/{KILLED}/jetbot_controller"), signal.SIGKILL)
         self.emergency_stop(False)
         self.wait_for(lambda: self.drive_at_their_speeds(self.speeds.keys() - {KILLED}), 5.0, "all others to drive")
