@@ -23,24 +23,18 @@ def test_power_on_values(bus, folder):
     assert registers(folder)[0xFE] == 0x1E
 
 
-def test_without_auto_increment_all_bytes_land_in_one_register(bus, folder):
+@pytest.mark.parametrize("mode1, outputs", [(0x10, "030000"), (0x30, "010203")])
+def test_a_block_fills_registers_only_with_auto_increment(bus, folder, mode1, outputs):
+    bus.write_byte_data(0x60, 0x00, mode1)
     bus.write_i2c_block_data(0x60, 0x06, [1, 2, 3])
-    assert registers(folder)[0x06:0x09].hex() == "030000"
+    assert registers(folder)[0x06:0x09].hex() == outputs
 
 
-def test_with_auto_increment_a_block_fills_registers(bus, folder):
-    bus.write_byte_data(0x60, 0x00, 0x30)
-    bus.write_i2c_block_data(0x60, 0x06, [1, 2, 3])
-    assert registers(folder)[0x06:0x09].hex() == "010203"
-
-
-def test_pre_scale_is_written_only_asleep(bus):
-    bus.write_byte_data(0x60, 0x00, 0x00)
+@pytest.mark.parametrize("mode1, pre_scale", [(0x00, 0x1E), (0x10, 3)])
+def test_pre_scale_is_written_only_asleep(bus, mode1, pre_scale):
+    bus.write_byte_data(0x60, 0x00, mode1)
     bus.write_byte_data(0x60, 0xFE, 3)
-    assert bus.read_byte_data(0x60, 0xFE) == 0x1E
-    bus.write_byte_data(0x60, 0x00, 0x10)
-    bus.write_byte_data(0x60, 0xFE, 3)
-    assert bus.read_byte_data(0x60, 0xFE) == 3
+    assert bus.read_byte_data(0x60, 0xFE) == pre_scale
 
 
 def test_no_output_while_asleep(bus, folder):
