@@ -22,11 +22,6 @@ class BusFaults(RobotTest):
         self.wait_for_wheels(0.75, 0.75, within=0.5)
         self.assertEqual(self.texts, ["driving"])
 
-    def test_brown_out_during_a_steady_command(self):
-        power_on(self.bus)
-        self.assertEqual(self.wheels(), (0, 0))
-        self.wait_for_wheels(0.5, 0.5, within=0.8)
-
     def test_unplugged_for_three_seconds(self):
         Path(self.bus, "0x60").unlink()
         self.wait_for_status(self.texts, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")

@@ -26,11 +26,6 @@ class LaunchController(RobotTest):
             self.command(x, z)
             self.wait_for_wheels(left, right)
 
-    def test_arguments(self):
-        self.launched("wheel_separation:=0.2", "max_speed:=0.5", "left_motor_alpha:=0.5")
-        self.command(0.2, 1.0)
-        self.wait_for_wheels(0.1, 0.6)
-
     def test_an_argument_wins_over_the_file_also_where_it_equals_the_default(self):
         self.launched_with_a_file("max_speed:=1.0", "left_motor_alpha:=0.75")
         self.command(0.4)

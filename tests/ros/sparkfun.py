@@ -34,6 +34,7 @@ class Sparkfun(RobotTest):
     def test_brown_out(self):
         self.driving_controller()
         power_on(self.bus)
+        self.assertEqual(self.wheels(), (0, 0))
         self.wait_for_wheels(0.5, 0.5, within=0.6)
         self.wait_for_register(FSAFE_TIME, ONE_SECOND, within=1.0)
 

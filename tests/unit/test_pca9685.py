@@ -7,8 +7,6 @@ from jetbot.boards.pca9685 import PCA9685
 from jetbot.fake.bus import power_on
 from jetbot.i2c import I2CDevice
 
-BLOCKS = 4  # that are read back in turn: MODE1 and MODE2, PRE_SCALE, and two spans of outputs
-
 
 @pytest.fixture
 def chip(folder, wire):
@@ -64,25 +62,6 @@ def test_a_small_change_sends_one_byte(chip, wire):
 def test_outputs_of_a_group_switch_in_one_transfer(chip, wire):
     chip.set_outputs({8: 100, 13: 4096, 0: 7, 3: 9})
     assert len(wire.bits) == 2
-
-
-@pytest.mark.parametrize("register, value", [(0x00, 0x11), (0x01, 0x14), (0xFE, 0x1E), (0x09, 0x00), (0x26, 0x55)])
-def test_a_changed_register_is_restored(chip, folder, register, value):
-    chip.set_outputs({8: 100, 13: 4096, 0: 7})
-    good = registers(folder)
-    with open(folder / "0x60", "r+b") as file:
-        file.seek(register)
-        file.write(bytes([value]))
-    for _ in range(BLOCKS):
-        chip.verify()
-    chip.set_outputs({8: 100, 13: 4096, 0: 7})
-    assert registers(folder) == good
-
-
-def test_each_verification_is_one_transfer_and_successive_ones_read_all(chip, wire):
-    for _ in range(BLOCKS):
-        chip.verify()
-    assert wire.bits == [2 + 9 * (3 + length) for length in (2, 1, 24, 16)]
 
 
 def test_a_missing_chip_is_reported_at_every_attempt(chip, folder):

@@ -104,27 +104,6 @@ def test_the_timer_stops_the_motors_when_it_is_not_fed(board, folder):
     assert wheel_speeds(folder, "sparkfun") == (1, 1)
 
 
-@pytest.mark.parametrize("register, value", [(0x70, 0), (0x1F, 0), (0x20, 0x80), (0x21, 0)])
-def test_a_changed_register_is_restored(board, folder, register, value):
-    board.drive(0.5, 0.5)
-    good = registers(folder, 0x5D)
-    with open(folder / "0x5d", "r+b") as file:
-        file.seek(register)
-        file.write(bytes([value]))
-    for _ in range(REGISTERS):
-        board.verify()
-    board.drive(0.5, 0.5)
-    assert registers(folder, 0x5D) == good
-
-
-def test_each_verification_is_one_transfer(folder, wire):
-    board = find_board("sparkfun").open(f"fake:{folder}")
-    wire.bits.clear()
-    for _ in range(REGISTERS):
-        board.verify()
-    assert wire.bits == [2 + 9 * 4] * REGISTERS
-
-
 def test_another_chip_at_the_address(folder, monkeypatch):
     power_on(folder)
     (folder / "0x5d").write_bytes(bytes(256))
