@@ -39,6 +39,8 @@ class RobotTest(unittest.TestCase):
         self.folder = tempfile.mkdtemp(prefix="jetbot_")
         self.bus = os.path.join(self.folder, "bus")
         self.processes = []
+        self._emergency = rospy.Publisher("/emergency_stop", Bool, queue_size=1, latch=True)
+        self.addCleanup(self._emergency.unregister)
         for name in rospy.get_param_names():  # parameters outlive their node
             if "/jetbot_" in name:
                 rospy.delete_param(name)
@@ -91,9 +93,6 @@ class RobotTest(unittest.TestCase):
 
     def emergency_stop(self, engaged: bool) -> None:
         """Publish an emergency stop or its release, latched for robots that start later."""
-        if not hasattr(self, "_emergency"):
-            self._emergency = rospy.Publisher("/emergency_stop", Bool, queue_size=1, latch=True)
-            self.addCleanup(self._emergency.unregister)
         self._emergency.publish(engaged)
 
     def publisher(self, linear: float = 0.5) -> subprocess.Popen:
