@@ -1,4 +1,4 @@
-"""The fake hardware does what the chip's data sheet says, also to a driver that is wrong."""
+"""The fake hardware follows the chip's data sheet, also for a driver that is wrong."""
 
 import pytest
 
