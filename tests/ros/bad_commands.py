@@ -10,13 +10,12 @@ class BadCommands(RobotTest):
     def test_not_finite(self):
         self.controller()
         texts = self.status()
-        for value in (math.nan, math.inf, -math.inf):
-            for bad in ((value, 0.0), (0.5, value)):
-                with self.subTest(bad):
-                    self.drive_at(0.5)
-                    self.command(*bad)
-                    self.wait_for_stop(within=0.2)
-                    self.wait_for_status(texts, "stopped: command was not finite")
+        for bad in ((math.nan, 0.0), (0.5, -math.inf)):
+            with self.subTest(bad):
+                self.drive_at(0.5)
+                self.command(*bad)
+                self.wait_for_stop(within=0.2)
+                self.wait_for_status(texts, "stopped: command was not finite")
 
     def test_huge(self):
         self.controller()

@@ -26,11 +26,6 @@ class CommandTimeout(RobotTest):
         self.drive_at(0.5)
         self.wait_for_status(texts, "driving")
 
-    def test_timeout_0_holds_the_last_command(self):
-        self.controller(cmd_vel_timeout=0)
-        self.drive_at(0.5)
-        self.wheels_stay(0.5, 0.5, for_seconds=2)
-
     def test_frozen_publisher(self):
         publisher = self.driven_by_a_process(timeout=1.0)
         os.killpg(publisher.pid, signal.SIGSTOP)

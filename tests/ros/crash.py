@@ -11,6 +11,16 @@ STOP_TIMEOUT = 1.5  # s, from the failure to the stop
 
 
 class Crash(RobotTest):
+    def driving_controller(self):
+        """Start a controller that drives until something fails."""
+        node = self.controller(cmd_vel_timeout=0)
+        self.drive_at(0.5)
+        return node
+
+    def guards(self):
+        """Return the process ids of the guards on this test's bus."""
+        return find_processes(self.bus, "jetbot_guard")
+
     def test_killed_below_roslaunch(self):
         launch = self.launch("workshop", "workshop_jetbot_controller.launch")
         self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
@@ -19,18 +29,7 @@ class Crash(RobotTest):
         self.wheels_stay(0, 0, for_seconds=1)
         launch.wait(START_TIMEOUT)
 
-    def driving_controller(self):
-        """Start a controller that drives until something fails."""
-        node = self.controller(cmd_vel_timeout=0)
-        self.drive_at(0.5)
-        return node
-
-    def test_killed_without_roslaunch(self):
-        node = self.driving_controller()
-        os.killpg(node.pid, signal.SIGKILL)
-        self.wait_for_stop(within=STOP_TIMEOUT)
-
-    def test_killed_after_its_guard(self):
+    def test_killed_without_roslaunch_after_its_guard(self):
         node = self.driving_controller()
         self.wait_for(self.guards, START_TIMEOUT, "the guard")
         first = self.guards()
@@ -55,10 +54,6 @@ class Crash(RobotTest):
         launch.kill()
         self.wait_for_stop(within=STOP_TIMEOUT)
         self.wait_for(lambda: pid("/jetbot_controller") is None, START_TIMEOUT, "the controller to end, too")
-
-    def guards(self):
-        """Return the process ids of the guards on this test's bus."""
-        return find_processes(self.bus, "jetbot_guard")
 
     def test_frozen_controller(self):
         node = self.controller()

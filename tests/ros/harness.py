@@ -39,6 +39,8 @@ class RobotTest(unittest.TestCase):
         self.folder = tempfile.mkdtemp(prefix="jetbot_")
         self.bus = os.path.join(self.folder, "bus")
         self.processes = []
+        self._emergency = rospy.Publisher("/emergency_stop", Bool, queue_size=1, latch=True)
+        self.addCleanup(self._emergency.unregister)
         for name in rospy.get_param_names():  # parameters outlive their node
             if "/jetbot_" in name:
                 rospy.delete_param(name)
@@ -91,9 +93,6 @@ class RobotTest(unittest.TestCase):
 
     def emergency_stop(self, engaged: bool) -> None:
         """Publish an emergency stop or its release, latched for robots that start later."""
-        if not hasattr(self, "_emergency"):
-            self._emergency = rospy.Publisher("/emergency_stop", Bool, queue_size=1, latch=True)
-            self.addCleanup(self._emergency.unregister)
         self._emergency.publish(engaged)
 
     def publisher(self, linear: float = 0.5) -> subprocess.Popen:
@@ -123,18 +122,16 @@ class RobotTest(unittest.TestCase):
         if wait_until(lambda: not near(self.wheels(), (left, right)), for_seconds):
             self.fail(f"the wheels turn at {self.wheels()}{self.logs()}")
 
-    def record(self, topic: str, message_type: type) -> list:
-        """Return a list of the topic's messages, which grows as they arrive."""
-        messages = []
-        self.addCleanup(rospy.Subscriber(topic, message_type, messages.append).unregister)
-        return messages
+    def record(self, topic: str, message_type: type, field: Callable = lambda message: message) -> list:
+        """Return a list of the topic's messages, or of a field of them, which grows as they arrive."""
+        values = []
+        subscriber = rospy.Subscriber(topic, message_type, lambda message: values.append(field(message)))
+        self.addCleanup(subscriber.unregister)
+        return values
 
     def status(self) -> List[str]:
         """Return a list of the controller's status texts, which grows as they arrive."""
-        texts = []
-        subscriber = rospy.Subscriber("/jetbot_controller/status", String, lambda message: texts.append(message.data))
-        self.addCleanup(subscriber.unregister)
-        return texts
+        return self.record("/jetbot_controller/status", String, lambda message: message.data)
 
     def wait_for_status(self, texts: List[str], text: str, within: float = 5.0) -> None:
         """Fail unless this becomes the last of the status texts within so many seconds."""

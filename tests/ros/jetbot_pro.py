@@ -77,9 +77,9 @@ class JetBotProTest(RobotTest):
 
     def test_every_command_arrives(self):
         for i in range(60):
-            x, z = (i - 30) / 100, (17 * i % 60 - 30) / 100
-            self.command(x, z)
-            self.wait_for_velocity((round(1000 * x), round(1000 * z)))
+            x, z = 50 * (i - 30), 70 * (17 * i % 60 - 30)  # mm/s, mrad/s; the board, not the node, limits its wheels
+            self.command(x / 1000, z / 1000)
+            self.wait_for_velocity((x, z))
         self.assertFalse(self.board.bad)
 
     def test_a_steady_command_is_repeated_20_times_per_second(self):

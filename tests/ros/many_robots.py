@@ -8,7 +8,7 @@ from pathlib import Path
 import rospy
 from geometry_msgs.msg import Twist
 
-from harness import STOPPED, RobotTest, main, near, twist, wheel_speeds
+from harness import RobotTest, main, near, twist, wheel_speeds
 from jetbot_lessons.graph import pid
 
 ROBOTS = 30
@@ -27,11 +27,8 @@ class ManyRobots(RobotTest):
         for name, speed in self.speeds.items():
             self.publishers[name].publish(twist(speed))
 
-    def is_at(self, name, wanted):
-        return near(wheel_speeds(self.home / "fake_i2c" / name), wanted)
-
-    def drive_at_their_speeds(self, names):
-        return all(self.is_at(name, (self.speeds[name], self.speeds[name])) for name in names)
+    def are_at(self, speeds):
+        return all(near(wheel_speeds(self.home / "fake_i2c" / name), (speed, speed)) for name, speed in speeds.items())
 
     def test_thirty_robots(self):
         self.start("roslaunch", "jetbot_control_node", "many_robots.launch", f"robots:={ROBOTS}",
@@ -40,12 +37,15 @@ class ManyRobots(RobotTest):
         self.wait_for(lambda: all(each.get_num_connections() for each in self.publishers.values())
                       and self._emergency.get_num_connections() == ROBOTS, START_TIMEOUT, "all to subscribe")
         self.addCleanup(rospy.Timer(rospy.Duration(0.1), self.command_all).shutdown)
-        self.wait_for(lambda: self.drive_at_their_speeds(self.speeds), 5.0, "each to drive at its own speed")
+        self.wait_for(lambda: self.are_at(self.speeds), 5.0, "each to drive at its own speed")
         self.emergency_stop(True)
-        self.wait_for(lambda: all(self.is_at(name, STOPPED) for name in self.speeds), 0.5, "all to stop")
+        self.wait_for(lambda: self.are_at(dict.fromkeys(self.speeds, 0)), 0.5, "all to stop")
+        self.wait_for(lambda: all(f"{name}: stopped: emergency stop" in self.logs() for name in self.speeds), 5.0,
+                      "all to log their names")
         os.kill(pid(f"/{KILLED}/jetbot_controller"), signal.SIGKILL)
+        others = {name: speed for name, speed in self.speeds.items() if name != KILLED}
         self.emergency_stop(False)
-        self.wait_for(lambda: self.drive_at_their_speeds(self.speeds.keys() - {KILLED}), 5.0, "all others to drive")
+        self.wait_for(lambda: self.are_at(others), 5.0, "all others to drive")
 
 
 if __name__ == "__main__":

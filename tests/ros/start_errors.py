@@ -5,30 +5,23 @@ import os
 
 from harness import CONTROLLER, START_TIMEOUT, RobotTest, main, program, read
 
+ERRORS = [  # a sentence, and the parameters that cause it
+    ("There is no I2C bus /dev/i2c-77. This computer has ", "_i2c_bus:=77"),
+    ("The parameter board must be one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro, not 'lego'.",
+     "_board:=lego"),
+    ("A robot cannot be named jetbot-07. Begin with a letter, and use letters, digits and _.",
+     "_i2c_bus:=fake", "__ns:=jetbot-07")]
+
 
 class StartErrors(RobotTest):
-    def assert_fails(self, sentence, *parameters):
-        """Fail unless the controller fails with one line, which contains this sentence."""
-        node = self.start(CONTROLLER, *parameters)
-        self.assertNotEqual(node.wait(START_TIMEOUT), 0)
-        lines = read(node).splitlines()
-        self.assertEqual(len(lines), 1, lines)
-        self.assertIn(sentence, lines[0])
-
-    def test_missing_bus(self):
-        self.assert_fails("There is no I2C bus /dev/i2c-77. This computer has ", "_i2c_bus:=77")
-
-    def test_missing_chip(self):
-        os.mkdir(self.bus)
-        self.assert_fails(f"No answer from 0x60 on fake:{self.bus}. To plug it in: ", f"_i2c_bus:=fake:{self.bus}")
-
-    def test_bad_parameter(self):
-        self.assert_fails("The parameter board must be one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro, "
-                          "not 'lego'.", "_board:=lego")
-
-    def test_bad_namespace(self):
-        self.assert_fails("A robot cannot be named jetbot-07. Begin with a letter, and use letters, digits and _.",
-                          "_i2c_bus:=fake", "__ns:=jetbot-07")
+    def test_one_line(self):
+        for sentence, *parameters in ERRORS:
+            with self.subTest(parameters):
+                node = self.start(CONTROLLER, *parameters)
+                self.assertNotEqual(node.wait(START_TIMEOUT), 0)
+                lines = read(node).splitlines()
+                self.assertEqual(len(lines), 1, lines)
+                self.assertIn(sentence, lines[0])
 
     def test_no_master(self):
         nowhere = {**os.environ, "ROS_MASTER_URI": "http://localhost:1"}

@@ -6,6 +6,7 @@ import struct
 import sys
 import tty
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
@@ -69,8 +70,8 @@ def port():
 
 @pytest.fixture
 def make_robot(folder, monkeypatch):
-    """Makes Robots on the fake bus, without the guard's process, and closes them."""
-    monkeypatch.setattr(robot, "Guard", NoGuard)
+    """Makes Robots on the fake bus, without the guard's process, which has tests of its own, and closes them."""
+    monkeypatch.setattr(robot, "Guard", lambda *_: Mock())
     robots = []
 
     def make(**options):
@@ -80,15 +81,3 @@ def make_robot(folder, monkeypatch):
     yield make
     for each in robots:
         each._close_quietly()
-
-
-class NoGuard:
-    """The guard has tests of its own."""
-
-    def __init__(self, *_):
-        pass
-
-    def leave(self):
-        pass
-
-    heartbeat = dismiss = leave

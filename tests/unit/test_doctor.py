@@ -130,13 +130,12 @@ def test_who_else_has_a_device_open(tmp_path):
     with device.open() as file:
         assert str(probe.check_users(str(device))[0]).startswith(f"ok  {device}: no other program")
         other = subprocess.Popen(["sleep", "60"], stdin=file)
-    try:
-        assert [str(check) for check in probe.check_users(str(device))] == [
-            f"NOT {device}: also open in sleep ({other.pid}). Two programs on one motor board disturb each other: "
-            "end one of them."]
-    finally:
-        other.kill()
-        other.wait()
+    checks = probe.check_users(str(device))
+    other.kill()
+    other.wait()
+    assert [str(check) for check in checks] == [
+        f"NOT {device}: also open in sleep ({other.pid}). Two programs on one motor board disturb each other: "
+        "end one of them."]
 
 
 def test_a_jetbot_pro_that_reports(folder):

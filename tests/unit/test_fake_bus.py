@@ -1,10 +1,13 @@
-"""The fake bus is honest: it does what the chip's data sheet says, also to a driver that is wrong."""
+"""The fake hardware follows the chip's data sheet, also for a driver that is wrong."""
 
 import pytest
 
 from conftest import registers
 from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.chips import PCA9685
+from jetbot.fake.motors import wheel_speeds
+
+FULL, HALF, OFF = bytes([0, 0x10, 0, 0]), bytes([0, 0, 0, 0x08]), bytes([0, 0, 0, 0x10])  # one output's registers
 
 
 @pytest.fixture
@@ -13,29 +16,25 @@ def bus(folder):
 
 
 def test_power_on_values(bus, folder):
+    bus.write_byte_data(0x60, 0x00, 0x20)
+    power_on(folder)
     assert registers(folder)[:2].hex() == "1104"
-    assert registers(folder)[0x06:0x46] == bytes([0, 0, 0, 0x10]) * 16
+    assert registers(folder)[0x06:0x46] == OFF * 16
     assert registers(folder)[0xFE] == 0x1E
 
 
-def test_without_auto_increment_all_bytes_land_in_one_register(bus, folder):
+@pytest.mark.parametrize("mode1, outputs", [(0x10, "030000"), (0x30, "010203")])
+def test_a_block_fills_registers_only_with_auto_increment(bus, folder, mode1, outputs):
+    bus.write_byte_data(0x60, 0x00, mode1)
     bus.write_i2c_block_data(0x60, 0x06, [1, 2, 3])
-    assert registers(folder)[0x06:0x09].hex() == "030000"
+    assert registers(folder)[0x06:0x09].hex() == outputs
 
 
-def test_with_auto_increment_a_block_fills_registers(bus, folder):
-    bus.write_byte_data(0x60, 0x00, 0x30)
-    bus.write_i2c_block_data(0x60, 0x06, [1, 2, 3])
-    assert registers(folder)[0x06:0x09].hex() == "010203"
-
-
-def test_pre_scale_is_written_only_asleep(bus):
-    bus.write_byte_data(0x60, 0x00, 0x00)
+@pytest.mark.parametrize("mode1, pre_scale", [(0x00, 0x1E), (0x10, 3)])
+def test_pre_scale_is_written_only_asleep(bus, mode1, pre_scale):
+    bus.write_byte_data(0x60, 0x00, mode1)
     bus.write_byte_data(0x60, 0xFE, 3)
-    assert bus.read_byte_data(0x60, 0xFE) == 0x1E
-    bus.write_byte_data(0x60, 0x00, 0x10)
-    bus.write_byte_data(0x60, 0xFE, 3)
-    assert bus.read_byte_data(0x60, 0xFE) == 3
+    assert bus.read_byte_data(0x60, 0xFE) == pre_scale
 
 
 def test_no_output_while_asleep(bus, folder):
@@ -51,27 +50,9 @@ def test_all_outputs_at_once(bus, folder):
     assert registers(folder)[0x09:0x46:4] == bytes([0x07] * 16)
 
 
-def test_an_unplugged_chip_does_not_answer(bus, folder):
-    (folder / "0x60").unlink()
-    with pytest.raises(OSError) as error:
-        bus.read_byte_data(0x60, 0)
-    assert error.value.errno == 121
-
-
-def test_transfers_fail_on_request(bus, folder):
-    (folder / "0x60.fail").write_text("2\n")
-    for _ in range(2):
-        with pytest.raises(OSError):
-            bus.read_byte_data(0x60, 0)
-    assert bus.read_byte_data(0x60, 0) == 0x11
-
-
-def test_a_brown_out_forgets_everything(bus, folder):
+@pytest.mark.parametrize("backward, forward, speed", [
+    (OFF, HALF, 0.5), (HALF, OFF, -0.5), (OFF, OFF, 0.0), (FULL, FULL, 0.0), (HALF, FULL, 0.0), (FULL, HALF, 0.0)])
+def test_a_motor_with_both_inputs_high_gets_no_power(bus, folder, backward, forward, speed):
     bus.write_byte_data(0x60, 0x00, 0x20)
-    power_on(folder)
-    assert bus.read_byte_data(0x60, 0x00) == 0x11
-
-
-def test_another_process_meets_the_same_chip(bus, folder):
-    bus.write_byte_data(0x60, 0x00, 0x20)
-    assert FakeBus(folder).read_byte_data(0x60, 0x00) == 0x20
+    bus.write_i2c_block_data(0x60, 0x06, list(backward + forward))
+    assert wheel_speeds(folder, "waveshare") == (speed, 0.0)

@@ -1,6 +1,7 @@
 """Imports point only downward: what comes first in this list knows nothing of what comes later."""
 
 import ast
+from importlib.util import resolve_name
 
 import pytest
 
@@ -32,8 +33,7 @@ def imports(name, file):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
-            base = ".".join(package.split(".")[:len(package.split(".")) - node.level + 1]) if node.level else ""
-            base = ".".join(filter(None, (base, node.module)))
+            base = resolve_name("." * node.level + (node.module or ""), package)
             yield from (f"{base}.{alias.name}" for alias in node.names)
 
 

@@ -73,15 +73,10 @@ def test_the_reference_shows_the_rows():
     assert rows == [(name, shown(row.default), row.unit, row.doc) for name, row in PARAMETERS.items()]
 
 
-def test_a_file_of_parameters(tmp_path):
-    (tmp_path / "robot.yaml").write_text("max_speed: 0.5\ninvert_left: true\n")
-    assert load(tmp_path / "robot.yaml") == {"max_speed": 0.5, "invert_left": True}
-
-
 def test_the_file_in_ros_home_is_used_where_it_exists(ros_home):
     assert load() == {}
-    (ros_home / "jetbot.yaml").write_text("board: sparkfun")
-    assert load() == {"board": "sparkfun"}
+    (ros_home / "jetbot.yaml").write_text("max_speed: 0.5\ninvert_left: true\nboard: sparkfun")
+    assert load() == {"max_speed": 0.5, "invert_left": True, "board": "sparkfun"}
 
 
 @pytest.fixture

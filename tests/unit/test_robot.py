@@ -1,3 +1,4 @@
+import itertools
 import math
 import os
 import signal
@@ -24,64 +25,40 @@ TIMEOUT = 5.0  # s for a process to start
     (lambda robot: robot.backward(speed=0.4), -0.4, -0.4),
     (lambda robot: robot.left(0.3), -0.3, 0.3),
     (lambda robot: robot.right(0.3), 0.3, -0.3),
-    (lambda robot: setattr(robot.left_motor, "value", 0.7), 0.7, 0),
-    (lambda robot: setattr(robot.right_motor, "value", -0.7), 0, -0.7),
+    (lambda robot: robot.stop(), 0, 0),
+    (lambda robot: setattr(robot.left_motor, "value", 0.7), 0.7, -0.2),
+    (lambda robot: setattr(robot.right_motor, "value", -0.7), 0.2, -0.7),
 ])
 def test_wheels_turn_at_the_speed_that_is_set(make_robot, folder, action, left, right):
     robot = make_robot()
+    robot.set_motors(0.2, -0.2)
     action(robot)
     assert wheel_speeds(folder) == pytest.approx((left, right), abs=0.0003)
     assert (robot.left_motor.value, robot.right_motor.value) == (left, right)
 
 
-def test_a_motor_saturates_at_full_power(make_robot, folder):
-    make_robot().set_motors(5, -5)
-    assert wheel_speeds(folder) == (1, -1)
-
-
-def test_the_trim_comes_before_saturation(make_robot, folder):
-    make_robot(left_motor_alpha=0.5).set_motors(1.5, 1.5)
-    assert wheel_speeds(folder) == (0.75, 1)
-
-
-@pytest.mark.parametrize("left, right", [(-0.5, 1.5), (-2.0, 2.0), (1.5, 0.1)])
-def test_speeds_reach_a_jetbot_pro_unlimited(make_robot, folder, left, right):
-    make_robot(board="jetbot_pro", port=f"fake:{folder}").set_motors(left, right)
-    assert wheel_speeds(folder, "jetbot_pro") == (left, right)
-
-
-def test_a_jetbot_pro_saturates_where_its_frames_end(make_robot, folder):
-    make_robot(board="jetbot_pro", port=f"fake:{folder}").set_motors(1e308, 1e308)
-    assert wheel_speeds(folder, "jetbot_pro") == (32.767, 32.767)
-
-
-def test_stop(make_robot, folder):
-    robot = make_robot()
-    robot.forward(0.5)
-    robot.stop()
-    assert wheel_speeds(folder) == (0, 0)
-
-
-def test_alpha_trims_a_wheel(make_robot, folder):
-    make_robot(left_motor_alpha=0.5, right_motor_alpha=2).set_motors(0.8, 0.6)
-    assert wheel_speeds(folder) == pytest.approx((0.4, 1.0), abs=0.0003)
-
-
-@pytest.mark.parametrize("options, left, right", [
-    ({"swap_motors": True}, -0.6, 0.3),
-    ({"invert_left": True}, -0.3, -0.6),
-    ({"invert_right": True}, 0.3, 0.6),
-    ({"swap_motors": True, "invert_left": True}, -0.6, -0.3),
+@pytest.mark.parametrize("options, speeds, wheels", [
+    ({}, (5, -5), (1, -1)),
+    ({"left_motor_alpha": 0.5, "right_motor_alpha": 2}, (0.8, 0.6), (0.4, 1)),
+    ({"left_motor_alpha": 0.5}, (1.5, 1.5), (0.75, 1)),  # the trim comes before saturation
+    ({"swap_motors": True}, (0.3, -0.6), (-0.6, 0.3)),
+    ({"invert_left": True}, (0.3, -0.6), (-0.3, -0.6)),
+    ({"invert_right": True}, (0.3, -0.6), (0.3, 0.6)),
+    ({"swap_motors": True, "invert_left": True}, (0.3, -0.6), (-0.6, -0.3)),
+    ({"min_duty": 0.2}, (0, 0.001), (0, 0.2008)),
+    ({"min_duty": 0.2}, (0.5, -0.5), (0.6, -0.6)),
+    ({"min_duty": 0.2}, (1, -1), (1, -1)),
 ])
-def test_motors_wired_differently(make_robot, folder, options, left, right):
-    make_robot(**options).set_motors(0.3, -0.6)
-    assert wheel_speeds(folder) == pytest.approx((left, right), abs=0.0003)
+def test_saturation_trim_wiring_and_dead_band(make_robot, folder, options, speeds, wheels):
+    make_robot(**options).set_motors(*speeds)
+    assert wheel_speeds(folder) == pytest.approx(wheels, abs=0.0003)
 
 
-@pytest.mark.parametrize("speed, duty", [(0, 0), (0.001, 0.2008), (0.5, 0.6), (1, 1), (-0.5, -0.6), (-1, -1)])
-def test_min_duty_jumps_the_dead_band(make_robot, folder, speed, duty):
-    make_robot(min_duty=0.2).forward(speed)
-    assert wheel_speeds(folder) == pytest.approx((duty, duty), abs=0.0003)
+@pytest.mark.parametrize("speeds, sent", [
+    ((-0.5, 1.5), (-0.5, 1.5)), ((-2.0, 2.0), (-2.0, 2.0)), ((1e308, 1e308), (32.767, 32.767))])
+def test_a_jetbot_pro_saturates_only_where_its_frames_end(make_robot, folder, speeds, sent):
+    make_robot(board="jetbot_pro", port=f"fake:{folder}").set_motors(*speeds)
+    assert wheel_speeds(folder, "jetbot_pro") == sent
 
 
 @pytest.mark.parametrize("speed", [math.nan, math.inf, -math.inf, "fast", None, 10 ** 400])
@@ -150,42 +127,40 @@ def test_a_signal_handler_may_stop_it(make_robot, folder, monkeypatch, handler):
     assert wheel_speeds(folder) == wheel_speeds(folder, "waveshare") == (0, 0)
 
 
+def stops_at(robot, line):
+    """Drive, and stop before this line of Python is run; return whether there was such a line."""
+    lines = itertools.count(1)
+
+    def trace(*_):
+        if next(lines) == line:
+            sys.settrace(None)
+            robot.stop()
+        return trace
+
+    sys.settrace(trace)
+    try:
+        robot.forward(0.5)
+    finally:
+        sys.settrace(None)
+    return next(lines) > line
+
+
 def test_a_signal_handler_may_stop_it_at_any_line(make_robot, folder):
     robot = make_robot()
-
-    def stop_at(line):
-        """Drive, and stop before this line of Python is run; return whether there was such a line."""
-        remaining = line
-
-        def count(frame, event, argument):
-            nonlocal remaining
-            remaining -= 1
-            if remaining == 0:
-                sys.settrace(None)
-                robot.stop()
-            return count
-
-        sys.settrace(count)
-        try:
-            robot.forward(0.5)
-        finally:
-            sys.settrace(None)
-        return remaining <= 0
-
     line = 1
-    while stop_at(line):
+    while stops_at(robot, line):
         assert wheel_speeds(folder) in ((0, 0), (0.5, 0.5)), f"stopped at line {line}"
         robot.stop()
         line += 1
     assert line > 20
 
 
-def test_a_closed_robot_feeds_no_guard(make_robot, monkeypatch):
+def test_a_closed_robot_feeds_no_guard(make_robot):
     robot = make_robot()
-    monkeypatch.setattr(robot._guard, "heartbeat", lambda: pytest.fail("a new guard would stop the next robot"))
     robot.close()
     with pytest.raises(JetbotError, match="^This robot is closed."):
         robot.keep_alive()
+    robot._guard.heartbeat.assert_not_called()  # a new guard would stop the next robot
 
 
 def test_a_board_that_is_gone_at_close_is_reported(make_robot, folder):
@@ -218,14 +193,6 @@ def test_with_stops_at_the_end(make_robot, folder):
     with make_robot() as robot:
         robot.forward()
     assert wheel_speeds(folder) == (0, 0)
-
-
-def test_verify_restores_a_chip_that_lost_its_power(make_robot, folder):
-    robot = make_robot()
-    robot.set_motors(0.2, 0.4)
-    power_on(folder)
-    robot.verify()
-    assert wheel_speeds(folder) == pytest.approx((0.2, 0.4), abs=0.0003)
 
 
 def drive_in_a_process(folder, ending, **options):
@@ -284,8 +251,7 @@ def test_wheels_stop_when_the_process_is_killed(folder, killer):
     assert wait_until(lambda: wheel_speeds(folder) == (0, 0), 1.5)
 
 
-@pytest.mark.parametrize("option, value", [("min_duty", 1), ("min_duty", -0.1), ("min_duty", math.nan),
-                                           ("min_duty", "much")])
-def test_options_that_cannot_be(make_robot, option, value):
-    with pytest.raises(InvalidValue, match=f"^{option.capitalize()} must be "):
-        make_robot(**{option: value})
+@pytest.mark.parametrize("value", [1, -0.1, math.nan, "much"])
+def test_a_min_duty_that_cannot_be(make_robot, value):
+    with pytest.raises(InvalidValue, match="^Min_duty must be "):
+        make_robot(min_duty=value)

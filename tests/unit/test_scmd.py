@@ -31,11 +31,6 @@ def test_drive_bytes(board, folder, left, right, drive):
     assert registers(folder, 0x5D)[0x20:0x22].hex() == drive
 
 
-def test_wheels_turn(board, folder):
-    board.drive(0.5, -0.25)
-    assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
-
-
 def test_both_wheels_in_one_transfer_and_none_for_a_repeated_command(folder, wire):
     board = find_board("sparkfun").open(f"fake:{folder}")
     wire.bits.clear()
@@ -107,35 +102,6 @@ def test_the_timer_stops_the_motors_when_it_is_not_fed(board, folder):
     assert wheel_speeds(folder, "sparkfun") == (0, 0)
     board.keep_alive()
     assert wheel_speeds(folder, "sparkfun") == (1, 1)
-
-
-@pytest.mark.parametrize("register, value", [(0x70, 0), (0x1F, 0), (0x20, 0x80), (0x21, 0)])
-def test_a_changed_register_is_restored(board, folder, register, value):
-    board.drive(0.5, 0.5)
-    good = registers(folder, 0x5D)
-    with open(folder / "0x5d", "r+b") as file:
-        file.seek(register)
-        file.write(bytes([value]))
-    for _ in range(REGISTERS):
-        board.verify()
-    board.drive(0.5, 0.5)
-    assert registers(folder, 0x5D) == good
-
-
-def test_each_verification_is_one_transfer(board, folder, wire):
-    board = find_board("sparkfun").open(f"fake:{folder}")
-    wire.bits.clear()
-    for _ in range(REGISTERS):
-        board.verify()
-    assert wire.bits == [2 + 9 * 4] * REGISTERS
-
-
-def test_a_chip_that_lost_its_power_comes_back(board, folder):
-    board.drive(0.5, 0.5)
-    power_on(folder)
-    board.verify()
-    board.drive(0.5, 0.5)
-    assert wheel_speeds(folder, "sparkfun") == (0.5, 0.5)
 
 
 def test_another_chip_at_the_address(folder, monkeypatch):

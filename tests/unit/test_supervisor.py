@@ -1,12 +1,9 @@
 """What the thread that drives does and when, with a clock turned by hand and no master."""
 
-import threading
-
 import pytest
 
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
-from jetbot.wait import wait_until
 from jetbot_ros.supervisor import Supervisor
 
 SECOND = 1.0  # s that the guard waits for a heartbeat
@@ -49,29 +46,18 @@ def test_a_command_turns_the_wheels(supervisor, folder, statuses):
     assert statuses == ["driving"]
 
 
-def test_silence_stops_within_the_timeout(supervisor, folder, statuses):
+def test_no_further_command_stops_within_the_timeout(supervisor, folder, statuses):
     go(supervisor)
     steps(supervisor, 0.0, 1.1)
     assert wheel_speeds(folder) == STOPPED
     assert statuses == ["driving", "stopped: no command for 1.0 s"]
 
 
-def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot, monkeypatch):
-    fed = []
-    monkeypatch.setattr(robot._guard, "heartbeat", lambda: fed.append(1))
+def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot):
     moments = steps(supervisor, 0.0, 10.0)
     assert len(moments) < 30
-    assert len(fed) == len(moments) and max(b - a for a, b in zip(moments, moments[1:])) < SECOND / 2
-
-
-def test_a_jetbot_pro_hears_its_velocity_twenty_times_a_second(make_robot, folder, monkeypatch):
-    pro = make_robot(board="jetbot_pro", port=f"fake:{folder}")
-    supervisor = Supervisor(pro, pro.set_motors, 0, lambda: 1, lambda state: None)
-    fed = []
-    monkeypatch.setattr(pro.driver, "keep_alive", lambda: fed.append(1))
-    go(supervisor)
-    steps(supervisor, 0.0, 2.0)
-    assert len(fed) >= 40
+    assert robot._guard.heartbeat.call_count == len(moments)
+    assert max(b - a for a, b in zip(moments, moments[1:])) < SECOND / 2
 
 
 def test_verification_follows_a_command_and_is_one_transfer(supervisor, wire, robot):
@@ -102,49 +88,8 @@ def test_a_brown_out_is_repaired_within_half_a_second(supervisor, folder):
     assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
 
 
-def test_a_board_that_does_not_answer_is_tried_again(supervisor, folder, statuses):
-    go(supervisor)
-    supervisor.step(0.0, commanded=True)
-    (folder / "0x60").unlink()
-    steps(supervisor, 0.3, 0.3)
-    assert statuses[1:] == [f"stopped: no answer from 0x60 on fake:{folder}, trying again"]
-    power_on(folder)
-    steps(supervisor, 0.6, 0.1)
-    assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
-    assert statuses[2:] == ["driving"]
-
-
-def test_the_guard_is_fed_while_the_board_does_not_answer(supervisor, robot, folder, monkeypatch):
-    fed = []
-    monkeypatch.setattr(robot._guard, "heartbeat", lambda: fed.append(1))
+def test_the_guard_is_fed_while_the_board_does_not_answer(supervisor, robot, folder):
     go(supervisor)
     (folder / "0x60").unlink()
     steps(supervisor, 0.0, 2.0)
-    assert len(fed) > 4
-
-
-@pytest.fixture
-def running(supervisor):
-    """The supervisor in a thread of its own."""
-    thread = threading.Thread(target=supervisor.run, args=[lambda: False])
-    thread.start()
-    yield supervisor
-    supervisor.end()
-    thread.join()
-
-
-def test_an_emergency_stop_wakes_the_thread(running, folder):
-    running.command(0.5, 0.1)
-    assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
-    running.emergency_stop(True)
-    assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 1.0)
-    running.command(0.5, 0.1)
-    assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.2)
-
-
-def test_the_end_stops_the_wheels_and_closes_the_robot(running, folder):
-    running.command(0.5, 0.1)
-    assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
-    running.end()
-    assert wait_until(lambda: running.closed, 1.0)
-    assert wheel_speeds(folder) == STOPPED
+    assert robot._guard.heartbeat.call_count > 4
