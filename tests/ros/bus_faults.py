@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The robot recovers by itself from failed transfers, a brown-out and an unplugged board."""
 
+import os
 from pathlib import Path
 
 from harness import RobotTest, main
@@ -16,14 +17,36 @@ class BusFaults(RobotTest):
         self.wait_for_status(self.texts, "driving")
         del self.texts[:-1]
 
+    def fail_transfers(self, count):
+        Path(self.bus, "0x60.fail").write_text(str(count))
+
     def test_one_failed_transfer_goes_unnoticed(self):
-        Path(self.bus, "0x60.fail").write_text("1")
+        self.fail_transfers(1)
         self.command(0.75)
         self.wait_for_wheels(0.75, 0.75, within=0.5)
         self.assertEqual(self.texts, ["driving"])
 
+    def test_forty_failed_transfers(self):
+        self.fail_transfers(40)
+        self.command(0.75)
+        self.wait_for_status(self.texts, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")
+        self.wait_for_wheels(0.75, 0.75, within=1.2)
+        self.wait_for_status(self.texts, "driving")
+
+    def test_brown_out_during_a_steady_command(self):
+        power_on(self.bus)
+        self.assertEqual(self.wheels(), (0, 0))
+        self.wait_for_wheels(0.5, 0.5, within=0.8)
+
+    def test_another_program_writes_to_the_chip(self):
+        with open(os.path.join(self.bus, "0x60"), "r+b") as chip:
+            chip.seek(0x06)
+            chip.write(bytes([0, 0, 0, 0x10]) * 16)
+        self.assertEqual(self.wheels(), (0, 0))
+        self.wait_for_wheels(0.5, 0.5, within=0.8)
+
     def test_unplugged_for_three_seconds(self):
-        Path(self.bus, "0x60").unlink()
+        os.unlink(os.path.join(self.bus, "0x60"))
         self.wait_for_status(self.texts, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")
         for step in range(30):
             self.command(0.3 + step / 100)

@@ -1,9 +1,12 @@
 """What the thread that drives does and when, with a clock turned by hand and no master."""
 
+import threading
+
 import pytest
 
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
+from jetbot.wait import wait_until
 from jetbot_ros.supervisor import Supervisor
 
 SECOND = 1.0  # s that the guard waits for a heartbeat
@@ -93,3 +96,39 @@ def test_the_guard_is_fed_while_the_board_does_not_answer(supervisor, robot, fol
     (folder / "0x60").unlink()
     steps(supervisor, 0.0, 2.0)
     assert robot._guard.heartbeat.call_count > 4
+
+
+def test_a_board_that_does_not_answer_is_tried_again(supervisor, folder, statuses):
+    go(supervisor)
+    supervisor.step(0.0, commanded=True)
+    (folder / "0x60").unlink()
+    steps(supervisor, 0.3, 0.3)
+    power_on(folder)
+    steps(supervisor, 0.6, 0.1)
+    assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
+    assert statuses == ["driving", f"stopped: no answer from 0x60 on fake:{folder}, trying again", "driving"]
+
+
+@pytest.fixture
+def running(supervisor, folder):
+    """The supervisor in a thread of its own, driving."""
+    thread = threading.Thread(target=supervisor.run, args=[lambda: False])
+    thread.start()
+    supervisor.command(0.5, 0.1)
+    assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
+    yield supervisor
+    supervisor.end()
+    thread.join()
+
+
+def test_an_emergency_stop_wakes_the_thread_and_lasts(running, folder):
+    running.emergency_stop(True)
+    assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 1.0)
+    running.command(0.5, 0.1)
+    assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.2)
+
+
+def test_the_end_stops_the_wheels_and_closes_the_robot(running, folder):
+    running.end()
+    assert wait_until(lambda: running.closed, 1.0)
+    assert wheel_speeds(folder) == STOPPED
