@@ -5,13 +5,15 @@ import os
 import signal
 import sys
 
-from harness import START_TIMEOUT, RobotTest, main
+from harness import START, RobotTest, main
 
-AS_A_CLASS = """
+HEAD = """
 import rospy
 from geometry_msgs.msg import Twist
 from jetbot import Robot
+"""
 
+AS_A_CLASS = """
 class Listener:
     def __init__(self):
         rospy.init_node('jetbot_controller', anonymous=True)
@@ -26,10 +28,6 @@ Listener()
 """
 
 AS_FUNCTIONS = """
-import rospy
-from geometry_msgs.msg import Twist
-from jetbot import Robot
-
 def on_twist(twist, robot):
     robot.set_motors(twist.linear.x - twist.angular.z, twist.linear.x + twist.angular.z)
 
@@ -41,24 +39,22 @@ rospy.spin()
 
 
 class WorkshopScripts(RobotTest):
-    def drives_and_stops(self, script):
-        for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL):
-            with self.subTest(ending):
-                process = self.start(sys.executable, "-c", script,
-                                     env={**os.environ, "JETBOT_I2C_BUS": f"fake:{self.bus}"})
-                self.wait_for_controller()
-                self.command(0.5, 0.1)
-                self.wait_for_wheels(0.4, 0.6)
-                process.send_signal(ending)
-                process.wait(START_TIMEOUT)
-                self.wait_for_stop(within=1.5)
-                self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the script to unsubscribe")
+    def test_drive_and_stop(self):
+        for script in AS_A_CLASS, AS_FUNCTIONS:
+            for ending in signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL:
+                with self.subTest(script=script, ending=ending):
+                    self.drive_and_stop(script, ending)
 
-    def test_class(self):
-        self.drives_and_stops(AS_A_CLASS)
-
-    def test_functions(self):
-        self.drives_and_stops(AS_FUNCTIONS)
+    def drive_and_stop(self, script, ending):
+        environment = {**os.environ, "JETBOT_I2C_BUS": f"fake:{self.bus}"}
+        process = self.start(sys.executable, "-c", HEAD + script, env=environment)
+        self.wait_for_controller()
+        self.command(0.5, 0.1)
+        self.wait_for_wheels(0.4, 0.6)
+        process.send_signal(ending)
+        process.wait(START)
+        self.wait_for_stop(within=1.5)
+        self.wait_for(lambda: not self.commands().get_num_connections(), START, "the script to unsubscribe")
 
 
 if __name__ == "__main__":

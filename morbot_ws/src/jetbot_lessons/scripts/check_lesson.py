@@ -2,7 +2,7 @@
 """Report what is missing after a lesson: rosrun jetbot_lessons check_lesson.py N [YOUR_PACKAGE]."""
 
 import sys
-from typing import List, Optional, Tuple, Union
+from typing import List, Tuple, Union
 
 try:
     import rosgraph
@@ -28,28 +28,22 @@ def lesson(arguments: List[str]) -> Tuple[Union[int, str], ...]:
     return int(number), *names
 
 
-def problem_of(number: int, *own: str) -> Optional[str]:
-    """Return the lesson's first problem, or the one that ended the check; None if the lesson is done."""
-    try:
-        return first_problem(number, *own)
-    except EOFError:
-        return "this lesson asks what you see: run the check in a terminal"
-    except InvalidPackage as error:
-        return str(error)
-    except (OSError, rosgraph.MasterException, rospy.ROSException) as error:
-        return f"the check ended early: {error}; try again"
-
-
 def main():
     number, *own = lesson(rospy.myargv()[1:])
-    problem = problem_of(number, *own)
+    try:
+        problem = first_problem(number, *own)
+    except KeyboardInterrupt:
+        sys.exit("Cancelled.")
+    except EOFError:
+        problem = "this lesson asks what you see: run the check in a terminal"
+    except InvalidPackage as error:
+        problem = error
+    except (OSError, rosgraph.MasterException, rospy.ROSException) as error:
+        problem = f"the check ended early: {error}; try again"
     if problem:
         sys.exit(f"Lesson {number}: {problem}")
     print(f"Lesson {number}: done.")
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except KeyboardInterrupt:
-        sys.exit("Cancelled.")
+    main()

@@ -3,30 +3,27 @@
 import ast
 import os
 import shutil
-import tokenize
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-from catkin_pkg.package import InvalidPackage, parse_package
+from catkin_pkg.package import InvalidPackage, Package, parse_package
 from rospkg import ResourceNotFound, RosPack
 
 from . import Problem
 
-XML_ERRORS = (ValueError, LookupError, AssertionError, OSError)  # what parsers raise beside their own errors
+XML_ERRORS = (ET.ParseError, AttributeError, ValueError, LookupError, AssertionError, OSError)  # of any XML parser
 CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch"
 SHEBANG = "#!/usr/bin/env python3"
 
 
 def folder(package: str) -> Path:
-    """Return the package's source folder.
-
-    Raises ResourceNotFound for an unknown package, InvalidPackage where ROS cannot read some package.xml.
-    """
+    """Return the package's source folder. Raise ResourceNotFound, or InvalidPackage for any bad package.xml."""
     try:
         return Path(RosPack().get_path(package))
-    except (ET.ParseError, AttributeError, *XML_ERRORS) as error:  # rospkg's, of any file; it does not name the file
-        problems = filter(None, map(_check_package_xml, sorted(workspace().rglob("package.xml"))))
-        raise InvalidPackage(next(problems, f"A package.xml in {workspace()} cannot be read: {error}")) from None
+    except XML_ERRORS as error:  # rospkg's, of any file; it does not name the file
+        for file in sorted(workspace().rglob("package.xml")):
+            parse(file)
+        raise InvalidPackage(f"A package.xml in {workspace()} cannot be read: {error}") from None
 
 
 def workspace() -> Path:
@@ -34,15 +31,13 @@ def workspace() -> Path:
     return Path(os.environ.get("ROS_PACKAGE_PATH", "").split(":")[0])
 
 
-def _check_package_xml(file: Path) -> Problem:
-    """Return the problem, or None if the file describes a package."""
+def parse(file: Path) -> Package:
+    """Return the package that this package.xml describes. Raise InvalidPackage, in one line."""
     try:
-        parse_package(str(file))
-    except InvalidPackage as error:
-        return " ".join(str(error).split())  # several lines, which name the file
-    except XML_ERRORS as error:
-        return f"{file} cannot be read: {error}"
-    return None
+        return parse_package(str(file))
+    except (InvalidPackage, *XML_ERRORS) as error:
+        reason = " ".join(str(getattr(error, "msg", error)).split())
+        raise InvalidPackage(f"{file} cannot be read: {reason}") from None
 
 
 def check_exists(package: str, source: str) -> Problem:
@@ -59,18 +54,17 @@ def _incomplete(place: Path, file: str, source: str) -> str:
 
 
 def _not_found(package: str, source: str) -> str:
-    """Return why ROS does not find the package."""
     name, root = Path(package).name, workspace()
     similar = [known for known in RosPack().list() if known.lower() == name.lower()]
     if similar:
         return f"There is no package {package}, but there is {similar[0]}: type that name"
-    inside = [file.parent for file in root.rglob("package.xml") if file.parent.name == name]
-    outside = [parent / name for parent in root.parents if (parent / name / "package.xml").exists()]
-    for place in inside + outside:
-        if place in outside or any((parent / "package.xml").exists() for parent in place.parents):
-            return f"ROS does not search {place.parent} for packages: mv {place} {root}"
-        return (f"{place / 'package.xml'} names another package: write <name>{name}</name> there, "
-                f"and project({name}) in CMakeLists.txt")
+    places = [file.parent for file in root.rglob("package.xml") if file.parent.name == name]
+    places += [parent / name for parent in root.parents if (parent / name / "package.xml").exists()]
+    for place in places:
+        if root in place.parents and not any((parent / "package.xml").exists() for parent in place.parents):
+            return (f"{place / 'package.xml'} names another package: write <name>{name}</name> there, "
+                    f"and project({name}) in CMakeLists.txt")
+        return f"ROS does not search {place.parent} for packages: mv {place} {root}"
     for place in root / name, root / "scenarios" / name:
         if name and place.is_dir():
             return _incomplete(place, "package.xml", source)
@@ -88,10 +82,7 @@ def check_built(package: str) -> Problem:
 def check_depends(package: str, *names: str) -> Problem:
     """Return the problem, or None if package.xml names these packages as dependencies."""
     file = folder(package) / "package.xml"
-    problem = _check_package_xml(file)
-    if problem:
-        return problem
-    known = {dependency.name for dependency in parse_package(str(file)).exec_depends}
+    known = {dependency.name for dependency in parse(file).exec_depends}
     return next((f"{file} does not name {name}: add <exec_depend>{name}</exec_depend> before </package>"
                  for name in names if name not in known), None)
 
@@ -108,10 +99,8 @@ def check_scripts(package: str) -> Problem:
 def _check_script(path: Path) -> Problem:
     if not path.is_file():
         return f"{path} is not a file: remove it"
-    try:
-        first = path.read_bytes().partition(b"\n")[0].decode(errors="replace")
-    except OSError as error:
-        return f"{path} cannot be read: {error.strerror}"
+    source = path.read_bytes()
+    first = source.partition(b"\n")[0].decode(errors="replace")
     if not first.startswith("#!"):
         return f"{path.name} does not begin with {SHEBANG}: make that the first line of {path}"
     if first.endswith("\r"):
@@ -120,7 +109,11 @@ def _check_script(path: Path) -> Problem:
         return f"{path.name} begins with {first}, which does not start ROS's Python: write {SHEBANG}"
     if not os.access(path, os.X_OK):
         return f"{path.name} is not executable: chmod +x {path}"
-    return _check_syntax(path)
+    try:
+        ast.parse(source, path.name)
+    except (SyntaxError, ValueError) as error:  # ValueError: a zero byte, before Python 3.12
+        return f"Python cannot read {path.name}: {error}"
+    return None
 
 
 def _starts_ros_python(first: str) -> bool:
@@ -128,16 +121,6 @@ def _starts_ros_python(first: str) -> bool:
     words = [word for word in first[len("#!"):].split() if not word.startswith("-")] or [""]
     program = words[1] if words[0] in ("/usr/bin/env", "/bin/env") and len(words) > 1 else words[0]
     return Path(shutil.which(program) or "").resolve().match("/usr/bin/python3*")
-
-
-def _check_syntax(path: Path) -> Problem:
-    try:
-        with tokenize.open(path) as script:
-            ast.parse(script.read())
-    except (SyntaxError, ValueError) as error:  # ValueError: a zero byte, before Python 3.12
-        line = f"line {error.lineno} of " if getattr(error, "lineno", None) else ""
-        return f"Python cannot read {line}{path.name}: {getattr(error, 'msg', error)}"
-    return None
 
 
 def check_launch_files(package: str) -> Problem:
@@ -151,10 +134,10 @@ def check_launch_files(package: str) -> Problem:
 
 def _check_launch_file(file: Path) -> Problem:
     try:
-        includes = [include.attrib for include in ET.parse(file).iter("include")]
-    except (ET.ParseError, *XML_ERRORS) as error:
+        passing = [include.get("pass_all_args") for include in ET.parse(file).iter("include")
+                   if include.get("file") == CONTROLLER_LAUNCH]
+    except XML_ERRORS as error:
         return f"{file} is not XML: {error}"
-    passing = [include.get("pass_all_args") for include in includes if include.get("file") == CONTROLLER_LAUNCH]
     if not passing:
         return (f"{file} does not include the controller: "
                 f'add <include file="{CONTROLLER_LAUNCH}" pass_all_args="true"/> below <launch>')

@@ -52,15 +52,15 @@ def check_master(start: str) -> Problem:
 
 def check_node(name: str, start: str) -> Problem:
     """Return the problem, or None if the node runs; ``start`` is the command that starts it."""
+    if pid(name) is not None:
+        return None
     nodes = snapshot().nodes
-    elsewhere = [node for node in nodes if node.endswith(name)]
-    if name not in nodes and elsewhere:
-        return f"{elsewhere[0]} runs in a namespace: start it without one"
-    if name not in nodes:
-        return f"There is no node {name}: start it in another terminal with {start}"
-    if pid(name) is None:
+    if name in nodes:
         return f"The node {name} does not answer: stop it (after Ctrl-Z: fg, then Ctrl-C), then start it with {start}"
-    return None
+    elsewhere = [node for node in nodes if node.endswith(name)]
+    if elsewhere:
+        return f"{elsewhere[0]} runs in a namespace: start it without one"
+    return f"There is no node {name}: start it in another terminal with {start}"
 
 
 def check_subscribes(node: str, topic: str) -> Problem:
@@ -81,20 +81,21 @@ def check_type(topic: str, wanted: str) -> Problem:
 
 
 def check_no_other_publisher(topic: str, package: Optional[str] = None) -> Problem:
-    """Return the problem, or None if only the package's nodes publish on the topic; dead nodes do not count."""
-    own = own_publishers(package, topic) if package else []
-    for node in snapshot().publishers.get(topic, ()):
-        if node not in own and pid(node) is not None:
+    """Return the problem, or None if only one node of the package publishes on the topic; dead nodes do not count."""
+    publishers = snapshot().publishers.get(topic, ())
+    own = [node for node in publishers if package and belongs(command_of(node), package)]
+    for node in publishers:
+        if node not in own[:1] and pid(node) is not None:
             return f"{node} publishes on {topic}: stop it with Ctrl-C in its terminal, then try again"
     return None
 
 
 def check_publishes(package: str, topic: str, start: str) -> Problem:
     """Return the problem, or None if a node of the package publishes on the topic; ``start`` is how to start it."""
-    if own_publishers(package, topic):
-        return None
     graph = snapshot()
     own = [node for node in graph.nodes if belongs(command_of(node), package)]
+    if set(own).intersection(graph.publishers.get(topic, ())):
+        return None
     if not own:
         hanging = "".join(f"; {node} was killed or hangs (fg, then Ctrl-C, stops it)" for node in graph.nodes
                           if pid(node) is None)
@@ -102,11 +103,6 @@ def check_publishes(package: str, topic: str, start: str) -> Problem:
                 "if it ends by itself, that terminal shows why")
     others = sorted(name for name, nodes in graph.publishers.items() if own[0] in nodes and name != "/rosout")
     return f"{own[0]} publishes on {' and '.join(others) or 'no topic'}, not on {topic}: use that in rospy.Publisher"
-
-
-def own_publishers(package: str, topic: str) -> List[str]:
-    """Return the package's nodes that publish on the topic."""
-    return [node for node in snapshot().publishers.get(topic, ()) if belongs(command_of(node), package)]
 
 
 def check_launched_together(*packages: str) -> Problem:
@@ -119,9 +115,7 @@ def check_launched_together(*packages: str) -> Problem:
 
 def launched() -> List[Set[str]]:
     """Return for each roslaunch of this master the packages whose nodes it runs."""
-    uris = {}
-    with contextlib.suppress(rosgraph.MasterException):  # none was ever started
-        uris = rosgraph.Master(CALLER).getParam("/roslaunch/uris")
+    uris = rosgraph.Master(CALLER).getParam("/").get("roslaunch", {}).get("uris", {})
     return [set(_packages_of(uri)) for uri in uris.values()]
 
 

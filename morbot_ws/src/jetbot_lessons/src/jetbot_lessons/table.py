@@ -3,8 +3,8 @@
 from functools import partial
 from typing import Callable, Dict, List
 
-from . import Problem, commands, files, graph, wheels
-from .commands import TOPIC
+from . import Problem, files, graph, motion
+from .motion import TOPIC
 
 FIRST_OWN, LAST = 7, 8  # the lessons about the pupil's own package
 ROBOT, SCENARIO, KEYBOARD = "jetbot_control_node", "workshop", "teleop_twist_keyboard"
@@ -32,30 +32,26 @@ def controller(start: str, start_master: str = "") -> Checks:
             partial(graph.check_type, TOPIC, "geometry_msgs/Twist")]
 
 
-def keyboard() -> Checks:
-    """Return the checks of the keyboard's running node."""
-    return [partial(graph.check_node, f"/{KEYBOARD}", f"rosrun {KEYBOARD} {KEYBOARD}.py"),
-            partial(commands.check_key, f"/{KEYBOARD}")]
-
-
 def drives(name: str, start: str, fix: str = IN_A_LOOP) -> Checks:
     """Return the checks of a running scenario; start: what starts it, fix: what brings it to 10 commands a second."""
     return [partial(graph.check_publishes, name, TOPIC, start),
             partial(graph.check_no_other_publisher, TOPIC, name),
-            partial(commands.check_rate, name, 10, fix),
-            wheels.check_wheels_turn]
+            partial(motion.check_rate, name, 10, fix),
+            motion.check_wheels_turn]
 
 
 def lessons(own: str) -> Dict[int, Checks]:
     """Return the checks of each lesson by its number; own: the name of the pupil's package."""
-    get_keyboard = "get it with git clone and ./morbot setup, as in lesson 4"
     run_own = f"rosrun {own}, and the name of your script"
     launch_own = f"roslaunch {own}, the name of your launch file and, without a robot, i2c_bus:=fake"
     return {
         1: package(ROBOT) + package(SCENARIO, ROBOT),
         2: controller(RUN, "roscore"),
-        3: [*controller(RUN, "roscore"), partial(graph.check_no_other_publisher, TOPIC), wheels.check_wheels_obey],
-        4: [partial(files.check_exists, KEYBOARD, get_keyboard), *controller(RUN, "roscore"), *keyboard()],
+        3: [*controller(RUN, "roscore"), partial(graph.check_no_other_publisher, TOPIC), motion.check_wheels_obey],
+        4: [partial(files.check_exists, KEYBOARD, "get it with git clone and ./morbot setup, as in lesson 4"),
+            *controller(RUN, "roscore"),
+            partial(graph.check_node, f"/{KEYBOARD}", f"rosrun {KEYBOARD} {KEYBOARD}.py"),
+            partial(motion.check_key, f"/{KEYBOARD}")],
         5: [*controller(LAUNCH), partial(graph.check_launched_together, ROBOT)],
         6: [*controller(LAUNCH_SCENARIO), partial(graph.check_launched_together, ROBOT, SCENARIO),
             *drives(SCENARIO, LAUNCH_SCENARIO, "start it without rate:=")],

@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""The workshop's scenario publishes its motion ten times a second, and its launch file passes its arguments on."""
+
+import runpy
+import time
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import rosgraph
+import rospy
+from geometry_msgs.msg import Twist
+from rospkg import RosPack
+
+from harness import START, RobotTest, main, program, read, wheel_speeds
+
+WORKSHOP = Path(RosPack().get_path("workshop"))
+LAUNCH = "workshop_jetbot_controller.launch"
+
+
+class WorkshopScenario(RobotTest):
+    def test_rate_and_values(self):
+        rospy.set_param("/jetbot_motion_control/linear", 0.2)  # left by an earlier start
+        self.launch("workshop", LAUNCH)
+        self.wait_for_wheels(0.4, 0.6, within=START)
+        received = []
+        rospy.Subscriber("/cmd_vel", Twist, lambda twist: received.append((time.monotonic(), twist)))
+        self.wait_for(lambda: len(received) > 30, START, "31 commands")
+        (first, _), (last, _) = received[0], received[30]
+        self.assertAlmostEqual(30 / (last - first), 10, delta=0.5)
+        self.assertEqual({(twist.linear.x, twist.angular.z) for _, twist in received}, {(0.5, 0.1)})
+
+    def test_bad_parameter(self):
+        node = self.start(program("workshop", "jetbot_motion_control.py"), "_rate:=0")
+        self.assertNotEqual(node.wait(START), 0)
+        [line] = read(node).splitlines()
+        self.assertIn("The parameter rate must be a number above 0, not 0.", line)
+
+    def test_passes_arguments_on(self):
+        self.launch("workshop", LAUNCH, "board:=waveshare", "max_speed:=2", "linear:=1.0", "angular:=0.0")
+        self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") == (0.5, 0.5), START, "the Waveshare board's wheels")
+        self.assertEqual(self.wheels(), (0, 0), "and not the Adafruit board's")
+
+    def test_documents_the_nodes_defaults(self):
+        arguments = ET.parse(WORKSHOP / "launch" / LAUNCH).iter("arg")
+        docs = {argument.get("name"): argument.get("doc") for argument in arguments}
+        for name, row in runpy.run_path(str(WORKSHOP / "scripts/jetbot_motion_control.py"))["PARAMETERS"].items():
+            self.assertEqual(docs[name], f"{row.doc} ({row.default} {row.unit})")
+
+    def test_robot_name_is_the_namespace_of_both_nodes(self):
+        self.launch("workshop", LAUNCH, "robot_name:=red")
+        self.wait_for_wheels(0.4, 0.6, within=START)
+        publishers, subscribers, _ = map(dict, rosgraph.Master("/test").getSystemState())
+        self.assertEqual(publishers["/red/cmd_vel"], ["/red/jetbot_motion_control"])
+        self.assertEqual(subscribers["/red/cmd_vel"], ["/red/jetbot_controller"])
+
+
+if __name__ == "__main__":
+    main(WorkshopScenario)
