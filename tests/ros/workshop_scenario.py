@@ -11,7 +11,7 @@ import rospy
 from geometry_msgs.msg import Twist
 from rospkg import RosPack
 
-from harness import START, RobotTest, main, program, read, wheel_speeds
+from harness import START_TIMEOUT, RobotTest, main, program, read, wheel_speeds
 
 WORKSHOP = Path(RosPack().get_path("workshop"))
 LAUNCH = "workshop_jetbot_controller.launch"
@@ -21,23 +21,24 @@ class WorkshopScenario(RobotTest):
     def test_rate_and_values(self):
         rospy.set_param("/jetbot_motion_control/linear", 0.2)  # left by an earlier start
         self.launch("workshop", LAUNCH)
-        self.wait_for_wheels(0.4, 0.6, within=START)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
         received = []
         rospy.Subscriber("/cmd_vel", Twist, lambda twist: received.append((time.monotonic(), twist)))
-        self.wait_for(lambda: len(received) > 30, START, "31 commands")
+        self.wait_for(lambda: len(received) > 30, START_TIMEOUT, "31 commands")
         (first, _), (last, _) = received[0], received[30]
         self.assertAlmostEqual(30 / (last - first), 10, delta=0.5)
         self.assertEqual({(twist.linear.x, twist.angular.z) for _, twist in received}, {(0.5, 0.1)})
 
     def test_bad_parameter(self):
         node = self.start(program("workshop", "jetbot_motion_control.py"), "_rate:=0")
-        self.assertNotEqual(node.wait(START), 0)
+        self.assertNotEqual(node.wait(START_TIMEOUT), 0)
         [line] = read(node).splitlines()
         self.assertIn("The parameter rate must be a number above 0, not 0.", line)
 
     def test_passes_arguments_on(self):
         self.launch("workshop", LAUNCH, "board:=waveshare", "max_speed:=2", "linear:=1.0", "angular:=0.0")
-        self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") == (0.5, 0.5), START, "the Waveshare board's wheels")
+        self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") == (0.5, 0.5), START_TIMEOUT,
+                      "the Waveshare board's wheels")
         self.assertEqual(self.wheels(), (0, 0), "and not the Adafruit board's")
 
     def test_documents_the_nodes_defaults(self):
@@ -48,7 +49,7 @@ class WorkshopScenario(RobotTest):
 
     def test_robot_name_is_the_namespace_of_both_nodes(self):
         self.launch("workshop", LAUNCH, "robot_name:=red")
-        self.wait_for_wheels(0.4, 0.6, within=START)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
         publishers, subscribers, _ = map(dict, rosgraph.Master("/test").getSystemState())
         self.assertEqual(publishers["/red/cmd_vel"], ["/red/jetbot_motion_control"])
         self.assertEqual(subscribers["/red/cmd_vel"], ["/red/jetbot_controller"])

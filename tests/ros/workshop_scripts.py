@@ -5,7 +5,7 @@ import os
 import signal
 import sys
 
-from harness import START, RobotTest, main
+from harness import START_TIMEOUT, RobotTest, main
 
 HEAD = """
 import rospy
@@ -52,9 +52,9 @@ class WorkshopScripts(RobotTest):
         self.command(0.5, 0.1)
         self.wait_for_wheels(0.4, 0.6)
         process.send_signal(ending)
-        process.wait(START)
+        process.wait(START_TIMEOUT)
         self.wait_for_stop(within=1.5)
-        self.wait_for(lambda: not self.commands().get_num_connections(), START, "the script to unsubscribe")
+        self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the script to unsubscribe")
 
 
 if __name__ == "__main__":
