@@ -61,8 +61,7 @@ def test_package_where_ros_does_not_search(mine, place):
     (source / "other/package.xml").write_text(PACKAGE_XML.replace("mine", "other"))
     elsewhere = (source / place / "mine").resolve()
     mine.rename(elsewhere)
-    assert exists("mine") == (
-        f"ROS does not search {elsewhere.parent} for packages: mv {elsewhere} {source}")
+    assert exists("mine") == f"ROS does not search {elsewhere.parent} for packages: mv {elsewhere} {source}"
 
 
 @pytest.mark.parametrize("file, text, check, problem", [
