@@ -49,15 +49,14 @@ class Simulator(RobotTest):
     def test_drives_the_arc_of_the_command(self):
         self.controller(cmd_vel_timeout=0, wheel_separation=WHEEL_SEPARATION, max_speed=0.6)
         for linear, angular in [(0.4, 0.0), (0.3, 1.0), (0.0, -2.0)]:
-            with self.subTest(linear=linear, angular=angular):
-                self.command(linear, angular)
-                self.wait_for_velocity(linear, angular)
-                first, last, seconds = self.sample_after(1.0)
-                arc, turn = linear * seconds, angular * seconds
-                wanted = first.integrate_arc(arc - turn * WHEEL_SEPARATION / 2, arc + turn * WHEEL_SEPARATION / 2,
-                                             WHEEL_SEPARATION)
-                self.assertLess(distance(last, wanted), 0.01 * max(arc, 0.1))
-                self.assertLess(abs(math.remainder(last.yaw - wanted.yaw, math.tau)), 0.01 * max(abs(turn), 0.1))
+            self.command(linear, angular)
+            self.wait_for_velocity(linear, angular)
+            first, last, seconds = self.sample_after(1.0)
+            arc, turn = linear * seconds, angular * seconds
+            wanted = first.integrate_arc(arc - turn * WHEEL_SEPARATION / 2, arc + turn * WHEEL_SEPARATION / 2,
+                                         WHEEL_SEPARATION)
+            self.assertLess(distance(last, wanted), 0.01 * max(arc, 0.1))
+            self.assertLess(abs(math.remainder(last.yaw - wanted.yaw, math.tau)), 0.01 * max(abs(turn), 0.1))
 
     def test_a_driver_with_swapped_wheels_turns_it_the_other_way(self):
         with self.robot() as robot:
