@@ -5,14 +5,12 @@ import os
 import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 from typing import Callable, List, Tuple
 
 import rospy
-import rostest
 from geometry_msgs.msg import Twist
 from roslib.packages import find_node
 from std_msgs.msg import Bool, String
@@ -179,10 +177,3 @@ def twist(linear: float, angular: float = 0.0) -> Twist:
 def near(speeds: Tuple[float, float], wanted: Tuple[float, float]) -> bool:
     """Return whether the speeds are those wanted, to the steps in which a board counts."""
     return all(abs(speed - want) < 0.001 for speed, want in zip(speeds, wanted))
-
-
-def main(test_case: type) -> None:
-    """Run the tests of a case as the behaviour that this script is named after."""
-    name = Path(sys.argv[0]).stem
-    rospy.init_node("test_" + name)
-    rostest.rosrun("jetbot_tests", name, test_case)

@@ -1,4 +1,4 @@
-"""Runs each behaviour, an executable script with a RobotTest, as ``rostest behaviour.test test:=NAME`` does by hand."""
+"""Runs each behaviour, as ``rostest behaviour.test test:=NAME`` does by hand."""
 
 import os
 import shutil
@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 FOLDER = Path(__file__).parent
-BEHAVIOURS = sorted(path.stem for path in FOLDER.glob("*.py") if os.access(path, os.X_OK))
+BEHAVIOURS = sorted(path.stem for path in FOLDER.glob("behaviours/*.py"))
 PROGRAMS = {"show_in_rviz": ("rviz", "Xvfb", "convert")}  # that ./morbot setup does not install
 
 

@@ -1,7 +1,6 @@
-#!/usr/bin/env python3
 """An emergency stop holds every robot, also one started later, until it is released and a new command arrives."""
 
-from harness import RobotTest, main
+from harness import RobotTest
 
 
 class EmergencyStop(RobotTest):
@@ -29,7 +28,3 @@ class EmergencyStop(RobotTest):
         self.controller()
         self.wait_for_status(texts, "stopped: emergency stop")
         self.commands_are_ignored(for_seconds=0.3)
-
-
-if __name__ == "__main__":
-    main(EmergencyStop)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """RViz, on a virtual display, shows the robot in motion and its path."""
 
 import os
@@ -7,7 +6,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from harness import RobotTest, main, read
+from harness import RobotTest, read
 
 START_RVIZ = 60.0             # seconds, drawing without a graphics card
 VIEW = 420, 110, 1020, 700    # left, upper, right and lower edge of the 3D view, in pixels
@@ -55,7 +54,3 @@ def is_green(red, green, blue):  # the robot's board
 
 def is_orange(red, green, blue):  # the path
     return red > 180 and red > green + 60 and green > blue
-
-
-if __name__ == "__main__":
-    main(RViz)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """/diagnostics reports what the robot does and why it is stopped."""
 
 import os
@@ -6,7 +5,7 @@ import os
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 
-from harness import RobotTest, main
+from harness import RobotTest
 from jetbot.fake.bus import power_on
 
 
@@ -46,7 +45,3 @@ class Diagnostics(RobotTest):
         os.unlink(os.path.join(self.bus, "0x60"))
         self.wait_for_level(DiagnosticStatus.ERROR, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")
         power_on(self.bus)  # else the guard keeps trying for minutes
-
-
-if __name__ == "__main__":
-    main(Diagnostics)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The simulated robot drives as the registers on the fake bus command, along the arc of the velocity."""
 
 import math
@@ -9,7 +8,7 @@ from geometry_msgs.msg import Pose2D
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Empty
 
-from harness import START_TIMEOUT, RobotTest, main, program, read
+from harness import START_TIMEOUT, RobotTest, program, read
 from jetbot import Robot
 from simulation.recording import pose_of
 
@@ -104,7 +103,3 @@ def elapsed(first, last):
 
 def distance(pose, other):
     return math.hypot(pose.x - other.x, pose.y - other.y)
-
-
-if __name__ == "__main__":
-    main(Simulator)

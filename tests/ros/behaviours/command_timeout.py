@@ -1,10 +1,9 @@
-#!/usr/bin/env python3
 """The robot stops when its commander sends nothing more, freezes or dies, and drives again at the next command."""
 
 import os
 import signal
 
-from harness import START_TIMEOUT, RobotTest, main
+from harness import START_TIMEOUT, RobotTest
 
 
 class CommandTimeout(RobotTest):
@@ -37,7 +36,3 @@ class CommandTimeout(RobotTest):
         publisher = self.driven_by_a_process(timeout=0)
         os.killpg(publisher.pid, signal.SIGKILL)
         self.wait_for_stop(within=0.15)
-
-
-if __name__ == "__main__":
-    main(CommandTimeout)

@@ -1,11 +1,10 @@
-#!/usr/bin/env python3
 """A laptop commands a robot over a network; the robot stops while the link is cut, and drives when it is back."""
 
 import os
 import subprocess
 import unittest
 
-from harness import START_TIMEOUT, RobotTest, main
+from harness import START_TIMEOUT, RobotTest
 
 ADDRESSES = {"robot": "10.77.0.1", "laptop": "10.77.0.2"}  # of two network namespaces, which nothing else can reach
 COMMAND_TIMEOUT = 1.0     # s; the default of cmd_vel_timeout
@@ -52,7 +51,3 @@ class TwoComputers(RobotTest):
 
 def ip(*arguments):
     subprocess.run(["ip", *arguments], check=True)
-
-
-if __name__ == "__main__":
-    main(TwoComputers)

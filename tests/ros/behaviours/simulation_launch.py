@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """simulation.launch: the robot has the controller's board and units; one node publishes odom, one sends its tf."""
 
 import math
@@ -10,7 +9,7 @@ import tf2_ros
 from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
-from harness import START_TIMEOUT, RobotTest, main
+from harness import START_TIMEOUT, RobotTest
 
 
 class SimulationLaunch(RobotTest):
@@ -54,7 +53,3 @@ def heading(frames):
     if not frames.can_transform("map", "left_wheel", rospy.Time()):
         return 0.0
     return 2 * math.asin(frames.lookup_transform("map", "base_footprint", rospy.Time()).transform.rotation.z)
-
-
-if __name__ == "__main__":
-    main(SimulationLaunch)

@@ -1,9 +1,8 @@
-#!/usr/bin/env python3
 """The controller's launch file: a typed argument wins over the YAML file, the file over the default."""
 
 from pathlib import Path
 
-from harness import RobotTest, main
+from harness import RobotTest
 
 TABLE = [  # x, z, left, right
     (0.5, 0.0, 0.5, 0.5), (-0.5, 0.0, -0.5, -0.5), (0.0, 0.4, -0.4, 0.4), (0.0, -0.4, 0.4, -0.4),
@@ -35,7 +34,3 @@ class LaunchController(RobotTest):
         self.launched_with_a_file("max_speed:=")
         self.command(0.4)
         self.wait_for_wheels(0.4, 0.8)
-
-
-if __name__ == "__main__":
-    main(LaunchController)

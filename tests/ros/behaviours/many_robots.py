@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Thirty robots on one master: each obeys its own commands, one emergency stop stops all, one that dies ends alone."""
 
 import os
@@ -8,7 +7,7 @@ from pathlib import Path
 import rospy
 from geometry_msgs.msg import Twist
 
-from harness import RobotTest, main, near, twist, wheel_speeds
+from harness import RobotTest, near, twist, wheel_speeds
 from jetbot_lessons.graph import pid
 
 ROBOTS = 30
@@ -46,7 +45,3 @@ class ManyRobots(RobotTest):
         others = {name: speed for name, speed in self.speeds.items() if name != KILLED}
         self.emergency_stop(False)
         self.wait_for(lambda: self.are_at(others), 5.0, "all others to drive")
-
-
-if __name__ == "__main__":
-    main(ManyRobots)

@@ -1,9 +1,8 @@
-#!/usr/bin/env python3
 """The calibration of a JetBot Pro that drives backward and turns the right way ends in one that does both right."""
 
 from calibration import CalibrationTest
 
-from harness import main, near
+from harness import near
 from jetbot.fake.motors import wheel_speeds
 
 
@@ -23,7 +22,3 @@ class CalibrationOfAJetBotPro(CalibrationTest):
         self.start_calibrated_robot()
         self.command(0.5, 0.2)
         self.wait_for(lambda: near(self.wheels(), (0.3, 0.7)), 5.0, "the robot to drive as commanded")
-
-
-if __name__ == "__main__":
-    main(CalibrationOfAJetBotPro)

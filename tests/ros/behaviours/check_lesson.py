@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """check_lesson.py reports the first problem of the running system, and tests the wheels."""
 
 import os
@@ -6,9 +5,9 @@ import signal
 
 import pexpect
 import rosgraph
-from jetbot_pro import Board
 
-from harness import CONTROLLER, START_TIMEOUT, RobotTest, main, program, read
+from behaviours.jetbot_pro import Board
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, program, read
 from jetbot.fake.motors import STOPPED
 from jetbot_lessons.motion import check_wheels_turn
 from jetbot_lessons.table import first_problem
@@ -98,7 +97,3 @@ class CheckLesson(RobotTest):
             self.wait_for(lambda: board.velocity == (0, 0), START_TIMEOUT, "the robot to stop before its user answers")
             terminal.sendline(answer)
             terminal.expect_exact(result)
-
-
-if __name__ == "__main__":
-    main(CheckLesson)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The workshop's scenario publishes its motion ten times a second, and its launch file passes its arguments on."""
 
 import runpy
@@ -11,7 +10,7 @@ import rospy
 from geometry_msgs.msg import Twist
 from rospkg import RosPack
 
-from harness import START_TIMEOUT, RobotTest, main, program, read, wheel_speeds
+from harness import START_TIMEOUT, RobotTest, program, read, wheel_speeds
 
 WORKSHOP = Path(RosPack().get_path("workshop"))
 LAUNCH = "workshop_jetbot_controller.launch"
@@ -53,7 +52,3 @@ class WorkshopScenario(RobotTest):
         publishers, subscribers, _ = map(dict, rosgraph.Master("/test").getSystemState())
         self.assertEqual(publishers["/red/cmd_vel"], ["/red/jetbot_motion_control"])
         self.assertEqual(subscribers["/red/cmd_vel"], ["/red/jetbot_controller"])
-
-
-if __name__ == "__main__":
-    main(WorkshopScenario)

@@ -1,10 +1,9 @@
-#!/usr/bin/env python3
 """The robot recovers by itself from failed transfers, a brown-out and an unplugged board."""
 
 import os
 from pathlib import Path
 
-from harness import RobotTest, main
+from harness import RobotTest
 from jetbot.fake.bus import power_on
 
 
@@ -55,7 +54,3 @@ class BusFaults(RobotTest):
         self.wait_for_wheels(0.59, 0.59, within=1.0)
         self.wait_for_status(self.texts, "driving")
         self.assertEqual(len(self.texts), 3, f"each reported once: {self.texts}")
-
-
-if __name__ == "__main__":
-    main(BusFaults)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The wheels stop when the node, or roslaunch above it, is asked to end."""
 
 import os
@@ -7,7 +6,7 @@ import signal
 import rosgraph
 from ports import free_port
 
-from harness import CONTROLLER, START_TIMEOUT, RobotTest, main, program
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, program
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -15,22 +14,20 @@ SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 class StopAtShutdown(RobotTest):
     def test_node(self):
         for each in SIGNALS:
-            with self.subTest(each):
-                node = self.controller(cmd_vel_timeout=0)
-                self.drive_at(0.5)
-                node.send_signal(each)
-                self.wait_for_stop(within=0.7)
-                self.assertEqual(node.wait(START_TIMEOUT), 0)
-                self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the node to unsubscribe")
+            node = self.controller(cmd_vel_timeout=0)
+            self.drive_at(0.5)
+            node.send_signal(each)
+            self.wait_for_stop(within=0.7)
+            self.assertEqual(node.wait(START_TIMEOUT), 0)
+            self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the node to unsubscribe")
 
     def test_roslaunch(self):
         for each in SIGNALS:
-            with self.subTest(each):
-                launch = self.launch("workshop", "workshop_jetbot_controller.launch")
-                self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
-                launch.send_signal(each)
-                self.wait_for_stop(within=0.7)
-                launch.wait(START_TIMEOUT)
+            launch = self.launch("workshop", "workshop_jetbot_controller.launch")
+            self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
+            launch.send_signal(each)
+            self.wait_for_stop(within=0.7)
+            launch.wait(START_TIMEOUT)
 
     def test_node_whose_master_hangs(self):
         port = str(free_port())
@@ -43,7 +40,3 @@ class StopAtShutdown(RobotTest):
         os.killpg(master.pid, signal.SIGSTOP)
         node.send_signal(signal.SIGTERM)
         self.wait_for_stop(within=0.7)
-
-
-if __name__ == "__main__":
-    main(StopAtShutdown)

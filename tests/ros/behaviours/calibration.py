@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The calibration at a real terminal, on a robot that is wired differently, ends in a robot that drives straight."""
 
 import math
@@ -6,7 +5,7 @@ import os
 
 import pexpect
 
-from harness import START_TIMEOUT, RobotTest, main, program
+from harness import START_TIMEOUT, RobotTest, program
 from jetbot.fake.motors import STOPPED, wheel_speeds
 
 DEAD_BAND = 0.12
@@ -126,7 +125,3 @@ class Calibration(CalibrationTest):
 def motor(duty):
     """The speed of a motor that friction holds below a dead band."""
     return math.copysign(max(0.0, abs(duty) - DEAD_BAND) / (1 - DEAD_BAND), duty)
-
-
-if __name__ == "__main__":
-    main(Calibration)

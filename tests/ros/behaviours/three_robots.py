@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Three simulated robots in three namespaces share one map; each is driven by its own cmd_vel on its own fake bus."""
 
 import os
@@ -9,7 +8,7 @@ import tf2_ros
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
-from harness import START_TIMEOUT, RobotTest, main, twist
+from harness import START_TIMEOUT, RobotTest, twist
 
 SI_UNITS = os.path.join(rospkg.RosPack().get_path("jetbot_control_node"), "config/si_units.yaml")
 ROBOTS = {"red": (0.5, 0.3, 0.0), "green": (0.0, 0.0, 1.0), "blue": (-0.5, -0.3, -0.5)}  # y in m; m/s, rad/s
@@ -38,7 +37,3 @@ class ThreeRobots(RobotTest):
                 for name, (_, linear, angular) in ROBOTS.items())
 
         self.wait_for(driving, START_TIMEOUT, "each robot's own velocity")
-
-
-if __name__ == "__main__":
-    main(ThreeRobots)

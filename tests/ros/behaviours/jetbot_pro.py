@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The JetBot Pro behind a pseudo-terminal: commands reach the board as frames, and its odometry reaches ROS."""
 
 import contextlib
@@ -14,7 +13,7 @@ from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu
 from tf2_msgs.msg import TFMessage
 
-from harness import CONTROLLER, START_TIMEOUT, RobotTest, main
+from harness import CONTROLLER, START_TIMEOUT, RobotTest
 from jetbot.fake.jetbot_pro import JetBotPro
 
 STOPPED = (0, 0)  # mm/s, mrad/s
@@ -125,7 +124,3 @@ class JetBotProTest(RobotTest):
         self.assertAlmostEqual(imus[-1].linear_acceleration.z, 9.80665)
         self.assertEqual(imus[-1].orientation_covariance[0], -1)
         self.assertEqual(transforms[-1].transforms[0].child_frame_id, "base_footprint")
-
-
-if __name__ == "__main__":
-    main(JetBotProTest)

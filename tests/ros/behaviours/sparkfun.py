@@ -1,11 +1,10 @@
-#!/usr/bin/env python3
 """SparkFun's motor driver obeys, with its own failsafe armed, also after a hang and a brown-out."""
 
 import os
 import signal
 from pathlib import Path
 
-from harness import RobotTest, main, wheel_speeds
+from harness import RobotTest, wheel_speeds
 from jetbot.fake.bus import power_on
 
 MA_DRIVE, MOTOR_OFF = 0x20, 0x80    # register of the left motor
@@ -45,7 +44,3 @@ class Sparkfun(RobotTest):
         os.killpg(node.pid, signal.SIGCONT)
         self.wait_for_wheels(0.5, 0.5)
         self.wait_for_register(FSAFE_TIME, ONE_SECOND, within=1.0)
-
-
-if __name__ == "__main__":
-    main(Sparkfun)

@@ -1,10 +1,9 @@
-#!/usr/bin/env python3
 """After 5 s of 1,000 commands per second on a 100 kHz bus, a stop is obeyed at once: no command waits in a queue."""
 
 import time
 from pathlib import Path
 
-from harness import RobotTest, main
+from harness import RobotTest
 from jetbot.fake.bus import power_on
 
 
@@ -21,7 +20,3 @@ class Flood(RobotTest):
         self.command(0)
         self.wait_for_stop(within=0.1)
         self.wheels_stay(0, 0, for_seconds=0.5)
-
-
-if __name__ == "__main__":
-    main(Flood)

@@ -1,9 +1,8 @@
-#!/usr/bin/env python3
 """A command that is not finite stops the robot, a huge one is clamped, another type ignored; the node keeps running."""
 
 import math
 
-from harness import RobotTest, main
+from harness import RobotTest
 
 
 class BadCommands(RobotTest):
@@ -11,11 +10,10 @@ class BadCommands(RobotTest):
         self.controller()
         texts = self.status()
         for bad in ((math.nan, 0.0), (0.5, -math.inf)):
-            with self.subTest(bad):
-                self.drive_at(0.5)
-                self.command(*bad)
-                self.wait_for_stop(within=0.2)
-                self.wait_for_status(texts, "stopped: command was not finite")
+            self.drive_at(0.5)
+            self.command(*bad)
+            self.wait_for_stop(within=0.2)
+            self.wait_for_status(texts, "stopped: command was not finite")
 
     def test_huge(self):
         self.controller()
@@ -28,7 +26,3 @@ class BadCommands(RobotTest):
         self.wheels_stay(0, 0, for_seconds=2)
         self.assertIsNone(node.poll())
         self.drive_at(0.5)
-
-
-if __name__ == "__main__":
-    main(BadCommands)

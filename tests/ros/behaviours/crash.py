@@ -1,10 +1,9 @@
-#!/usr/bin/env python3
 """The wheels stop when the controller itself is killed or frozen, with roslaunch and without."""
 
 import os
 import signal
 
-from harness import START_TIMEOUT, RobotTest, find_processes, main, read
+from harness import START_TIMEOUT, RobotTest, find_processes, read
 from jetbot_lessons.graph import pid
 
 STOP_TIMEOUT = 1.5  # s, from the failure to the stop
@@ -65,7 +64,3 @@ class Crash(RobotTest):
         self.wheels_stay(0, 0, for_seconds=1)
         os.killpg(node.pid, signal.SIGCONT)
         self.wait_for_wheels(0.5, 0.5)
-
-
-if __name__ == "__main__":
-    main(Crash)
