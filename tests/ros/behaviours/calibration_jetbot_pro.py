@@ -1,7 +1,6 @@
 """The calibration of a JetBot Pro that drives backward and turns the right way ends in one that does both right."""
 
-from calibration import CalibrationTest
-
+from behaviours.calibration import CalibrationTest
 from harness import near
 from jetbot.fake.motors import wheel_speeds
 
