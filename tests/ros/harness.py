@@ -4,6 +4,7 @@ import contextlib
 import os
 import shutil
 import signal
+import socket
 import subprocess
 import tempfile
 import unittest
@@ -25,6 +26,13 @@ SHUTDOWN_TIMEOUT = 45.0  # s, until a process has ended: roslaunch ends its node
 def program(package: str, name: str) -> str:
     """Return the path of a package's program, as rosrun finds it, without rosrun's 0.5 s of CPU time."""
     return find_node(package, name)[0]
+
+
+def free_port() -> int:
+    """Return a TCP port of this computer that no program uses."""
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        return probe.getsockname()[1]
 
 
 CONTROLLER = program("jetbot_control_node", "jetbot_controller.py")

@@ -10,8 +10,9 @@ from typing import Dict, List, Sequence
 
 import pytest
 from lesson_pages import FAILS, FILE, INTERNET, LEAVE, PRESS, RUN, SEE, Box, boxes
-from ports import free_port
 from pupil_terminal import PS1, Terminal
+
+from harness import free_port
 
 ROOT = Path(__file__).parents[2]
 LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"))

@@ -1,59 +1,36 @@
 """Imports point only downward: what comes first in this list knows nothing of what comes later."""
 
-import ast
-from importlib.util import resolve_name
+import re
 
 import pytest
 
 from conftest import SOURCE
 
-LAYERS = [
-    "jetbot.errors", "jetbot.wait", "jetbot.kinematics", "jetbot.motor", "jetbot.host",
-    "jetbot.fake", "jetbot.fake.chips", "jetbot.fake.jetbot_pro", "jetbot.fake.motors", "jetbot.fake.bus",
-    "jetbot.fake.port",
-    "jetbot.i2c", "jetbot.serial_link",
-    "jetbot.boards.driver", "jetbot.boards.pca9685", "jetbot.boards.pwm_motors", "jetbot.boards.scmd",
-    "jetbot.boards.jetbot_pro", "jetbot.boards",
-    "jetbot.guard", "jetbot.robot", "jetbot",
-    "jetbot_ros", "jetbot_tools"]
-ROS = ("rospy", "rosgraph", "roslib", "rospkg")
+LAYERS = [f"jetbot/{module}" for module in (
+    "errors", "wait", "kinematics", "motor", "host", "fake/__init__", "fake/chips", "fake/jetbot_pro", "fake/motors",
+    "fake/bus", "fake/port", "i2c", "serial_link", "boards/driver", "boards/pca9685", "boards/pwm_motors",
+    "boards/scmd", "boards/jetbot_pro", "boards/__init__", "guard", "robot", "__init__")]
+FILES = {str(file.relative_to(SOURCE / "src").with_suffix("")): file for file in (SOURCE / "src").rglob("*.py")}
 
 
-def modules(room):
-    """Yield (name, file) of every module in a room."""
-    for file in sorted((SOURCE / "src" / room).rglob("*.py")):
-        name = ".".join(file.relative_to(SOURCE / "src").with_suffix("").parts)
-        yield name.replace(".__init__", ""), file
+def imports(module):
+    """Yield the paths of all modules of ``jetbot`` that a module imports, as FILES names them."""
+    package = module.rpartition("/")[0]
+    for dots, base, names in re.findall(r"^ *from (\.*)([\w.]*) import ([^#\n]*)", FILES[module].read_text(), re.M):
+        folder = "/".join(package.split("/")[:len(package.split("/")) + 1 - len(dots)]) if dots else ""
+        base = "/".join(filter(None, (folder, base.replace(".", "/"))))
+        for path in (f"{base}/{name}" for name in re.findall(r"\w+", names)):
+            yield next((each for each in (path, f"{path}/__init__", base, f"{base}/__init__") if each in FILES), path)
 
 
-def imports(name, file):
-    """Yield the absolute name of everything that a module imports."""
-    package = name if file.name == "__init__.py" else name.rpartition(".")[0]
-    for node in ast.walk(ast.parse(file.read_text())):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            base = resolve_name("." * node.level + (node.module or ""), package)
-            yield from (f"{base}.{alias.name}" for alias in node.names)
+@pytest.mark.parametrize("module", [module for module in FILES if module.startswith("jetbot/")])
+def test_the_driver_library_imports_downward_and_no_ros(module):
+    below = LAYERS[:LAYERS.index(module)] if module in LAYERS else LAYERS
+    imported = list(imports(module))
+    assert not [path for path in imported if path in FILES and path not in below]
+    assert not [path for path in imported if path.startswith(("rospy", "ros", "jetbot_"))]
 
 
-def layer(name):
-    """Return the layer of a module, or of a name in it; -1 for what is not ours."""
-    while name and name not in LAYERS:
-        name = name.rpartition(".")[0]
-    return LAYERS.index(name) if name else -1
-
-
-@pytest.mark.parametrize("name, file", [each for room in ("jetbot", "jetbot_ros", "jetbot_tools")
-                                        for each in modules(room) if not each[0].endswith("__main__")])
-def test_imports_point_downward(name, file):
-    own = layer(name)
-    assert own >= 0
-    for imported in imports(name, file):
-        assert layer(imported) < own or (name.split(".")[0], layer(imported)) in (
-            ("jetbot_ros", own), ("jetbot_tools", own)), f"{name} imports {imported}"
-
-
-@pytest.mark.parametrize("name, file", modules("jetbot"))
-def test_the_driver_library_knows_no_ros(name, file):
-    assert not [imported for imported in imports(name, file) if imported.split(".")[0] in ROS]
+@pytest.mark.parametrize("module", [module for module in FILES if module.startswith("jetbot_ros/")])
+def test_the_node_knows_no_tools(module):
+    assert not [path for path in imports(module) if path.startswith("jetbot_tools")]

@@ -4,9 +4,8 @@ import os
 import signal
 
 import rosgraph
-from ports import free_port
 
-from harness import CONTROLLER, START_TIMEOUT, RobotTest, program
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, free_port, program
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 

@@ -62,7 +62,8 @@ def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
 
 def supervise(supervisor: Supervisor, report: Report) -> None:
     """Drive until the node ends, then end it. Neither logs nor asks the master: either may block."""
-    launcher = os.getppid() if is_launched() else None
+    launched = any(argument.startswith("__log:=") for argument in sys.argv)  # then roslaunch's end is the node's, too
+    launcher = os.getppid() if launched else None
     try:
         supervisor.run(lambda: rospy.is_shutdown() or launcher not in (None, os.getppid()))
     except JetbotError:
@@ -73,11 +74,6 @@ def supervise(supervisor: Supervisor, report: Report) -> None:
         give_up.start()
         report.end()
         rospy.signal_shutdown("the robot is stopped")
-
-
-def is_launched() -> bool:
-    """Return whether roslaunch started this node, whose end then is the node's, too."""
-    return any(argument.startswith("__log:=") for argument in sys.argv)
 
 
 def main(start: Callable[[], int]) -> None:

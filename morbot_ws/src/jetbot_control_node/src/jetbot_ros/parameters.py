@@ -3,7 +3,7 @@
 import math
 import os
 from pathlib import Path
-from typing import Callable, Dict, NamedTuple, Optional
+from typing import Callable, Dict, NamedTuple
 
 from jetbot import InvalidValue, fake
 from jetbot.boards import BOARDS, PORT
@@ -96,9 +96,8 @@ def resolve(typed: Dict[str, object]) -> Dict[str, object]:
     return checked({**file, **typed})
 
 
-def checked(values: Dict[str, object], parameters: Optional[Dict[str, Parameter]] = None) -> Dict[str, object]:
+def checked(values: Dict[str, object], parameters: Dict[str, Parameter] = PARAMETERS) -> Dict[str, object]:
     """Return all parameters: the values that are given, else the defaults. Raise InvalidValue for a bad value."""
-    parameters = parameters or PARAMETERS
     values = given(values)
     unknown = sorted(set(values) - set(parameters), key=str)
     if unknown:
