@@ -16,6 +16,7 @@ FILES = {str(file.relative_to(SOURCE / "src").with_suffix("")): file for file in
 def imports(module):
     """Yield the paths of all modules of ``jetbot`` that a module imports, as FILES names them."""
     package = module.rpartition("/")[0]
+    yield from re.findall(r"^ *import (\w+)", FILES[module].read_text(), re.M)
     for dots, base, names in re.findall(r"^ *from (\.*)([\w.]*) import ([^#\n]*)", FILES[module].read_text(), re.M):
         folder = "/".join(package.split("/")[:len(package.split("/")) + 1 - len(dots)]) if dots else ""
         base = "/".join(filter(None, (folder, base.replace(".", "/"))))
