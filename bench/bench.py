@@ -91,7 +91,7 @@ def measure(plan: Plan, implementations: Sequence[str]) -> Tuple[report.Figures,
     return figures, failures
 
 
-def arguments() -> argparse.Namespace:
+def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bench/run", description=f"{__doc__} Writes results.md and results.png.")
     parser.add_argument("--runs", type=int, help="the results are the medians of so many runs; 3 unless --short")
     parser.add_argument("--short", action="store_true", help="measure less, to check that it works: a minute")
@@ -103,11 +103,11 @@ def arguments() -> argparse.Namespace:
 
 
 def main() -> int:
-    given = arguments()
+    given = parse_arguments()
     plan = SHORT if given.short else FULL
     plan = plan._replace(clock=given.clock, runs=given.runs or plan.runs)
-    for number in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
-        signal.signal(number, lambda *_: sys.exit(1))
+    for signum in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
+        signal.signal(signum, lambda *_: sys.exit(1))
     Path("/proc/self/timerslack_ns").write_text("1")  # the fake bus sleeps for each bit: let it be exact, for all alike
     figures, failures = measure(plan, given.only)
     given.output.mkdir(parents=True, exist_ok=True)

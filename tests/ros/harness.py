@@ -166,8 +166,8 @@ def read(process: subprocess.Popen) -> str:
 def end(process: subprocess.Popen) -> None:
     """End the process by SIGINT to its group, after SHUTDOWN_TIMEOUT by SIGKILL."""
     if process.poll() is None:
-        for signal_number in (signal.SIGCONT, signal.SIGINT):
-            os.killpg(process.pid, signal_number)
+        for signum in (signal.SIGCONT, signal.SIGINT):
+            os.killpg(process.pid, signum)
     try:
         process.wait(SHUTDOWN_TIMEOUT)
     except subprocess.TimeoutExpired:

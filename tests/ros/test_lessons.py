@@ -10,7 +10,7 @@ import pytest
 from jetbot_lessons import graph
 
 SCRIPT = Path(__file__).parents[2] / "morbot_ws/src/jetbot_lessons/scripts/check_lesson.py"
-lesson = runpy.run_path(str(SCRIPT))["lesson"]
+parse_arguments = runpy.run_path(str(SCRIPT))["parse_arguments"]
 STOP_IT = "stop it with Ctrl-C in its terminal"
 
 
@@ -18,19 +18,19 @@ STOP_IT = "stop it with Ctrl-C in its terminal"
 def test_no_such_lesson(arguments):
     with pytest.raises(SystemExit, match=r"^Which lesson, 1 to 8\? Type: rosrun jetbot_lessons check_lesson\.py N, and "
                                          "from lesson 7 on the name of your package$"):
-        lesson(arguments)
+        parse_arguments(arguments)
 
 
 @pytest.mark.parametrize("number", ["7", "8"])
 def test_lesson_needs_a_package(number):
     with pytest.raises(SystemExit, match=rf"^Lesson {number} is about your own package\. "
                                          rf"Type: rosrun jetbot_lessons check_lesson\.py {number} ITS_NAME$"):
-        lesson([number])
+        parse_arguments([number])
 
 
 def test_lesson_and_package():
-    assert lesson(["3"]) == (3,)
-    assert lesson(["8", "mine"]) == (8, "mine")
+    assert parse_arguments(["3"]) == (3,)
+    assert parse_arguments(["8", "mine"]) == (8, "mine")
 
 
 @pytest.fixture

@@ -22,7 +22,7 @@ def lines(bus=None, port=None):
 @pytest.fixture(autouse=True)
 def a_computer_with_one_package_and_no_device(monkeypatch, tmp_path):
     monkeypatch.setattr(doctor, "MODULES", ["json"])
-    monkeypatch.setattr(doctor, "PORT", "/dev/nowhere")
+    monkeypatch.setattr(doctor, "DEFAULT_PORT", "/dev/nowhere")
     monkeypatch.setattr(host, "buses", lambda: [])
     monkeypatch.setattr(host, "model", lambda: "")
     monkeypatch.setenv("ROS_HOME", str(tmp_path))

@@ -36,10 +36,10 @@ def test_a_chip_in_any_state_is_set_up(folder):
 
 
 def test_outputs_are_off_before_the_chip_wakes(folder, wire):
-    groups = [range(8), range(8, 16)]
-    PCA9685(I2CDevice(f"fake:{folder}", 0x60), groups).set_outputs(dict.fromkeys(range(16), 4096))
+    spans = [range(8), range(8, 16)]
+    PCA9685(I2CDevice(f"fake:{folder}", 0x60), spans).set_outputs(dict.fromkeys(range(16), 4096))
     wire.states.clear()
-    PCA9685(I2CDevice(f"fake:{folder}", 0x60), groups).start()
+    PCA9685(I2CDevice(f"fake:{folder}", 0x60), spans).start()
     for state in wire.states[1:]:
         assert state[0x00] & 0x10 or state[0x09:0x46:4] == bytes([0x10] * 16)
 
@@ -59,7 +59,7 @@ def test_a_small_change_sends_one_byte(chip, wire):
     assert wire.bits == [2 + 9 * 3]
 
 
-def test_outputs_of_a_group_switch_in_one_transfer(chip, wire):
+def test_outputs_of_a_span_switch_in_one_transfer(chip, wire):
     chip.set_outputs({8: 100, 13: 4096, 0: 7, 3: 9})
     assert len(wire.bits) == 2
 

@@ -4,12 +4,11 @@ import threading
 
 import pytest
 
+from jetbot import guard
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
 from jetbot_ros.supervisor import Supervisor
-
-SECOND = 1.0  # s that the guard waits for a heartbeat
 
 
 @pytest.fixture
@@ -60,7 +59,7 @@ def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot):
     moments = steps(supervisor, 0.0, 10.0)
     assert len(moments) < 30
     assert robot._guard.heartbeat.call_count == len(moments)
-    assert max(b - a for a, b in zip(moments, moments[1:])) < SECOND / 2
+    assert max(b - a for a, b in zip(moments, moments[1:])) < guard.HEARTBEAT_TIMEOUT / 2
 
 
 def test_verification_follows_a_command_and_is_one_transfer(supervisor, wire, robot):

@@ -17,7 +17,7 @@ USAGE = (f"Which lesson, 1 to {LAST}? Type: rosrun jetbot_lessons check_lesson.p
          f"and from lesson {FIRST_OWN} on the name of your package")
 
 
-def lesson(arguments: List[str]) -> Tuple[Union[int, str], ...]:
+def parse_arguments(arguments: List[str]) -> Tuple[Union[int, str], ...]:
     """Return the number and the package's name in the command line's arguments; SystemExit for others."""
     number, *names = arguments or [""]
     if number not in map(str, range(1, LAST + 1)) or len(names) > 1:
@@ -29,7 +29,7 @@ def lesson(arguments: List[str]) -> Tuple[Union[int, str], ...]:
 
 
 def main():
-    number, *own = lesson(rospy.myargv()[1:])
+    number, *own = parse_arguments(rospy.myargv()[1:])
     try:
         problem = first_problem(number, *own)
     except KeyboardInterrupt:

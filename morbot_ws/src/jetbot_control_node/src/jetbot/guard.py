@@ -70,8 +70,8 @@ class Guard:
 
 def main(board: str, place: str) -> None:
     """The guard's process: stop the wheels at the pipe's end, and whenever heartbeats fail to come."""
-    for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(ending, signal.SIG_IGN)
+    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(signum, signal.SIG_IGN)
     Path("/proc/self/comm").write_text("jetbot_guard")  # so that killall python3 leaves it alive
     timeout = None  # a program need not send heartbeats; once it has, they must go on
     while True:

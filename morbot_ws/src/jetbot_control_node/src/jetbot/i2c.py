@@ -65,7 +65,7 @@ class I2CDevice:
 
 def bus_name(bus) -> str:
     """Return ``/dev/i2c-N`` for a number and ``fake:FOLDER`` for a fake bus; raise InvalidValue for anything else."""
-    text = fake.place(str(bus))
+    text = fake.expand(str(bus))
     number = re.fullmatch(r"(?:/dev/i2c-)?(\d+)", text, re.ASCII)
     if number:
         return f"/dev/i2c-{int(number[1])}"

@@ -6,7 +6,7 @@ import os
 import threading
 from typing import Optional
 
-from .boards import PORT, find_board
+from .boards import DEFAULT_PORT, find_board
 from .errors import BusError, InvalidValue, JetbotError
 from .guard import Guard
 from .motor import Motor, finite
@@ -34,7 +34,7 @@ class Robot:
                  invert_left: bool = False, invert_right: bool = False, min_duty: float = 0.0):
         board = (os.environ.get("JETBOT_BOARD") or "jetbot") if board is None else board
         i2c_bus = (os.environ.get("JETBOT_I2C_BUS") or 1) if i2c_bus is None else i2c_bus
-        port = (os.environ.get("JETBOT_PORT") or PORT) if port is None else port
+        port = (os.environ.get("JETBOT_PORT") or DEFAULT_PORT) if port is None else port
         self.left_motor = Motor(self, left_motor_alpha, invert_left, min_duty)
         self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty)
         self._outputs = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)

@@ -25,7 +25,7 @@ class SerialLink:
     def __init__(self, port: str):
         if not isinstance(port, str) or not port:
             raise InvalidValue(f"port cannot be {port!r}", "Give a serial device such as /dev/ttyACM0, or fake.")
-        self.name = fake.place(port)
+        self.name = fake.expand(port)
         self.transfers = self.errors = 0
         self._port = None
         self._opening = threading.RLock()  # one thread may write while another reads; a signal handler may write, too

@@ -38,7 +38,7 @@ def read_parameters() -> Dict[str, object]:
 def make_robot(parameters: Dict[str, object]) -> Robot:
     """Return the Robot that the parameters describe; where its board measures its motion, that is published now on."""
     names = ("board", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left", "invert_right", "min_duty")
-    places = {name: fake.place(str(parameters[name]), rospy.get_namespace()) for name in ("i2c_bus", "port")}
+    places = {name: fake.expand(str(parameters[name]), rospy.get_namespace()) for name in ("i2c_bus", "port")}
     robot = Robot(**{name: parameters[name] for name in names}, **places)
     if robot.driver.closed_loop:
         from .odometry import OdometryPublisher  # here, since most robots have no such board
@@ -48,8 +48,8 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
 
 def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
     """Drive and report until the node ends, then stop the robot. Return the exit code."""
-    for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(ending, supervisor.end)
+    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(signum, supervisor.end)
     thread = threading.Thread(target=supervise, args=[supervisor, report])
     thread.start()
     try:

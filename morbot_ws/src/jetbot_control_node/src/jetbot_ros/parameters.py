@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Callable, Dict, NamedTuple
 
 from jetbot import InvalidValue, fake
-from jetbot.boards import BOARDS, PORT
+from jetbot.boards import BOARDS, DEFAULT_PORT
 from jetbot.host import ros_home
 
 
@@ -45,7 +45,8 @@ PARAMETERS = {
     "board": Parameter("jetbot", BOARD, "motor board: jetbot (Adafruit's and Waveshare's layout at once), adafruit, "
                                         "waveshare, sparkfun or jetbot_pro"),
     "i2c_bus": Parameter(1, BUS, "I2C bus: N for /dev/i2c-N, fake (no robot needed), or fake:FOLDER"),
-    "port": Parameter(PORT, SERIAL, "serial port of a jetbot_pro: a device, a pyserial URL, fake, or fake:FOLDER"),
+    "port": Parameter(DEFAULT_PORT, SERIAL, "serial port of a jetbot_pro: a device, a pyserial URL, fake, or "
+                                            "fake:FOLDER"),
     "cmd_vel_timeout": Parameter(1.0, SECONDS, "time without a command after which the robot stops; 0 holds the last "
                                                "command", "s"),
     "wheel_separation": Parameter(2.0, POSITIVE, "distance between the wheels; 2.0 makes it the workshop's "
@@ -116,4 +117,4 @@ def given(values: Dict[str, object]) -> Dict[str, object]:
 def is_fake(values: Dict[str, object]) -> bool:
     """Return whether these parameters name a fake bus, or a fake port where the board is on one."""
     place = values.get("i2c_bus" if BOARDS.get(str(values.get("board")), BOARDS["jetbot"]).address else "port", "")
-    return bool(fake.folder_of(fake.place(str(place))))
+    return bool(fake.folder_of(fake.expand(str(place))))

@@ -23,7 +23,7 @@ class Report:
 
     def __init__(self, parameters: Dict[str, object]):
         self._board = parameters["board"]
-        self._status_topic = rospy.Publisher("~status", String, latch=True, queue_size=1)
+        self._status_publisher = rospy.Publisher("~status", String, latch=True, queue_size=1)
         self._status_changes = queue.Queue(maxsize=10)
         name = rospy.get_namespace().strip("/")
         self._prefix = f"{name}: " if name else ""
@@ -57,7 +57,7 @@ class Report:
                 updater.force_update()
 
     def _publish_status(self, status):
-        self._status_topic.publish(status)
+        self._status_publisher.publish(status)
 
     def _next_change(self, timeout):
         with contextlib.suppress(queue.Empty):

@@ -35,7 +35,7 @@ class Supervisor:
         self._events = queue.SimpleQueue()  # its put is reentrant: fit for a signal's handler
         self._ending = False
         self._status = None
-        self._fed = self._verified = float("-inf")
+        self._fed_at = self._verified_at = float("-inf")
 
     def command(self, linear: float, angular: float) -> None:
         """Note a command: m/s forward and rad/s to the left."""
@@ -79,7 +79,7 @@ class Supervisor:
         self._change(State.board_answered, fault)
         self._report()
         pause = RETRY_INTERVAL if fault else DRIVING_INTERVAL if state.driving else STOPPED_INTERVAL
-        return min(pause, self._fed + interval - now)
+        return min(pause, self._fed_at + interval - now)
 
     def _wake(self):
         if self._events.empty():  # one that the thread has not taken yet will do
@@ -98,13 +98,13 @@ class Supervisor:
 
     def _verify(self, now, commanded):
         """Verify a part of the board: after a command, or when none came for a while, so that it holds up none."""
-        if now - self._verified >= (VERIFY_AFTER_COMMAND if commanded else VERIFY_IDLE):
-            self._verified = now
+        if now - self._verified_at >= (VERIFY_AFTER_COMMAND if commanded else VERIFY_IDLE):
+            self._verified_at = now
             self._robot.verify()
 
     def _keep_alive(self, now, interval):
-        if now - self._fed >= interval:
-            self._fed = now
+        if now - self._fed_at >= interval:
+            self._fed_at = now
             with contextlib.suppress(BusError):  # the next drive reports it
                 self._robot.keep_alive()
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Iterator, List, Optional
 
 from jetbot import fake, host
-from jetbot.boards import BOARDS, PORT
+from jetbot.boards import BOARDS, DEFAULT_PORT
 from jetbot.errors import JetbotError
 from jetbot.i2c import bus_name
 from jetbot_ros.parameters import checked, default_file, load
@@ -35,7 +35,7 @@ def all_checks(i2c_bus, port: Optional[str]) -> Iterator[Check]:
     yield from map(check_module, MODULES)
     yield check_host()
     file = default_file()
-    simulated = any(fake.folder_of(fake.place(str(place))) for place in (i2c_bus, port))
+    simulated = any(fake.folder_of(fake.expand(str(place))) for place in (i2c_bus, port))
     if os.path.exists(file) and not simulated:
         yield check_file(file)
     buses = [] if i2c_bus is None else [i2c_bus]
@@ -49,8 +49,8 @@ def all_checks(i2c_bus, port: Optional[str]) -> Iterator[Check]:
         yield from checks
         if any(check.command for check in checks):
             return
-    yield from check_users(port or PORT)
-    yield check_serial(port or PORT)
+    yield from check_users(port or DEFAULT_PORT)
+    yield check_serial(port or DEFAULT_PORT)
 
 
 def check_module(module: str) -> Check:

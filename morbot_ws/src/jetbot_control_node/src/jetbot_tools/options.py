@@ -29,7 +29,7 @@ def as_options(arguments: List[str]) -> List[str]:
 
 def place_name(text: str) -> Union[int, str]:
     """Return a number as an int, a fake place with its whole path, so that it means the same in every folder."""
-    folder = fake.folder_of(fake.place(text))
+    folder = fake.folder_of(fake.expand(text))
     if folder:
         return f"fake:{Path(folder).absolute()}"
     return int(text) if text.isascii() and text.isdigit() else text

@@ -8,12 +8,12 @@ from jetbot.robot import Robot
 from .calibration import base_wiring, motor_wiring, trim
 from .terminal import choose, key_pressed, number, single_keys
 
-STEP = 0.04        # seconds between two calls to the robot, which feed its watchdog
-TURN = 0.5         # part of full power
+STEP = 0.04        # s between two calls to the robot, which feed its watchdogs
+TURN_SPEED = 0.5   # fraction of full power
 TURN_STEPS = 20    # 0.8 s
-DRIVE = 0.4        # part of full power, for the straight metre
+DRIVE_SPEED = 0.4  # fraction of full power, for the straight metre
 DRIVE_STEPS = 100  # 4 s
-RAMP = [step * 0.002 for step in range(300)]  # parts of full power, to 60 %
+RAMP = [step * 0.002 for step in range(300)]  # fractions of full power, to 60 %
 
 DIRECTIONS = {"forward": 1, "backward": -1}
 
@@ -61,7 +61,7 @@ class Wizard:
     def observe_motions(self) -> List[Any]:
         """Drive one output after the other forward; return the Turn that each causes, or None."""
         turns = []
-        for output, speeds in ("left", (TURN, 0)), ("right", (0, TURN)):
+        for output, speeds in ("left", (TURN_SPEED, 0)), ("right", (0, TURN_SPEED)):
             self.drive(f"The {output} output will turn one wheel briefly.", [speeds] * TURN_STEPS)
             wheel = choose("Which wheel turned?", {"left": "left", "right": "right", "none": None})
             turns.append(wheel and (wheel, choose("Forward or backward?", DIRECTIONS)))
@@ -74,7 +74,8 @@ class Wizard:
         alphas = (1.0, 1.0)
         while True:
             self.parameters.update(zip(("left_motor_alpha", "right_motor_alpha"), alphas))
-            self.drive(f"The robot will drive ahead for {DRIVE_STEPS * STEP:.0f} s.", [(DRIVE, DRIVE)] * DRIVE_STEPS)
+            self.drive(f"The robot will drive ahead for {DRIVE_STEPS * STEP:.0f} s.",
+                       [(DRIVE_SPEED, DRIVE_SPEED)] * DRIVE_STEPS)
             drift = number("How many centimetres off the line was it after one metre? "
                            "Press Enter alone if that is straight enough.", 90) / 100
             if not drift:
@@ -100,7 +101,7 @@ class BaseWizard(Wizard):
 
     def observe_motions(self) -> List[Any]:
         """Drive ahead, then turn left; return for each 1 when the robot did so, -1 when the opposite, or None."""
-        self.drive("The wheels will turn as if to drive ahead.", [(TURN, TURN)] * 2 * TURN_STEPS)
+        self.drive("The wheels will turn as if to drive ahead.", [(TURN_SPEED, TURN_SPEED)] * 2 * TURN_STEPS)
         ahead = choose("Which way did the wheels turn?", {**DIRECTIONS, "none": None})
         self.drive("The wheels will turn as if to turn left on the spot.", [(-1, 1)] * 2 * TURN_STEPS)
         return [ahead, choose("Which wheel turned forward?", {"right": 1, "left": -1, "none": None})]

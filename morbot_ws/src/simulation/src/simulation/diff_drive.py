@@ -73,7 +73,7 @@ class DiffDriveModel:
         self.pose = self.pose.integrate_arc(*distances, self._geometry[0])
 
     @property
-    def velocity(self) -> Pair:
+    def velocity(self) -> Tuple[float, float]:
         """The velocity (linear in m/s, angular in rad/s) in the robot's own frame."""
         return (self.left.speed + self.right.speed) / 2, (self.right.speed - self.left.speed) / self._geometry[0]
 

@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 
 from .recording import Recording
 
-BLUE, ORANGE, START, END = "tab:blue", "tab:orange", "tab:green", "tab:red"
+BLUE, ORANGE, GREEN, RED = "tab:blue", "tab:orange", "tab:green", "tab:red"
 COMMANDED = {"label": "commanded", "color": ORANGE, "linewidth": 4, "alpha": 0.6, "drawstyle": "steps-post"}
 ACTUAL = {"label": "actual", "color": BLUE, "linewidth": 1.5}
 ARROWS = 8  # along the track
@@ -31,7 +31,7 @@ def draw_track(axes, poses):
     axes.plot([pose.x for pose in poses], [pose.y for pose in poses], color=BLUE, linewidth=2)
     for pose in poses[::max(1, len(poses) // ARROWS)]:
         draw_heading(axes, pose, BLUE, scale=40, width=0.006)
-    for name, pose, color in ("start", poses[0], START), ("end", poses[-1], END):
+    for name, pose, color in ("start", poses[0], GREEN), ("end", poses[-1], RED):
         draw_heading(axes, pose, color, scale=22, width=0.011)
         axes.plot([], [], marker=(3, 0, -90), markersize=11, linestyle="", color=color,
                   label=f"{name}: x {pose.x:.2f} m, y {pose.y:.2f} m, heading {math.degrees(pose.yaw):.0f}°")

@@ -36,5 +36,5 @@ def resolve(typed: Dict[str, object]) -> Dict[str, object]:
 
 def fake_folder(parameters: Dict[str, object], namespace: str) -> str:
     """Return the folder of the fake bus or port that the board is on. namespace: the node's."""
-    i2c_bus, port = (fake.place(parameters[name], namespace) for name in ("i2c_bus", "port"))
+    i2c_bus, port = (fake.expand(parameters[name], namespace) for name in ("i2c_bus", "port"))
     return fake.folder_of(find_board(parameters["board"]).place(i2c_bus, port))

@@ -12,10 +12,11 @@ from .jetbot_pro import JetBotPro
 from .pwm_motors import ADAFRUIT, WAVESHARE, HBridge, PwmMotors, Wiring
 from .scmd import ScmdMotors
 
-__all__ = ["BOARDS", "PORT", "Board", "HBridge", "MotorDriver", "PwmMotors", "Telemetry", "Wiring", "find_board"]
+__all__ = ["BOARDS", "DEFAULT_PORT", "Board", "HBridge", "MotorDriver", "PwmMotors", "Telemetry", "Wiring",
+           "find_board"]
 
-PORT = "/dev/ttyACM0"  # the default serial port of a JetBot Pro
-READY_TIMEOUT = 2.0    # s that a board may take from power-on until it can be set up
+DEFAULT_PORT = "/dev/ttyACM0"  # of a JetBot Pro
+READY_TIMEOUT = 2.0            # s that a board may take from power-on until it can be set up
 
 
 class Board(NamedTuple):

@@ -1,7 +1,7 @@
 """Waveshare's JetBot ROS AI Kit, "JetBot Pro": a board with a computer of its own, driven over a serial port.
 
-A frame is AA 55, the number of all its bytes, a type, the payload (big-endian), and the sum of the rest modulo 256.
-Numbers and units are those of Waveshare's own ROS node for this robot, package jetbot_pro.
+A frame is AA 55, its length in bytes, a type, the payload (big-endian), and the sum of all these bytes modulo 256.
+Numbers and units are those of Waveshare's own ROS node for this robot, https://github.com/waveshare/jetbot_pro.
 """
 
 import math
@@ -15,7 +15,7 @@ from ..serial_link import SerialLink
 from .driver import MotorDriver, Telemetry
 
 HEAD = b"\xaa\x55"
-MIN_FRAME, MAX_FRAME = 5, 64                    # bytes
+MIN_FRAME, MAX_FRAME = 5, 64                    # bytes; the longest that the board sends, telemetry, has 45
 VELOCITY, PID, CORRECTIONS = 0x11, 0x12, 0x13   # types of frames to the board
 TELEMETRY, TELEMETRY_PAYLOAD = 0x01, 40         # from the board: type, bytes
 DEFAULT_PID_GAINS = (350, 120, 0)               # of the board's own control of its wheel speeds
@@ -122,6 +122,7 @@ def frame(kind: int, *values: int) -> bytes:
 
 
 def checksum(data: bytes) -> int:
+    """Return the last byte of a frame whose other bytes are ``data``."""
     return sum(data) % 256
 
 

@@ -1,6 +1,6 @@
 """SparkFun's Serial Controlled Motor Driver: two motors, and a timer that stops them when the computer hangs.
 
-Registers as in SparkFun's firmware, https://github.com/sparkfun/Serial_Controlled_Motor_Driver.
+Registers and bits by the names of SparkFun's firmware, https://github.com/sparkfun/Serial_Controlled_Motor_Driver.
 """
 
 import itertools
@@ -12,15 +12,15 @@ from .driver import MotorDriver
 ID = 0x01
 ID_WORD = 0xA9
 FSAFE_CTRL = 0x1F
-FSAFE_STOP_MOTORS = 0x01
+FSAFE_DRIVE_KILL = 0x01          # what the failsafe does: stop the motors
 MA_DRIVE, MB_DRIVE = 0x20, 0x21  # the left and the right motor
-DRIVER_ENABLE = 0x70    # 0 at power-on
-FSAFE_TIME = 0x76       # units of 10 ms without a transfer; 0: off
+DRIVER_ENABLE = 0x70             # 0 at power-on
+FSAFE_TIME = 0x76                # units of 10 ms without a transfer; 0: off
 STATUS_1 = 0x77
-STATUS_1_READY = 0x01   # 0 while the firmware looks for further boards
+ENUMERATION_BIT = 0x01           # 0 while the firmware looks for further boards
 
 STOP = 0x80
-TIMEOUT = 100           # FSAFE_TIME while the timer is fed: 1.0 s
+TIMEOUT = 100                    # FSAFE_TIME while the timer is fed: 1.0 s
 
 
 class ScmdMotors(MotorDriver):
@@ -36,12 +36,12 @@ class ScmdMotors(MotorDriver):
         if self.link.read(ID) != ID_WORD:
             raise NoAnswer(f"at 0x{self.link.address:02x} on {self.link.name} is no SparkFun motor driver",
                            "Something else answers there: choose another board.")
-        if not self.link.read(STATUS_1) & STATUS_1_READY:
+        if not self.link.read(STATUS_1) & ENUMERATION_BIT:
             raise NotReady(f"the motor driver on {self.link.name} is not ready", "Switch the robot off and on.")
         self.link.write(DRIVER_ENABLE, [0])
         self._has_blocks = self._takes_blocks()
         self._send(bytes([STOP, STOP]))
-        self.link.write(FSAFE_CTRL, [FSAFE_STOP_MOTORS])
+        self.link.write(FSAFE_CTRL, [FSAFE_DRIVE_KILL])
         self.link.write(FSAFE_TIME, [0])
         self.link.write(DRIVER_ENABLE, [1])
 
@@ -56,7 +56,7 @@ class ScmdMotors(MotorDriver):
         sent, self._sent = self._sent, None  # also when the chip does not answer
         if sent is None:
             return
-        expected = {DRIVER_ENABLE: 1, FSAFE_CTRL: FSAFE_STOP_MOTORS, MA_DRIVE: sent[0], MB_DRIVE: sent[1]}
+        expected = {DRIVER_ENABLE: 1, FSAFE_CTRL: FSAFE_DRIVE_KILL, MA_DRIVE: sent[0], MB_DRIVE: sent[1]}
         register = next(self._registers)
         if self.link.read(register) == expected[register]:
             self._sent = sent

@@ -14,7 +14,7 @@ def default_folder(namespace: str = "/") -> Path:
     return ros_home() / "fake_i2c" / namespace.strip("/")
 
 
-def place(name: str, namespace: str = "/") -> str:
+def expand(name: str, namespace: str = "/") -> str:
     """Return ``fake:FOLDER`` for plain ``fake``; any other name unchanged."""
     return f"fake:{default_folder(namespace)}" if name == "fake" else name
 
