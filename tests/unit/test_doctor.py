@@ -55,7 +55,7 @@ def test_a_bus_without_a_board(folder):
 
 
 def test_a_bus_that_cannot_be():
-    assert lines("banana")[2] == ("NOT bus banana: i2c_bus cannot be 'banana'. "
+    assert lines("banana")[2] == ("NOT bus banana: an I2C bus cannot be 'banana'. "
                                   "Give a number (1 for /dev/i2c-1), fake, or fake:FOLDER.")
 
 

@@ -18,7 +18,7 @@ def host(monkeypatch):
 @pytest.mark.parametrize("number, kind, sentence", [
     (errno.ENOENT, NotFound, "There is no I2C bus /dev/i2c-1. This computer has /dev/i2c-0."),
     (errno.EACCES, PermissionDenied, "No permission to open /dev/i2c-1. Join its group i2c."),
-    (errno.EBUSY, BusError, "0x60 on /dev/i2c-1 is taken by a driver of the kernel. Unload that driver."),
+    (errno.EBUSY, BusError, "0x60 on /dev/i2c-1 is in use by a kernel driver. Unload that driver."),
     (errno.ETIMEDOUT, BusStuck, "The bus /dev/i2c-1 is stuck. Switch the robot off and on, and check the wires."),
     (errno.ENXIO, NoAnswer, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
                             "This computer has /dev/i2c-0."),
@@ -32,7 +32,7 @@ def test_each_failure_has_its_class_and_sentence(number, kind, sentence):
 
 @pytest.mark.parametrize("bus", ["", "one", "fake:", "-1", 1.5, None])
 def test_a_bad_bus(bus):
-    with pytest.raises(InvalidValue, match="^I2c_bus cannot be .*. Give a number"):
+    with pytest.raises(InvalidValue, match="^An I2C bus cannot be .*. Give a number"):
         I2CDevice(bus, 0x60)
 
 

@@ -83,7 +83,7 @@ def test_telemetry_in_units(port):
 
 def test_a_file_is_no_port(tmp_path):
     (tmp_path / "port").touch()
-    with pytest.raises(BusError, match="is no serial port. Give a serial device such as /dev/ttyACM0.$"):
+    with pytest.raises(BusError, match="is not a serial port. Give a serial device such as /dev/ttyACM0.$"):
         find_board("jetbot_pro").open(str(tmp_path / "port"))
 
 

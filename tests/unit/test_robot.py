@@ -191,5 +191,5 @@ def test_with_stops_at_the_end(make_robot, folder):
 
 @pytest.mark.parametrize("value", [1, -0.1, math.nan, "much"])
 def test_a_min_duty_that_cannot_be(make_robot, value):
-    with pytest.raises(InvalidValue, match="^Min_duty must be "):
+    with pytest.raises(InvalidValue, match="^The min_duty must be "):
         make_robot(min_duty=value)

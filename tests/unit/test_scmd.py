@@ -109,6 +109,6 @@ def test_another_chip_at_the_address(folder, monkeypatch):
     (folder / "0x5d").write_bytes(bytes(256))
     close = Mock()
     monkeypatch.setattr(I2CDevice, "close", close)
-    with pytest.raises(BusError, match="^At 0x5d on fake:.* is no SparkFun motor driver. Something else answers there"):
+    with pytest.raises(BusError, match="^The chip at 0x5d on fake:.* is not a SparkFun motor driver. Choose another"):
         find_board("sparkfun").open(f"fake:{folder}")
     close.assert_called_once()

@@ -59,7 +59,7 @@ class I2CDevice:
                 self.close()
                 failure = error
                 if error.errno == errno.ETIMEDOUT:
-                    break  # a stuck bus takes a second for each try
+                    break  # a stuck bus takes a second for each try, Linux's default for an adapter
         raise explain(failure, self.name, self.address) from None
 
 
@@ -71,7 +71,7 @@ def bus_name(bus) -> str:
         return f"/dev/i2c-{int(number[1])}"
     if fake.folder_of(text):
         return text
-    raise InvalidValue(f"i2c_bus cannot be {bus!r}", "Give a number (1 for /dev/i2c-1), fake, or fake:FOLDER.")
+    raise InvalidValue(f"an I2C bus cannot be {bus!r}", "Give a number (1 for /dev/i2c-1), fake, or fake:FOLDER.")
 
 
 def open_bus(name: str):
@@ -94,7 +94,7 @@ def explain(error: OSError, bus: str, address: int) -> BusError:
     kind, reason, advice = {
         errno.ENOENT: (NotFound, f"there is no I2C bus {bus}", bus_advice()),
         errno.EACCES: (PermissionDenied, f"no permission to open {bus}", permission_advice(bus, "i2c")),
-        errno.EBUSY: (BusError, f"0x{address:02x} on {bus} is taken by a driver of the kernel", "Unload that driver."),
+        errno.EBUSY: (BusError, f"0x{address:02x} on {bus} is in use by a kernel driver", "Unload that driver."),
         errno.ETIMEDOUT: (BusStuck, f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires."),
     }.get(error.errno, (NoAnswer, f"no answer from 0x{address:02x} on {bus}",
                         f"Is the motor board plugged in and its battery on? {bus_advice()}"))

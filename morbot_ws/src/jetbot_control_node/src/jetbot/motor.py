@@ -12,10 +12,10 @@ class Motor:
     def __init__(self, robot, alpha: float, inverted: bool, min_duty: float):
         self._robot = robot
         self._inverted = inverted
-        self._min_duty = finite(min_duty, "min_duty")
+        self._min_duty = finite(min_duty, "the min_duty")
         self.alpha = alpha
         if not 0 <= self._min_duty < 1:
-            raise InvalidValue(f"min_duty must be at least 0 and below 1, not {min_duty!r}")
+            raise InvalidValue(f"the min_duty must be at least 0 and below 1, not {min_duty!r}")
 
     @property
     def value(self) -> float:

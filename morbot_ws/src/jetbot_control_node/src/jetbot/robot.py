@@ -19,7 +19,7 @@ class Robot:
     Left out, they come from JETBOT_BOARD, JETBOT_I2C_BUS and JETBOT_PORT, else are ``jetbot``, 1 and /dev/ttyACM0.
     left_motor_alpha, right_motor_alpha: trims, finite numbers, for a robot that does not drive straight.
     swap_motors, invert_left, invert_right: for a robot whose motors are wired differently.
-    min_duty: least part of full power, in [0, 1), that turns a wheel; speeds above 0 begin there.
+    min_duty: smallest duty, in [0, 1), that turns a wheel; speeds above 0 start there.
 
     Speeds are in [-1, 1], 1 full forward; the motors are driven at full power beyond. A JetBot Pro takes m/s instead,
     up to 32.767. A speed that is no finite number stops both wheels and raises InvalidValue (a ValueError), as does an

@@ -24,7 +24,7 @@ class SerialLink:
 
     def __init__(self, port: str):
         if not isinstance(port, str) or not port:
-            raise InvalidValue(f"port cannot be {port!r}", "Give a serial device such as /dev/ttyACM0, or fake.")
+            raise InvalidValue(f"a serial port cannot be {port!r}", "Give a device such as /dev/ttyACM0, or fake.")
         self.name = fake.expand(port)
         self.transfers = self.errors = 0
         self._port = None
@@ -75,14 +75,14 @@ def open_port(name: str):
         raise BusError("the Python package pyserial is missing",
                        "Install it: sudo apt install python3-serial") from None
     except ValueError as error:
-        raise InvalidValue(f"port cannot be {name!r}: {error}") from None
+        raise InvalidValue(f"a serial port cannot be {name!r}: {error}") from None
 
 
 def explain(error: Exception, name: str) -> BusError:
     """Return the BusError for an error of pyserial."""
     number = getattr(error, "errno", None)
     if Path(name).exists() and not Path(name).is_char_device():
-        return NotFound(f"{name} is no serial port", "Give a serial device such as /dev/ttyACM0.", errno.ENOTTY)
+        return NotFound(f"{name} is not a serial port", "Give a serial device such as /dev/ttyACM0.", errno.ENOTTY)
     plugged = "Is the board plugged in and switched on?"
     kind, reason, advice = {
         errno.ENOENT: (NotFound, f"there is no serial port {name}", plugged),

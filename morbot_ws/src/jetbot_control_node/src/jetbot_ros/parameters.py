@@ -57,7 +57,7 @@ PARAMETERS = {
     "swap_motors": Parameter(False, BOOLEAN, "true: the left motor is wired as the right one, and vice versa"),
     "invert_left": Parameter(False, BOOLEAN, "true: the left motor turns the wrong way"),
     "invert_right": Parameter(False, BOOLEAN, "true: the right motor turns the wrong way"),
-    "min_duty": Parameter(0.0, FRACTION, "least part of full power that turns a wheel; speeds above 0 begin there"),
+    "min_duty": Parameter(0.0, FRACTION, "smallest duty that turns a wheel; speeds above 0 start there"),
     "publish_tf": Parameter(False, BOOLEAN, "true: a jetbot_pro publishes tf odom -> base_footprint"),
 }
 

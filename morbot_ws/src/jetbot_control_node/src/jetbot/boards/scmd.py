@@ -34,8 +34,8 @@ class ScmdMotors(MotorDriver):
 
     def start(self) -> None:
         if self.link.read(ID) != ID_WORD:
-            raise NoAnswer(f"at 0x{self.link.address:02x} on {self.link.name} is no SparkFun motor driver",
-                           "Something else answers there: choose another board.")
+            raise NoAnswer(f"the chip at 0x{self.link.address:02x} on {self.link.name} is not a SparkFun motor driver",
+                           "Choose another board.")
         if not self.link.read(STATUS_1) & ENUMERATION_BIT:
             raise NotReady(f"the motor driver on {self.link.name} is not ready", "Switch the robot off and on.")
         self.link.write(DRIVER_ENABLE, [0])
