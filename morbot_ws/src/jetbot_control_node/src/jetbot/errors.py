@@ -1,4 +1,4 @@
-"""What can go wrong, as one small tree: every error is a JetbotError and a builtin error too."""
+"""The errors: each is a JetbotError, and one of a value or of the bus a ValueError or OSError too."""
 
 from typing import Optional
 
@@ -21,7 +21,7 @@ class InvalidValue(JetbotError, ValueError):
 
 
 class BusError(JetbotError, OSError):
-    """The motor board cannot be driven; ``errno`` is the operating system's, None where it gave none."""
+    """The motor board cannot be driven; ``errno`` is the operating system's, or None."""
 
     def __init__(self, reason: str, advice: str = "", errno: Optional[int] = None):
         super().__init__(reason, advice)
@@ -37,7 +37,7 @@ class PermissionDenied(BusError):
 
 
 class NoAnswer(BusError):
-    """The bus works, but the board does not answer."""
+    """The bus works, but the board does not answer, or another chip does."""
 
 
 class BusStuck(BusError):

@@ -1,8 +1,8 @@
 """Stops the wheels when the process that drives them dies or hangs.
 
-A process that is killed can no longer stop anything. So a second, small one listens on a pipe: the system closes it
-when the driving process ends, however it ends, and unless that process has said that the wheels are stopped, the guard
-stops them.
+A process that is killed can no longer stop anything. So a second, small one reads from a pipe: the system closes it
+when the driving process ends, however it ends, and unless that process has reported that the wheels are stopped, the
+guard stops them.
 """
 
 import contextlib
@@ -20,15 +20,15 @@ from .errors import BusError
 
 STOPPED = b"s"
 HEARTBEAT = b"h"
-EOF = b""                 # what one reads from a pipe that nobody can write to any more
-HEARTBEAT_TIMEOUT = 1.0   # s without a heartbeat, after the first one, that mean that the driving process hangs
-RETRY_FOR = 600.0         # s to go on trying when the board does not answer
+EOF = b""                 # read from a pipe that no process can write to any more
+HEARTBEAT_TIMEOUT = 1.0   # s after a heartbeat until the driving process counts as hung, unless another one comes
+RETRY_FOR = 600.0         # s to keep trying when the board does not answer
 RETRY_INTERVAL = 0.2      # s
 SHUTDOWN_TIMEOUT = 1.0    # s for the guard to end
 
 
 class Guard:
-    """The driving process's end of the pipe. board: a row of ``boards.BOARDS``; place: the board's ``Board.place``."""
+    """The driving process's end of the pipe. board: a name in ``boards.BOARDS``; place: its ``Board.place``."""
 
     def __init__(self, board: str, place: str):
         code = f"import sys; sys.path = {sys.path}; from {__name__} import main; main(*sys.argv[1:])"
@@ -36,7 +36,7 @@ class Guard:
         self._start()
 
     def heartbeat(self) -> None:
-        """Report that this process does not hang. Once reported, it must be again within HEARTBEAT_TIMEOUT."""
+        """Feed the guard. Once fed, it must be fed again within HEARTBEAT_TIMEOUT."""
         if self._process.poll() is not None:  # somebody killed the guard
             self._start()
         self._send(HEARTBEAT)
@@ -58,7 +58,7 @@ class Guard:
     def _start(self):
         self._process = subprocess.Popen(
             self._command, stdin=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,  # else who reads this program's output would wait for the guard's end
+            stdout=subprocess.DEVNULL,  # else whatever reads this program's output would wait for the guard to end
             start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
         os.set_blocking(self._process.stdin.fileno(), False)
 
@@ -69,11 +69,11 @@ class Guard:
 
 
 def main(board: str, place: str) -> None:
-    """The guard's process: stop the wheels at the pipe's end, and whenever heartbeats fail to come."""
+    """Run the guard: stop the wheels when the pipe is closed, and whenever heartbeats stop arriving."""
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, signal.SIG_IGN)
     Path("/proc/self/comm").write_text("jetbot_guard")  # so that killall python3 leaves it alive
-    timeout = None  # a program need not send heartbeats; once it has, they must go on
+    timeout = None  # a program need not send heartbeats; once it has, it must continue
     while True:
         message = read_message(timeout)
         if message == STOPPED:
@@ -88,14 +88,14 @@ def main(board: str, place: str) -> None:
 
 
 def read_message(timeout: Optional[float]) -> Optional[bytes]:
-    """Return the newest message from the driving process; None after ``timeout`` seconds, EOF at its end."""
+    """Return the newest message from the driving process; None after ``timeout`` seconds, EOF once it has ended."""
     if select.select([sys.stdin], [], [], timeout)[0]:
         return os.read(sys.stdin.fileno(), 4096)[-1:]
     return None
 
 
 def stop(board: str, place: str) -> None:
-    """Stop the wheels. Where the board does not answer, report that once and try for ``RETRY_FOR`` seconds."""
+    """Stop the wheels. If the board does not answer, report that once and try for ``RETRY_FOR`` seconds."""
     start, reported = time.monotonic(), False
     while time.monotonic() - start < RETRY_FOR:
         try:

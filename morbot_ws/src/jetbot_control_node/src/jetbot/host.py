@@ -15,7 +15,7 @@ def ros_home() -> Path:
 
 
 def model(file: Path = Path("/proc/device-tree/model")) -> str:
-    """Return the computer's name as its maker gave it; "" for a computer without one, such as a PC."""
+    """Return the computer's model, as its maker names it; "" for a computer without a device tree, such as a PC."""
     return file.read_text().rstrip("\0") if file.exists() else ""
 
 
@@ -30,7 +30,7 @@ def buses(dev: Path = Path("/dev")) -> List[int]:
 
 
 def permission_advice(device: Union[str, Path], usual_group: str) -> str:
-    """Return what to do so that this user may open a device; usual_group: the group that such devices mostly have."""
+    """Return what to do so that this user may open a device; usual_group: the group that usually owns such devices."""
     try:
         number = os.stat(device).st_gid
         group = grp.getgrgid(number).gr_name

@@ -2,7 +2,7 @@
 
 import errno
 import re
-from typing import List, Sequence
+from typing import Any, List, Sequence, Union
 
 from . import fake
 from .errors import BusError, BusStuck, InvalidValue, NoAnswer, NotFound, PermissionDenied
@@ -15,11 +15,11 @@ class I2CDevice:
     """The registers of one chip. A failed transfer is repeated; one that keeps failing raises a BusError.
 
     bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; address: 7 bits.
-    transfers, errors: how many were tried, and how many of them failed.
+    transfers, errors: how many transfers were tried, and how many of them failed.
     The bus is opened at the first transfer, and again after a failure.
     """
 
-    def __init__(self, bus, address: int):
+    def __init__(self, bus: Union[int, str], address: int):
         self.name = bus_name(bus)
         self.address = address
         self.transfers = self.errors = 0
@@ -63,7 +63,7 @@ class I2CDevice:
         raise explain(failure, self.name, self.address) from None
 
 
-def bus_name(bus) -> str:
+def bus_name(bus: Union[int, str]) -> str:
     """Return ``/dev/i2c-N`` for a number and ``fake:FOLDER`` for a fake bus; raise InvalidValue for anything else."""
     text = fake.expand(str(bus))
     number = re.fullmatch(r"(?:/dev/i2c-)?(\d+)", text, re.ASCII)
@@ -74,14 +74,14 @@ def bus_name(bus) -> str:
     raise InvalidValue(f"an I2C bus cannot be {bus!r}", "Give a number (1 for /dev/i2c-1), fake, or fake:FOLDER.")
 
 
-def open_bus(name: str):
+def open_bus(name: str) -> Any:
     """Return the bus with this ``bus_name``, with the methods of smbus2.SMBus."""
     folder = fake.folder_of(name)
     if folder:
         from .fake.bus import FakeBus
         return FakeBus(folder)
     try:
-        from smbus2 import SMBus  # here, so that a computer without a bus does not need it
+        from smbus2 import SMBus  # here: a computer without a bus does not need it
     except ImportError:
         raise BusError("the Python package smbus2 is missing", "Install it: sudo apt install python3-smbus2") from None
     return SMBus(int(name[len("/dev/i2c-"):]))

@@ -5,7 +5,7 @@ from typing import Tuple
 
 
 def clamp(value: float, limit: float) -> float:
-    """Return the value, brought into [-limit, limit]."""
+    """Return the value, limited to [-limit, limit]."""
     return max(-limit, min(limit, value))
 
 

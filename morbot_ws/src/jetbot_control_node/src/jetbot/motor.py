@@ -1,13 +1,14 @@
 """One wheel of a Robot: from a speed to the duty of its motor."""
 
 import math
+from typing import Any
 
 from .errors import InvalidValue
 from .kinematics import clamp
 
 
 class Motor:
-    """One wheel of a Robot; see there for alpha, inverted and min_duty."""
+    """One wheel of a Robot. Its docstring describes alpha, inverted and min_duty."""
 
     def __init__(self, robot, alpha: float, inverted: bool, min_duty: float):
         self._robot = robot
@@ -23,16 +24,16 @@ class Motor:
         return self._robot._speeds[self]
 
     @value.setter
-    def value(self, speed):
+    def value(self, speed: float) -> None:
         self._robot._set_speeds({self: speed})
 
     @property
     def alpha(self) -> float:
-        """A trim that the speed is multiplied with from the next command on; a finite number."""
+        """The trim: a finite factor of the speed, in force from the next command on."""
         return self._alpha
 
     @alpha.setter
-    def alpha(self, alpha):
+    def alpha(self, alpha: float) -> None:
         self._alpha = finite(alpha, "an alpha")
 
     def duty(self, limit: float) -> float:
@@ -44,8 +45,8 @@ class Motor:
         return math.copysign(duty, -speed if self._inverted else speed)
 
 
-def finite(number, name: str) -> float:
-    """Return the number as a float; raise InvalidValue for what is no finite number."""
+def finite(number: Any, name: str) -> float:
+    """Return the number as a float; raise InvalidValue, which names it, for anything but a finite number."""
     try:
         if math.isfinite(number):
             return float(number)

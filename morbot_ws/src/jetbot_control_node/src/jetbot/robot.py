@@ -4,7 +4,7 @@ import atexit
 import contextlib
 import os
 import threading
-from typing import Optional
+from typing import Any, Optional, Union
 
 from .boards import DEFAULT_PORT, find_board
 from .errors import BusError, InvalidValue, JetbotError
@@ -15,21 +15,21 @@ from .motor import Motor, finite
 class Robot:
     """A JetBot's two wheels. They stop when the interpreter exits, and when its process is killed.
 
-    board: a row of ``boards.BOARDS``; i2c_bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; port: of ``jetbot_pro``.
-    Left out, they come from JETBOT_BOARD, JETBOT_I2C_BUS and JETBOT_PORT, else are ``jetbot``, 1 and /dev/ttyACM0.
+    board: a name in ``boards.BOARDS``; i2c_bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; port: of a jetbot_pro.
+    The defaults are JETBOT_BOARD, JETBOT_I2C_BUS and JETBOT_PORT, else ``jetbot``, 1 and /dev/ttyACM0.
     left_motor_alpha, right_motor_alpha: trims, finite numbers, for a robot that does not drive straight.
     swap_motors, invert_left, invert_right: for a robot whose motors are wired differently.
     min_duty: smallest duty, in [0, 1), that turns a wheel; speeds above 0 start there.
 
-    Speeds are in [-1, 1], 1 full forward; the motors are driven at full power beyond. A JetBot Pro takes m/s instead,
-    up to 32.767. A speed that is no finite number stops both wheels and raises InvalidValue (a ValueError), as does an
-    option that cannot be used. A board that does not answer raises BusError (an OSError), and is set up again by the
-    next call. Any thread and any signal handler may call.
+    Speeds are in [-1, 1], 1 full forward, and clamped to that; a JetBot Pro takes m/s instead, up to 32.767. A speed
+    that is not a finite number stops both wheels and raises InvalidValue (a ValueError); so does a bad option. A board
+    that does not answer raises BusError (an OSError), and is set up again by the next call. The methods may be called
+    from any thread and any signal handler.
     """
 
     _open = []  # every Robot that is not closed
 
-    def __init__(self, board: Optional[str] = None, i2c_bus=None, port: Optional[str] = None,
+    def __init__(self, board: Optional[str] = None, i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
                  left_motor_alpha: float = 1.0, right_motor_alpha: float = 1.0, swap_motors: bool = False,
                  invert_left: bool = False, invert_right: bool = False, min_duty: float = 0.0):
         board = (os.environ.get("JETBOT_BOARD") or "jetbot") if board is None else board
@@ -48,7 +48,7 @@ class Robot:
         Robot._open.append(self)
 
     def set_motors(self, left_speed: float, right_speed: float) -> None:
-        """Drive both wheels."""
+        """Drive both wheels at these speeds."""
         self._set_speeds({self.left_motor: left_speed, self.right_motor: right_speed})
 
     def forward(self, speed: float = 1.0) -> None:
@@ -86,9 +86,9 @@ class Robot:
             self._apply(self._guard.heartbeat, self.driver.keep_alive)
 
     def close(self) -> None:
-        """Stop the wheels and let go of the board. May be called twice.
+        """Stop the wheels and release the board. May be called twice.
 
-        Raises BusError when the board does not answer; the guard then goes on trying for some minutes.
+        Raises BusError if the board does not answer; the guard then keeps trying for ten minutes.
         """
         with self._lock:
             if self._closed:
@@ -126,7 +126,7 @@ class Robot:
             done = wanted  # unless a signal handler has set other speeds meanwhile
 
     def _close_predecessors(self):
-        """Close earlier Robots on the same board, as a notebook's cell leaves behind that is run again."""
+        """Close earlier Robots on the same board, such as a notebook's cell leaves behind when it is run again."""
         link = self.driver.link
         for other in list(Robot._open):
             if (other.driver.link.name, other.driver.link.address) == (link.name, link.address):
@@ -166,8 +166,8 @@ atexit.register(close_all)
 os.register_at_fork(after_in_child=detach_all)
 
 
-def negated(speed):
-    """Return the speed the other way; what has none is returned as it is, and refused later."""
+def negated(speed: Any) -> Any:
+    """Return -speed; what cannot be negated is returned as it is, for ``finite`` to refuse."""
     try:
         return -speed
     except TypeError:

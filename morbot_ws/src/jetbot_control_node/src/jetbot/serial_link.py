@@ -4,13 +4,14 @@ import errno
 import termios
 import threading
 from pathlib import Path
+from typing import Any
 
 from . import fake
 from .errors import BusError, InvalidValue, NoAnswer, NotFound, PermissionDenied
 from .host import permission_advice
 
 BAUD_RATE = 115200
-TIMEOUT = 0.05  # s that a read waits for the first byte, and a write for its end
+TIMEOUT = 0.05  # s: how long a read waits for the first byte, and a write for its end
 
 
 class SerialLink:
@@ -62,14 +63,14 @@ class SerialLink:
             raise explain(error, self.name) from None
 
 
-def open_port(name: str):
+def open_port(name: str) -> Any:
     """Return the port with this name, at 115200 8N1, with the methods of serial.Serial."""
     folder = fake.folder_of(name)
     if folder:
         from .fake.port import FakePort
         return FakePort(folder, TIMEOUT)
     try:
-        from serial import serial_for_url  # here, so that a robot without a serial port does not need it
+        from serial import serial_for_url  # here: a robot without a serial port does not need it
         return serial_for_url(name, BAUD_RATE, timeout=TIMEOUT, write_timeout=TIMEOUT)
     except ImportError:
         raise BusError("the Python package pyserial is missing",
@@ -79,7 +80,7 @@ def open_port(name: str):
 
 
 def explain(error: Exception, name: str) -> BusError:
-    """Return the BusError for an error of pyserial."""
+    """Return the BusError for an error that pyserial raised."""
     number = getattr(error, "errno", None)
     if Path(name).exists() and not Path(name).is_char_device():
         return NotFound(f"{name} is not a serial port", "Give a serial device such as /dev/ttyACM0.", errno.ENOTTY)

@@ -1,1 +1,1 @@
-"""What ROS makes of the jetbot package, where a script would grow too long."""
+"""The parts of the controller's node: parameters, safety rules, supervisor, report and odometry."""

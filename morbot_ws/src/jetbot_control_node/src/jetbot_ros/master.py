@@ -1,11 +1,11 @@
-"""The ROS master, without which rospy would wait for ever."""
+"""The ROS master, without which rospy would wait forever."""
 
 import sys
 
 import rosgraph
 
 
-def require_master():
-    """Go on where a master answers; end the program with one sentence where none does."""
+def require_master() -> None:
+    """End the program with one sentence if no ROS master answers."""
     if not rosgraph.is_master_online():
         sys.exit(f"No ROS master at {rosgraph.get_master_uri()}. Start one in another terminal: roscore")

@@ -1,4 +1,4 @@
-"""What makes the controller a well-behaved ROS node: a clear start, parameters, and an end that stops the robot."""
+"""The life of the controller's node: it starts with one clear error at most, and stops the robot at its end."""
 
 import os
 import re
@@ -20,9 +20,9 @@ SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
 
 
 def init_node(name: str) -> None:
-    """Initialize the node; end the program with one sentence where there is no master. Raise InvalidValue."""
+    """Initialize the node; end the program with one sentence if there is no master. Raise InvalidValue for its name."""
     require_master()
-    # rospy's own signal handlers talk to the master before anything stops, and wait for ever if that hangs.
+    # rospy's own signal handlers talk to the master before anything stops, and wait forever if that hangs.
     rospy.init_node(name, disable_signals=True)
     namespace = rospy.get_namespace()
     if not re.fullmatch(r"/([A-Za-z]\w*/)*", namespace, re.ASCII):  # ROS's programs in C++ refuse any other
@@ -36,12 +36,12 @@ def read_parameters() -> Dict[str, object]:
 
 
 def make_robot(parameters: Dict[str, object]) -> Robot:
-    """Return the Robot that the parameters describe; where its board measures its motion, that is published now on."""
+    """Return the Robot that the parameters describe. If its board measures its motion, publish that from now on."""
     names = ("board", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left", "invert_right", "min_duty")
     places = {name: fake.expand(str(parameters[name]), rospy.get_namespace()) for name in ("i2c_bus", "port")}
     robot = Robot(**{name: parameters[name] for name in names}, **places)
     if robot.driver.closed_loop:
-        from .odometry import OdometryPublisher  # here, since most robots have no such board
+        from .odometry import OdometryPublisher  # here: most robots have no such board
         robot.driver.listen(OdometryPublisher(parameters["publish_tf"]))
     return robot
 
@@ -62,14 +62,14 @@ def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
 
 def supervise(supervisor: Supervisor, report: Report) -> None:
     """Drive until the node ends, then end it. Neither logs nor asks the master: either may block."""
-    launched = any(argument.startswith("__log:=") for argument in sys.argv)  # then roslaunch's end is the node's, too
+    launched = any(argument.startswith("__log:=") for argument in sys.argv)  # then the node ends with roslaunch
     launcher = os.getppid() if launched else None
     try:
         supervisor.run(lambda: rospy.is_shutdown() or launcher not in (None, os.getppid()))
     except JetbotError:
-        pass  # the board does not answer: the guard reports it, and goes on trying
+        pass  # the board does not answer: the guard reports it, and keeps trying
     finally:
-        give_up = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # where the master or the terminal hangs
+        give_up = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # if the master or the terminal hangs
         give_up.daemon = True
         give_up.start()
         report.end()
@@ -77,7 +77,7 @@ def supervise(supervisor: Supervisor, report: Report) -> None:
 
 
 def main(start: Callable[[], int]) -> None:
-    """Run a node's ``start`` and exit with its code; what a user can cure ends it with one sentence."""
+    """Run a node's ``start`` and exit with its code; an error that the user can fix ends it with one sentence."""
     try:
         sys.exit(start())
     except JetbotError as error:

@@ -14,16 +14,16 @@ from jetbot.boards import Telemetry
 from . import messages
 from .pose_tracker import PoseTracker, Velocity
 
-DRIFT = 0.05              # of the path length and of the total rotation: wheel odometry on a floor, uncalibrated
+DRIFT = 0.05              # of the path length and of the total rotation: an estimate for uncalibrated wheel odometry
 RESOLUTION = 0.001        # m and rad
 GYRO_ERROR = 0.09         # rad/s, and
 ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets of uncalibrated sensors (5 deg/s and 80 mg for an MPU-9250)
-MAX_YAW_VARIANCE = math.pi ** 2 / 3  # rad^2: of a yaw of which nothing is known
+MAX_YAW_VARIANCE = math.pi ** 2 / 3  # rad^2: of a yaw that may be any
 UNKNOWN = 1e6             # variance of what is not measured
 
 
 class OdometryPublisher:
-    """Publishes ``odom``, ``imu/data_raw`` and, where asked for, tf odom -> base_footprint, for each Telemetry."""
+    """Publishes ``odom``, ``imu/data_raw`` and, if ``publish_tf``, tf odom -> base_footprint, for each Telemetry."""
 
     def __init__(self, publish_tf: bool):
         self._odom = rospy.Publisher("odom", Odometry, queue_size=1)
@@ -63,7 +63,7 @@ def twist(velocity: Optional[Velocity]) -> TwistWithCovariance:
 
 
 def diagonal(position: float, yaw: float) -> List[float]:
-    """Return a covariance of x, y, z, roll, pitch, yaw, where only x, y and yaw are known."""
+    """Return a covariance matrix of x, y, z, roll, pitch, yaw, of which only x, y and yaw are known."""
     covariance = [0.0] * 36
     covariance[0::7] = [position, position, UNKNOWN, UNKNOWN, UNKNOWN, yaw]
     return covariance
@@ -73,7 +73,7 @@ def imu(stamp: rospy.Time, telemetry: Telemetry) -> Imu:
     """Return the board's gyro and accelerometer."""
     message = Imu()
     message.header.stamp, message.header.frame_id = stamp, messages.frame_name("imu_link")
-    message.orientation_covariance[0] = -1  # the message's way to say that there is no orientation
+    message.orientation_covariance[0] = -1  # as sensor_msgs/Imu marks an orientation that is not measured
     rates, acceleration = message.angular_velocity, message.linear_acceleration
     rates.x, rates.y, rates.z = telemetry.gyro
     acceleration.x, acceleration.y, acceleration.z = telemetry.acceleration
@@ -82,7 +82,7 @@ def imu(stamp: rospy.Time, telemetry: Telemetry) -> Imu:
     return message
 
 
-def make_broadcaster():
-    """Return a tf2 broadcaster; imported here, since tf2 takes memory that most robots can use otherwise."""
+def make_broadcaster() -> "tf2_ros.TransformBroadcaster":  # noqa: F821
+    """Return a tf2 broadcaster; imported here: tf2 takes memory, and most robots do not need it."""
     import tf2_ros
     return tf2_ros.TransformBroadcaster()

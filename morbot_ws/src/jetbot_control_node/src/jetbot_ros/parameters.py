@@ -1,9 +1,9 @@
-"""The parameters. A parameter is a row: node, launch file, YAML comments, command lines and docs live from it."""
+"""The parameters. A parameter is one row, for the node, the launch file, YAML comments, command lines and the docs."""
 
 import math
 import os
 from pathlib import Path
-from typing import Callable, Dict, NamedTuple
+from typing import Callable, Dict, NamedTuple, Optional, Union
 
 from jetbot import InvalidValue, fake
 from jetbot.boards import BOARDS, DEFAULT_PORT
@@ -26,7 +26,7 @@ class Parameter(NamedTuple):
     unit: str = ""
 
 
-def is_number(value) -> bool:
+def is_number(value: object) -> bool:
     """Return whether this is a finite int or float; not a bool, which YAML's yes and no would give."""
     return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < math.inf
 
@@ -67,12 +67,12 @@ def default_file() -> Path:
     return ros_home() / "jetbot.yaml"
 
 
-def load(file=None) -> Dict[str, object]:
-    """Return the parameters in a YAML file: ``default_file``, where it exists and no other is named.
+def load(file: Optional[Union[str, Path]] = None) -> Dict[str, object]:
+    """Return the parameters in a YAML file: ``default_file``, if it exists and no other is named.
 
     Raises InvalidValue for a file that cannot be read or holds something else.
     """
-    import yaml  # here, so that doctor.py can report that it is missing
+    import yaml  # here: doctor.py reports that it is missing
     path = Path(str(file or default_file())).expanduser().absolute()
     if not file and not os.path.exists(path):
         return {}
@@ -115,6 +115,6 @@ def given(values: Dict[str, object]) -> Dict[str, object]:
 
 
 def is_fake(values: Dict[str, object]) -> bool:
-    """Return whether these parameters name a fake bus, or a fake port where the board is on one."""
+    """Return whether these parameters name a fake bus, or a fake port for a board on a serial port."""
     place = values.get("i2c_bus" if BOARDS.get(str(values.get("board")), BOARDS["jetbot"]).address else "port", "")
     return bool(fake.folder_of(fake.expand(str(place))))

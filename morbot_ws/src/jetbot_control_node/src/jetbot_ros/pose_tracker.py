@@ -4,10 +4,10 @@ import math
 from collections import deque
 from typing import NamedTuple, Optional, Tuple
 
-COUNTER_RANGE = 0x10000  # after so many mm or mrad, the board's int16 counters begin again
+COUNTER_RANGE = 0x10000  # mm and mrad after which the board's int16 counters wrap
 YAW_RANGE = 2000 * math.pi  # mrad: a board may also wrap its yaw at a full turn
-RESTART_RANGE = 100      # mm and mrad: where the counters of a board that restarts are at first
-MAX_RATES = (2000, 2000, 10000)  # mm/s, mm/s and mrad/s, which no JetBot reaches; faster, it is a restart
+RESTART_RANGE = 100      # mm and mrad: the counters of a board that has just restarted are below
+MAX_RATES = (2000, 2000, 10000)  # mm/s, mm/s and mrad/s, which no JetBot reaches; a faster change is a restart
 MAX_GAP = 0.12           # s: a longer gap between reports says no more about a restart
 BURST_INTERVAL = 0.01    # s within which reports count as one: the serial port may hold some back
 WINDOW = 0.04            # s, at least, over which velocities are averaged
@@ -16,7 +16,7 @@ Counts = Tuple[int, int, int]  # x, y in mm; yaw in mrad
 
 
 class Velocity(NamedTuple):
-    """How far the robot moved lately: metres forward and radians to the left, in so many seconds."""
+    """How far the robot moved in the last ``seconds``: ``forward`` in m, ``turn`` in rad to the left."""
 
     seconds: float
     forward: float
@@ -24,7 +24,7 @@ class Velocity(NamedTuple):
 
 
 class PoseTracker:
-    """Adds up what the board counts, without a jump where its counters wrap or its board restarts.
+    """Adds up what the board counts, without a jump when its counters wrap or it restarts.
 
     x, y: m; yaw: rad, to the left, unbounded; path_length: m; total_rotation: rad;
     velocity: over the last ``WINDOW`` or longer; None while it is not known.
@@ -40,7 +40,7 @@ class PoseTracker:
         self._samples = deque()  # [seconds, forward, yaw], one per burst
 
     def update(self, counts: Counts, now: float) -> None:
-        """Move on to the board's counts of x, y, yaw at the time ``now``, in seconds."""
+        """Advance to the board's counts of x, y, yaw at the time ``now``, in seconds."""
         last, self._counts = self._counts, counts
         if last is None:
             self.x, self.y, self.yaw = (count / 1000 for count in counts)
@@ -74,7 +74,7 @@ class PoseTracker:
 
 
 def counters_reset(last: Counts, counts: Counts, seconds: float) -> bool:
-    """Return whether the board restarted between these two counts, so many seconds apart."""
+    """Return whether the board restarted between these two counts, which are ``seconds`` apart."""
     jumps = (abs(new - old) - RESTART_RANGE for old, new in zip(last, counts))
     return max(map(abs, counts)) < RESTART_RANGE and any(
         jump > rate * min(seconds, MAX_GAP) for jump, rate in zip(jumps, MAX_RATES))

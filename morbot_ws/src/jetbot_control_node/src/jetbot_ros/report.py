@@ -27,7 +27,7 @@ class Report:
         self._status_changes = queue.Queue(maxsize=10)
         name = rospy.get_namespace().strip("/")
         self._prefix = f"{name}: " if name else ""
-        self._logged = {}  # status: when
+        self._logged = {}  # {status: time in s}
         self._last = None
         self._counted = (0, time.monotonic())
 

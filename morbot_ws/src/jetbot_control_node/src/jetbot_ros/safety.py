@@ -15,8 +15,8 @@ class State(NamedTuple):
     velocity: (linear in m/s, angular in rad/s), always finite; commands: how many arrived;
     fault: while the board does not answer; alarm: whether something other than a command stopped the robot.
 
-    An emergency stop counts first, until it is released; then the newest command, until it is too old or nobody is
-    left who could send another. Whatever stopped the robot, only a new command moves it again.
+    An emergency stop takes precedence until it is released; then the newest command counts, until it is too old or
+    nobody is left to send another. Whatever stopped the robot, only a new command moves it again.
     """
 
     timeout: float
@@ -66,7 +66,7 @@ class State(NamedTuple):
         return self
 
     def board_answered(self, fault: Optional[BusError]) -> "State":
-        """The board was driven; fault: None where it answered."""
+        """The board was driven; fault: None if it answered."""
         return self if fault is self.fault else self._replace(fault=fault)
 
     def _stop(self, cause: str, alarm: bool = True) -> "State":

@@ -13,8 +13,8 @@ from .safety import State
 DRIVING_INTERVAL = 0.05      # s between two checks of what may stop the robot while it drives
 STOPPED_INTERVAL = 0.4       # s between two wake-ups while it is stopped; the guard's timeout is a second
 RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried again
-VERIFY_AFTER_COMMAND = 0.1   # s between two verifications right after a command, when none other is due soon
-VERIFY_IDLE = 0.3            # s between two of them at any other moment
+VERIFY_AFTER_COMMAND = 0.1   # s between two verifications right after a command, when the next is not due soon
+VERIFY_IDLE = 0.3            # s between two verifications at any other moment
 
 
 class Supervisor:
@@ -32,28 +32,28 @@ class Supervisor:
         self.state = State(cmd_vel_timeout)
         self.closed = False
         self._lock = threading.Lock()  # held while ``state`` is replaced, never during a transfer
-        self._events = queue.SimpleQueue()  # its put is reentrant: fit for a signal's handler
+        self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
         self._ending = False
         self._status = None
         self._fed_at = self._verified_at = float("-inf")
 
     def command(self, linear: float, angular: float) -> None:
-        """Note a command: m/s forward and rad/s to the left."""
+        """Accept a command: m/s forward and rad/s to the left."""
         self._change(State.command, linear, angular, time.monotonic())
         self._wake()
 
     def emergency_stop(self, engaged: bool) -> None:
-        """Note that the emergency stop was pressed or released."""
+        """Engage (True) or release (False) the emergency stop."""
         self._change(State.emergency_stop, engaged)
         self._wake()
 
     def end(self, *_) -> None:
-        """End ``run`` soon; fit to be a signal's handler."""
+        """Make ``run`` end soon; may be a signal handler."""
         self._ending = True
         self._wake()
 
     def run(self, is_over: Callable[[], bool]) -> None:
-        """Drive until ``end`` or ``is_over``, then stop the robot and let go of it. Raise BusError where that fails."""
+        """Drive until ``end`` or ``is_over``, then close the robot. Raise BusError if that fails."""
         try:
             commanded = False
             while not (self._ending or is_over()):
@@ -86,7 +86,7 @@ class Supervisor:
             self._events.put(None)
 
     def _sleep(self, seconds):
-        """Sleep until something happens, for so long at most; return whether it did."""
+        """Sleep until something happens, at most for ``seconds``; return whether it did."""
         with contextlib.suppress(queue.Empty):
             self._events.get(timeout=max(0.0, seconds))
             return True
@@ -97,7 +97,7 @@ class Supervisor:
             self.state = event(self.state, *arguments)
 
     def _verify(self, now, commanded):
-        """Verify a part of the board: after a command, or when none came for a while, so that it holds up none."""
+        """Verify a part of the board: after a command, or if none came for a while, so that no command waits for it."""
         if now - self._verified_at >= (VERIFY_AFTER_COMMAND if commanded else VERIFY_IDLE):
             self._verified_at = now
             self._robot.verify()

@@ -20,12 +20,12 @@ READY_TIMEOUT = 2.0            # s that a board may take from power-on until it 
 
 
 class Board(NamedTuple):
-    """A row of BOARDS: the driver, and the board's 7-bit I2C address; None for a board on a serial port."""
+    """A row of BOARDS: the driver, and the board's 7-bit I2C address, None for a board on a serial port."""
 
     driver: Callable[[Union[I2CDevice, SerialLink]], MotorDriver]
     address: Optional[int] = None
 
-    def place(self, i2c_bus, port: str) -> str:
+    def place(self, i2c_bus: Union[int, str], port: str) -> str:
         """Return where the board is: the name of a bus, or a serial port. Raise InvalidValue for a bad bus."""
         return bus_name(i2c_bus) if self.address else port
 
@@ -33,7 +33,8 @@ class Board(NamedTuple):
         """Return the driver of the board at this ``place``, started: both motors are off. Raise JetbotError."""
         driver = self.driver(I2CDevice(place, self.address) if self.address else SerialLink(place))
         try:
-            wait_until(partial(try_start, driver), READY_TIMEOUT) or driver.start()
+            if not wait_until(partial(try_start, driver), READY_TIMEOUT):
+                driver.start()  # raises NotReady
         except JetbotError:
             driver.close()
             raise
@@ -51,14 +52,14 @@ BOARDS = {
 
 
 def find_board(name: str) -> Board:
-    """Return the row of BOARDS with this name; raise InvalidValue where there is none."""
+    """Return the row of BOARDS with this name; raise InvalidValue if there is none."""
     if name not in list(BOARDS):  # a list: what a YAML file gives may not be hashable
         raise InvalidValue(f"there is no board {name!r}", f"Choose one of: {', '.join(BOARDS)}.")
     return BOARDS[name]
 
 
 def try_start(driver: MotorDriver) -> bool:
-    """Start the driver and return True; return False where its board is not ready yet."""
+    """Start the driver and return True; return False if its board is not ready yet."""
     try:
         driver.start()
     except NotReady:

@@ -27,8 +27,8 @@ class MotorDriver(abc.ABC):
     may raise BusError; after one, the next ``drive`` sets the board up again.
     """
 
-    limit = 1.0  # largest |wheel speed| that the board can be told; Robot clamps a speed to it, and nothing else does
-    closed_loop = False  # True: the board measures its wheels and controls their speeds in m/s, for wheels 2 m apart
+    limit = 1.0  # largest |wheel speed| that the board accepts; Robot clamps a speed to it, and nothing else does
+    closed_loop = False  # True: the board controls its wheel speeds itself; they are in m/s, for wheels 2 m apart
     keep_alive_interval = 0.25  # s: how often ``keep_alive`` is due while the wheels turn
 
     def __init__(self, link: Union[I2CDevice, SerialLink]):
@@ -55,5 +55,5 @@ class MotorDriver(abc.ABC):
         """Call back with each Telemetry, from a thread of its own. A board that measures nothing never calls back."""
 
     def close(self) -> None:
-        """Let go of the board; its motors keep their speeds."""
+        """Release the board; its motors keep their speeds."""
         self.link.close()

@@ -24,7 +24,7 @@ INT16_MAX = 32767
 
 GYRO_SCALE = math.radians(2000) / 32768         # rad/s: an int16 for the range of 2000 deg/s
 ACCELERATION_SCALE = 2 * 9.80665 / 32768        # m/s^2: an int16 for the range of 2 g
-RETRY_INTERVAL = 0.1                            # s between two tries to read from a port that fails
+RETRY_INTERVAL = 0.1                            # s until a failed read is tried again
 
 
 class JetBotPro(MotorDriver):
@@ -36,7 +36,7 @@ class JetBotPro(MotorDriver):
 
     limit = INT16_MAX / 1000  # the frame's numbers are int16, in mm/s and mrad/s
     closed_loop = True
-    keep_alive_interval = 0.04  # s; a frame that was lost is soon repeated
+    keep_alive_interval = 0.04  # s; so a lost frame is soon repeated
 
     def __init__(self, link: SerialLink):
         super().__init__(link)
@@ -80,7 +80,7 @@ class JetBotPro(MotorDriver):
             try:
                 received = self.link.read()
             except BusError:
-                time.sleep(RETRY_INTERVAL)  # whoever drives reports it
+                time.sleep(RETRY_INTERVAL)  # the thread that drives reports it
                 continue
             for telemetry in reader.telemetry(received):
                 callback(telemetry)

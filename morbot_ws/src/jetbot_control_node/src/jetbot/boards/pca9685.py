@@ -23,8 +23,8 @@ OSCILLATOR_START = 0.0005  # s
 REGISTERS = 256
 BLOCK = 32              # bytes: the most that one SMBus transfer carries
 OVERHEAD = 2            # bytes, address and register, before the data of a transfer
-MAX_TRANSFERS = 3       # that a mere change of duties may take,
-MAX_BITS = 160          # and bits on the wire: nine per byte, two per transfer for START and STOP
+MAX_TRANSFERS = 3       # of a change of duties alone
+MAX_BITS = 160          # on the wire, of such a change: nine per byte, and two per transfer for START and STOP
 
 
 class PCA9685:
@@ -57,7 +57,7 @@ class PCA9685:
         self._sent = sent
 
     def set_outputs(self, duties: Dict[int, int]) -> None:
-        """Set outputs to duties, {output: 0 to 4096}, in 4096ths; start the chip first where its state is unknown."""
+        """Set outputs to duties, {output: 0 to 4096}, in 4096ths; start the chip first if its state is unknown."""
         if self._sent is None:
             self.start()
         sent, wanted = self._sent, bytearray(self._sent)
@@ -76,7 +76,7 @@ class PCA9685:
 
         A chip whose supply failed is back at its power-on values: asleep, all outputs off.
         """
-        sent, self._sent = self._sent, None  # also when the chip does not answer
+        sent, self._sent = self._sent, None  # also if the chip does not answer
         if sent is None:
             return
         block = next(self._blocks)
@@ -111,7 +111,7 @@ def transfers(sent: bytes, wanted: bytes, spans: Sequence[range]) -> List[range]
 
 
 def join(registers: List[int], most: int) -> List[range]:
-    """Return ascending registers as at most ``most`` ranges; fewer where a gap costs no more than a transfer."""
+    """Return ascending registers as at most ``most`` ranges; a gap that costs no more than a transfer is included."""
     pieces = []
     for register in registers:
         if pieces and register - pieces[-1].stop <= OVERHEAD:

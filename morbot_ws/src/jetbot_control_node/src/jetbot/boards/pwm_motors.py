@@ -11,7 +11,7 @@ class HBridge(NamedTuple):
     """Which PCA9685 outputs turn one wheel.
 
     forward, backward: the output that is high while the wheel turns that way.
-    pwm: the output that carries the duty; None where the direction's own output carries it.
+    pwm: the output that carries the duty; None if the direction's own output carries it.
     """
 
     forward: int
@@ -50,7 +50,7 @@ WAVESHARE = Wiring(left=HBridge(forward=1, backward=0), right=HBridge(forward=2,
 
 
 class PwmMotors(MotorDriver):
-    """Drives motors on a PCA9685, wired in one way or, where a scan cannot tell which, in several at once."""
+    """Drives motors on a PCA9685 in one wiring or, if the boards cannot be distinguished, in several at once."""
 
     def __init__(self, link: I2CDevice, wirings: Sequence[Wiring]):
         super().__init__(link)

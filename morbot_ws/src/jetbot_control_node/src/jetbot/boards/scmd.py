@@ -53,7 +53,7 @@ class ScmdMotors(MotorDriver):
             self._send(wanted)
 
     def verify(self) -> None:
-        sent, self._sent = self._sent, None  # also when the chip does not answer
+        sent, self._sent = self._sent, None  # also if the chip does not answer
         if sent is None:
             return
         expected = {DRIVER_ENABLE: 1, FSAFE_CTRL: FSAFE_DRIVE_KILL, MA_DRIVE: sent[0], MB_DRIVE: sent[1]}
@@ -69,7 +69,7 @@ class ScmdMotors(MotorDriver):
         """Return whether both drive bytes arrive in one transfer; tried with the motors switched off."""
         try:
             self.link.write(MA_DRIVE, [STOP, STOP - 1])
-        except BusError:  # it refuses blocks; where it is gone, the next transfer fails
+        except BusError:  # it refuses blocks; if it is gone, the next transfer fails
             return False
         return self.link.read(MB_DRIVE) == STOP - 1
 

@@ -1,12 +1,14 @@
 """Simulated hardware, chosen by name: ``fake`` and ``fake:FOLDER`` in the place of a bus or a serial port.
 
-The folder is the wiring, a file in it a chip or a board. Every process that opens the folder meets the same chips.
+The folder is the bus or the port, a file in it a chip or a board. Every process that opens the folder uses the same.
 """
 
 from pathlib import Path
-from typing import Optional
+from typing import Optional, Union
 
 from ..host import ros_home
+
+Folder = Union[str, Path]
 
 
 def default_folder(namespace: str = "/") -> Path:
@@ -20,10 +22,10 @@ def expand(name: str, namespace: str = "/") -> str:
 
 
 def folder_of(name: str) -> Optional[str]:
-    """Return FOLDER where the name is ``fake:FOLDER``, else None."""
+    """Return FOLDER if the name is ``fake:FOLDER``, else None."""
     return name[len("fake:"):] or None if name.startswith("fake:") else None
 
 
-def chip_file(folder, address: Optional[int]) -> Path:
+def chip_file(folder: Folder, address: Optional[int]) -> Path:
     """Return the file that holds the chip at this I2C address; None: the JetBot Pro on the serial port."""
     return Path(folder, "jetbot_pro" if address is None else f"0x{address:02x}")

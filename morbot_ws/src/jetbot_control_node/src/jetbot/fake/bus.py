@@ -15,28 +15,28 @@ import time
 from pathlib import Path
 from typing import List, Sequence
 
-from . import chip_file
+from . import Folder, chip_file
 from .motors import ROBOTS
 
 REGISTERS = 256
 
 
-def power_on(folder) -> None:
+def power_on(folder: Folder) -> None:
     """Give every chip its power-on registers; make the folder, and plug in the chips that are missing."""
     Path(folder).mkdir(parents=True, exist_ok=True)
     for file, chip in {chip_file(folder, robot.address): robot.chip for robot in ROBOTS.values()}.items():
-        arriving = file.with_suffix(f".{os.getpid()}")
-        arriving.write_bytes(chip.POWER_ON)
-        arriving.replace(file)
+        new = file.with_suffix(f".{os.getpid()}")
+        new.write_bytes(chip.POWER_ON)
+        new.replace(file)  # at once, for the processes that use the chip
 
 
 class FakeBus:
     """Takes the place of ``smbus2.SMBus``: the methods that the drivers use, and the OSErrors of the kernel.
 
-    folder: made, with every known chip in it, when it does not exist.
+    folder: made, with every known chip in it, if it does not exist.
     """
 
-    def __init__(self, folder):
+    def __init__(self, folder: Folder):
         self._folder = Path(folder)
         if not self._folder.exists():
             power_on(self._folder)
@@ -74,7 +74,7 @@ class FakeBus:
                 time.sleep(max(0.0, end - time.perf_counter()))
             registers = bytearray(os.pread(chip, REGISTERS, 0).ljust(REGISTERS, b"\0"))
             result = action(registers)
-            if result is None:  # a write: it also sets the time since when nobody wrote
+            if result is None:  # a write; the file's time is then that of the last write
                 os.pwrite(chip, registers, 0)
             return result
         finally:
@@ -82,7 +82,7 @@ class FakeBus:
 
 
 def chip_at(address: int) -> type:
-    """Return what the chip at this address is, a class of ``chips``."""
+    """Return the class of the chip at this address."""
     return next(robot.chip for robot in ROBOTS.values() if robot.address == address)
 
 
@@ -92,7 +92,7 @@ def fail_if_asked(request: str) -> None:
         return
     try:
         remaining = int(Path(request).read_text())
-    except (FileNotFoundError, ValueError):  # ValueError: it is just being written
+    except (FileNotFoundError, ValueError):  # ValueError: it is being written
         return
     if remaining > 0:
         Path(request).write_text(str(remaining - 1))

@@ -3,8 +3,10 @@
 Written from NXP's data sheet of the PCA9685 (rev. 4) and SparkFun's description of the SCMD, not from the drivers, and
 with registers as plain numbers, so that a driver's mistake shows. A chip has ``POWER_ON``, its registers at power-on;
 ``write(registers, register, data)``, which applies one transfer; and ``speed(registers, motor, silence)``, the speed in
-[-1, 1] of a motor that is wired to it, when nobody has written for ``silence`` seconds.
+[-1, 1] of a motor that is wired to it, if nobody has written for ``silence`` seconds.
 """
+
+from typing import Optional, Sequence, Tuple
 
 
 class PCA9685:
@@ -13,7 +15,7 @@ class PCA9685:
     POWER_ON = (bytes([0x11, 0x04, 0, 0, 0, 0]) + bytes([0, 0, 0, 0x10]) * 16).ljust(0xFD, b"\0") + b"\x10\x1E\0"
 
     @staticmethod
-    def write(registers, register, data):
+    def write(registers: bytearray, register: int, data: Sequence[int]) -> None:
         auto_increment = registers[0x00] & 0x20
         for value in data:
             PCA9685._store(registers, register, value)
@@ -34,13 +36,13 @@ class PCA9685:
             registers[first:0x46:4] = bytes([value] * 16)
 
     @staticmethod
-    def asleep(registers) -> bool:
+    def asleep(registers: bytes) -> bool:
         """Return whether the oscillator, and with it every output, is off."""
         return bool(registers[0x00] & 0x10)
 
     @staticmethod
-    def duty(registers, output) -> float:
-        """Return the part of the time that an output is high: 0 to 1."""
+    def duty(registers: bytes, output: int) -> float:
+        """Return the fraction of the time that an output is high: 0 to 1."""
         on = int.from_bytes(registers[0x06 + 4 * output:][:2], "little")
         off = int.from_bytes(registers[0x08 + 4 * output:][:2], "little")
         if PCA9685.asleep(registers) or off & 0x1000:
@@ -48,7 +50,7 @@ class PCA9685:
         return 1.0 if on & 0x1000 else (off - on) % 4096 / 4096
 
     @staticmethod
-    def speed(registers, motor, silence=0) -> float:
+    def speed(registers: bytes, motor: Tuple[Optional[int], int, int], silence: float = 0.0) -> float:
         """motor: the outputs at its H bridge (PWM, forward input, backward input); PWM None: always on.
 
         With both inputs high, or both low, the motor gets no power.
@@ -67,13 +69,13 @@ class SCMD:
     READ_ONLY = (0x01, 0x77)
 
     @staticmethod
-    def write(registers, register, data):
+    def write(registers: bytearray, register: int, data: Sequence[int]) -> None:
         for offset, value in enumerate(data):
             if register + offset not in SCMD.READ_ONLY:
                 registers[register + offset] = value
 
     @staticmethod
-    def speed(registers, motor, silence) -> float:
+    def speed(registers: bytes, motor: int, silence: float) -> float:
         """motor: the register of its drive byte, in which forward counts down."""
         timed_out = registers[0x1F] & 0x01 and registers[0x76] and silence > registers[0x76] / 100
         if timed_out or not registers[0x70] & 0x01:

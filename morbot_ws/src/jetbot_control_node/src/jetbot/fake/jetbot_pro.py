@@ -19,7 +19,7 @@ def sealed(body: bytes) -> bytes:
 
 
 class JetBotPro:
-    """The board's end of the wire. velocities: (mm/s, mrad/s) of the last velocity frames; bad: what is no frame."""
+    """The board's end of the wire. velocities: (mm/s, mrad/s) of the last velocity frames; bad: what was no frame."""
 
     POWER_ON = sealed(HEAD + struct.pack(">BB3h", 11, VELOCITY, 0, 0, 0))
 
@@ -29,7 +29,7 @@ class JetBotPro:
         self._buffer = b""
 
     def receive(self, data: bytes) -> bytes:
-        """Take bytes from the computer; return the last velocity frame that they complete, b"" where they do not."""
+        """Take bytes from the computer; return the last velocity frame that they complete, or b""."""
         newest = b""
         self._buffer += data
         while len(self._buffer) > 2 and len(self._buffer) >= self._buffer[2] > 4:

@@ -6,7 +6,7 @@ Written from the boards' circuit diagrams and not from ``boards``, so that a dri
 import time
 from typing import NamedTuple, Optional, Tuple
 
-from . import chip_file
+from . import Folder, chip_file
 from .chips import PCA9685, SCMD
 from .jetbot_pro import JetBotPro
 
@@ -29,11 +29,11 @@ ROBOTS = {
     "sparkfun": FakeRobot(SCMD, 0x5D, left=0x20, right=0x21),
     "jetbot_pro": FakeRobot(JetBotPro, None, left=-1, right=1, closed_loop=True),
 }
-ROBOTS["jetbot"] = ROBOTS["adafruit"]  # that driver serves both layouts; this robot has the one
+ROBOTS["jetbot"] = ROBOTS["adafruit"]  # the driver `jetbot` serves both layouts; this robot has one
 
 
-def wheel_speeds(folder, board: str = "adafruit") -> Tuple[float, float]:
-    """Return the speeds (left, right) of the robot with this board in a fake bus's folder; 0 where it is unplugged."""
+def wheel_speeds(folder: Folder, board: str = "adafruit") -> Tuple[float, float]:
+    """Return the speeds (left, right) of the robot with this board in a fake bus's folder; 0 if it is unplugged."""
     robot = ROBOTS[board]
     file = chip_file(folder, robot.address)
     try:

@@ -4,7 +4,7 @@ import math
 import os
 import time
 
-from . import chip_file
+from . import Folder, chip_file
 from .bus import power_on
 from .jetbot_pro import JetBotPro, decode
 
@@ -12,14 +12,14 @@ REPORT_INTERVAL = 1 / 30  # s
 
 
 class FakePort:
-    """Takes the place of ``serial.Serial``, with a JetBot Pro at the other end that drives as it is told.
+    """Takes the place of ``serial.Serial``, with a JetBot Pro at the other end that drives as commanded.
 
-    folder: made, with the board in it, when it does not exist; timeout: s that a read waits.
+    folder: made, with the board in it, if it does not exist; timeout: s that a read waits.
     """
 
     in_waiting = 0
 
-    def __init__(self, folder, timeout: float):
+    def __init__(self, folder: Folder, timeout: float):
         if not os.path.exists(folder):
             power_on(folder)
         self._file = chip_file(folder, None)
