@@ -93,7 +93,7 @@ def measure(plan: Plan, implementations: Sequence[str]) -> Tuple[report.Figures,
 
 def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bench/run", description=f"{__doc__} Writes results.md and results.png.")
-    parser.add_argument("--runs", type=int, help="the results are the medians of so many runs; 3 unless --short")
+    parser.add_argument("--runs", type=int, help="how many runs the medians are of; 3, or 1 with --short")
     parser.add_argument("--short", action="store_true", help="measure less, to check that it works: a minute")
     parser.add_argument("--only", nargs="+", choices=wire.IMPLEMENTATIONS, default=wire.IMPLEMENTATIONS,
                         help="driver and floor take four minutes per run")

@@ -2,6 +2,7 @@
 """A bare rospy subscriber: takes the newest command and writes one block of six bytes."""
 
 import struct
+from typing import Callable
 
 import rospy
 from geometry_msgs.msg import Twist
@@ -11,7 +12,7 @@ from jetbot.fake.bus import FakeBus
 ADDRESS, MODE1, MODE1_AI, LED0_ON_L = 0x60, 0x00, 0x20, 0x06
 
 
-def open_driver(folder):
+def open_driver(folder: str) -> Callable[[float, float], None]:
     """Return the function that writes the speeds left, right to the chip; see wire.open_driver."""
     bus = FakeBus(folder)
     bus.write_byte_data(ADDRESS, MODE1, MODE1_AI)

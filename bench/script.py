@@ -2,6 +2,7 @@
 """The workshop's script, with Adafruit's library called as the JetBot library calls it, on the fake bus."""
 
 from types import SimpleNamespace
+from typing import Callable
 
 import rospy
 from Adafruit_GPIO.I2C import Device
@@ -11,7 +12,7 @@ from geometry_msgs.msg import Twist
 from jetbot.fake.bus import FakeBus
 
 
-def open_driver(folder):
+def open_driver(folder: str) -> Callable[[float, float], None]:
     """Return the function that drives the robot on the fake bus in a folder; see wire.open_driver."""
     fake_i2c = SimpleNamespace(get_i2c_device=lambda address: Device(address, 0, lambda _: FakeBus(folder)))
     hat = Adafruit_MotorHAT(i2c=fake_i2c)

@@ -99,8 +99,7 @@ def descendants(pid, program=""):
 def listening(processes):
     """Return the addresses on which these processes listen, in hexadecimal."""
     sockets = {os.readlink(file) for pid in processes for file in Path(f"/proc/{pid}/fd").iterdir()}
-    rows = [row.split() for table in ("tcp", "tcp6")
-            for row in Path(f"/proc/net/{table}").read_text().splitlines()[1:]]
+    rows = [row.split() for table in ("tcp", "tcp6") for row in Path(f"/proc/net/{table}").read_text().splitlines()[1:]]
     return [row[1].split(":")[0] for row in rows if row[3] == LISTEN and f"socket:[{row[9]}]" in sockets]
 
 

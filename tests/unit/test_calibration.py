@@ -17,8 +17,7 @@ from jetbot_tools.calibration import WHEEL_SEPARATION, as_yaml, base_wiring, mot
     (("right", -1), ("left", -1), True, True, True),
 ])
 def test_motor_wiring(left_output, right_output, swap, left, right):
-    assert motor_wiring(left_output, right_output) == {
-        "swap_motors": swap, "invert_left": left, "invert_right": right}
+    assert motor_wiring(left_output, right_output) == {"swap_motors": swap, "invert_left": left, "invert_right": right}
 
 
 @pytest.mark.parametrize("ahead, turn", [(1, 1), (1, -1), (-1, 1), (-1, -1)])

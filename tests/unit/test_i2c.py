@@ -50,8 +50,7 @@ def test_a_lasting_failure_is_reported(folder):
     (folder / "0x60").unlink()
     with pytest.raises(BusError) as error:
         device.read(0)
-    assert str(error.value) == (f"No answer from 0x60 on fake:{folder}. "
-                                f"To plug it in: python3 -m jetbot.fake {folder}")
+    assert str(error.value) == f"No answer from 0x60 on fake:{folder}. To plug it in: python3 -m jetbot.fake {folder}"
 
 
 def test_a_fake_bus_that_cannot_be_written():

@@ -9,8 +9,6 @@ from jetbot import BusError, InvalidValue, JetbotError, Robot
 from jetbot.fake.motors import wheel_speeds
 from jetbot.i2c import I2CDevice
 
-TIMEOUT = 5.0  # s for a process to start
-
 
 @pytest.mark.parametrize("action, left, right", [
     (lambda robot: robot.set_motors(0.3, -0.6), 0.3, -0.6),

@@ -11,6 +11,7 @@ import os
 import shlex
 import sys
 from pathlib import Path
+from typing import Any, Dict, List, Optional
 
 from jetbot import JetbotError
 from jetbot.boards import BOARDS, find_board
@@ -22,22 +23,22 @@ from jetbot_tools.probe import LAUNCH, check_board, check_users
 from jetbot_tools.wizard import WIZARDS, Wizard
 
 
-def find_boards(**link):
-    """Return the boards that answer on the bus, else on the port; all at one address answer alike."""
-    places = {board: row.place(**link) for board, row in BOARDS.items() if board != "jetbot"}  # which is two
+def find_boards(**connection: Any) -> List[str]:
+    """Return the names of the boards that answer on the i2c_bus, else on the port; raise JetbotError if none does."""
+    places = {board: row.place(**connection) for board, row in BOARDS.items() if board != "jetbot"}  # two at once
     for place in dict.fromkeys(places.values()):
-        checks = {board: check_board(board, **link) for board in places if places[board] == place}
+        checks = {board: check_board(board, **connection) for board in places if places[board] == place}
         if any(check.ok for check in checks.values()):
             return [board for board, check in checks.items() if check.ok]
         print(*dict.fromkeys(map(str, checks.values())), sep="\n")
     raise JetbotError("no motor board found", "If you know which one it is, name it with --board.")
 
 
-def calibrate(boards, **link):
-    """Try the boards until a wheel turns; return the parameters of that robot."""
+def calibrate(boards: List[str], **connection: Any) -> Dict[str, Any]:
+    """Try the boards until a wheel turns; return the parameters of that robot. Raise JetbotError if none turns."""
     input("Put the robot on a box, so that its wheels turn freely. Press Enter to continue; Ctrl-C quits at any time. ")
     for board in boards:
-        wizard = WIZARDS.get(board, Wizard)(board=board, **link)
+        wizard = WIZARDS.get(board, Wizard)(board=board, **connection)
         print(f"\nTrying the board {board}.")
         if wizard.find_motors():
             wizard.straighten()
@@ -45,8 +46,8 @@ def calibrate(boards, **link):
     raise JetbotError("no wheel turned", "Is the motors' battery on? Run: rosrun jetbot_control_node doctor.py")
 
 
-def output(file, simulated):
-    """Return the file to write, the default where ``file`` is None; raise a JetbotError where it cannot be written."""
+def output_file(file: Optional[Path], simulated: bool) -> Path:
+    """Return the file to write, the default if ``file`` is None; raise JetbotError if it cannot be written."""
     file = file or default_file().with_name("jetbot_fake.yaml" if simulated else "jetbot.yaml")
     if simulated and file.absolute() == default_file().absolute():
         raise JetbotError(f"{file} is for the real robot, and this one is simulated", "Name another with --output.")
@@ -57,8 +58,8 @@ def output(file, simulated):
     return file
 
 
-def write(file, text):
-    """Write the text, keep what the file held before under another name, and print how to undo and to use it."""
+def write(file: Path, text: str) -> None:
+    """Write the text, keep an older file under another name, and print how to undo this and how to use it."""
     undo = ["rm", str(file)]
     new = Path(f"{file}.new")
     new.write_text(text)
@@ -83,13 +84,13 @@ def main():
     if options.i2c_bus is None:
         options.board = options.board or options.port and "jetbot_pro"  # the only board on a port
         options.i2c_bus = robot_bus(model()) or PARAMETERS["i2c_bus"].default
-    link = {"i2c_bus": options.i2c_bus, "port": options.port or PARAMETERS["port"].default}
-    boards = [options.board] if options.board else find_boards(**link)
-    file = output(options.output, is_fake({"board": boards[0], **link}))
-    for check in check_users(find_board(boards[0]).place(**link)):
+    connection = {"i2c_bus": options.i2c_bus, "port": options.port or PARAMETERS["port"].default}
+    boards = [options.board] if options.board else find_boards(**connection)
+    file = output_file(options.output, is_fake({"board": boards[0], **connection}))
+    for check in check_users(find_board(boards[0]).place(**connection)):
         if not check.ok:
             print(check)
-    text = as_yaml(calibrate(boards, **link))
+    text = as_yaml(calibrate(boards, **connection))
     print(f"\n{text}")
     write(file, text)
 

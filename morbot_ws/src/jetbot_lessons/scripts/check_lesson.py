@@ -18,7 +18,7 @@ USAGE = (f"Which lesson, 1 to {LAST}? Type: rosrun jetbot_lessons check_lesson.p
 
 
 def parse_arguments(arguments: List[str]) -> Tuple[Union[int, str], ...]:
-    """Return the number and the package's name in the command line's arguments; SystemExit for others."""
+    """Return the lesson's number and the package's name, if it has one; raise SystemExit for bad arguments."""
     number, *names = arguments or [""]
     if number not in map(str, range(1, LAST + 1)) or len(names) > 1:
         sys.exit(USAGE)

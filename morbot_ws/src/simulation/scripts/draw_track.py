@@ -13,7 +13,7 @@ from simulation.drawing import draw
 from simulation.recording import read_bag, record
 
 
-def parse_arguments():
+def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("png", nargs="?", default="track.png")
     source = parser.add_mutually_exclusive_group()

@@ -12,13 +12,13 @@ from pathlib import Path
 TRIES = 3  # without a graphics card it may crash at its start: Mesa draws into a window that X does not know yet
 
 
-def add_namespace(config, name):
+def add_namespace(config: str, name: str) -> str:
     """Return the configuration for the robot in this namespace. Relative topic names need no change."""
     return (config.replace('TF Prefix: ""', f'TF Prefix: "{name}"')
                   .replace("Target Frame: base_footprint", f"Target Frame: {os.path.join(name, 'base_footprint')}"))
 
 
-def main(config, *ros_arguments):
+def main(config: str, *ros_arguments: str) -> int:
     if not shutil.which("rviz"):
         print("To see the robot here: sudo apt install rviz", flush=True)
         return 0

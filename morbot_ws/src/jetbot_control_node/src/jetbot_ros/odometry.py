@@ -28,17 +28,20 @@ class OdometryPublisher:
     def __init__(self, publish_tf: bool):
         self._odom = rospy.Publisher("odom", Odometry, queue_size=1)
         self._imu = rospy.Publisher("imu/data_raw", Imu, queue_size=1)
-        self._tf = make_broadcaster() if publish_tf else None
         self._tracker = PoseTracker()
+        self._tf = None
+        if publish_tf:
+            from tf2_ros import TransformBroadcaster  # here: tf2 takes memory, and most robots do not need it
+            self._tf = TransformBroadcaster()
 
     def __call__(self, telemetry: Telemetry) -> None:
         stamp = rospy.Time.now()
         self._tracker.update((telemetry.x, telemetry.y, telemetry.yaw), time.monotonic())
-        self._odom.publish(odometry(stamp, self._tracker))
+        odom = odometry(stamp, self._tracker)
+        self._odom.publish(odom)
         self._imu.publish(imu(stamp, telemetry))
         if self._tf:
-            self._tf.sendTransform(messages.transform(
-                stamp, messages.frame_name("odom"), messages.frame_name("base_footprint"), self._tracker))
+            self._tf.sendTransform(messages.transform(stamp, odom.header.frame_id, odom.child_frame_id, self._tracker))
 
 
 def odometry(stamp: rospy.Time, tracker: PoseTracker) -> Odometry:
@@ -80,9 +83,3 @@ def imu(stamp: rospy.Time, telemetry: Telemetry) -> Imu:
     message.angular_velocity_covariance[0::4] = [GYRO_ERROR ** 2] * 3
     message.linear_acceleration_covariance[0::4] = [ACCELERATION_ERROR ** 2] * 3
     return message
-
-
-def make_broadcaster() -> "tf2_ros.TransformBroadcaster":  # noqa: F821
-    """Return a tf2 broadcaster; imported here: tf2 takes memory, and most robots do not need it."""
-    import tf2_ros
-    return tf2_ros.TransformBroadcaster()

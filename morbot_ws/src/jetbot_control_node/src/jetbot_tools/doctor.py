@@ -3,7 +3,7 @@
 import importlib.util
 import os
 from pathlib import Path
-from typing import Iterator, List, Optional
+from typing import Iterator, List, Optional, Union
 
 from jetbot import fake, host
 from jetbot.boards import BOARDS, DEFAULT_PORT
@@ -17,7 +17,7 @@ MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", 
 NEEDED_BY_SOME = ["smbus2", "serial"]  # by boards on an I2C bus, on a serial port
 
 
-def run_checks(i2c_bus=None, port: Optional[str] = None) -> Iterator[Check]:
+def run_checks(i2c_bus: Union[int, str, None] = None, port: Optional[str] = None) -> Iterator[Check]:
     """Yield every Check, the verdict last.
 
     i2c_bus: N for /dev/i2c-N, fake, or fake:FOLDER; port: a serial port, or the same. A board is looked for there;
@@ -30,8 +30,8 @@ def run_checks(i2c_bus=None, port: Optional[str] = None) -> Iterator[Check]:
     yield verdict(checks)
 
 
-def all_checks(i2c_bus, port: Optional[str]) -> Iterator[Check]:
-    """Yield a Check of everything; of the buses until one has a board, of the port where none has."""
+def all_checks(i2c_bus: Union[int, str, None], port: Optional[str]) -> Iterator[Check]:
+    """Yield all checks but the verdict: of the buses until one has a board, of the port if none has."""
     yield from map(check_module, MODULES)
     yield check_host()
     file = default_file()
@@ -92,7 +92,7 @@ def check_file(file: Path) -> Check:
                  "Connect that board; or remove the file, and calibrate again.")
 
 
-def check_bus(bus) -> List[Check]:
+def check_bus(bus: Union[int, str]) -> List[Check]:
     """Check that a board is on a bus, and that no other program uses it."""
     try:
         name = bus_name(bus)

@@ -13,7 +13,7 @@ from jetbot_ros.parameters import PARAMETERS
 def add_options(parser: ArgumentParser, **meaning: str) -> None:
     """Add an option for each parameter named; one that is not given is JETBOT_<NAME>, else None.
 
-    meaning: what None means, for the help; "" where it is the parameter's own default.
+    meaning: what None means, for the help; "" if that is the parameter's own default.
     """
     for name, default in meaning.items():
         row = PARAMETERS[name]
@@ -28,7 +28,7 @@ def as_options(arguments: List[str]) -> List[str]:
 
 
 def place_name(text: str) -> Union[int, str]:
-    """Return a number as an int, a fake place with its whole path, so that it means the same in every folder."""
+    """Return a number as an int, a fake bus or port with its absolute path, any other text unchanged."""
     folder = fake.folder_of(fake.expand(text))
     if folder:
         return f"fake:{Path(folder).absolute()}"

@@ -1,10 +1,10 @@
-"""Checks of what a motor board may be connected to, which only read."""
+"""Checks of what a motor board may be connected to. They only read."""
 
 import contextlib
 import os
 import threading
 from pathlib import Path
-from typing import List, NamedTuple
+from typing import List, NamedTuple, Union
 
 from jetbot.boards import BOARDS, find_board, scmd
 from jetbot.boards.jetbot_pro import JetBotPro
@@ -13,7 +13,7 @@ from jetbot.i2c import I2CDevice
 from jetbot.serial_link import SerialLink
 
 LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
-TELEMETRY_TIMEOUT = 1.0  # seconds; a JetBot Pro sends many in that time
+TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many reports in that time
 
 
 class Check(NamedTuple):
@@ -30,7 +30,7 @@ class Check(NamedTuple):
 
 
 def check_users(device: str) -> List[Check]:
-    """Check that no other program has a device open, as far as this user may know; [] where there is no such device."""
+    """Check that no other program has a device open, as far as this user may see; [] if there is no such device."""
     if not os.path.exists(device):
         return []
     target, users = os.path.realpath(device), []
@@ -45,14 +45,14 @@ def check_users(device: str) -> List[Check]:
     return [Check(device, True, f"no other program{whose} has it open")]
 
 
-def check_board(board: str, i2c_bus, port: str) -> Check:
-    """Check that a board answers on the bus, or on the port; raise InvalidValue for one that cannot be."""
+def check_board(board: str, i2c_bus: Union[int, str], port: str) -> Check:
+    """Check that a board answers on its bus or port; raise InvalidValue for an unknown board or a bad bus."""
     row = find_board(board)
     place = row.place(i2c_bus, port)
     return check_chip(place, row.address) if row.address else check_serial(place)
 
 
-def check_chip(bus, address: int) -> Check:
+def check_chip(bus: Union[int, str], address: int) -> Check:
     """Check that a motor board answers a read, as all boards at one address do. bus: as for an I2CDevice."""
     with contextlib.closing(I2CDevice(bus, address)) as chip:
         name = f"0x{address:02x} on {chip.name}"

@@ -31,7 +31,7 @@ class Wizard:
     def drive(self, announcement: str, speeds: Sequence[Speeds]) -> Optional[Speeds]:
         """Wait for Enter, then drive at one pair of speeds after the other, each for ``STEP`` seconds.
 
-        Returns the speeds at which a key was pressed, None where none was. Raises KeyboardInterrupt for an abort key.
+        Returns the speeds at which a key was pressed, or None. Raises KeyboardInterrupt for an abort key.
         """
         input(f"\n{announcement} Press Enter to start; any key stops it. ")
         with single_keys(), Robot(**self.parameters) as robot:
@@ -44,7 +44,7 @@ class Wizard:
         return None
 
     def find_motors(self) -> bool:
-        """Find how the motors are wired; return whether any wheel turned, raise JetbotError where only one did."""
+        """Find how the motors are wired; return whether any wheel turned. Raise JetbotError if only one did."""
         while True:
             seen = self.observe_motions()
             if not any(seen):
@@ -68,7 +68,7 @@ class Wizard:
         return turns
 
     def straighten(self) -> None:
-        """Find the least duty at which both wheels turn, and the alphas at which they turn equally fast."""
+        """Find the smallest duty at which both wheels turn, and the alphas at which they turn equally fast."""
         input("\nPut the robot on the floor, at the start of a straight line of two metres. Press Enter to continue. ")
         self.parameters["min_duty"] = max(self.ramp("left", 1, 0), self.ramp("right", 0, 1))
         alphas = (1.0, 1.0)
@@ -84,7 +84,7 @@ class Wizard:
             print("The trim is changed. Put the robot back at the start.")
 
     def ramp(self, wheel: str, left: int, right: int) -> float:
-        """Raise the power of one wheel, whose factor is 1, until a key is pressed; return its duty then."""
+        """Raise the duty of one wheel until a key is pressed, and return it. left, right: 1 for this wheel, else 0."""
         while True:
             reached = self.drive(f"The power of the {wheel} wheel will rise slowly: press a key as soon as it turns.",
                                  [(left * duty, right * duty) for duty in RAMP])
@@ -95,7 +95,7 @@ class Wizard:
 
 
 class BaseWizard(Wizard):
-    """For a board that takes the speeds of the whole robot, and controls those of the wheels itself."""
+    """For a board that takes the velocity of the robot, and controls the speeds of the wheels itself."""
 
     wiring = staticmethod(base_wiring)
 

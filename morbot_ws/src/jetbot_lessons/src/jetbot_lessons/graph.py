@@ -38,7 +38,7 @@ class Graph(NamedTuple):
 
 
 def snapshot() -> Graph:
-    """Return the present Graph; rosgraph.MasterException without a master."""
+    """Return the present Graph; raise rosgraph.MasterException without a master."""
     publishers, subscribers, _ = rosgraph.Master(CALLER).getSystemState()
     return Graph(dict(publishers), dict(subscribers))
 

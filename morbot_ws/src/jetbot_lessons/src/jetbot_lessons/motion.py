@@ -30,7 +30,7 @@ Wheels = Callable[[], Tuple[float, float]]  # returns the speeds of the left and
 
 
 def init_node() -> None:
-    """Make this process a node, if it is none yet; call it only where a master runs."""
+    """Make this process a node, unless it is one already; a master must be running."""
     if not rospy.core.is_initialized():
         rospy.init_node("check_lesson", anonymous=True, disable_signals=True)
 
@@ -121,7 +121,7 @@ def fake_wheels() -> Optional[Wheels]:
 
 
 def status() -> str:
-    """Return the controller's status text; ROSException where none comes."""
+    """Return the controller's status text; raise ROSException if none arrives."""
     return rospy.wait_for_message("/jetbot_controller/status", String, REPORT_TIMEOUT).data
 
 

@@ -1,9 +1,13 @@
 """A picture of a recording: the track from above, and the speeds over time."""
 
 import math
+from typing import Callable, Sequence
 
+from geometry_msgs.msg import Twist
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from .diff_drive import Pose
 from .recording import Recording
 
 BLUE, ORANGE, GREEN, RED = "tab:blue", "tab:orange", "tab:green", "tab:red"
@@ -13,7 +17,7 @@ ARROWS = 8  # along the track
 
 
 def draw(recording: Recording, file: str) -> None:
-    """Draw a recording that holds odometry into a PNG file; raise OSError where it cannot be written."""
+    """Draw a recording that holds odometry into a PNG file; raise OSError if it cannot be written."""
     figure = Figure(figsize=(7, 9), constrained_layout=True)
     track, linear, angular = figure.subplots(3, gridspec_kw={"height_ratios": (5, 1.2, 1.2)})
     draw_track(track, recording.poses)
@@ -26,7 +30,7 @@ def draw(recording: Recording, file: str) -> None:
     figure.savefig(file, dpi=100)
 
 
-def draw_track(axes, poses):
+def draw_track(axes: Axes, poses: Sequence[Pose]) -> None:
     """Draw the track from above, with arrows in the direction of the heading."""
     axes.plot([pose.x for pose in poses], [pose.y for pose in poses], color=BLUE, linewidth=2)
     for pose in poses[::max(1, len(poses) // ARROWS)]:
@@ -42,14 +46,14 @@ def draw_track(axes, poses):
     axes.grid(alpha=0.3)
 
 
-def draw_heading(axes, pose, color, **size):
+def draw_heading(axes: Axes, pose: Pose, color: str, **size: float) -> None:
     """Draw an arrow at the pose."""
     axes.quiver(pose.x, pose.y, math.cos(pose.yaw), math.sin(pose.yaw), color=color, zorder=3, pivot="mid",
                 headlength=4, headaxislength=4, **size)
 
 
-def draw_speed(axes, recording, speed, label):
-    """Draw the speed that a function takes from a Twist, as commanded and as driven, over the time of the odometry."""
+def draw_speed(axes: Axes, recording: Recording, speed: Callable[[Twist], float], label: str) -> None:
+    """Draw the speed that a function takes from a Twist, commanded and actual, over the time of the odometry."""
     (start, _), (end, _) = recording.velocities[0], recording.velocities[-1]
     commands = [(time, twist) for time, twist in recording.commands if start <= time <= end]
     for samples, style in (commands, COMMANDED), (recording.velocities, ACTUAL):

@@ -22,10 +22,10 @@ class Recording(NamedTuple):
 
 
 def read_bag(file: str, odom: str, cmd_vel: str) -> Recording:
-    """Return what a rosbag holds on these topics; raise ROSBagException where it cannot be read."""
+    """Return what a rosbag holds on these topics; raise ROSBagException if it cannot be read."""
     types = {odom: Odometry._type, cmd_vel: Twist._type}
     try:
-        with rosbag.Bag(file) as bag:  # which keeps names as they were typed
+        with rosbag.Bag(file) as bag:  # its topics are as their publishers wrote them: odom or /odom
             return make_recording((time.to_sec(), message) for topic, message, time in bag.read_messages()
                                   if types.get("/" + topic.lstrip("/")) == message._type)
     except rosbag.ROSBagUnindexedException:  # its recorder was killed

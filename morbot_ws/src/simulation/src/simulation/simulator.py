@@ -16,7 +16,7 @@ from jetbot_ros.messages import frame_name, odometry, transform
 
 from .diff_drive import DiffDriveModel, Pair, Pose
 
-RATE = 50           # steps per second
+RATE = 50           # Hz
 JOINTS = ["left_wheel_joint", "right_wheel_joint"]  # as in jetbot.urdf
 PATH_STEP = 0.05    # metres between two poses of the path
 PATH_LENGTH = 1000  # poses; the oldest are dropped
@@ -85,7 +85,7 @@ class Simulator:
             self._path.publish(Path(odom.header, list(self._poses)))
 
     def _print_state(self, _):
-        """Print pose and wheel speeds where they have changed, with two decimals and no -0.00."""
+        """Print pose and wheel speeds if they have changed, with two decimals and no -0.00."""
         pose, wheels = self._model.pose, (self._model.left.speed, self._model.right.speed)
         x, y, left, right = (f"{round(value, 2) + 0.0:.2f}" for value in (pose.x, pose.y, *wheels))
         state = (f"at x {x} m, y {y} m, heading {round(math.degrees(pose.yaw))} deg; "
