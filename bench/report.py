@@ -84,7 +84,7 @@ def machine() -> str:
 
 def draw(figures: Figures, file: Path) -> None:
     """Draw the panels into a PNG file: a group of bars per case, a bar per implementation."""
-    from matplotlib.figure import Figure  # here, since the tables do without it
+    from matplotlib.figure import Figure  # here: the tables, and their tests, do without it
     figure = Figure(figsize=(14, 7.5), constrained_layout=True)
     for axes, (section, quantity, scale) in zip(figure.subplots(2, 3).flat, PANELS):
         rows = {row: values for row, values in figures.medians(section).items() if row[0].startswith(quantity)}

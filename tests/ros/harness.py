@@ -101,30 +101,29 @@ class RobotTest(unittest.TestCase):
         """Publish an emergency stop or its release, latched for robots that start later."""
         self._emergency.publish(engaged)
 
-    def publisher(self, linear: float = 0.5) -> subprocess.Popen:
-        """Start a process that publishes this command ten times per second."""
-        return self.start("rostopic", "pub", "-r", "10", "/cmd_vel", "geometry_msgs/Twist",
-                          f"{{linear: {{x: {linear}}}}}")
+    def publisher(self) -> subprocess.Popen:
+        """Start a process that commands 0.5 m/s ten times per second."""
+        return self.start("rostopic", "pub", "-r", "10", "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.5}}")
 
     def wheels(self) -> Tuple[float, float]:
         """Return the speeds (left, right) of the wheels on the fake bus, in [-1, 1]."""
         return wheel_speeds(self.bus)
 
     def wait_for(self, condition: Callable[[], object], within: float, what: str) -> None:
-        """Fail unless the condition becomes true within so many seconds; what: its description."""
+        """Fail unless the condition becomes true within this many seconds; what: its description."""
         if not wait_until(condition, within):
             self.fail(f"waited {within} s for {what}; wheels {self.wheels()}{self.logs()}")
 
     def wait_for_wheels(self, left: float, right: float, within: float = 5.0) -> None:
-        """Fail unless the wheels reach these speeds within so many seconds."""
+        """Fail unless the wheels reach these speeds within this many seconds."""
         self.wait_for(lambda: near(self.wheels(), (left, right)), within, f"the wheels to turn at {left}, {right}")
 
     def wait_for_stop(self, within: float) -> None:
-        """Fail unless both wheels stop within so many seconds."""
+        """Fail unless both wheels stop within this many seconds."""
         self.wait_for(lambda: self.wheels() == STOPPED, within, "the wheels to stop")
 
     def wheels_stay(self, left: float, right: float, for_seconds: float) -> None:
-        """Fail if the wheels leave these speeds within so many seconds."""
+        """Fail if the wheels leave these speeds within this many seconds."""
         if wait_until(lambda: not near(self.wheels(), (left, right)), for_seconds):
             self.fail(f"the wheels turn at {self.wheels()}{self.logs()}")
 
@@ -140,7 +139,7 @@ class RobotTest(unittest.TestCase):
         return self.record("/jetbot_controller/status", String, lambda message: message.data)
 
     def wait_for_status(self, texts: List[str], text: str, within: float = 5.0) -> None:
-        """Fail unless this becomes the last of the status texts within so many seconds."""
+        """Fail unless this becomes the last of the status texts within this many seconds."""
         self.wait_for(lambda: texts and texts[-1] == text, within, f"the status {text!r} after {texts}")
 
     def logs(self) -> str:
@@ -149,7 +148,7 @@ class RobotTest(unittest.TestCase):
 
 
 def find_processes(text: str, name: str = "") -> List[int]:
-    """Return the ids of the processes with this text in their command line, and this name, where one is given."""
+    """Return the ids of the processes with this text in their command line, and this name, if one is given."""
     ids = []
     for path in Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):  # it has just ended

@@ -22,7 +22,7 @@ KEY_INTERVAL = 0.1    # s between two keys
 
 
 class Terminal:
-    """A shell that the pupil opens. Its methods raise AssertionError when something else happens, or too late."""
+    """A shell that the pupil opens. Its methods raise AssertionError if something else happens, or too late."""
 
     def __init__(self, folder: Path, environment: Dict[str, str]):
         self._shell = pexpect.spawn("bash", cwd=str(folder), env=environment, dimensions=(50, 300))

@@ -1,4 +1,4 @@
-"""draw_track.py draws from a bag; where it cannot, it ends with one sentence."""
+"""draw_track.py draws from a bag; if it cannot, it ends with one sentence."""
 
 import runpy
 import sys

@@ -87,8 +87,7 @@ def test_another_chip_at_sparkfuns_address(folder):
     ("smbus2", True, "Install it with: pip3 install smbus2"),
     ("serial", True, "Install it with: sudo apt install python3-serial"),
     ("rospy", True, "Type: source {}/setup.bash   Or install it with: sudo apt install ros-noetic-rospy")])
-def test_install_advice(module, noetic, advice, tmp_path, monkeypatch):
-    monkeypatch.undo()
+def test_install_advice(module, noetic, advice, tmp_path):
     assert doctor.install_advice(module, tmp_path if noetic else tmp_path / "none") == advice.format(tmp_path)
 
 

@@ -20,11 +20,8 @@ def host(monkeypatch):
     (errno.EACCES, PermissionDenied, "No permission to open /dev/i2c-1. Join its group i2c."),
     (errno.EBUSY, BusError, "0x60 on /dev/i2c-1 is in use by a kernel driver. Unload that driver."),
     (errno.ETIMEDOUT, BusStuck, "The bus /dev/i2c-1 is stuck. Switch the robot off and on, and check the wires."),
-    (errno.ENXIO, NoAnswer, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
-                            "This computer has /dev/i2c-0."),
-    (errno.EREMOTEIO, NoAnswer, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
-                                "This computer has /dev/i2c-0."),
-])
+    *((number, NoAnswer, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
+       "This computer has /dev/i2c-0.") for number in (errno.ENXIO, errno.EREMOTEIO))])
 def test_each_failure_has_its_class_and_sentence(number, kind, sentence):
     error = explain(OSError(number, ""), "/dev/i2c-1", 0x60)
     assert (type(error), error.errno, str(error)) == (kind, number, sentence)

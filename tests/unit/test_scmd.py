@@ -15,8 +15,6 @@ from jetbot.fake.chips import SCMD
 from jetbot.fake.motors import wheel_speeds
 from jetbot.i2c import I2CDevice
 
-REGISTERS = 4  # that are read back in turn
-
 
 @pytest.fixture
 def board(folder):
@@ -67,7 +65,7 @@ def not_ready(folder):
 
 
 def test_a_chip_that_is_not_ready_holds_up_no_program_that_drives(board, not_ready):
-    for _ in range(REGISTERS):
+    for _ in range(4):  # as many registers as are read back in turn
         board.verify()
     with pytest.raises(NotReady, match="^The motor driver on .* is not ready. Switch the robot off and on.$"):
         board.drive(0.5, 0.5)

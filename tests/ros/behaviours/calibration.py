@@ -36,7 +36,7 @@ class CalibrationTest(RobotTest):
         self.terminal.sendline(text)
 
     def drive(self, announcement):
-        """Start a motion and end it by a key; return the speeds of the wheels, STOPPED where nothing turned."""
+        """Start a motion and end it by a key; return the speeds of the wheels, STOPPED if nothing turned."""
         self.answer(announcement)
         self.wait_for(lambda: self.wheels() != STOPPED or self.terminal.expect([pexpect.TIMEOUT, QUESTION], timeout=0),
                       START_TIMEOUT, "a motion")

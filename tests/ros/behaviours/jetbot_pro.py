@@ -82,7 +82,7 @@ class JetBotProTest(RobotTest):
         self.assertFalse(self.board.bad)
 
     def test_a_steady_command_is_repeated_20_times_per_second(self):
-        self.publisher(0.5)
+        self.publisher()
         self.wait_for_velocity((500, 0), within=START_TIMEOUT)
         count = len(self.board.velocities)
         self.wait_for(lambda: len(self.board.velocities) > count + 40, 2.0, "more than 20 frames per second")
@@ -104,8 +104,8 @@ class JetBotProTest(RobotTest):
         self.board.unplug()
         self.wait_for_status(texts, f"stopped: there is no serial port {self.link}, trying again")
         self.board.plug_in()
-        self.publisher(0.3)
-        self.wait_for_velocity((300, 0), within=START_TIMEOUT)
+        self.publisher()
+        self.wait_for_velocity((500, 0), within=START_TIMEOUT)
         self.wait_for_status(texts, "driving")
 
     def test_odometry_imu_and_tf(self):

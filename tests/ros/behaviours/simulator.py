@@ -39,7 +39,7 @@ class Simulator(RobotTest):
         self.wait_for(lambda: tuple(round(value, 2) for value in pose_of(self.samples[-1])) == pose, 5.0, f"{pose}")
 
     def sample_after(self, seconds):
-        """Return the newest pose now, the first that is so many seconds later, and the seconds between them."""
+        """Return the newest pose, the first that is this many seconds later, and the seconds between them."""
         first = self.samples[-1]
         self.wait_for(lambda: elapsed(first, self.samples[-1]) >= seconds, seconds + 5, "odometry")
         last = self.samples[-1]

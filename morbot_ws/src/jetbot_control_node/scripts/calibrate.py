@@ -25,7 +25,7 @@ from jetbot_tools.wizard import WIZARDS, Wizard
 
 def find_boards(**connection: Any) -> List[str]:
     """Return the names of the boards that answer on the i2c_bus, else on the port; raise JetbotError if none does."""
-    places = {board: row.place(**connection) for board, row in BOARDS.items() if board != "jetbot"}  # two at once
+    places = {board: row.place(**connection) for board, row in BOARDS.items() if board != "jetbot"}  # two of them
     for place in dict.fromkeys(places.values()):
         checks = {board: check_board(board, **connection) for board in places if places[board] == place}
         if any(check.ok for check in checks.values()):

@@ -33,13 +33,13 @@ class Report:
 
     def change(self, state: State) -> None:
         """Publish a status that differs from the one before."""
-        self._publish_status(state.status)
+        self._status_publisher.publish(state.status)
         with contextlib.suppress(queue.Full):  # the terminal blocks the main thread, which then logs the latest only
             self._status_changes.put_nowait(state)
 
     def end(self) -> None:
         """Publish the last status, and wake ``spin``."""
-        self._publish_status("stopped: the controller has ended")
+        self._status_publisher.publish("stopped: the controller has ended")
         with contextlib.suppress(queue.Full):
             self._status_changes.put_nowait(None)
 
@@ -56,8 +56,6 @@ class Report:
                 due = time.monotonic() + DIAGNOSTICS_INTERVAL
                 updater.force_update()
 
-    def _publish_status(self, status):
-        self._status_publisher.publish(status)
 
     def _next_change(self, timeout):
         with contextlib.suppress(queue.Empty):
