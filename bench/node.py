@@ -98,7 +98,7 @@ class Robots:
         """
         commands = wire.replay(self._implementation, speeds)
         sent, seen, over = {}, {}, threading.Event()  # sent, seen: times in s by (robot, number of the command)
-        threading.Thread(target=self._watch, args=(commands, sent, seen, over)).start()
+        threading.Thread(target=self._poll, args=(commands, sent, seen, over)).start()
         try:
             cpu = self.cpu_during(lambda: self._send(speeds, rate, sent, seen))
         finally:
@@ -107,7 +107,7 @@ class Robots:
         latencies = numpy.array([1000 * (seen[key] - sent[key]) for key in keys])
         return latencies, latencies - [1000 * commands[number].wire_bits / self._clock for _, number in keys], cpu
 
-    def _watch(self, commands, sent, seen, over):
+    def _poll(self, commands, sent, seen, over):
         """Poll the chips; record when each first holds a command."""
         numbers = {command.outputs: number for number, command in enumerate(commands)}
         while not over.wait(POLL_INTERVAL):

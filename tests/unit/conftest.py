@@ -52,20 +52,20 @@ def registers(folder, address=0x60):
     return fake.chip_file(folder, address).read_bytes()
 
 
-# A JetBot Pro's report: gyro and acceleration, x, y and yaw.
-REPORT_BODY = (b"\xaa\x55\x2d\x01" + struct.pack(">6h", 16384, 0, -16384, 0, 0, 16384) + bytes(6)
+# A telemetry frame of the JetBot Pro: gyro and acceleration, x, y and yaw.
+BODY = (b"\xaa\x55\x2d\x01" + struct.pack(">6h", 16384, 0, -16384, 0, 0, 16384) + bytes(6)
                + struct.pack(">3h", 1500, -250, 785) + bytes(16))
-REPORT = REPORT_BODY + bytes([sum(REPORT_BODY) % 256])
+TELEMETRY = BODY + bytes([sum(BODY) % 256])
 
 
 @pytest.fixture
 def port():
-    """A pseudo-terminal: (the board's end, the name of the computer's end)."""
-    board, computer = pty.openpty()
+    """A pseudo-terminal: (the board's end, the name of the host's end)."""
+    board, host = pty.openpty()
     tty.setraw(board)
-    yield board, os.ttyname(computer)
+    yield board, os.ttyname(host)
     os.close(board)
-    os.close(computer)
+    os.close(host)
 
 
 @pytest.fixture

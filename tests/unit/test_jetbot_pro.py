@@ -8,7 +8,7 @@ from unittest.mock import Mock
 import pytest
 import serial
 
-from conftest import REPORT
+from conftest import TELEMETRY
 from jetbot import BusError
 from jetbot.boards import find_board
 from jetbot.boards.jetbot_pro import FrameReader, frame, velocity
@@ -37,16 +37,16 @@ def test_frames_of_the_default_settings():
 
 def test_reads_a_frame_that_comes_byte_by_byte():
     reader = FrameReader()
-    assert [frame for byte in REPORT for frame in reader.feed(bytes([byte]))] == [(0x01, REPORT[4:-1])]
+    assert [frame for byte in TELEMETRY for frame in reader.feed(bytes([byte]))] == [(0x01, TELEMETRY[4:-1])]
 
 
 @pytest.mark.parametrize("noise", [
-    b"\x00", b"\xaa", b"\xaa\x55", b"\xaa\x55\x2d", b"\xaa\x55\xff\x01", b"\xaa\x55\x00\x01", REPORT[:-1] + b"\x00",
-    REPORT[:20], bytes(range(256))])
+    b"\x00", b"\xaa", b"\xaa\x55", b"\xaa\x55\x2d", b"\xaa\x55\xff\x01", b"\xaa\x55\x00\x01", TELEMETRY[:-1] + b"\x00",
+    TELEMETRY[:20], bytes(range(256))])
 def test_finds_the_frames_after_noise(noise):
-    frames = list(FrameReader().feed(noise + REPORT + REPORT + REPORT))
+    frames = list(FrameReader().feed(noise + TELEMETRY + TELEMETRY + TELEMETRY))
     assert len(frames) >= 2
-    assert set(frames) == {(0x01, REPORT[4:-1])}
+    assert set(frames) == {(0x01, TELEMETRY[4:-1])}
 
 
 def read(end, count):
@@ -73,7 +73,7 @@ def test_telemetry_in_units(port):
     board = find_board("jetbot_pro").open(name)
     telemetry = []
     board.listen(telemetry.append)
-    os.write(end, b"noise" + frame(0x01) + REPORT)  # whole, but too short for a report
+    os.write(end, b"noise" + frame(0x01) + TELEMETRY)  # whole, but too short for telemetry
     assert wait_until(lambda: telemetry, TIMEOUT)
     assert (telemetry[0].x, telemetry[0].y, telemetry[0].yaw) == (1500, -250, 785)
     assert telemetry[0].gyro == pytest.approx((17.4533, 0, -17.4533), abs=1e-4)
@@ -89,7 +89,7 @@ def test_a_file_is_no_port(tmp_path):
 
 def test_closing_while_it_listens_leaves_the_port_closed(port):
     driver = find_board("jetbot_pro").open(port[1])
-    driver.listen(lambda report: None)
+    driver.listen(lambda telemetry: None)
     assert is_open(port[1])
     driver.close()
     assert not is_open(port[1])
@@ -98,8 +98,8 @@ def test_closing_while_it_listens_leaves_the_port_closed(port):
 def test_who_listens_may_close(port):
     end, name = port
     driver = find_board("jetbot_pro").open(name)
-    driver.listen(lambda report: driver.close())
-    os.write(end, REPORT)
+    driver.listen(lambda telemetry: driver.close())
+    os.write(end, TELEMETRY)
     assert wait_until(lambda: not is_open(name), TIMEOUT)
 
 

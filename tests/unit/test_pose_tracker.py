@@ -60,7 +60,7 @@ def test_velocity_of_a_curve_and_of_driving_backward():
 
 
 @pytest.mark.parametrize("count, period", [(2, 0.04), (2, 0.08), (4, 0.2)])
-def test_reports_in_bursts_give_the_same_velocity(count, period):
+def test_telemetry_in_bursts_gives_the_same_velocity(count, period):
     tracker = PoseTracker()
     for burst in range(6):
         for i in range(count):

@@ -28,9 +28,9 @@ class Board(JetBotPro):
         self.plug_in()
 
     def plug_in(self):
-        self._end, self._computer = pty.openpty()
+        self._end, self._host = pty.openpty()
         tty.setraw(self._end)
-        os.symlink(os.ttyname(self._computer), self._link)
+        os.symlink(os.ttyname(self._host), self._link)
         self._plugged = True
         self._listener = threading.Thread(target=self._listen)
         self._listener.start()
@@ -40,11 +40,11 @@ class Board(JetBotPro):
             os.unlink(self._link)
         self._plugged = False
         self._listener.join()
-        os.close(self._computer)
+        os.close(self._host)
         os.close(self._end)
 
-    def send_report(self, x, y, yaw):
-        os.write(self._end, self.report(x, y, yaw))
+    def send_telemetry(self, x, y, yaw):
+        os.write(self._end, self.telemetry(x, y, yaw))
 
     def _listen(self):
         while self._plugged:
@@ -112,7 +112,7 @@ class JetBotProTest(RobotTest):
         odoms, imus = self.record("odom", Odometry), self.record("imu/data_raw", Imu)
         transforms = self.record("/tf", TFMessage)
         for x in range(0, 10000, 10):  # mm
-            self.board.send_report(x, 0, 0)
+            self.board.send_telemetry(x, 0, 0)
             rospy.sleep(0.02)
             if len(odoms) > 20 and imus and transforms:
                 break

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Starts RViz with a configuration for one robot; in a namespace, the frames of that robot."""
+"""Starts RViz with a configuration for one robot; in a namespace, with the frames of that robot."""
 
 import os
 import shutil

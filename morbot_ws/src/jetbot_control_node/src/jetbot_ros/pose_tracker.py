@@ -8,8 +8,8 @@ COUNTER_RANGE = 0x10000  # mm and mrad after which the board's int16 counters wr
 YAW_RANGE = 2000 * math.pi  # mrad: a board may also wrap its yaw at a full turn
 RESTART_RANGE = 100      # mm and mrad: the counters of a board that has just restarted are below
 MAX_RATES = (2000, 2000, 10000)  # mm/s, mm/s and mrad/s, which no JetBot reaches; a faster change is a restart
-MAX_GAP = 0.12           # s: a longer gap between reports says no more about a restart
-BURST_INTERVAL = 0.01    # s within which reports count as one: the serial port may hold some back
+MAX_GAP = 0.12           # s: a longer gap in the telemetry says no more about a restart
+BURST_INTERVAL = 0.01    # s within which telemetry frames count as one: the serial port may hold some back
 WINDOW = 0.04            # s, at least, over which velocities are averaged
 
 Counts = Tuple[int, int, int]  # x, y in mm; yaw in mrad

@@ -38,6 +38,6 @@ def trim(left_alpha: float, right_alpha: float, drift: float) -> Tuple[float, fl
 
 def as_yaml(values: Mapping[str, Any]) -> str:
     """Return parameters as a YAML file with the meaning of each as a comment."""
-    lines = ["# Made by calibrate.py for one robot; the controller loads it. Without this file, the defaults hold."]
+    lines = ["# Made by calibrate.py for one robot; the controller loads it. Without this file, the defaults apply."]
     lines += [f"{name}: {json.dumps(values[name])}  # {row.doc}" for name, row in PARAMETERS.items() if name in values]
     return "\n".join(lines) + "\n"

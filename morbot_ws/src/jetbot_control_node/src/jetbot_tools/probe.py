@@ -13,7 +13,7 @@ from jetbot.i2c import I2CDevice
 from jetbot.serial_link import SerialLink
 
 LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
-TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many reports in that time
+TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many frames in that time
 
 
 class Check(NamedTuple):

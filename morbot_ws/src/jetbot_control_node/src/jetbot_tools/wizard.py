@@ -21,7 +21,7 @@ Speeds = Tuple[float, float]  # left, right
 
 
 class Wizard:
-    """Collects the ``parameters`` of one robot, whose board drives each wheel by itself."""
+    """Collects the ``parameters`` of one robot, whose board takes a duty for each wheel."""
 
     wiring = staticmethod(motor_wiring)
 

@@ -14,7 +14,7 @@ from ..errors import BusError
 from ..serial_link import SerialLink
 from .driver import MotorDriver, Telemetry
 
-HEAD = b"\xaa\x55"
+HEADER = b"\xaa\x55"
 MIN_FRAME, MAX_FRAME = 5, 64                    # bytes; the longest that the board sends, telemetry, has 45
 VELOCITY, PID, CORRECTIONS = 0x11, 0x12, 0x13   # types of frames to the board
 TELEMETRY, TELEMETRY_PAYLOAD = 0x01, 40         # from the board: type, bytes
@@ -96,7 +96,7 @@ class FrameReader:
         """Yield (type, payload) for every frame that the new bytes complete."""
         self._buffer += data
         while True:
-            start = self._buffer.find(HEAD)
+            start = self._buffer.find(HEADER)
             self._buffer = self._buffer[start:] if start >= 0 else self._buffer[-1:]
             length = self._buffer[2] if len(self._buffer) > 2 else MAX_FRAME
             if len(self._buffer) < length <= MAX_FRAME:
@@ -117,7 +117,7 @@ class FrameReader:
 
 def frame(kind: int, *values: int) -> bytes:
     """Return a frame of this type with int16 values."""
-    body = HEAD + bytes([MIN_FRAME + 2 * len(values), kind]) + struct.pack(f">{len(values)}h", *values)
+    body = HEADER + bytes([MIN_FRAME + 2 * len(values), kind]) + struct.pack(f">{len(values)}h", *values)
     return body + bytes([checksum(body)])
 
 

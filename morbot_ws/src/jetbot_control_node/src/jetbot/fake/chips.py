@@ -2,8 +2,8 @@
 
 Written from NXP's data sheet of the PCA9685 (rev. 4) and SparkFun's description of the SCMD, not from the drivers, and
 with registers as plain numbers, so that a driver's mistake shows. A chip has ``POWER_ON``, its registers at power-on;
-``write(registers, register, data)``, which applies one transfer; and ``speed(registers, motor, silence)``, the speed in
-[-1, 1] of a motor that is wired to it, if nobody has written for ``silence`` seconds.
+``write(registers, register, data)``, which applies one transfer; and ``speed(registers, motor, age)``, the speed in
+[-1, 1] of a motor that is wired to it, ``age`` seconds after the last write.
 """
 
 from typing import Optional, Sequence, Tuple
@@ -50,7 +50,7 @@ class PCA9685:
         return 1.0 if on & 0x1000 else (off - on) % 4096 / 4096
 
     @staticmethod
-    def speed(registers: bytes, motor: Tuple[Optional[int], int, int], silence: float = 0.0) -> float:
+    def speed(registers: bytes, motor: Tuple[Optional[int], int, int], age: float = 0.0) -> float:
         """motor: the outputs at its H bridge (PWM, forward input, backward input); PWM None: always on.
 
         With both inputs high, or both low, the motor gets no power.
@@ -75,9 +75,9 @@ class SCMD:
                 registers[register + offset] = value
 
     @staticmethod
-    def speed(registers: bytes, motor: int, silence: float) -> float:
+    def speed(registers: bytes, motor: int, age: float) -> float:
         """motor: the register of its drive byte, in which forward counts down."""
-        timed_out = registers[0x1F] & 0x01 and registers[0x76] and silence > registers[0x76] / 100
+        timed_out = registers[0x1F] & 0x01 and registers[0x76] and age > registers[0x76] / 100
         if timed_out or not registers[0x70] & 0x01:
             return 0.0
         return (0x80 - registers[motor]) / 0x80

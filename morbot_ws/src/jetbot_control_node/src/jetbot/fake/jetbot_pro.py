@@ -1,4 +1,4 @@
-"""A simulated JetBot Pro: takes frames, and reports its motion.
+"""A simulated JetBot Pro: takes velocity frames, and sends telemetry.
 
 Its registers are the last velocity frame that it received, byte by byte as on the wire. Written from Waveshare's ROS
 node for this robot, not from the driver.
@@ -9,11 +9,11 @@ import struct
 from collections import deque
 from typing import Tuple
 
-HEAD = b"\xaa\x55"
+HEADER = b"\xaa\x55"
 VELOCITY = 0x11
 
 
-def sealed(body: bytes) -> bytes:
+def with_checksum(body: bytes) -> bytes:
     """Return the frame with its checksum."""
     return body + bytes([sum(body) % 256])
 
@@ -21,7 +21,7 @@ def sealed(body: bytes) -> bytes:
 class JetBotPro:
     """The board's end of the wire. velocities: (mm/s, mrad/s) of the last velocity frames; bad: what was no frame."""
 
-    POWER_ON = sealed(HEAD + struct.pack(">BB3h", 11, VELOCITY, 0, 0, 0))
+    POWER_ON = with_checksum(HEADER + struct.pack(">BB3h", 11, VELOCITY, 0, 0, 0))
 
     def __init__(self):
         self.velocities = deque(maxlen=1000)
@@ -34,7 +34,7 @@ class JetBotPro:
         self._buffer += data
         while len(self._buffer) > 2 and len(self._buffer) >= self._buffer[2] > 4:
             frame, self._buffer = self._buffer[:self._buffer[2]], self._buffer[self._buffer[2]:]
-            if not frame.startswith(HEAD) or sealed(frame[:-1]) != frame:
+            if not frame.startswith(HEADER) or with_checksum(frame[:-1]) != frame:
                 self.bad.append(frame)
             elif frame[3] == VELOCITY:
                 newest = frame
@@ -42,14 +42,14 @@ class JetBotPro:
         return newest
 
     @staticmethod
-    def report(x: float, y: float, yaw: float, turn: float = 0.0) -> bytes:
+    def telemetry(x: float, y: float, yaw: float, turn: float = 0.0) -> bytes:
         """Return a telemetry frame: x, y in mm, yaw in mrad, turn in rad/s; the numbers wrap as int16 do."""
         gyro = round(math.degrees(turn) / 2000 * 32768)
         pose = (wrap(round(value)) for value in (x, y, yaw))
-        return sealed(HEAD + struct.pack(">BB6h6x3h16x", 45, 0x01, 0, 0, wrap(gyro), 0, 0, 16384, *pose))
+        return with_checksum(HEADER + struct.pack(">BB6h6x3h16x", 45, 0x01, 0, 0, wrap(gyro), 0, 0, 16384, *pose))
 
     @staticmethod
-    def speed(frame: bytes, side: int, silence: float = 0.0) -> float:
+    def speed(frame: bytes, side: int, age: float = 0.0) -> float:
         """Return the speed of a wheel in m/s, for wheels 2 m apart. side: -1 left, 1 right."""
         linear, angular = decode(frame)
         return (linear + side * angular) / 1000

@@ -40,5 +40,5 @@ def wheel_speeds(folder: Folder, board: str = "adafruit") -> Tuple[float, float]
         registers, written = file.read_bytes(), file.stat().st_mtime
     except FileNotFoundError:
         return STOPPED
-    silence = time.time() - written
-    return robot.chip.speed(registers, robot.left, silence), robot.chip.speed(registers, robot.right, silence)
+    age = time.time() - written
+    return robot.chip.speed(registers, robot.left, age), robot.chip.speed(registers, robot.right, age)

@@ -8,7 +8,7 @@ from . import Folder, chip_file
 from .bus import power_on
 from .jetbot_pro import JetBotPro, decode
 
-REPORT_INTERVAL = 1 / 30  # s
+TELEMETRY_INTERVAL = 1 / 30  # s
 
 
 class FakePort:
@@ -26,7 +26,7 @@ class FakePort:
         self._timeout = timeout
         self._board = JetBotPro()
         self._pose = (0.0, 0.0, 0.0)  # mm, mm, mrad
-        self._reported = time.monotonic()
+        self._sent_at = time.monotonic()
 
     def write(self, data: bytes) -> None:
         frame = self._board.receive(data)
@@ -35,17 +35,17 @@ class FakePort:
 
     def read(self, size: int) -> bytes:
         """Return the next telemetry frame, whatever the size asked for; b"" when none is due within the timeout."""
-        time.sleep(min(self._timeout, max(0.0, self._reported + REPORT_INTERVAL - time.monotonic())))
-        seconds = time.monotonic() - self._reported
+        time.sleep(min(self._timeout, max(0.0, self._sent_at + TELEMETRY_INTERVAL - time.monotonic())))
+        seconds = time.monotonic() - self._sent_at
         linear, angular = decode(self._file.read_bytes())
-        if seconds < REPORT_INTERVAL:
+        if seconds < TELEMETRY_INTERVAL:
             return b""
-        self._reported += seconds
+        self._sent_at += seconds
         x, y, yaw = self._pose
         heading = (yaw + angular * seconds / 2) / 1000
         way = linear * seconds
         self._pose = x + way * math.cos(heading), y + way * math.sin(heading), yaw + angular * seconds
-        return self._board.report(*self._pose, angular / 1000)
+        return self._board.telemetry(*self._pose, angular / 1000)
 
     def close(self) -> None:
         """Nothing stays open between transfers."""
