@@ -54,7 +54,7 @@ def registers(folder, address=0x60):
 
 # A telemetry frame of the JetBot Pro: gyro and acceleration, x, y and yaw.
 BODY = (b"\xaa\x55\x2d\x01" + struct.pack(">6h", 16384, 0, -16384, 0, 0, 16384) + bytes(6)
-               + struct.pack(">3h", 1500, -250, 785) + bytes(16))
+        + struct.pack(">3h", 1500, -250, 785) + bytes(16))
 TELEMETRY = BODY + bytes([sum(BODY) % 256])
 
 

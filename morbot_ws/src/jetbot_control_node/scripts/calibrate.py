@@ -73,7 +73,7 @@ def write(file: Path, text: str) -> None:
     print("The controller uses it from now on." if file == default_file() else f"To use it: {command}")
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     add_options(parser, board="those that answer are tried", i2c_bus="the one of this computer's motors", port="")
     parser.add_argument("--output", type=Path, help="the YAML file to write (default: jetbot.yaml in ROS's home; "

@@ -9,7 +9,7 @@ from jetbot_tools.doctor import run_checks
 from jetbot_tools.options import add_options, as_options
 
 
-def main():
+def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--json", action="store_true", help="print the checks as a JSON list")
     add_options(parser, i2c_bus="every bus", port="")

@@ -28,7 +28,7 @@ def parse_arguments(arguments: List[str]) -> Tuple[Union[int, str], ...]:
     return int(number), *names
 
 
-def main():
+def main() -> None:
     number, *own = parse_arguments(rospy.myargv()[1:])
     try:
         problem = first_problem(number, *own)

@@ -23,7 +23,7 @@ def parse_arguments() -> argparse.Namespace:
     return parser.parse_args(rospy.myargv()[1:])
 
 
-def main():
+def main() -> None:
     given = parse_arguments()
     odom, cmd_vel = (os.path.join("/", given.robot.strip("/"), name) for name in ("odom", "cmd_vel"))
     if given.bag:

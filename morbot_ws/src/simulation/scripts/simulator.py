@@ -13,7 +13,7 @@ from simulation.parameters import fake_folder, resolve
 from simulation.simulator import Simulator
 
 
-def main():
+def main() -> None:
     require_master()
     rospy.init_node("jetbot_simulator")
     given = resolve(rospy.get_param("~", {}))

@@ -74,8 +74,8 @@ class Wizard:
         alphas = (1.0, 1.0)
         while True:
             self.parameters.update(zip(("left_motor_alpha", "right_motor_alpha"), alphas))
-            self.drive(f"The robot will drive ahead for {DRIVE_STEPS * STEP:.0f} s.",
-                       [(DRIVE_SPEED, DRIVE_SPEED)] * DRIVE_STEPS)
+            speeds = [(DRIVE_SPEED, DRIVE_SPEED)] * DRIVE_STEPS
+            self.drive(f"The robot will drive ahead for {DRIVE_STEPS * STEP:.0f} s.", speeds)
             drift = number("How many centimetres off the line was it after one metre? "
                            "Press Enter alone if that is straight enough.", 90) / 100
             if not drift:
