@@ -8,6 +8,7 @@ import pytest
 
 from conftest import ROOT, SOURCE
 from jetbot import InvalidValue
+from jetbot.boards import BOARDS
 from jetbot_ros.parameters import PARAMETERS, checked, load, resolve
 
 LAUNCH = ET.parse(SOURCE / "launch/jetbot_controller.launch").getroot()
@@ -35,8 +36,8 @@ def test_a_mistyped_name():
 
 
 @pytest.mark.parametrize("name, value, must", [
-    ("board", "lego", "one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro"),
-    ("board", ["jetbot"], "one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro"),
+    ("board", "lego", f"one of {', '.join(BOARDS)}"),
+    ("board", ["jetbot"], f"one of {', '.join(BOARDS)}"),
     ("i2c_bus", 1.5, "a number, fake, or fake:FOLDER"),
     ("port", 7, "a serial device, a pyserial URL, fake, or fake:FOLDER"),
     ("cmd_vel_timeout", -1, "a number of seconds, 0 or more"),

@@ -93,6 +93,13 @@ def test_the_timer_is_off_until_it_is_fed(board, folder):
     assert registers(folder, 0x5D)[0x1F] & 1
 
 
+def test_keep_alive_restores_the_drive_bytes(board, folder):
+    board.drive(0.5, 0.5)
+    FakeBus(folder).write_i2c_block_data(0x5D, 0x20, [0x80, 0x00])
+    board.keep_alive()
+    assert wheel_speeds(folder, "sparkfun") == (0.5, 0.5)
+
+
 def test_the_timer_stops_the_motors_when_it_is_not_fed(board, folder):
     board.drive(1, 1)
     board.keep_alive()

@@ -6,6 +6,7 @@ import pytest
 
 from conftest import SIMULATION, SOURCE
 from jetbot import InvalidValue
+from jetbot.fake.motors import ROBOTS
 from jetbot_ros.parameters import checked, load
 from jetbot_tools import calibration
 from simulation.parameters import PARAMETERS, fake_folder, resolve
@@ -18,7 +19,7 @@ SIZE = load(BODY)
     ("i2c_bus", 1, "fake, or fake:FOLDER"),
     ("i2c_bus", "faked", "fake, or fake:FOLDER"),
     ("port", "/dev/ttyACM0", "fake, or fake:FOLDER"),
-    ("board", "lego", "one of adafruit, waveshare, sparkfun, jetbot_pro, jetbot"),
+    ("board", "lego", f"one of {', '.join(ROBOTS)}"),
     ("dead_band", 1, "a number of at least 0 and below 1"),
     ("motor_lag", -1, "a number of seconds, 0 or more"),
     ("wheel_diameter", 0, "a number above 0"),

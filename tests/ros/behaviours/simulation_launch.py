@@ -1,12 +1,13 @@
 """simulation.launch: the robot has the controller's board and units; one node publishes odom, one sends its tf."""
 
 import math
-from pathlib import Path
+import pathlib
 
 import rosgraph
 import rospy
 import tf2_ros
-from nav_msgs.msg import Odometry
+from geometry_msgs.msg import Vector3
+from nav_msgs.msg import Odometry, Path
 from tf2_msgs.msg import TFMessage
 
 from harness import START_TIMEOUT, RobotTest
@@ -32,24 +33,27 @@ class SimulationLaunch(RobotTest):
         self.assert_drives((0.5, 0.1), (0.5 * 0.6, 2 * 0.1 * 0.6 / 0.1125))
 
     def test_simulates_the_board_of_the_configuration_file(self):
-        config = Path(self.folder, "robot.yaml")
+        config = pathlib.Path(self.folder, "robot.yaml")
         config.write_text("board: sparkfun")
         self.simulate(f"config:={config}")
         self.assert_drives((0.5, 0.0), (0.3, 0.0))
 
-    def test_the_controller_of_a_jetbot_pro_alone_publishes_odom_and_the_simulator_tf(self):
-        frames, transforms = tf2_ros.Buffer(), self.record("/tf", TFMessage)
+    def test_the_controller_of_a_jetbot_pro_alone_publishes_odom_and_its_tf_and_they_agree_with_the_path(self):
+        frames, transforms, paths = tf2_ros.Buffer(), self.record("/tf", TFMessage), self.record("path", Path)
         self.addCleanup(tf2_ros.TransformListener(frames).unregister)
-        self.simulate("board:=jetbot_pro", "publish_tf:=true")
-        self.assert_drives((0.4, 0.2), (0.4, 0.2))
+        self.simulate("board:=jetbot_pro", "x:=1")
+        self.assert_drives((2.0, 0.2), (2.0, 0.2))
         self.assertEqual(dict(rosgraph.Master(rospy.get_name()).getSystemState()[0])["/odom"], ["/jetbot_controller"])
-        self.wait_for(lambda: heading(frames) > 0.04, START_TIMEOUT, "the simulated robot to turn to the left")
+        self.wait_for(lambda: position(frames).x > 2, START_TIMEOUT, "the simulated robot to drive")
         self.assertEqual({message._connection_header["callerid"] for message in transforms
-                          if message.transforms[0].child_frame_id == "base_footprint"}, {"/jetbot_simulator"})
+                          if message.transforms[0].child_frame_id == "base_footprint"}, {"/jetbot_controller"})
+        self.command(0)
+        self.wait_for(lambda: self.odometry[-1].twist.twist.linear.x == 0, START_TIMEOUT, "the end of the motion")
+        self.assertAlmostEqual(paths[-1].poses[-1].pose.position.x, position(frames).x, delta=0.2)
 
 
-def heading(frames):
-    """Return the heading of the simulated robot on the map in rad, 0 before it is known."""
+def position(frames):
+    """Return where the robot's left wheel is on the map, by tf; the origin before it is known."""
     if not frames.can_transform("map", "left_wheel", rospy.Time()):
-        return 0.0
-    return 2 * math.asin(frames.lookup_transform("map", "base_footprint", rospy.Time()).transform.rotation.z)
+        return Vector3()
+    return frames.lookup_transform("map", "left_wheel", rospy.Time()).transform.translation

@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from .boards import MotorDriver
 from .errors import InvalidValue
 from .kinematics import clamp
 
@@ -36,13 +37,16 @@ class Motor:
     def alpha(self, alpha: float) -> None:
         self._alpha = finite(alpha, "an alpha")
 
-    def duty(self, limit: float) -> float:
-        """Return the duty in [-limit, limit]: trim, clamp, dead-band compensation, sign."""
-        speed = clamp(self.alpha * self.value, limit)
+    def output(self, driver: MotorDriver) -> float:
+        """Return what the driver is given: a duty by trim, clamp, dead-band compensation and sign.
+
+        A board that controls the speeds of its wheels itself is given the speed, which no trim can improve.
+        """
+        alpha, min_duty = (1.0, 0.0) if driver.closed_loop else (self.alpha, self._min_duty)
+        speed = clamp(alpha * self.value, driver.limit)
         if speed == 0:
             return 0.0
-        duty = self._min_duty + (1 - self._min_duty) * abs(speed)
-        return math.copysign(duty, -speed if self._inverted else speed)
+        return math.copysign(min_duty + (1 - min_duty) * abs(speed), -speed if self._inverted else speed)
 
 
 def finite(number: Any, name: str) -> float:

@@ -119,7 +119,7 @@ class Robot:
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
         done = None
-        while done != (wanted := [motor.duty(self.driver.limit) for motor in self._outputs]):
+        while done != (wanted := [motor.output(self.driver) for motor in self._outputs]):
             for action in actions:
                 action()
             self.driver.drive(*wanted)

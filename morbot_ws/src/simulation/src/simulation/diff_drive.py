@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple, Tuple
 
-from jetbot.kinematics import clamp, mix
+from jetbot.kinematics import mix
 
 Pair = Tuple[float, float]  # left, right
 
@@ -68,7 +68,7 @@ class DiffDriveModel:
         """
         left, right = speeds
         if self._closed_loop:
-            left, right = (clamp(duty, 1.0) for duty in mix((left + right) / 2, (right - left) / 2, *self._geometry))
+            left, right = mix((left + right) / 2, (right - left) / 2, *self._geometry)
         distances = self.left.step(left, seconds), self.right.step(right, seconds)
         self.pose = self.pose.integrate_arc(*distances, self._geometry[0])
 

@@ -25,7 +25,8 @@ PATH_LENGTH = 1000  # poses; the oldest are dropped
 class Simulator:
     """Drives the model at the speeds that ``wheel_speeds`` returns; publishes ``joint_states``, ``path`` and tf.
 
-    publish_odom: whether to publish ``odom`` too. It has no drift: every odom frame coincides with the shared ``map``.
+    publish_odom: whether to publish ``odom`` and its tf too, without drift: its frame coincides with ``map``.
+    Otherwise the controller does, and its odometry starts at 0, where the robot is.
     ``~set_pose`` and ``~reset`` hand a pose to the loop, which alone changes the model.
     """
 
@@ -40,8 +41,9 @@ class Simulator:
         self._odom = rospy.Publisher("odom", Odometry, queue_size=10) if publish_odom else None
         self._joint_states = rospy.Publisher("joint_states", JointState, queue_size=10)
         self._path = rospy.Publisher("path", Path, queue_size=1, latch=True)
-        self._tf = TransformBroadcaster()
-        StaticTransformBroadcaster().sendTransform(transform(rospy.Time.now(), "map", frame_name("odom"), Pose()))
+        self._tf = TransformBroadcaster() if publish_odom else None
+        origin = Pose() if publish_odom else model.pose
+        StaticTransformBroadcaster().sendTransform(transform(rospy.Time.now(), "map", frame_name("odom"), origin))
         rospy.Subscriber("~set_pose", Pose2D, self._on_set_pose, queue_size=1)
         rospy.Service("~reset", Empty, self._on_reset)
 
@@ -77,8 +79,9 @@ class Simulator:
         odom = odometry(rospy.Time.now(), model.pose, *model.velocity)
         if self._odom:
             self._odom.publish(odom)
+            self._tf.sendTransform(transform(odom.header.stamp, odom.header.frame_id, odom.child_frame_id, model.pose))
         self._joint_states.publish(JointState(odom.header, JOINTS, *model.joints, []))
-        self._tf.sendTransform(transform(odom.header.stamp, odom.header.frame_id, odom.child_frame_id, model.pose))
+        odom.header.frame_id = "map"
         position, last = odom.pose.pose.position, self._poses[-1].pose.position if self._poses else None
         if last is None or math.hypot(position.x - last.x, position.y - last.y) >= PATH_STEP:
             self._poses.append(PoseStamped(odom.header, odom.pose.pose))

@@ -30,7 +30,7 @@ class ScmdMotors(MotorDriver):
         super().__init__(link)
         self._sent = None  # the drive bytes as the chip holds them; None: not known
         self._has_blocks = False
-        self._registers = itertools.cycle([DRIVER_ENABLE, FSAFE_CTRL, MA_DRIVE, MB_DRIVE])
+        self._expected = itertools.cycle([(DRIVER_ENABLE, 1), (FSAFE_CTRL, FSAFE_DRIVE_KILL)])  # 0 after a brown-out
 
     def start(self) -> None:
         if self.link.read(ID) != ID_WORD:
@@ -56,14 +56,14 @@ class ScmdMotors(MotorDriver):
         sent, self._sent = self._sent, None  # also if the chip does not answer
         if sent is None:
             return
-        expected = {DRIVER_ENABLE: 1, FSAFE_CTRL: FSAFE_DRIVE_KILL, MA_DRIVE: sent[0], MB_DRIVE: sent[1]}
-        register = next(self._registers)
-        if self.link.read(register) == expected[register]:
+        register, expected = next(self._expected)
+        if self.link.read(register) == expected:
             self._sent = sent
 
     def keep_alive(self) -> None:
         if self._sent is not None:
             self.link.write(FSAFE_TIME, [TIMEOUT])
+            self._send(self._sent)  # whatever another program has written there
 
     def _takes_blocks(self) -> bool:
         """Return whether both drive bytes arrive in one transfer; tried with the motors switched off."""
@@ -88,4 +88,4 @@ def encode(speed: float) -> int:
 
     Full backward would be 256, which a byte wraps to 0, full forward; 255 is as near as it gets.
     """
-    return min(0xFF, max(0, STOP - round(speed * 0x80)))
+    return min(0xFF, STOP - round(speed * 0x80))
