@@ -56,7 +56,6 @@ class Report:
                 due = time.monotonic() + DIAGNOSTICS_INTERVAL
                 updater.force_update()
 
-
     def _next_change(self, timeout):
         with contextlib.suppress(queue.Empty):
             return self._status_changes.get(timeout=max(0.0, timeout))
