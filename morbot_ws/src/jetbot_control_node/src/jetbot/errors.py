@@ -2,14 +2,16 @@
 
 from typing import Optional
 
+from .text import printable
+
 
 class JetbotError(Exception):
     """One sentence for the user: what is wrong (``reason``) and what to do about it (``advice``)."""
 
     def __init__(self, reason: str, advice: str = ""):
         super().__init__(reason, advice)
-        self.reason = reason
-        self.advice = advice
+        self.reason = printable(reason)
+        self.advice = printable(advice)
 
     def __str__(self) -> str:
         sentence = f"{self.reason[0].upper()}{self.reason[1:]}."
