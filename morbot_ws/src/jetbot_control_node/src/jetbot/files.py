@@ -96,6 +96,9 @@ def _new_file(target: Path, content: bytes) -> Iterator[Path]:
     try:
         _write_new(new, content)
         yield new
+    except OSError as error:
+        error.filename = str(target)  # the name that the user knows
+        raise
     finally:
         with contextlib.suppress(OSError):
             new.unlink()
