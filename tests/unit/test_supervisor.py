@@ -1,14 +1,18 @@
 """What the thread that drives does and when, with a clock turned by hand and no master."""
 
 import threading
+from unittest.mock import Mock
 
 import pytest
 
-from jetbot import guard
+from jetbot import JetbotError, guard
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
+from jetbot_ros.safety import EMERGENCY_STOP, Sender
 from jetbot_ros.supervisor import Supervisor
+
+PUPIL = Sender("/pupil")
 
 
 @pytest.fixture
@@ -24,7 +28,7 @@ def statuses():
 @pytest.fixture
 def supervisor(robot, statuses):
     return Supervisor(robot, lambda linear, angular: robot.set_motors(linear - angular, linear + angular), 1.0,
-                      lambda: 1, lambda state: statuses.append(state.status))
+                      lambda: {PUPIL.name}, lambda state: statuses.append(state.status))
 
 
 def steps(supervisor, start, seconds):
@@ -38,7 +42,7 @@ def steps(supervisor, start, seconds):
 
 def go(supervisor, now=0.0):
     """A command at the time ``now``."""
-    supervisor.state = supervisor.state.command(0.5, 0.1, now)
+    supervisor.state = supervisor.state.command(0.5, 0.1, PUPIL, now)
 
 
 def test_a_command_turns_the_wheels(supervisor, folder, statuses):
@@ -52,7 +56,7 @@ def test_no_further_command_stops_within_the_timeout(supervisor, folder, statuse
     go(supervisor)
     steps(supervisor, 0.0, 1.1)
     assert wheel_speeds(folder) == STOPPED
-    assert statuses == ["driving", "stopped: no command for 1.0 s"]
+    assert statuses == ["driving", "stopped: no command for 1.0 s (repeat it: rostopic pub -r 10)"]
 
 
 def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot):
@@ -113,7 +117,7 @@ def running(supervisor, folder):
     """The supervisor in a thread of its own, driving."""
     thread = threading.Thread(target=supervisor.run, args=[lambda: False])
     thread.start()
-    supervisor.command(0.5, 0.1)
+    supervisor.command(0.5, 0.1, PUPIL)
     assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
     yield supervisor
     supervisor.end()
@@ -121,13 +125,69 @@ def running(supervisor, folder):
 
 
 def test_an_emergency_stop_wakes_the_thread_and_lasts(running, folder):
-    running.emergency_stop(True)
+    running.hold(EMERGENCY_STOP, True)
     assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 1.0)
-    running.command(0.5, 0.1)
+    running.command(0.5, 0.1, PUPIL)
     assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.2)
+
+
+def test_a_stop_overtakes_thirty_programs_on_a_slow_bus(supervisor, folder):
+    (folder / "clock").write_text("100000")
+    supervisor._robot.driver.link.close()  # the bus reads its clock when it is opened
+    running = threading.Thread(target=supervisor.run, args=[lambda: False])
+    programs = [threading.Thread(target=command_often, args=[supervisor, 0.3 + i / 100]) for i in range(30)]
+    for thread in (running, *programs):
+        thread.start()
+    assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
+    supervisor.hold(EMERGENCY_STOP, True)
+    assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 0.2)
+    assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.3)
+    supervisor.end()
+    for thread in (running, *programs):
+        thread.join()
+
+
+def command_often(supervisor, speed):
+    """Command this speed thirty times per second until the supervisor ends."""
+    while not wait_until(lambda: supervisor.closed, 1 / 30, interval=1 / 30):
+        supervisor.command(speed, 0.1, PUPIL)
 
 
 def test_the_end_stops_the_wheels_and_closes_the_robot(running, folder):
     running.end()
     assert wait_until(lambda: running.closed, 1.0)
     assert wheel_speeds(folder) == STOPPED
+
+
+def test_without_a_guard_nothing_turns(supervisor, robot, folder, statuses, monkeypatch):
+    monkeypatch.setattr(type(robot), "guarded", False)
+    go(supervisor)
+    supervisor.step(0.0, commanded=True)
+    assert wheel_speeds(folder) == STOPPED
+    assert statuses == ["stopped: the guard, which stops the wheels if this program dies, is not running, trying again"]
+
+
+def test_what_cannot_be_retried_ends_the_thread_with_the_wheels_stopped(supervisor, robot, folder, monkeypatch):
+    go(supervisor)
+    supervisor.step(0.0, commanded=True)
+    monkeypatch.setattr(robot, "verify", Mock(side_effect=JetbotError("out of file descriptors")))
+    with pytest.raises(JetbotError, match="Out of file descriptors"):
+        supervisor.run(lambda: False)
+    assert wheel_speeds(folder) == STOPPED
+
+
+def test_a_turn_that_is_cut_off_is_reported(supervisor, robot, statuses, monkeypatch):
+    monkeypatch.setattr(type(robot), "at_full_power", True)
+    go(supervisor)
+    supervisor.step(0.0, commanded=True)
+    assert statuses == ["driving, both wheels at full power"]
+
+
+def test_a_board_that_fails_now_and_then_is_reported(supervisor, folder, statuses):
+    go(supervisor)
+    for moment in (0.0, 0.5):
+        (folder / "0x60").unlink()
+        supervisor.step(moment, commanded=True)
+        power_on(folder)
+        supervisor.step(moment + 0.05, commanded=True)
+    assert statuses[-1] == "driving, its board keeps failing to answer (2 so far): check the wires"

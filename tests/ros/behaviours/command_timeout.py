@@ -21,7 +21,7 @@ class CommandTimeout(RobotTest):
         self.drive_at(0.5)
         self.wheels_stay(0.5, 0.5, for_seconds=0.3)
         self.wait_for_stop(within=0.4)
-        self.wait_for_status(texts, "stopped: no command for 0.5 s")
+        self.wait_for_status(texts, "stopped: no command for 0.5 s (repeat it: rostopic pub -r 10)")
         self.drive_at(0.5)
         self.wait_for_status(texts, "driving")
 

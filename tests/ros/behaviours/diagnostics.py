@@ -41,7 +41,7 @@ class Diagnostics(RobotTest):
     def test_alarm_and_fault(self):
         self.controller(cmd_vel_timeout=0.2)
         self.command(0.5)
-        self.wait_for_level(DiagnosticStatus.WARN, "stopped: no command for 0.2 s")
+        self.wait_for_level(DiagnosticStatus.WARN, "stopped: no command for 0.2 s (repeat it: rostopic pub -r 10)")
         os.unlink(os.path.join(self.bus, "0x60"))
         self.wait_for_level(DiagnosticStatus.ERROR, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")
         power_on(self.bus)  # else the guard keeps trying for minutes

@@ -1,5 +1,7 @@
 """An emergency stop holds every robot, also one started later, until it is released and a new command arrives."""
 
+import rospy
+
 from harness import RobotTest
 
 
@@ -28,3 +30,11 @@ class EmergencyStop(RobotTest):
         self.controller()
         self.wait_for_status(texts, "stopped: emergency stop")
         self.commands_are_ignored(for_seconds=0.3)
+
+    def test_a_latched_stop_reaches_a_joining_robot_before_any_command(self):
+        self.emergency_stop(True)
+        self.commands()
+        commands = rospy.Timer(rospy.Duration(0.01), lambda _: self.command(0.5))
+        self.addCleanup(commands.shutdown)
+        self.controller()
+        self.wheels_stay(0, 0, for_seconds=1.0)

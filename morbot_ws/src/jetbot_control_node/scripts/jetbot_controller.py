@@ -12,7 +12,9 @@ from std_msgs.msg import Bool
 
 from jetbot.kinematics import mix
 from jetbot_ros import node
+from jetbot_ros.publishers import Publishers
 from jetbot_ros.report import Report
+from jetbot_ros.safety import EMERGENCY_STOP
 from jetbot_ros.supervisor import Supervisor
 
 
@@ -28,23 +30,25 @@ class JetBotController:
                                                                   parameters["max_speed"])
 
         # The supervisor decides what may be driven, and stops the robot; the report says why
+        self.commanders = Publishers("cmd_vel")
         self.report = Report(parameters)
         self.supervisor = Supervisor(self.robot, self.drive, parameters["cmd_vel_timeout"],
-                                     self.count_publishers, self.report.change)
+                                     self.commanders.names, self.report.change)
+        self.commanders.keep_asking(self.supervisor)
 
-        # Subscribe to the topics and define the callback functions
+        # Subscribe to the topics and define the callback functions; an earlier emergency stop comes before any command
+        emergency_stops = Publishers("/emergency_stop")
         rospy.Subscriber("/emergency_stop", Bool, self.emergency_stop_callback, queue_size=1, tcp_nodelay=True)
-        self.cmd_vel = rospy.Subscriber("cmd_vel", Twist, self.cmd_vel_callback, queue_size=1, tcp_nodelay=True)
+        for msg in emergency_stops.wait_for_latched():
+            self.emergency_stop_callback(msg)
+        rospy.Subscriber("cmd_vel", Twist, self.cmd_vel_callback, queue_size=1, tcp_nodelay=True)
 
     def cmd_vel_callback(self, msg):
         # Extract linear and angular velocity from the message
-        self.supervisor.command(msg.linear.x, msg.angular.z)
+        self.supervisor.command(msg.linear.x, msg.angular.z, self.commanders.sender(msg))
 
     def emergency_stop_callback(self, msg):
-        self.supervisor.emergency_stop(msg.data)
-
-    def count_publishers(self):
-        return self.cmd_vel.get_num_connections()
+        self.supervisor.hold(EMERGENCY_STOP, msg.data)
 
     def drive(self, linear_x, angular_z):
         # Calculate wheel speeds: left = x - z, right = x + z, unless the parameters give other units

@@ -103,6 +103,9 @@ class Robot:
                 self._guard.leave()
                 self.driver.close()
 
+    guarded = True
+    at_full_power = False
+
     def _set_speeds(self, speeds):
         """Drive the wheels in ``speeds``, a dict of Motor: speed; the others keep theirs."""
         with self._lock:

@@ -47,7 +47,7 @@ class Report:
         """Log and publish diagnostics until the node ends. link: of the robot's driver."""
         updater = Updater()
         updater.setHardwareID(link.name)
-        updater.add("motors", lambda result: self._diagnose(result, supervisor.state, link))
+        updater.add("motors", lambda result: self._diagnose(result, supervisor, link))
         due = 0.0
         while not rospy.is_shutdown():
             state = self._next_change(due - time.monotonic())
@@ -66,17 +66,22 @@ class Report:
         if state.status != self._last and now - self._logged.get(state.status, -math.inf) >= REPEAT_LOG:
             self._logged[state.status] = now
             self._last = state.status
-            (rospy.logwarn if state.fault or state.alarm else rospy.loginfo)(self._prefix + state.status)
+            (rospy.logwarn if state.warning else rospy.loginfo)(self._prefix + state.status)
 
-    def _diagnose(self, result, state, link):
-        now = time.monotonic()
+    def _diagnose(self, result, supervisor, link):
+        now, state = time.monotonic(), supervisor.state
         level = (DiagnosticStatus.ERROR if state.fault else
-                 DiagnosticStatus.WARN if state.alarm else DiagnosticStatus.OK)
+                 DiagnosticStatus.WARN if state.warning else DiagnosticStatus.OK)
         result.summary(level, state.status)
         result.add("board", self._board)
         result.add("bus", link.name)
         result.add("transfers", link.transfers)
         result.add("failed transfers", link.errors)
+        disturbances = supervisor.disturbances
+        result.add("settings lost", disturbances["resets"])
+        result.add("writes of other programs", disturbances["overwritten"])
+        result.add("times without an answer", disturbances["faults"])
+        result.add("commanded by", state.sender.name if state.sender else "nobody yet")
         (commands, since), self._counted = self._counted, (state.commands, now)
         result.add("commands per second", f"{(state.commands - commands) / (now - since):.1f}")
         at = state.commanded_at

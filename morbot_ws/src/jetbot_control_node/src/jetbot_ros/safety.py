@@ -1,11 +1,37 @@
 """What decides whether the robot may move. No ROS, no thread and no clock: times are monotonic seconds, handed in."""
 
 import math
-from typing import NamedTuple, Optional, Tuple
+from typing import Collection, NamedTuple, Optional, Tuple
 
-from jetbot import BusError
+from jetbot import JetbotError
 
 STOPPED = (0.0, 0.0)
+ANSWER_TIMEOUT = 1.0  # s that a program whose command is held may leave unanswered whether it still runs
+
+
+class Hold(NamedTuple):
+    """Something that keeps the robot stopped, whatever is commanded: why, and what the end of that is called."""
+
+    reason: str
+    released: str
+
+
+EMERGENCY_STOP = Hold("emergency stop", "the emergency stop was released")
+NO_MASTER = Hold("no ROS master, so no emergency stop could arrive", "the ROS master is back")
+SUSPENDED = Hold("its terminal is suspended (Ctrl-Z); fg resumes it", "its terminal was resumed")
+HOLDS = (EMERGENCY_STOP, NO_MASTER, SUSPENDED)  # in the order in which they are reported
+
+
+class Sender(NamedTuple):
+    """The program that sent a command.
+
+    latched: its command is a standing order, in force until the program ends, freezes or is cut off.
+    old: ROS delivered a command again that is older than this node or than an interruption; it moves nothing.
+    """
+
+    name: str
+    latched: bool = False
+    old: bool = False
 
 
 class State(NamedTuple):
@@ -13,20 +39,25 @@ class State(NamedTuple):
 
     timeout: seconds without a command after which the robot stops; 0 holds the last command.
     velocity: (linear in m/s, angular in rad/s), always finite; commands: how many arrived;
-    fault: while the board does not answer; alarm: whether something other than a command stopped the robot.
+    sender: of the newest command; confirmed_at: when it was last known to run, if its command is held;
+    fault: while the robot cannot be driven; alarm: whether something other than a command stopped the robot;
+    notes: what else the status reports.
 
-    An emergency stop takes precedence until it is released; then the newest command counts, until it is too old or
-    nobody is left to send another. Whatever stopped the robot, only a new command moves it again.
+    A hold takes precedence until it is released; then the newest command counts, until it is too old or its sender is
+    gone. Whatever stopped the robot, only a new command moves it again.
     """
 
     timeout: float
     velocity: Tuple[float, float] = STOPPED
     reason: str = "stopped: no command yet"
     alarm: bool = False
-    emergency: bool = False
+    holds: Tuple[Hold, ...] = ()
     commanded_at: Optional[float] = None
     commands: int = 0
-    fault: Optional[BusError] = None
+    sender: Optional[Sender] = None
+    confirmed_at: Optional[float] = None
+    fault: Optional[JetbotError] = None
+    notes: Tuple[str, ...] = ()
 
     @property
     def driving(self) -> bool:
@@ -36,38 +67,66 @@ class State(NamedTuple):
     @property
     def status(self) -> str:
         """What the robot does and why, in one sentence."""
-        return f"stopped: {self.fault.reason}, trying again" if self.fault else self.reason
+        if self.fault:
+            return f"stopped: {self.fault.reason}, trying again"
+        return ", ".join([self.reason, *(() if self.alarm else self.notes)])
 
-    def command(self, linear: float, angular: float, now: float) -> "State":
+    @property
+    def warning(self) -> bool:
+        """Whether the status is something that a person should look at."""
+        return bool(self.fault or self.alarm or self.notes)
+
+    @property
+    def held_for(self) -> Optional[str]:
+        """The name of the sender whose command is driven without being repeated, or None."""
+        return self.sender.name if self.driving and (self.sender.latched or not self.timeout) else None
+
+    def command(self, linear: float, angular: float, sender: Sender, now: float) -> "State":
         """A command has arrived; one that is not finite stops the robot."""
-        state = self._replace(commanded_at=now, commands=self.commands + 1)
-        if self.emergency:
+        if sender.old:
+            return self._refuse(sender)
+        state = self._replace(commanded_at=now, commands=self.commands + 1, sender=sender, confirmed_at=now)
+        if self.holds:
             return state
         if not (math.isfinite(linear) and math.isfinite(angular)):
             return state._stop("command was not finite")
-        if (linear, angular) == STOPPED:
+        velocity = round(linear, 9), round(angular, 9)  # 0.1 + 0.2 - 0.3 is zero
+        if velocity == STOPPED:
             return state._stop("the command is zero", alarm=False)
-        return state._replace(velocity=(linear, angular), reason="driving", alarm=False)
+        return state._replace(velocity=velocity, reason="driving", alarm=False)
 
-    def emergency_stop(self, engaged: bool) -> "State":
-        """The emergency stop was pressed (True) or released (False)."""
-        if engaged:
-            return self._stop("emergency stop")._replace(emergency=True)
-        if self.emergency:
-            return self._stop("no command since the emergency stop was released")._replace(emergency=False)
+    def hold(self, hold: Hold, engaged: bool) -> "State":
+        """Something that keeps the robot stopped has begun (True) or ended (False)."""
+        if engaged == (hold in self.holds):
+            return self
+        holds = tuple(each for each in HOLDS if (engaged if each is hold else each in self.holds))
+        cause = holds[0].reason if holds else f"no command since {hold.released}"
+        return self._stop(cause)._replace(holds=holds)
+
+    def confirm(self, name: str, asked_at: float) -> "State":
+        """The program of this name has answered a question that was asked at ``asked_at``."""
+        return self._replace(confirmed_at=max(asked_at, self.confirmed_at)) if name == self.held_for else self
+
+    def check_timeout(self, senders: Collection[str], now: float) -> "State":
+        """Some time has passed; ``senders`` are the names of the programs that could send commands."""
+        if not self.driving:
+            return self
+        if self.sender.name not in senders:
+            return self._stop(f"{self.sender.name} has ended" if senders else "nobody is left to send commands")
+        if self.held_for and now - self.confirmed_at >= ANSWER_TIMEOUT:
+            return self._stop(f"{self.sender.name} does not answer")
+        if not self.held_for and now - self.commanded_at >= self.timeout:
+            return self._stop(f"no command for {self.timeout:.1f} s (repeat it: rostopic pub -r 10)")
         return self
 
-    def check_timeout(self, publishers: int, now: float) -> "State":
-        """Some time has passed; ``publishers`` of commands are left."""
-        if self.driving and publishers == 0:
-            return self._stop("nobody is left to send commands")
-        if self.driving and self.timeout and now - self.commanded_at >= self.timeout:
-            return self._stop(f"no command for {self.timeout:.1f} s")
-        return self
+    def driven(self, fault: Optional[JetbotError], notes: Tuple[str, ...]) -> "State":
+        """The robot was driven; fault: None if that worked."""
+        return self if (fault, notes) == (self.fault, self.notes) else self._replace(fault=fault, notes=notes)
 
-    def board_answered(self, fault: Optional[BusError]) -> "State":
-        """The board was driven; fault: None if it answered."""
-        return self if fault is self.fault else self._replace(fault=fault)
+    def _refuse(self, sender):
+        if self.driving or self.holds:
+            return self
+        return self._stop(f"the command of {sender.name} is from before, repeat it")
 
     def _stop(self, cause: str, alarm: bool = True) -> "State":
         return self._replace(velocity=STOPPED, reason=f"stopped: {cause}", alarm=alarm)

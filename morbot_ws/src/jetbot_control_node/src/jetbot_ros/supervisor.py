@@ -4,11 +4,12 @@ import contextlib
 import queue
 import threading
 import time
-from typing import Callable
+from typing import Callable, Collection, Dict, Tuple
 
-from jetbot import BusError, Robot
+from jetbot import BusError, JetbotError, Robot
 
-from .safety import State
+from .notes import FULL_POWER, Commanders, Disturbances
+from .safety import STOPPED, Hold, Sender, State
 
 DRIVING_INTERVAL = 0.05      # s between two checks of what may stop the robot while it drives
 STOPPED_INTERVAL = 0.4       # s between two wake-ups while it is stopped; the guard's timeout is a second
@@ -16,19 +17,21 @@ RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried aga
 VERIFY_AFTER_COMMAND = 0.1   # s between two verifications right after a command, when the next is not due soon
 VERIFY_IDLE = 0.3            # s between two verifications at any other moment
 
+NO_GUARD = JetbotError("the guard, which stops the wheels if this program dies, is not running")
+
 
 class Supervisor:
-    """Drives the velocity that its ``state`` allows. Any thread may call ``command``, ``emergency_stop`` and ``end``.
+    """Drives the velocity that its ``state`` allows. Any thread may call ``command``, ``hold``, ``confirm``, ``end``.
 
-    drive: drives the robot at (linear, angular); count_publishers: returns how many nodes could send commands;
+    drive: drives the robot at (linear, angular); senders: returns the names of the programs that could send commands;
     on_change: takes each State whose status differs from the one before. None of them may block.
     closed: whether ``run`` has ended, with the wheels stopped.
     """
 
     def __init__(self, robot: Robot, drive: Callable[[float, float], None], cmd_vel_timeout: float,
-                 count_publishers: Callable[[], int], on_change: Callable[[State], None]):
+                 senders: Callable[[], Collection[str]], on_change: Callable[[State], None]):
         self._robot, self._drive = robot, drive
-        self._count_publishers, self._on_change = count_publishers, on_change
+        self._senders, self._on_change = senders, on_change
         self.state = State(cmd_vel_timeout)
         self.closed = False
         self._lock = threading.Lock()  # held while ``state`` is replaced, never during a transfer
@@ -36,16 +39,31 @@ class Supervisor:
         self._ending = False
         self._status = None
         self._fed_at = self._verified_at = float("-inf")
+        self._commanders, self._disturbances = Commanders(), Disturbances()
+        self._faults = 0
 
-    def command(self, linear: float, angular: float) -> None:
+    @property
+    def disturbances(self) -> Dict[str, int]:
+        """How often the board has lost its settings, been written to by another program, and failed to answer."""
+        driver = self._robot.driver
+        return {"resets": driver.resets, "overwritten": driver.overwritten, "faults": self._faults}
+
+    def command(self, linear: float, angular: float, sender: Sender) -> None:
         """Accept a command: m/s forward and rad/s to the left."""
-        self._change(State.command, linear, angular, time.monotonic())
+        now = time.monotonic()
+        if not sender.old:
+            self._commanders.heard(sender.name, now)
+        self._change(State.command, linear, angular, sender, now)
         self._wake()
 
-    def emergency_stop(self, engaged: bool) -> None:
-        """Engage (True) or release (False) the emergency stop."""
-        self._change(State.emergency_stop, engaged)
+    def hold(self, hold: Hold, engaged: bool) -> None:
+        """Keep the robot stopped, whatever is commanded (True), or end that (False)."""
+        self._change(State.hold, hold, engaged)
         self._wake()
+
+    def confirm(self, name: str, asked_at: float) -> None:
+        """Accept that the program of this name has answered a question that was asked at ``asked_at``."""
+        self._change(State.confirm, name, asked_at)
 
     def end(self, *_) -> None:
         """Make ``run`` end soon; may be a signal handler."""
@@ -53,33 +71,49 @@ class Supervisor:
         self._wake()
 
     def run(self, is_over: Callable[[], bool]) -> None:
-        """Drive until ``end`` or ``is_over``, then close the robot. Raise BusError if that fails."""
+        """Drive until ``end`` or ``is_over``, then close the robot. Raise JetbotError for what cannot be retried."""
         try:
             commanded = False
             while not (self._ending or is_over()):
                 commanded = self._sleep(self.step(time.monotonic(), commanded))
         finally:
-            self._robot.close()
-            self.closed = True
+            with contextlib.suppress(JetbotError):  # the guard reports it, and keeps trying
+                self._robot.close()
+                self.closed = True
 
     def step(self, now: float, commanded: bool) -> float:
         """Do all that is due at the time ``now``; return the seconds until the next step, if nothing happens before.
 
         commanded: whether something has just happened, such as a command.
         """
-        self._change(State.check_timeout, self._count_publishers(), now)
+        senders = self._senders()
+        self._change(State.check_timeout, senders, now)
         state, fault = self.state, None
         try:
-            self._drive(*state.velocity)
+            fault = self._drive_if_guarded(state)
             self._verify(now, commanded)
         except BusError as error:
             fault = error
         interval = self._robot.driver.keep_alive_interval if state.driving else STOPPED_INTERVAL
         self._keep_alive(now, interval)
-        self._change(State.board_answered, fault)
+        self._faults += bool(fault and not state.fault)
+        self._change(State.driven, fault, self._notes(senders, now))
         self._report()
         pause = RETRY_INTERVAL if fault else DRIVING_INTERVAL if state.driving else STOPPED_INTERVAL
         return min(pause, self._fed_at + interval - now)
+
+    def _drive_if_guarded(self, state):
+        """Drive, or stop if there is no guard; return the fault."""
+        if state.driving and not self._robot.guarded:
+            self._drive(*STOPPED)
+            return NO_GUARD
+        self._drive(*state.velocity)
+        return None
+
+    def _notes(self, senders, now) -> Tuple[str, ...]:
+        notes = [self._commanders.note(senders, now), FULL_POWER if self._robot.at_full_power else None,
+                 *self._disturbances.notes(self.disturbances, now)]
+        return tuple(note for note in notes if note)
 
     def _wake(self):
         if self._events.empty():  # one that the thread has not taken yet will do

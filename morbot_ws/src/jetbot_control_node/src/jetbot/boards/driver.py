@@ -29,6 +29,8 @@ class MotorDriver(abc.ABC):
 
     limit = 1.0  # largest |wheel speed| that the board accepts; Robot clamps a speed to it, and nothing else does
     closed_loop = False  # True: the board controls its wheel speeds itself; they are in m/s, for wheels 2 m apart
+    resets = 0       # how often the board was found at its power-on values: a brown-out
+    overwritten = 0  # how often it held what another program has written
     keep_alive_interval = 0.25  # s: how often ``keep_alive`` is due while the wheels turn
 
     def __init__(self, link: Union[I2CDevice, SerialLink]):

@@ -1,0 +1,56 @@
+"""A latched command is a standing order: it holds until its program ends, freezes or is cut off, or another comes."""
+
+import os
+import signal
+
+from harness import START_TIMEOUT, RobotTest
+from jetbot_lessons.graph import snapshot
+
+STOP_TIMEOUT = 1.2  # s, from the end of its program to the stop
+
+
+class StandingOrder(RobotTest):
+    def order(self):
+        """Start the workshop's own command, typed without -r."""
+        return self.start("rostopic", "pub", "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.5}}")
+
+    def driven_by_an_order(self, **parameters):
+        """Return the process that has ordered a controller to drive."""
+        self.controller(**parameters)
+        self.texts = self.status()
+        order = self.order()
+        self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
+        return order
+
+    def test_holds_until_its_program_is_frozen(self):
+        order = self.driven_by_an_order()
+        self.wheels_stay(0.5, 0.5, for_seconds=2.5)
+        os.killpg(order.pid, signal.SIGSTOP)
+        self.wait_for_stop(within=STOP_TIMEOUT)
+        self.wait_for(lambda: "does not answer" in self.texts[-1], 1.0, f"the reason in {self.texts}")
+        os.killpg(order.pid, signal.SIGCONT)
+        self.wheels_stay(0, 0, for_seconds=0.5)
+
+    def test_ends_with_its_program_although_another_publisher_is_idle(self):
+        order = self.driven_by_an_order(cmd_vel_timeout=0)
+        self.assertTrue(self.commands().get_num_connections())
+        order.kill()
+        self.wait_for_stop(within=0.15)
+        self.wait_for(lambda: "has ended" in self.texts[-1], 1.0, f"the reason in {self.texts}")
+
+    def test_a_newer_command_replaces_it(self):
+        self.driven_by_an_order(cmd_vel_timeout=0.5)
+        self.drive_at(0.25)
+        self.wait_for_stop(within=1.0)
+
+    def test_a_restarted_controller_waits_until_it_is_repeated(self):
+        order = self.order()
+        self.wait_for(lambda: snapshot().publishers.get("/cmd_vel"), START_TIMEOUT, "the order")
+        self.controller()
+        self.texts = self.status()
+        self.wait_for(lambda: self.texts and "is from before, repeat it" in self.texts[-1], 5.0,
+                      f"the reason in {self.texts}")
+        self.wheels_stay(0, 0, for_seconds=0.5)
+        order.kill()
+        self.order()
+        self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
