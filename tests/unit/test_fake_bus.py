@@ -1,5 +1,8 @@
 """The fake hardware follows the chip's data sheet, also for a driver that is wrong."""
 
+import runpy
+import sys
+
 import pytest
 
 from conftest import registers
@@ -56,3 +59,11 @@ def test_a_motor_with_both_inputs_high_gets_no_power(bus, folder, backward, forw
     bus.write_byte_data(0x60, 0x00, 0x20)
     bus.write_i2c_block_data(0x60, 0x06, list(backward + forward))
     assert wheel_speeds(folder, "waveshare") == (speed, 0.0)
+
+
+@pytest.mark.parametrize("name", ["/dev/null", "/dev/null/\x1b[2J"])
+def test_a_folder_that_cannot_be_made_gets_one_sentence(monkeypatch, name):
+    monkeypatch.setattr(sys, "argv", ["jetbot.fake", name])
+    with pytest.raises(SystemExit) as end:
+        runpy.run_module("jetbot.fake", run_name="__main__")
+    assert end.value.code.startswith("The fake bus /dev/null") and end.value.code.isprintable()

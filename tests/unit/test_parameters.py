@@ -30,6 +30,12 @@ def test_a_given_value_counts_and_an_empty_one_is_not_given():
     assert checked({"max_speed": 2, "min_duty": ""}) == {**checked({}), "max_speed": 2}
 
 
+@pytest.mark.parametrize("values", [5, ["board"], "jetbot"])
+def test_what_has_no_names(values):
+    with pytest.raises(InvalidValue, match="^The parameters must have names, and not be "):
+        resolve(values)
+
+
 def test_a_mistyped_name():
     with pytest.raises(InvalidValue, match="^There is no parameter max_sped. The parameters are board, i2c_bus, "):
         checked({"max_sped": 2})
@@ -135,7 +141,7 @@ def test_a_file_that_cannot_be_used(tmp_path, content, reason):
     file.write_bytes(content)
     with pytest.raises(InvalidValue) as error:
         load(file)
-    assert str(error.value) == f"The file {file} cannot be used: {reason}. Fix it, or name another: config:=FILE"
+    assert str(error.value) == f"The file {file} cannot be used: {reason}. Fix it, or name another file."
 
 
 @pytest.mark.parametrize("content", [

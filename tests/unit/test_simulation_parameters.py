@@ -79,5 +79,17 @@ def test_the_launch_file_passes_on_what_is_typed_and_fake_hardware():
     launch = ET.parse(SIMULATION / "launch/simulation.launch").getroot()
     params = {param.get("name"): param.get("value") for param in launch.findall(".//node/param")}
     defaults = {arg.get("name"): arg.get("default") for arg in launch.findall("arg") if arg.get("name") in params}
-    assert defaults == {name: "fake" if name in ("i2c_bus", "port") else "" for name in params}
-    assert params == {name: f"$(arg {name})" for name in (*(set(PARAMETERS) - set(SIZE)), "config")}
+    assert defaults == {**dict.fromkeys(params, ""), "i2c_bus": "fake", "port": "fake",
+                        "body": "$(find simulation)/config/jetbot.yaml"}
+    assert params == {name: f"$(arg {name})" for name in (*(set(PARAMETERS) - set(SIZE)), "config", "body")}
+
+
+def test_what_is_typed_wins_over_the_file_of_the_body(tmp_path):
+    (tmp_path / "body.yaml").write_text("max_speed: 0.3\nx: 1.0\ny: 2.0")
+    parameters = resolve({"body": str(tmp_path / "body.yaml"), "x": 3.0, "y": ""})
+    assert [parameters[name] for name in ("max_speed", "x", "y", "dead_band")] == [0.3, 3.0, 2.0, 0.05]
+
+
+def test_a_body_that_cannot_be_read_is_refused():
+    with pytest.raises(InvalidValue, match="^The file /dev/zero cannot be used: not a regular file. Fix it, or name"):
+        resolve({"body": "/dev/zero"})

@@ -32,7 +32,7 @@ class WorkshopScenario(RobotTest):
         node = self.start(program("workshop", "jetbot_motion_control.py"), "_rate:=0")
         self.assertNotEqual(node.wait(START_TIMEOUT), 0)
         [line] = read(node).splitlines()
-        self.assertIn("The parameter rate must be a number above 0, not 0.", line)
+        self.assertIn("The parameter rate must be a number from 0.1 to 1000, not 0.", line)
 
     def test_passes_arguments_on(self):
         self.launch("workshop", LAUNCH, "board:=waveshare", "max_speed:=2", "linear:=1.0", "angular:=0.0")

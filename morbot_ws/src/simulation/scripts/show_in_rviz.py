@@ -1,29 +1,37 @@
 #!/usr/bin/env python3
 """Starts RViz with a configuration for one robot; in a namespace, with the frames of that robot."""
 
+import json
 import os
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
-from pathlib import Path
+
+from jetbot import files
+from jetbot.text import printable
 
 TRIES = 3  # without a graphics card it may crash at its start: Mesa draws into a window that X does not know yet
 
 
 def add_namespace(config: str, name: str) -> str:
     """Return the configuration for the robot in this namespace. Relative topic names need no change."""
-    return (config.replace('TF Prefix: ""', f'TF Prefix: "{name}"')
-                  .replace("Target Frame: base_footprint", f"Target Frame: {os.path.join(name, 'base_footprint')}"))
+    frame = os.path.join(name, "base_footprint")
+    return (config.replace('TF Prefix: ""', f"TF Prefix: {json.dumps(name)}")
+                  .replace("Target Frame: base_footprint", f"Target Frame: {json.dumps(frame)}"))
 
 
-def main(config: str, *ros_arguments: str) -> int:
+def main(config: str = "", *ros_arguments: str) -> int:
     if not shutil.which("rviz"):
         print("To see the robot here: sudo apt install rviz", flush=True)
         return 0
+    try:
+        text = files.read(config).decode()
+    except (OSError, ValueError) as error:
+        sys.exit(printable(f"{config or 'No file'} cannot be shown in RViz: {error}"))
     with tempfile.NamedTemporaryFile("w", suffix=".rviz") as file:
-        file.write(add_namespace(Path(config).read_text(), os.environ.get("ROS_NAMESPACE", "").strip("/")))
+        file.write(add_namespace(text, os.environ.get("ROS_NAMESPACE", "").strip("/")))
         file.flush()
         for tries in range(1, TRIES + 1):
             code = subprocess.call(["rviz", "-d", file.name, *ros_arguments])

@@ -7,6 +7,7 @@ import rospy
 
 from jetbot import InvalidValue
 from jetbot.fake.motors import ROBOTS, wheel_speeds
+from jetbot.text import printable
 from jetbot_ros.master import require_master
 from simulation.diff_drive import DiffDriveModel, Pose
 from simulation.parameters import fake_folder, resolve
@@ -29,8 +30,8 @@ def main() -> None:
 if __name__ == "__main__":
     try:
         main()
-    except InvalidValue as error:
-        rospy.logfatal(error)
+    except (InvalidValue, OSError) as error:  # OSError: of the fake bus's folder
+        rospy.logfatal(printable(error))
         sys.exit(1)
     except rospy.ROSException:
         if not rospy.is_shutdown():  # a shutdown closes the topics while the last step publishes

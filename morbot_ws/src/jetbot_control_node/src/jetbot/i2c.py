@@ -66,7 +66,7 @@ class I2CDevice:
 def bus_name(bus: Union[int, str]) -> str:
     """Return ``/dev/i2c-N`` for a number and ``fake:FOLDER`` for a fake bus; raise InvalidValue for anything else."""
     text = fake.expand(str(bus))
-    number = re.fullmatch(r"(?:/dev/i2c-)?(\d+)", text, re.ASCII)
+    number = re.fullmatch(r"(?:/dev/i2c-)?(\d{1,7})", text, re.ASCII)
     if number:
         return f"/dev/i2c-{int(number[1])}"
     if fake.folder_of(text):

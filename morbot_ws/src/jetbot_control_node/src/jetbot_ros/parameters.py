@@ -87,7 +87,7 @@ def load(file: Optional[Union[str, Path]] = None) -> Dict[str, object]:
         return parse(files.read(path))
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
-    raise InvalidValue(f"the file {path} cannot be used: {reason}", "Fix it, or name another: config:=FILE")
+    raise InvalidValue(f"the file {path} cannot be used: {reason}", "Fix it, or name another file.")
 
 
 def resolve(typed: Dict[str, object]) -> Dict[str, object]:
@@ -115,7 +115,13 @@ def checked(values: Dict[str, object], parameters: Dict[str, Parameter] = PARAME
 
 
 def given(values: Dict[str, object]) -> Dict[str, object]:
-    """Return the values without those that are "", as a launch file passes on what was not typed."""
+    """Return the values without those that are "", as a launch file passes on what was not typed.
+
+    Raises InvalidValue for what the master may hold in their place.
+    """
+    if not isinstance(values, dict):
+        raise InvalidValue(f"the parameters must have names, and not be {literal(values)}",
+                           "Remove that: rosparam delete NODE")
     return {name: value for name, value in values.items() if value != ""}
 
 

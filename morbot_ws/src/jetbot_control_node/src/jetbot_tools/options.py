@@ -32,4 +32,4 @@ def place_name(text: str) -> Union[int, str]:
     folder = fake.folder_of(fake.expand(text))
     if folder:
         return f"fake:{Path(folder).absolute()}"
-    return int(text) if text.isascii() and text.isdigit() else text
+    return int(text) if re.fullmatch(r"\d{1,7}", text, re.ASCII) else text

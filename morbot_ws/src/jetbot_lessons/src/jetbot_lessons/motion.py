@@ -10,6 +10,7 @@ from geometry_msgs.msg import Twist
 from std_msgs.msg import String
 
 from jetbot import fake
+from jetbot.boards import BOARDS
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
 from jetbot_tools.terminal import choose
@@ -112,7 +113,7 @@ def fake_wheels() -> Optional[Wheels]:
     subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, lambda array: motors.update(
         {pair.key: pair.value for report in array.status if report.name == "jetbot_controller: motors"
          for pair in report.values}))
-    reported = wait_until(lambda: "bus" in motors, REPORT_TIMEOUT)
+    reported = wait_until(lambda: "bus" in motors and motors.get("board") in BOARDS, REPORT_TIMEOUT)
     subscriber.unregister()
     if not reported:
         raise rospy.ROSException("the controller reports no bus on /diagnostics")

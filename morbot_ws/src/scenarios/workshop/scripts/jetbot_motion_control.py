@@ -7,12 +7,13 @@ import rospy
 from geometry_msgs.msg import Twist
 
 from jetbot import InvalidValue
-from jetbot_ros.parameters import NUMBER, POSITIVE, Parameter, checked
+from jetbot_ros.parameters import NUMBER, Kind, Parameter, checked, is_number
 
+RATE = Kind(lambda value: is_number(value) and 0.1 <= value <= 1000, "a number from 0.1 to 1000")
 PARAMETERS = {
     "linear": Parameter(0.5, NUMBER, "forward speed", "m/s"),
     "angular": Parameter(0.1, NUMBER, "turning speed, positive to the left", "rad/s"),
-    "rate": Parameter(10, POSITIVE, "rate of the commands", "Hz"),
+    "rate": Parameter(10, RATE, "rate of the commands", "Hz"),
 }
 
 

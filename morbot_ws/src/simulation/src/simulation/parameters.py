@@ -6,7 +6,7 @@ from jetbot import fake
 from jetbot.boards import find_board
 from jetbot.fake.motors import ROBOTS
 from jetbot_ros import parameters as controller
-from jetbot_ros.parameters import FRACTION, NUMBER, POSITIVE, SECONDS, Kind, Parameter, checked
+from jetbot_ros.parameters import FRACTION, NUMBER, POSITIVE, SECONDS, Kind, Parameter, checked, given
 
 FAKE = Kind(lambda value: value == "fake" or bool(fake.folder_of(str(value))), "fake, or fake:FOLDER")
 
@@ -27,8 +27,13 @@ PARAMETERS = {
 
 
 def resolve(typed: Dict[str, object]) -> Dict[str, object]:
-    """Return all parameters. The board is the controller's: typed, or from its file ``config``, or its default."""
-    parameters = checked({name: value for name, value in typed.items() if name != "config"}, PARAMETERS)
+    """Return all parameters: what is typed wins over the file ``body``, the file over the default.
+
+    The board is the controller's: typed, or from its file ``config``, or its default. Raises InvalidValue.
+    """
+    own = {name: value for name, value in given(typed).items() if name not in ("config", "body")}
+    body = controller.load(typed["body"]) if typed.get("body") else {}
+    parameters = checked({**body, **own}, PARAMETERS)
     shared = {name: typed.get(name, "") for name in ("board", "config")}
     shared.update({name: parameters[name] for name in ("i2c_bus", "port")})
     return checked({**parameters, "board": controller.resolve(shared)["board"]}, PARAMETERS)

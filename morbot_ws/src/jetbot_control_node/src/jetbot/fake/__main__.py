@@ -1,8 +1,16 @@
-"""``python3 -m jetbot.fake [FOLDER]``: power every chip of a fake bus on again."""
+"""Power every chip of a fake bus on again."""
 
+import argparse
 import sys
 
+from ..text import printable
 from . import default_folder
 from .bus import power_on
 
-power_on(sys.argv[1] if len(sys.argv) > 1 else default_folder())
+parser = argparse.ArgumentParser(prog="python3 -m jetbot.fake", description=__doc__)
+parser.add_argument("folder", nargs="?", help="the folder that is the bus (default: fake_i2c in ROS's home)")
+folder = parser.parse_args().folder or default_folder()
+try:
+    power_on(folder)
+except (OSError, ValueError) as error:
+    sys.exit(printable(f"The fake bus {folder} cannot be powered on: {error}"))
