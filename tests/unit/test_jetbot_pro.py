@@ -1,5 +1,6 @@
 """Frames of the JetBot Pro, to the byte, and how it finds them in noise."""
 
+import errno
 import os
 import termios
 from pathlib import Path
@@ -9,9 +10,10 @@ import pytest
 import serial
 
 from conftest import TELEMETRY
-from jetbot import BusError
+from jetbot import BusError, InvalidValue
 from jetbot.boards import find_board
 from jetbot.boards.jetbot_pro import FrameReader, frame, velocity
+from jetbot.errors import FatalError
 from jetbot.serial_link import SerialLink
 from jetbot.wait import wait_until
 
@@ -85,6 +87,26 @@ def test_a_file_is_no_port(tmp_path):
     (tmp_path / "port").touch()
     with pytest.raises(BusError, match="is not a serial port. Give a serial device such as /dev/ttyACM0.$"):
         find_board("jetbot_pro").open(str(tmp_path / "port"))
+
+
+@pytest.mark.parametrize("url", [
+    "spy:///dev/ttyACM0?file=/tmp/x", "SPY://x", "alt:///dev/ttyACM0?class=x", "hwgrep://.*", "cp2110://x", "loop://",
+    "://x", "os.path://x"])
+def test_a_url_that_is_refused(url):
+    with pytest.raises(InvalidValue, match="^A serial port cannot be .*. Give a device such as /dev/ttyACM0, a URL"):
+        SerialLink(url)
+
+
+@pytest.mark.parametrize("url", ["socket://localhost:1", "rfc2217://localhost:1", "RFC2217://localhost:1"])
+def test_a_url_of_a_network_port(url):
+    with pytest.raises(BusError, match="^No answer from "):
+        SerialLink(url).write(b"x")
+
+
+def test_without_a_file_descriptor_left_the_program_ends(monkeypatch):
+    monkeypatch.setattr(serial.Serial, "open", Mock(side_effect=serial.SerialException(errno.EMFILE, "no port")))
+    with pytest.raises(FatalError, match="^Out of file descriptors or memory: Too many open files."):
+        SerialLink("/dev/ttyACM0").write(b"x")
 
 
 def test_closing_while_it_listens_leaves_the_port_closed(port):
