@@ -1,23 +1,25 @@
-"""A PCA9685 on a bus that is interrupted at any byte. Written from NXP's data sheet (rev. 4), not from the driver."""
+"""A chip on a bus that is interrupted at any byte. Written from the chips' data sheets, not from the drivers."""
 
 import errno
 import functools
 
 from jetbot.fake.motors import ROBOTS
 
-POWER_ON = bytes([0x11, 0x04, 0, 0, 0, 0]) + bytes([0, 0, 0, 0x10]) * 16 + bytes(0xFE - 0x46) + bytes([0x1E, 0])
 HIGH = bytes([0, 0x10, 0, 0])  # an output's registers: always on
 NACK_AND_STOP, BROWN_OUT, CUT = "not acknowledged, then STOP", "brown-out", "cable cut, no STOP"
 
 
-class InterruptedChip:
-    """Takes the place of ``smbus2.SMBus``. Its outputs change at the STOP of a transfer (OCH = 0).
+class InterruptedPCA9685:
+    """Takes the place of ``smbus2.SMBus``, with a PCA9685 by NXP's data sheet, rev. 4.
 
+    Its outputs change at the STOP of a transfer (OCH = 0); after a cut, its bytes take effect at the next STOP.
     ``interrupt`` lets one byte fail. seen: the registers after every byte, as a transfer may end there with a STOP.
     """
 
+    POWER_ON = bytes([0x11, 0x04, 0, 0, 0, 0]) + bytes([0, 0, 0, 0x10]) * 16 + bytes(0xFE - 0x46) + bytes([0x1E, 0])
+
     def __init__(self):
-        self.registers = bytearray(POWER_ON)
+        self.registers = bytearray(self.POWER_ON)
         self.seen = []
         self.bytes = 0
         self._fault, self._refused, self._refused_later = None, 0, 0
@@ -50,7 +52,7 @@ class InterruptedChip:
         for value in data:
             self._byte()
             self._store(register, value)
-            self.seen.append(bytes(self.registers[:0x46]))
+            self.seen.append(bytes(self.registers))
             register = self._next(register)
 
     def close(self):
@@ -65,7 +67,7 @@ class InterruptedChip:
         if self._fault and self.bytes == self._fault[0]:
             kind, self._fault, self._refused = self._fault[1], None, self._refused_later
             if kind == BROWN_OUT:
-                self.registers[:] = POWER_ON
+                self.registers[:] = self.POWER_ON
             raise no_answer()
         self.bytes += 1
 
@@ -89,8 +91,23 @@ class InterruptedChip:
         return 0 if register == 0x45 else (register + 1) % 256
 
 
+class InterruptedSCMD(InterruptedPCA9685):
+    """The same with SparkFun's motor driver, whose motors change with every byte."""
+
+    POWER_ON = bytes({0x01: 0xA9, 0x20: 0x80, 0x21: 0x80, 0x77: 0x01}.get(register, 0) for register in range(256))
+
+    def _store(self, register, value):
+        if register not in (0x01, 0x77):
+            self.registers[register] = value
+
+    def _next(self, register):
+        return register + 1
+
+
 def wheels(registers, board):
     """The speeds (left, right) of a robot of this board with these registers, as bytes."""
+    if board == "sparkfun":
+        return tuple((0x80 - registers[drive]) / 0x80 if registers[0x70] else 0.0 for drive in (0x20, 0x21))
     if registers[0] & 0x10:
         return 0.0, 0.0
     return tuple(speed(*(HIGH if output is None else registers[6 + 4 * output:10 + 4 * output] for output in motor))

@@ -6,17 +6,18 @@ import os
 from random import Random
 
 import pytest
-from interrupted import BROWN_OUT, CUT, NACK_AND_STOP, InterruptedChip, wheels
+from interrupted import BROWN_OUT, CUT, NACK_AND_STOP, InterruptedPCA9685, InterruptedSCMD, wheels
 
 from jetbot import BusError, i2c
 from jetbot.boards import find_board, pca9685
 from jetbot.i2c import I2CDevice
 
 BUS = "/dev/i2c-1"
-ROBOTS = {"jetbot": ("adafruit", "waveshare"), "adafruit": ("adafruit",), "waveshare": ("waveshare",)}
+ROBOTS = {"jetbot": ("adafruit", "waveshare"), "adafruit": ("adafruit",), "waveshare": ("waveshare",),
+          "sparkfun": ("sparkfun",)}
 STEP = 1 / 4096
-ALL = "MODEL_CHECK" in os.environ  # three times as many changes, every pair of speeds: minutes instead of seconds
-CHANGES = 10_000 if ALL else 3_334  # for each of three boards
+ALL = "MODEL_CHECK" in os.environ  # 10,000 changes of each board, every pair of speeds: minutes instead of seconds
+CHANGES = 10_000 if ALL else 3_334  # of each board
 TABLE = (0, STEP, 255 * STEP, 256 * STEP, 0.5, 1, -STEP, -0.7, -1)
 PAIRS = [*itertools.product(TABLE, repeat=2)]
 FAULTS = [(NACK_AND_STOP, 0), (NACK_AND_STOP, 2), (BROWN_OUT, 0), (BROWN_OUT, 2), (CUT, 6)]
@@ -24,35 +25,42 @@ each_fault = pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: f"{fault
 
 
 @pytest.fixture
-def chip(monkeypatch):
-    chip = InterruptedChip()
+def chip(board, monkeypatch):
+    chip = InterruptedSCMD() if board == "sparkfun" else InterruptedPCA9685()
     monkeypatch.setattr(i2c, "open_bus", lambda name: chip)
     monkeypatch.setattr(i2c, "bus_advice", lambda: "")
     monkeypatch.setattr(pca9685.time, "sleep", lambda seconds: None)
     return chip
 
 
-def exact(speeds):
-    """The speeds, as the chip counts them."""
+def exact(board, speeds):
+    """The speeds, as the chip counts them; SparkFun's cannot drive full backward."""
+    if board == "sparkfun":
+        return tuple(max(-127, round(128 * speed)) / 128 for speed in speeds)
     return tuple(round(4096 * speed) / 4096 for speed in speeds)
 
 
-def limits(before, after):
-    """The least and the greatest speed of a wheel in between: faster than both only while OFF_H is old, OFF_L new."""
+def limits(board, before, after):
+    """The least and the greatest speed of a wheel in between: those of both ends.
+
+    Only a PCA9685 may be faster, while OFF_L, which comes first, is new and OFF_H is old.
+    """
     duties = [round(4096 * abs(speed)) for speed in (before, after)]
-    split = duties[0] & 0xF00 | duties[1] & 0xFF if 0 < min(duties) and max(duties) < 4096 else 0
-    fastest = max(*duties, split) / 4096
+    if board != "sparkfun" and 0 < min(duties) and max(duties) < 4096:
+        duties.append(duties[0] & 0xF00 | duties[1] & 0xFF)
+    fastest = max(duties) / 4096
     return -fastest if min(before, after) < 0 else 0, fastest if max(before, after) > 0 else 0
 
 
 def check(chip, board, before, after):
     """Each wheel stayed between both ends, and now turns as commanded."""
-    allowed = list(map(limits, exact(before), exact(after)))
+    before, after = exact(board, before), exact(board, after)
+    allowed = [limits(board, *ends) for ends in zip(before, after)]
     for robot in ROBOTS[board]:
         for registers in set(chip.seen):
             for (least, greatest), now in zip(allowed, wheels(registers, robot)):
                 assert least <= now <= greatest, (robot, before, after, registers.hex(" "))
-        assert wheels(bytes(chip.registers), robot) == exact(after)
+        assert wheels(bytes(chip.registers), robot) == after
     chip.seen.clear()
 
 
@@ -65,7 +73,7 @@ def length(chip, action, *arguments):
 
 def drive(driver, speeds):
     """Drive as the supervisor does: again after a failure, and with read-back in between, until all is repaired."""
-    for _ in range(7):
+    for _ in range(12):
         with contextlib.suppress(BusError):
             driver.drive(*speeds)
             driver.verify()
@@ -79,7 +87,7 @@ def test_random_changes(chip, board):
     for _ in range(CHANGES):
         after = tuple(random.choice((random.uniform(-1, 1), max(-1.0, speed - random.random() / 10), *TABLE))
                       for speed in before)
-        chip.interrupt(random.randrange(40), *random.choice(FAULTS))
+        chip.interrupt(random.randrange(30), *random.choice(FAULTS))
         drive(driver, after)
         check(chip, board, before, after)
         before = after
@@ -104,11 +112,15 @@ def test_every_byte_of_a_change(chip, board, fault):
 @pytest.mark.parametrize("board", ROBOTS)
 def test_every_byte_of_the_set_up_and_the_first_command(chip, board, fault):
     before, after = (0.5, -0.5), (STEP, STEP)
-    for byte in range(length(chip, find_board(board).driver(I2CDevice(BUS, 0x60)).drive, *after)):
+
+    def new_driver():
+        return find_board(board).driver(I2CDevice(BUS, find_board(board).address))
+
+    for byte in range(length(chip, new_driver().drive, *after)):
         drive(find_board(board).open(BUS), before)
         chip.seen.clear()
         chip.interrupt(byte, *fault)
-        drive(find_board(board).driver(I2CDevice(BUS, 0x60)), after)
+        drive(new_driver(), after)
         check(chip, board, before, after)
 
 

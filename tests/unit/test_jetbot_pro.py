@@ -4,6 +4,7 @@ import errno
 import os
 import termios
 from pathlib import Path
+from random import Random
 from unittest.mock import Mock
 
 import pytest
@@ -14,10 +15,12 @@ from jetbot import BusError, InvalidValue
 from jetbot.boards import find_board
 from jetbot.boards.jetbot_pro import FrameReader, frame, velocity
 from jetbot.errors import FatalError
+from jetbot.fake.jetbot_pro import JetBotPro, decode
 from jetbot.serial_link import SerialLink
 from jetbot.wait import wait_until
 
 TIMEOUT = 5.0  # s
+CHANGES = 1_000
 
 
 @pytest.mark.parametrize("left, right, bytes_", [
@@ -68,6 +71,27 @@ def test_driving_sends_changes_and_keep_alive_repeats(port):
     board.keep_alive()
     assert read(end, 22) == velocity(0.4, 0.6) * 2
     board.close()
+
+
+def test_a_frame_that_is_cut_at_any_byte_drives_at_no_speed_that_was_not_commanded(monkeypatch):
+    """The board may take the next frames for the rest of that one, if the sum fits. What is lost counts as zero."""
+    random, sent = Random(1), []
+    monkeypatch.setattr(SerialLink, "write", lambda link, data: sent.append(data))
+    driver = find_board("jetbot_pro").open("/dev/ttyACM0")
+    for _ in range(CHANGES):
+        wheels = random.uniform(-2, 2), random.uniform(-2, 2)
+        with monkeypatch.context() as patch, pytest.raises(BusError):
+            patch.setattr(SerialLink, "write", Mock(side_effect=BusError("cut")))
+            driver.drive(*wheels)
+        sent.clear()
+        driver.drive(0.25, 0.25)
+        whole = velocity(*wheels)
+        for cut in range(1, len(whole)):
+            board = JetBotPro()
+            board.receive(whole[:cut] + b"".join(sent))
+            lost = decode(whole[:cut].ljust(len(whole), b"\0"))
+            assert set(board.velocities) <= {decode(whole), lost, (0, 0), (250, 0)}, (wheels, cut)
+            assert board.velocities[-1] == (250, 0)
 
 
 def test_telemetry_in_units(port):
