@@ -28,6 +28,11 @@ class InterruptedPCA9685:
         """Let the fault happen after so many bytes; ``refused``: how many transfers after it fail too."""
         self.bytes, self._fault, self._refused_later = 0, (after, kind), refused
 
+    @property
+    def was_interrupted(self):
+        """Whether no fault is pending."""
+        return self._fault is None
+
     def read_byte_data(self, address, register):
         return self.read_i2c_block_data(address, register, 1)[0]
 

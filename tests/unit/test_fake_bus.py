@@ -109,7 +109,7 @@ def test_a_file_that_is_no_chip(bus, folder, spoil):
         spoil(folder / name)
     for use in (lambda: bus.read_byte_data(0x60, 0), lambda: bus.write_byte_data(0x5D, 0x20, 0),
                 lambda: FakePort(folder, 1.0).read(1), lambda: FakePort(folder, 1.0).write(bytes(11))):
-        with pytest.raises(BusError, match="^/.* is not a chip, which is a file of .* bytes. Delete it, and make a "):
+        with pytest.raises(BusError, match="^/.* is not a chip, which is a file of .* bytes. Make a new one: python3 "):
             use()
     assert wheel_speeds(folder) == wheel_speeds(folder, "sparkfun") == wheel_speeds(folder, "jetbot_pro") == STOPPED
 

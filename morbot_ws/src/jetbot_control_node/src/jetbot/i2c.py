@@ -29,8 +29,8 @@ class I2CDevice:
 
     bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; address: 7 bits.
     transfers, errors: how many transfers were tried, and how many of them failed.
-    time_limit: s that a transfer may take. The second one in a row that takes longer raises BusTooSlow, further ones do
-    not: they stop the wheels.
+    time_limit: s that a transfer may take. The second one in a row that takes longer raises BusTooSlow; those after it
+    do not, so that the wheels can be stopped.
     The bus is opened at the first transfer, and again after a failure. Raises OutOfResources if it cannot be.
     """
 
