@@ -39,7 +39,7 @@ def test_a_mistyped_name():
     ("board", "lego", f"one of {', '.join(BOARDS)}"),
     ("board", ["jetbot"], f"one of {', '.join(BOARDS)}"),
     ("i2c_bus", 1.5, "a number, fake, or fake:FOLDER"),
-    ("port", 7, "a serial device, a pyserial URL, fake, or fake:FOLDER"),
+    ("port", 7, "a serial device, a socket:// URL, fake, or fake:FOLDER"),
     ("cmd_vel_timeout", -1, "a number of seconds, 0 or more"),
     ("cmd_vel_timeout", math.nan, "a number of seconds, 0 or more"),
     ("cmd_vel_timeout", "soon", "a number of seconds, 0 or more"),

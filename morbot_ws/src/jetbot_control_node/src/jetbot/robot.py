@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 from .boards import DEFAULT_PORT, find_board
 from .errors import BusError, InvalidValue, JetbotError
 from .guard import Guard
-from .motor import Motor, finite
+from .motor import Motor, finite, turn_cut_off
 
 
 class Robot:
@@ -104,7 +104,11 @@ class Robot:
                 self.driver.close()
 
     guarded = True
-    at_full_power = False
+
+    @property
+    def at_full_power(self) -> bool:
+        """Whether both wheels are at full power, the same way, so that the turn which was commanded is cut off."""
+        return turn_cut_off(self.left_motor, self.right_motor, self.driver)
 
     def _set_speeds(self, speeds):
         """Drive the wheels in ``speeds``, a dict of Motor: speed; the others keep theirs."""
