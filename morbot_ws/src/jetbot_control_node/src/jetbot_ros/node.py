@@ -11,6 +11,8 @@ import rosgraph
 import rospy
 
 from jetbot import InvalidValue, JetbotError, Robot, fake
+from jetbot.boards import find_board
+from jetbot.lock import lock_board
 
 from . import watch
 from .master import require_master, require_name
@@ -43,10 +45,16 @@ def read_parameters() -> Dict[str, object]:
 
 
 def make_robot(parameters: Dict[str, object]) -> Robot:
-    """Return the Robot that the parameters describe. If its board measures its motion, publish that from now on."""
+    """Return the Robot that the parameters describe. If its board measures its motion, publish that from now on.
+
+    Raise JetbotError, also if another program drives that board.
+    """
     names = ("board", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left", "invert_right", "min_duty")
     places = {name: fake.expand(str(parameters[name]), rospy.get_namespace()) for name in ("i2c_bus", "port")}
+    board = find_board(parameters["board"])
+    lock = lock_board(board.place(**places), board.address)  # before Robot() stops the wheels, which may be another's
     robot = Robot(**{name: parameters[name] for name in names}, **places)
+    robot.lock = lock  # until this process ends
     if robot.driver.closed_loop:
         from .odometry import OdometryPublisher  # here: most robots have no such board
         robot.driver.listen(OdometryPublisher(parameters["publish_tf"]))
