@@ -6,13 +6,11 @@ import sys
 from typing import Optional
 from urllib.parse import urlsplit
 
-from jetbot import JetbotError
-
 from .xmlrpc import NO_ANSWER, proxy
 
 TIMEOUT = 5.0  # s for an answer
 CALLER = "/jetbot_start"
-ALIVE, FROZEN = "is running already", "is running already, but does not answer (frozen by Ctrl-Z?)"
+ALIVE, FROZEN = "is already running", "is already running, but frozen (Ctrl-Z?)"
 
 
 def master_uri() -> str:
@@ -33,31 +31,36 @@ def require_master() -> None:
 
 
 def require_name(name: str) -> None:
-    """Raise JetbotError if a node with this name, such as /jetbot_controller, runs already.
+    """End the program with one sentence if a node with this name, such as /jetbot_controller, already runs.
 
-    The master also lists nodes that have died; ROS would end the first of two that live.
+    The master also lists nodes that have died; of two that live, it would end the first.
     """
     condition = condition_of(name)
     if condition:
-        raise JetbotError(f"a node {name} {condition}", f"End it first: Ctrl-C in its terminal, or rosnode kill {name}")
+        sys.exit(f"The node {name} {condition}. End it first, with Ctrl-C in its terminal, or: rosnode kill {name}")
 
 
 def condition_of(name: str) -> Optional[str]:
-    """Return whether the node with this name is ALIVE or FROZEN, or None if it has ended; raise one of NO_ANSWER."""
+    """Return whether the node with this name is ALIVE or FROZEN, or None if it has ended; raise NO_ANSWER."""
     code, _, uri = proxy(master_uri(), TIMEOUT).lookupNode(CALLER, name)
-    return condition_at(uri, name) if code == 1 else None
+    return condition_at(uri, name) if code == 1 and is_reachable(uri) else None
 
 
 def condition_at(uri: str, name: str) -> Optional[str]:
     """Return whether the node that was at this address is ALIVE or FROZEN, or None if it has ended."""
-    try:
-        parts = urlsplit(uri)
-        socket.create_connection((parts.hostname, parts.port), TIMEOUT).close()  # fails if its computer is gone, too
-    except (OSError, ValueError):
-        return None
     try:
         return ALIVE if proxy(uri, TIMEOUT).getName(CALLER)[2] == name else None  # else another program has its port
     except socket.timeout:
         return FROZEN
     except NO_ANSWER:
         return None
+
+
+def is_reachable(uri: str) -> bool:
+    """Return whether a process, which may be frozen, listens at this address."""
+    try:
+        address = urlsplit(uri)
+        socket.create_connection((address.hostname, address.port), TIMEOUT).close()
+    except (OSError, ValueError):
+        return False
+    return True

@@ -25,9 +25,9 @@ SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
 
 
 def init_node(name: str) -> None:
-    """Initialize the node; end the program with one sentence if there is no master.
+    """Initialize the node; end the program with one sentence if there is no master, or a node of this name runs.
 
-    Raise JetbotError if a node of this name runs already, InvalidValue for a name that ROS does not take.
+    Raise InvalidValue for a name that ROS does not take.
     """
     require_master()
     require_name(rosgraph.names.resolve_name(rospy.names.get_mappings().get("__name", name), rospy.get_caller_id()))
