@@ -16,6 +16,7 @@ from jetbot.lock import lock_board
 
 from . import watch
 from .master import require_master, require_name
+from .network import bound_headers, stay_on_this_host
 from .parameters import resolve
 from .registration import is_registered, register
 from .report import Report
@@ -31,6 +32,8 @@ def init_node(name: str) -> None:
     """
     require_master()
     require_name(rosgraph.names.resolve_name(rospy.names.get_mappings().get("__name", name), rospy.get_caller_id()))
+    stay_on_this_host()
+    bound_headers()
     # rospy's own signal handlers talk to the master before anything stops, and wait forever if that hangs.
     rospy.init_node(name, disable_signals=True)
     namespace = rospy.get_namespace()
