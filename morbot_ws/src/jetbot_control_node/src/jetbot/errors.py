@@ -46,3 +46,11 @@ class BusStuck(BusError):
 
 class NotReady(BusError):
     """The board answers, but is still starting."""
+
+
+class FatalError(JetbotError):
+    """The program cannot go on: it stops the wheels and ends."""
+
+
+class GuardError(FatalError):
+    """There is no guard, and none can be started."""
