@@ -33,7 +33,7 @@ class Guard:
             self._advice = f"Start the guard that listens on {listener}, or unset JETBOT_GUARD."
         else:
             self._open = partial(spawn, board, place)
-            self._advice = "Has this computer run out of memory, processes or file descriptors?"
+            self._advice = "Close other programs, then start this one again."
         self._peer, self._problem, self._starts = None, "", 0
         self._start()
         if self._peer is None:
@@ -92,12 +92,13 @@ class Guard:
 
 
 class NoGuard:
-    """For a robot that drives without a guard: has the methods of Guard that are called then."""
+    """In place of a Guard, for a robot that drives without one."""
 
     def is_up(self) -> bool:
+        """Return True: there is nothing to wait for."""
         return True
 
     def heartbeat(self) -> None:
-        pass
+        """Do nothing."""
 
     dismiss = leave = heartbeat
