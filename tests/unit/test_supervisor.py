@@ -132,6 +132,28 @@ def test_an_emergency_stop_wakes_the_thread_and_lasts(running, folder):
     assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.2)
 
 
+def test_a_stop_overtakes_thirty_programs_on_a_slow_bus(supervisor, folder):
+    (folder / "clock").write_text("100000")
+    supervisor._robot.driver.link.close()  # the bus reads its clock when it is opened
+    running = threading.Thread(target=supervisor.run, args=[lambda: False])
+    programs = [threading.Thread(target=command_often, args=[supervisor, 0.3 + i / 100]) for i in range(30)]
+    for thread in (running, *programs):
+        thread.start()
+    assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
+    supervisor.hold(EMERGENCY_STOP, True)
+    assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 0.2)
+    assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.3)
+    supervisor.end()
+    for thread in (running, *programs):
+        thread.join()
+
+
+def command_often(supervisor, speed):
+    """Command this speed thirty times per second until the supervisor ends."""
+    while not wait_until(lambda: supervisor.closed, 1 / 30, interval=1 / 30):
+        supervisor.command(speed, 0.1, PUPIL)
+
+
 def test_the_end_stops_the_wheels_and_closes_the_robot(running, folder):
     running.end()
     assert wait_until(lambda: running.closed, 1.0)
