@@ -10,12 +10,13 @@ import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
 
 from conftest import SOURCE
-from jetbot import Robot, guard
+from jetbot import BusError, Robot, guard
 from jetbot.errors import GuardError
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import wheel_speeds
@@ -191,6 +192,30 @@ def test_a_guard_that_is_killed_or_frozen_stops_the_wheels_and_is_replaced(folde
         os.kill(first, 0)
 
 
+def test_a_guard_lets_a_hung_program_go_on(folder, capfd):
+    def keep_alive():
+        with contextlib.suppress(BusError):
+            robot.keep_alive()
+        return robot.guarded
+
+    with Robot(i2c_bus=f"fake:{folder}") as robot:
+        robot.forward()
+        robot.keep_alive()
+        first = guard_of(robot)
+        (folder / "0x60").rename(folder / "unplugged")
+        assert wait_until(lambda: "wheels may still turn" in capfd.readouterr().err, TIMEOUT)
+        assert wait_until(keep_alive, TIMEOUT)
+        (folder / "unplugged").rename(folder / "0x60")
+        assert wait_until(lambda: keep_alive() and wheel_speeds(folder) == (1, 1), TIMEOUT)
+        assert guard_of(robot) == first
+
+
+def test_a_program_that_hangs_is_stopped_even_if_a_thread_of_it_asks_for_the_guard(folder, guarded_robot):
+    guarded_robot.forward()
+    guarded_robot.keep_alive()
+    assert wait_until(lambda: guarded_robot.guarded and wheel_speeds(folder) == (0, 0), 2 * STOP_TIMEOUT)
+
+
 def test_a_command_waits_for_the_guard_with_stopped_wheels(folder, guarded_robot):
     guarded_robot.forward()
     os.kill(guard_of(guarded_robot), signal.SIGKILL)
@@ -312,15 +337,29 @@ def test_a_listening_guard_that_may_not_use_the_board_is_no_guard(folder, listen
         guard.Guard("jetbot", "/nosuch/i2c").wait(lambda: True)
 
 
-def test_only_the_same_user_may_connect(tmp_path, listener, monkeypatch):
+def test_another_users_guard_is_no_guard(folder, tmp_path, listener, monkeypatch):
     listener()
     assert (tmp_path / "guard").stat().st_mode & 0o777 == 0o600
-    with socket.socket(socket.AF_UNIX) as connection:
-        connection.connect(str(tmp_path / "guard"))
-        peer.require_own(connection)
-        monkeypatch.setattr(os, "geteuid", lambda: 12345)
-        with pytest.raises(PermissionError):
-            peer.require_own(connection)
+    monkeypatch.setattr(os, "geteuid", lambda: 12345)
+    with pytest.raises(GuardError, match="it belongs to the user "):
+        Robot(i2c_bus=f"fake:{folder}")
+
+
+def test_a_listening_guard_that_was_frozen_and_replaced_stops_nothing(folder, listener):
+    def keep_alive():
+        robot.keep_alive()
+        return wheel_speeds(folder)
+
+    first = listener()
+    with Robot(i2c_bus=f"fake:{folder}") as robot:
+        robot.forward()
+        frozen, = children(first.pid)
+        os.kill(frozen, signal.SIGSTOP)
+        assert wait_until(lambda: keep_alive() == (0, 0), STOP_TIMEOUT)
+        assert wait_until(lambda: keep_alive() == (1, 1), TIMEOUT)
+        os.kill(frozen, signal.SIGCONT)
+        assert wait_until(lambda: not Path(f"/proc/{frozen}").exists(), TIMEOUT)
+        assert wheel_speeds(folder) == (1, 1)
 
 
 def test_a_second_listener_is_refused(listener):

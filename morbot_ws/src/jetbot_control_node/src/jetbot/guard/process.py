@@ -22,7 +22,7 @@ HEARTBEAT = b"h"          # it does not hang
 PING = b"p"               # it asks for an answer only
 ANSWER = b"."             # of the guard, to every message and when it has started
 EOF = b""                 # the driving process has ended
-HEARTBEAT_TIMEOUT = 1.0   # s after a heartbeat until the driving process counts as hung, unless another message comes
+HEARTBEAT_TIMEOUT = 1.0   # s after a heartbeat until the driving process counts as hung, unless another one comes
 RETRY_FOR = 600.0         # s to keep trying when the board does not answer
 RETRY_INTERVAL = 0.2      # s
 
@@ -36,32 +36,43 @@ def main(connection: socket.socket, board: str, place: str) -> None:
 
 
 def guard(connection: socket.socket, board: str, place: str) -> None:
-    """Stop the wheels when the driving process at the other end of the connection ends, and whenever it hangs.
+    """Stop the wheels when the driving process at the other end of the connection ends, and while it hangs.
 
     board: a name in ``boards.BOARDS``; place: its ``Board.place``.
     """
+    prepare()
+    answer(connection)
+    deadline = failure = None  # a program need not send heartbeats; once it has, it must continue
+    while True:
+        message = read_message(connection, deadline)
+        if message == EOF:
+            stop(board, place)
+            return
+        if message is None:
+            failure = try_to_stop(board, place, reported=failure)
+            deadline = time.monotonic() + RETRY_INTERVAL if failure else None
+            continue
+        if STOPPED in message:
+            return
+        if HEARTBEAT in message:
+            deadline, failure = time.monotonic() + HEARTBEAT_TIMEOUT, None
+        answer(connection)
+
+
+def prepare() -> None:
+    """Outlive what ends other processes of the robot."""
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, signal.SIG_IGN)
     with contextlib.suppress(OSError):  # a container may have no /proc, or a read-only one
         Path("/proc/self/comm").write_text("jetbot_guard")  # so that killall python3 leaves it alive
-    answer(connection)
-    timeout = None  # a program need not send heartbeats; once it has, it must continue
-    while True:
-        message = read_message(connection, timeout)
-        if message:
-            if STOPPED in message:
-                return
-            timeout = HEARTBEAT_TIMEOUT if HEARTBEAT in message else timeout
-            answer(connection)
-        else:
-            stop(board, place, connection if message is None else None)
-            if message == EOF:
-                return
-            timeout = None
 
 
-def read_message(connection: socket.socket, timeout: Optional[float]) -> Optional[bytes]:
-    """Return the messages that have arrived; None after ``timeout`` seconds, EOF once the driving process has ended."""
+def read_message(connection: socket.socket, deadline: Optional[float]) -> Optional[bytes]:
+    """Return the messages that have arrived; EOF once the driving process has ended; None after the deadline.
+
+    deadline: a monotonic time in seconds, or None.
+    """
+    timeout = None if deadline is None else max(0.0, deadline - time.monotonic())
     if not select.select([connection], [], [], timeout)[0]:
         return None
     try:
@@ -76,22 +87,25 @@ def answer(connection: socket.socket) -> None:
         connection.send(ANSWER, socket.MSG_DONTWAIT)
 
 
-def stop(board: str, place: str, hung: Optional[socket.socket] = None) -> None:
-    """Stop the wheels. If the board does not answer, report that once and try for ``RETRY_FOR`` seconds.
-
-    hung: the connection to a driving process that hangs; if it goes on, it drives and stops the robot itself again.
-    """
-    start, reported = time.monotonic(), False
+def stop(board: str, place: str) -> None:
+    """Stop the wheels. If the board does not answer, try for ``RETRY_FOR`` seconds."""
+    start, failure = time.monotonic(), None
     while time.monotonic() - start < RETRY_FOR:
-        try:
-            find_board(board).open(place).close()  # opening a board stops its wheels
+        failure = try_to_stop(board, place, reported=failure)
+        if failure is None:
             return
-        except Exception as error:  # not only a BusError: whatever has failed, the wheels may still turn
-            if not reported:
-                reported = True
-                report(f"jetbot: the wheels may still turn. {error}")
-        if select.select([hung] if hung else [], [], [], RETRY_INTERVAL)[0]:
-            return
+        time.sleep(RETRY_INTERVAL)
+
+
+def try_to_stop(board: str, place: str, reported: Optional[Exception]) -> Optional[Exception]:
+    """Stop the wheels; return what has failed, or None. It is reported, unless another failure has been before."""
+    try:
+        find_board(board).open(place).close()  # opening a board stops its wheels
+    except Exception as failure:  # not only a BusError: whatever has failed, the wheels may still turn
+        if reported is None:
+            report(f"jetbot: the wheels may still turn. {failure}")
+        return failure
+    return None
 
 
 def report(sentence: str) -> None:
