@@ -66,3 +66,7 @@ class OutOfResources(FatalError):
 
 class BusTooSlow(FatalError):
     """The bus works, but so slowly that a stop would come too late."""
+
+
+class GuardError(FatalError):
+    """There is no guard, and none can be started."""

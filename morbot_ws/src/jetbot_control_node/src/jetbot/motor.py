@@ -69,3 +69,11 @@ def finite(number: Any, name: str) -> float:
     except (TypeError, ValueError, OverflowError):
         pass
     raise InvalidValue(f"{name} must be a finite number, not {number!r}")
+
+
+def negated(speed: Any) -> Any:
+    """Return -speed; what cannot be negated is returned as it is, for ``finite`` to refuse."""
+    try:
+        return -speed
+    except TypeError:
+        return speed
