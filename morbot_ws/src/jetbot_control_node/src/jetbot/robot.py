@@ -8,7 +8,7 @@ from . import open_robots
 from .boards import DEFAULT_PORT, find_board
 from .errors import GuardError, InvalidValue, JetbotError
 from .guard import Guard, NoGuard
-from .motor import Motor, finite, negated
+from .motor import Motor, finite, negated, turn_cut_off
 
 
 class Robot:
@@ -118,7 +118,10 @@ class Robot:
         with self._lock:
             return self._guard.is_up()
 
-    at_full_power = False
+    @property
+    def at_full_power(self) -> bool:
+        """Whether both wheels are at full power, the same way, so that the turn which was commanded is cut off."""
+        return turn_cut_off(self.left_motor, self.right_motor, self.driver)
 
     def _set_speeds(self, speeds):
         """Drive the wheels in ``speeds``, a dict of Motor: speed; the others keep theirs. Wait for the guard."""
