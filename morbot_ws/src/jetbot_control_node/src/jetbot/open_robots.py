@@ -4,7 +4,7 @@ import atexit
 import contextlib
 import os
 
-from .errors import BusError
+from .errors import JetbotError
 
 _robots = []
 
@@ -26,7 +26,7 @@ def remove(robot) -> None:
 
 def close(robot) -> None:
     """Close a Robot; if its board does not answer, leave it to the guard."""
-    with contextlib.suppress(BusError):
+    with contextlib.suppress(JetbotError):
         robot.close()
 
 
