@@ -39,7 +39,7 @@ def test_a_mistyped_name():
     ("board", "lego", f"one of {', '.join(BOARDS)}"),
     ("board", ["jetbot"], f"one of {', '.join(BOARDS)}"),
     ("i2c_bus", 1.5, "a number, fake, or fake:FOLDER"),
-    ("port", 7, "a serial device, a pyserial URL, fake, or fake:FOLDER"),
+    ("port", 7, "a serial device, a socket:// URL, fake, or fake:FOLDER"),
     ("cmd_vel_timeout", -1, "a number of seconds, 0 or more"),
     ("cmd_vel_timeout", math.nan, "a number of seconds, 0 or more"),
     ("cmd_vel_timeout", "soon", "a number of seconds, 0 or more"),
@@ -64,7 +64,7 @@ def test_a_launch_argument_shows_its_row_and_is_empty_unless_typed(name):
 
 
 def test_the_launch_file_passes_every_parameter_on():
-    passed = {param.get("name"): param.get("value") for param in LAUNCH.iter("param")}
+    passed = {param.get("name"): param.get("value") for param in LAUNCH.iter("param") if param.get("value")}
     assert passed == {name: f"$(arg {name})" for name in (*PARAMETERS, "config")}
     assert all(set(param.attrib) == {"name", "value"} for param in LAUNCH.iter("param"))
 

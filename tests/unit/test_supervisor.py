@@ -5,9 +5,10 @@ from unittest.mock import Mock
 
 import pytest
 
-from jetbot import JetbotError, guard
+from jetbot import JetbotError
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
+from jetbot.guard.process import HEARTBEAT_TIMEOUT
 from jetbot.wait import wait_until
 from jetbot_ros.safety import EMERGENCY_STOP, Sender
 from jetbot_ros.supervisor import Supervisor
@@ -63,7 +64,7 @@ def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot):
     moments = steps(supervisor, 0.0, 10.0)
     assert len(moments) < 30
     assert robot._guard.heartbeat.call_count == len(moments)
-    assert max(b - a for a, b in zip(moments, moments[1:])) < guard.HEARTBEAT_TIMEOUT / 2
+    assert max(b - a for a, b in zip(moments, moments[1:])) < HEARTBEAT_TIMEOUT / 2
 
 
 def test_verification_follows_a_command_and_is_one_transfer(supervisor, wire, robot):
@@ -129,6 +130,28 @@ def test_an_emergency_stop_wakes_the_thread_and_lasts(running, folder):
     assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 1.0)
     running.command(0.5, 0.1, PUPIL)
     assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.2)
+
+
+def test_a_stop_overtakes_thirty_programs_on_a_slow_bus(supervisor, folder):
+    (folder / "clock").write_text("100000")
+    supervisor._robot.driver.link.close()  # the bus reads its clock when it is opened
+    running = threading.Thread(target=supervisor.run, args=[lambda: False])
+    programs = [threading.Thread(target=command_often, args=[supervisor, 0.3 + i / 100]) for i in range(30)]
+    for thread in (running, *programs):
+        thread.start()
+    assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
+    supervisor.hold(EMERGENCY_STOP, True)
+    assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 0.2)
+    assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.3)
+    supervisor.end()
+    for thread in (running, *programs):
+        thread.join()
+
+
+def command_often(supervisor, speed):
+    """Command this speed thirty times per second until the supervisor ends."""
+    while not wait_until(lambda: supervisor.closed, 1 / 30, interval=1 / 30):
+        supervisor.command(speed, 0.1, PUPIL)
 
 
 def test_the_end_stops_the_wheels_and_closes_the_robot(running, folder):

@@ -36,12 +36,23 @@ class TwoComputers(RobotTest):
         variables = {"ROS_HOSTNAME": ADDRESSES[host], "ROS_MASTER_URI": f"http://{ADDRESSES['robot']}:11311"}
         return self.start("ip", "netns", "exec", self.names[host], *command, env={**os.environ, **variables})
 
-    def test_link_is_cut_and_returns(self):
+    def driven_by_the_laptop(self, *options):
+        """Start a robot, and on the laptop rostopic pub with these options; wait until it drives."""
         self.start_on("robot", "roslaunch", "jetbot_control_node", "jetbot_controller.launch",
                       f"i2c_bus:=fake:{self.bus}")
         self.wait_for(lambda: os.path.exists(self.bus), START_TIMEOUT, "the controller")
-        self.start_on("laptop", "rostopic", "pub", "-r", "10", "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.5}}")
+        self.start_on("laptop", "rostopic", "pub", *options, "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.5}}")
         self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
+
+    def test_standing_order_ends_with_the_link(self):
+        self.driven_by_the_laptop()
+        self.set_link("robot", "down")
+        self.wait_for_stop(within=1.2)
+        self.set_link("robot", "up")
+        self.wheels_stay(0, 0, for_seconds=2.0)
+
+    def test_link_is_cut_and_returns(self):
+        self.driven_by_the_laptop("-r", "10")
         self.set_link("robot", "down")
         self.wait_for_stop(within=COMMAND_TIMEOUT + 0.5)
         self.wheels_stay(0, 0, for_seconds=1.0)

@@ -5,7 +5,7 @@ import re
 import signal
 import sys
 import threading
-from typing import Callable, Dict
+from typing import Callable, Dict, List
 
 import rosgraph
 import rospy
@@ -65,26 +65,32 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
 
 
 def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
-    """Drive and report until the node ends, then stop the robot. Return the exit code."""
+    """Drive and report until the node ends, then stop the robot. Return the exit code.
+
+    Raise JetbotError for what ended it, such as a lack of file descriptors.
+    """
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, supervisor.end)
     watch.start(supervisor, watch.MasterWatch(is_registered, register))
-    thread = threading.Thread(target=supervise, args=[supervisor, report])
+    failures = []
+    thread = threading.Thread(target=supervise, args=[supervisor, report, failures])
     thread.start()
     try:
         report.spin(supervisor, robot.driver.link)
     finally:
         supervisor.end()
         thread.join()
+    for failure in failures:
+        raise failure
     return 0 if supervisor.closed else 1
 
 
-def supervise(supervisor: Supervisor, report: Report) -> None:
-    """Drive until the node ends, then end it. Neither logs nor asks the master: either may block."""
+def supervise(supervisor: Supervisor, report: Report, failures: List[JetbotError]) -> None:
+    """Drive until the node ends, then end it; note what went wrong, but log nothing: the terminal may block."""
     try:
         supervisor.run(rospy.is_shutdown)
-    except JetbotError:
-        pass  # the board does not answer: the guard reports it, and keeps trying
+    except JetbotError as failure:
+        failures.append(failure)
     finally:
         give_up = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # if the master or the terminal hangs
         give_up.daemon = True
