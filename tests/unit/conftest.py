@@ -15,7 +15,7 @@ SOURCE = ROOT / "morbot_ws/src/jetbot_control_node"
 SIMULATION = SOURCE.parent / "simulation"
 sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src")]
 
-from jetbot import fake, i2c, robot  # noqa: E402
+from jetbot import fake, i2c, open_robots, robot  # noqa: E402
 from jetbot.fake.bus import FakeBus  # noqa: E402
 
 
@@ -80,4 +80,4 @@ def make_robot(folder, monkeypatch):
 
     yield make
     for each in robots:
-        each._close_quietly()
+        open_robots.close(each)

@@ -80,7 +80,7 @@ def test_a_repeated_command_takes_no_transfer(folder, wire):
 
 @pytest.mark.parametrize("name, transfers", [
     ("jetbot", [2 + 9 * (3 + length) for length in (2, 1, 24, 16)]),  # MODE1 and MODE2, PRE_SCALE, two spans of outputs
-    ("sparkfun", [2 + 9 * 4] * 4)])
+    ("sparkfun", [2 + 9 * 4] * 5)])
 def test_each_verification_is_one_transfer_and_successive_ones_read_all(folder, wire, name, transfers):
     board = find_board(name).open(f"fake:{folder}")
     wire.bits.clear()
@@ -91,14 +91,14 @@ def test_each_verification_is_one_transfer_and_successive_ones_read_all(folder, 
 
 @pytest.mark.parametrize("name, address, register, value", [
     *(("jetbot", 0x60, *change) for change in ((0x00, 0x11), (0x01, 0x14), (0xFE, 0x1E), (0x09, 0x00), (0x26, 0x55))),
-    *(("sparkfun", 0x5D, *change) for change in ((0x70, 0), (0x1F, 0)))])
+    *(("sparkfun", 0x5D, *change) for change in ((0x70, 0), (0x1F, 0), (0x20, 0x80), (0x21, 0), (0x76, 50)))])
 def test_a_changed_register_is_restored(folder, name, address, register, value):
     board = find_board(name).open(f"fake:{folder}")
     board.drive(0.5, 0.5)
     good = registers(folder, address)
     chip_file(folder, address).write_bytes(good[:register] + bytes([value]) + good[register + 1:])
     assert registers(folder, address) != good
-    for _ in range(4):
+    for _ in range(5):
         board.verify()
     board.drive(0.5, 0.5)
     assert registers(folder, address) == good

@@ -1,6 +1,7 @@
 """What the files in docker/ promise: what a service may do, and that the image `run` has every dependency."""
 
 import re
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
@@ -20,13 +21,23 @@ def test_service_has_no_privileges(name):
     assert service["cap_drop"] == ["ALL"] and service["security_opt"] == ["no-new-privileges:true"]
     assert not {"privileged", "cap_add", "pid", "ipc", "ports", "user"} & set(service)
     assert name == "test" or service["read_only"]
-    assert name == "robot" or "devices" not in service
+    assert name in ("robot", "guard") or "devices" not in service
 
 
 @pytest.mark.parametrize("name", SERVICES)
 def test_service_listens_on_the_loopback_interface_by_default(name):
     hostname = SERVICES[name].get("environment", {}).get("ROS_HOSTNAME")
     assert SERVICES[name]["network_mode"] == "none" or hostname == "${JETBOT_HOSTNAME:-localhost}"
+
+
+def test_the_guard_of_the_robot_is_a_container_of_its_own_that_starts_first():
+    robot, guard = SERVICES["robot"], SERVICES["guard"]
+    socket = robot["environment"]["JETBOT_GUARD"]
+    assert robot["depends_on"] == ["guard"] and guard["network_mode"] == "none"
+    assert guard["command"] == f"python3 -m jetbot.guard --listen {socket}"
+    assert all(robot[key] == guard[key] for key in ("devices", "group_add", "restart"))
+    assert f"guard:{Path(socket).parent}" in {*robot["volumes"]} & {*guard["volumes"]}
+    assert str(Path(socket).parent) in (ROOT / "docker/Dockerfile").read_text()  # there, it belongs to the image's user
 
 
 def test_image_has_all_that_the_nodes_need():

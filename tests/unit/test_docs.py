@@ -5,9 +5,9 @@ import re
 import pytest
 
 from conftest import ROOT, SOURCE
-from jetbot import guard
 from jetbot.boards import BOARDS, scmd
 from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE
+from jetbot.guard import process as guard
 from jetbot.host import ROBOT_BUS
 from jetbot_ros.parameters import PARAMETERS
 

@@ -1,14 +1,19 @@
 """The fake hardware follows the chip's data sheet, also for a driver that is wrong."""
 
+import contextlib
+import os
 import runpy
 import sys
+import time
 
 import pytest
 
 from conftest import registers
+from jetbot import BusError
 from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.chips import PCA9685
-from jetbot.fake.motors import wheel_speeds
+from jetbot.fake.motors import STOPPED, wheel_speeds
+from jetbot.fake.port import FakePort
 
 FULL, HALF, OFF = bytes([0, 0x10, 0, 0]), bytes([0, 0, 0, 0x08]), bytes([0, 0, 0, 0x10])  # one output's registers
 
@@ -31,6 +36,17 @@ def test_a_block_fills_registers_only_with_auto_increment(bus, folder, mode1, ou
     bus.write_byte_data(0x60, 0x00, mode1)
     bus.write_i2c_block_data(0x60, 0x06, [1, 2, 3])
     assert registers(folder)[0x06:0x09].hex() == outputs
+
+
+def test_a_block_that_sets_auto_increment_uses_it_at_once(bus, folder):
+    bus.write_i2c_block_data(0x60, 0x00, [0x30, 0x14])
+    assert registers(folder)[:2].hex() == "3014"
+
+
+@pytest.mark.parametrize("mode1, values", [(0x11, [0x11, 0x11, 0x11]), (0x31, [0x31, 0x04, 0x00])])
+def test_a_block_is_read_from_one_register_without_auto_increment(bus, mode1, values):
+    bus.write_byte_data(0x60, 0x00, mode1)
+    assert bus.read_i2c_block_data(0x60, 0x00, 3) == values
 
 
 @pytest.mark.parametrize("mode1, pre_scale", [(0x00, 0x1E), (0x10, 3)])
@@ -59,6 +75,61 @@ def test_a_motor_with_both_inputs_high_gets_no_power(bus, folder, backward, forw
     bus.write_byte_data(0x60, 0x00, 0x20)
     bus.write_i2c_block_data(0x60, 0x06, list(backward + forward))
     assert wheel_speeds(folder, "waveshare") == (speed, 0.0)
+
+
+def test_a_write_that_is_cut_keeps_its_first_bytes(bus, folder):
+    bus.write_byte_data(0x60, 0x00, 0x30)
+    (folder / "0x60.cut").write_text("2\n")
+    with pytest.raises(OSError):
+        bus.write_i2c_block_data(0x60, 0x06, [1, 2, 3, 4])
+    assert registers(folder)[0x06:0x0A].hex() == "01020010"
+    bus.write_i2c_block_data(0x60, 0x06, [5, 6, 7, 8])
+    assert registers(folder)[0x06:0x0A].hex() == "05060708"
+
+
+@pytest.mark.parametrize("meanwhile", [lambda folder: (folder / "0x60").unlink(), power_on])
+def test_what_happens_in_mid_transfer_leaves_the_chip_without_a_stop(folder, monkeypatch, meanwhile):
+    power_on(folder)
+    (folder / "clock").write_text("100000")
+    bus = FakeBus(folder)
+    monkeypatch.setattr(time, "sleep", lambda seconds: meanwhile(folder))
+    with pytest.raises(OSError, match="Remote I/O error"):
+        bus.write_byte_data(0x60, 0x00, 0x20)
+    assert wheel_speeds(folder) == STOPPED
+
+
+def make_pipe(file):
+    file.unlink(missing_ok=True)
+    os.mkfifo(file)
+
+
+@pytest.mark.parametrize("spoil", [
+    lambda file: file.write_bytes(b""), lambda file: file.write_bytes(bytes(255)),
+    lambda file: file.write_bytes(bytes(100_000)), make_pipe])
+def test_a_file_that_is_no_chip(bus, folder, spoil):
+    for name in ("0x60", "0x5d", "jetbot_pro"):
+        spoil(folder / name)
+    for use in (lambda: bus.read_byte_data(0x60, 0), lambda: bus.write_byte_data(0x5D, 0x20, 0),
+                lambda: FakePort(folder, 1.0).read(1), lambda: FakePort(folder, 1.0).write(bytes(11))):
+        with pytest.raises(BusError, match="^/.* is not a chip, which is a file of .* bytes. Make a new one: python3 "):
+            use()
+    assert wheel_speeds(folder) == wheel_speeds(folder, "sparkfun") == wheel_speeds(folder, "jetbot_pro") == STOPPED
+
+
+@pytest.mark.parametrize("text", ["", "fast", "0", "-1", "nan", "inf", "1e-300", "1" * 100_000])
+def test_a_clock_that_cannot_be(folder, text):
+    power_on(folder)
+    (folder / "clock").write_text(text)
+    with pytest.raises(BusError, match="clock must hold the clock of the bus in Hz, 10 to 10000000, not '.*'. Write"):
+        FakeBus(folder)
+
+
+@pytest.mark.parametrize("name", ["clock", "0x60.fail", "0x60.cut"])
+def test_a_pipe_blocks_nothing(folder, name):
+    power_on(folder)
+    make_pipe(folder / name)
+    with contextlib.suppress(BusError):
+        FakeBus(folder).write_byte_data(0x60, 0x00, 0x20)
 
 
 @pytest.mark.parametrize("name", ["/dev/null", "/dev/null/\x1b[2J"])

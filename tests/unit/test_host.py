@@ -50,3 +50,20 @@ def test_permission_advice(tmp_path, monkeypatch, name, group, advice):
     number = os.stat(tmp_path / "i2c-1").st_gid
     monkeypatch.setattr(host.grp, "getgrgid", {number: SimpleNamespace(gr_name=group)}.__getitem__ if group else {}.pop)
     assert host.permission_advice(tmp_path / name, "i2c") == advice.format(tmp_path / name, number)
+
+
+@pytest.mark.parametrize("address", ["localhost", "127.0.0.1", "127.0.1.1", "::1", "0.0.0.0", "ThisRobot", "thisrobot"])
+def test_addresses_of_this_computer(monkeypatch, address):
+    monkeypatch.setattr(host.socket, "gethostname", lambda: "ThisRobot")
+    assert host.is_this_host(address)
+
+
+@pytest.mark.parametrize("address", [
+    "203.0.113.7", "2001:db8::7", "::ffff:203.0.113.7", "localhost.example.org", "2130706433", "", None, [], 7.5])
+def test_addresses_of_others_and_names_that_others_may_change(address):
+    assert not host.is_this_host(address)
+
+
+def test_loopback():
+    assert [host.is_loopback(address) for address in ("localhost", "127.0.1.1", "::1", "robot.local", "10.0.0.2")] == [
+        True, True, True, False, False]

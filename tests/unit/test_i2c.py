@@ -1,11 +1,17 @@
 """Each failure of the bus is one sentence that names the place and what to do."""
 
 import errno
+import os
+import resource
+import time
 
 import pytest
 
 from jetbot import BusError, InvalidValue, i2c
-from jetbot.errors import BusStuck, NoAnswer, NotFound, PermissionDenied
+from jetbot.boards import find_board
+from jetbot.errors import BusStuck, BusTooSlow, FatalError, NoAnswer, NotFound, PermissionDenied
+from jetbot.fake.bus import FakeBus
+from jetbot.fake.motors import wheel_speeds
 from jetbot.i2c import I2CDevice, explain
 
 
@@ -53,3 +59,68 @@ def test_a_lasting_failure_is_reported(folder):
 def test_a_fake_bus_that_cannot_be_written():
     assert str(explain(OSError(errno.EROFS, "Read-only file system"), "fake:/ro", 0x60)) == (
         "The fake bus fake:/ro cannot be used: Read-only file system. Name another folder: fake:FOLDER")
+
+
+@pytest.mark.parametrize("number", [errno.EMFILE, errno.ENFILE, errno.ENOMEM])
+@pytest.mark.parametrize("bus", ["/dev/i2c-1", "fake:/bus"])
+def test_what_no_repetition_cures_ends_the_program(bus, number):
+    error = explain(OSError(number, ""), bus, 0x60)
+    assert isinstance(error, FatalError)
+    assert str(error) == (f"Out of file descriptors or memory: {os.strerror(number)}. "
+                          "End other programs, or raise the limits of this one.")
+
+
+def test_a_program_without_a_file_descriptor_left(folder):
+    device = I2CDevice(f"fake:{folder}", 0x60)
+    device.read(0)
+    limits = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (3, limits[1]))
+    try:
+        with pytest.raises(FatalError, match="^Out of file descriptors or memory: Too many open files."):
+            device.read(0)
+    finally:
+        resource.setrlimit(resource.RLIMIT_NOFILE, limits)
+    assert device.read(0) == 0x11
+
+
+def test_a_lost_arbitration_is_no_answer():
+    assert type(explain(OSError(errno.EAGAIN, ""), "/dev/i2c-1", 0x60)) is NoAnswer
+
+
+@pytest.fixture
+def slow(monkeypatch):
+    """Lets transfers take the seconds in a list, which is used up; none left: no time."""
+    durations, now = [], [0.0]
+
+    def transfer(bus, *arguments):
+        now[0] += durations.pop(0) if durations else 0.0
+        return transfer_at_once(bus, *arguments)
+
+    transfer_at_once = FakeBus._transfer
+    monkeypatch.setattr(FakeBus, "_transfer", transfer)
+    monkeypatch.setattr(time, "monotonic", lambda: now[0])
+    return durations
+
+
+def test_the_second_slow_transfer_in_a_row_ends_the_program_once(folder, slow):
+    board = find_board("adafruit").open(f"fake:{folder}")
+    board.drive(1, 1)
+    slow += [0.2] * 100
+    board.verify()
+    with pytest.raises(BusTooSlow, match="^The bus fake:.* is too slow to stop the robot in time: 0.20 s a transfer."):
+        board.verify()
+    board.drive(0, 0)
+    assert wheel_speeds(folder) == (0, 0)
+    assert 100 - len(slow) < 15
+
+
+def test_one_slow_transfer_now_and_then_is_accepted(folder, slow):
+    board = find_board("adafruit").open(f"fake:{folder}")
+    slow += [0.2, 0.01] * 10
+    for _ in range(20):
+        board.verify()
+
+
+def test_a_slow_bus_is_set_up_all_the_same(folder, slow):
+    slow += [0.2] * 100
+    find_board("sparkfun").open(f"fake:{folder}").close()

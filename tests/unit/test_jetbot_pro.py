@@ -1,21 +1,26 @@
 """Frames of the JetBot Pro, to the byte, and how it finds them in noise."""
 
+import errno
 import os
 import termios
 from pathlib import Path
+from random import Random
 from unittest.mock import Mock
 
 import pytest
 import serial
 
 from conftest import TELEMETRY
-from jetbot import BusError
+from jetbot import BusError, InvalidValue
 from jetbot.boards import find_board
 from jetbot.boards.jetbot_pro import FrameReader, frame, velocity
+from jetbot.errors import FatalError
+from jetbot.fake.jetbot_pro import JetBotPro, decode
 from jetbot.serial_link import SerialLink
 from jetbot.wait import wait_until
 
 TIMEOUT = 5.0  # s
+CHANGES = 1_000
 
 
 @pytest.mark.parametrize("left, right, bytes_", [
@@ -68,6 +73,27 @@ def test_driving_sends_changes_and_keep_alive_repeats(port):
     board.close()
 
 
+def test_a_frame_that_is_cut_at_any_byte_drives_at_no_speed_that_was_not_commanded(monkeypatch):
+    """The board may take the next frames for the rest of that one, if the sum fits. What is lost counts as zero."""
+    random, sent = Random(1), []
+    monkeypatch.setattr(SerialLink, "write", lambda link, data: sent.append(data))
+    driver = find_board("jetbot_pro").open("/dev/ttyACM0")
+    for _ in range(CHANGES):
+        wheels = random.uniform(-2, 2), random.uniform(-2, 2)
+        with monkeypatch.context() as patch, pytest.raises(BusError):
+            patch.setattr(SerialLink, "write", Mock(side_effect=BusError("cut")))
+            driver.drive(*wheels)
+        sent.clear()
+        driver.drive(0.25, 0.25)
+        whole = velocity(*wheels)
+        for cut in range(1, len(whole)):
+            board = JetBotPro()
+            board.receive(whole[:cut] + b"".join(sent))
+            lost = decode(whole[:cut].ljust(len(whole), b"\0"))
+            assert set(board.velocities) <= {decode(whole), lost, (0, 0), (250, 0)}, (wheels, cut)
+            assert board.velocities[-1] == (250, 0)
+
+
 def test_telemetry_in_units(port):
     end, name = port
     board = find_board("jetbot_pro").open(name)
@@ -85,6 +111,26 @@ def test_a_file_is_no_port(tmp_path):
     (tmp_path / "port").touch()
     with pytest.raises(BusError, match="is not a serial port. Give a serial device such as /dev/ttyACM0.$"):
         find_board("jetbot_pro").open(str(tmp_path / "port"))
+
+
+@pytest.mark.parametrize("url", [
+    "spy:///dev/ttyACM0?file=/tmp/x", "SPY://x", "alt:///dev/ttyACM0?class=x", "hwgrep://.*", "cp2110://x", "loop://",
+    "://x", "os.path://x"])
+def test_a_url_that_is_refused(url):
+    with pytest.raises(InvalidValue, match="^A serial port cannot be .*. Give a device such as /dev/ttyACM0, a URL"):
+        SerialLink(url)
+
+
+@pytest.mark.parametrize("url", ["socket://localhost:1", "rfc2217://localhost:1", "RFC2217://localhost:1"])
+def test_a_url_of_a_network_port(url):
+    with pytest.raises(BusError, match="^No answer from "):
+        SerialLink(url).write(b"x")
+
+
+def test_without_a_file_descriptor_left_the_program_ends(monkeypatch):
+    monkeypatch.setattr(serial.Serial, "open", Mock(side_effect=serial.SerialException(errno.EMFILE, "no port")))
+    with pytest.raises(FatalError, match="^Out of file descriptors or memory: Too many open files."):
+        SerialLink("/dev/ttyACM0").write(b"x")
 
 
 def test_closing_while_it_listens_leaves_the_port_closed(port):

@@ -18,8 +18,8 @@ def parser(monkeypatch):
 
 
 @pytest.mark.parametrize("argument, i2c_bus", [
-    ("--i2c-bus=0", 0), ("i2c_bus:=7", 7), ("_i2c_bus:=7", 7), (f"i2c_bus:={'9' * 5000}", "9" * 5000), ("i2c_bus:=fake", "fake:/home/of_ros/fake_i2c"),
-    ("i2c_bus:=fake:robot", f"fake:{os.getcwd()}/robot")])
+    ("--i2c-bus=0", 0), ("i2c_bus:=7", 7), ("_i2c_bus:=7", 7), (f"i2c_bus:={'9' * 5000}", "9" * 5000),
+    ("i2c_bus:=fake", "fake:/home/of_ros/fake_i2c"), ("i2c_bus:=fake:robot", f"fake:{os.getcwd()}/robot")])
 def test_options_as_the_shell_and_as_ros_write_them(parser, monkeypatch, argument, i2c_bus):
     monkeypatch.setenv("ROS_HOME", "/home/of_ros")
     assert parser.parse_args(as_options([argument])).i2c_bus == i2c_bus

@@ -28,11 +28,11 @@ def test_is_awake_at_1526_hz_after_start(chip, folder):
 
 def test_a_chip_in_any_state_is_set_up(folder):
     power_on(folder)
-    (folder / "0x60").write_bytes(bytes([0xA0, 0x14]) + bytes([0, 0x10, 0, 0]) * 63 + bytes([0, 0, 0, 0]))
+    (folder / "0x60").write_bytes(bytes([0xA0, 0x14]) + bytes([0, 0x10, 0, 0]) * 63 + bytes(2))
     PCA9685(I2CDevice(f"fake:{folder}", 0x60), [range(4)]).start()
     state = registers(folder)
     assert (state[0x00] & 0x7F, state[0x01], state[0xFE]) == (0x20, 0x04, 3)
-    assert state[0x09:0x46:4] == bytes([0x10] * 16)
+    assert state[0x06:0x46] == bytes([0, 0, 0, 0x10]) * 16
 
 
 def test_outputs_are_off_before_the_chip_wakes(folder, wire):
@@ -88,3 +88,18 @@ def test_after_a_command_that_failed_halfway_all_is_sent(chip, folder, monkeypat
             chip.set_outputs({8: 0x222, 13: 0x222})
     chip.set_outputs({8: 0x111, 13: 0x111})
     assert output(folder, 8) == output(folder, 13) == "00 00 11 01"
+
+
+@pytest.mark.parametrize("changes, counts", [
+    ({}, (0, 0)), ({0x00: 0x11, 0x01: 0x04, 0xFE: 0x1E}, (1, 0)), ({0xFE: 0x1E}, (1, 0)), ({0xFE: 0x79}, (0, 1)),
+    ({0x00: 0x00}, (0, 1)), ({0x29: 0x10}, (0, 1))])
+def test_counts_brown_outs_and_the_writes_of_other_programs(chip, folder, changes, counts):
+    chip.set_outputs({8: 100})
+    state = bytearray(registers(folder))
+    for register, value in changes.items():
+        state[register] = value
+    (folder / "0x60").write_bytes(state)
+    for _ in range(8):
+        chip.verify()
+        chip.set_outputs({8: 100})
+    assert (chip.resets, chip.overwritten) == counts

@@ -40,6 +40,7 @@ def test_wheels_turn_at_the_speed_that_is_set(make_robot, folder, action, left, 
     ({"min_duty": 0.2}, (0, 0.001), (0, 0.2008)),
     ({"min_duty": 0.2}, (0.5, -0.5), (0.6, -0.6)),
     ({"min_duty": 0.2}, (1, -1), (1, -1)),
+    ({"min_duty": 0.2}, (0.1 + 0.2 - 0.3, 0.3 - 0.1 - 0.2), (0, 0)),
 ])
 def test_saturation_trim_wiring_and_dead_band(make_robot, folder, options, speeds, wheels):
     make_robot(**options).set_motors(*speeds)
@@ -52,6 +53,16 @@ def test_a_jetbot_pro_saturates_only_where_its_frames_end(make_robot, folder, sp
     trims = {"min_duty": 0.1, "left_motor_alpha": 0.9}  # of duties, which this board controls itself
     make_robot(board="jetbot_pro", port=f"fake:{folder}", **trims).set_motors(*speeds)
     assert wheel_speeds(folder, "jetbot_pro") == sent
+
+
+@pytest.mark.parametrize("options, speeds, cut_off", [
+    ({}, (1.0, 1.2), True), ({}, (-1.5, -1.2), True), ({}, (1.2, 1.2), False), ({}, (0.9, 1.2), False),
+    ({}, (-1.2, 1.5), False), ({"left_motor_alpha": 0.5}, (1.2, 1.5), False),
+    ({"min_duty": 0.3, "invert_left": True}, (1.2, 1.5), True), ({"board": "jetbot_pro"}, (40, 50), False)])
+def test_a_turn_that_full_power_cuts_off(make_robot, folder, options, speeds, cut_off):
+    robot = make_robot(port=f"fake:{folder}", **options)
+    robot.set_motors(*speeds)
+    assert robot.at_full_power == cut_off
 
 
 @pytest.mark.parametrize("speed", [math.nan, math.inf, -math.inf, "fast", None, 10 ** 400])

@@ -65,7 +65,7 @@ def not_ready(folder):
 
 
 def test_a_chip_that_is_not_ready_holds_up_no_program_that_drives(board, not_ready):
-    for _ in range(4):  # as many registers as are read back in turn
+    for _ in range(5):  # as many registers as are read back in turn
         board.verify()
     with pytest.raises(NotReady, match="^The motor driver on .* is not ready. Switch the robot off and on.$"):
         board.drive(0.5, 0.5)
@@ -107,6 +107,37 @@ def test_the_timer_stops_the_motors_when_it_is_not_fed(board, folder):
     assert wheel_speeds(folder, "sparkfun") == (0, 0)
     board.keep_alive()
     assert wheel_speeds(folder, "sparkfun") == (1, 1)
+
+
+@pytest.mark.parametrize("another, changes, counts", [
+    (False, {}, (0, 0)), (True, {}, (0, 1)), (False, {0x76: 0}, (0, 1)), (False, {0x1F: 0}, (0, 1)),
+    (False, {0x21: 0x00}, (0, 1)), (False, dict(enumerate(SCMD.POWER_ON)), (1, 0))])
+def test_a_brown_out_and_another_program_are_repaired_and_counted(board, folder, another, changes, counts):
+    board.keep_alive()
+    board.drive(0.5, 0.5)
+    good = registers(folder, 0x5D)
+    if another:
+        find_board("sparkfun").open(f"fake:{folder}")
+    state = bytearray(registers(folder, 0x5D))
+    for register, value in changes.items():
+        state[register] = value
+    (folder / "0x5d").write_bytes(state)
+    for _ in range(5):
+        board.verify()
+        board.drive(0.5, 0.5)
+    board.keep_alive()
+    assert registers(folder, 0x5D) == good
+    assert (board.resets, board.overwritten) == counts
+
+
+def test_after_a_timer_that_could_not_be_fed_all_is_set_up_again(board, folder):
+    board.drive(0.5, 0.5)
+    (folder / "0x5d.fail").write_text("3")
+    with pytest.raises(BusError):
+        board.keep_alive()
+    power_on(folder)
+    board.drive(0.5, 0.5)
+    assert wheel_speeds(folder, "sparkfun") == (0.5, 0.5)
 
 
 def test_another_chip_at_the_address(folder, monkeypatch):

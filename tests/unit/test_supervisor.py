@@ -5,9 +5,10 @@ from unittest.mock import Mock
 
 import pytest
 
-from jetbot import JetbotError, guard
+from jetbot import JetbotError
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
+from jetbot.guard.process import HEARTBEAT_TIMEOUT
 from jetbot.wait import wait_until
 from jetbot_ros.safety import EMERGENCY_STOP, Sender
 from jetbot_ros.supervisor import Supervisor
@@ -63,7 +64,7 @@ def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot):
     moments = steps(supervisor, 0.0, 10.0)
     assert len(moments) < 30
     assert robot._guard.heartbeat.call_count == len(moments)
-    assert max(b - a for a, b in zip(moments, moments[1:])) < guard.HEARTBEAT_TIMEOUT / 2
+    assert max(b - a for a, b in zip(moments, moments[1:])) < HEARTBEAT_TIMEOUT / 2
 
 
 def test_verification_follows_a_command_and_is_one_transfer(supervisor, wire, robot):

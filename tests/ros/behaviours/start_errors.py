@@ -2,6 +2,8 @@
 
 import os
 
+import rospy
+
 from harness import CONTROLLER, START_TIMEOUT, RobotTest, program, read
 
 ERRORS = [  # a sentence, and the parameters that cause it
@@ -30,6 +32,21 @@ class StartErrors(RobotTest):
         for node in nodes:
             self.assertNotEqual(node.wait(START_TIMEOUT), 0)
             self.assertEqual(read(node), sentence)
+
+    def test_a_second_start_is_refused_and_the_first_robot_drives_on(self):
+        self.launch("workshop", "workshop_jetbot_controller.launch")
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
+        other = f"_i2c_bus:=fake:{self.bus}_of_another"
+        seconds = [self.start("roslaunch", "workshop", "workshop_jetbot_controller.launch", "linear:=1.0"),
+                   self.start("roslaunch", "simulation", "simulation.launch"), self.start(CONTROLLER, other)]
+        for second in seconds:
+            self.wait_for(lambda second=second: second.poll() is not None, START_TIMEOUT, "the second to end")
+            self.assertIn("The node /jetbot_controller is already running. End it first", read(second))
+        namesake = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "__name:=other")
+        self.assertNotEqual(namesake.wait(START_TIMEOUT), 0)
+        self.assertRegex(read(namesake), r"Another program \(process \d+\) already drives 0x60 on fake:")
+        self.wheels_stay(0.4, 0.6, for_seconds=0.3)
+        self.assertEqual(rospy.get_param("/jetbot_motion_control/linear"), "")
 
     def test_roslaunch_ends_when_the_controller_cannot_start(self):
         launch = self.start("roslaunch", "workshop", "workshop_jetbot_controller.launch", "i2c_bus:=77")

@@ -14,6 +14,7 @@ from typing import Any, Dict, List, Optional
 from jetbot import JetbotError, files
 from jetbot.boards import BOARDS, find_board
 from jetbot.host import model, robot_bus
+from jetbot.lock import lock_board
 from jetbot.text import printable
 from jetbot_ros.parameters import PARAMETERS, default_file, is_fake
 from jetbot_tools.calibration import as_yaml
@@ -37,11 +38,13 @@ def calibrate(boards: List[str], **connection: Any) -> Dict[str, Any]:
     """Try the boards until a wheel turns; return the parameters of that robot. Raise JetbotError if none turns."""
     input("Put the robot on a box, so that its wheels turn freely. Press Enter to continue; Ctrl-C quits at any time. ")
     for board in boards:
-        wizard = WIZARDS.get(board, Wizard)(board=board, **connection)
-        print(f"\nTrying the board {board}.")
-        if wizard.find_motors():
-            wizard.straighten()
-            return wizard.parameters
+        row = find_board(board)
+        with lock_board(row.place(**connection), row.address):
+            wizard = WIZARDS.get(board, Wizard)(board=board, **connection)
+            print(f"\nTrying the board {board}.")
+            if wizard.find_motors():
+                wizard.straighten()
+                return wizard.parameters
     raise JetbotError("no wheel turned", "Is the motors' battery on? Run: rosrun jetbot_control_node doctor.py")
 
 

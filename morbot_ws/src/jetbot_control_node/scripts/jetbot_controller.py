@@ -6,6 +6,8 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
 
+from jetbot_ros import launcher  # noqa: F401, I001  first of all: it reads who has started this process
+
 import rospy
 from geometry_msgs.msg import Twist
 from std_msgs.msg import Bool

@@ -1,8 +1,12 @@
 """The errors: each is a JetbotError, and one of a value or of the bus a ValueError or OSError too."""
 
+import errno as numbers
+import os
 from typing import Optional
 
 from .text import printable
+
+EXHAUSTED = (numbers.EMFILE, numbers.ENFILE, numbers.ENOMEM)  # not EAGAIN: an I2C bus that lost its arbitration
 
 
 class JetbotError(Exception):
@@ -48,3 +52,23 @@ class BusStuck(BusError):
 
 class NotReady(BusError):
     """The board answers, but is still starting."""
+
+
+class FatalError(JetbotError):
+    """The program cannot go on: it stops the wheels and ends."""
+
+
+class OutOfResources(FatalError):
+    """This computer, or this program, has no file descriptor or memory left: an OSError that is one of EXHAUSTED."""
+
+    def __init__(self, error: OSError):
+        super().__init__(f"out of file descriptors or memory: {os.strerror(error.errno)}",
+                         "End other programs, or raise the limits of this one.")
+
+
+class BusTooSlow(FatalError):
+    """The bus works, but so slowly that a stop would come too late."""
+
+
+class GuardError(FatalError):
+    """There is no guard, and none can be started."""

@@ -1,7 +1,9 @@
-"""This computer: its model, its I2C buses, the one that a JetBot's motors are on, and ROS's home."""
+"""This computer: its model, its I2C buses, the one that a JetBot's motors are on, its addresses, and ROS's home."""
 
 import grp
+import ipaddress
 import os
+import socket
 from pathlib import Path
 from typing import List, Optional, Union
 
@@ -51,3 +53,25 @@ def bus_advice() -> str:
     usual = robot_bus(model())
     hint = f" On a {model()} the motors are on bus {usual}: i2c_bus:={usual}." if usual is not None else ""
     return f"This computer has {existing}.{hint} Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."
+
+
+def is_loopback(host: object) -> bool:
+    """Return whether a host's name or address always means the computer that uses it."""
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host in ("localhost", "localhost.localdomain", "ip6-localhost", "ip6-loopback")
+
+
+def is_this_host(host: object) -> bool:
+    """Return whether a name or an address is this computer's. No other name is looked up: its owner could change it."""
+    if is_loopback(host) or str(host).lower() == socket.gethostname().lower():
+        return True
+    try:
+        address = ipaddress.ip_address(host)
+        family = socket.AF_INET if address.version == 4 else socket.AF_INET6
+        with socket.socket(family, socket.SOCK_STREAM) as probe:
+            probe.bind((str(address), 0))  # works for this computer's addresses only
+    except (OSError, ValueError):
+        return False
+    return True

@@ -1,11 +1,24 @@
 """The edge to the I2C bus: which bus a name means, and one sentence for each failure of a transfer."""
 
 import errno
+import math
 import re
+import time
 from typing import Any, List, Sequence, Union
 
 from . import fake
-from .errors import BusError, BusStuck, InvalidValue, NoAnswer, NotFound, PermissionDenied
+from .errors import (
+    EXHAUSTED,
+    BusError,
+    BusStuck,
+    BusTooSlow,
+    InvalidValue,
+    JetbotError,
+    NoAnswer,
+    NotFound,
+    OutOfResources,
+    PermissionDenied,
+)
 from .host import bus_advice, permission_advice
 
 TRIES = 3  # a single failed transfer is noise; three in a row are a fault
@@ -16,14 +29,19 @@ class I2CDevice:
 
     bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; address: 7 bits.
     transfers, errors: how many transfers were tried, and how many of them failed.
-    The bus is opened at the first transfer, and again after a failure.
+    time_limit: s that a transfer may take. The second one in a row that takes longer raises BusTooSlow; those after it
+    do not, so that the wheels can be stopped.
+    The bus is opened at the first transfer, and again after a failure. Raises OutOfResources if it cannot be.
     """
+
+    time_limit = math.inf
 
     def __init__(self, bus: Union[int, str], address: int):
         self.name = bus_name(bus)
         self.address = address
         self.transfers = self.errors = 0
         self._smbus = None
+        self._slow = 0  # transfers in a row that took too long; a busy computer holds up one, hardly two
 
     def read(self, register: int) -> int:
         """Return the byte in a register."""
@@ -51,7 +69,8 @@ class I2CDevice:
             try:
                 self._smbus = self._smbus or open_bus(self.name)
                 self.transfers += 1
-                return getattr(self._smbus, method)(self.address, *arguments)
+                start = time.monotonic()
+                result = getattr(self._smbus, method)(self.address, *arguments)
             except BusError:
                 raise  # has its sentence already
             except OSError as error:
@@ -60,7 +79,16 @@ class I2CDevice:
                 failure = error
                 if error.errno == errno.ETIMEDOUT:
                     break  # a stuck bus takes a second for each try, Linux's default for an adapter
+            else:
+                self._check_duration(time.monotonic() - start)
+                return result
         raise explain(failure, self.name, self.address) from None
+
+    def _check_duration(self, duration):
+        self._slow = self._slow + 1 if duration > self.time_limit else 0
+        if self._slow == 2:
+            raise BusTooSlow(f"the bus {self.name} is too slow to stop the robot in time: {duration:.2f} s a transfer",
+                             "Switch the robot off and on, and check the wires.")
 
 
 def bus_name(bus: Union[int, str]) -> str:
@@ -87,8 +115,10 @@ def open_bus(name: str) -> Any:
     return SMBus(int(name[len("/dev/i2c-"):]))
 
 
-def explain(error: OSError, bus: str, address: int) -> BusError:
-    """Return the BusError for an OSError of the bus."""
+def explain(error: OSError, bus: str, address: int) -> JetbotError:
+    """Return the BusError for an OSError of the bus, or OutOfResources."""
+    if error.errno in EXHAUSTED:
+        return OutOfResources(error)
     if fake.folder_of(bus):
         return explain_fake(error, bus, address)
     kind, reason, advice = {

@@ -7,6 +7,8 @@ from .boards import MotorDriver
 from .errors import InvalidValue
 from .kinematics import clamp
 
+RESIDUE = 1e-9  # speeds this small are rounding errors, as of 0.1 + 0.2 - 0.3: zero, also with a min_duty
+
 
 class Motor:
     """One wheel of a Robot. Its docstring describes alpha, inverted and min_duty."""
@@ -44,9 +46,19 @@ class Motor:
         """
         alpha, min_duty = (1.0, 0.0) if driver.closed_loop else (self.alpha, self._min_duty)
         speed = clamp(alpha * self.value, driver.limit)
-        if speed == 0:
+        if abs(speed) < RESIDUE:
             return 0.0
         return math.copysign(min_duty + (1 - min_duty) * abs(speed), -speed if self._inverted else speed)
+
+
+def turn_cut_off(left: Motor, right: Motor, driver: MotorDriver) -> bool:
+    """Return whether both wheels are at full power, the same way, although they were commanded different speeds.
+
+    Never with a board that controls the speeds of its wheels itself.
+    """
+    speeds = [motor.alpha * motor.value for motor in (left, right)]
+    saturated = min(speeds) >= driver.limit or max(speeds) <= -driver.limit
+    return saturated and left.value != right.value and not driver.closed_loop
 
 
 def finite(number: Any, name: str) -> float:
@@ -57,3 +69,11 @@ def finite(number: Any, name: str) -> float:
     except (TypeError, ValueError, OverflowError):
         pass
     raise InvalidValue(f"{name} must be a finite number, not {number!r}")
+
+
+def negated(speed: Any) -> Any:
+    """Return -speed; what cannot be negated is returned as it is, for ``finite`` to refuse."""
+    try:
+        return -speed
+    except TypeError:
+        return speed

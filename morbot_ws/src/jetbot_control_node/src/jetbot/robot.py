@@ -1,15 +1,14 @@
 """``Robot``: two motors, by the names of the JetBot library."""
 
-import atexit
-import contextlib
 import os
 import threading
-from typing import Any, Optional, Union
+from typing import Optional, Union
 
+from . import open_robots
 from .boards import DEFAULT_PORT, find_board
-from .errors import BusError, InvalidValue, JetbotError
-from .guard import Guard
-from .motor import Motor, finite
+from .errors import GuardError, InvalidValue, JetbotError
+from .guard import Guard, NoGuard
+from .motor import Motor, finite, negated, turn_cut_off
 
 
 class Robot:
@@ -20,18 +19,19 @@ class Robot:
     left_motor_alpha, right_motor_alpha: trims, finite numbers, for a robot that does not drive straight.
     swap_motors, invert_left, invert_right: for a robot whose motors are wired differently.
     min_duty: smallest duty, in [0, 1), that turns a wheel; speeds above 0 start there.
+    guard: False drives without the second process that stops the wheels if this one is killed.
 
     Speeds are in [-1, 1], 1 full forward, and clamped to that; a JetBot Pro takes m/s instead, up to 32.767. A speed
     that is not a finite number stops both wheels and raises InvalidValue (a ValueError); so does a bad option. A board
-    that does not answer raises BusError (an OSError), and is set up again by the next call. The methods may be called
-    from any thread and any signal handler.
+    that does not answer raises BusError (an OSError), and is set up again by the next call. The wheels turn only while
+    the guard is up: the first command waits for it, up to 5 s, then raises GuardError. The methods may be called from
+    any thread and any signal handler.
     """
-
-    _open = []  # every Robot that is not closed
 
     def __init__(self, board: Optional[str] = None, i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
                  left_motor_alpha: float = 1.0, right_motor_alpha: float = 1.0, swap_motors: bool = False,
-                 invert_left: bool = False, invert_right: bool = False, min_duty: float = 0.0):
+                 invert_left: bool = False, invert_right: bool = False, min_duty: float = 0.0,
+                 guard: bool = True):
         board = (os.environ.get("JETBOT_BOARD") or "jetbot") if board is None else board
         i2c_bus = (os.environ.get("JETBOT_I2C_BUS") or 1) if i2c_bus is None else i2c_bus
         port = (os.environ.get("JETBOT_PORT") or DEFAULT_PORT) if port is None else port
@@ -43,9 +43,8 @@ class Robot:
         self._closed = False
         place = find_board(board).place(i2c_bus, port)
         self.driver = find_board(board).open(place)
-        self._close_predecessors()
-        self._guard = Guard(board, place)
-        Robot._open.append(self)
+        self._guard = Guard(board, place) if guard else NoGuard()
+        open_robots.add(self)
 
     def set_motors(self, left_speed: float, right_speed: float) -> None:
         """Drive both wheels at these speeds."""
@@ -83,7 +82,11 @@ class Robot:
         often the board wants it.
         """
         with self._lock:
-            self._apply(self._guard.heartbeat, self.driver.keep_alive)
+            try:
+                self._apply(self.driver.keep_alive)
+            finally:
+                if not self._closed:
+                    self._guard.heartbeat()
 
     def close(self) -> None:
         """Stop the wheels and release the board. May be called twice.
@@ -94,84 +97,78 @@ class Robot:
             if self._closed:
                 return
             self._closed = True
-            self._speeds.update(dict.fromkeys(self._outputs, 0.0))  # for the command that a signal handler interrupts
+            self._forget_speeds()  # for the command that a signal handler interrupts
             try:
                 self.driver.drive(0, 0)
                 self._guard.dismiss()
             finally:
-                Robot._open.remove(self)
+                open_robots.remove(self)
                 self._guard.leave()
                 self.driver.close()
 
-    guarded = True
-    at_full_power = False
+    def detach(self) -> None:
+        """In a forked child: the wheels are the parent's, and so is the connection to the guard."""
+        self._lock = threading.RLock()  # another thread may have held the old one
+        self._closed = True
+        self._guard.leave()
+
+    @property
+    def guarded(self) -> bool:
+        """Whether the guard is known to be up; always True without one by choice. No wheel turns while it is False."""
+        with self._lock:
+            return self._guard.is_up()
+
+    @property
+    def at_full_power(self) -> bool:
+        """Whether both wheels are at full power, the same way, so that the turn which was commanded is cut off."""
+        return turn_cut_off(self.left_motor, self.right_motor, self.driver)
 
     def _set_speeds(self, speeds):
-        """Drive the wheels in ``speeds``, a dict of Motor: speed; the others keep theirs."""
+        """Drive the wheels in ``speeds``, a dict of Motor: speed; the others keep theirs. Wait for the guard."""
+        try:
+            speeds = {motor: finite(speed, "a speed") for motor, speed in speeds.items()}
+        except InvalidValue:
+            self.stop()
+            raise
+        self._speeds.update(speeds)  # both at once: a signal handler or another thread may come at any moment
         with self._lock:
-            try:
-                speeds = {motor: finite(speed, "a speed") for motor, speed in speeds.items()}
-            except InvalidValue:
-                self.stop()
-                raise
-            self._speeds.update(speeds)  # both at once: a signal handler may come at any moment
             self._apply()
+            if self._is_commanded() and not self._guard.is_up():
+                self._wait_for_guard()
+
+    def _wait_for_guard(self):
+        try:
+            self._guard.wait(self._is_commanded)
+        except GuardError:
+            self._forget_speeds()
+            raise
+        self._apply()
 
     def _apply(self, *actions):
         """Run the actions, then drive both motors."""
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
         done = None
-        while done != (wanted := [motor.output(self.driver) for motor in self._outputs]):
+        while done != (wanted := self._permitted()):
             for action in actions:
                 action()
             self.driver.drive(*wanted)
             done = wanted  # unless a signal handler has set other speeds meanwhile
 
-    def _close_predecessors(self):
-        """Close earlier Robots on the same board, such as a notebook's cell leaves behind when it is run again."""
-        link = self.driver.link
-        for other in list(Robot._open):
-            if (other.driver.link.name, other.driver.link.address) == (link.name, link.address):
-                other._close_quietly()
+    def _permitted(self):
+        """Return what the driver may be given now: what is commanded, but 0 if there is no guard or no robot."""
+        if self._is_commanded() and not self._closed and self._guard.is_up():
+            return [motor.output(self.driver) for motor in self._outputs]
+        return [0.0, 0.0]
 
-    def _close_quietly(self):
-        with contextlib.suppress(BusError):  # the guard reports it
-            self.close()
+    def _is_commanded(self):
+        return any(self._speeds.values())
 
-    def _detach(self):
-        """In a forked child: the wheels are the parent's, and so is the end of the pipe to the guard."""
-        self._lock = threading.RLock()  # another thread may have held the old one
-        self._closed = True
-        self._guard.leave()
+    def _forget_speeds(self):
+        self._speeds.update(dict.fromkeys(self._outputs, 0.0))
 
     def __enter__(self) -> "Robot":
         return self
 
     def __exit__(self, *_):
         self.close()
-
-
-def close_all() -> None:
-    """At the interpreter's end: stop the wheels of every Robot."""
-    for robot in list(Robot._open):
-        robot._close_quietly()
-
-
-def detach_all() -> None:
-    """In a forked child: leave every Robot to the parent."""
-    for robot in Robot._open:
-        robot._detach()
-    Robot._open.clear()
-
-
-atexit.register(close_all)
-os.register_at_fork(after_in_child=detach_all)
-
-
-def negated(speed: Any) -> Any:
-    """Return -speed; what cannot be negated is returned as it is, for ``finite`` to refuse."""
-    try:
-        return -speed
-    except TypeError:
-        return speed

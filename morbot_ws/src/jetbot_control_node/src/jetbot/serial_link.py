@@ -7,9 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from . import fake
-from .errors import BusError, InvalidValue, NoAnswer, NotFound, PermissionDenied
+from .errors import EXHAUSTED, BusError, InvalidValue, JetbotError, NoAnswer, NotFound, OutOfResources, PermissionDenied
 from .host import permission_advice
 
+# Of pyserial's other URLs, spy:// writes files, alt:// and hwgrep:// choose a class or a device by themselves.
+SCHEMES = ("socket", "rfc2217", "loop")
 BAUD_RATE = 115200
 TIMEOUT = 0.05  # s: how long a read waits for the first byte, and a write for its end
 
@@ -17,16 +19,22 @@ TIMEOUT = 0.05  # s: how long a read waits for the first byte, and a write for i
 class SerialLink:
     """Bytes to and from a serial port, which is opened at the first use, and again after a failure.
 
-    port: a device, a pyserial URL, ``fake`` or ``fake:FOLDER``. Reads and writes raise BusError.
+    port: a device, a URL of pyserial with one of SCHEMES, ``fake`` or ``fake:FOLDER``.
     transfers, errors: how many writes were tried, and how many reads and writes failed.
+    Reads and writes raise BusError, or OutOfResources.
     """
 
     address = None  # one port, one board
+    time_limit = TIMEOUT  # of every write
 
     def __init__(self, port: str):
         if not isinstance(port, str) or not port:
             raise InvalidValue(f"a serial port cannot be {port!r}", "Give a device such as /dev/ttyACM0, or fake.")
         self.name = fake.expand(port)
+        scheme, separator, _ = self.name.partition("://")
+        if separator and not fake.folder_of(self.name) and scheme.lower() not in SCHEMES:
+            raise InvalidValue(f"a serial port cannot be {port!r}",
+                               "Give a device such as /dev/ttyACM0, a URL socket://... or rfc2217://..., or fake.")
         self.transfers = self.errors = 0
         self._port = None
         self._opening = threading.RLock()  # one thread may write while another reads; a signal handler may write, too
@@ -79,9 +87,11 @@ def open_port(name: str) -> Any:
         raise InvalidValue(f"a serial port cannot be {name!r}: {error}") from None
 
 
-def explain(error: Exception, name: str) -> BusError:
-    """Return the BusError for an error that pyserial raised."""
+def explain(error: Exception, name: str) -> JetbotError:
+    """Return the BusError for an error that pyserial raised, or OutOfResources."""
     number = getattr(error, "errno", None)
+    if number in EXHAUSTED:
+        return OutOfResources(error)
     if Path(name).exists() and not Path(name).is_char_device():
         return NotFound(f"{name} is not a serial port", "Give a serial device such as /dev/ttyACM0.", errno.ENOTTY)
     plugged = "Is the board plugged in and switched on?"

@@ -1,11 +1,66 @@
-"""The ROS master, without which rospy would wait forever."""
+"""What a program asks the ROS master when it starts, with a time limit: rospy would wait forever."""
 
+import os
+import socket
 import sys
+from typing import Optional
+from urllib.parse import urlsplit
 
-import rosgraph
+from .xmlrpc import NO_ANSWER, proxy
+
+TIMEOUT = 5.0  # s for an answer
+CALLER = "/jetbot_start"
+ALIVE, FROZEN = "is already running", "is already running, but frozen (Ctrl-Z?)"
+
+
+def master_uri() -> str:
+    """Return the master's address."""
+    typed = [argument.partition(":=")[2] for argument in sys.argv if argument.startswith("__master:=")]
+    return (typed or [os.environ.get("ROS_MASTER_URI")])[0] or "http://localhost:11311"
 
 
 def require_master() -> None:
     """End the program with one sentence if no ROS master answers."""
-    if not rosgraph.is_master_online():
-        sys.exit(f"No ROS master at {rosgraph.get_master_uri()}. Start one in another terminal: roscore")
+    uri = master_uri()
+    try:
+        proxy(uri, TIMEOUT).getPid(CALLER)
+    except socket.timeout:
+        sys.exit(f"The ROS master at {uri} does not answer. Is it frozen (Ctrl-Z)? Continue it with fg, or restart it.")
+    except NO_ANSWER:
+        sys.exit(f"No ROS master at {uri}. Start one in another terminal: roscore")
+
+
+def require_name(name: str) -> None:
+    """End the program with one sentence if a node with this name, such as /jetbot_controller, already runs.
+
+    The master also lists nodes that have died; of two that live, it would end the first.
+    """
+    condition = condition_of(name)
+    if condition:
+        sys.exit(f"The node {name} {condition}. End it first, with Ctrl-C in its terminal, or: rosnode kill {name}")
+
+
+def condition_of(name: str) -> Optional[str]:
+    """Return whether the node with this name is ALIVE or FROZEN, or None if it has ended; raise NO_ANSWER."""
+    code, _, uri = proxy(master_uri(), TIMEOUT).lookupNode(CALLER, name)
+    return condition_at(uri, name) if code == 1 and is_reachable(uri) else None
+
+
+def condition_at(uri: str, name: str) -> Optional[str]:
+    """Return whether the node that was at this address is ALIVE or FROZEN, or None if it has ended."""
+    try:
+        return ALIVE if proxy(uri, TIMEOUT).getName(CALLER)[2] == name else None  # else another program has its port
+    except socket.timeout:
+        return FROZEN
+    except NO_ANSWER:
+        return None
+
+
+def is_reachable(uri: str) -> bool:
+    """Return whether a process, which may be frozen, listens at this address."""
+    try:
+        address = urlsplit(uri)
+        socket.create_connection((address.hostname, address.port), TIMEOUT).close()
+    except (OSError, ValueError):
+        return False
+    return True

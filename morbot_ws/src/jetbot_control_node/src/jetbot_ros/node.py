@@ -5,14 +5,20 @@ import re
 import signal
 import sys
 import threading
-from typing import Callable, Dict
+from typing import Callable, Dict, List
 
+import rosgraph
 import rospy
 
 from jetbot import InvalidValue, JetbotError, Robot, fake
+from jetbot.boards import find_board
+from jetbot.lock import lock_board
 
-from .master import require_master
+from . import watch
+from .master import require_master, require_name
+from .network import bound_headers, stay_on_this_host
 from .parameters import resolve
+from .registration import is_registered, register
 from .report import Report
 from .supervisor import Supervisor
 
@@ -20,8 +26,14 @@ SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
 
 
 def init_node(name: str) -> None:
-    """Initialize the node; end the program with one sentence if there is no master. Raise InvalidValue for its name."""
+    """Initialize the node; end the program with one sentence if there is no master, or a node of this name runs.
+
+    Raise InvalidValue for a name that ROS does not take.
+    """
     require_master()
+    require_name(rosgraph.names.resolve_name(rospy.names.get_mappings().get("__name", name), rospy.get_caller_id()))
+    stay_on_this_host()
+    bound_headers()
     # rospy's own signal handlers talk to the master before anything stops, and wait forever if that hangs.
     rospy.init_node(name, disable_signals=True)
     namespace = rospy.get_namespace()
@@ -36,10 +48,16 @@ def read_parameters() -> Dict[str, object]:
 
 
 def make_robot(parameters: Dict[str, object]) -> Robot:
-    """Return the Robot that the parameters describe. If its board measures its motion, publish that from now on."""
+    """Return the Robot that the parameters describe. If its board measures its motion, publish that from now on.
+
+    Raise JetbotError, also if another program drives that board.
+    """
     names = ("board", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left", "invert_right", "min_duty")
     places = {name: fake.expand(str(parameters[name]), rospy.get_namespace()) for name in ("i2c_bus", "port")}
+    board = find_board(parameters["board"])
+    lock = lock_board(board.place(**places), board.address)  # before Robot() stops the wheels, which may be another's
     robot = Robot(**{name: parameters[name] for name in names}, **places)
+    robot.lock = lock  # until this process ends
     if robot.driver.closed_loop:
         from .odometry import OdometryPublisher  # here: most robots have no such board
         robot.driver.listen(OdometryPublisher(parameters["publish_tf"]))
@@ -47,27 +65,32 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
 
 
 def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
-    """Drive and report until the node ends, then stop the robot. Return the exit code."""
+    """Drive and report until the node ends, then stop the robot. Return the exit code.
+
+    Raise JetbotError for what ended it, such as a lack of file descriptors.
+    """
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, supervisor.end)
-    thread = threading.Thread(target=supervise, args=[supervisor, report])
+    watch.start(supervisor, watch.MasterWatch(is_registered, register))
+    failures = []
+    thread = threading.Thread(target=supervise, args=[supervisor, report, failures])
     thread.start()
     try:
         report.spin(supervisor, robot.driver.link)
     finally:
         supervisor.end()
         thread.join()
+    for failure in failures:
+        raise failure
     return 0 if supervisor.closed else 1
 
 
-def supervise(supervisor: Supervisor, report: Report) -> None:
-    """Drive until the node ends, then end it. Neither logs nor asks the master: either may block."""
-    launched = any(argument.startswith("__log:=") for argument in sys.argv)  # then the node ends with roslaunch
-    launcher = os.getppid() if launched else None
+def supervise(supervisor: Supervisor, report: Report, failures: List[JetbotError]) -> None:
+    """Drive until the node ends, then end it; note what went wrong, but log nothing: the terminal may block."""
     try:
-        supervisor.run(lambda: rospy.is_shutdown() or launcher not in (None, os.getppid()))
-    except JetbotError:
-        pass  # the board does not answer: the guard reports it, and keeps trying
+        supervisor.run(rospy.is_shutdown)
+    except JetbotError as failure:
+        failures.append(failure)
     finally:
         give_up = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # if the master or the terminal hangs
         give_up.daemon = True

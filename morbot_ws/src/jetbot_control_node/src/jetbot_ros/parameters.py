@@ -46,13 +46,13 @@ BOOLEAN = Kind(lambda value: isinstance(value, bool), "true or false")
 BOARD = Kind(lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}")
 BUS = Kind(lambda value: isinstance(value, str) or type(value) is int and 0 <= value <= MAX_BUS,
            "a number, fake, or fake:FOLDER")
-SERIAL = Kind(lambda value: isinstance(value, str), "a serial device, a pyserial URL, fake, or fake:FOLDER")
+SERIAL = Kind(lambda value: isinstance(value, str), "a serial device, a socket:// URL, fake, or fake:FOLDER")
 
 PARAMETERS = {
     "board": Parameter("jetbot", BOARD, "motor board: jetbot (Adafruit's and Waveshare's layout at once), adafruit, "
                                         "waveshare, sparkfun or jetbot_pro"),
     "i2c_bus": Parameter(1, BUS, "I2C bus: N for /dev/i2c-N, fake (no robot needed), or fake:FOLDER"),
-    "port": Parameter(DEFAULT_PORT, SERIAL, "serial port of a jetbot_pro: a device, a pyserial URL, fake, or "
+    "port": Parameter(DEFAULT_PORT, SERIAL, "serial port of a jetbot_pro: a device, a socket:// URL, fake, or "
                                             "fake:FOLDER"),
     "cmd_vel_timeout": Parameter(1.0, SECONDS, "time without a command after which the robot stops; 0 holds the last "
                                                "command", "s"),

@@ -96,7 +96,7 @@ class Supervisor:
             fault = error
         interval = self._robot.driver.keep_alive_interval if state.driving else STOPPED_INTERVAL
         self._keep_alive(now, interval)
-        self._faults += bool(fault and not state.fault)
+        self._faults += isinstance(fault, BusError) and not state.fault
         self._change(State.driven, fault, self._notes(senders, now))
         self._report()
         pause = RETRY_INTERVAL if fault else DRIVING_INTERVAL if state.driving else STOPPED_INTERVAL
@@ -106,6 +106,7 @@ class Supervisor:
         """Drive, or stop if there is no guard; return the fault."""
         if state.driving and not self._robot.guarded:
             self._drive(*STOPPED)
+            self._fed_at = float("-inf")  # now: a heartbeat starts another guard
             return NO_GUARD
         self._drive(*state.velocity)
         return None

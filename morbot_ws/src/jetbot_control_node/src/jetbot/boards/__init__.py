@@ -17,6 +17,7 @@ __all__ = ["BOARDS", "DEFAULT_PORT", "Board", "HBridge", "MotorDriver", "PwmMoto
 
 DEFAULT_PORT = "/dev/ttyACM0"  # of a JetBot Pro
 READY_TIMEOUT = 2.0            # s that a board may take from power-on until it can be set up
+TRANSFER_TIME_LIMIT = 0.15     # s, of a board that has been started; a transfer takes milliseconds
 
 
 class Board(NamedTuple):
@@ -38,6 +39,7 @@ class Board(NamedTuple):
         except JetbotError:
             driver.close()
             raise
+        driver.link.time_limit = TRANSFER_TIME_LIMIT  # only now: what stops the wheels may take its time
         return driver
 
 

@@ -21,6 +21,7 @@ TELEMETRY, TELEMETRY_PAYLOAD = 0x01, 40         # from the board: type, bytes
 DEFAULT_PID_GAINS = (350, 120, 0)               # of the board's own control of its wheel speeds
 NO_CORRECTIONS = (1000, 1000)                   # thousandths: linear, angular
 INT16_MAX = 32767
+PADDING = bytes(10)                             # completes a frame that was cut; zeros, so that a false one is tame
 
 GYRO_SCALE = math.radians(2000) / 32768         # rad/s: an int16 for the range of 2000 deg/s
 ACCELERATION_SCALE = 2 * 9.80665 / 32768        # m/s^2: an int16 for the range of 2 g
@@ -50,6 +51,7 @@ class JetBotPro(MotorDriver):
 
     def drive(self, left: float, right: float) -> None:
         if self._sent is None:
+            self.link.write(PADDING)
             self.start()
         wanted = velocity(left, right)
         if wanted != self._sent:

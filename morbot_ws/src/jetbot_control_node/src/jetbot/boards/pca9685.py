@@ -10,12 +10,16 @@ MODE1 = 0x00
 MODE1_RESTART = 0x80    # set by the chip itself
 MODE1_AI = 0x20         # auto-increment; without it, every byte of a block is written to the same register
 MODE1_SLEEP = 0x10      # oscillator and outputs off
+MODE1_POWER_ON = 0x11   # asleep, answers to the address of all such chips
 MODE2 = 0x01
-MODE2_OUTDRV = 0x04     # outputs drive high and low
+MODE2_OUTDRV = 0x04     # outputs drive high and low; they change at the STOP of a transfer, as OCH (0x08) is 0
 LED0_ON_L = 0x06        # four registers per output: ON_L, ON_H, OFF_L, OFF_H
 LED_FULL = 0x10         # in ON_H: always on; in OFF_H: always off, and off wins
+ALL_LED_ON_L = 0xFA     # the same four registers of all outputs at once
+ALL_LED_OFF_H = 0xFD
 PRE_SCALE = 0xFE        # writable only asleep
 PRESCALE_MIN = 3        # 25 MHz / 4096 / (3 + 1) = 1526 Hz
+PRESCALE_POWER_ON = 0x1E
 OUTPUTS = 16
 FULL_DUTY = 4096
 OSCILLATOR_START = 0.0005  # s
@@ -26,34 +30,41 @@ OVERHEAD = 2            # bytes, address and register, before the data of a tran
 MAX_TRANSFERS = 3       # of a change of duties alone
 MAX_BITS = 160          # on the wire, of such a change: nine per byte, and two per transfer for START and STOP
 
+OFF = bytes([0, 0, 0, LED_FULL])
+SET_UP = ((MODE1, MODE1_SLEEP), *enumerate(OFF, ALL_LED_ON_L), (PRE_SCALE, PRESCALE_MIN), (MODE2, MODE2_OUTDRV),
+          (MODE1, MODE1_AI))
+
 
 class PCA9685:
     """Writes only the registers that changed, and verifies what the chip holds block by block.
 
     spans: ranges of up to 8 outputs; the outputs of a span switch on and off together.
+    resets, overwritten: as in MotorDriver.
     Nothing is sent before ``start`` or the first ``set_outputs``. Every method may raise BusError.
     """
+
+    resets = overwritten = 0
 
     def __init__(self, link: I2CDevice, spans: Sequence[range]):
         self._link = link
         self._spans = [range(LED0_ON_L + 4 * span.start, LED0_ON_L + 4 * span.stop) for span in spans]
         self._blocks = itertools.cycle([range(MODE1, MODE2 + 1), range(PRE_SCALE, PRE_SCALE + 1), *self._spans])
         self._sent = None  # the registers as the chip holds them; None: not known
+        self._differs = None  # what ``verify`` read instead of what was sent
 
     def start(self) -> None:
-        """Set the chip up, whatever state it is in, with all outputs off before it wakes."""
-        self._link.read(MODE1)
-        self._link.write(MODE1, [MODE1_SLEEP | MODE1_AI])
-        off = encode(0) * OUTPUTS
-        for start in range(0, len(off), BLOCK):
-            self._link.write(LED0_ON_L + start, off[start:start + BLOCK])
-        self._link.write(PRE_SCALE, [PRESCALE_MIN])
-        self._link.write(MODE2, [MODE2_OUTDRV])
-        self._link.write(MODE1, [MODE1_AI])
+        """Set the chip up, whatever state it is in: first all outputs off, and only then the rest.
+
+        Byte by byte: after a brown-out in the middle, without MODE1_AI, a block would end up in a single register.
+        """
+        self._link.write(ALL_LED_OFF_H, [LED_FULL])
+        self._count_fault(self._link.read(MODE1))
+        for register, value in SET_UP:
+            self._link.write(register, [value])
         time.sleep(OSCILLATOR_START)
         sent = bytearray(REGISTERS)
         sent[MODE1], sent[MODE2], sent[PRE_SCALE] = MODE1_AI, MODE2_OUTDRV, PRESCALE_MIN
-        sent[LED0_ON_L:LED0_ON_L + len(off)] = off
+        sent[LED0_ON_L:LED0_ON_L + 4 * OUTPUTS] = OFF * OUTPUTS
         self._sent = sent
 
     def set_outputs(self, duties: Dict[int, int]) -> None:
@@ -74,7 +85,7 @@ class PCA9685:
     def verify(self) -> None:
         """Read back the next block of registers; if it differs, the next ``set_outputs`` sets the chip up again.
 
-        A chip whose supply failed is back at its power-on values: asleep, all outputs off.
+        A chip whose supply failed is back at its power-on values: asleep, all outputs off. Only ``start`` wakes it.
         """
         sent, self._sent = self._sent, None  # also if the chip does not answer
         if sent is None:
@@ -85,12 +96,23 @@ class PCA9685:
             held[0] &= ~MODE1_RESTART
         if held == sent[block.start:block.stop]:
             self._sent = sent
+        else:
+            self._differs = held
+
+    def _count_fault(self, mode1):
+        """Count why ``verify`` found the chip changed; mode1: what its MODE1 holds now."""
+        if self._differs:
+            if mode1 == MODE1_POWER_ON or self._differs == bytes([PRESCALE_POWER_ON]):
+                self.resets += 1
+            else:
+                self.overwritten += 1
+        self._differs = None
 
 
 def encode(duty: int) -> bytes:
     """Return an output's four registers: on at the start of each period, off after ``duty`` 4096ths of it."""
     if duty == 0:
-        return bytes([0, 0, 0, LED_FULL])
+        return OFF
     if duty == FULL_DUTY:
         return bytes([0, LED_FULL, 0, 0])
     return bytes([0, 0, duty & 0xFF, duty >> 8])

@@ -57,6 +57,14 @@ class PwmMotors(MotorDriver):
         self._wirings = wirings
         self._chip = PCA9685(link, [wiring.outputs for wiring in wirings])
 
+    @property
+    def resets(self) -> int:
+        return self._chip.resets
+
+    @property
+    def overwritten(self) -> int:
+        return self._chip.overwritten
+
     def start(self) -> None:
         self._chip.start()
 

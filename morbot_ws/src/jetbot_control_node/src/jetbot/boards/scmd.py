@@ -29,20 +29,23 @@ class ScmdMotors(MotorDriver):
     def __init__(self, link: I2CDevice):
         super().__init__(link)
         self._sent = None  # the drive bytes as the chip holds them; None: not known
+        self._timeout = 0  # FSAFE_TIME as the chip holds it
         self._has_blocks = False
-        self._expected = itertools.cycle([(DRIVER_ENABLE, 1), (FSAFE_CTRL, FSAFE_DRIVE_KILL)])  # 0 after a brown-out
+        self._verified = itertools.cycle([DRIVER_ENABLE, MA_DRIVE, FSAFE_CTRL, MB_DRIVE, FSAFE_TIME])
+        self._differs = False  # whether ``verify`` read something else than was sent
 
     def start(self) -> None:
         if self.link.read(ID) != ID_WORD:
             raise NoAnswer(f"the chip at 0x{self.link.address:02x} on {self.link.name} is not a SparkFun motor driver",
                            "Choose another board.")
+        self._count_fault()
+        self.link.write(DRIVER_ENABLE, [0])
         if not self.link.read(STATUS_1) & ENUMERATION_BIT:
             raise NotReady(f"the motor driver on {self.link.name} is not ready", "Switch the robot off and on.")
-        self.link.write(DRIVER_ENABLE, [0])
         self._has_blocks = self._takes_blocks()
         self._send(bytes([STOP, STOP]))
         self.link.write(FSAFE_CTRL, [FSAFE_DRIVE_KILL])
-        self.link.write(FSAFE_TIME, [0])
+        self._feed(0)
         self.link.write(DRIVER_ENABLE, [1])
 
     def drive(self, left: float, right: float) -> None:
@@ -56,14 +59,32 @@ class ScmdMotors(MotorDriver):
         sent, self._sent = self._sent, None  # also if the chip does not answer
         if sent is None:
             return
-        register, expected = next(self._expected)
-        if self.link.read(register) == expected:
+        register = next(self._verified)
+        expected = {DRIVER_ENABLE: 1, FSAFE_CTRL: FSAFE_DRIVE_KILL, FSAFE_TIME: self._timeout,
+                    MA_DRIVE: sent[0], MB_DRIVE: sent[1]}
+        if self.link.read(register) == expected[register]:
             self._sent = sent
+        else:
+            self._differs = True
 
     def keep_alive(self) -> None:
-        if self._sent is not None:
-            self.link.write(FSAFE_TIME, [TIMEOUT])
-            self._send(self._sent)  # whatever another program has written there
+        sent, self._sent = self._sent, None  # until all of it went through
+        if sent is not None:
+            self._feed(TIMEOUT)
+            self._send(sent)  # whatever another program has written there
+
+    def _feed(self, timeout):
+        self.link.write(FSAFE_TIME, [timeout])
+        self._timeout = timeout
+
+    def _count_fault(self):
+        """Count why ``verify`` found the board changed: only a power-on leaves its motors disabled."""
+        if self._differs:
+            if self.link.read(DRIVER_ENABLE):
+                self.overwritten += 1
+            else:
+                self.resets += 1
+        self._differs = False
 
     def _takes_blocks(self) -> bool:
         """Return whether both drive bytes arrive in one transfer; tried with the motors switched off."""

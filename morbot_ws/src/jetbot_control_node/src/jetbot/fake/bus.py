@@ -5,6 +5,7 @@ Chips stay powered when the process that uses them ends. By hand:
     xxd FOLDER/0x60                        show the registers
     rm FOLDER/0x60                         unplug the chip
     echo 5 > FOLDER/0x60.fail              let its next 5 transfers fail
+    echo 3 > FOLDER/0x60.cut               end its next write with a STOP after 3 bytes of data, not acknowledged
     echo 100000 > FOLDER/clock             take as long as a bus of 100 kHz (read when the bus is opened)
     python3 -m jetbot.fake FOLDER          power every chip on again: after unplugging, or as a brown-out
 """
@@ -13,12 +14,15 @@ import errno
 import os
 import time
 from pathlib import Path
-from typing import List, Sequence
+from typing import List, Optional, Sequence
 
+from ..errors import BusError
 from . import Folder, chip_file
+from .files import check_chip, open_file, read_text
 from .motors import ROBOTS
 
 REGISTERS = 256
+CLOCK_RANGE = (10.0, 1e7)  # Hz
 
 
 def power_on(folder: Folder) -> None:
@@ -40,14 +44,15 @@ class FakeBus:
         self._folder = Path(folder)
         if not self._folder.exists():
             power_on(self._folder)
-        clock = self._folder / "clock"
-        self._seconds_per_bit = 1 / float(clock.read_text()) if clock.exists() else 0
+        self._seconds_per_bit = seconds_per_bit(self._folder / "clock")
 
     def read_byte_data(self, address: int, register: int) -> int:
-        return self._transfer(address, 4, lambda registers: registers[register])
+        return self.read_i2c_block_data(address, register, 1)[0]
 
     def read_i2c_block_data(self, address: int, register: int, length: int) -> List[int]:
-        return self._transfer(address, 3 + length, lambda registers: list(registers[register:register + length]))
+        fail_if_asked(f"{self._folder}/0x{address:02x}.fail")
+        return self._transfer(address, 3 + length,
+                              lambda registers: chip_at(address).read(registers, register, length))
 
     def write_byte_data(self, address: int, register: int, value: int) -> None:
         self.write_i2c_block_data(address, register, [value])
@@ -55,7 +60,14 @@ class FakeBus:
     def write_i2c_block_data(self, address: int, register: int, data: Sequence[int]) -> None:
         if len(data) > 32:
             raise ValueError("an SMBus block holds 32 bytes at most")
-        self._transfer(address, 2 + len(data), lambda registers: chip_at(address).write(registers, register, data))
+        cut = number_in(f"{self._folder}/0x{address:02x}.cut")
+        if cut is None:
+            fail_if_asked(f"{self._folder}/0x{address:02x}.fail")
+        sent = data[:cut]
+        self._transfer(address, 2 + len(sent), lambda registers: chip_at(address).write(registers, register, sent))
+        if cut is not None:
+            os.unlink(f"{self._folder}/0x{address:02x}.cut")
+            raise no_answer()
 
     def close(self) -> None:
         """Nothing stays open between transfers."""
@@ -64,21 +76,38 @@ class FakeBus:
         """Act on the chip's registers and store them at once at the STOP, when the wire has carried all bytes."""
         end = time.perf_counter() + (2 + 9 * wire_bytes) * self._seconds_per_bit
         file = f"{self._folder}/0x{address:02x}"  # pathlib would take longer than all the rest
-        fail_if_asked(f"{file}.fail")
         try:
-            chip = os.open(file, os.O_RDWR)
+            chip = open_file(file, os.O_RDWR)
         except FileNotFoundError:
             raise no_answer() from None
         try:
             if self._seconds_per_bit:
                 time.sleep(max(0.0, end - time.perf_counter()))
-            registers = bytearray(os.pread(chip, REGISTERS, 0).ljust(REGISTERS, b"\0"))
+            check_chip(chip, file, REGISTERS)
+            registers = bytearray(os.pread(chip, REGISTERS, 0))
             result = action(registers)
             if result is None:  # a write; the file's time is then that of the last write
                 os.pwrite(chip, registers, 0)
             return result
+        except FileNotFoundError:  # unplugged, or a brown-out, before the STOP
+            raise no_answer() from None
         finally:
             os.close(chip)
+
+
+def seconds_per_bit(clock: Path) -> float:
+    """Return the time that a bit takes by the file ``clock``, which holds the clock in Hz; 0 without such a file."""
+    text = read_text(clock)
+    if text is None:
+        return 0.0
+    try:
+        frequency = float(text)
+    except ValueError:
+        frequency = 0.0
+    if not CLOCK_RANGE[0] <= frequency <= CLOCK_RANGE[1]:
+        raise BusError(f"{clock} must hold the clock of the bus in Hz, 10 to 10000000, not {text.strip()!r}",
+                       "Write such a number into it, or delete it.", errno.EINVAL)
+    return 1 / frequency
 
 
 def chip_at(address: int) -> type:
@@ -86,18 +115,24 @@ def chip_at(address: int) -> type:
     return next(robot.chip for robot in ROBOTS.values() if robot.address == address)
 
 
+def number_in(request: str) -> Optional[int]:
+    """Return the whole number, 0 or more, in the file ``request``; None if there is no file, or no such number."""
+    if not os.path.exists(request):
+        return None
+    try:
+        return max(0, int(read_text(request) or ""))
+    except ValueError:  # it is being written
+        return None
+
+
 def fail_if_asked(request: str) -> None:
     """Fail as long as the file ``request`` holds a number above 0."""
-    if not os.path.exists(request):
-        return
-    try:
-        remaining = int(Path(request).read_text())
-    except (FileNotFoundError, ValueError):  # ValueError: it is being written
-        return
-    if remaining > 0:
+    remaining = number_in(request)
+    if remaining:
         Path(request).write_text(str(remaining - 1))
         raise no_answer()
-    os.unlink(request)
+    if remaining == 0:
+        os.unlink(request)
 
 
 def no_answer() -> OSError:

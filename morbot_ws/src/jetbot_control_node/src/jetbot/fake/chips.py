@@ -2,11 +2,12 @@
 
 Written from NXP's data sheet of the PCA9685 (rev. 4) and SparkFun's description of the SCMD, not from the drivers, and
 with registers as plain numbers, so that a driver's mistake shows. A chip has ``POWER_ON``, its registers at power-on;
-``write(registers, register, data)``, which applies one transfer; and ``speed(registers, motor, age)``, the speed in
-[-1, 1] of a motor that is wired to it, ``age`` seconds after the last write.
+``write(registers, register, data)`` and ``read(registers, register, length)``, one transfer each; and
+``speed(registers, motor, age)``, the speed in [-1, 1] of a motor that is wired to it, ``age`` seconds after the last
+write.
 """
 
-from typing import Optional, Sequence, Tuple
+from typing import List, Optional, Sequence, Tuple
 
 
 class PCA9685:
@@ -16,11 +17,23 @@ class PCA9685:
 
     @staticmethod
     def write(registers: bytearray, register: int, data: Sequence[int]) -> None:
-        auto_increment = registers[0x00] & 0x20
         for value in data:
             PCA9685._store(registers, register, value)
-            if auto_increment:
-                register = 0x00 if register == 0x45 else (register + 1) % 256
+            register = PCA9685._next(registers, register)
+
+    @staticmethod
+    def read(registers: bytes, register: int, length: int) -> List[int]:
+        values = []
+        for _ in range(length):
+            values.append(registers[register])
+            register = PCA9685._next(registers, register)
+        return values
+
+    @staticmethod
+    def _next(registers, register):
+        if not registers[0x00] & 0x20:  # no auto-increment
+            return register
+        return 0x00 if register == 0x45 else (register + 1) % 256
 
     @staticmethod
     def _store(registers, register, value):
@@ -73,6 +86,10 @@ class SCMD:
         for offset, value in enumerate(data):
             if register + offset not in SCMD.READ_ONLY:
                 registers[register + offset] = value
+
+    @staticmethod
+    def read(registers: bytes, register: int, length: int) -> List[int]:
+        return list(registers[register:register + length])
 
     @staticmethod
     def speed(registers: bytes, motor: int, age: float) -> float:

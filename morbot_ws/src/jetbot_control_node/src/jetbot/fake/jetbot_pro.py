@@ -32,9 +32,12 @@ class JetBotPro:
         """Take bytes from the computer; return the last velocity frame that they complete, or b""."""
         newest = b""
         self._buffer += data
-        while len(self._buffer) > 2 and len(self._buffer) >= self._buffer[2] > 4:
-            frame, self._buffer = self._buffer[:self._buffer[2]], self._buffer[self._buffer[2]:]
-            if not frame.startswith(HEADER) or with_checksum(frame[:-1]) != frame:
+        while len(self._buffer) > 2:
+            length = self._buffer[2] if self._buffer.startswith(HEADER) else 1  # what begins no frame is skipped
+            if len(self._buffer) < length:
+                break
+            frame, self._buffer = self._buffer[:max(1, length)], self._buffer[max(1, length):]
+            if len(frame) < 5 or with_checksum(frame[:-1]) != frame:
                 self.bad.append(frame)
             elif frame[3] == VELOCITY:
                 newest = frame

@@ -6,8 +6,10 @@ Written from the boards' circuit diagrams and not from ``boards``, so that a dri
 import time
 from typing import NamedTuple, Optional, Tuple
 
+from ..errors import BusError
 from . import Folder, chip_file
 from .chips import PCA9685, SCMD
+from .files import read_chip
 from .jetbot_pro import JetBotPro
 
 STOPPED = (0.0, 0.0)  # speeds (left, right)
@@ -33,12 +35,11 @@ ROBOTS["jetbot"] = ROBOTS["adafruit"]  # the driver `jetbot` serves both layouts
 
 
 def wheel_speeds(folder: Folder, board: str = "adafruit") -> Tuple[float, float]:
-    """Return the speeds (left, right) of the robot with this board in a fake bus's folder; 0 if it is unplugged."""
+    """Return the speeds (left, right) of the robot with this board in a fake bus's folder; 0 if there is no chip."""
     robot = ROBOTS[board]
-    file = chip_file(folder, robot.address)
     try:
-        registers, written = file.read_bytes(), file.stat().st_mtime
-    except FileNotFoundError:
+        registers, written = read_chip(chip_file(folder, robot.address), len(robot.chip.POWER_ON))
+    except (FileNotFoundError, BusError):
         return STOPPED
     age = time.time() - written
     return robot.chip.speed(registers, robot.left, age), robot.chip.speed(registers, robot.right, age)

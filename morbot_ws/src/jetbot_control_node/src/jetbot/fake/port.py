@@ -6,9 +6,11 @@ import time
 
 from . import Folder, chip_file
 from .bus import power_on
+from .files import check_chip, open_file, read_chip
 from .jetbot_pro import JetBotPro, decode
 
 TELEMETRY_INTERVAL = 1 / 30  # s
+FRAME = len(JetBotPro.POWER_ON)  # bytes
 
 
 class FakePort:
@@ -30,14 +32,18 @@ class FakePort:
 
     def write(self, data: bytes) -> None:
         frame = self._board.receive(data)
-        with self._file.open("r+b") as file:  # FileNotFoundError: unplugged
-            file.write(frame)
+        chip = open_file(self._file, os.O_RDWR)  # FileNotFoundError: unplugged
+        try:
+            check_chip(chip, self._file, FRAME)
+            os.pwrite(chip, frame, 0)
+        finally:
+            os.close(chip)
 
     def read(self, size: int) -> bytes:
         """Return the next telemetry frame, whatever the size asked for; b"" when none is due within the timeout."""
         time.sleep(min(self._timeout, max(0.0, self._sent_at + TELEMETRY_INTERVAL - time.monotonic())))
         seconds = time.monotonic() - self._sent_at
-        linear, angular = decode(self._file.read_bytes())
+        linear, angular = decode(read_chip(self._file, FRAME)[0])
         if seconds < TELEMETRY_INTERVAL:
             return b""
         self._sent_at += seconds

@@ -1,0 +1,60 @@
+"""Without a ROS master that answers, no emergency stop can arrive: the robot stops, and drives again with the next."""
+
+import os
+import signal
+
+import rosgraph
+
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, find_processes, free_port, program, read
+
+STOP_TIMEOUT = 3.0  # s
+
+
+class MasterLost(RobotTest):
+    def setUp(self):
+        super().setUp()
+        self.port = str(free_port())
+        self.environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{self.port}"}
+        self.start_master()
+
+    def tearDown(self):
+        self.signal_master(signal.SIGKILL)  # roscore would wait for one that is frozen
+        super().tearDown()
+
+    def start_master(self):
+        self.start("roscore", "-p", self.port)
+        self.wait_for(lambda: rosgraph.is_master_online(self.environment["ROS_MASTER_URI"]), START_TIMEOUT, "a master")
+
+    def signal_master(self, signum):
+        for master in find_processes(self.port, "rosmaster"):
+            os.kill(master, signum)
+
+    def controller_below(self):
+        return self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", env=self.environment)
+
+    def test_frozen_and_killed(self):
+        node = self.controller_below()
+        self.start(program("workshop", "jetbot_motion_control.py"), env=self.environment)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
+        self.signal_master(signal.SIGSTOP)
+        self.wait_for_stop(within=STOP_TIMEOUT)
+        self.signal_master(signal.SIGCONT)
+        self.wait_for_wheels(0.4, 0.6)
+        self.signal_master(signal.SIGKILL)
+        self.wait_for_stop(within=STOP_TIMEOUT)
+        self.assertIn("no ROS master, so no emergency stop could arrive", read(node))
+        self.wait_for(lambda: not find_processes(self.port, "roscore"), START_TIMEOUT, "roscore to end")
+        self.start_master()
+        self.wait_for_wheels(0.4, 0.6)
+        self.start("rostopic", "pub", "/emergency_stop", "std_msgs/Bool", "true", env=self.environment)
+        self.wait_for_stop(within=START_TIMEOUT)
+
+    def test_a_node_below_a_frozen_master_starts_with_an_error_and_ends_in_time(self):
+        node = self.controller_below()
+        self.wait_for(lambda: "no command yet" in read(node), START_TIMEOUT, "the controller")
+        self.signal_master(signal.SIGSTOP)
+        late = self.controller_below()
+        node.send_signal(signal.SIGTERM)
+        node.wait(5.0)
+        self.assertNotEqual(late.wait(START_TIMEOUT), 0)
+        self.assertIn("does not answer. Is it frozen (Ctrl-Z)?", read(late))

@@ -1,0 +1,143 @@
+"""A chip on a bus that is interrupted at any byte. Written from the chips' data sheets, not from the drivers."""
+
+import errno
+import functools
+
+from jetbot.fake.motors import ROBOTS
+
+HIGH = bytes([0, 0x10, 0, 0])  # an output's registers: always on
+NACK_AND_STOP, BROWN_OUT, CUT = "not acknowledged, then STOP", "brown-out", "cable cut, no STOP"
+
+
+class InterruptedPCA9685:
+    """Takes the place of ``smbus2.SMBus``, with a PCA9685 by NXP's data sheet, rev. 4.
+
+    Its outputs change at the STOP of a transfer (OCH = 0); after a cut, its bytes take effect at the next STOP.
+    ``interrupt`` lets one byte fail. seen: the registers after every byte, as a transfer may end there with a STOP.
+    """
+
+    POWER_ON = bytes([0x11, 0x04, 0, 0, 0, 0]) + bytes([0, 0, 0, 0x10]) * 16 + bytes(0xFE - 0x46) + bytes([0x1E, 0])
+
+    def __init__(self):
+        self.registers = bytearray(self.POWER_ON)
+        self.seen = []
+        self.bytes = 0
+        self._fault, self._refused, self._refused_later = None, 0, 0
+
+    def interrupt(self, after, kind, refused=0):
+        """Let the fault happen after so many bytes; ``refused``: how many transfers after it fail too."""
+        self.bytes, self._fault, self._refused_later = 0, (after, kind), refused
+
+    @property
+    def was_interrupted(self):
+        """Whether no fault is pending."""
+        return self._fault is None
+
+    def read_byte_data(self, address, register):
+        return self.read_i2c_block_data(address, register, 1)[0]
+
+    def read_i2c_block_data(self, address, register, length):
+        self._start()
+        for _ in range(3):  # address, register, address
+            self._byte()
+        values = []
+        for _ in range(length):
+            self._byte()
+            values.append(self.registers[register])
+            register = self._next(register)
+        return values
+
+    def write_byte_data(self, address, register, value):
+        self.write_i2c_block_data(address, register, [value])
+
+    def write_i2c_block_data(self, address, register, data):
+        self._start()
+        self._byte()
+        self._byte()
+        for value in data:
+            self._byte()
+            self._store(register, value)
+            self.seen.append(bytes(self.registers))
+            register = self._next(register)
+
+    def close(self):
+        pass
+
+    def _start(self):
+        if self._refused:
+            self._refused -= 1
+            raise no_answer()
+
+    def _byte(self):
+        if self._fault and self.bytes == self._fault[0]:
+            kind, self._fault, self._refused = self._fault[1], None, self._refused_later
+            if kind == BROWN_OUT:
+                self.registers[:] = self.POWER_ON
+            raise no_answer()
+        self.bytes += 1
+
+    def _store(self, register, value):
+        asleep = self.registers[0] & 0x10
+        if register == 0xFE and not asleep:
+            return
+        if register == 0 and value & 0x10 and not asleep and any(map(self._is_on, range(16))):
+            value |= 0x80
+        if 0xFA <= register <= 0xFD:
+            self.registers[register - 0xFA + 6:0x46:4] = bytes([value] * 16)
+            return
+        self.registers[register] = value
+
+    def _is_on(self, output):
+        return not self.registers[0x09 + 4 * output] & 0x10
+
+    def _next(self, register):
+        if not self.registers[0] & 0x20:
+            return register
+        return 0 if register == 0x45 else (register + 1) % 256
+
+
+class InterruptedSCMD(InterruptedPCA9685):
+    """The same with SparkFun's motor driver, whose motors change with every byte."""
+
+    POWER_ON = bytes({0x01: 0xA9, 0x20: 0x80, 0x21: 0x80, 0x77: 0x01}.get(register, 0) for register in range(256))
+
+    def _store(self, register, value):
+        if register not in (0x01, 0x77):
+            self.registers[register] = value
+
+    def _next(self, register):
+        return register + 1
+
+
+def wheels(registers, board):
+    """The speeds (left, right) of a robot of this board with these registers, as bytes."""
+    if board == "sparkfun":
+        return tuple((0x80 - registers[drive]) / 0x80 if registers[0x70] else 0.0 for drive in (0x20, 0x21))
+    if registers[0] & 0x10:
+        return 0.0, 0.0
+    return tuple(speed(*(HIGH if output is None else registers[6 + 4 * output:10 + 4 * output] for output in motor))
+                 for motor in (ROBOTS[board].left, ROBOTS[board].right))
+
+
+@functools.lru_cache(maxsize=None)
+def speed(pwm, forward, backward):
+    """The part of the time in which the bridge drives forward, less the part in which it drives backward."""
+    enabled, ahead, back = high(pwm), high(forward), high(backward)
+    return (bin(enabled & ahead & ~back).count("1") - bin(enabled & back & ~ahead).count("1")) / 4096
+
+
+def high(output):
+    """The counts of a period, as bits, at which an output with these four registers is high."""
+    on, off = output[0] | output[1] << 8, output[2] | output[3] << 8
+    if off & 0x1000:
+        return 0
+    if on & 0x1000:
+        return (1 << 4096) - 1
+    on, off = on & 0xFFF, off & 0xFFF
+    if on <= off:
+        return (1 << off) - (1 << on)
+    return (1 << 4096) - (1 << on) + (1 << off) - 1
+
+
+def no_answer():
+    return OSError(errno.EREMOTEIO, "Remote I/O error")

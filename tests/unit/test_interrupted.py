@@ -1,0 +1,144 @@
+"""Whatever interrupts a transfer, no wheel gets faster than before and after, nor turns a way that neither has."""
+
+import contextlib
+import itertools
+import os
+from random import Random
+
+import pytest
+from interrupted import BROWN_OUT, CUT, NACK_AND_STOP, InterruptedPCA9685, InterruptedSCMD, wheels
+
+from jetbot import BusError, i2c
+from jetbot.boards import find_board, pca9685
+from jetbot.i2c import I2CDevice
+
+BUS = "/dev/i2c-1"
+ROBOTS = {"jetbot": ("adafruit", "waveshare"), "adafruit": ("adafruit",), "waveshare": ("waveshare",),
+          "sparkfun": ("sparkfun",)}
+STEP = 1 / 4096
+ALL = "MODEL_CHECK" in os.environ  # every fault at every byte: a minute instead of seconds
+CHANGES = 10_000 if ALL else 2_500  # of each board
+TABLE = (0, STEP, 255 * STEP, 256 * STEP, 0.5, 1, -STEP, -0.7, -1)
+FAULTS = [(NACK_AND_STOP, 0), (NACK_AND_STOP, 2), (BROWN_OUT, 0), (BROWN_OUT, 2), (CUT, 6)]
+each_fault = pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: f"{fault[0]}, then {fault[1]} failures")
+
+
+@pytest.fixture
+def chip(board, monkeypatch):
+    chip = InterruptedSCMD() if board == "sparkfun" else InterruptedPCA9685()
+    monkeypatch.setattr(i2c, "open_bus", lambda name: chip)
+    monkeypatch.setattr(i2c, "bus_advice", lambda: "")
+    monkeypatch.setattr(pca9685.time, "sleep", lambda seconds: None)
+    return chip
+
+
+def exact(board, speeds):
+    """The speeds, as the chip counts them; SparkFun's cannot drive full backward."""
+    if board == "sparkfun":
+        return tuple(max(-127, round(128 * speed)) / 128 for speed in speeds)
+    return tuple(round(4096 * speed) / 4096 for speed in speeds)
+
+
+def limits(board, before, after):
+    """The least and the greatest speed of a wheel in between: those of both ends.
+
+    Only a PCA9685 may be faster, while OFF_L, which comes first, is new and OFF_H is old.
+    """
+    duties = [round(4096 * abs(speed)) for speed in (before, after)]
+    if board != "sparkfun" and 0 < min(duties) and max(duties) < 4096:
+        duties.append(duties[0] & 0xF00 | duties[1] & 0xFF)
+    fastest = max(duties) / 4096
+    return -fastest if min(before, after) < 0 else 0, fastest if max(before, after) > 0 else 0
+
+
+def check(chip, board, before, after):
+    """Each wheel stayed between both ends, and now turns as commanded."""
+    before, after = exact(board, before), exact(board, after)
+    allowed = [limits(board, *ends) for ends in zip(before, after)]
+    for robot in ROBOTS[board]:
+        for registers in set(chip.seen):
+            for (least, greatest), now in zip(allowed, wheels(registers, robot)):
+                assert least <= now <= greatest, (robot, before, after, registers.hex(" "))
+        assert wheels(bytes(chip.registers), robot) == after
+    chip.seen.clear()
+
+
+def length(chip, action, *arguments):
+    """Return how many bytes an action takes."""
+    chip.bytes = 0
+    action(*arguments)
+    return chip.bytes
+
+
+def drive(chip, driver, speeds):
+    """Drive as the supervisor does: again after a failure, with read-back, until all is good after the interruption."""
+    with contextlib.suppress(BusError):
+        driver.drive(*speeds)
+    good = 0
+    while good < 5:
+        try:
+            driver.verify()
+            driver.drive(*speeds)
+            good += chip.was_interrupted
+        except BusError:
+            good = 0
+
+
+@pytest.mark.parametrize("board", ROBOTS)
+def test_random_changes(chip, board):
+    random, before = Random(1), (0, 0)
+    driver = find_board(board).open(BUS)
+    for _ in range(CHANGES):
+        after = tuple(random.choice((random.uniform(-1, 1), max(-1.0, speed - random.random() / 10), *TABLE))
+                      for speed in before)
+        chip.interrupt(random.randrange(30), *random.choice(FAULTS))
+        drive(chip, driver, after)
+        check(chip, board, before, after)
+        before = after
+
+
+@pytest.mark.parametrize("board", ROBOTS)
+def test_every_byte_of_every_change_of_a_table(chip, board):
+    random, pairs = Random(1), [*itertools.product(TABLE, repeat=2)]
+    driver = find_board(board).open(BUS)
+    for left, right in zip(pairs, random.sample(pairs, len(pairs))):
+        before, after = zip(left, right)
+        driver.drive(*before)
+        for byte in range(length(chip, driver.drive, *after)):
+            for fault in FAULTS if ALL else [random.choice(FAULTS)]:
+                driver.drive(*before)
+                chip.seen.clear()
+                chip.interrupt(byte, *fault)
+                drive(chip, driver, after)
+                check(chip, board, before, after)
+
+
+@each_fault
+@pytest.mark.parametrize("board", ROBOTS)
+def test_every_byte_of_the_set_up_and_the_first_command(chip, board, fault):
+    before, after = (0.5, -0.5), (STEP, STEP)
+
+    def new_driver():
+        return find_board(board).driver(I2CDevice(BUS, find_board(board).address))
+
+    for byte in range(length(chip, new_driver().drive, *after)):
+        drive(chip, find_board(board).open(BUS), before)
+        chip.seen.clear()
+        chip.interrupt(byte, *fault)
+        drive(chip, new_driver(), after)
+        check(chip, board, before, after)
+
+
+@pytest.mark.parametrize("board", ROBOTS)
+def test_after_a_failed_change_the_next_command_first_stops_the_wheels(chip, board):
+    before, after, next_one = (1, 0.5), (0.5, -1), (-1, -0.5)
+    driver = find_board(board).open(BUS)
+    driver.drive(*before)
+    for byte in range(length(chip, driver.drive, *after)):
+        drive(chip, driver, before)
+        chip.interrupt(byte, NACK_AND_STOP, refused=2)
+        with pytest.raises(BusError):
+            driver.drive(*after)
+        chip.seen.clear()
+        driver.drive(*next_one)
+        assert [wheels(chip.seen[0], robot) for robot in ROBOTS[board]] == [(0, 0)] * len(ROBOTS[board])

@@ -1,0 +1,116 @@
+"""A node ends with the roslaunch that started it, also one that was killed early, and knows a suspended terminal."""
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from conftest import SOURCE
+from jetbot_ros import launcher
+
+CHILD = """
+import os, sys
+os.write(1, b"started\\n")
+os.read(0, 1)  # from here on, the test has arranged what is above
+sys.path.insert(0, {source!r})
+from jetbot_ros.launcher import Launcher
+launcher = Launcher()
+while True:
+    launcher.poll()
+    os.write(1, f"{{launcher.ended}} {{launcher.suspended}}\\n".encode())
+    if not os.read(0, 1):
+        break
+""".format(source=str(SOURCE / "src"))
+ROSLAUNCH = "import subprocess, sys; subprocess.Popen(sys.argv[1:], start_new_session=True).wait()"
+LAUNCHED = [sys.executable, "-c", CHILD, "__log:=node.log"]
+
+
+class Chain:
+    """A process started by ``roslaunch``, the command above it, and what it reports of that."""
+
+    def __init__(self, roslaunch, child):
+        self._child = child
+        self.roslaunch = subprocess.Popen([*roslaunch, *child], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        assert self.roslaunch.stdout.readline() == b"started\n"
+
+    def report(self):
+        """Return (ended, suspended)."""
+        self.roslaunch.stdin.write(b".")
+        self.roslaunch.stdin.flush()
+        return tuple(word == b"True" for word in self.roslaunch.stdout.readline().split())
+
+    def kill(self):
+        self.roslaunch.kill()
+        self.roslaunch.wait()
+
+    def suspend(self):
+        os.kill(self.roslaunch.pid, signal.SIGSTOP)
+        os.waitid(os.P_PID, self.roslaunch.pid, os.WSTOPPED)
+
+
+@pytest.fixture
+def chain():
+    chains = []
+
+    def make(roslaunch=(sys.executable, "-c", ROSLAUNCH), child=LAUNCHED):
+        chains.append(Chain(roslaunch, child))
+        return chains[-1]
+
+    yield make
+    for each in chains:
+        with contextlib.suppress(OSError):
+            each.roslaunch.stdin.close()  # the child reads its end, and ends
+        each.kill()
+
+
+def test_runs_as_long_as_roslaunch_does(chain):
+    node = chain()
+    assert node.report() == (False, False)
+    node.kill()
+    assert node.report() == (True, False)
+
+
+def test_roslaunch_was_killed_before_the_first_line(chain):
+    node = chain()
+    node.kill()
+    assert node.report() == (True, False)
+
+
+def test_a_program_between_survives_roslaunch(chain):
+    node = chain(child=["sh", "-c", '"$@"; true', "xterm", *LAUNCHED])
+    assert node.report() == (False, False)
+    node.kill()
+    assert node.report() == (True, False)
+
+
+def test_a_node_that_roslaunch_has_not_started_does_not_end_with_its_parent(chain):
+    node = chain(child=LAUNCHED[:-1])
+    node.kill()
+    assert node.report() == (False, False)
+
+
+def test_a_suspended_terminal_and_fg(chain):
+    node = chain()
+    assert node.report() == (False, False)
+    node.suspend()
+    assert node.report() == (False, True)
+    os.kill(node.roslaunch.pid, signal.SIGCONT)
+    os.waitid(os.P_PID, node.roslaunch.pid, os.WCONTINUED)
+    assert node.report() == (False, False)
+
+
+def test_a_suspended_shell_above_roslaunch(chain):
+    node = chain(roslaunch=["sh", "-c", '"$@"; true', "shell", sys.executable, "-c", ROSLAUNCH])
+    assert node.report() == (False, False)
+    node.suspend()
+    assert node.report() == (False, True)
+
+
+def test_without_proc_only_the_end_of_the_parent_is_known(monkeypatch):
+    monkeypatch.setattr(launcher, "open", lambda *_, **__: (_ for _ in ()).throw(FileNotFoundError()), raising=False)
+    alone = launcher.Launcher(parent=os.getppid(), launched=True)
+    assert (alone.ended, alone.suspended) == (False, False)
+    assert launcher.Launcher(parent=os.getppid() + 1, launched=True).ended
