@@ -1,5 +1,6 @@
 """draw_track.py draws from a bag; if it cannot, it ends with one sentence."""
 
+import os
 import runpy
 import sys
 from pathlib import Path
@@ -52,7 +53,36 @@ def test_recording_cut_short(draw, bag):
         f"Nothing was drawn: the recording of {bag.filename} was cut short. Fix it: rosbag reindex {bag.filename}")
 
 
-def test_no_bag(draw, bag):
+@pytest.fixture(params=["fifo", "folder", "text", "sparse", "damaged"])
+def odd(request, bag, tmp_path):
+    """What is not a bag, in the place of one."""
     bag.close()
-    Path(bag.filename).write_text("hello")
+    file = Path(bag.filename)
+    content = file.read_bytes()
+    file.unlink()
+    {"fifo": lambda: os.mkfifo(file), "folder": file.mkdir, "text": lambda: file.write_text("\x1b[2J"),
+     "sparse": lambda: file.touch() or os.truncate(file, 50 * 10**9),
+     "damaged": lambda: file.write_bytes(content.replace(b"topic=red/odom", b"topix=red/odom"))}[request.param]()
+    return bag
+
+
+def test_what_is_not_a_bag_gets_one_sentence(draw, odd, tmp_path):
+    message = draw(odd)
+    assert message.startswith("Nothing was drawn: ") and message.isprintable()
+    assert os.listdir(tmp_path) == ["drive.bag"]
+
+
+@pytest.mark.parametrize("make", [os.mkdir, os.mkfifo, lambda file: os.symlink("/dev/full", file)])
+def test_only_a_file_is_drawn_into(draw, bag, tmp_path, make):
+    bag.close()
+    make(tmp_path / "track.png")
     assert draw(bag).startswith("Nothing was drawn: ")
+    assert sorted(os.listdir(tmp_path)) == ["drive.bag", "track.png"]
+
+
+@pytest.mark.parametrize("seconds", ["inf", "nan", "-1", "0", "1e400", "long"])
+def test_how_long_to_record(monkeypatch, capsys, seconds):
+    monkeypatch.setattr(sys, "argv", ["", "--seconds", seconds])
+    with pytest.raises(SystemExit):
+        runpy.run_path(str(PROGRAM), run_name="__main__")
+    assert f"argument --seconds: invalid duration value: '{seconds}'" in capsys.readouterr().err

@@ -1,5 +1,6 @@
 """check_lesson.py reports each problem of a pupil's package in one sentence."""
 
+import os
 import re
 
 import pytest
@@ -136,3 +137,17 @@ def test_first_lines_that_start(mine, first):
 def test_script_is_not_executable(mine):
     (mine / DRIVE).chmod(0o644)
     assert files.check_scripts("mine") == f"drive.py is not executable: chmod +x {mine / DRIVE}"
+
+
+@pytest.mark.parametrize("make, reason", [
+    (os.mkfifo, "not a regular file"), (lambda file: os.truncate(open(file, "w").name, 50 * 10**9), "larger than ")])
+@pytest.mark.parametrize("file", ["package.xml", LAUNCH, DRIVE])
+def test_what_is_not_a_small_file_is_not_read(mine, file, make, reason):
+    (mine / file).unlink()
+    make(mine / file)
+    try:
+        problems = [check("mine") for check in (depends, files.check_launch_files, files.check_scripts)]
+    except InvalidPackage as error:
+        problems = [str(error)]
+    [problem] = filter(None, problems)
+    assert problem.startswith((f"{mine / file} cannot be read: {reason}", f"{mine / file} is not a file"))

@@ -6,8 +6,9 @@ import sys
 from pathlib import Path
 
 import pytest
+import rosgraph
 
-from jetbot_lessons import graph
+from jetbot_lessons import graph, nodes
 
 SCRIPT = Path(__file__).parents[2] / "morbot_ws/src/jetbot_lessons/scripts/check_lesson.py"
 parse_arguments = runpy.run_path(str(SCRIPT))["parse_arguments"]
@@ -99,8 +100,10 @@ def command_of(mine, monkeypatch):
         process = subprocess.Popen([sys.executable, *arguments], cwd=folder, stdin=subprocess.PIPE,
                                    stdout=subprocess.PIPE)
         process.stdout.readline()  # it runs
-        monkeypatch.setattr(graph, "pid", lambda node: process.pid)
-        command = graph.command_of("/mine")
+        monkeypatch.setattr(rosgraph.Master, "lookupNode", lambda *_: "http://localhost:1/")
+        monkeypatch.setattr(nodes, "pid", lambda node: process.pid)
+        monkeypatch.setattr(nodes, "_listener", lambda uri: Path("/proc", str(process.pid)))
+        command = nodes.command_of("/mine")
         process.communicate(b"\n")
         return command
 

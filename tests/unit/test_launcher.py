@@ -9,6 +9,7 @@ import sys
 import pytest
 
 from conftest import SOURCE
+from jetbot_ros import launcher
 
 CHILD = """
 import os, sys
@@ -108,8 +109,8 @@ def test_a_suspended_shell_above_roslaunch(chain):
     assert node.report() == (False, True)
 
 
-def test_without_proc_nothing_has_happened(monkeypatch):
-    from jetbot_ros import launcher
+def test_without_proc_only_the_end_of_the_parent_is_known(monkeypatch):
     monkeypatch.setattr(launcher, "open", lambda *_, **__: (_ for _ in ()).throw(FileNotFoundError()), raising=False)
     alone = launcher.Launcher(parent=os.getppid(), launched=True)
     assert (alone.ended, alone.suspended) == (False, False)
+    assert launcher.Launcher(parent=os.getppid() + 1, launched=True).ended

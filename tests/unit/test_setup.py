@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 
 import pytest
@@ -69,3 +70,16 @@ def test_what_cannot_be_set_up_is_reported_and_nothing_is_installed(install, sys
     assert code == 1
     assert sentence in printed
     assert "install" not in commands
+
+
+@pytest.mark.parametrize("name", [
+    "$(touch x)", "`touch x`", "a b", "it's", 'a"b', "a\\b", "a\nb", "end\n", "a;b", "a:b", "{a}", "[a]", "a]", "a*",
+    "a?", "<a>", "a#", "\x1b[2J "], ids=ascii)
+def test_a_folder_whose_name_a_shell_or_cmake_misreads_is_refused(tmp_path, name):
+    (tmp_path / name).mkdir()
+    morbot = shutil.copy(MORBOT, tmp_path / name)
+    process = subprocess.run([morbot, "setup"], cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert process.returncode == 1
+    assert process.stdout.startswith(b"morbot: the path of this folder has a space, a quote or one of ")
+    assert process.stdout.decode().rstrip("\n").isprintable()
+    assert os.listdir(tmp_path) == [name] and os.listdir(tmp_path / name) == ["morbot"]

@@ -35,7 +35,7 @@ def test_defaults_are_good():
 
 
 @pytest.mark.parametrize("typed, file, board", [
-    ("", "", "jetbot"), ("", "board: sparkfun", "sparkfun"), ("jetbot", "board: sparkfun", "jetbot"),
+    ("", "{}", "jetbot"), ("", "board: sparkfun", "sparkfun"), ("jetbot", "board: sparkfun", "jetbot"),
     ("", "i2c_bus: 1", "jetbot")])
 def test_simulates_the_board_that_the_controller_drives(tmp_path, typed, file, board):
     (tmp_path / "robot.yaml").write_text(file)

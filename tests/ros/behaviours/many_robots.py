@@ -1,4 +1,4 @@
-"""Thirty robots on one master: each obeys its own commands, one emergency stop stops all, one that dies ends alone."""
+"""Many robots on one master: each obeys its own commands, one emergency stop stops all, one that dies ends alone."""
 
 import os
 import signal
@@ -7,9 +7,10 @@ from pathlib import Path
 import rospy
 from geometry_msgs.msg import Twist
 
-from harness import RobotTest, near, twist, wheel_speeds
+from harness import RobotTest, near, read, twist, wheel_speeds
 from jetbot_lessons.graph import pid
 
+FILE = "many_robots.launch"
 ROBOTS = 30
 START_TIMEOUT = 60.0  # s, until all work; roslaunch starts one after the other
 KILLED = "jetbot_07"
@@ -26,11 +27,17 @@ class ManyRobots(RobotTest):
         for name, speed in self.speeds.items():
             self.publishers[name].publish(twist(speed))
 
+    def test_how_many_robots(self):
+        for robots in ("1.5", "1000", "-1"):
+            launch = self.start("roslaunch", "--nodes", "jetbot_control_node", FILE, f"robots:={robots}")
+            self.assertEqual(launch.wait(START_TIMEOUT), 1)
+            self.assertEqual(read(launch).splitlines()[-1], "robots:= is a whole number from 1 to 99")
+
     def are_at(self, speeds):
         return all(near(wheel_speeds(self.home / "fake_i2c" / name), (speed, speed)) for name, speed in speeds.items())
 
     def test_thirty_robots(self):
-        self.start("roslaunch", "jetbot_control_node", "many_robots.launch", f"robots:={ROBOTS}",
+        self.start("roslaunch", "jetbot_control_node", FILE, f"robots:={ROBOTS}",
                    env={**os.environ, "ROS_HOME": str(self.home)})
         self.emergency_stop(False)
         self.wait_for(lambda: all(each.get_num_connections() for each in self.publishers.values())

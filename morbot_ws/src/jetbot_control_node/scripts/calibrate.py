@@ -5,18 +5,17 @@ Every motion is announced and short, and any key stops it.
 """
 
 import argparse
-import contextlib
-import itertools
 import os
 import shlex
 import sys
 from pathlib import Path
 from typing import Any, Dict, List, Optional
 
-from jetbot import JetbotError
+from jetbot import JetbotError, files
 from jetbot.boards import BOARDS, find_board
 from jetbot.host import model, robot_bus
 from jetbot.lock import lock_board
+from jetbot.text import printable
 from jetbot_ros.parameters import PARAMETERS, default_file, is_fake
 from jetbot_tools.calibration import as_yaml
 from jetbot_tools.options import add_options, as_options
@@ -52,28 +51,27 @@ def calibrate(boards: List[str], **connection: Any) -> Dict[str, Any]:
 def output_file(file: Optional[Path], simulated: bool) -> Path:
     """Return the file to write, the default if ``file`` is None; raise JetbotError if it cannot be written."""
     file = file or default_file().with_name("jetbot_fake.yaml" if simulated else "jetbot.yaml")
-    if simulated and file.absolute() == default_file().absolute():
+    if simulated and os.path.realpath(file) == os.path.realpath(default_file()):
         raise JetbotError(f"{file} is for the real robot, and this one is simulated", "Name another with --output.")
-    with contextlib.suppress(OSError):
+    try:
         file.parent.mkdir(parents=True, exist_ok=True)
-    if not os.access(file.parent, os.W_OK) or file.exists() and not file.is_file():
-        raise JetbotError(f"the file {file} cannot be written", "Name another with --output.")
+        files.check_writable(file)
+        if file.exists():
+            files.read(file)  # as ``files.keep`` will
+    except OSError as error:
+        raise JetbotError(f"the file {file} cannot be written: {error.strerror}",
+                          "Name another with --output.") from None
     return file
 
 
 def write(file: Path, text: str) -> None:
     """Write the text, keep an older file under another name, and print how to undo this and how to use it."""
-    undo = ["rm", str(file)]
-    new = Path(f"{file}.new")
-    new.write_text(text)
-    if file.exists():
-        old = next(old for old in (Path(f"{file}.{number}") for number in itertools.count(1)) if not old.exists())
-        file.replace(old)
-        undo = ["mv", str(old), str(file)]
-    new.replace(file)
-    print(f"Written to {file}. To undo it: {shlex.join(undo)}")
+    old = files.keep(file)
+    files.replace(file, text.encode())
+    undo = ["mv", str(old), str(old.with_suffix(""))] if old else ["rm", str(file)]
+    print(printable(f"Written to {file}. To undo it: {shlex.join(undo)}"))
     command = f"{LAUNCH} {shlex.quote(f'config:={file.absolute()}')}"
-    print("The controller uses it from now on." if file == default_file() else f"To use it: {command}")
+    print("The controller uses it from now on." if file == default_file() else f"To use it: {printable(command)}")
 
 
 def main() -> None:
@@ -84,6 +82,7 @@ def main() -> None:
     options = parser.parse_args(as_options(sys.argv[1:]))
     if not sys.stdin.isatty():
         raise JetbotError("calibrate.py asks questions and needs a terminal")
+    sys.stdin.reconfigure(errors="replace")  # a key may give what is no text
     if options.i2c_bus is None:
         options.board = options.board or options.port and "jetbot_pro"  # the only board on a port
         options.i2c_bus = robot_bus(model()) or PARAMETERS["i2c_bus"].default
@@ -104,6 +103,6 @@ if __name__ == "__main__":
     except JetbotError as error:
         sys.exit(str(error))
     except OSError as error:
-        sys.exit(f"The wheels are stopped, but the file was not written: {error}")
+        sys.exit(printable(f"The wheels are stopped, but the file was not written: {error}"))
     except (KeyboardInterrupt, EOFError):
         sys.exit("\nCancelled: the wheels are stopped and nothing was written.")

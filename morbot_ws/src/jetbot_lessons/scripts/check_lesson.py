@@ -9,6 +9,7 @@ try:
     import rospy
     from catkin_pkg.package import InvalidPackage
 
+    from jetbot.text import printable
     from jetbot_lessons.table import FIRST_OWN, LAST, first_problem
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun jetbot_lessons check_lesson.py N there.")
@@ -41,7 +42,7 @@ def main() -> None:
     except (OSError, rosgraph.MasterException, rospy.ROSException) as error:
         problem = f"the check ended early: {error}; try again"
     if problem:
-        sys.exit(f"Lesson {number}: {problem}")
+        sys.exit(printable(f"Lesson {number}: {problem}"))
     print(f"Lesson {number}: done.")
 
 

@@ -4,6 +4,8 @@ import errno as numbers
 import os
 from typing import Optional
 
+from .text import printable
+
 EXHAUSTED = (numbers.EMFILE, numbers.ENFILE, numbers.ENOMEM)  # not EAGAIN: an I2C bus that lost its arbitration
 
 
@@ -12,8 +14,8 @@ class JetbotError(Exception):
 
     def __init__(self, reason: str, advice: str = ""):
         super().__init__(reason, advice)
-        self.reason = reason
-        self.advice = advice
+        self.reason = printable(reason)
+        self.advice = printable(advice)
 
     def __str__(self) -> str:
         sentence = f"{self.reason[0].upper()}{self.reason[1:]}."

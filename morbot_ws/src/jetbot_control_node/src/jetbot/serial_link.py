@@ -11,7 +11,7 @@ from .errors import EXHAUSTED, BusError, InvalidValue, JetbotError, NoAnswer, No
 from .host import permission_advice
 
 # Of pyserial's other URLs, spy:// writes files, alt:// and hwgrep:// choose a class or a device by themselves.
-SCHEMES = ("socket", "rfc2217")
+SCHEMES = ("socket", "rfc2217", "loop")
 BAUD_RATE = 115200
 TIMEOUT = 0.05  # s: how long a read waits for the first byte, and a write for its end
 

@@ -2,12 +2,16 @@
 
 import math
 import os
+from contextlib import suppress
 from pathlib import Path
 from typing import Callable, Dict, NamedTuple, Optional, Union
 
-from jetbot import InvalidValue, fake
+from jetbot import InvalidValue, fake, files
 from jetbot.boards import BOARDS, DEFAULT_PORT
 from jetbot.host import ros_home
+from jetbot.text import literal
+
+MAX_BUS = 2**20 - 1  # Linux's minor numbers have 20 bits
 
 
 class Kind(NamedTuple):
@@ -28,7 +32,9 @@ class Parameter(NamedTuple):
 
 def is_number(value: object) -> bool:
     """Return whether this is a finite int or float; not a bool, which YAML's yes and no would give."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < math.inf
+    with suppress(OverflowError):  # an int that is too large for a float
+        return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    return False
 
 
 NUMBER = Kind(is_number, "a number")
@@ -38,7 +44,8 @@ FRACTION = Kind(lambda value: is_number(value) and 0 <= value < 1, "a number of 
 BOOLEAN = Kind(lambda value: isinstance(value, bool), "true or false")
 # A list: what a YAML file gives may not be hashable.
 BOARD = Kind(lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}")
-BUS = Kind(lambda value: isinstance(value, (int, str)), "a number, fake, or fake:FOLDER")
+BUS = Kind(lambda value: isinstance(value, str) or type(value) is int and 0 <= value <= MAX_BUS,
+           "a number, fake, or fake:FOLDER")
 SERIAL = Kind(lambda value: isinstance(value, str), "a serial device, a socket:// URL, fake, or fake:FOLDER")
 
 PARAMETERS = {
@@ -72,17 +79,15 @@ def load(file: Optional[Union[str, Path]] = None) -> Dict[str, object]:
 
     Raises InvalidValue for a file that cannot be read or holds something else.
     """
-    import yaml  # here: doctor.py reports that it is missing
-    path = Path(str(file or default_file())).expanduser().absolute()
-    if not file and not os.path.exists(path):
+    from .flat_yaml import parse  # here: doctor.py reports that YAML's package is missing
+    path = os.path.abspath(os.path.expanduser(str(default_file() if file is None else file)))
+    if file is None and files.is_missing(path):
         return {}
     try:
-        values = yaml.safe_load(path.read_text()) or {}
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise InvalidValue(f"the file {path} cannot be read as YAML: {' '.join(str(error).split())}") from None
-    if not isinstance(values, dict):
-        raise InvalidValue(f"the file {path} holds no parameters, but {values!r}")
-    return values
+        return parse(files.read(path))
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+    raise InvalidValue(f"the file {path} cannot be used: {reason}", "Fix it, or name another: config:=FILE")
 
 
 def resolve(typed: Dict[str, object]) -> Dict[str, object]:
@@ -105,7 +110,7 @@ def checked(values: Dict[str, object], parameters: Dict[str, Parameter] = PARAME
         raise InvalidValue(f"there is no parameter {unknown[0]}", f"The parameters are {', '.join(parameters)}.")
     for name, row in parameters.items():
         if name in values and not row.kind.accepts(values[name]):
-            raise InvalidValue(f"the parameter {name} must be {row.kind.description}, not {values[name]!r}")
+            raise InvalidValue(f"the parameter {name} must be {row.kind.description}, not {literal(values[name])}")
     return {name: values.get(name, row.default) for name, row in parameters.items()}
 
 

@@ -1,11 +1,10 @@
 """Finds what keeps a JetBot from driving. It only reads, and never moves a wheel."""
 
 import importlib.util
-import os
 from pathlib import Path
 from typing import Iterator, List, Optional, Union
 
-from jetbot import fake, host
+from jetbot import fake, files, host
 from jetbot.boards import BOARDS, DEFAULT_PORT
 from jetbot.errors import JetbotError
 from jetbot.i2c import bus_name
@@ -36,7 +35,7 @@ def all_checks(i2c_bus: Union[int, str, None], port: Optional[str]) -> Iterator[
     yield check_host()
     file = default_file()
     simulated = any(fake.folder_of(fake.expand(str(place))) for place in (i2c_bus, port))
-    if os.path.exists(file) and not simulated:
+    if not files.is_missing(file) and not simulated:
         yield check_file(file)
     buses = [] if i2c_bus is None else [i2c_bus]
     if i2c_bus is None and port is None:

@@ -11,6 +11,7 @@ from jetbot.boards.jetbot_pro import JetBotPro
 from jetbot.errors import JetbotError
 from jetbot.i2c import I2CDevice
 from jetbot.serial_link import SerialLink
+from jetbot.text import printable
 
 LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
 TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many frames in that time
@@ -26,7 +27,7 @@ class Check(NamedTuple):
     command: str = ""  # starts the robot that the check has found
 
     def __str__(self) -> str:
-        return f"{'ok' if self.ok else 'NOT':<4}{self.name}: {self.finding}. {self.advice}".rstrip()
+        return printable(f"{'ok' if self.ok else 'NOT':<4}{self.name}: {self.finding}. {self.advice}".rstrip())
 
 
 def check_users(device: str) -> List[Check]:

@@ -9,21 +9,34 @@ from pathlib import Path
 from catkin_pkg.package import InvalidPackage, Package, parse_package
 from rospkg import ResourceNotFound, RosPack
 
+from jetbot.files import read
+
 from . import Problem
 
 XML_ERRORS = (ET.ParseError, AttributeError, ValueError, LookupError, AssertionError, OSError)  # of any XML parser
 CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch"
 SHEBANG = "#!/usr/bin/env python3"
+MAX_SCRIPT = 1024 * 1024  # bytes
 
 
 def folder(package: str) -> Path:
     """Return the package's source folder. Raise ResourceNotFound, or InvalidPackage for any bad package.xml."""
+    files = sorted(file for file in workspace().rglob("package.xml") if not file.is_dir())
+    for file in files:
+        _check_readable(file)  # rospkg waits for a FIFO
     try:
         return Path(RosPack().get_path(package))
     except XML_ERRORS as error:  # rospkg's, of any file; it does not name the file
-        for file in sorted(workspace().rglob("package.xml")):
+        for file in files:
             parse(file)
         raise InvalidPackage(f"A package.xml in {workspace()} cannot be read: {error}") from None
+
+
+def _check_readable(file: Path) -> None:
+    try:
+        read(file)
+    except OSError as error:
+        raise InvalidPackage(f"{file} cannot be read: {error.strerror}") from None
 
 
 def workspace() -> Path:
@@ -99,7 +112,10 @@ def check_scripts(package: str) -> Problem:
 def _check_script(path: Path) -> Problem:
     if not path.is_file():
         return f"{path} is not a file: remove it"
-    source = path.read_bytes()
+    try:
+        source = read(path, MAX_SCRIPT)
+    except OSError as error:
+        return f"{path} cannot be read: {error.strerror}"
     first = source.partition(b"\n")[0].decode(errors="replace")
     if not first.startswith("#!"):
         return f"{path.name} does not begin with {SHEBANG}: make that the first line of {path}"
@@ -111,7 +127,7 @@ def _check_script(path: Path) -> Problem:
         return f"{path.name} is not executable: chmod +x {path}"
     try:
         ast.parse(source, path.name)
-    except (SyntaxError, ValueError) as error:  # ValueError: a zero byte, before Python 3.12
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:  # ValueError: a zero byte, before 3.12
         return f"Python cannot read {path.name}: {error}"
     return None
 
@@ -134,8 +150,10 @@ def check_launch_files(package: str) -> Problem:
 
 def _check_launch_file(file: Path) -> Problem:
     try:
-        passing = [include.get("pass_all_args") for include in ET.parse(file).iter("include")
+        passing = [include.get("pass_all_args") for include in ET.fromstring(read(file)).iter("include")
                    if include.get("file") == CONTROLLER_LAUNCH]
+    except OSError as error:
+        return f"{file} cannot be read: {error.strerror}"
     except XML_ERRORS as error:
         return f"{file} is not XML: {error}"
     if not passing:

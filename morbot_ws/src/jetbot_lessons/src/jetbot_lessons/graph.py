@@ -1,28 +1,15 @@
 """Checks of the running system: what the ROS master, its nodes and roslaunch report."""
 
 import contextlib
-from http.client import HTTPException
 from pathlib import Path
-from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Set
-from xmlrpc.client import Error, Fault, ServerProxy, Transport
+from typing import Dict, Iterator, List, NamedTuple, Optional, Set
+from xmlrpc.client import Fault
 
 import rosgraph
 
 from . import Problem
 from .files import folder
-
-CALLER = "/check_lesson"
-TIMEOUT = 2.0  # s for a node to answer
-NO_ANSWER = (OSError, HTTPException, Error)  # raised by a call to a node that hangs or is gone
-
-
-class _Transport(Transport):
-    """Gives up on a node that does not answer within ``TIMEOUT``."""
-
-    def make_connection(self, host):
-        connection = super().make_connection(host)
-        connection.timeout = TIMEOUT
-        return connection
+from .nodes import CALLER, NO_ANSWER, answer_in_time, ask, command_of, connect, pid
 
 
 class Graph(NamedTuple):
@@ -45,7 +32,7 @@ def snapshot() -> Graph:
 
 def check_master(start: str) -> Problem:
     """Return the problem, or None if a master runs; ``start`` is the command that starts one."""
-    if rosgraph.is_master_online():
+    if answer_in_time(rosgraph.is_master_online):
         return None
     return f"No ROS master at {rosgraph.get_master_uri()}: start one in another terminal with {start}"
 
@@ -73,11 +60,18 @@ def check_subscribes(node: str, topic: str) -> Problem:
 def check_type(topic: str, wanted: str) -> Problem:
     """Return the problem, or None if all publishers of the topic publish messages of this type."""
     for node in snapshot().publishers.get(topic, ()):
-        given = dict(ask(node, "getPublications") or ()).get(topic, wanted)
+        given = _types(node).get(topic, wanted)
         if given != wanted:
             return (f"{node} publishes {given} on {topic}, not {wanted}: stop it with Ctrl-C in its terminal; "
                     "in a script of your own, pass that type to rospy.Publisher")
     return None
+
+
+def _types(node: str) -> Dict[str, str]:
+    """Return the type of each topic on which the node says it publishes."""
+    with contextlib.suppress(TypeError, ValueError):  # no answer, or not a list of pairs
+        return dict(ask(node, "getPublications"))
+    return {}
 
 
 def check_no_other_publisher(topic: str, package: Optional[str] = None) -> Problem:
@@ -115,39 +109,20 @@ def check_launched_together(*packages: str) -> Problem:
 
 def launched() -> List[Set[str]]:
     """Return for each roslaunch of this master the packages whose nodes it runs."""
-    uris = rosgraph.Master(CALLER).getParam("/").get("roslaunch", {}).get("uris", {})
-    return [set(_packages_of(uri)) for uri in uris.values()]
+    try:
+        uris = rosgraph.Master(CALLER).getParam("/roslaunch/uris").values()
+    except (rosgraph.MasterError, AttributeError):  # none, or something else of this name
+        return []
+    return [set(_packages_of(uri)) for uri in uris]
 
 
 def _packages_of(uri: str) -> Iterator[str]:
     """Yield the packages whose nodes the roslaunch at this address runs; nothing once it has ended."""
     with contextlib.suppress(*NO_ANSWER):
-        launch = ServerProxy(uri, _Transport())
+        launch = connect(uri)
         for name, _ in launch.list_processes()[2][0]:
             with contextlib.suppress(Fault):  # of the master itself, which is in no package
-                yield launch.process_info(name)[2]["package"]
-
-
-def pid(node: str) -> Optional[int]:
-    """Return the node's process id; None for a node that does not answer."""
-    return ask(node, "getPid")
-
-
-def ask(node: str, method: str) -> Any:
-    """Return a node's answer to a call of ROS's slave API; None for a node that does not answer."""
-    with contextlib.suppress(*NO_ANSWER, rosgraph.MasterException):
-        return getattr(ServerProxy(rosgraph.Master(CALLER).lookupNode(node), _Transport()), method)(CALLER)[2]
-    return None
-
-
-def command_of(node: str) -> List[Path]:
-    """Return the interpreter and the script of a node on this computer; nothing for another computer's node."""
-    with contextlib.suppress(OSError):
-        process = Path("/proc", str(pid(node)))
-        working_folder = (process / "cwd").resolve()
-        words = [word for word in (process / "cmdline").read_text().split("\0") if word and not word.startswith("-")]
-        return [(working_folder / word).resolve() for word in words[:2]]
-    return []
+                yield str(launch.process_info(name)[2]["package"])
 
 
 def belongs(command: List[Path], package: str) -> bool:

@@ -1,11 +1,14 @@
 """A picture of a recording: the track from above, and the speeds over time."""
 
+import io
 import math
 from typing import Callable, Sequence
 
 from geometry_msgs.msg import Twist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+
+from jetbot import files
 
 from .diff_drive import Pose
 from .recording import Recording
@@ -27,7 +30,9 @@ def draw(recording: Recording, file: str) -> None:
     linear.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=2, frameon=False)
     angular.set_xlabel("time (s)")
     figure.align_ylabels()
-    figure.savefig(file, dpi=100)
+    picture = io.BytesIO()
+    figure.savefig(picture, format="png", dpi=100)
+    files.replace(file, picture.getvalue())
 
 
 def draw_track(axes: Axes, poses: Sequence[Pose]) -> None:

@@ -8,9 +8,12 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
+from jetbot import files
 from jetbot.wait import wait_until
 
 from .diff_drive import Pose
+
+MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 
 
 class Recording(NamedTuple):
@@ -22,14 +25,25 @@ class Recording(NamedTuple):
 
 
 def read_bag(file: str, odom: str, cmd_vel: str) -> Recording:
-    """Return what a rosbag holds on these topics; raise ROSBagException if it cannot be read."""
+    """Return what a rosbag holds on these topics; raise OSError or ROSBagException if it cannot be read."""
     types = {odom: Odometry._type, cmd_vel: Twist._type}
+    check_bag(file)
     try:
         with rosbag.Bag(file) as bag:  # its topics are as their publishers wrote them: odom or /odom
             return make_recording((time.to_sec(), message) for topic, message, time in bag.read_messages()
                                   if types.get("/" + topic.lstrip("/")) == message._type)
     except rosbag.ROSBagUnindexedException:  # its recorder was killed
         raise rosbag.ROSBagException(f"the recording of {file} was cut short. Fix it: rosbag reindex {file}") from None
+    except Exception as error:  # rosbag raises many kinds for a damaged file
+        raise rosbag.ROSBagException(f"{file} cannot be read as a rosbag: {error}") from None
+
+
+def check_bag(file: str) -> None:
+    """Raise OSError or ROSBagException unless a file begins as a rosbag; rosbag itself waits for a FIFO."""
+    files.check_regular(file)
+    with open(file, "rb") as bag:
+        if bag.read(len(MAGIC)) != MAGIC:
+            raise rosbag.ROSBagException(f"{file} is not a rosbag")
 
 
 def record(odom: str, cmd_vel: str, seconds: float) -> Recording:

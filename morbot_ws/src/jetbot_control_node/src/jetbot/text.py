@@ -1,0 +1,17 @@
+"""Text from outside, such as the name of a file or of a node, made harmless to print."""
+
+MAX_LENGTH = 1000  # characters; a sentence is shorter
+
+
+def printable(text: object) -> str:
+    """Return the text on one line: control characters are escaped as in Python, what exceeds MAX_LENGTH is cut off."""
+    shown = "".join(each if each.isprintable() else ascii(each)[1:-1] for each in str(text)[:MAX_LENGTH + 1])
+    return shown if len(shown) <= MAX_LENGTH else f"{shown[:MAX_LENGTH]}..."
+
+
+def literal(value: object) -> str:
+    """Return a value as Python writes it, on one line."""
+    try:
+        return printable(repr(value))
+    except ValueError:  # from Python 3.11 on, of an int with more than 4,300 digits
+        return "a number of more than 4,300 digits"

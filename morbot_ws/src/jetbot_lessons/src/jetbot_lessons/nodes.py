@@ -1,0 +1,92 @@
+"""ROS nodes: what they answer, within a time, and which program each of them is."""
+
+import contextlib
+import io
+import os
+import queue
+from http.client import HTTPException
+from pathlib import Path
+from threading import Thread
+from typing import Any, Callable, List, Optional
+from urllib.parse import urlparse
+from xml.parsers.expat import ExpatError
+from xmlrpc.client import Error, ServerProxy, Transport
+
+import rosgraph
+
+CALLER = "/check_lesson"
+TIMEOUT = 2.0  # s for a node to answer
+MAX_ANSWER = 1024 * 1024  # bytes
+LISTEN = "0A"  # state of a socket in /proc/net/tcp, Linux's TCP_LISTEN
+# Raised by a call to what hangs, is gone, or is no ROS node.
+NO_ANSWER = (OSError, HTTPException, Error, ExpatError, ValueError, TypeError, LookupError)
+
+
+class _Transport(Transport):
+    """Gives up on a node that sends nothing within ``TIMEOUT``, or more than ``MAX_ANSWER``."""
+
+    accept_gzip_encoding = False
+
+    def make_connection(self, host):
+        connection = super().make_connection(host)
+        connection.timeout = TIMEOUT
+        return connection
+
+    def parse_response(self, response):
+        return super().parse_response(io.BytesIO(response.read(MAX_ANSWER)))
+
+
+def connect(uri: str) -> ServerProxy:
+    """Return the node or roslaunch at this address; a call of its methods raises one of NO_ANSWER."""
+    return ServerProxy(uri, _Transport())
+
+
+def answer_in_time(call: Callable[[], Any]) -> Any:
+    """Return what a call returns; None if it takes longer than TIMEOUT, also to find a host by its name."""
+    answers = queue.Queue()
+    Thread(target=lambda: answers.put(call()), daemon=True).start()
+    with contextlib.suppress(queue.Empty):
+        return answers.get(timeout=TIMEOUT)
+    return None
+
+
+def pid(node: str) -> Optional[int]:
+    """Return the process id that the node reports, on its computer; None for a node that does not answer."""
+    answer = ask(node, "getPid")
+    return answer if isinstance(answer, int) else None
+
+
+def ask(node: str, method: str) -> Any:
+    """Return a node's answer to a call of ROS's slave API; None for a node that does not answer within TIMEOUT."""
+    def call():
+        with contextlib.suppress(*NO_ANSWER, rosgraph.MasterException):
+            code, _, value = getattr(connect(rosgraph.Master(CALLER).lookupNode(node)), method)(CALLER)
+            return value if code == 1 else None
+
+    return answer_in_time(call)
+
+
+def command_of(node: str) -> List[Path]:
+    """Return the interpreter and the script of a node on this computer; nothing for another computer's node."""
+    with contextlib.suppress(OSError, ValueError, rosgraph.MasterException):
+        process = pid(node) and _listener(rosgraph.Master(CALLER).lookupNode(node))
+        if process:
+            working_folder = (process / "cwd").resolve()
+            words = [os.fsdecode(word) for word in (process / "cmdline").read_bytes().split(b"\0")]
+            return [(working_folder / word).resolve() for word in words if word and not word.startswith("-")][:2]
+    return []
+
+
+def _listener(uri: str) -> Optional[Path]:
+    """Return the folder in /proc of this user's process that listens at the address; a node may report any id."""
+    address = urlparse(uri)
+    if not rosgraph.network.is_local_address(address.hostname):
+        return None
+    rows = [line.split() for file in Path("/proc/net").glob("tcp*") for line in file.read_text().splitlines()[1:]]
+    sockets = {f"socket:[{row[9]}]" for row in rows
+               if row[3] == LISTEN and int(row[1].rpartition(":")[2], 16) == address.port}
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
+            if sockets.intersection(map(os.readlink, (process / "fd").iterdir())):
+                return process
+    return None

@@ -1,0 +1,146 @@
+"""Files that a person names: a file that is replaced is never lost, and reading one waits for nothing."""
+
+import os
+import sys
+from functools import partial
+
+import pytest
+
+from jetbot import files
+
+OLD, NEW = b"old\n", b"new\n" * 10_000
+
+
+@pytest.fixture
+def file(tmp_path):
+    file = tmp_path / "jetbot.yaml"
+    file.write_bytes(OLD)
+    return file
+
+
+def calibrate(file, content=NEW):
+    """Do what calibrate.py does with its file."""
+    files.keep(file)
+    files.replace(file, content)
+
+
+def in_child(action):
+    """Run an action in a child process; return its process id."""
+    pid = os.fork()
+    if not pid:
+        try:
+            action()
+            os._exit(0)
+        finally:
+            os._exit(1)
+    return pid
+
+
+def killed_at(count, action):
+    """Run an action in a child that dies at its ``count``-th call of a function in C, or the end of one."""
+    def profile(frame, event, function):
+        nonlocal count
+        count -= event.startswith("c_")
+        if not count:
+            os._exit(9)
+
+    def run():
+        sys.setprofile(profile)
+        action()
+
+    return os.WEXITSTATUS(os.waitpid(in_child(run), 0)[1]) == 9
+
+
+def test_killed_at_any_call_the_old_file_or_the_new_one_is_there(file):
+    count, seen = 1, []
+    while killed_at(count, lambda: calibrate(file)):
+        seen.append(file.read_bytes())
+        assert seen[-1] in (OLD, NEW)
+        if seen[-1] == NEW:
+            assert (file.parent / "jetbot.yaml.1").read_bytes() == OLD
+        for each in file.parent.iterdir():
+            each.unlink()
+        file.write_bytes(OLD)
+        count += 1
+    assert seen[0] == OLD and seen[-1] == NEW and len(seen) > 50
+
+
+def test_two_writers_at_once(file):
+    def write(content):
+        for _ in range(200):
+            files.replace(file, content)
+
+    writers = [in_child(partial(write, content)) for content in (OLD, NEW)]
+    for writer in writers:
+        ended, status = 0, None
+        while not ended:
+            assert file.read_bytes() in (OLD, NEW)
+            ended, status = os.waitpid(writer, os.WNOHANG)
+        assert status == 0
+    assert os.listdir(file.parent) == ["jetbot.yaml"]
+
+
+def test_every_older_file_is_kept(file):
+    for content in (b"second", b"third"):
+        calibrate(file, content)
+    assert {each.name: each.read_bytes() for each in file.parent.iterdir()} == {
+        "jetbot.yaml": b"third", "jetbot.yaml.1": OLD, "jetbot.yaml.2": b"second"}
+
+
+def test_a_link_stays_and_its_file_is_replaced(file, tmp_path):
+    (tmp_path / "elsewhere").mkdir()
+    target = file.rename(tmp_path / "elsewhere/robot.yaml")
+    file.symlink_to("elsewhere/robot.yaml")
+    calibrate(file)
+    assert file.is_symlink() and target.read_bytes() == NEW
+    assert files.read(f"{target}.1") == OLD
+
+
+def test_a_link_that_leads_to_no_file_yet(file, tmp_path):
+    file.unlink()
+    file.symlink_to("later.yaml")
+    assert files.keep(file) is None
+    files.replace(file, NEW)
+    assert file.is_symlink() and (tmp_path / "later.yaml").read_bytes() == NEW
+
+
+def test_permissions_are_kept(file):
+    file.chmod(0o640)
+    files.replace(file, NEW)
+    assert file.stat().st_mode & 0o777 == 0o640
+
+
+def test_a_full_disk_changes_nothing(file, monkeypatch):
+    monkeypatch.setattr(os, "fsync", lambda descriptor: os.write(os.open("/dev/full", os.O_WRONLY), b"x"))
+    with pytest.raises(OSError, match="No space left on device"):
+        files.replace(file, NEW)
+    assert {each.name: each.read_bytes() for each in file.parent.iterdir()} == {"jetbot.yaml": OLD}
+
+
+@pytest.fixture(params=["folder", "fifo", "device", "loop"])
+def odd(request, tmp_path):
+    """A name of what is not a file."""
+    place = tmp_path / "odd"
+    {"folder": place.mkdir, "fifo": lambda: os.mkfifo(place), "device": lambda: place.symlink_to("/dev/zero"),
+     "loop": lambda: place.symlink_to("odd")}[request.param]()
+    return place
+
+
+@pytest.mark.parametrize("use", [files.read, files.keep, files.check_writable], ids=lambda use: use.__name__)
+def test_what_is_not_a_file_is_refused_at_once(odd, use):
+    with pytest.raises(OSError, match="not a regular file|Too many levels"):
+        use(odd)
+    assert os.listdir(odd.parent) == ["odd"]
+
+
+def test_a_large_file_is_refused_before_it_is_read(file):
+    os.truncate(file, 50 * 10**9)
+    with pytest.raises(OSError, match="larger than 64 kB"):
+        files.read(file)
+
+
+def test_a_file_is_missing_only_if_that_is_certain(file, tmp_path):
+    assert files.is_missing(tmp_path / "no.yaml") and files.is_missing(tmp_path / "no/jetbot.yaml")
+    (tmp_path / "gone").symlink_to("not/mounted")
+    for present in (file, file / "x", tmp_path / "gone", tmp_path / "gone/jetbot.yaml"):
+        assert not files.is_missing(present)
