@@ -36,13 +36,13 @@ def in_child(action):
     return pid
 
 
-def during(action, look):
-    """Return what ``look`` returns at each call of a function in C, and at its end: what a kill there leaves behind."""
+def during(action, observe):
+    """Return what ``observe`` returns before and after each call of a function in C: what a kill there leaves behind."""
     seen = []
 
     def profile(frame, event, function):
         if event.startswith("c_"):
-            seen.append(look())
+            seen.append(observe())
 
     sys.setprofile(profile)
     try:

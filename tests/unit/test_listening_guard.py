@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_until_killed, kill, stopped
+from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_until_killed, keep_alive, kill, stopped
 
 from conftest import SOURCE
 from jetbot import Robot, guard
@@ -59,35 +59,27 @@ def test_a_listening_guard_guards_each_robot(tmp_path, listener):
 
 
 def test_nothing_turns_if_the_listening_guard_is_gone_until_it_is_back(folder, listener):
-    def keep_alive():
-        robot.keep_alive()
-        return wheel_speeds(folder)
-
     first = listener()
     with Robot(i2c_bus=f"fake:{folder}") as robot:
         robot.forward()
         for pid in [*children(first.pid), first.pid]:
             os.kill(pid, signal.SIGKILL)
-        assert wait_until(lambda: keep_alive() == (0, 0), STOP_TIMEOUT)
+        assert wait_until(lambda: keep_alive(robot, folder) == (0, 0), STOP_TIMEOUT)
         listener()  # on the socket that the first one has left
-        assert wait_until(lambda: keep_alive() == (1, 1), TIMEOUT)
+        assert wait_until(lambda: keep_alive(robot, folder) == (1, 1), TIMEOUT)
 
 
 def test_a_listening_guard_that_was_frozen_and_replaced_stops_nothing(folder, listener):
-    def keep_alive():
-        robot.keep_alive()
-        return wheel_speeds(folder)
-
     first = listener()
     with Robot(i2c_bus=f"fake:{folder}") as robot:
         robot.forward()
         frozen, = children(first.pid)
         os.kill(frozen, signal.SIGSTOP)
-        assert wait_until(lambda: keep_alive() == (0, 0), STOP_TIMEOUT)
-        assert wait_until(lambda: keep_alive() == (1, 1), TIMEOUT)
+        assert wait_until(lambda: keep_alive(robot, folder) == (0, 0), STOP_TIMEOUT)
+        assert wait_until(lambda: keep_alive(robot, folder) == (1, 1), TIMEOUT)
         os.kill(frozen, signal.SIGCONT)
         assert wait_until(lambda: not Path(f"/proc/{frozen}").exists(), TIMEOUT)
-        assert wait_until(lambda: keep_alive() == (1, 1), TIMEOUT)  # a heartbeat repeats no command
+        assert wait_until(lambda: keep_alive(robot, folder) == (1, 1), TIMEOUT)  # a heartbeat repeats no command
 
 
 def test_no_guard_listens(folder, monkeypatch):

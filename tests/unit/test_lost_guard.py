@@ -10,7 +10,7 @@ import time
 from unittest.mock import Mock
 
 import pytest
-from guarded import STOP_TIMEOUT, TIMEOUT, stopped
+from guarded import STOP_TIMEOUT, TIMEOUT, keep_alive, stopped
 
 from jetbot import BusError, Robot, guard
 from jetbot.errors import GuardError
@@ -36,22 +36,18 @@ def guard_of(robot):
 
 @pytest.mark.parametrize("signum", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_guard_that_is_killed_or_frozen_stops_the_wheels_and_is_replaced(folder, guarded_robot, signum):
-    def keep_alive():
-        guarded_robot.keep_alive()
-        return wheel_speeds(folder)
-
     guarded_robot.forward()
     first = guard_of(guarded_robot)
     os.kill(first, signum)
-    assert wait_until(lambda: keep_alive() == (0, 0), STOP_TIMEOUT)
-    assert wait_until(lambda: keep_alive() == (1, 1), TIMEOUT)
+    assert wait_until(lambda: keep_alive(guarded_robot, folder) == (0, 0), STOP_TIMEOUT)
+    assert wait_until(lambda: keep_alive(guarded_robot, folder) == (1, 1), TIMEOUT)
     assert guard_of(guarded_robot) != first
     with pytest.raises(ProcessLookupError):
         os.kill(first, 0)
 
 
-def test_a_guard_lets_a_hung_program_go_on(folder, capfd):
-    def keep_alive():
+def test_a_guard_lets_a_hung_program_continue(folder, capfd):
+    def is_guarded():
         with contextlib.suppress(BusError):
             robot.keep_alive()
         return robot.guarded
@@ -62,9 +58,9 @@ def test_a_guard_lets_a_hung_program_go_on(folder, capfd):
         first = guard_of(robot)
         (folder / "0x60").rename(folder / "unplugged")
         assert wait_until(lambda: "wheels may still turn" in capfd.readouterr().err, TIMEOUT)
-        assert wait_until(keep_alive, TIMEOUT)
+        assert wait_until(is_guarded, TIMEOUT)
         (folder / "unplugged").rename(folder / "0x60")
-        assert wait_until(lambda: keep_alive() and wheel_speeds(folder) == (1, 1), TIMEOUT)
+        assert wait_until(lambda: is_guarded() and wheel_speeds(folder) == (1, 1), TIMEOUT)
         assert not wait_until(stopped(folder), 0.3)
         assert guard_of(robot) == first
 

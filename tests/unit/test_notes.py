@@ -5,31 +5,31 @@ from jetbot_ros.notes import NOTE_FOR, RIVALS_WITHIN, Commanders, Disturbances
 NONE = {"resets": 0, "overwritten": 0, "faults": 0}
 
 
-def heard(*names):
+def commanded_by(*names):
     commanders = Commanders()
     for name in names:
-        commanders.heard(name, now=0.0)
+        commanders.record(name, now=0.0)
     return commanders
 
 
 def test_one_program_is_no_news():
-    assert heard("/pupil").note({"/pupil", "/idle"}, now=0.1) is None
+    assert commanded_by("/pupil").note({"/pupil", "/idle"}, now=0.1) is None
 
 
 def test_two_programs_are_both_named_while_both_send():
-    commanders = heard("/teleop", "/circle")
+    commanders = commanded_by("/teleop", "/circle")
     assert commanders.note({"/teleop", "/circle"}, now=0.1) == "2 programs command it: /circle and /teleop"
-    commanders.heard("/circle", now=1.0)
+    commanders.record("/circle", now=1.0)
     assert commanders.note({"/teleop", "/circle"}, now=RIVALS_WITHIN) is None
 
 
 def test_a_program_that_has_ended_is_not_named():
-    assert heard("/teleop", "/circle").note({"/circle"}, now=0.1) is None
+    assert commanded_by("/teleop", "/circle").note({"/circle"}, now=0.1) is None
 
 
 def test_of_many_programs_two_are_named():
     names = [f"/pupil_{i:03}" for i in range(200)]
-    assert heard(*names).note(names, now=0.1) == "200 programs command it: /pupil_000, /pupil_001 and 198 more"
+    assert commanded_by(*names).note(names, now=0.1) == "200 programs command it: /pupil_000, /pupil_001 and 198 more"
 
 
 def test_what_costs_motion_is_reported_for_a_while():

@@ -97,7 +97,7 @@ class Robot:
             if self._closed:
                 return
             self._closed = True
-            self._forget_speeds()  # for the command that a signal handler interrupts
+            self._clear_speeds()  # for the command that a signal handler interrupts
             try:
                 self.driver.drive(0, 0)
                 self._guard.dismiss()
@@ -140,7 +140,7 @@ class Robot:
         try:
             self._guard.wait(self._is_commanded)
         except GuardError:
-            self._forget_speeds()
+            self._clear_speeds()
             raise
         self._apply()
 
@@ -164,7 +164,7 @@ class Robot:
     def _is_commanded(self):
         return any(self._speeds.values())
 
-    def _forget_speeds(self):
+    def _clear_speeds(self):
         self._speeds.update(dict.fromkeys(self._outputs, 0.0))
 
     def __enter__(self) -> "Robot":

@@ -4,7 +4,7 @@ from typing import Collection, Dict, List, Optional
 
 RIVALS_WITHIN = 1.5  # s between commands of two programs that contradict each other
 NOTE_FOR = 3.0       # s that a disturbance of the board is reported
-NAMES = 3            # names that a status lists
+MAX_NAMES = 3            # names that a status lists
 
 DISTURBANCES = {  # count: from how many on it is reported, and how
     "resets": (1, "its board has lost its settings ({} so far): check the battery and the plugs"),
@@ -15,27 +15,27 @@ FULL_POWER = "both wheels at full power"
 
 
 class Commanders:
-    """Which programs command the robot. ``heard`` may be called from any thread."""
+    """Which programs command the robot. ``record`` may be called from any thread."""
 
     def __init__(self):
-        self._heard_at: Dict[str, float] = {}
+        self._commanded_at: Dict[str, float] = {}
 
-    def heard(self, name: str, now: float) -> None:
+    def record(self, name: str, now: float) -> None:
         """A program has sent a command."""
-        self._heard_at[name] = now
+        self._commanded_at[name] = now
 
     def note(self, senders: Collection[str], now: float) -> Optional[str]:
         """Return a sentence if more than one of these programs commands the robot, else None."""
-        for name, heard_at in list(self._heard_at.items()):
-            if now - heard_at >= RIVALS_WITHIN or name not in senders:
-                self._heard_at.pop(name)
-        if len(self._heard_at) < 2:
+        for name, commanded_at in list(self._commanded_at.items()):
+            if now - commanded_at >= RIVALS_WITHIN or name not in senders:
+                self._commanded_at.pop(name)
+        if len(self._commanded_at) < 2:
             return None
-        return f"{len(self._heard_at)} programs command it: {listed(sorted(self._heard_at))}"
+        return f"{len(self._commanded_at)} programs command it: {listed(sorted(self._commanded_at))}"
 
 
 class Disturbances:
-    """What has recently kept the board from doing as it was told, from counts that only grow."""
+    """What has recently kept the board from driving as commanded, from counts that only grow."""
 
     def __init__(self):
         self._counts = dict.fromkeys(DISTURBANCES, 0)
@@ -45,12 +45,12 @@ class Disturbances:
         """Return a sentence for each count that has grown within ``NOTE_FOR`` seconds. counts: as DISTURBANCES."""
         self._seen_at.update({name: now for name, count in counts.items() if count > self._counts[name]})
         self._counts = counts
-        return [sentence.format(counts[name]) for name, (least, sentence) in DISTURBANCES.items()
-                if counts[name] >= least and now - self._seen_at[name] < NOTE_FOR]
+        return [sentence.format(counts[name]) for name, (threshold, sentence) in DISTURBANCES.items()
+                if counts[name] >= threshold and now - self._seen_at[name] < NOTE_FOR]
 
 
 def listed(names: List[str]) -> str:
     """Return the names in one phrase, the first few of many."""
-    if len(names) > NAMES:
-        names = names[:NAMES - 1] + [f"{len(names) - NAMES + 1} more"]
+    if len(names) > MAX_NAMES:
+        names = names[:MAX_NAMES - 1] + [f"{len(names) - MAX_NAMES + 1} more"]
     return f"{', '.join(names[:-1])} and {names[-1]}"

@@ -21,7 +21,7 @@ from .xmlrpc import NO_ANSWER, proxy
 ASK_INTERVAL = 0.25    # s between two questions whether a program still runs
 ANSWER_TIMEOUT = 0.6   # s for its answer; safety.ANSWER_TIMEOUT allows for one that is late
 LATCHED_TIMEOUT = 1.0  # s for a latched message to arrive at a node that has just started
-NAME = 80              # characters of a name that are shown
+MAX_NAME = 80          # characters of a name that are shown
 
 
 class Publishers:
@@ -105,5 +105,5 @@ def delivered(connection) -> bool:
 
 @functools.lru_cache(maxsize=1000)
 def shown(name: str) -> str:
-    """Return a name as it may be printed: strangers choose theirs."""
-    return re.sub(r"[^\w/.~-]", "?", name, flags=re.ASCII)[:NAME]
+    """Return a name as it may be printed: any program chooses its own."""
+    return re.sub(r"[^\w/.~-]", "?", name, flags=re.ASCII)[:MAX_NAME]

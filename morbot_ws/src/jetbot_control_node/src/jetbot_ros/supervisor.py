@@ -16,7 +16,7 @@ STOPPED_INTERVAL = 0.4       # s between two wake-ups while it is stopped; the g
 RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried again
 VERIFY_AFTER_COMMAND = 0.1   # s between two verifications right after a command, when the next is not due soon
 VERIFY_IDLE = 0.3            # s between two verifications at any other moment
-FROZEN = 0.8                 # s between two steps after which this program was frozen, and with it its questions
+FREEZE = 0.8                 # s between two steps after which this program was frozen, and with it its questions
 
 NO_GUARD = JetbotError("the guard, which stops the wheels if this program dies, is not running")
 
@@ -53,7 +53,7 @@ class Supervisor:
         """Accept a command: m/s forward and rad/s to the left."""
         now = time.monotonic()
         if not sender.old:
-            self._commanders.heard(sender.name, now)
+            self._commanders.record(sender.name, now)
         self._change(State.command, linear, angular, sender, now)
         self._wake()
 
@@ -88,7 +88,7 @@ class Supervisor:
         commanded: whether something has just happened, such as a command.
         """
         senders = self._senders()
-        if now - self._stepped_at > FROZEN:
+        if now - self._stepped_at > FREEZE:
             self._change(State.confirm, self.state.held_for, now)
         self._stepped_at = now
         self._change(State.check_timeout, senders, now)

@@ -8,7 +8,7 @@ from typing import Optional, Tuple, Union
 
 from ..errors import BusError
 
-LONGEST = 32  # bytes read of a file that holds a number
+MAX_SIZE = 32  # bytes read of a file that holds a number
 
 
 def open_file(file: Union[str, Path], flags: int) -> int:
@@ -17,14 +17,14 @@ def open_file(file: Union[str, Path], flags: int) -> int:
 
 
 def read_text(file: Union[str, Path]) -> Optional[str]:
-    """Return the first ``LONGEST`` bytes of a file as text: "" if it is not a regular file, None if there is none."""
+    """Return the first ``MAX_SIZE`` bytes of a file as text: "" if it is not a regular file, None if there is none."""
     try:
         descriptor = open_file(file, os.O_RDONLY)
     except FileNotFoundError:
         return None
     try:
         regular = stat.S_ISREG(os.fstat(descriptor).st_mode)
-        return os.read(descriptor, LONGEST).decode("ascii", "replace") if regular else ""
+        return os.read(descriptor, MAX_SIZE).decode("ascii", "replace") if regular else ""
     finally:
         os.close(descriptor)
 

@@ -42,7 +42,7 @@ class Peer:
         self._connection = connection
         self._process = process
         self._up = False
-        self._asked_at = self._heard_at = time.monotonic()  # _asked_at: since when it owes an answer, or None
+        self._asked_at = self._answered_at = time.monotonic()  # _asked_at: since when it owes an answer, or None
         self.problem = ""
 
     def is_up(self) -> bool:
@@ -90,7 +90,7 @@ class Peer:
 
     def _check_silence(self, now):
         if self._asked_at is None:
-            if now - self._heard_at > PING_INTERVAL:
+            if now - self._answered_at > PING_INTERVAL:
                 self.ask(PING)
         elif now - self._asked_at > (ANSWER_TIMEOUT if self._up else START_TIMEOUT):
             self.problem = "it does not answer"
@@ -99,7 +99,7 @@ class Peer:
         if answer.strip(ANSWER):
             self.problem = answer.strip(ANSWER).decode(errors="replace")
         elif answer:
-            self._up, self._asked_at, self._heard_at = True, None, now
+            self._up, self._asked_at, self._answered_at = True, None, now
         else:
             self.problem = "it has ended"
 

@@ -82,7 +82,7 @@ def read_message(connection: socket.socket, deadline: Optional[float]) -> Option
 
 
 def answer(connection: socket.socket) -> None:
-    """Tell the driving process that its guard is up, without waiting for it."""
+    """Report to the driving process that its guard is up, without waiting for it."""
     with contextlib.suppress(OSError):
         connection.send(ANSWER, socket.MSG_DONTWAIT)
 
