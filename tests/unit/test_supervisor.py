@@ -186,6 +186,15 @@ def test_what_cannot_be_retried_ends_the_thread_with_the_wheels_stopped(supervis
     assert wheel_speeds(folder) == STOPPED
 
 
+def test_a_failure_of_another_thread_ends_it_with_the_wheels_stopped(supervisor, folder):
+    go(supervisor)
+    supervisor.step(0.0, commanded=True)
+    supervisor.fail(JetbotError("out of file descriptors"))
+    with pytest.raises(JetbotError, match="Out of file descriptors"):
+        supervisor.run(lambda: False)
+    assert wheel_speeds(folder) == STOPPED
+
+
 def test_a_turn_that_is_cut_off_is_reported(supervisor, robot, statuses, monkeypatch):
     monkeypatch.setattr(type(robot), "at_full_power", True)
     go(supervisor)
