@@ -114,7 +114,7 @@ def test_a_file_is_no_port(tmp_path):
 
 
 @pytest.mark.parametrize("url", [
-    "spy:///dev/ttyACM0?file=/tmp/x", "SPY://x", "alt:///dev/ttyACM0?class=x", "hwgrep://.*", "cp2110://x", "loop://",
+    "spy:///dev/ttyACM0?file=/tmp/x", "SPY://x", "alt:///dev/ttyACM0?class=x", "hwgrep://.*", "cp2110://x",
     "://x", "os.path://x"])
 def test_a_url_that_is_refused(url):
     with pytest.raises(InvalidValue, match="^A serial port cannot be .*. Give a device such as /dev/ttyACM0, a URL"):

@@ -130,6 +130,16 @@ def test_a_brown_out_and_another_program_are_repaired_and_counted(board, folder,
     assert (board.resets, board.overwritten) == counts
 
 
+def test_feeding_the_timer_after_a_brown_out_sets_the_board_up_again(board, folder):
+    board.keep_alive()
+    board.drive(0.5, 0.5)
+    power_on(folder)
+    board.keep_alive()
+    board.drive(0.5, 0.5)
+    assert wheel_speeds(folder, "sparkfun") == (0.5, 0.5)
+    assert (board.resets, board.overwritten) == (1, 0)
+
+
 def test_after_a_timer_that_could_not_be_fed_all_is_set_up_again(board, folder):
     board.drive(0.5, 0.5)
     (folder / "0x5d.fail").write_text("3")

@@ -60,6 +60,15 @@ def test_no_further_command_stops_within_the_timeout(supervisor, folder, statuse
     assert statuses == ["driving", "stopped: no command for 1.0 s (repeat it: rostopic pub -r 10)"]
 
 
+def test_a_standing_order_outlives_a_freeze_of_this_program(supervisor, folder):
+    supervisor.state = supervisor.state.command(0.5, 0.1, Sender("/pupil", latched=True), 0.0)
+    steps(supervisor, 0.0, 0.5)
+    supervisor.step(5.0, commanded=False)
+    assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
+    steps(supervisor, 5.05, 1.1)
+    assert wheel_speeds(folder) == STOPPED
+
+
 def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot):
     moments = steps(supervisor, 0.0, 10.0)
     assert len(moments) < 30

@@ -4,18 +4,23 @@ A launch file makes this the command of a parameter: roslaunch runs it while it 
 Else it prints nothing, so that the parameter is "", like one that is not given. NS: the controller's namespace.
 """
 
+import argparse
 import os
 import signal
 import socket
 import sys
+from typing import List
 
-# Options of a roslaunch that starts nothing, or uses another master than ROS_MASTER_URI.
-OTHERS = {"-p", "--port", "--nodes", "--files", "--args", "--find-node", "--dump-params"}
+LISTING = {"--nodes", "--files", "--args", "--find-node", "--dump-params"}  # options of a roslaunch that starts nothing
 
 
 def main(namespace: str = "") -> None:
     """If the node ``jetbot_controller`` in this namespace runs, print one sentence and end roslaunch."""
-    if not is_start() or not master_listens():
+    words = roslaunch_command()
+    if not words or LISTING.intersection(words):
+        return
+    set_master(words)
+    if not master_listens():
         return
     from .master import require_master, require_name  # here: they take longer to import than all the rest
     parts = (os.environ.get("ROS_NAMESPACE", ""), namespace, "jetbot_controller")
@@ -28,14 +33,23 @@ def main(namespace: str = "") -> None:
         sys.exit(1)
 
 
-def is_start() -> bool:
-    """Return whether the parent of this process is a roslaunch that starts nodes; False where /proc hides that."""
+def roslaunch_command() -> List[str]:
+    """Return the command line of the roslaunch that is this process's parent; nothing where /proc hides that."""
     try:
         with open(f"/proc/{os.getppid()}/cmdline") as cmdline:
             words = cmdline.read().split("\0")
     except OSError:
-        return False
-    return "roslaunch" in map(os.path.basename, words[:3]) and not OTHERS.intersection(words)
+        return []
+    return words if "roslaunch" in map(os.path.basename, words[:3]) else []
+
+
+def set_master(words: List[str]) -> None:
+    """Make ROS_MASTER_URI the master of the roslaunch with this command line: its option --port names another."""
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("-p", "--port")
+    port = parser.parse_known_args(words)[0].port
+    if port:
+        os.environ["ROS_MASTER_URI"] = f"http://localhost:{port}"
 
 
 def master_listens() -> bool:

@@ -103,9 +103,11 @@ class State(NamedTuple):
         cause = holds[0].reason if holds else f"no command since {hold.released}"
         return self._stop(cause)._replace(holds=holds)
 
-    def confirm(self, name: str, asked_at: float) -> "State":
+    def confirm(self, name: Optional[str], asked_at: float) -> "State":
         """The program of this name has answered a question that was asked at ``asked_at``."""
-        return self._replace(confirmed_at=max(asked_at, self.confirmed_at)) if name == self.held_for else self
+        if name is None or name != self.held_for:
+            return self
+        return self._replace(confirmed_at=max(asked_at, self.confirmed_at))
 
     def check_timeout(self, senders: Collection[str], now: float) -> "State":
         """Some time has passed; ``senders`` are the names of the programs that could send commands."""

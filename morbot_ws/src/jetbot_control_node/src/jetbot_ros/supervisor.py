@@ -16,6 +16,7 @@ STOPPED_INTERVAL = 0.4       # s between two wake-ups while it is stopped; the g
 RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried again
 VERIFY_AFTER_COMMAND = 0.1   # s between two verifications right after a command, when the next is not due soon
 VERIFY_IDLE = 0.3            # s between two verifications at any other moment
+FROZEN = 0.8                 # s between two steps after which this program was frozen, and with it its questions
 
 NO_GUARD = JetbotError("the guard, which stops the wheels if this program dies, is not running")
 
@@ -38,7 +39,7 @@ class Supervisor:
         self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
         self._ending = False
         self._status = None
-        self._fed_at = self._verified_at = float("-inf")
+        self._fed_at = self._verified_at = self._stepped_at = float("-inf")
         self._commanders, self._disturbances = Commanders(), Disturbances()
         self._faults = 0
 
@@ -87,6 +88,9 @@ class Supervisor:
         commanded: whether something has just happened, such as a command.
         """
         senders = self._senders()
+        if now - self._stepped_at > FROZEN:
+            self._change(State.confirm, self.state.held_for, now)
+        self._stepped_at = now
         self._change(State.check_timeout, senders, now)
         state, fault = self.state, None
         try:

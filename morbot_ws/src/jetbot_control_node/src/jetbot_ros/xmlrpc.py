@@ -1,13 +1,19 @@
-"""Calls of ROS's XML-RPC that give up on a program that does not answer."""
+"""Calls of ROS's XML-RPC to programs that may hang, be gone, or be no ROS program at all."""
 
+import io
 from http.client import HTTPException
+from xml.parsers.expat import ExpatError
 from xmlrpc.client import Error, ServerProxy, Transport
 
-NO_ANSWER = (OSError, HTTPException, Error)  # raised by a call to a program that hangs or is gone
+MAX_ANSWER = 1024 * 1024  # bytes
+# Raised by a call to what hangs, is gone, or answers something else than ROS.
+NO_ANSWER = (OSError, HTTPException, Error, ExpatError, ValueError, TypeError, LookupError)
 
 
-class TimedTransport(Transport):
-    """Gives up after ``timeout`` seconds without an answer."""
+class BoundedTransport(Transport):
+    """Gives up on what sends nothing for ``timeout`` seconds, or more than ``MAX_ANSWER``."""
+
+    accept_gzip_encoding = False
 
     def __init__(self, timeout: float):
         super().__init__()
@@ -18,7 +24,10 @@ class TimedTransport(Transport):
         connection.timeout = self._timeout
         return connection
 
+    def parse_response(self, response):
+        return super().parse_response(io.BytesIO(response.read(MAX_ANSWER)))
+
 
 def proxy(address: str, timeout: float) -> ServerProxy:
-    """Return the program at this address; each of its calls may take ``timeout`` seconds, and raises NO_ANSWER."""
-    return ServerProxy(address, TimedTransport(timeout))
+    """Return the program at this address; a call of it raises NO_ANSWER after ``timeout`` seconds without an answer."""
+    return ServerProxy(address, BoundedTransport(timeout))

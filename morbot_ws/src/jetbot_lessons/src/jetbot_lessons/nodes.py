@@ -1,44 +1,26 @@
 """ROS nodes: what they answer, within a time, and which program each of them is."""
 
 import contextlib
-import io
 import os
 import queue
-from http.client import HTTPException
 from pathlib import Path
 from threading import Thread
 from typing import Any, Callable, List, Optional
 from urllib.parse import urlparse
-from xml.parsers.expat import ExpatError
-from xmlrpc.client import Error, ServerProxy, Transport
+from xmlrpc.client import ServerProxy
 
 import rosgraph
 
+from jetbot_ros.xmlrpc import NO_ANSWER, proxy
+
 CALLER = "/check_lesson"
 TIMEOUT = 2.0  # s for a node to answer
-MAX_ANSWER = 1024 * 1024  # bytes
 LISTEN = "0A"  # state of a socket in /proc/net/tcp, Linux's TCP_LISTEN
-# Raised by a call to what hangs, is gone, or is no ROS node.
-NO_ANSWER = (OSError, HTTPException, Error, ExpatError, ValueError, TypeError, LookupError)
-
-
-class _Transport(Transport):
-    """Gives up on a node that sends nothing within ``TIMEOUT``, or more than ``MAX_ANSWER``."""
-
-    accept_gzip_encoding = False
-
-    def make_connection(self, host):
-        connection = super().make_connection(host)
-        connection.timeout = TIMEOUT
-        return connection
-
-    def parse_response(self, response):
-        return super().parse_response(io.BytesIO(response.read(MAX_ANSWER)))
 
 
 def connect(uri: str) -> ServerProxy:
     """Return the node or roslaunch at this address; a call of its methods raises one of NO_ANSWER."""
-    return ServerProxy(uri, _Transport())
+    return proxy(uri, TIMEOUT)
 
 
 def answer_in_time(call: Callable[[], Any]) -> Any:

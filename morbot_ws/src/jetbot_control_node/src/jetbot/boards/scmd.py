@@ -32,7 +32,7 @@ class ScmdMotors(MotorDriver):
         self._timeout = 0  # FSAFE_TIME as the chip holds it
         self._has_blocks = False
         self._verified = itertools.cycle([DRIVER_ENABLE, MA_DRIVE, FSAFE_CTRL, MB_DRIVE, FSAFE_TIME])
-        self._differs = False  # whether ``verify`` read something else than was sent
+        self._differs = False  # whether something else was read than was sent
 
     def start(self) -> None:
         if self.link.read(ID) != ID_WORD:
@@ -69,16 +69,20 @@ class ScmdMotors(MotorDriver):
 
     def keep_alive(self) -> None:
         sent, self._sent = self._sent, None  # until all of it went through
-        if sent is not None:
+        if sent is None:
+            return
+        if self.link.read(DRIVER_ENABLE):
             self._feed(TIMEOUT)
             self._send(sent)  # whatever another program has written there
+        else:
+            self._differs = True  # a brown-out: what follows would hide it from ``verify``
 
     def _feed(self, timeout):
         self.link.write(FSAFE_TIME, [timeout])
         self._timeout = timeout
 
     def _count_fault(self):
-        """Count why ``verify`` found the board changed: only a power-on leaves its motors disabled."""
+        """Count why the board was found changed: only a power-on leaves its motors disabled."""
         if self._differs:
             if self.link.read(DRIVER_ENABLE):
                 self.overwritten += 1
