@@ -49,6 +49,12 @@ def test_no_odometry_of_this_robot(draw, bag, robot, odom):
     assert draw(bag, robot) == f"{bag.filename} holds no nav_msgs/Odometry on {odom}. Another robot's: --robot NAME"
 
 
+def test_a_robot_of_an_impossible_name(draw, bag, capsys):
+    bag.close()
+    assert draw(bag, "\x1b]0;owned\x07") == 2
+    assert "argument --robot: invalid robot value" in capsys.readouterr().err
+
+
 def test_recording_cut_short(draw, bag):
     bag.flush()
     assert draw(bag) == (
