@@ -15,7 +15,7 @@ SOURCE = ROOT / "morbot_ws/src/jetbot_control_node"
 SIMULATION = SOURCE.parent / "simulation"
 sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src")]
 
-from jetbot import fake, i2c, open_robots, robot  # noqa: E402
+from jetbot import fake, guard, i2c, open_robots, robot  # noqa: E402
 from jetbot.fake.bus import FakeBus  # noqa: E402
 
 
@@ -81,3 +81,9 @@ def make_robot(folder, monkeypatch):
     yield make
     for each in robots:
         open_robots.close(each)
+
+
+@pytest.fixture
+def guards_restart_at_once(monkeypatch):
+    """A guard that is lost is replaced without waiting for a second."""
+    monkeypatch.setattr(guard, "RESTART_INTERVAL", 0.1)

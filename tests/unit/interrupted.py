@@ -5,7 +5,7 @@ import functools
 
 from jetbot.fake.motors import ROBOTS
 
-HIGH = bytes([0, 0x10, 0, 0])  # an output's registers: always on
+EVERY = (1 << 4096) - 1  # each of the 4096 counts of a period, as a bit
 NACK_AND_STOP, BROWN_OUT, CUT = "not acknowledged, then STOP", "brown-out", "cable cut, no STOP"
 
 
@@ -37,12 +37,9 @@ class InterruptedPCA9685:
         return self.read_i2c_block_data(address, register, 1)[0]
 
     def read_i2c_block_data(self, address, register, length):
-        self._start()
-        for _ in range(3):  # address, register, address
-            self._byte()
+        self._transfer(3 + length)  # address, register, address
         values = []
         for _ in range(length):
-            self._byte()
             values.append(self.registers[register])
             register = self._next(register)
         return values
@@ -51,30 +48,27 @@ class InterruptedPCA9685:
         self.write_i2c_block_data(address, register, [value])
 
     def write_i2c_block_data(self, address, register, data):
-        self._start()
-        self._byte()
-        self._byte()
-        for value in data:
-            self._byte()
-            self._store(register, value)
-            self.seen.append(bytes(self.registers))
-            register = self._next(register)
+        self._transfer(2 + len(data), register, data)
 
     def close(self):
         pass
 
-    def _start(self):
+    def _transfer(self, length, register=0, data=()):
+        """Carry so many bytes, the last of which are the data for the registers from this one on."""
         if self._refused:
             self._refused -= 1
             raise no_answer()
-
-    def _byte(self):
-        if self._fault and self.bytes == self._fault[0]:
+        carried = min(length, self._fault[0] - self.bytes) if self._fault else length
+        self.bytes += carried
+        for value in data[:max(0, carried - 2)]:
+            self._store(register, value)
+            self.seen.append(bytes(self.registers))
+            register = self._next(register)
+        if carried < length:
             kind, self._fault, self._refused = self._fault[1], None, self._refused_later
             if kind == BROWN_OUT:
                 self.registers[:] = self.POWER_ON
             raise no_answer()
-        self.bytes += 1
 
     def _store(self, register, value):
         asleep = self.registers[0] & 0x10
@@ -109,34 +103,45 @@ class InterruptedSCMD(InterruptedPCA9685):
         return register + 1
 
 
+@functools.lru_cache(maxsize=None)
+def part(motor):
+    """Where the registers of a motor's outputs are."""
+    used = [output for output in motor if output is not None]
+    return slice(6 + 4 * min(used), 10 + 4 * max(used))
+
+
 def wheels(registers, board):
     """The speeds (left, right) of a robot of this board with these registers, as bytes."""
     if board == "sparkfun":
         return tuple((0x80 - registers[drive]) / 0x80 if registers[0x70] else 0.0 for drive in (0x20, 0x21))
     if registers[0] & 0x10:
         return 0.0, 0.0
-    return tuple(speed(*(HIGH if output is None else registers[6 + 4 * output:10 + 4 * output] for output in motor))
-                 for motor in (ROBOTS[board].left, ROBOTS[board].right))
+    left, right = ROBOTS[board].left, ROBOTS[board].right
+    return speed(left, registers[part(left)]), speed(right, registers[part(right)])
 
 
 @functools.lru_cache(maxsize=None)
-def speed(pwm, forward, backward):
-    """The part of the time in which the bridge drives forward, less the part in which it drives backward."""
-    enabled, ahead, back = high(pwm), high(forward), high(backward)
+def speed(motor, registers):
+    """The part of the time in which the bridge drives forward, less the part in which it drives backward.
+
+    registers: those in ``part(motor)``.
+    """
+    enabled, ahead, back = (EVERY if output is None else high(registers[6 + 4 * output - part(motor).start:])
+                            for output in motor)
     return (bin(enabled & ahead & ~back).count("1") - bin(enabled & back & ~ahead).count("1")) / 4096
 
 
 def high(output):
-    """The counts of a period, as bits, at which an output with these four registers is high."""
+    """The counts of a period, as bits, at which an output is high; its registers come first."""
     on, off = output[0] | output[1] << 8, output[2] | output[3] << 8
     if off & 0x1000:
         return 0
     if on & 0x1000:
-        return (1 << 4096) - 1
+        return EVERY
     on, off = on & 0xFFF, off & 0xFFF
     if on <= off:
         return (1 << off) - (1 << on)
-    return (1 << 4096) - (1 << on) + (1 << off) - 1
+    return EVERY - (1 << on) + (1 << off)
 
 
 def no_answer():

@@ -1,13 +1,11 @@
-import itertools
+"""The two wheels of a Robot: speeds, trim, wiring, and what is refused."""
+
 import math
-import sys
-import threading
 
 import pytest
 
-from jetbot import BusError, InvalidValue, JetbotError, Robot
+from jetbot import BusError, InvalidValue, JetbotError
 from jetbot.fake.motors import wheel_speeds
-from jetbot.i2c import I2CDevice
 
 
 @pytest.mark.parametrize("action, left, right", [
@@ -102,61 +100,6 @@ def test_a_new_robot_takes_over_from_the_old_one(make_robot, folder):
         old.forward()
     new.forward(0.25)
     assert wheel_speeds(folder) == (0.25, 0.25)
-
-
-def test_many_threads(make_robot, folder):
-    robot = make_robot()
-    threads = [threading.Thread(target=lambda: [robot.set_motors(i / 200, -i / 200) for i in range(-100, 101)])
-               for _ in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert wheel_speeds(folder) == pytest.approx((robot.left_motor.value, robot.right_motor.value), abs=0.0003)
-
-
-@pytest.mark.parametrize("handler", [Robot.stop, Robot.close])
-def test_a_signal_handler_may_stop_it(make_robot, folder, monkeypatch, handler):
-    robot = make_robot()
-    write = I2CDevice.write
-
-    def interrupted(link, register, data):
-        monkeypatch.setattr(I2CDevice, "write", write)
-        handler(robot)
-        write(link, register, data)
-
-    robot.forward(0.3)
-    monkeypatch.setattr(I2CDevice, "write", interrupted)
-    robot.forward(0.5)
-    assert wheel_speeds(folder) == wheel_speeds(folder, "waveshare") == (0, 0)
-
-
-def stops_at(robot, line):
-    """Drive, and stop before this line of Python is run; return whether there was such a line."""
-    lines = itertools.count(1)
-
-    def trace(*_):
-        if next(lines) == line:
-            sys.settrace(None)
-            robot.stop()
-        return trace
-
-    sys.settrace(trace)
-    try:
-        robot.forward(0.5)
-    finally:
-        sys.settrace(None)
-    return next(lines) > line
-
-
-def test_a_signal_handler_may_stop_it_at_any_line(make_robot, folder):
-    robot = make_robot()
-    line = 1
-    while stops_at(robot, line):
-        assert wheel_speeds(folder) in ((0, 0), (0.5, 0.5)), f"stopped at line {line}"
-        robot.stop()
-        line += 1
-    assert line > 20
 
 
 def test_a_closed_robot_feeds_no_guard(make_robot):

@@ -41,14 +41,14 @@ def steps(supervisor, start, seconds):
     return moments
 
 
-def go(supervisor, now=0.0):
-    """A command at the time ``now``."""
-    supervisor.state = supervisor.state.command(0.5, 0.1, PUPIL, now)
+def go(supervisor):
+    """Command a speed at the time 0, and drive."""
+    supervisor.state = supervisor.state.command(0.5, 0.1, PUPIL, 0.0)
+    supervisor.step(0.0, commanded=True)
 
 
 def test_a_command_turns_the_wheels(supervisor, folder, statuses):
     go(supervisor)
-    supervisor.step(0.0, commanded=True)
     assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
     assert statuses == ["driving"]
 
@@ -79,7 +79,6 @@ def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot):
 def test_verification_follows_a_command_and_is_one_transfer(supervisor, wire, robot):
     robot.driver.link.close()  # from here on, the bus counts
     go(supervisor)
-    supervisor.step(0.0, commanded=True)
     wire.bits.clear()
     supervisor.step(0.2, commanded=True)   # the command repeats: nothing to write, one block to read
     supervisor.step(0.25, commanded=True)  # the next command comes soon after: no read
@@ -89,7 +88,6 @@ def test_verification_follows_a_command_and_is_one_transfer(supervisor, wire, ro
 def test_between_two_commands_ten_times_a_second_nothing_is_verified(supervisor, wire, robot):
     robot.driver.link.close()
     go(supervisor)
-    supervisor.step(0.0, commanded=True)
     wire.bits.clear()
     supervisor.step(0.05, commanded=False)
     supervisor.step(0.0999, commanded=False)
@@ -98,7 +96,6 @@ def test_between_two_commands_ten_times_a_second_nothing_is_verified(supervisor,
 
 def test_a_brown_out_is_repaired_within_half_a_second(supervisor, folder):
     go(supervisor)
-    supervisor.step(0.0, commanded=True)
     power_on(folder)
     steps(supervisor, 0.05, 0.4)
     assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
@@ -113,7 +110,6 @@ def test_the_guard_is_fed_while_the_board_does_not_answer(supervisor, robot, fol
 
 def test_a_board_that_does_not_answer_is_tried_again(supervisor, folder, statuses):
     go(supervisor)
-    supervisor.step(0.0, commanded=True)
     (folder / "0x60").unlink()
     steps(supervisor, 0.3, 0.3)
     power_on(folder)
@@ -172,14 +168,12 @@ def test_the_end_stops_the_wheels_and_closes_the_robot(running, folder):
 def test_without_a_guard_nothing_turns(supervisor, robot, folder, statuses, monkeypatch):
     monkeypatch.setattr(type(robot), "guarded", False)
     go(supervisor)
-    supervisor.step(0.0, commanded=True)
     assert wheel_speeds(folder) == STOPPED
     assert statuses == ["stopped: the guard, which stops the wheels if this program dies, is not running, trying again"]
 
 
 def test_what_cannot_be_retried_ends_the_thread_with_the_wheels_stopped(supervisor, robot, folder, monkeypatch):
     go(supervisor)
-    supervisor.step(0.0, commanded=True)
     monkeypatch.setattr(robot, "verify", Mock(side_effect=JetbotError("out of file descriptors")))
     with pytest.raises(JetbotError, match="Out of file descriptors"):
         supervisor.run(lambda: False)
@@ -198,7 +192,6 @@ def test_a_failure_of_another_thread_ends_it_with_the_wheels_stopped(supervisor,
 def test_a_turn_that_is_cut_off_is_reported(supervisor, robot, statuses, monkeypatch):
     monkeypatch.setattr(type(robot), "at_full_power", True)
     go(supervisor)
-    supervisor.step(0.0, commanded=True)
     assert statuses == ["driving, both wheels at full power"]
 
 

@@ -1,0 +1,123 @@
+"""A guard that runs already, and guards whichever Robot finds it through JETBOT_GUARD."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_until_killed, kill, stopped
+
+from conftest import SOURCE
+from jetbot import Robot, guard
+from jetbot.errors import GuardError
+from jetbot.fake.motors import wheel_speeds
+from jetbot.guard.__main__ import is_in_use
+from jetbot.wait import wait_until
+
+pytestmark = pytest.mark.usefixtures("guards_restart_at_once")
+
+
+@pytest.fixture
+def listener(tmp_path, monkeypatch):
+    """Return a function that starts a guard that listens where JETBOT_GUARD says, and waits until it does."""
+    path = tmp_path / "guard"
+    monkeypatch.setenv("JETBOT_GUARD", str(path))
+    processes = []
+
+    def listen():
+        command = [sys.executable, "-m", "jetbot.guard", "--listen", str(path)]
+        process = subprocess.Popen(command, env={**os.environ, "PYTHONPATH": str(SOURCE / "src")},
+                                   stderr=subprocess.PIPE, text=True)
+        processes.append(process)
+        assert wait_until(lambda: process.poll() is not None or path.exists() and is_in_use(str(path)), TIMEOUT)
+        return process
+
+    yield listen
+    for process in processes:
+        kill(process)
+        process.stderr.close()
+
+
+def test_a_listening_guard_stops_the_wheels_when_all_of_the_session_is_killed(folder, listener):
+    listener()
+    process = drive_until_killed(folder, start_new_session=True)
+    assert children(process.pid) == []  # it has started no guard
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    assert wait_until(stopped(folder), STOP_TIMEOUT)
+
+
+def test_a_listening_guard_guards_each_robot(tmp_path, listener):
+    listener()
+    with Robot(i2c_bus=f"fake:{tmp_path}/one") as robot:
+        robot.forward()
+        kill(drive_until_killed(tmp_path / "two"))
+        assert wait_until(stopped(tmp_path / "two"), STOP_TIMEOUT)
+        assert robot.guarded and wheel_speeds(tmp_path / "one") == (1, 1)
+
+
+def test_nothing_turns_if_the_listening_guard_is_gone_until_it_is_back(folder, listener):
+    def keep_alive():
+        robot.keep_alive()
+        return wheel_speeds(folder)
+
+    first = listener()
+    with Robot(i2c_bus=f"fake:{folder}") as robot:
+        robot.forward()
+        for pid in [*children(first.pid), first.pid]:
+            os.kill(pid, signal.SIGKILL)
+        assert wait_until(lambda: keep_alive() == (0, 0), STOP_TIMEOUT)
+        listener()  # on the socket that the first one has left
+        assert wait_until(lambda: keep_alive() == (1, 1), TIMEOUT)
+
+
+def test_a_listening_guard_that_was_frozen_and_replaced_stops_nothing(folder, listener):
+    def keep_alive():
+        robot.keep_alive()
+        return wheel_speeds(folder)
+
+    first = listener()
+    with Robot(i2c_bus=f"fake:{folder}") as robot:
+        robot.forward()
+        frozen, = children(first.pid)
+        os.kill(frozen, signal.SIGSTOP)
+        assert wait_until(lambda: keep_alive() == (0, 0), STOP_TIMEOUT)
+        assert wait_until(lambda: keep_alive() == (1, 1), TIMEOUT)
+        os.kill(frozen, signal.SIGCONT)
+        assert wait_until(lambda: not Path(f"/proc/{frozen}").exists(), TIMEOUT)
+        assert wait_until(lambda: keep_alive() == (1, 1), TIMEOUT)  # a heartbeat repeats no command
+
+
+def test_no_guard_listens(folder, monkeypatch):
+    monkeypatch.setenv("JETBOT_GUARD", "/nosuch/guard")
+    with pytest.raises(GuardError, match="No such file or directory. Start the guard that listens on /nosuch/guard"):
+        Robot(i2c_bus=f"fake:{folder}")
+
+
+def test_a_listening_guard_that_may_not_use_the_board_is_no_guard(listener):
+    listener()
+    with pytest.raises(GuardError, match="it may not use /nosuch/i2c. Start the guard that listens"):
+        guard.Guard("jetbot", "/nosuch/i2c").wait(lambda: True)
+
+
+def test_another_users_guard_is_no_guard(folder, tmp_path, listener, monkeypatch):
+    listener()
+    assert (tmp_path / "guard").stat().st_mode & 0o777 == 0o600
+    monkeypatch.setattr(os, "geteuid", lambda: 12345)
+    with pytest.raises(GuardError, match="it belongs to the user "):
+        Robot(i2c_bus=f"fake:{folder}")
+
+
+def test_a_second_listener_is_refused(listener):
+    listener()
+    second = listener()
+    assert second.wait(TIMEOUT) == 1
+    assert second.stderr.read().startswith("The guard cannot listen on ")
+
+
+def test_a_listener_deletes_no_file(tmp_path, listener):
+    (tmp_path / "guard").write_text("notes")
+    assert listener().wait(TIMEOUT) == 1
+    assert (tmp_path / "guard").read_text() == "notes"
