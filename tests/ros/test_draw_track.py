@@ -25,8 +25,8 @@ def bag(tmp_path):
 @pytest.fixture
 def draw(monkeypatch, tmp_path):
     """Draws track.png from a bag; returns the message with which the program exits, or None."""
-    def run(bag, robot="red"):
-        monkeypatch.setattr(sys, "argv", ["", "--bag", bag.filename, "--robot", robot, str(tmp_path / "track.png")])
+    def run(bag, robot="red", png="track.png"):
+        monkeypatch.setattr(sys, "argv", ["", "--bag", bag.filename, "--robot", robot, str(tmp_path / png)])
         try:
             runpy.run_path(str(PROGRAM), run_name="__main__")
         except SystemExit as end:
@@ -34,10 +34,12 @@ def draw(monkeypatch, tmp_path):
     return run
 
 
-def test_draws_a_bag(draw, bag, tmp_path):
+@pytest.mark.parametrize("name", ["track.png", "track"])
+def test_draws_a_bag_into_the_file_of_this_name(draw, bag, tmp_path, name):
     bag.close()
-    assert draw(bag) is None
-    assert (tmp_path / "track.png").read_bytes()[:4] == b"\x89PNG"
+    assert draw(bag, png=name) is None
+    assert (tmp_path / name).read_bytes()[:4] == b"\x89PNG"
+    assert sorted(os.listdir(tmp_path)) == ["drive.bag", name]
 
 
 @pytest.mark.parametrize("robot, odom", [("", "/odom"), ("green", "/green/odom")])
@@ -45,6 +47,12 @@ def test_no_odometry_of_this_robot(draw, bag, robot, odom):
     bag.write("odom", Twist())
     bag.close()
     assert draw(bag, robot) == f"{bag.filename} holds no nav_msgs/Odometry on {odom}. Another robot's: --robot NAME"
+
+
+def test_a_robot_of_an_impossible_name(draw, bag, capsys):
+    bag.close()
+    assert draw(bag, "\x1b]0;owned\x07") == 2
+    assert "argument --robot: invalid robot value" in capsys.readouterr().err
 
 
 def test_recording_cut_short(draw, bag):
@@ -62,7 +70,7 @@ def odd(request, bag, tmp_path):
     file.unlink()
     {"fifo": lambda: os.mkfifo(file), "folder": file.mkdir, "text": lambda: file.write_text("\x1b[2J"),
      "sparse": lambda: file.touch() or os.truncate(file, 50 * 10**9),
-     "damaged": lambda: file.write_bytes(content.replace(b"topic=red/odom", b"topix=red/odom"))}[request.param]()
+     "damaged": lambda: file.write_bytes(content.replace(b"conn=\0\0\0\0\r", b"conn=\0\0\0\7\r"))}[request.param]()
     return bag
 
 

@@ -37,7 +37,7 @@ def in_child(action):
 
 
 def during(action, observe):
-    """Return what ``observe`` returns before and after each call of a function in C: what a kill there leaves behind."""
+    """Return what ``observe`` returns around each call of a function in C: what a kill there leaves behind."""
     seen = []
 
     def profile(frame, event, function):

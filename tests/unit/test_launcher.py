@@ -1,14 +1,17 @@
 """A node ends with the roslaunch that started it, also one that was killed early, and knows a suspended terminal."""
 
 import contextlib
+import errno
 import os
 import signal
 import subprocess
 import sys
+from unittest.mock import Mock
 
 import pytest
 
 from conftest import SOURCE
+from jetbot.errors import OutOfResources
 from jetbot_ros import launcher
 
 CHILD = """
@@ -114,3 +117,9 @@ def test_without_proc_only_the_end_of_the_parent_is_known(monkeypatch):
     alone = launcher.Launcher(parent=os.getppid(), launched=True)
     assert (alone.ended, alone.suspended) == (False, False)
     assert launcher.Launcher(parent=os.getppid() + 1, launched=True).ended
+
+
+def test_a_lack_of_file_descriptors_is_not_taken_for_an_absent_proc(monkeypatch):
+    monkeypatch.setattr("builtins.open", Mock(side_effect=OSError(errno.EMFILE, "Too many open files")))
+    with pytest.raises(OutOfResources):
+        launcher.ancestors()

@@ -180,6 +180,14 @@ def test_what_cannot_be_retried_ends_the_thread_with_the_wheels_stopped(supervis
     assert wheel_speeds(folder) == STOPPED
 
 
+def test_a_failure_of_another_thread_ends_it_with_the_wheels_stopped(supervisor, folder):
+    go(supervisor)
+    supervisor.fail(JetbotError("out of file descriptors"))
+    with pytest.raises(JetbotError, match="Out of file descriptors"):
+        supervisor.run(lambda: False)
+    assert wheel_speeds(folder) == STOPPED
+
+
 def test_a_turn_that_is_cut_off_is_reported(supervisor, robot, statuses, monkeypatch):
     monkeypatch.setattr(type(robot), "at_full_power", True)
     go(supervisor)
@@ -188,7 +196,7 @@ def test_a_turn_that_is_cut_off_is_reported(supervisor, robot, statuses, monkeyp
 
 def test_a_board_that_fails_now_and_then_is_reported(supervisor, folder, statuses):
     go(supervisor)
-    for moment in (0.2, 0.7):
+    for moment in (0.3, 0.7):
         (folder / "0x60").unlink()
         supervisor.step(moment, commanded=True)
         power_on(folder)

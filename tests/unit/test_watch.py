@@ -4,6 +4,7 @@ from unittest.mock import Mock
 
 import pytest
 
+from jetbot import JetbotError
 from jetbot_ros import watch
 from jetbot_ros.safety import NO_MASTER, SUSPENDED, State
 from jetbot_ros.watch import ASK_INTERVAL, POLL_INTERVAL, MasterWatch, check, repeat
@@ -112,3 +113,9 @@ def test_a_watch_that_fails_ends_the_node(supervisor):
     supervisor.end.assert_called()
     supervisor.closed = True
     repeat(supervisor, lambda: pytest.fail("the node has ended"))
+
+
+def test_what_a_user_can_fix_ends_the_node_with_its_sentence(supervisor):
+    failure = JetbotError("out of file descriptors")
+    watch.repeat(supervisor, Mock(side_effect=failure))
+    supervisor.fail.assert_called_once_with(failure)

@@ -6,6 +6,7 @@ import os
 import sys
 
 import rosbag
+import rosgraph
 import rospy
 
 from jetbot import files
@@ -24,6 +25,13 @@ def duration(text: str) -> float:
     return float(text)
 
 
+def robot(text: str) -> str:
+    """Return the namespace of a robot without its slashes; raise ValueError for one that ROS does not take."""
+    if not rosgraph.names.is_legal_name(text):
+        raise ValueError
+    return text.strip("/")
+
+
 def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("png", nargs="?", default="track.png")
@@ -31,14 +39,14 @@ def parse_arguments() -> argparse.Namespace:
     source.add_argument("--bag", help="a rosbag with odom and cmd_vel")
     source.add_argument("--seconds", type=duration, default=20,
                         help=f"how long to record the robot that drives now, {MAX_SECONDS} at most (default: 20)")
-    parser.add_argument("--robot", default="", help="the robot's namespace")
+    parser.add_argument("--robot", type=robot, default="", help="the robot's namespace")
     return parser.parse_args(rospy.myargv()[1:])
 
 
 def main() -> None:
     given = parse_arguments()
     files.check_writable(given.png)
-    odom, cmd_vel = (os.path.join("/", given.robot.strip("/"), name) for name in ("odom", "cmd_vel"))
+    odom, cmd_vel = (os.path.join("/", given.robot, name) for name in ("odom", "cmd_vel"))
     if given.bag:
         recording = read_bag(given.bag, odom, cmd_vel)
         missing = f"{given.bag} holds no nav_msgs/Odometry on {odom}. Another robot's: --robot NAME"

@@ -9,6 +9,8 @@ import contextlib
 import sys
 from typing import List, NamedTuple
 
+from jetbot.errors import EXHAUSTED, OutOfResources
+
 LAUNCHED = any(argument.startswith("__log:=") for argument in sys.argv)  # roslaunch adds this argument
 
 STOPPED = "T"  # a state of proc(5): by SIGSTOP or Ctrl-Z, not by a debugger
@@ -61,14 +63,20 @@ def has_terminal() -> bool:
 
 
 def ancestors() -> List[Process]:
-    """Return the processes above this one, the parent first, as far as this user can read them."""
+    """Return the processes above this one, the parent first, as far as this user can read them.
+
+    Raise OutOfResources without a file descriptor: then no emergency stop could connect either.
+    """
     chain, pid = [], os.getppid()
-    with contextlib.suppress(OSError):  # it has just ended, or there is no /proc
+    try:
         while pid:
             with open(f"/proc/{pid}/stat", "rb", buffering=0) as stat:
                 state, parent = stat.read().rpartition(b")")[2].split()[:2]
             chain.append(Process(pid, state.decode()))
             pid = int(parent)
+    except OSError as error:  # it has just ended, or there is no /proc
+        if error.errno in EXHAUSTED:
+            raise OutOfResources(error) from None
     return chain
 
 

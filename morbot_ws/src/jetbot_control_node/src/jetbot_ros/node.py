@@ -5,6 +5,7 @@ import re
 import signal
 import sys
 import threading
+import time
 from typing import Callable, Dict, List
 
 import rosgraph
@@ -72,8 +73,9 @@ def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, supervisor.end)
     watch.start(supervisor, watch.MasterWatch(is_registered, register))
-    failures = []
-    thread = threading.Thread(target=supervise, args=[supervisor, report, failures])
+    failures, ended = [], threading.Event()
+    threading.Thread(target=give_up, args=[ended], daemon=True).start()  # now: at the end, no thread may be left
+    thread = threading.Thread(target=supervise, args=[supervisor, report, failures, ended])
     thread.start()
     try:
         report.spin(supervisor, robot.driver.link)
@@ -85,18 +87,23 @@ def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
     return 0 if supervisor.closed else 1
 
 
-def supervise(supervisor: Supervisor, report: Report, failures: List[JetbotError]) -> None:
+def supervise(supervisor: Supervisor, report: Report, failures: List[JetbotError], ended: threading.Event) -> None:
     """Drive until the node ends, then end it; note what went wrong, but log nothing: the terminal may block."""
     try:
         supervisor.run(rospy.is_shutdown)
     except JetbotError as failure:
         failures.append(failure)
     finally:
-        give_up = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # if the master or the terminal hangs
-        give_up.daemon = True
-        give_up.start()
+        ended.set()
         report.end()
         rospy.signal_shutdown("the robot is stopped")
+
+
+def give_up(ended: threading.Event) -> None:
+    """End the process some time after the robot's end, if the master or the terminal hangs."""
+    ended.wait()
+    time.sleep(SHUTDOWN_TIMEOUT)
+    os._exit(1)
 
 
 def main(start: Callable[[], int]) -> None:

@@ -37,7 +37,7 @@ class Supervisor:
         self.closed = False
         self._lock = threading.Lock()  # held while ``state`` is replaced, never during a transfer
         self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
-        self._ending = False
+        self._ending, self._failure = False, None
         self._status = None
         self._fed_at = self._verified_at = self._stepped_at = float("-inf")
         self._commanders, self._disturbances = Commanders(), Disturbances()
@@ -66,6 +66,11 @@ class Supervisor:
         """Accept that the program of this name has answered a question that was asked at ``asked_at``."""
         self._change(State.confirm, name, asked_at)
 
+    def fail(self, failure: JetbotError) -> None:
+        """Make ``run`` end soon, and raise this."""
+        self._failure = failure
+        self.end()
+
     def end(self, *_) -> None:
         """Make ``run`` end soon; may be a signal handler."""
         self._ending = True
@@ -77,6 +82,8 @@ class Supervisor:
             commanded = False
             while not (self._ending or is_over()):
                 commanded = self._sleep(self.step(time.monotonic(), commanded))
+            if self._failure:
+                raise self._failure
         finally:
             with contextlib.suppress(JetbotError):  # the guard reports it, and keeps trying
                 self._robot.close()

@@ -4,6 +4,8 @@ import threading
 import time
 from typing import Callable
 
+from jetbot import JetbotError
+
 from .launcher import Launcher
 from .safety import NO_MASTER, SUSPENDED, Hold
 from .supervisor import Supervisor
@@ -77,5 +79,7 @@ def repeat(supervisor: Supervisor, action: Callable[[], float]) -> None:
     try:
         while not supervisor.closed:
             time.sleep(action())
+    except JetbotError as failure:
+        supervisor.fail(failure)
     finally:
         supervisor.end()
