@@ -172,17 +172,12 @@ def test_without_a_guard_nothing_turns(supervisor, robot, folder, statuses, monk
     assert statuses == ["stopped: the guard, which stops the wheels if this program dies, is not running, trying again"]
 
 
-def test_what_cannot_be_retried_ends_the_thread_with_the_wheels_stopped(supervisor, robot, folder, monkeypatch):
+@pytest.mark.parametrize("fail", [
+    lambda supervisor, error: setattr(supervisor._robot, "verify", Mock(side_effect=error)), Supervisor.fail],
+    ids=["its own thread", "another thread"])
+def test_what_cannot_be_retried_ends_the_thread_with_the_wheels_stopped(supervisor, folder, fail):
     go(supervisor)
-    monkeypatch.setattr(robot, "verify", Mock(side_effect=JetbotError("out of file descriptors")))
-    with pytest.raises(JetbotError, match="Out of file descriptors"):
-        supervisor.run(lambda: False)
-    assert wheel_speeds(folder) == STOPPED
-
-
-def test_a_failure_of_another_thread_ends_it_with_the_wheels_stopped(supervisor, folder):
-    go(supervisor)
-    supervisor.fail(JetbotError("out of file descriptors"))
+    fail(supervisor, JetbotError("out of file descriptors"))
     with pytest.raises(JetbotError, match="Out of file descriptors"):
         supervisor.run(lambda: False)
     assert wheel_speeds(folder) == STOPPED
