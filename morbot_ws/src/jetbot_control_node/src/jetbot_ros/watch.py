@@ -75,7 +75,7 @@ def set_hold(supervisor: Supervisor, hold: Hold, engaged: bool) -> None:
 
 
 def repeat(supervisor: Supervisor, action: Callable[[], float]) -> None:
-    """Call the action until the supervisor has ended, with the pauses that it returns; if it fails, the robot does not drive without it."""
+    """Call the action, with the pauses it returns, until the supervisor has ended; end that if the action fails."""
     try:
         while not supervisor.closed:
             time.sleep(action())
