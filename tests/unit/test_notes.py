@@ -1,6 +1,7 @@
 """What the status reports beside "driving"."""
 
 from jetbot_ros.notes import NOTE_FOR, RIVALS_WITHIN, Commanders, Disturbances
+from jetbot_ros.safety import Sender
 
 NONE = {"resets": 0, "overwritten": 0, "faults": 0}
 
@@ -8,7 +9,7 @@ NONE = {"resets": 0, "overwritten": 0, "faults": 0}
 def commanded_by(*names):
     commanders = Commanders()
     for name in names:
-        commanders.record(name, now=0.0)
+        commanders.record(Sender(name), now=0.0)
     return commanders
 
 
@@ -19,8 +20,16 @@ def test_one_program_is_no_news():
 def test_two_programs_are_both_named_while_both_send():
     commanders = commanded_by("/teleop", "/circle")
     assert commanders.note({"/teleop", "/circle"}, now=0.1) == "2 programs command it: /circle and /teleop"
-    commanders.record("/circle", now=1.0)
+    commanders.record(Sender("/circle"), now=1.0)
     assert commanders.note({"/teleop", "/circle"}, now=RIVALS_WITHIN) is None
+
+
+def test_a_standing_order_counts_until_its_program_ends():
+    commanders = commanded_by("/teleop")
+    commanders.record(Sender("/order", latched=True), now=0.0)
+    commanders.record(Sender("/teleop"), now=60.0)
+    assert commanders.note({"/teleop", "/order"}, now=60.1) == "2 programs command it: /order and /teleop"
+    assert commanders.note({"/teleop"}, now=60.2) is None
 
 
 def test_a_program_that_has_ended_is_not_named():

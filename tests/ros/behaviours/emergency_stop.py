@@ -1,8 +1,12 @@
 """An emergency stop holds every robot, also one started later, until it is released and a new command arrives."""
 
+import os
+import signal
+
 import rospy
 
-from harness import RobotTest
+from harness import START_TIMEOUT, RobotTest
+from jetbot_lessons.graph import snapshot
 
 
 class EmergencyStop(RobotTest):
@@ -38,3 +42,12 @@ class EmergencyStop(RobotTest):
         self.addCleanup(commands.shutdown)
         self.controller()
         self.wheels_stay(0, 0, for_seconds=1.0)
+
+    def test_an_older_release_that_arrives_late_does_not_free_a_joining_robot(self):
+        release = self.start("rostopic", "pub", "/emergency_stop", "std_msgs/Bool", "false")
+        self.wait_for(lambda: len(snapshot().publishers["/emergency_stop"]) == 2, START_TIMEOUT, "the release")
+        self.emergency_stop(True)
+        os.killpg(release.pid, signal.SIGSTOP)
+        self.controller()
+        os.killpg(release.pid, signal.SIGCONT)
+        self.commands_are_ignored(for_seconds=1.5)

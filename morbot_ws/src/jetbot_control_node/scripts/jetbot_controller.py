@@ -39,10 +39,10 @@ class JetBotController:
         self.commanders.keep_asking(self.supervisor)
 
         # Subscribe to the topics and define the callback functions; an earlier emergency stop comes before any command
-        emergency_stops = Publishers("/emergency_stop")
+        self.stops = Publishers("/emergency_stop")
         rospy.Subscriber("/emergency_stop", Bool, self.emergency_stop_callback, queue_size=1, tcp_nodelay=True)
-        for msg in emergency_stops.wait_for_latched():
-            self.emergency_stop_callback(msg)
+        if any(msg.data for msg in self.stops.wait_for_latched()):
+            self.supervisor.hold(EMERGENCY_STOP, True)
         rospy.Subscriber("cmd_vel", Twist, self.cmd_vel_callback, queue_size=1, tcp_nodelay=True)
 
     def cmd_vel_callback(self, msg):
@@ -50,7 +50,10 @@ class JetBotController:
         self.supervisor.command(msg.linear.x, msg.angular.z, self.commanders.sender(msg))
 
     def emergency_stop_callback(self, msg):
-        self.supervisor.hold(EMERGENCY_STOP, msg.data)
+        # A release from before this node's start, which its publisher has latched, ends no emergency stop
+        old = self.stops.sender(msg).old
+        if msg.data or not old:
+            self.supervisor.hold(EMERGENCY_STOP, msg.data)
 
     def drive(self, linear_x, angular_z):
         # Calculate wheel speeds: left = x - z, right = x + z, unless the parameters give other units

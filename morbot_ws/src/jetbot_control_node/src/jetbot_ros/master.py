@@ -37,7 +37,7 @@ def require_name(name: str) -> None:
     """
     condition = condition_of(name)
     if condition:
-        sys.exit(f"The node {name} {condition}. End it first, with Ctrl-C in its terminal, or: rosnode kill {name}")
+        sys.exit(f"The node {name} {condition}. End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C.")
 
 
 def condition_of(name: str) -> Optional[str]:

@@ -1,6 +1,9 @@
 """What the status reports beside "driving": programs that contradict each other, and what costs motion."""
 
+import math
 from typing import Collection, Dict, List, Optional
+
+from .safety import Sender
 
 RIVALS_WITHIN = 1.5  # s between commands of two programs that contradict each other
 NOTE_FOR = 3.0       # s that a disturbance of the board is reported
@@ -20,9 +23,9 @@ class Commanders:
     def __init__(self):
         self._commanded_at: Dict[str, float] = {}
 
-    def record(self, name: str, now: float) -> None:
-        """A program has sent a command."""
-        self._commanded_at[name] = now
+    def record(self, sender: Sender, now: float) -> None:
+        """A program has sent a command; a latched one counts as long as the program runs."""
+        self._commanded_at[sender.name] = math.inf if sender.latched else now
 
     def note(self, senders: Collection[str], now: float) -> Optional[str]:
         """Return a sentence if more than one of these programs commands the robot, else None."""

@@ -7,6 +7,7 @@ import time
 from typing import Callable, Collection, Dict, Tuple
 
 from jetbot import BusError, JetbotError, Robot
+from jetbot.wait import wait_until
 
 from .notes import FULL_POWER, Commanders, Disturbances
 from .safety import STOPPED, Hold, Sender, State
@@ -17,6 +18,8 @@ RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried aga
 VERIFY_AFTER_COMMAND = 0.1   # s between two verifications right after a command, when the next is not due soon
 VERIFY_IDLE = 0.3            # s between two verifications at any other moment
 FREEZE = 0.8                 # s between two steps after which this program was frozen, and with it its questions
+
+GUARD_START_TIMEOUT = 5.0    # s until a guard that does not start is reported
 
 NO_GUARD = JetbotError("the guard, which stops the wheels if this program dies, is not running")
 
@@ -53,7 +56,7 @@ class Supervisor:
         """Accept a command: m/s forward and rad/s to the left."""
         now = time.monotonic()
         if not sender.old:
-            self._commanders.record(sender.name, now)
+            self._commanders.record(sender, now)
         self._change(State.command, linear, angular, sender, now)
         self._wake()
 
@@ -79,6 +82,7 @@ class Supervisor:
     def run(self, is_over: Callable[[], bool]) -> None:
         """Drive until ``end`` or ``is_over``, then close the robot. Raise JetbotError for what cannot be retried."""
         try:
+            wait_until(lambda: self._robot.guarded or self._ending or is_over(), GUARD_START_TIMEOUT)
             commanded = False
             while not (self._ending or is_over()):
                 commanded = self._sleep(self.step(time.monotonic(), commanded))
