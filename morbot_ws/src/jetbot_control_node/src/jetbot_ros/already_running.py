@@ -7,9 +7,10 @@ Else it prints nothing, so that the parameter is "", like one that is not given.
 import argparse
 import os
 import signal
-import socket
 import sys
 from typing import List
+
+from .addresses import is_reachable, master_uri
 
 LISTING = {"--nodes", "--files", "--args", "--find-node", "--dump-params"}  # options of a roslaunch that starts nothing
 
@@ -20,7 +21,7 @@ def main(namespace: str = "") -> None:
     if not words or LISTING.intersection(words):
         return
     set_master(words)
-    if not master_listens():
+    if not is_reachable(master_uri()):  # without a master, no node runs
         return
     from .master import require_master, require_name  # here: they take longer to import than all the rest
     parts = (os.environ.get("ROS_NAMESPACE", ""), namespace, "jetbot_controller")
@@ -50,16 +51,6 @@ def set_master(words: List[str]) -> None:
     port = parser.parse_known_args(words)[0].port
     if port:
         os.environ["ROS_MASTER_URI"] = f"http://localhost:{port}"
-
-
-def master_listens() -> bool:
-    """Return whether there may be a ROS master; without one, no node runs."""
-    host, _, port = os.environ.get("ROS_MASTER_URI", "").rstrip("/").rpartition("/")[2].rpartition(":")
-    try:
-        socket.create_connection((host or "localhost", int(port or 11311))).close()
-    except (OSError, ValueError):
-        return False
-    return True
 
 
 if __name__ == "__main__":

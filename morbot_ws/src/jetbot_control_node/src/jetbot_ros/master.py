@@ -1,22 +1,15 @@
 """What a program asks the ROS master when it starts, with a time limit: rospy would wait forever."""
 
-import os
 import socket
 import sys
 from typing import Optional
-from urllib.parse import urlsplit
 
+from .addresses import is_reachable, master_uri
 from .xmlrpc import NO_ANSWER, proxy
 
 TIMEOUT = 5.0  # s for an answer
 CALLER = "/jetbot_start"
 ALIVE, FROZEN = "is already running", "is already running, but frozen (Ctrl-Z?)"
-
-
-def master_uri() -> str:
-    """Return the master's address."""
-    typed = [argument.partition(":=")[2] for argument in sys.argv if argument.startswith("__master:=")]
-    return (typed or [os.environ.get("ROS_MASTER_URI")])[0] or "http://localhost:11311"
 
 
 def require_master() -> None:
@@ -54,13 +47,3 @@ def condition_at(uri: str, name: str) -> Optional[str]:
         return FROZEN
     except NO_ANSWER:
         return None
-
-
-def is_reachable(uri: str) -> bool:
-    """Return whether a process, which may be frozen, listens at this address."""
-    try:
-        address = urlsplit(uri)
-        socket.create_connection((address.hostname, address.port), TIMEOUT).close()
-    except (OSError, ValueError):
-        return False
-    return True

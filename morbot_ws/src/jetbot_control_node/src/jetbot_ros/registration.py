@@ -8,7 +8,8 @@ from rospy.impl.registration import (
     get_topic_manager,
 )
 
-from .master import condition_of, master_uri
+from .addresses import master_uri
+from .master import condition_of
 from .xmlrpc import proxy
 
 TIMEOUT = 2.0  # s for an answer; the robot is stopped before
