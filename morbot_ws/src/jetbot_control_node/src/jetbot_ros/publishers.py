@@ -43,9 +43,8 @@ class Publishers:
         interruption of its connection.
         """
         header = message._connection_header
-        if id(header) not in self._senders:
-            return self._first(header)
-        return self._senders[id(header)][1]
+        _, sender = self._senders.get(id(header), (header, None))
+        return sender or self._first(header)
 
     def wait_for_latched(self) -> List[Any]:
         """Return the latched messages of the programs that were there before; wait a second for them at most."""
@@ -92,8 +91,9 @@ class Publishers:
         sender = Sender(shown(header.get("callerid", "")), latched)
         old = latched and address in self._known
         self._known.add(address)
-        self._senders = {id(each): (each, kept) for each, kept in self._senders.values()
-                         if any(connection.header is each for connection in self._connections())}
+        # In place: other connections' threads do the same. Connections second: none is missing that has a sender.
+        for ended in set(self._senders) - {id(each.header) for each in self._connections()}:
+            self._senders.pop(ended, None)
         self._senders[id(header)] = header, sender
         return sender._replace(old=old)
 
