@@ -25,7 +25,6 @@ FULL_DUTY = 4096
 OSCILLATOR_START = 0.0005  # s
 
 REGISTERS = 256
-BLOCK = 32              # bytes: the most that one SMBus transfer carries
 OVERHEAD = 2            # bytes, address and register, before the data of a transfer
 MAX_TRANSFERS = 3       # of a change of duties alone
 MAX_BITS = 160          # on the wire, of such a change: nine per byte, and two per transfer for START and STOP
@@ -38,7 +37,8 @@ SET_UP = ((MODE1, MODE1_SLEEP), *enumerate(OFF, ALL_LED_ON_L), (PRE_SCALE, PRESC
 class PCA9685:
     """Writes only the registers that changed, and verifies what the chip holds block by block.
 
-    spans: ranges of up to 8 outputs; the outputs of a span switch on and off together.
+    spans: ranges of up to 8 outputs, 32 bytes, the most that one SMBus transfer carries; the outputs of a span switch
+    on and off together.
     resets, overwritten: as in MotorDriver.
     Nothing is sent before ``start`` or the first ``set_outputs``. Every method may raise BusError.
     """
