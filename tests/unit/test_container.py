@@ -47,7 +47,7 @@ def test_image_has_all_that_the_nodes_need():
 
 def installed():
     """Return the packages that ./morbot installs in the image `run`."""
-    return set(re.search(r'^run_packages="(.*?)"', (ROOT / "morbot").read_text(), re.M | re.S)[1].split())
+    return set(re.search(r'^run_packages="(.*?)"', (ROOT / "setup/install.sh").read_text(), re.M | re.S)[1].split())
 
 
 def debian_name(depend):
