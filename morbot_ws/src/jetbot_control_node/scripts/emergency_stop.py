@@ -65,9 +65,12 @@ def after(seconds: float, action, *arguments) -> threading.Timer:
 
 def stop(engaged: bool) -> bool:
     """Stop or free all robots, and print a line for each; return whether there are some, and all have confirmed."""
-    import rospy  # here: it takes long to import
+    try:
+        import rospy  # here: it takes long to import
 
-    from jetbot_ros.fleet import Fleet
+        from jetbot_ros.fleet import Fleet
+    except ImportError as error:
+        sys.exit(f"{error}. First run: ./morbot setup")
     rospy.init_node("emergency_stop", anonymous=True, disable_rosout=True, disable_signals=True)
     fleet = Fleet(engaged)
     if not fleet.wait(CONFIRM_TIMEOUT):
