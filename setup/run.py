@@ -9,13 +9,13 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; roslaunch handles it later
 
+import contextlib
 import re
 import socket
 import sys
-from typing import List, Optional
+import threading
+from typing import Iterator, List, Optional
 from urllib.parse import urlsplit
-
-import rosgraph.network
 
 from jetbot.text import printable
 from jetbot_ros.addresses import is_reachable, master_uri
@@ -51,6 +51,7 @@ def master_problem(port: str) -> Optional[str]:
     if not host:
         return f"morbot: ROS_MASTER_URI must look like http://localhost:11311, not {uri}"
     if not is_reachable(uri):
+        import rosgraph.network
         return None if rosgraph.network.is_local_address(host) else (
             f"morbot: no ROS master at {uri}. Start roscore on that computer; or to drive on this one: "
             "unset ROS_MASTER_URI")
@@ -76,6 +77,17 @@ def fatal_line(process) -> Optional[str]:
     return lines[-1] if lines else None
 
 
+@contextlib.contextmanager
+def ctrl_c_for_this_process_only() -> Iterator[None]:
+    """Ctrl-C ends this process; a command that it runs meanwhile inherits a blocked SIGINT, and prints no traceback."""
+    threading.Thread(target=threading.Event().wait, daemon=True).start()  # does not block it
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+
+
 def launch(words: List[str]) -> int:
     """Run roslaunch; return its exit code, 1 if a node that must run has failed."""
     import roslaunch.parent
@@ -94,6 +106,10 @@ def launch(words: List[str]) -> int:
                 self._monitor.shutdown()
 
     class Parent(roslaunch.parent.ROSLaunchParent):
+        def _load_config(self):
+            with ctrl_c_for_this_process_only():
+                super()._load_config()
+
         def _start_pm(self):
             super()._start_pm()
             self.pm.add_process_listener(Failures(self.pm))  # before any process starts

@@ -4,8 +4,12 @@ A launch file makes ``python3 -m jetbot_ros.prelaunch [NAMESPACE]`` the command 
 it while it loads the file. It prints nothing on stdout: the parameter is "", like one that is not given.
 """
 
-import os
+# ruff: noqa: E402
 import signal
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C reaches this process too, and simply ends it
+
+import os
 import sys
 
 from .addresses import is_reachable, master_uri

@@ -6,6 +6,7 @@ import signal
 import sys
 from typing import List, NamedTuple, NoReturn
 
+PARENT = os.getppid()
 LISTING = {"--nodes", "--files", "--args", "--find-node", "--dump-params", "--ros-args"}  # nothing is started
 WITH_VALUE = ("--pid", "-w", "--numworkers", "-t", "--timeout", "--master-logger-level", "--sigint-timeout",
               "--sigterm-timeout", "--run_id")
@@ -37,7 +38,7 @@ def parse(words: List[str]) -> Command:
 def of_parent() -> List[str]:
     """Return the words after ``roslaunch`` of the parent process; nothing if it starts no node, or /proc hides it."""
     try:
-        with open(f"/proc/{os.getppid()}/cmdline", errors="surrogateescape") as cmdline:
+        with open(f"/proc/{PARENT}/cmdline", errors="surrogateescape") as cmdline:
             words = cmdline.read().split("\0")[:-1]
     except OSError:
         return []
@@ -52,5 +53,6 @@ def refuse(sentence: object) -> NoReturn:
     """
     from jetbot.text import printable  # here: nearly every start does without
     print(printable(sentence), file=sys.stderr, flush=True)
-    os.kill(os.getppid(), signal.SIGTERM)
+    if os.getppid() == PARENT:  # else it has ended meanwhile, and another program is the parent
+        os.kill(PARENT, signal.SIGTERM)
     sys.exit(1)
