@@ -30,12 +30,6 @@ def test_a_given_value_counts_and_an_empty_one_is_not_given():
     assert checked({"max_speed": 2, "min_duty": ""}) == {**checked({}), "max_speed": 2}
 
 
-@pytest.mark.parametrize("values", [5, ["board"], "jetbot"])
-def test_what_has_no_names(values):
-    with pytest.raises(InvalidValue, match="^The parameters must have names, and not be "):
-        resolve(values)
-
-
 def test_a_mistyped_name():
     with pytest.raises(InvalidValue, match="^There is no parameter max_sped. The parameters are board, i2c_bus, "):
         checked({"max_sped": 2})

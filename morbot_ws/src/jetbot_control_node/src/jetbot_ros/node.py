@@ -16,9 +16,10 @@ from jetbot.boards import find_board
 from jetbot.lock import lock_board
 
 from . import watch
+from .command_line import private_parameters, public_words
 from .master import require_master, require_name
 from .network import bound_headers, stay_on_this_host
-from .parameters import resolve
+from .parameters import PARAMETERS, resolve
 from .registration import is_registered, register
 from .report import Report
 from .supervisor import Supervisor
@@ -36,7 +37,7 @@ def init_node(name: str) -> None:
     stay_on_this_host()
     bound_headers()
     # rospy's own signal handlers talk to the master before anything stops, and wait forever if that hangs.
-    rospy.init_node(name, disable_signals=True)
+    rospy.init_node(name, argv=public_words(), disable_signals=True)
     namespace = rospy.get_namespace()
     if not re.fullmatch(r"/([A-Za-z]\w*/)*", namespace, re.ASCII):  # ROS's programs in C++ refuse any other
         raise InvalidValue(f"a robot cannot be named {namespace.strip('/')}",
@@ -45,7 +46,7 @@ def init_node(name: str) -> None:
 
 def read_parameters() -> Dict[str, object]:
     """Return the node's parameters: typed ones, then those of the file, then the defaults. Raise InvalidValue."""
-    return resolve(rospy.get_param("~", {}))
+    return resolve(private_parameters(rospy.get_param("~", {}), [*PARAMETERS, "config"]))
 
 
 def make_robot(parameters: Dict[str, object]) -> Robot:

@@ -115,13 +115,7 @@ def checked(values: Dict[str, object], parameters: Dict[str, Parameter] = PARAME
 
 
 def given(values: Dict[str, object]) -> Dict[str, object]:
-    """Return the values without those that are "", as a launch file passes on what was not typed.
-
-    Raises InvalidValue for what the master may hold in their place.
-    """
-    if not isinstance(values, dict):
-        raise InvalidValue(f"the parameters must have names, and not be {literal(values)}",
-                           "Remove that: rosparam delete NODE")
+    """Return the values without those that are "", as a launch file passes on what was not typed."""
     return {name: value for name, value in values.items() if value != ""}
 
 

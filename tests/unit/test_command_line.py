@@ -1,0 +1,46 @@
+"""What is typed after a node's name: it wins over what the master holds, and is never put there."""
+
+import sys
+
+import pytest
+
+from jetbot import InvalidValue
+from jetbot_ros.command_line import kept, parse, private_parameters, public_words
+
+NAMES = ["board", "i2c_bus"]
+
+
+@pytest.mark.parametrize("word, parameters", [
+    ("_i2c_bus:=fake", {"i2c_bus": "fake"}), ("_i2c_bus:=fake:/tmp/x", {"i2c_bus": "fake:/tmp/x"}),
+    ("_i2c_bus:=7", {"i2c_bus": 7}), ("_swap:=yes", {"swap": True}), ("_a:=b:=c", {"a": "b:=c"}), ("_board:=", {}),
+    ("__ns:=red", {}), ("__log:=/tmp/log", {}), ("cmd_vel:=/red/cmd_vel", {}), ("/a:=/b", {})])
+def test_a_word_of_the_command_line(word, parameters):
+    assert parse(word, NAMES) == parameters
+
+
+@pytest.mark.parametrize("word, sentence", [
+    ("i2c_bus:=fake", "The node does not understand i2c_bus:=fake. Type it as _i2c_bus:=fake"),
+    ("_i2c_bus=fake", "The node does not understand _i2c_bus=fake. Type it as _i2c_bus:=fake"),
+    ("--i2c-bus=fake", "The node does not understand --i2c-bus=fake. Type it as _i2c_bus:=fake"),
+    ("--board", "The node does not understand --board. Type it as _board:=VALUE"),
+    ("fake", "The node does not understand fake. Type it as _NAME:=VALUE"),
+    ("_board:=[", "The value in _board:=[ cannot be read."),
+    ("_board:=" + "[" * 9000, f"The value in _board:={'[' * 979}....")])
+def test_a_mistyped_word_is_refused(word, sentence):
+    with pytest.raises(InvalidValue) as error:
+        parse(word, NAMES)
+    assert str(error.value) == sentence
+
+
+def test_what_is_typed_wins_over_the_master_and_does_not_go_there(monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["node.py", "_board:=sparkfun", "__ns:=red"])
+    assert private_parameters({"board": "adafruit", "i2c_bus": 1}, NAMES) == {"board": "sparkfun", "i2c_bus": 1}
+    assert public_words() == ["node.py", "__ns:=red"]
+
+
+@pytest.mark.parametrize("on_master, launched, parameters", [
+    ({"board": "sparkfun", "i2c_bus": ""}, True, {"board": "sparkfun", "i2c_bus": ""}),
+    ({"board": "sparkfun", "i2c_bus": ""}, False, {}), ({"board": "sparkfun"}, False, {"board": "sparkfun"}),
+    (5, False, {}), ([""], True, {})])
+def test_what_an_earlier_roslaunch_left_on_the_master_does_not_count(on_master, launched, parameters):
+    assert kept(on_master, launched) == parameters
