@@ -5,6 +5,8 @@ import sys
 import pytest
 
 from jetbot import InvalidValue
+from jetbot.errors import NotFound
+from jetbot_ros import command_line
 from jetbot_ros.command_line import kept, parse, private_parameters, public_words
 
 NAMES = ["board", "i2c_bus"]
@@ -44,3 +46,9 @@ def test_what_is_typed_wins_over_the_master_and_does_not_go_there(monkeypatch):
     (5, False, {}), ([""], True, {})])
 def test_what_an_earlier_roslaunch_left_on_the_master_does_not_count(on_master, launched, parameters):
     assert kept(on_master, launched) == parameters
+
+
+@pytest.mark.parametrize("launched, advice", [(False, "add: _i2c_bus:=fake"), (True, "add: i2c_bus:=fake")])
+def test_advice_is_what_its_reader_can_type(monkeypatch, launched, advice):
+    monkeypatch.setattr(command_line, "LAUNCHED", launched)
+    assert NotFound("no bus", option="i2c_bus").text(command_line.as_typed) == f"No bus. Without a robot, {advice}"

@@ -51,8 +51,8 @@ def bus_advice() -> str:
     """Return which buses this computer has, and which one to use."""
     existing = ", ".join(f"/dev/i2c-{bus}" for bus in buses()) or "no /dev/i2c-* at all"
     usual = robot_bus(model())
-    hint = f" On a {model()} the motors are on bus {usual}: i2c_bus:={usual}." if usual is not None else ""
-    return f"This computer has {existing}.{hint} Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."
+    hint = f" On a {model()} the motors are on i2c_bus {usual}." if usual is not None else ""
+    return f"This computer has {existing}.{hint}"
 
 
 def is_loopback(host: object) -> bool:

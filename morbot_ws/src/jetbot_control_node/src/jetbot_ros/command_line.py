@@ -29,6 +29,11 @@ def private_parameters(on_master: object, known: Collection[str]) -> Dict[str, o
     return {**kept(on_master, LAUNCHED), **typed}
 
 
+def as_typed(name: str) -> str:
+    """Return how this node is given "fake" for a parameter: a launch argument, or a word after its name."""
+    return f"add: {name}:=fake" if LAUNCHED else f"add: _{name}:=fake"
+
+
 def parse(word: str, known: Collection[str]) -> Dict[str, object]:
     """Return the parameter in a word such as _board:=sparkfun; nothing for a word of rospy's, such as __ns:=red."""
     name, separator, text = word.partition(":=")

@@ -16,7 +16,7 @@ from jetbot.boards import find_board
 from jetbot.lock import lock_board
 
 from . import watch
-from .command_line import private_parameters, public_words
+from .command_line import as_typed, private_parameters, public_words
 from .master import require_master, require_name
 from .network import bound_headers, stay_on_this_host
 from .parameters import PARAMETERS, resolve
@@ -112,7 +112,7 @@ def main(start: Callable[[], int]) -> None:
     try:
         sys.exit(start())
     except JetbotError as error:
-        rospy.logfatal(error)
+        rospy.logfatal(error.text(as_typed))
         sys.exit(1)
     except OSError:
         require_master()  # it may have ended meanwhile
