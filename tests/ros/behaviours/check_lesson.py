@@ -50,15 +50,15 @@ class CheckLesson(RobotTest):
         self.idle_controller()
         self.emergency_stop(True)
         self.assert_problem(3, "The wheels do not follow the command: at x 0.3 they turn at 0.00 and 0.00, "
-                               "and the controller reports 'stopped: emergency stop'" + RELEASE)
+                               "and the controller reports 'stopped: emergency stop, on a fake bus'" + RELEASE)
         self.assertEqual(check_wheels_turn(),
-                         "The wheels do not turn, and the controller reports 'stopped: emergency stop'" + RELEASE)
+                         "The wheels do not turn, and the controller reports 'stopped: emergency stop, on a fake bus'" + RELEASE)
         self.emergency_stop(False)
 
     def test_wheels_turn_the_wrong_way(self):
         self.idle_controller(invert_left="true")
         self.assert_problem(3, "The wheels do not follow the command: at x 0.3 they turn at -0.30 and 0.30, "
-                               "and the controller reports 'driving'")
+                               "and the controller reports 'driving, on a fake bus'")
         self.wait_for_stop(within=1.0)
 
     def test_frozen_controller(self):

@@ -66,7 +66,7 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
     return robot
 
 
-def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
+def run(supervisor: Supervisor, report: Report) -> int:
     """Drive and report until the node ends, then stop the robot. Return the exit code.
 
     Raise JetbotError for what ended it, such as a lack of file descriptors.
@@ -79,7 +79,7 @@ def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
     thread = threading.Thread(target=supervise, args=[supervisor, report, failures, ended])
     thread.start()
     try:
-        report.spin(supervisor, robot.driver.link)
+        report.spin(supervisor)
     finally:
         supervisor.end()
         thread.join()

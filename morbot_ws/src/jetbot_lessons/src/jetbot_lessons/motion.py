@@ -102,7 +102,7 @@ def check_wheels_turn() -> Problem:
     """Return the problem, or None if the robot drives at another node's commands."""
     init_node()
     wheels = fake_wheels()
-    if wait_until(lambda: status() == "driving" and not (wheels and wheels() == STOPPED), RESPONSE_TIMEOUT):
+    if wait_until(lambda: status().startswith("driving") and not (wheels and wheels() == STOPPED), RESPONSE_TIMEOUT):
         return None
     return f"The wheels do not turn{_reason()}"
 
