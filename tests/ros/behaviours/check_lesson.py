@@ -52,7 +52,8 @@ class CheckLesson(RobotTest):
         self.assert_problem(3, "The wheels do not follow the command: at x 0.3 they turn at 0.00 and 0.00, "
                                "and the controller reports 'stopped: emergency stop, on a fake bus'" + RELEASE)
         self.assertEqual(check_wheels_turn(),
-                         "The wheels do not turn, and the controller reports 'stopped: emergency stop, on a fake bus'" + RELEASE)
+                         "The wheels do not turn, "
+                         "and the controller reports 'stopped: emergency stop, on a fake bus'" + RELEASE)
         self.emergency_stop(False)
 
     def test_wheels_turn_the_wrong_way(self):

@@ -56,7 +56,8 @@ class StartErrors(RobotTest):
             self.assertIn("The node /jetbot_controller is already running. End it first", read(second))
         namesake = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "__name:=other")
         self.assertNotEqual(namesake.wait(START_TIMEOUT), 0)
-        self.assertRegex(read(namesake), r"Another program \(process \d+\) already drives 0x60 on fake:")
+        self.assertRegex(read(namesake),
+                         r"Another program \(jetbot_controller.py, process \d+\) already drives 0x60 on fake:")
         self.wheels_stay(0.4, 0.6, for_seconds=0.3)
         self.assertEqual(rospy.get_param("/jetbot_motion_control/linear"), "")
 

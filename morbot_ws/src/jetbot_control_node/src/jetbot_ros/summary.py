@@ -1,4 +1,4 @@
-"""What this start of the controller drives: its board, the bus or port, the units of a command, the file of settings."""
+"""What this start of the controller drives: board, bus or port, the units of a command, the file of settings."""
 
 from typing import Dict
 
