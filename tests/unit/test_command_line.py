@@ -15,6 +15,8 @@ NAMES = ["board", "i2c_bus"]
 @pytest.mark.parametrize("word, parameters", [
     ("_i2c_bus:=fake", {"i2c_bus": "fake"}), ("_i2c_bus:=fake:/tmp/x", {"i2c_bus": "fake:/tmp/x"}),
     ("_i2c_bus:=7", {"i2c_bus": 7}), ("_swap:=yes", {"swap": True}), ("_a:=b:=c", {"a": "b:=c"}), ("_board:=", {}),
+    ("_config:=/a: b\x07.yaml", {"config": "/a: b\x07.yaml"}), ("_board:=[", {"board": "["}),
+    ("_board:=" + "[" * 9000, {"board": "[" * 9000}),
     ("__ns:=red", {}), ("__log:=/tmp/log", {}), ("cmd_vel:=/red/cmd_vel", {}), ("/a:=/b", {})])
 def test_a_word_of_the_command_line(word, parameters):
     assert parse(word, NAMES) == parameters
@@ -25,9 +27,7 @@ def test_a_word_of_the_command_line(word, parameters):
     ("_i2c_bus=fake", "The node does not understand _i2c_bus=fake. Type it as _i2c_bus:=fake"),
     ("--i2c-bus=fake", "The node does not understand --i2c-bus=fake. Type it as _i2c_bus:=fake"),
     ("--board", "The node does not understand --board. Type it as _board:=VALUE"),
-    ("fake", "The node does not understand fake. Type it as _NAME:=VALUE"),
-    ("_board:=[", "The value in _board:=[ cannot be read."),
-    ("_board:=" + "[" * 9000, f"The value in _board:={'[' * 979}....")])
+    ("fake", "The node does not understand fake. Type it as _NAME:=VALUE")])
 def test_a_mistyped_word_is_refused(word, sentence):
     with pytest.raises(InvalidValue) as error:
         parse(word, NAMES)

@@ -3,6 +3,7 @@
 rospy puts the typed ones on the master, where they outlive the node and reach the next one. These nodes keep them.
 """
 
+import contextlib
 import sys
 from typing import Collection, Dict, List
 
@@ -38,16 +39,21 @@ def parse(word: str, known: Collection[str]) -> Dict[str, object]:
     """Return the parameter in a word such as _board:=sparkfun; nothing for a word of rospy's, such as __ns:=red."""
     name, separator, text = word.partition(":=")
     if is_private(word):
-        try:
-            return {name[1:]: yaml.safe_load(text)} if text.strip() else {}
-        except (yaml.YAMLError, ValueError, RecursionError):
-            raise InvalidValue(f"the value in {word} cannot be read") from None
+        return {name[1:]: plain_value(text)} if text.strip() else {}
     if separator and name not in known:
         return {}
     name, _, value = word.lstrip("-_").replace(":=", "=").partition("=")
     name = name.replace("-", "_")
     raise InvalidValue(f"the node does not understand {word}",
                        f"Type it as _{name}:={value or 'VALUE'}" if name in known else "Type it as _NAME:=VALUE")
+
+
+def plain_value(text: str) -> object:
+    """Return the number, bool or text that YAML sees in a text; the text itself where YAML sees something else."""
+    with contextlib.suppress(yaml.YAMLError, ValueError, RecursionError):
+        value = yaml.safe_load(text)
+        return text if isinstance(value, (dict, list)) else value
+    return text
 
 
 def is_private(word: str) -> bool:
