@@ -6,15 +6,15 @@ working_tool() {
         case $tool-$("$tool" --version 2>/dev/null) in
             *- | docker-podman*) continue ;;
         esac
-        ! "$tool" info >/dev/null 2>&1 || { echo "$tool"; return; }
+        ! "$tool" ps >/dev/null 2>&1 || { echo "$tool"; return; }
     done
     return 1
 }
 
 build_image() {  # TARGET NAME
-    # The OCI format has no health check; layers are shared by the images; chroot needs the fewest privileges.
-    BUILDAH_FORMAT=docker BUILDAH_LAYERS=true BUILDAH_ISOLATION="${BUILDAH_ISOLATION:-chroot}" \
-        "$tool" build --build-arg "BASE=$BASE" --target "$1" --tag "$2" --file "$here/docker/Dockerfile" "$here"
+    # The OCI format has no health check; the images share layers.
+    BUILDAH_FORMAT=docker BUILDAH_LAYERS=true "$tool" build --build-arg "BASE=$BASE" --target "$1" --tag "$2" \
+        --file "$here/docker/Dockerfile" "$here"
 }
 
 # Runs a command of ./morbot in the container of this folder and user, which all their shells share.
@@ -49,7 +49,7 @@ find_container() {
     container=morbot-$(echo "$@" | cksum | cut -d ' ' -f 1)
     ! "$tool" exec "$container" touch /tmp/last_use >/dev/null 2>&1 || { echo "$container"; return; }
     "$tool" image inspect "$image" >/dev/null 2>&1 || build_system >&2
-    ! "$tool" rm --force "$container" >/dev/null 2>&1 || :
+    "$tool" rm "$container" >/dev/null 2>&1 || :  # left by a crash
     "$tool" run --detach --rm --name "$container" "$@" "$here/docker/attend" >/dev/null 9<&- ||
         fail "$tool cannot start the container (see above)"
     echo "$container"
@@ -60,12 +60,14 @@ find_container() {
 user_options() {
     user="--user $(id -u):$(id -g)"
     limit="--ulimit nofile=1024:4096"
-    case $tool-$("$tool" info 2>/dev/null) in
-        podman*"rootless: true"*) echo "$user --userns keep-id --group-add keep-groups" ;;
-        podman*) echo "$user" ;;
-        docker*rootless*) echo "$limit" ;;  # root there is this user
-        *) echo "$user $limit --volume /etc/passwd:/etc/passwd:ro --security-opt apparmor=unconfined" \
-            "$(id -G | sed 's/[0-9][0-9]*/--group-add &/g')" ;;
+    case $tool-$(id -u) in
+        podman-0) echo "$user" ;;
+        podman-*) echo "$user --userns keep-id --group-add keep-groups" ;;
+        *) case $(docker info --format '{{.SecurityOptions}}') in
+            *rootless*) echo "$limit" ;;  # root there is this user
+            *) echo "$user $limit --volume /etc/passwd:/etc/passwd:ro --security-opt apparmor=unconfined" \
+                "$(id -G | sed 's/[0-9][0-9]*/--group-add &/g')" ;;
+        esac ;;
     esac
 }
 
@@ -86,7 +88,7 @@ base_image() {
 }
 
 container_advice() {
-    case $(docker info 2>&1) in
+    case $(docker ps 2>&1) in
         *"ermission denied"*)
             echo "docker is there, but closed to you: sudo usermod -aG docker $(id -un), then log in again" ;;
         *"daemon running"*) echo "docker is there, but does not run: sudo systemctl enable --now docker" ;;
