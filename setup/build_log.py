@@ -44,8 +44,8 @@ def _circle(log, folder, name):
 
 def _cmake_error(log, folder):
     """Return the first error while CMake reads the package in this folder."""
-    part = re.search(rf"^-- ==> add_subdirectory\({re.escape(folder)}\)$(.*?)(?=^-- (?:\+\+\+ processing|Configuring)|\Z)",
-                     log, re.M | re.S)
+    start = rf"^-- ==> add_subdirectory\({re.escape(folder)}\)$"
+    part = re.search(rf"{start}(.*?)(?=^-- (?:\+\+\+ processing|Configuring)|\Z)", log, re.M | re.S)
     error = part and re.search(r"^CMake Error(?: at (.*?:\d+))?.*?\n(.*?)(?=^-- |^CMake |\Z)", part[1], re.M | re.S)
     if not error:
         return None
@@ -60,7 +60,8 @@ def _compiler_error(log, folder):
     if not re.search(rf"\*\*\* \[(?:\S+: )?{place}/", log):
         return None
     error = re.search(rf"^/.*?/({place}/.*?):(\d+):(?:\d+:)? (?:fatal )?error: (.*)", log, re.M)
-    return _Error(*error.groups()) if error else _Error(f"{folder}/CMakeLists.txt", "", "build/morbot.log has the reason")
+    cause = error.groups() if error else (f"{folder}/CMakeLists.txt", "", "build/morbot.log has the reason")
+    return _Error(*cause)
 
 
 def _advice(error, package):

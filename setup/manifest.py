@@ -4,7 +4,7 @@ import os
 import re
 import stat
 from pathlib import Path
-from typing import NamedTuple, Optional
+from typing import NamedTuple
 from xml.parsers import expat
 
 MANIFEST = "package.xml"
@@ -27,73 +27,65 @@ class Package(NamedTuple):
 
 
 def read_package(folder: Path) -> Package:
-    """Return the package in this folder. Raise Problem if ROS cannot read it."""
+    """Return the package in this folder. Raise Problem if ROS or catkin cannot read it."""
     file = folder / MANIFEST
-    if re.search("[:;\x00-\x1f]", str(folder)):
-        raise Problem(f"ROS cannot use the folder name {ascii(str(folder))}: rename it, without : and ;")
-    content = _read(file)
-    problem = _xml_problem(content) or _manifest_problem(file, content)
-    if problem:
-        raise Problem(f"{file}{problem}. The package is left out until then.")
-    package = _parse(file, content)
-    return Package(package.name, folder, package.get_build_type())
+    try:
+        if re.search("[:;\x00-\x1f]", str(folder)):
+            raise Problem(f": rename its folder {ascii(folder.name)}, without : and ;")
+        content = _read(file)
+        _check_xml(content)
+        return _parse(content, folder)
+    except Problem as problem:
+        raise Problem(f"{file}{problem}. The package is left out until then.") from None
 
 
 def _read(file):
-    """Return the content of a regular file; a FIFO would wait."""
     try:
         status = os.stat(file)
-        if not stat.S_ISREG(status.st_mode) or status.st_size > MAX_SIZE:
-            kind = "too large" if stat.S_ISREG(status.st_mode) else "not a regular file"
-            raise Problem(f"{file} is {kind}: remove it, or mv {file.parent} ~. The package is left out until then.")
-        return file.read_bytes()
+        if not stat.S_ISREG(status.st_mode):  # a FIFO would wait
+            raise Problem(f" is not a regular file: mv {file.parent} ~")
+        if status.st_size > MAX_SIZE:
+            raise Problem(f" is too large to describe a package: mv {file.parent} ~")
+        return file.read_bytes().decode()
+    except UnicodeDecodeError as error:
+        raise Problem(f", line {_line(error)}: this is not text in UTF-8: save the file in this encoding") from None
     except FileNotFoundError:
-        raise Problem(f"{file} is a link that leads nowhere: rm {file}. The package is left out until then.") from None
+        raise Problem(f" is a link that leads nowhere: rm {file}") from None
     except OSError as error:
-        raise Problem(f"{file} cannot be read ({error.strerror}): chmod +r {file}. "
-                      "The package is left out until then.") from None
+        raise Problem(f" cannot be read ({error.strerror}): chmod +r {file}") from None
 
 
-def _xml_problem(content: bytes) -> Optional[str]:
-    """Return where this is not XML, and what to do about it."""
+def _line(error):
+    return error.object[:error.start].count(b"\n") + 1
+
+
+def _check_xml(content):
+    """Raise Problem, with the place where something opens that does not end, as far as that is the cause."""
     if not content.strip():
-        return " is empty: remove its folder, or make it again with catkin_create_pkg"
-    parser = expat.ParserCreate()
-    opened = []
+        raise Problem(" is empty: make it again with catkin_create_pkg, or remove its folder")
+    parser, opened = expat.ParserCreate(), []
     parser.StartElementHandler = lambda name, _: opened.append((name, parser.CurrentLineNumber))
     parser.EndElementHandler = lambda _: opened.pop()
     try:
-        parser.Parse(content, True)
+        parser.Parse(content.encode(), True)
     except expat.ExpatError as error:
-        if opened and error.code in (expat.errors.codes[expat.errors.XML_ERROR_TAG_MISMATCH],
-                                     expat.errors.codes[expat.errors.XML_ERROR_NO_ELEMENTS]):
+        reason = expat.ErrorString(error.code)
+        if opened and reason in (expat.errors.XML_ERROR_TAG_MISMATCH, expat.errors.XML_ERROR_NO_ELEMENTS):
             name, line = opened[-1]
-            return f", line {line}: <{name}> has no end: add </{name}>"
-        return (f", line {error.lineno}: {expat.ErrorString(error.code)}: is a quote, < or > missing there or before, "
-                "or is & not written &amp;? Correct it")
-    except (ValueError, LookupError) as error:
-        return f", line 1: {error}: write encoding=\"utf-8\""
-    return None
+            raise Problem(f", line {line}: <{name}> has no end: add </{name}>") from None
+        raise Problem(f", line {error.lineno}: {reason}: is a quote, < or > missing, or & not &amp;? Correct it") from None
+    except (LookupError, ValueError) as error:
+        raise Problem(f', line 1: {error}: write encoding="utf-8"') from None
 
 
-def _manifest_problem(file: Path, content: bytes) -> Optional[str]:
-    """Return what a package.xml lacks, and what to do about it."""
+def _parse(content, folder):
+    from catkin_pkg.package import parse_package_string  # it takes a tenth of a second, and is not always needed
     try:
-        _parse(file, content).get_build_type()
-    except UnicodeDecodeError as error:
-        line = content[:error.start].count(b"\n") + 1
-        return f", line {line}: this is not text in UTF-8: save the file in this encoding"
-    except Exception as error:  # catkin_pkg raises what its parts raise: AssertionError, AttributeError, ValueError ...
+        package = parse_package_string(content, str(folder / MANIFEST), warnings=[])
+        package.evaluate_conditions(os.environ)
+        return Package(package.name, folder, package.get_build_type())
+    except Exception as error:  # catkin_pkg raises AssertionError, AttributeError, ValueError and others, too
         reason = " ".join(str(getattr(error, "msg", error)).split())
-        missing = next((name for name in ELEMENTS if f'"{name}" tag' in reason or f"one {name}" in reason), None)
-        if missing:
-            return f": {reason}: add {ELEMENTS[missing].format(file.parent.name)}"
-        return f": {reason}: correct it"
-    return None
-
-
-def _parse(file, content):
-    from catkin_pkg.package import parse_package_string  # a tenth of a second, which only packages to read need
-    package = parse_package_string(content.decode(), str(file), warnings=[])
-    package.evaluate_conditions(os.environ)
-    return package
+    missing = next((name for name in ELEMENTS if f'"{name}" tag' in reason or f"one {name}" in reason), None)
+    cure = f"add {ELEMENTS[missing].format(folder.name)}" if missing else "correct it"
+    raise Problem(f": {reason.rstrip('.')}: {cure}")
