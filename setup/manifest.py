@@ -73,7 +73,7 @@ def _check_xml(content):
         if opened and reason in (expat.errors.XML_ERROR_TAG_MISMATCH, expat.errors.XML_ERROR_NO_ELEMENTS):
             name, line = opened[-1]
             raise Problem(f", line {line}: <{name}> has no end: add </{name}>") from None
-        raise Problem(f", line {error.lineno}: {reason}: is a quote, < or > missing, or & not &amp;? Correct it") from None
+        raise Problem(f", line {error.lineno}: {reason}: add a missing quote, < or >; write &amp; for &") from None
     except (LookupError, ValueError) as error:
         raise Problem(f', line 1: {error}: write encoding="utf-8"') from None
 
