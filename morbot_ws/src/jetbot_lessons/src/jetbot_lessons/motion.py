@@ -153,5 +153,5 @@ def _reason(motors) -> str:
     elif "from" in settings:
         cure = f"; it has {settings}: start it without that file"
     else:
-        cure = ""
+        cure = "; was it started with a parameter such as invert_left?" if text.startswith("driving") else ""
     return f", and the controller reports {text!r}{cure}"
