@@ -4,7 +4,8 @@
 import signal
 import sys
 
-signal.signal(signal.SIGINT, signal.SIG_DFL)  # while it imports, and at its end, Ctrl-C prints no traceback
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # while it imports, and at its end, Ctrl-C prints no traceback
 
 try:
     import os
