@@ -9,7 +9,7 @@ import rosgraph
 
 from . import Problem
 from .files import folder
-from .nodes import CALLER, NO_ANSWER, answer_in_time, ask, command_of, connect, pid
+from .nodes import CALLER, NO_ANSWER, ask, command_of, connect, pid
 
 
 class Graph(NamedTuple):
@@ -28,13 +28,6 @@ def snapshot() -> Graph:
     """Return the present Graph; raise rosgraph.MasterException without a master."""
     publishers, subscribers, _ = rosgraph.Master(CALLER).getSystemState()
     return Graph(dict(publishers), dict(subscribers))
-
-
-def check_master(start: str) -> Problem:
-    """Return the problem, or None if a master runs; ``start`` is the command that starts one."""
-    if answer_in_time(rosgraph.is_master_online):
-        return None
-    return f"No ROS master at {rosgraph.get_master_uri()}: start one in another terminal with {start}"
 
 
 def check_node(name: str, start: str) -> Problem:
