@@ -29,6 +29,7 @@ class Report:
         self._prefix = f"{name}: " if name else ""
         self._logged = {}  # {status: time in s}
         self._last = None
+        self._ended = False
         self._counted = (0, time.monotonic())
 
     def change(self, state: State) -> None:
@@ -38,7 +39,8 @@ class Report:
             self._status_changes.put_nowait(state)
 
     def end(self) -> None:
-        """Publish the last status, and wake ``spin``."""
+        """Publish the last status, and end ``spin``."""
+        self._ended = True
         self._status_publisher.publish("stopped: the controller has ended")
         with contextlib.suppress(queue.Full):
             self._status_changes.put_nowait(None)
@@ -49,7 +51,7 @@ class Report:
         updater.setHardwareID(link.name)
         updater.add("motors", lambda result: self._diagnose(result, supervisor, link))
         due = 0.0
-        while not rospy.is_shutdown():
+        while not (self._ended or rospy.is_shutdown()):
             state = self._next_change(due - time.monotonic())
             self._log(state or supervisor.state)
             if time.monotonic() >= due:
