@@ -3,7 +3,7 @@
 # Debian's python3 must come first on PATH: ROS is installed for it, not for a pyenv, conda or virtual environment.
 environment() {
     PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
-    unset PYTHONHOME PYTHONPATH VIRTUAL_ENV
+    unset PYTHONHOME PYTHONPATH VIRTUAL_ENV PYTHONDONTWRITEBYTECODE
     [ -n "${ROS_IP:-}" ] || : "${ROS_HOSTNAME:=localhost}"  # listen on the loopback interface alone
     ROS_ETC_DIR=$workspace/etc      # its roscore.xml does not start rosout, which listens on every interface
     : "${LANG:=C.UTF-8}"

@@ -54,8 +54,7 @@ class RobotTest(unittest.TestCase):
                 rospy.delete_param(name)
 
     def tearDown(self):
-        for process in reversed(self.processes):
-            end(process)
+        end(self.processes)
         self.wait_for(lambda: not find_processes(self.folder), START_TIMEOUT, f"the processes in {self.folder} to end")
         shutil.rmtree(self.folder)
 
@@ -164,16 +163,18 @@ def read(process: subprocess.Popen) -> str:
     return process.log.read_text()
 
 
-def end(process: subprocess.Popen) -> None:
-    """End the process by SIGINT to its group, after SHUTDOWN_TIMEOUT by SIGKILL."""
-    if process.poll() is None:
+def end(processes: List[subprocess.Popen]) -> None:
+    """End the processes by SIGINT to their groups, after SHUTDOWN_TIMEOUT by SIGKILL."""
+    running = [process for process in processes if process.poll() is None]
+    for process in running:
         for signum in (signal.SIGCONT, signal.SIGINT):
             os.killpg(process.pid, signum)
-    try:
-        process.wait(SHUTDOWN_TIMEOUT)
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
+    for process in running:
+        try:
+            process.wait(SHUTDOWN_TIMEOUT)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
 
 
 def twist(linear: float, angular: float = 0.0) -> Twist:

@@ -1,5 +1,6 @@
 """The life of the controller's node: it starts with one clear error at most, and stops the robot at its end."""
 
+import contextlib
 import os
 import re
 import signal
@@ -74,15 +75,16 @@ def run(supervisor: Supervisor, report: Report) -> int:
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, supervisor.end)
     watch.start(supervisor, watch.MasterWatch(is_registered, register))
-    failures, ended = [], threading.Event()
+    failures, ended, unregistered = [], threading.Event(), threading.Event()
     threading.Thread(target=give_up, args=[ended], daemon=True).start()  # now: at the end, no thread may be left
-    thread = threading.Thread(target=supervise, args=[supervisor, report, failures, ended])
-    thread.start()
+    rospy.core.add_shutdown_hook(lambda _: unregistered.set())  # the last of the hooks
+    threading.Thread(target=supervise, args=[supervisor, report, failures, ended], daemon=True).start()
     try:
         report.spin(supervisor)
     finally:
         supervisor.end()
-        thread.join()
+        ended.wait()
+        unregistered.wait()
     for failure in failures:
         raise failure
     return 0 if supervisor.closed else 1
@@ -107,10 +109,17 @@ def give_up(ended: threading.Event) -> None:
     os._exit(1)
 
 
+def leave(code: int) -> None:
+    """End the process now: rospy's threads, which have nothing left to do, would take another second."""
+    with contextlib.suppress(OSError):  # the terminal is closed
+        sys.stdout.flush()
+    os._exit(code)
+
+
 def main(start: Callable[[], int]) -> None:
     """Run a node's ``start`` and exit with its code; an error that the user can fix ends it with one sentence."""
     try:
-        sys.exit(start())
+        leave(start())
     except JetbotError as error:
         rospy.logfatal(error.text(as_typed))
         sys.exit(1)

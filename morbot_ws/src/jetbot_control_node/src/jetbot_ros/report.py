@@ -33,6 +33,7 @@ class Report:
         self._prefix = f"{name}: " if name else ""
         self._logged = {}  # {status: time in s}
         self._last = None
+        self._ended = False
         self._counted = (0, time.monotonic())
 
     def change(self, state: State) -> None:
@@ -42,7 +43,8 @@ class Report:
             self._status_changes.put_nowait(state)
 
     def end(self) -> None:
-        """Publish the last status, and wake ``spin``."""
+        """Publish the last status, and end ``spin``."""
+        self._ended = True
         self._publish("stopped: the controller has ended")
         with contextlib.suppress(queue.Full):
             self._status_changes.put_nowait(None)
@@ -57,7 +59,7 @@ class Report:
         updater.setHardwareID(self._summary["bus"])
         updater.add("motors", lambda result: self._diagnose(result, supervisor))
         due = 0.0
-        while not rospy.is_shutdown():
+        while not (self._ended or rospy.is_shutdown()):
             state = self._next_change(due - time.monotonic())
             self._log(state or supervisor.state)
             if time.monotonic() >= due:
