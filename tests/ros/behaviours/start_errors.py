@@ -1,11 +1,14 @@
 """A node that cannot start logs one sentence, without a traceback, and its exit code is not 0."""
 
 import os
+import sys
+from pathlib import Path
 
 import rospy
 
-from harness import CONTROLLER, START_TIMEOUT, RobotTest, program, read
+from harness import CONTROLLER, SHUTDOWN_TIMEOUT, START_TIMEOUT, RobotTest, program, read
 
+RUN = Path(__file__).parents[3] / "setup/run.py"
 ERRORS = [  # a sentence, and the parameters that cause it
     ("There is no I2C bus /dev/i2c-77. This computer has ", "_i2c_bus:=77"),
     ("The parameter board must be one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro, not 'lego'.",
@@ -66,3 +69,17 @@ class StartErrors(RobotTest):
         launch.wait(START_TIMEOUT)
         self.assertEqual(read(launch).count("There is no I2C bus /dev/i2c-77."), 1, "no endless respawns")
         self.assertNotIn("Traceback", read(launch))
+
+    def test_the_last_line_of_morbot_run_is_why_a_node_has_failed(self):
+        for argument, reason in (("i2c_bus:=77", r"\[jetbot_controller\]: There is no I2C bus /dev/i2c-77\."),
+                                 ("linear:=x", r"\[jetbot_motion_control\]: The parameter linear must be a number")):
+            launch = self.start(sys.executable, str(RUN), "workshop", "workshop_jetbot_controller.launch", argument)
+            self.assertEqual(launch.wait(SHUTDOWN_TIMEOUT), 1)
+            self.assertRegex(read(launch).splitlines()[-1], r"^\[FATAL\] " + reason)
+
+    def test_a_mistyped_argument_ends_roslaunch_before_it_starts_anything(self):
+        launch = self.launch("workshop", "workshop_jetbot_controller.launch", "lineer:=0.2")
+        self.assertNotEqual(launch.wait(START_TIMEOUT), 0)
+        self.assertEqual(read(launch).splitlines()[-1],
+                         "morbot: there is no argument lineer. Did you mean linear:=0.2?")
+        self.assertNotIn("started with pid", read(launch))

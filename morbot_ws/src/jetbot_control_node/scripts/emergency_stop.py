@@ -79,7 +79,8 @@ def stop(engaged: bool) -> bool:
     for name, status in sorted(fleet.statuses.items()):
         print(printable(f"{name}: {status or 'no answer'}{' (not confirmed)' if name in unconfirmed else ''}"))
     if unconfirmed or not fleet.statuses:
-        print(f"{'Not every' if unconfirmed else 'No'} robot on the ROS master at {master_uri()} confirms. {SWITCH}")
+        print(f"{'Not every robot confirms' if unconfirmed else f'No robot runs on the ROS master at {master_uri()}'}. "
+              f"{SWITCH} Then repeat this.")
     return bool(fleet.statuses) and not unconfirmed
 
 
