@@ -88,12 +88,11 @@ base_image() {
 }
 
 container_advice() {
-    case $(docker ps 2>&1) in
-        *"ermission denied"*)
-            echo "docker is there, but closed to you: sudo usermod -aG docker $(id -un), then log in again" ;;
-        *"daemon running"*) echo "docker is there, but does not run: sudo systemctl enable --now docker" ;;
-        *) ! command -v podman >/dev/null || { echo "podman is there, but does not work: podman info"; return; }
-            echo "with docker or podman, they run in a container: $(how_to_install)" ;;
+    case $(docker ps 2>&1)$(podman --version 2>/dev/null) in
+        *"ermission denied"*) echo "docker is there, but closed to you: sudo usermod -aG docker $(id -un), and log in again" ;;
+        *"daemon running"*) echo "docker is there, but not running: sudo systemctl enable --now docker" ;;
+        *podman*) echo "podman is there, but does not work; see: podman ps" ;;
+        *) echo "with docker or podman, it runs in a container: $(how_to_install)" ;;
     esac
 }
 

@@ -45,8 +45,9 @@ is_known() {
 }
 
 missing_packages() {
+    known=" $(dpkg-query -W -f '${Package}=${db:Status-Abbrev} ' $packages 2>/dev/null || :)"
     for package in $packages; do
-        dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^.i' || echo "$package"
+        case $known in *" $package="?i*) ;; *) echo "$package" ;; esac
     done
 }
 
