@@ -31,8 +31,9 @@ build() {
         "$workspace/src" | "$build/view/src") ;;
         *) rm -rf "$build"/* "$devel" ;;
     esac
-    python3 "$here/setup/build.py" "$workspace/src" "$build" "$devel" ||
-        { [ "$command" != setup ] && [ -f "$devel/setup.sh" ]; } || exit 1
+    python3 "$here/setup/build.py" "$workspace/src" "$build" "$devel" && return
+    [ "$command" != setup ] && [ -f "$devel/setup.sh" ] || exit 1
+    echo "morbot: going on with the last build" >&2
 }
 
 # ./morbot setup tries again what failed: its cause may be outside of the workspace.
