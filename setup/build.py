@@ -162,8 +162,10 @@ def main() -> None:
     """Build the workspace of the command line."""
     try:
         update(Spaces(*map(Path, sys.argv[1:])))
-    except (BuildFailed, OSError) as error:
+    except BuildFailed as error:
         sys.exit(f"morbot: the build failed: {error}")
+    except OSError as error:
+        sys.exit(f"morbot: the build failed: {error.filename}: {error.strerror}")
     except KeyboardInterrupt:
         sys.exit(130)
 

@@ -1,17 +1,20 @@
 # Where the workspace is built, and when. Sourced by ./morbot; build.py builds.
 
-# A user who may not write there uses the workspace's own build, or else one of their own.
+# A user who may not write there uses the workspace's own build while it is up to date, or else one of their own.
 choose_build() {
     build=$workspace/build devel=$workspace/devel
-    for place in "$workspace" "$workspace/src" "$build" "$devel" "$build/CMakeCache.txt" "$devel/setup.sh"; do
-        if [ -e "$place" ] && [ ! -w "$place" ]; then
-            is_built && break
-            choose_cache
-            build=$cache$workspace/build devel=$cache$workspace/devel
-            break
-        fi
-    done
+    if ! may_write "$workspace" "$workspace/src" "$build" "$devel" "$build/CMakeCache.txt" "$devel/setup.sh"; then
+        is_built && return
+        choose_cache
+        build=$cache$workspace/build devel=$cache$workspace/devel
+    fi
     [ -d "$build" ] || mkdir -p "$build" || exit 1
+}
+
+may_write() {
+    for place; do
+        [ -w "$place" ] || [ ! -e "$place" ] || return 1
+    done
 }
 
 # Whether nothing that catkin reads has changed since the last build: package descriptions and the list of files.
@@ -31,8 +34,9 @@ build() {
         "$workspace/src" | "$build/view/src") ;;
         *) rm -rf "$build"/* "$devel" ;;
     esac
-    python3 "$here/setup/build.py" "$workspace/src" "$build" "$devel" ||
-        { [ "$command" != setup ] && [ -f "$devel/setup.sh" ]; } || exit 1
+    python3 "$here/setup/build.py" "$workspace/src" "$build" "$devel" && return
+    [ "$command" != setup ] && [ -f "$devel/setup.sh" ] || exit 1
+    echo "morbot: going on with the last build" >&2
 }
 
 # ./morbot setup tries again what failed: its cause may be outside of the workspace.

@@ -14,6 +14,8 @@ CURES = [  # what CMake or catkin says, and what to do about it
     (r"does not contain a CMakeLists.txt", "there is no such file: write one, or mv {folder} ~"),
     (r'Unknown CMake command "(?P<what>[^"]+)"', "there is no command {what}: correct its name"),
     (r"Circular dependency", "{name} and a package that it needs also need each other: remove one dependency"),
+    (r"^metapackage$", "a metapackage's has cmake_minimum_required, project, find_package(catkin REQUIRED) and "
+     "catkin_metapackage(), and nothing else: correct it"),
     (r"Parse error|Function missing ending", "a bracket or a quote is missing there or before: add it"),
 ]
 
@@ -29,16 +31,19 @@ def failures(log: str, packages: Iterable[Package], source: Path) -> Dict[str, s
     found = {}
     for package in packages:
         folder = str(package.folder.relative_to(source))
-        error = _circle(log, folder, package.name) or _cmake_error(log, folder) or _compiler_error(log, folder)
+        error = _workspace_error(log, folder, package.name) or _cmake_error(log, folder) or _compiler_error(log, folder)
         if error:
             place = f"{source / error.file}, line {error.line}" if error.line else str(source / error.file)
             found[package.name] = f"{place}: {_advice(error, package)}. Until then, {package.name} is not built."
     return found
 
 
-def _circle(log, folder, name):
+def _workspace_error(log, folder, name):
+    """Return the error that catkin finds before it reads the package's CMakeLists.txt."""
     if re.search(rf"Circular dependency in subset of packages:\s+[^\n]*\b{re.escape(name)}\b", log):
         return _Error(f"{folder}/package.xml", "", "Circular dependency")
+    if re.search(rf"metapackage '{re.escape(name)}' contains non standard content", log):
+        return _Error(f"{folder}/CMakeLists.txt", "", "metapackage")
     return None
 
 

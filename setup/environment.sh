@@ -13,10 +13,11 @@ environment() {
     choose_master
 }
 
+home=${HOME:-/nonexistent}
+
 # Where ROS writes its logs, and the settings of the robot are. A root shell's ROS may have left ~/.ros to root.
 choose_ros_home() {
     [ -z "${ROS_HOME:-}" ] || return 0
-    home=${HOME:-/nonexistent}
     if [ -w "$home/.ros" ] || { [ ! -e "$home/.ros" ] && [ -w "$home" ]; }; then
         [ -w "$home/.ros/log" ] || [ ! -e "$home/.ros/log" ] || { choose_cache; export ROS_LOG_DIR="$cache/log"; }
         return
@@ -29,8 +30,8 @@ choose_ros_home() {
 
 # The folder of a user who may not write to the usual ones.
 choose_cache() {
-    cache=${XDG_CACHE_HOME:-${HOME:-/nonexistent}/.cache}/morbot
-    if mkdir -p "$cache" 2>/dev/null && [ -w "$cache" ]; then return; fi
+    cache=${XDG_CACHE_HOME:-$home/.cache}/morbot
+    if [ -d "${XDG_CACHE_HOME:-$home}" ] && mkdir -p "$cache" 2>/dev/null && [ -w "$cache" ]; then return; fi
     cache=${TMPDIR:-/tmp}/morbot-$(id -u)
     mkdir -p -m 700 "$cache" && [ -O "$cache" ] || fail "cannot write to $cache: set XDG_CACHE_HOME to a folder of yours"
 }

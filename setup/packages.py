@@ -58,5 +58,6 @@ def _originality(package, known):
 
 
 def _copied(copy, original):
-    return (f"{copy.folder / MANIFEST} has the same <name> as {original.folder}: write another <name> there, and the "
-            f"same in project() of its CMakeLists.txt, or mv {copy.folder} ~. The copy is left out until then.")
+    new = copy.folder.name if copy.folder.name != copy.name else "NEW"
+    return (f"{copy.folder / MANIFEST} has the same <name> as {original.folder}: write <name>{new}</name> there and "
+            f"project({new}) in its CMakeLists.txt, or mv {copy.folder} ~. The copy is left out until then.")
