@@ -130,6 +130,12 @@ def test_problem_in_the_graph(running, check, arguments, problem):
     assert check(*arguments) == problem
 
 
+def test_node_without_a_publisher(running):
+    running.setattr(graph, "snapshot", lambda: graph.Graph({"/rosout": ["/mine/drive"]}, {}))
+    assert graph.check_publishes("mine", "/cmd_vel", "rosrun it") == (
+        "/mine/drive has no rospy.Publisher: make one for /cmd_vel, and call its publish in a loop")
+
+
 def test_node_does_not_run(running):
     running.setattr(graph, "command_of", lambda node: [])
     assert graph.check_publishes("mine", "/cmd_vel", "rosrun it") == (

@@ -75,8 +75,9 @@ class CheckLesson(RobotTest):
     def test_frozen_controller(self):
         controller = self.idle_controller()
         os.killpg(controller.pid, signal.SIGSTOP)
-        self.assert_problem(2, "The node /jetbot_controller does not answer: stop it (after Ctrl-Z: fg, then Ctrl-C), "
-                               "then start it with rosrun jetbot_control_node jetbot_controller.py _i2c_bus:=fake")
+        self.assert_problem(2, "The node /jetbot_controller was killed or hangs: start it again with "
+                               "rosrun jetbot_control_node jetbot_controller.py _i2c_bus:=fake; "
+                               "if it hangs, stop it first (after Ctrl-Z: fg, then Ctrl-C)")
 
     def test_two_nodes_without_a_launch_file(self):
         self.idle_controller()
