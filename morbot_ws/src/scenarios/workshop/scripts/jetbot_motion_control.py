@@ -7,8 +7,7 @@ import rospy
 from geometry_msgs.msg import Twist
 
 from jetbot import InvalidValue
-from jetbot.kinds import NUMBER, Kind, is_number
-from jetbot_ros.parameters import Parameter, checked
+from jetbot_ros.parameters import NUMBER, Kind, Parameter, checked, is_number
 
 RATE = Kind(lambda value: is_number(value) and 0.1 <= value <= 1000, "a number from 0.1 to 1000")
 PARAMETERS = {
