@@ -13,6 +13,8 @@ ERRORS = [  # a sentence, and the parameters that cause it
     ("There is no I2C bus /dev/i2c-77. This computer has ", "_i2c_bus:=77"),
     ("The parameter board must be one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro, not 'lego'.",
      "_board:=lego"),
+    ("There is no parameter bord. The parameters are board, i2c_bus, ", "_bord:=sparkfun"),
+    ("The node does not understand i2c_bus:=fake. Type it as _i2c_bus:=fake", "i2c_bus:=fake"),
     ("A robot cannot be named jetbot-07. Begin with a letter, and use letters, digits and _.",
      "_i2c_bus:=fake", "__ns:=jetbot-07")]
 
@@ -25,6 +27,16 @@ class StartErrors(RobotTest):
             lines = read(node).splitlines()
             self.assertEqual(len(lines), 1, lines)
             self.assertIn(sentence, lines[0])
+        self.assert_nothing_left()
+
+    def assert_nothing_left(self):
+        self.assertEqual([name for name in rospy.get_param_names() if "/jetbot_" in name], [])
+
+    def test_what_is_typed_ends_with_its_node(self):
+        self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}", "_x:=1")
+        self.controller(max_speed=0.5).kill()
+        self.wait_for(lambda: "at x 1.00 m" in self.logs(), START_TIMEOUT, "the simulator")
+        self.assert_nothing_left()
 
     def test_no_master(self):
         nowhere = {**os.environ, "ROS_MASTER_URI": "http://localhost:1"}
@@ -47,7 +59,8 @@ class StartErrors(RobotTest):
             self.assertIn("The node /jetbot_controller is already running. End it first", read(second))
         namesake = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "__name:=other")
         self.assertNotEqual(namesake.wait(START_TIMEOUT), 0)
-        self.assertRegex(read(namesake), r"Another program \(process \d+\) already drives 0x60 on fake:")
+        self.assertRegex(read(namesake),
+                         r"Another program \(jetbot_controller.py, process \d+\) already drives 0x60 on fake:")
         self.wheels_stay(0.4, 0.6, for_seconds=0.3)
         self.assertEqual(rospy.get_param("/jetbot_motion_control/linear"), "")
 
