@@ -133,16 +133,17 @@ def attend():
     processes = []
 
     def run(*command):
-        client = subprocess.Popen(["sleep", "60"], start_new_session=True)
+        client = subprocess.Popen(["sleep", "60"], preexec_fn=os.setpgrp)
         attendant = subprocess.Popen([sys.executable, ATTEND, str(client.pid), *command], start_new_session=True,
                                      stdout=subprocess.PIPE, text=True)
-        processes.extend([client, attendant])
+        processes.append((client, attendant))
         return client, attendant
 
     yield run
-    for process in processes:
-        process.terminate()
-        process.wait(10)
+    for client, attendant in processes:
+        client.kill()
+        client.wait()
+        attendant.wait(10)
 
 
 def state(pid):
@@ -170,3 +171,10 @@ def test_a_command_is_suspended_and_continued_with_its_client(attend):
     assert wait_until(lambda: state(command) == "T", 10)
     client.send_signal(signal.SIGCONT)
     assert wait_until(lambda: state(command) != "T", 10)
+
+
+def test_a_suspended_command_suspends_its_client_until_a_shell_continues_it(attend):
+    client, attendant = attend("sh", "-c", "kill -STOP $$; echo continued")
+    assert wait_until(lambda: state(client.pid) == "T", 10)
+    client.send_signal(signal.SIGCONT)
+    assert attendant.stdout.readline() == "continued\n"
