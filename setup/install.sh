@@ -1,4 +1,4 @@
-# What ROS and MorBot need on each system, and how to install it. Sourced by ./morbot.
+# Which systems have ROS 1, what MorBot needs there, and how to install it. Sourced by ./morbot.
 
 # Packages to drive a robot, real or simulated; and all packages, to build, test and draw too.
 run_packages="ros-environment rosbash python3-rospy python3-roslaunch python3-rostopic python3-rosnode python3-rosmsg
@@ -10,15 +10,44 @@ packages="$run_packages catkin make g++ librostest-dev libgeometry-msgs-dev ros-
     python3-rostest python3-matplotlib python3-setuptools python3-pytest python3-pytest-xdist python3-pexpect iproute2
     git"
 
-as_root() {
-    if [ "$(id -u)" = 0 ]; then "$@"; return; fi
-    command -v sudo >/dev/null || fail "run this once as root, or install sudo: $*"
-    sudo "$@"
+# A field of os-release(5); a derivative of Debian or Ubuntu names the release that it descends from.
+os_release() {  # FIELD...
+    for file in ${OS_RELEASE:-/etc/os-release /usr/lib/os-release}; do
+        [ ! -r "$file" ] || (set +u; . "$file"; for field; do eval "echo \"\$$field\""; done) && return
+    done
+}
+
+system_name() {
+    name=$(os_release PRETTY_NAME)
+    echo "${name:-$(uname -s)}"
+}
+
+# Whose ROS 1 packages this system can install: debian (in Ubuntu's universe too), noetic or none. A release that is not
+# listed may have Debian's: then apt knows them.
+ros_packages() {
+    case " $(os_release ID ID_LIKE | tr '\n' ' ')" in
+        *" debian "* | *" ubuntu "*) ;;
+        *) echo none; return ;;
+    esac
+    case $(os_release UBUNTU_CODENAME DEBIAN_CODENAME VERSION_CODENAME | grep -m 1 .) in
+        bookworm | trixie | jammy | noble) echo debian ;;
+        focal) echo noetic ;;
+        *) if [ -z "$(missing_packages)" ] || is_known $packages; then echo debian; else echo none; fi ;;
+    esac
+}
+
+has_ros() {
+    [ "$(ros_packages)" != none ]
+}
+
+is_known() {
+    apt-cache show "$@" >/dev/null 2>&1
 }
 
 missing_packages() {
+    known=" $(dpkg-query -W -f '${Package}=${db:Status-Abbrev} ' $packages 2>/dev/null || :)"
     for package in $packages; do
-        dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^.i' || echo "$package"
+        case $known in *" $package="?i*) ;; *) echo "$package" ;; esac
     done
 }
 
@@ -36,16 +65,13 @@ noetic_packages() {
 }
 
 install_packages() {
-    ID='' VERSION_ID='' PRETTY_NAME="this system"
-    os_release=${OS_RELEASE:-/etc/os-release}
-    [ ! -r "$os_release" ] || . "$os_release"
-    case "$ID $VERSION_ID" in
-        "debian 12" | "debian 13" | "ubuntu 22.04" | "ubuntu 24.04") install_missing ;;
-        "ubuntu 20.04")
+    case $(ros_packages) in
+        debian) install_missing ;;
+        noetic)
             packages=$(noetic_packages)
             install_missing
             python3 -c "import smbus2" 2>/dev/null || as_root pip3 install -q smbus2 ;;
-        *) fail "cannot set up $PRETTY_NAME. These Debian packages are needed:" $packages ;;
+        *) fail "$(system_name) has no packages of ROS 1" ;;
     esac
 }
 
@@ -53,13 +79,42 @@ install_missing() {
     missing=$(missing_packages)
     [ -n "$missing" ] || return 0
     echo "morbot: installing" $missing
-    as_root apt-get update -qq
-    apt-cache show $missing >/dev/null 2>&1 || case $missing in
-        *ros-noetic-*)
-            fail "cannot find ROS Noetic. First add its source: http://wiki.ros.org/noetic/Installation/Ubuntu" ;;
-        *) fail "cannot find all of these packages. On Ubuntu, try: sudo add-apt-repository universe" ;;
+    as_root apt-get update -qq || fail "apt-get cannot reach its package sources (see above)"
+    is_known $missing || fail "apt cannot find$(unknown_packages); $(source_advice)"
+    { as_root env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -qq --no-install-recommends -o APT::Status-Fd=1 $missing || echo failed; } | show_progress ||
+        fail "apt-get could not install these packages (see above)"
+}
+
+unknown_packages() {
+    for package in $missing; do
+        is_known "$package" || printf ' %s' "$package"
+    done
+}
+
+source_advice() {
+    case $missing in
+        *ros-noetic-*) echo "first add the source of ROS Noetic: http://wiki.ros.org/noetic/Installation/Ubuntu" ;;
+        *) echo "on Ubuntu and its derivatives, try: sudo add-apt-repository universe" ;;
     esac
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
+}
+
+# apt's status lines (kind:package:percent:text) as a percentage on a terminal. Fails if apt did.
+show_progress() {
+    while IFS=: read -r kind _ percent _; do
+        case $kind in
+            failed) return 1 ;;
+            dlstatus | pmstatus) [ ! -t 1 ] || printf '\rmorbot: %s %3s %%  ' \
+                "$([ "$kind" = dlstatus ] && echo "fetched  " || echo installed)" "${percent%.*}" ;;
+        esac
+    done
+    [ ! -t 1 ] || echo
+}
+
+as_root() {
+    if [ "$(id -u)" = 0 ]; then "$@"; return; fi
+    sudo true || fail "an administrator must run this once: sudo $here/morbot install"
+    sudo "$@"
 }
 
 # A minimal root file system has no /etc/hosts, and roslaunch does not start if localhost is unknown.

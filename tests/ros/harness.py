@@ -41,6 +41,8 @@ CONTROLLER = program("jetbot_control_node", "jetbot_controller.py")
 class RobotTest(unittest.TestCase):
     """A test with a fake bus of its own, which leaves no process behind."""
 
+    hardware = ", on a fake bus"  # the end of each status
+
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="jetbot_")
         self.bus = os.path.join(self.folder, "bus")
@@ -138,8 +140,8 @@ class RobotTest(unittest.TestCase):
         return self.record("/jetbot_controller/status", String, lambda message: message.data)
 
     def wait_for_status(self, texts: List[str], text: str, within: float = 5.0) -> None:
-        """Fail unless this becomes the last of the status texts within this many seconds."""
-        self.wait_for(lambda: texts and texts[-1] == text, within, f"the status {text!r} after {texts}")
+        """Fail unless this, on this test's hardware, becomes the last of the status texts within this many seconds."""
+        self.wait_for(lambda: texts and texts[-1] == text + self.hardware, within, f"the status {text!r} after {texts}")
 
     def logs(self) -> str:
         """Return what all processes of this test have printed so far."""

@@ -27,30 +27,53 @@ def install(tmp_path):
         (tmp_path / name).write_text(f"#!/bin/sh\n{body}\n")
         (tmp_path / name).chmod(0o755)
 
-    def run(system, version, unknown="nothing"):
-        names = f'VERSION_ID="{version}"\nPRETTY_NAME="{system} {version}"\n' if version else ""
-        (tmp_path / "os-release").write_text(f"ID={system}\n{names}")
+    def run(os_release, unknown="nothing", **environment):
+        (tmp_path / "os-release").write_text(os_release.replace("; ", "\n"))
         log = tmp_path / "log"
         log.touch()
-        environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "LOG": str(log), "UNKNOWN": unknown,
-                       "OS_RELEASE": str(tmp_path / "os-release")}
-        process = subprocess.run(["sh", str(MORBOT), "install"], env=environment, text=True, stdout=subprocess.PIPE,
-                                 stderr=subprocess.STDOUT)
+        process = subprocess.run(["sh", str(MORBOT), "install"], text=True, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT, env={
+            **os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "LOG": str(log), "UNKNOWN": unknown,
+            "OS_RELEASE": str(tmp_path / "os-release"), **environment})
         return process.returncode, process.stdout, log.read_text()
 
     return run
 
 
-@pytest.mark.parametrize("system", [("debian", 12), ("debian", 13), ("ubuntu", "22.04"), ("ubuntu", "24.04")])
-def test_systems_that_package_ros_themselves(install, system):
-    code, _, commands = install(*system)
+DEBIAN_12 = "ID=debian; VERSION_ID=12; VERSION_CODENAME=bookworm"
+UBUNTU_20 = "ID=ubuntu; ID_LIKE=debian; VERSION_ID=20.04; VERSION_CODENAME=focal; UBUNTU_CODENAME=focal"
+UBUNTU_22 = "ID=ubuntu; ID_LIKE=debian; VERSION_ID=22.04; VERSION_CODENAME=jammy; UBUNTU_CODENAME=jammy"
+EVERYTHING = ""  # matches every package
+
+
+@pytest.mark.parametrize("os_release", [
+    DEBIAN_12, UBUNTU_22,
+    "ID=debian; VERSION_ID=13; VERSION_CODENAME=trixie",
+    "ID=debian; VERSION_CODENAME=trixie",  # while it was testing
+    "ID=ubuntu; ID_LIKE=debian; VERSION_ID=24.04; VERSION_CODENAME=noble; UBUNTU_CODENAME=noble",
+    "ID=raspbian; ID_LIKE=debian; VERSION_ID=12; VERSION_CODENAME=bookworm",
+    "ID=raspbian; ID_LIKE=debian; VERSION_ID=13; VERSION_CODENAME=trixie",
+    'ID=linuxmint; ID_LIKE="ubuntu debian"; VERSION_ID=21.3; VERSION_CODENAME=virginia; UBUNTU_CODENAME=jammy',
+    'ID=linuxmint; ID_LIKE="ubuntu debian"; VERSION_ID=22; VERSION_CODENAME=wilma; UBUNTU_CODENAME=noble',
+    "ID=linuxmint; ID_LIKE=debian; VERSION_ID=6; VERSION_CODENAME=faye; DEBIAN_CODENAME=bookworm",
+    "ID=linuxmint; ID_LIKE=debian; VERSION_ID=7; VERSION_CODENAME=gigi; DEBIAN_CODENAME=trixie",
+    'ID=pop; ID_LIKE="ubuntu debian"; VERSION_ID=24.04; VERSION_CODENAME=noble; UBUNTU_CODENAME=noble',
+    'ID=elementary; ID_LIKE="ubuntu debian"; VERSION_ID=7; VERSION_CODENAME=horus; UBUNTU_CODENAME=jammy',
+    'ID=zorin; ID_LIKE="ubuntu debian"; VERSION_ID=17; VERSION_CODENAME=jammy; UBUNTU_CODENAME=jammy',
+    'ID=neon; ID_LIKE="ubuntu debian"; VERSION_ID=22.04; VERSION_CODENAME=jammy; UBUNTU_CODENAME=jammy'])
+def test_systems_that_package_ros_themselves_and_their_derivatives(install, os_release):
+    code, _, commands = install(os_release)
     assert code == 0
     assert " python3-rospy " in commands and " python3-smbus2 " in commands
     assert "noetic" not in commands and "pip3" not in commands
 
 
-def test_noetic(install):
-    code, _, commands = install("ubuntu", "20.04")
+@pytest.mark.parametrize("os_release", [
+    UBUNTU_20,  # JetPack 5 too
+    'ID=linuxmint; ID_LIKE=ubuntu; VERSION_ID=20.3; VERSION_CODENAME=una; UBUNTU_CODENAME=focal',
+    "ID=zorin; ID_LIKE=ubuntu; VERSION_ID=16; VERSION_CODENAME=focal; UBUNTU_CODENAME=focal"])
+def test_noetic(install, os_release):
+    code, _, commands = install(os_release)
     assert code == 0
     assert commands.endswith("pip3 install -q smbus2\n")
     installed = set(re.findall(r"no-install-recommends (.*)", commands)[0].split())
@@ -60,16 +83,50 @@ def test_noetic(install):
     assert not {name for name in installed if re.match("python3-(ros|tf2|.*-msgs|smbus2)|lib|ros-(?!noetic)", name)}
 
 
-@pytest.mark.parametrize("system, unknown, sentence", [
-    (("ubuntu", "20.04"), "ros-noetic-", "morbot: cannot find ROS Noetic. First add its source: http://wiki."),
-    (("ubuntu", "22.04"), "python3-rospy", "morbot: cannot find all of these packages. On Ubuntu, try: sudo "),
-    (("arch", None), "nothing", "morbot: cannot set up this system. These Debian packages are needed: "),
-    (("fedora", "41"), "nothing", "morbot: cannot set up fedora 41. These Debian packages are needed: ")])
-def test_what_cannot_be_set_up_is_reported_and_nothing_is_installed(install, system, unknown, sentence):
-    code, printed, commands = install(*system, unknown)
+@pytest.mark.parametrize("os_release", [
+    "ID=debian; VERSION_CODENAME=forky",
+    "ID=kali; ID_LIKE=debian; VERSION_ID=2025.4; VERSION_CODENAME=kali-rolling",
+    "ID=ubuntu; ID_LIKE=debian; VERSION_ID=25.10; VERSION_CODENAME=questing; UBUNTU_CODENAME=questing"])
+def test_another_release_is_set_up_if_apt_knows_the_packages(install, os_release):
+    code, _, commands = install(os_release)
+    assert code == 0 and " python3-rospy " in commands
+    code, printed, _ = install(os_release, unknown=EVERYTHING)
+    assert code == 1 and printed.endswith(" has no packages of ROS 1\n")
+
+
+@pytest.mark.parametrize("os_release", [
+    "ID=fedora; VERSION_ID=40; VERSION_CODENAME=''", "ID=arch", "ID=nixos; VERSION_CODENAME=warbler; VERSION_ID=25.05",
+    "ID=steamos; ID_LIKE=arch; VERSION_CODENAME=holo", ""])
+def test_a_system_without_ros_is_named_and_nothing_is_installed(install, os_release):
+    code, printed, commands = install(f"{os_release}; PRETTY_NAME='This one'" if os_release else "")
+    assert code == 1
+    assert printed.endswith(f"morbot: {'This one' if os_release else os.uname().sysname} has no packages of ROS 1\n")
+    assert not commands
+
+
+@pytest.mark.parametrize("os_release, unknown, sentence", [
+    (UBUNTU_20, "ros-noetic-", "; first add the source of ROS Noetic: http://wiki.ros.org/noetic/Installation/Ubuntu\n"),
+    (UBUNTU_22, "python3-rospy", "morbot: apt cannot find python3-rospy; on Ubuntu and its derivatives, try: sudo add-")])
+def test_packages_that_apt_cannot_find_are_named_and_nothing_is_installed(install, os_release, unknown, sentence):
+    code, printed, commands = install(os_release, unknown)
     assert code == 1
     assert sentence in printed
     assert "install" not in commands
+
+
+def test_without_sudo_one_sentence_says_what_an_administrator_types(install, tmp_path):
+    (tmp_path / "id").write_text("#!/bin/sh\necho 1000\n")
+    (tmp_path / "sudo").write_text("#!/bin/sh\nexit 1\n")
+    (tmp_path / "sudo").chmod(0o755)
+    code, printed, commands = install(DEBIAN_12)
+    assert code == 1 and not commands
+    assert printed.endswith(f"morbot: an administrator must run this once: sudo {MORBOT} install\n")
+
+
+def test_a_failed_installation_ends_with_one_sentence(install, tmp_path):
+    (tmp_path / "apt-get").write_text('#!/bin/sh\n[ "$1" = update ]\n')
+    code, printed, _ = install(DEBIAN_12)
+    assert code == 1 and printed.endswith("morbot: apt-get could not install these packages (see above)\n")
 
 
 @pytest.mark.parametrize("name", [

@@ -1,0 +1,172 @@
+"""Where a system has no packages of ROS 1, ./morbot runs in a container; with fake container engines."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from conftest import ROOT
+from jetbot.wait import wait_until
+
+MORBOT, ATTEND = ROOT / "morbot", ROOT / "docker/attend"
+FEDORA = 'ID=fedora\nVERSION_ID=40\nPRETTY_NAME="Fedora Linux 40"\n'
+JETPACK_4 = 'ID=ubuntu\nID_LIKE=debian\nVERSION_CODENAME=bionic\nPRETTY_NAME="Ubuntu 18.04.6 LTS"\n'
+NO_ROS = "morbot: Fedora Linux 40 has no packages of ROS 1; "
+ENGINE = """#!/bin/sh
+echo "${0##*/} $*" >>"$LOG"
+case "$1 $2 $4" in
+    --version*) %(version)s ;;
+    ps*) %(ps)s ;;
+    version*) echo %(server)s ;;
+    info*) echo "[name=seccomp,profile=default]" ;;
+    "image inspect "*) [ -e "$LOG.built" ] ;;
+    build*) %(build)s && touch "$LOG.built" ;;
+    run*) touch "$LOG.running" ;;
+    "exec "*" /tmp/last_use") [ -e "$LOG.running" ] ;;
+esac
+"""
+MISSING = {"version": "exit 127", "ps": "exit 127", "server": "", "build": "exit 127"}
+WORKING = {"version": "echo 'Docker version 24.0.5'", "ps": ":", "server": "24.0.5", "build": ":"}
+
+
+@pytest.fixture
+def morbot(tmp_path):
+    """Return a function that runs ./morbot on a system: (exit code, what it prints, the engines' command lines)."""
+    home = tmp_path / "home"
+    home.mkdir()
+
+    def run(*arguments, system=FEDORA, docker=MISSING, podman=MISSING, uid=1234):
+        write_program(tmp_path / "docker", ENGINE % docker)
+        write_program(tmp_path / "podman", ENGINE % podman)
+        write_program(tmp_path / "apt-cache", "#!/bin/sh\nexit 100\n")
+        write_program(tmp_path / "dpkg-query", "#!/bin/sh\nexit 1\n")
+        write_program(tmp_path / "id", f"#!/bin/sh\n[ $1 = -un ] && echo pupil || echo {uid}\n")
+        (tmp_path / "os-release").write_text(system)
+        log = tmp_path / "log"
+        log.write_text("")
+        process = subprocess.run([MORBOT, *arguments], text=True, cwd=ROOT / "docs", stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={
+            **os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "HOME": str(home), "LOG": str(log),
+            "OS_RELEASE": str(tmp_path / "os-release")})
+        return process.returncode, process.stdout, log.read_text().splitlines()
+
+    return run
+
+
+def write_program(file, text):
+    file.write_text(text)
+    file.chmod(0o755)
+
+
+def words_of(commands, beginning):
+    """Return the command line that begins so, framed by spaces."""
+    return f" {next(line for line in commands if line.startswith(beginning))} "
+
+
+def test_the_first_command_builds_the_image_and_starts_the_container_that_later_ones_share(morbot):
+    code, printed, commands = morbot("run", "linear:=0.2", docker=WORKING)
+    assert code == 0
+    assert printed.startswith("morbot: Fedora Linux 40 has no packages of ROS 1; running in a container of docker\n")
+    assert " --target system " in words_of(commands, "docker build")
+    assert commands[-1].startswith(f"docker exec -i --workdir {ROOT}/docs")
+    assert commands[-1].endswith(" morbot run linear:=0.2".replace("morbot", str(MORBOT)))
+    _, _, later = morbot("shell", docker=WORKING)
+    assert not [line for line in later if line.split()[1] in ("build", "run")]
+    container = words_of(commands, "docker run").partition("--name ")[2].split()[0]
+    assert f" {container} {ATTEND} " in later[-1]
+
+
+def test_the_container_has_this_folder_the_users_settings_network_and_processes(morbot, tmp_path):
+    started = words_of(morbot("shell", docker=WORKING)[2], "docker run")
+    for option in (f"--volume {ROOT}:{ROOT}", f"--volume {tmp_path}/home/.ros:{tmp_path}/home/.ros", "--network host",
+                   "--pid host", "--user 1234:1234", f"--env HOME={tmp_path}/home"):
+        assert f" {option} " in started
+
+
+def test_a_podman_without_root_keeps_the_users_id(morbot):
+    started = words_of(morbot("shell", podman={**WORKING, "version": "echo podman version 4.3.1"})[2], "podman run")
+    assert " --user 1234:1234 --userns keep-id --group-add keep-groups " in started
+
+
+def test_a_docker_that_is_podman_is_podman(morbot):
+    podman = {**WORKING, "version": "echo podman version 4.3.1"}
+    assert morbot("shell", docker=podman, podman=podman)[2][-1].startswith("podman exec ")
+
+
+@pytest.mark.parametrize("system, server, base", [
+    (FEDORA, "24.0.5", "docker.io/library/debian:bookworm-slim"),
+    (FEDORA, "20.10.5", "docker.io/library/ros:noetic-ros-base-focal"),
+    (JETPACK_4, "20.10.7", "docker.io/library/ros:noetic-ros-base-focal")])
+def test_the_image_is_one_that_the_docker_can_run(morbot, system, server, base):
+    commands = morbot("shell", system=system, docker={**WORKING, "server": server})[2]
+    assert f" BASE={base} " in words_of(commands, "docker build")
+
+
+@pytest.mark.parametrize("engines, advice", [
+    ({}, "with docker or podman, it runs in a container: sudo dnf install podman\n"),
+    ({"docker": {**WORKING, "ps": "echo 'permission denied while trying to connect' >&2; exit 1"}},
+     "docker is there, but closed to you: sudo usermod -aG docker pupil, and log in again\n"),
+    ({"docker": {**WORKING, "ps": "echo 'Is the docker daemon running?' >&2; exit 1"}},
+     "docker is there, but not running: sudo systemctl enable --now docker\n"),
+    ({"podman": {**WORKING, "version": "echo podman version 4.3.1", "ps": "exit 125"}},
+     "podman is there, but does not work; see: podman ps\n")])
+def test_without_a_container_engine_one_sentence_says_what_to_type(morbot, engines, advice):
+    code, printed, commands = morbot("run", **engines)
+    assert code == 1
+    assert printed == NO_ROS + advice
+    assert not [line for line in commands if line.split()[1] in ("build", "run", "exec")]
+
+
+def test_a_failed_build_of_the_image_ends_with_one_sentence(morbot):
+    code, printed, commands = morbot("run", docker={**WORKING, "build": "echo no network; false"})
+    assert code == 1
+    assert printed.endswith("no network\nmorbot: cannot build the image (see above); the first use needs the internet\n")
+    assert not [line for line in commands if line.startswith("docker run")]
+
+
+@pytest.fixture
+def attend():
+    """Return a function that attends a command for a client, which sleeps: (the client, the attendant)."""
+    processes = []
+
+    def run(*command):
+        client = subprocess.Popen(["sleep", "60"], start_new_session=True)
+        attendant = subprocess.Popen([sys.executable, ATTEND, str(client.pid), *command], start_new_session=True,
+                                     stdout=subprocess.PIPE, text=True)
+        processes.extend([client, attendant])
+        return client, attendant
+
+    yield run
+    for process in processes:
+        process.terminate()
+        process.wait(10)
+
+
+def state(pid):
+    return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+
+
+def test_an_attended_command_passes_on_its_exit_code(attend):
+    assert attend("sh", "-c", "exit 3")[1].wait(10) == 3
+
+
+@pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGHUP])
+def test_a_command_hangs_up_when_its_client_ends(attend, end):
+    client, attendant = attend("python3", "-u", "-c", "import signal, time; signal.signal(signal.SIGHUP, lambda *_: "
+                               "(print('hung up'), exit())); print('ready'); time.sleep(60)")
+    assert attendant.stdout.readline() == "ready\n"
+    client.send_signal(end)
+    client.wait()
+    assert attendant.stdout.readline() == "hung up\n"
+
+
+def test_a_command_is_suspended_and_continued_with_its_client(attend):
+    client, attendant = attend("sh", "-c", "echo $$; while sleep 0.1; do :; done")
+    command = int(attendant.stdout.readline())
+    client.send_signal(signal.SIGSTOP)
+    assert wait_until(lambda: state(command) == "T", 10)
+    client.send_signal(signal.SIGCONT)
+    assert wait_until(lambda: state(command) != "T", 10)
