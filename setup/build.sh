@@ -1,25 +1,57 @@
-# How the workspace is built. Sourced by ./morbot.
+# Where the workspace is built, and when. Sourced by ./morbot; build.py builds.
 
-# Whether nothing that catkin reads has changed since the last build: package descriptions and the list of files.
-is_built() {
-    [ -f "$stamp" ] && [ -f "$workspace/devel/setup.sh" ] || return 1
-    [ -z "$(find -L "$workspace/src" -name __pycache__ -prune -o -newer "$stamp" \
-        \( -type d -o -name package.xml -o -name CMakeLists.txt -o -name setup.py \) -print)" ]
+# A user who may not write there uses the workspace's own build while it is up to date, or else one of their own.
+choose_build() {
+    build=$workspace/build devel=$workspace/devel
+    if ! may_write "$workspace" "$workspace/src" "$build" "$devel" "$build/CMakeCache.txt" "$devel/setup.sh"; then
+        is_built && return
+        choose_cache
+        build=$cache$workspace/build devel=$cache$workspace/devel
+    fi
+    [ -d "$build" ] || mkdir -p "$build" || exit 1
 }
 
+may_write() {
+    for place; do
+        [ -w "$place" ] || [ ! -e "$place" ] || return 1
+    done
+}
+
+# Whether nothing that catkin reads has changed since the last build: package descriptions and the list of files.
 # A build made in another folder cannot be used.
+is_built() {
+    stamp=$devel/morbot.stamp
+    [ -f "$devel/setup.sh" ] && [ -s "$stamp" ] && read -r source <"$stamp" || return 1
+    [ "$source" = "$workspace/src" ] || [ "$source" = "$build/view/src" ] || return 1
+    [ -z "$(find -L "$workspace/src" -name __pycache__ -prune -o -cnewer "$stamp" \
+        \( -type d -o -name package.xml -o -name CMakeLists.txt -o -name setup.py \) -print 2>/dev/null)" ]
+}
+
+# What was built before is still of use if the build fails.
 build() {
-    cache=$workspace/build/CMakeCache.txt
-    stamp=$workspace/build/morbot.stamp
-    if [ -f "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$workspace/src" "$cache"; then
-        rm -rf "$workspace/build" "$workspace/devel"
-    fi
     ! is_built || return 0
-    mkdir -p "$workspace/build"
-    log=$workspace/build/morbot.log
-    catkin_make -C "$workspace" -DPYTHON_EXECUTABLE=/usr/bin/python3 >"$log" 2>&1 || {
-        cat "$log"
-        fail "the build failed"
-    }
-    touch "$stamp"
+    [ ! -s "$stamp" ] || case $source in
+        "$workspace/src" | "$build/view/src") ;;
+        *) rm -rf "$build"/* "$devel" ;;
+    esac
+    python3 "$here/setup/build.py" "$workspace/src" "$build" "$devel" && return
+    [ "$command" != setup ] && [ -f "$devel/setup.sh" ] || exit 1
+    echo "morbot: going on with the last build" >&2
+}
+
+# ./morbot setup tries again what failed: its cause may be outside of the workspace.
+forget_problems() {
+    [ ! -s "$devel/morbot.problems" ] || touch -t 197001010000 "$devel/morbot.stamp" 2>/dev/null || :
+}
+
+report_problems() {
+    [ -s "$devel/morbot.problems" ] || return 0
+    cat "$devel/morbot.problems" >&2
+    [ "$command" != setup ] || fail "everything else is ready"
+}
+
+wait_for_other_builds() {
+    if flock -n 9 2>/dev/null || [ $? != 1 ]; then return; fi  # a network drive may know no locks
+    echo "morbot: waiting for another ./morbot in this folder" >&2
+    flock 9
 }

@@ -41,6 +41,8 @@ CONTROLLER = program("jetbot_control_node", "jetbot_controller.py")
 class RobotTest(unittest.TestCase):
     """A test with a fake bus of its own, which leaves no process behind."""
 
+    hardware = ", on a fake bus"  # the end of each status
+
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="jetbot_")
         self.bus = os.path.join(self.folder, "bus")
@@ -52,8 +54,7 @@ class RobotTest(unittest.TestCase):
                 rospy.delete_param(name)
 
     def tearDown(self):
-        for process in reversed(self.processes):
-            end(process)
+        end(self.processes)
         self.wait_for(lambda: not find_processes(self.folder), START_TIMEOUT, f"the processes in {self.folder} to end")
         shutil.rmtree(self.folder)
 
@@ -139,8 +140,8 @@ class RobotTest(unittest.TestCase):
         return self.record("/jetbot_controller/status", String, lambda message: message.data)
 
     def wait_for_status(self, texts: List[str], text: str, within: float = 5.0) -> None:
-        """Fail unless this becomes the last of the status texts within this many seconds."""
-        self.wait_for(lambda: texts and texts[-1] == text, within, f"the status {text!r} after {texts}")
+        """Fail unless this, on this test's hardware, becomes the last of the status texts within this many seconds."""
+        self.wait_for(lambda: texts and texts[-1] == text + self.hardware, within, f"the status {text!r} after {texts}")
 
     def logs(self) -> str:
         """Return what all processes of this test have printed so far."""
@@ -162,16 +163,18 @@ def read(process: subprocess.Popen) -> str:
     return process.log.read_text()
 
 
-def end(process: subprocess.Popen) -> None:
-    """End the process by SIGINT to its group, after SHUTDOWN_TIMEOUT by SIGKILL."""
-    if process.poll() is None:
+def end(processes: List[subprocess.Popen]) -> None:
+    """End the processes by SIGINT to their groups, after SHUTDOWN_TIMEOUT by SIGKILL."""
+    running = [process for process in processes if process.poll() is None]
+    for process in running:
         for signum in (signal.SIGCONT, signal.SIGINT):
             os.killpg(process.pid, signum)
-    try:
-        process.wait(SHUTDOWN_TIMEOUT)
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
+    for process in running:
+        try:
+            process.wait(SHUTDOWN_TIMEOUT)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
 
 
 def twist(linear: float, angular: float = 0.0) -> Twist:

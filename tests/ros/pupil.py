@@ -34,8 +34,7 @@ class Pupil:
         shutil.copytree(ROOT, self._project, symlinks=True, ignore=shutil.ignore_patterns(*NOT_COPIED))
         port = free_port()
         (home / ".bashrc").write_text(
-            f"PS1='{PS1}'\nbind 'set enable-bracketed-paste off'\nexport ROS_MASTER_URI=http://localhost:{port}\n"
-            f"alias roscore='roscore -p {port}'  # it alone ignores ROS_MASTER_URI\n")
+            f"PS1='{PS1}'\nbind 'set enable-bracketed-paste off'\nexport ROS_MASTER_URI=http://localhost:{port}\n")
         self._environment = {name: value for name, value in os.environ.items() if not name.startswith(WORKSPACE)}
         self._environment.update(HOME=str(home), TERM="dumb", GIT_TERMINAL_PROMPT="0")
         self._terminals = {}

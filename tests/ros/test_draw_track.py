@@ -4,6 +4,7 @@ import os
 import runpy
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import rosbag
@@ -47,6 +48,19 @@ def test_no_odometry_of_this_robot(draw, bag, robot, odom):
     bag.write("odom", Twist())
     bag.close()
     assert draw(bag, robot) == f"{bag.filename} holds no nav_msgs/Odometry on {odom}. Another robot's: --robot NAME"
+
+
+@pytest.mark.parametrize("topics, sentence", [
+    ({}, "Nothing is published on /odom. Start a simulated robot: roslaunch simulation simulation.launch"),
+    ({"/red/odom": Odometry._type, "/blue/odom": "std_msgs/String"},
+     "Nothing is published on /odom. Choose another robot: --robot red"),
+    ({"/odom": Odometry._type}, "Nothing arrives on /odom. Is the program that publishes it frozen (Ctrl-Z)? "
+                                "Continue it with fg.")])
+def test_why_no_odometry_arrives(monkeypatch, topics, sentence):
+    advice = runpy.run_path(str(PROGRAM))["advice"]
+    master = SimpleNamespace(getPublishedTopics=lambda caller, subgraph: (1, "", list(map(list, topics.items()))))
+    monkeypatch.setitem(advice.__globals__, "proxy", lambda uri, timeout: master)
+    assert advice("/odom") == sentence
 
 
 def test_a_robot_of_an_impossible_name(draw, bag, capsys):

@@ -4,9 +4,8 @@ import os
 import re
 
 import pytest
-from catkin_pkg.package import InvalidPackage
 
-from jetbot_lessons import files
+from jetbot_lessons import files, packages
 
 PACKAGE_XML = """<package format="3"><name>mine</name><version>0.0.1</version><description>Mine.</description>
 <maintainer email="me@example.com">Me</maintainer><license>MIT</license>
@@ -27,7 +26,10 @@ def depends(package):
 @pytest.fixture
 def mine(tmp_path, monkeypatch):
     """The folder of a package with nothing missing."""
-    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "src"))
+    monkeypatch.setattr(packages, "__file__", str(tmp_path / "src/jetbot_lessons/src/jetbot_lessons/packages.py"))
+    (tmp_path / "src/jetbot_lessons").mkdir(parents=True)
+    (tmp_path / "src/jetbot_lessons/package.xml").write_text(PACKAGE_XML.replace("mine", "jetbot_lessons"))
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "src/jetbot_lessons"))  # a list, while another is broken
     monkeypatch.setenv("CMAKE_PREFIX_PATH", str(tmp_path / "devel"))
     (tmp_path / "devel/share/mine/cmake").mkdir(parents=True)
     folder = tmp_path / "src/mine"
@@ -50,9 +52,49 @@ def test_no_package(mine):
     assert exists("yours") == f"There is no package yours in {mine.parent}: make it"
 
 
-@pytest.mark.parametrize("given", ["Mine", "scenarios/mine", "/mine/"])
+def test_package_outside_the_workspace(mine, tmp_path, monkeypatch):
+    mine.rename(tmp_path / "mine")
+    monkeypatch.setenv("ROS_PACKAGE_PATH", f"{mine.parent}:{tmp_path / 'mine'}")
+    assert exists("mine") is None
+
+
+@pytest.mark.parametrize("given", ["Mine", "scenarios/mine", "/mine/", "mien"])
 def test_another_name(mine, given):
-    assert exists(given) == f"There is no package {given}, but there is mine: type that name"
+    assert exists(given) == f"There is no package {given}, but there is mine: type that name, or make it"
+
+
+@pytest.mark.parametrize("given", ["", "/", "..", "my car", "2cars", "m" * 5000])
+def test_what_is_no_name(mine, given):
+    assert exists(given) == ("A package's name begins with a letter and has letters, digits and _: "
+                             "type the name of yours")
+
+
+@pytest.mark.parametrize("place", ["mine", "."])
+def test_package_that_catkin_ignores(mine, place):
+    marker = mine.parent / place / "CATKIN_IGNORE"
+    marker.touch()
+    assert exists("mine") == f"ROS and catkin ignore {mine}: rm {marker}, then ./morbot setup"
+
+
+def test_copied_package(mine):
+    copy = mine.with_name("a copy")
+    copy.mkdir()
+    (copy / "package.xml").write_text(PACKAGE_XML)
+    assert exists("mine") == (
+        f"{mine} and {copy} are both the package mine: give the second a name of its own, as <name> in its package.xml "
+        f"and as project in its CMakeLists.txt, or mv '{copy}' ~")
+
+
+def test_a_link_that_leads_back_is_not_followed_forever(mine):
+    for name in "one", "two":
+        (mine.parent / name).symlink_to(mine.parent)
+    assert exists("mine") is None
+
+
+def test_package_of_ros_is_not_the_pupils(mine, monkeypatch):
+    assert files.check_own("mine") is None
+    monkeypatch.setattr(files, "folder", lambda name: packages.Path("/usr/share/rospy"))
+    assert files.check_own("rospy") == "rospy comes with ROS, in /usr/share/rospy: type the name of your own package"
 
 
 @pytest.mark.parametrize("place", ["..", "other"])
@@ -83,7 +125,11 @@ def test_package_where_ros_does_not_search(mine, place):
      "There is no script in {0}/scripts: put one there, with a name that ends in .py"),
     *((DRIVE, text, files.check_scripts,
        f"drive.py does not begin with #!/usr/bin/env python3: make that the first line of {{0}}/{DRIVE}")
-      for text in ("print()\n", "")),
+      for text in ("print()\n", "\n#!")),
+    *((DRIVE, text, files.check_scripts, f"{{0}}/{DRIVE} is empty: write your program into it, and save it")
+      for text in ("", " \n")),
+    *((DRIVE, text, files.check_scripts, "drive.py holds no command yet: write your program into it, and save it")
+      for text in ("#!/usr/bin/env python3", "#!/usr/bin/env python3\n# Drives.\n")),
     (DRIVE, SCRIPT.replace("\n", "\r\n"), files.check_scripts,
      rf"drive.py has Windows line endings: sed -i 's/\r$//' {{0}}/{DRIVE}"),
     *((DRIVE, f"{first}\n", files.check_scripts,
@@ -103,10 +149,11 @@ def test_not_built(mine):
 @pytest.mark.parametrize("text", [
     b"<package", b"", b"<launch/>", b'<?xml version="1.0" encoding="foo"?><a/>', b"\xff",
     b"<package><name>mine</name></package>"])
-def test_package_xml_describes_no_package(mine, text):
+@pytest.mark.parametrize("wanted", ["mine", "jetbot_lessons"])
+def test_package_xml_describes_no_package(mine, text, wanted):
     (mine / "package.xml").write_bytes(text)
-    with pytest.raises(InvalidPackage, match=rf"^{re.escape(str(mine))}/package\.xml cannot be read: [^\n]+$"):
-        depends("mine")
+    assert re.fullmatch(rf"{re.escape(str(mine))}/package\.xml cannot be read: [^\n]+: "
+                        r"correct that, then \./morbot setup", exists(wanted))
 
 
 @pytest.mark.parametrize("line, where", [
@@ -117,9 +164,13 @@ def test_script_that_python_cannot_read(mine, line, where):
 
 
 def test_script_that_is_no_file(mine):
-    (mine / DRIVE).unlink()
-    (mine / DRIVE).symlink_to("nowhere")
-    assert files.check_scripts("mine") == f"{mine / DRIVE} is not a file: remove it"
+    script = mine / DRIVE
+    script.unlink()
+    script.symlink_to("nowhere")
+    assert files.check_scripts("mine") == f"{script} is a link to nowhere, which does not exist: rm {script}"
+    script.unlink()
+    script.mkdir()
+    assert files.check_scripts("mine") == f"{script} is not a file: mv {script} ~"
 
 
 @pytest.mark.parametrize("name", [".drive.py", ".#drive.py", "notes.txt"])
@@ -139,15 +190,17 @@ def test_script_is_not_executable(mine):
     assert files.check_scripts("mine") == f"drive.py is not executable: chmod +x {mine / DRIVE}"
 
 
+def test_advice_works_where_a_folder_has_a_space(mine):
+    folder = mine.rename(mine.with_name("my car"))
+    (folder / DRIVE).chmod(0o644)
+    assert files.check_scripts("mine") == f"drive.py is not executable: chmod +x '{folder / DRIVE}'"
+
+
 @pytest.mark.parametrize("make, reason", [
     (os.mkfifo, "not a regular file"), (lambda file: os.truncate(open(file, "w").name, 50 * 10**9), "larger than ")])
 @pytest.mark.parametrize("file", ["package.xml", LAUNCH, DRIVE])
 def test_what_is_not_a_small_file_is_not_read(mine, file, make, reason):
     (mine / file).unlink()
     make(mine / file)
-    try:
-        problems = [check("mine") for check in (depends, files.check_launch_files, files.check_scripts)]
-    except InvalidPackage as error:
-        problems = [str(error)]
-    [problem] = filter(None, problems)
+    problem = exists("mine") or files.check_launch_files("mine") or files.check_scripts("mine")
     assert problem.startswith((f"{mine / file} cannot be read: {reason}", f"{mine / file} is not a file"))

@@ -1,6 +1,10 @@
 """check_lesson.py reads its arguments, and reports each problem of the running system in one sentence."""
 
+import os
+import queue
 import runpy
+import signal
+import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -8,10 +12,11 @@ from pathlib import Path
 import pytest
 import rosgraph
 
-from jetbot_lessons import graph, nodes
+from jetbot_lessons import graph, master, nodes, packages
 
 SCRIPT = Path(__file__).parents[2] / "morbot_ws/src/jetbot_lessons/scripts/check_lesson.py"
 parse_arguments = runpy.run_path(str(SCRIPT))["parse_arguments"]
+FROZEN = "does not answer: continue it (after Ctrl-Z: fg), or stop it and start it with roscore"
 STOP_IT = "stop it with Ctrl-C in its terminal"
 
 
@@ -34,10 +39,56 @@ def test_lesson_and_package():
     assert parse_arguments(["8", "mine"]) == (8, "mine")
 
 
+def check(**options):
+    """Run check_lesson.py 1; return its exit code and what it reports."""
+    done = subprocess.run([sys.executable, str(SCRIPT), "1"], stderr=subprocess.PIPE, text=True, **options)
+    return done.returncode, done.stderr
+
+
+@pytest.mark.parametrize("open_output, reason", [
+    (lambda: open("/dev/full", "w"), "No space left on device"), (lambda: closed_pipe(), "Broken pipe")])
+def test_result_that_cannot_be_printed(open_output, reason):
+    with open_output() as output:
+        assert check(stdout=output) == (1, f"Lesson 1: the result cannot be printed: {reason}\n")
+
+
+def closed_pipe():
+    reading, writing = os.pipe()
+    os.close(reading)
+    return os.fdopen(writing, "w")
+
+
+def test_ctrl_c_while_it_imports(tmp_path):
+    (tmp_path / "rosgraph.py").write_text(f"import os\nos.kill(os.getpid(), {signal.SIGINT})\n")
+    assert check(env={**os.environ, "PYTHONPATH": str(tmp_path)}) == (-signal.SIGINT, "")
+
+
+@pytest.fixture
+def silent_master(monkeypatch):
+    """The address of a port that accepts connections, and answers nothing."""
+    monkeypatch.setattr(nodes, "TIMEOUT", 0.2)
+    with socket.create_server(("localhost", 0)) as server:
+        uri = f"http://localhost:{server.getsockname()[1]}"
+        monkeypatch.setenv("ROS_MASTER_URI", uri)
+        yield uri
+
+
+def test_frozen_master(silent_master):
+    assert master.check_master("roscore") == f"The ROS master at {silent_master} {FROZEN}"
+
+
+def test_master_that_freezes_ends_the_check(silent_master, monkeypatch):
+    answers, problems = iter([True, True, False, False]), queue.Queue()
+    monkeypatch.setattr(master, "is_online", lambda: next(answers))
+    monkeypatch.setattr(master, "ASK_INTERVAL", 0.0)
+    master.watch(problems.put)
+    assert problems.get(timeout=10) == f"The ROS master at {silent_master} {FROZEN}"
+
+
 @pytest.fixture
 def mine(tmp_path, monkeypatch):
     """The folder of a package."""
-    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path))
+    monkeypatch.setattr(packages, "workspace", lambda: tmp_path)
     folder = tmp_path / "mine"
     (folder / "scripts").mkdir(parents=True)
     (folder / "package.xml").write_text("<package><name>mine</name></package>")
@@ -77,6 +128,12 @@ def running(mine, monkeypatch):
      "read its output, and check pkg and type of each <node>")])
 def test_problem_in_the_graph(running, check, arguments, problem):
     assert check(*arguments) == problem
+
+
+def test_node_without_a_publisher(running):
+    running.setattr(graph, "snapshot", lambda: graph.Graph({"/rosout": ["/mine/drive"]}, {}))
+    assert graph.check_publishes("mine", "/cmd_vel", "rosrun it") == (
+        "/mine/drive has no rospy.Publisher: make one for /cmd_vel, and call its publish in a loop")
 
 
 def test_node_does_not_run(running):

@@ -45,7 +45,7 @@ def test_a_board_that_answers(folder):
     assert lines(f"fake:{folder}")[2:] == [
         f"ok  0x60 on fake:{folder}: answers, and can be a board jetbot or adafruit or waveshare.",
         "ok  robot: could drive. Start it with: roslaunch jetbot_control_node jetbot_controller.launch "
-        f"board:=jetbot i2c_bus:=fake:{folder}"]
+        f"i2c_bus:=fake:{folder}"]
 
 
 def test_a_bus_without_a_board(folder):

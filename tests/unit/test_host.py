@@ -1,9 +1,12 @@
 import os
+import subprocess
+import sys
 from types import SimpleNamespace
 
 import pytest
 
 from jetbot import host
+from jetbot.wait import wait_until
 
 
 @pytest.mark.parametrize("name, bus", [
@@ -25,13 +28,10 @@ def test_buses_by_number(tmp_path):
     assert host.buses(tmp_path) == [1, 2, 10]
 
 
-FAKE = "Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."
-
-
 @pytest.mark.parametrize("model, buses, sentence", [
     ("Jetson Nano", [0, 1], "This computer has /dev/i2c-0, /dev/i2c-1. "
-     "On a Jetson Nano the motors are on bus 1: i2c_bus:=1. " + FAKE),
-    ("", [], "This computer has no /dev/i2c-* at all. " + FAKE),
+     "On a Jetson Nano the motors are on i2c_bus 1."),
+    ("", [], "This computer has no /dev/i2c-* at all."),
 ])
 def test_bus_advice(monkeypatch, model, buses, sentence):
     monkeypatch.setattr(host, "model", lambda: model)
@@ -67,3 +67,17 @@ def test_addresses_of_others_and_names_that_others_may_change(address):
 def test_loopback():
     assert [host.is_loopback(address) for address in ("localhost", "127.0.1.1", "::1", "robot.local", "10.0.0.2")] == [
         True, True, True, False, False]
+
+
+@pytest.mark.parametrize("command, name", [
+    ([sys.executable, "drive.py", "-x"], "drive.py"), (["/bin/sleep", "9"], "sleep"),
+    ([sys.executable, "-c", "import drive"], os.path.basename(sys.executable))])
+def test_the_name_of_a_program(tmp_path, command, name):
+    (tmp_path / "drive.py").write_text("import time; time.sleep(9)")
+    with subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.DEVNULL) as process:
+        assert wait_until(lambda: host.program_name(process.pid) == name, timeout=5.0)
+        process.kill()
+
+
+def test_the_name_of_no_program():
+    assert host.program_name(2**30) == ""

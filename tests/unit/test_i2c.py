@@ -21,13 +21,16 @@ def host(monkeypatch):
     monkeypatch.setattr(i2c, "permission_advice", lambda device, group: f"Join its group {group}.")
 
 
+FAKE = 'Without a robot, use Robot(i2c_bus="fake"), or type first: export JETBOT_I2C_BUS=fake'
+
+
 @pytest.mark.parametrize("number, kind, sentence", [
-    (errno.ENOENT, NotFound, "There is no I2C bus /dev/i2c-1. This computer has /dev/i2c-0."),
+    (errno.ENOENT, NotFound, "There is no I2C bus /dev/i2c-1. This computer has /dev/i2c-0. " + FAKE),
     (errno.EACCES, PermissionDenied, "No permission to open /dev/i2c-1. Join its group i2c."),
     (errno.EBUSY, BusError, "0x60 on /dev/i2c-1 is in use by a kernel driver. Unload that driver."),
     (errno.ETIMEDOUT, BusStuck, "The bus /dev/i2c-1 is stuck. Switch the robot off and on, and check the wires."),
     *((number, NoAnswer, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
-       "This computer has /dev/i2c-0.") for number in (errno.ENXIO, errno.EREMOTEIO))])
+       "This computer has /dev/i2c-0. " + FAKE) for number in (errno.ENXIO, errno.EREMOTEIO))])
 def test_each_failure_has_its_class_and_sentence(number, kind, sentence):
     error = explain(OSError(number, ""), "/dev/i2c-1", 0x60)
     assert (type(error), error.errno, str(error)) == (kind, number, sentence)

@@ -7,7 +7,7 @@ import pytest
 from conftest import SOURCE
 
 LAYERS = [f"jetbot/{module}" for module in (
-    "text", "errors", "files", "wait", "kinematics", "host", "fake/__init__", "fake/files", "fake/chips",
+    "text", "errors", "kinds", "files", "wait", "kinematics", "host", "fake/__init__", "fake/files", "fake/chips",
     "fake/jetbot_pro", "fake/motors", "fake/bus", "fake/port", "i2c", "serial_link", "boards/driver", "boards/pca9685",
     "boards/pwm_motors", "boards/scmd", "boards/jetbot_pro", "boards/__init__", "lock", "motor", "guard/process",
     "guard/peer", "guard/__init__", "open_robots", "robot", "__init__")]

@@ -41,7 +41,8 @@ def test_a_second_program_is_refused_with_one_sentence(holder, place):
         with pytest.raises(JetbotError) as error:
             lock_board(place, 0x60)
         assert str(error.value) == (
-            f"Another program (process {holder.pid}) already drives 0x60 on {place}. End that first.")
+            f"Another program ({os.path.basename(sys.executable)}, process {holder.pid}) already drives 0x60 on "
+            f"{place}. End that first.")
 
 
 def test_also_by_another_path(holder, folder, tmp_path):

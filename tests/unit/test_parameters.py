@@ -30,12 +30,6 @@ def test_a_given_value_counts_and_an_empty_one_is_not_given():
     assert checked({"max_speed": 2, "min_duty": ""}) == {**checked({}), "max_speed": 2}
 
 
-@pytest.mark.parametrize("values", [5, ["board"], "jetbot"])
-def test_what_has_no_names(values):
-    with pytest.raises(InvalidValue, match="^The parameters must have names, and not be "):
-        resolve(values)
-
-
 def test_a_mistyped_name():
     with pytest.raises(InvalidValue, match="^There is no parameter max_sped. The parameters are board, i2c_bus, "):
         checked({"max_sped": 2})
@@ -70,7 +64,7 @@ def test_a_launch_argument_shows_its_row_and_is_empty_unless_typed(name):
 
 
 def test_the_launch_file_passes_every_parameter_on():
-    params = [param for param in LAUNCH.iter("param") if param.get("name") != "already_running"]  # ends a second start
+    params = [param for param in LAUNCH.iter("param") if param.get("name") != "prelaunch"]  # passes nothing on
     passed = {param.get("name"): param.get("value") for param in params}
     assert passed == {name: f"$(arg {name})" for name in (*PARAMETERS, "config")}
     assert all(set(param.attrib) == {"name", "value"} for param in params)
@@ -82,9 +76,10 @@ def test_the_reference_shows_the_rows():
 
 
 def test_the_file_in_ros_home_is_used_where_it_exists(ros_home):
-    assert load() == {}
+    assert resolve({}) == {**checked({}), "config": ""}
     (ros_home / "jetbot.yaml").write_text("max_speed: 0.5\ninvert_left: true\nboard: sparkfun")
-    assert load() == {"max_speed": 0.5, "invert_left": True, "board": "sparkfun"}
+    assert resolve({}) == {**checked({"max_speed": 0.5, "invert_left": True, "board": "sparkfun"}),
+                           "config": f"{ros_home}/jetbot.yaml"}
 
 
 @pytest.fixture
@@ -106,12 +101,41 @@ def test_what_is_typed_wins_over_the_file_and_the_file_over_the_default(ros_home
     {"i2c_bus": "fake"}, {"i2c_bus": "fake:/tmp/x"}, {"board": "jetbot_pro", "port": "fake"}])
 def test_a_fake_robot_reads_nothing_from_the_file_of_the_real_one(ros_home, typed):
     (ros_home / "jetbot.yaml").write_text("max_speed: 0.5\nboard: sparkfun")
-    assert resolve(typed) == checked(typed)
+    assert resolve(typed) == {**checked(typed), "config": ""}
 
 
-def test_a_fake_robot_reads_the_file_that_is_named(ros_home):
+def test_a_fake_robot_reads_the_file_that_is_named(ros_home, monkeypatch):
+    monkeypatch.chdir(ros_home)
     (ros_home / "mine.yaml").write_text("max_speed: 0.5")
-    assert resolve({"i2c_bus": "fake", "config": str(ros_home / "mine.yaml")})["max_speed"] == 0.5
+    parameters = resolve({"i2c_bus": "fake", "config": "mine.yaml"})
+    assert (parameters["max_speed"], parameters["config"]) == (0.5, f"{ros_home}/mine.yaml")
+
+
+def test_a_fake_port_alone_is_a_jetbot_pros(ros_home):
+    (ros_home / "jetbot.yaml").write_text("board: jetbot_pro\nswap_motors: true")
+    assert resolve({"port": "fake"}) == {**checked({"port": "fake", "board": "jetbot_pro"}), "config": ""}
+
+
+@pytest.mark.parametrize("typed, config, sentence", [
+    ({"i2c_bus": "fake", "board": "jetbot_pro"}, "max_speed: 1",
+     "The i2c_bus is fake, but the board jetbot_pro is on the port /dev/ttyACM0. Without a robot, add port:=fake"),
+    ({"i2c_bus": "fake"}, "board: jetbot_pro\nport: /dev/ttyUSB0",
+     "The i2c_bus is fake, but the board jetbot_pro is on the port /dev/ttyUSB0. Without a robot, add port:=fake"),
+    ({"port": "fake"}, "board: sparkfun",
+     "The port is fake, but the board sparkfun is on the i2c_bus 1. Without a robot, add i2c_bus:=fake")])
+def test_who_types_fake_never_drives_a_real_robot(tmp_path, typed, config, sentence):
+    (tmp_path / "robot.yaml").write_text(config)
+    with pytest.raises(InvalidValue) as error:
+        resolve({**typed, "config": str(tmp_path / "robot.yaml")})
+    assert error.value.text("add {}:=fake".format) == sentence
+
+
+@pytest.mark.parametrize("typed, config", [
+    ({"i2c_bus": "fake"}, "board: jetbot_pro\nport: fake"),
+    ({"i2c_bus": "fake", "board": "jetbot_pro", "port": "/dev/ttyUSB0"}, "max_speed: 1")])
+def test_a_place_that_is_named_counts(tmp_path, typed, config):
+    (tmp_path / "robot.yaml").write_text(config)
+    assert resolve({**typed, "config": str(tmp_path / "robot.yaml")})["board"] == "jetbot_pro"
 
 
 @pytest.mark.parametrize("content, reason", [
@@ -142,7 +166,8 @@ def test_a_file_that_cannot_be_used(tmp_path, content, reason):
     file.write_bytes(content)
     with pytest.raises(InvalidValue) as error:
         load(file)
-    assert str(error.value) == f"The file {file} cannot be used: {reason}. Fix it, or name another file."
+    assert str(error.value) == (f"The file {file} cannot be used: {reason}. "
+                                "Fix it, or name another file by its whole path.")
 
 
 @pytest.mark.parametrize("content", [
@@ -156,14 +181,14 @@ def test_an_odd_value_in_the_file_gets_one_short_sentence(tmp_path, content):
     assert str(error.value).isprintable() and len(str(error.value)) < 2000
 
 
-@pytest.mark.parametrize("name", ["no.yaml", "", "/dev/zero", "~nobody_here/robot.yaml"])
+@pytest.mark.parametrize("name", ["no.yaml", ".", "/dev/zero", "~nobody_here/robot.yaml", None])
 def test_a_named_file_that_cannot_be_read(tmp_path, monkeypatch, name):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(InvalidValue, match="cannot be used: (No such file or directory|not a regular file). Fix it"):
-        load(name)
+        resolve({"config": name})
 
 
 def test_the_file_in_ros_home_is_never_passed_over(ros_home):
     (ros_home / "jetbot.yaml").symlink_to("not/mounted")
     with pytest.raises(InvalidValue, match="jetbot.yaml cannot be used: No such file or directory"):
-        load()
+        resolve({})

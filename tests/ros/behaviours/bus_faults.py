@@ -23,7 +23,7 @@ class BusFaults(RobotTest):
         self.fail_transfers(1)
         self.command(0.75)
         self.wait_for_wheels(0.75, 0.75, within=0.5)
-        self.assertEqual(self.texts, ["driving"])
+        self.assertEqual(self.texts, ["driving, on a fake bus"])
 
     def test_forty_failed_transfers(self):
         self.fail_transfers(40)

@@ -5,8 +5,10 @@ import os
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 
-from harness import RobotTest
+from harness import RobotTest, read
 from jetbot.fake.bus import power_on
+
+UNITS = "workshop units: left = x - z, right = x + z"
 
 
 class Diagnostics(RobotTest):
@@ -20,19 +22,24 @@ class Diagnostics(RobotTest):
     def values(self):
         return {pair.key: pair.value for pair in self.latest().values}
 
-    def wait_for_level(self, *wanted):
+    def wait_for_level(self, level, status):
+        wanted = level, status + self.hardware
         self.wait_for(lambda: self.arrays and (self.latest().level, self.latest().message) == wanted, 5.0,
                       f"{wanted} in /diagnostics")
 
     def test_levels_and_values(self):
-        self.controller(cmd_vel_timeout=0)
+        controller = self.controller(cmd_vel_timeout=0)
         self.wait_for_level(DiagnosticStatus.OK, "stopped: no command yet")
         for _ in range(30):
             self.command(0.5)
             rospy.sleep(0.05)
         self.wait_for_level(DiagnosticStatus.OK, "driving")
         values = self.values()
-        self.assertEqual((values["board"], values["bus"]), ("jetbot", f"fake:{self.bus}"))
+        texts = [values[name] for name in ("board", "bus", "units", "settings")]
+        self.assertEqual(texts, ["jetbot", f"fake:{self.bus}", UNITS, "no file of settings"])
+        lines = read(controller).splitlines()
+        self.assertIn(f"board jetbot on fake:{self.bus}; {UNITS}; no file of settings", lines[0])
+        self.assertIn(": stopped: no command yet, on a fake bus", lines[1])
         self.assertGreater(int(values["transfers"]), 10)
         self.assertEqual(values["failed transfers"], "0")
         self.assertLess(float(values["age of the last command (s)"]), 3)

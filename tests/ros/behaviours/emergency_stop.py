@@ -5,7 +5,7 @@ import signal
 
 import rospy
 
-from harness import START_TIMEOUT, RobotTest
+from harness import START_TIMEOUT, RobotTest, program, read
 from jetbot_lessons.graph import snapshot
 
 
@@ -51,3 +51,31 @@ class EmergencyStop(RobotTest):
         self.controller()
         os.killpg(release.pid, signal.SIGCONT)
         self.commands_are_ignored(for_seconds=1.5)
+
+    def stop_by_hand(self, *arguments):
+        """Run the script; return its exit code and its output."""
+        script = self.start(program("jetbot_control_node", "emergency_stop.py"), *arguments)
+        return script.wait(START_TIMEOUT), read(script)
+
+    def test_by_hand_it_outlives_the_script_and_every_robot_confirms_it(self):
+        self.controller(cmd_vel_timeout=0)
+        self.drive_at(0.5)
+        code, printed = self.stop_by_hand()
+        self.assertEqual(code, 0)
+        self.assertTrue(printed.startswith("/jetbot_controller: stopped: emergency stop"), printed)
+        self.commands_are_ignored(for_seconds=0.3)
+        code, printed = self.stop_by_hand("--release")
+        self.assertEqual(code, 0)
+        self.assertNotIn("stopped: emergency stop", printed)
+        self.drive_at(0.25)
+
+    def test_by_hand_a_frozen_robot_is_named_and_a_dead_one_is_not(self):
+        node = self.controller()
+        node.send_signal(signal.SIGSTOP)
+        code, printed = self.stop_by_hand()
+        self.assertEqual((code, printed.splitlines()[0]), (1, "/jetbot_controller: no answer (not confirmed)"))
+        node.send_signal(signal.SIGKILL)
+        node.wait()
+        code, printed = self.stop_by_hand()
+        self.assertEqual(code, 1)
+        self.assertTrue(printed.startswith("No robot runs on the ROS master at "), printed)

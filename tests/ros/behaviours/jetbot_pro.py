@@ -58,6 +58,8 @@ class Board(JetBotPro):
 
 
 class JetBotProTest(RobotTest):
+    hardware = ""
+
     def setUp(self):
         super().setUp()
         self.link = os.path.join(self.folder, "tty")

@@ -1,6 +1,7 @@
 """The simulated robot drives as the registers on the fake bus command, along the arc of the velocity."""
 
 import math
+import signal
 from pathlib import Path
 
 import rospy
@@ -90,9 +91,13 @@ class Simulator(RobotTest):
                       "a last line")
         self.assertRegex(read(self.simulator).splitlines()[-1], r"^at x 1\.\d\d m, y 0\.\d\d m, heading 29 deg; ")
 
-    def test_its_track_is_drawn(self):
+    def test_its_track_is_drawn_at_ctrl_c(self):
         picture = Path(self.folder, "track.png")
-        process = self.start(program("simulation", "draw_track.py"), "--seconds", "0.3", str(picture))
+        process = self.start(program("simulation", "draw_track.py"), str(picture))
+        self.wait_for(self.commands().get_num_connections, START_TIMEOUT, "draw_track.py to subscribe")
+        self.sample_after(0.5)
+        self.assertEqual(read(process), "Recording /odom for 20 s; Ctrl-C ends earlier and draws what there is.\n")
+        process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(START_TIMEOUT), 0, read(process))
         self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
 

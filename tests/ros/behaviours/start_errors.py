@@ -1,15 +1,20 @@
 """A node that cannot start logs one sentence, without a traceback, and its exit code is not 0."""
 
 import os
+import sys
+from pathlib import Path
 
 import rospy
 
-from harness import CONTROLLER, START_TIMEOUT, RobotTest, program, read
+from harness import CONTROLLER, SHUTDOWN_TIMEOUT, START_TIMEOUT, RobotTest, program, read
 
+RUN = Path(__file__).parents[3] / "setup/run.py"
 ERRORS = [  # a sentence, and the parameters that cause it
     ("There is no I2C bus /dev/i2c-77. This computer has ", "_i2c_bus:=77"),
     ("The parameter board must be one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro, not 'lego'.",
      "_board:=lego"),
+    ("There is no parameter bord. The parameters are board, i2c_bus, ", "_bord:=sparkfun"),
+    ("The node does not understand i2c_bus:=fake. Type it as _i2c_bus:=fake", "i2c_bus:=fake"),
     ("A robot cannot be named jetbot-07. Begin with a letter, and use letters, digits and _.",
      "_i2c_bus:=fake", "__ns:=jetbot-07")]
 
@@ -22,6 +27,16 @@ class StartErrors(RobotTest):
             lines = read(node).splitlines()
             self.assertEqual(len(lines), 1, lines)
             self.assertIn(sentence, lines[0])
+        self.assert_nothing_left()
+
+    def assert_nothing_left(self):
+        self.assertEqual([name for name in rospy.get_param_names() if "/jetbot_" in name], [])
+
+    def test_what_is_typed_ends_with_its_node(self):
+        self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}", "_x:=1")
+        self.controller(max_speed=0.5).kill()
+        self.wait_for(lambda: "at x 1.00 m" in self.logs(), START_TIMEOUT, "the simulator")
+        self.assert_nothing_left()
 
     def test_no_master(self):
         nowhere = {**os.environ, "ROS_MASTER_URI": "http://localhost:1"}
@@ -44,7 +59,8 @@ class StartErrors(RobotTest):
             self.assertIn("The node /jetbot_controller is already running. End it first", read(second))
         namesake = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "__name:=other")
         self.assertNotEqual(namesake.wait(START_TIMEOUT), 0)
-        self.assertRegex(read(namesake), r"Another program \(process \d+\) already drives 0x60 on fake:")
+        self.assertRegex(read(namesake),
+                         r"Another program \(jetbot_controller.py, process \d+\) already drives 0x60 on fake:")
         self.wheels_stay(0.4, 0.6, for_seconds=0.3)
         self.assertEqual(rospy.get_param("/jetbot_motion_control/linear"), "")
 
@@ -53,3 +69,17 @@ class StartErrors(RobotTest):
         launch.wait(START_TIMEOUT)
         self.assertEqual(read(launch).count("There is no I2C bus /dev/i2c-77."), 1, "no endless respawns")
         self.assertNotIn("Traceback", read(launch))
+
+    def test_the_last_line_of_morbot_run_is_why_a_node_has_failed(self):
+        for argument, reason in (("i2c_bus:=77", r"\[jetbot_controller\]: There is no I2C bus /dev/i2c-77\."),
+                                 ("linear:=x", r"\[jetbot_motion_control\]: The parameter linear must be a number")):
+            launch = self.start(sys.executable, str(RUN), "workshop", "workshop_jetbot_controller.launch", argument)
+            self.assertEqual(launch.wait(SHUTDOWN_TIMEOUT), 1)
+            self.assertRegex(read(launch).splitlines()[-1], r"^\[FATAL\] " + reason)
+
+    def test_a_mistyped_argument_ends_roslaunch_before_it_starts_anything(self):
+        launch = self.launch("workshop", "workshop_jetbot_controller.launch", "lineer:=0.2")
+        self.assertNotEqual(launch.wait(START_TIMEOUT), 0)
+        self.assertEqual(read(launch).splitlines()[-1],
+                         "morbot: there is no argument lineer. Did you mean linear:=0.2?")
+        self.assertNotIn("started with pid", read(launch))

@@ -27,6 +27,7 @@ class ThreeRobots(RobotTest):
                           START_TIMEOUT, f"{name} on the map")
             where = frames.lookup_transform("map", f"{name}/base_link", rospy.Time()).transform.translation
             self.assertEqual((where.x, where.y, where.z), (0, y, 0.03))
+        self.assertEqual(len({rospy.get_param(f"/{name}/robot_description") for name in ROBOTS}), 3, "colours")
 
         def driving():
             for name, (_, linear, angular) in ROBOTS.items():

@@ -18,8 +18,9 @@ from jetbot.lock import lock_board
 from jetbot.text import printable
 from jetbot_ros.parameters import PARAMETERS, default_file, is_fake
 from jetbot_tools.calibration import as_yaml
+from jetbot_tools.commands import doctor, fake_option, launch
 from jetbot_tools.options import add_options, as_options
-from jetbot_tools.probe import LAUNCH, check_board, check_users
+from jetbot_tools.probe import check_board, check_users
 from jetbot_tools.wizard import WIZARDS, Wizard
 
 
@@ -31,7 +32,7 @@ def find_boards(**connection: Any) -> List[str]:
         if any(check.ok for check in checks.values()):
             return [board for board, check in checks.items() if check.ok]
         print(*dict.fromkeys(map(str, checks.values())), sep="\n")
-    raise JetbotError("no motor board found", "If you know which one it is, name it with --board.")
+    raise JetbotError("no motor board found", "If you know which one it is, name it with --board.", "i2c_bus")
 
 
 def calibrate(boards: List[str], **connection: Any) -> Dict[str, Any]:
@@ -45,7 +46,7 @@ def calibrate(boards: List[str], **connection: Any) -> Dict[str, Any]:
             if wizard.find_motors():
                 wizard.straighten()
                 return wizard.parameters
-    raise JetbotError("no wheel turned", "Is the motors' battery on? Run: rosrun jetbot_control_node doctor.py")
+    raise JetbotError("no wheel turned", f"Is the motors' battery on? Run: {doctor()}")
 
 
 def output_file(file: Optional[Path], simulated: bool) -> Path:
@@ -70,7 +71,7 @@ def write(file: Path, text: str) -> None:
     files.replace(file, text.encode())
     undo = ["mv", str(old), str(old.with_suffix(""))] if old else ["rm", str(file)]
     print(printable(f"Written to {file}. To undo it: {shlex.join(undo)}"))
-    command = f"{LAUNCH} {shlex.quote(f'config:={file.absolute()}')}"
+    command = launch(config=file.absolute())
     print("The controller uses it from now on." if file == default_file() else f"To use it: {printable(command)}")
 
 
@@ -101,7 +102,7 @@ if __name__ == "__main__":
     try:
         main()
     except JetbotError as error:
-        sys.exit(str(error))
+        sys.exit(error.text(fake_option))
     except OSError as error:
         sys.exit(printable(f"The wheels are stopped, but the file was not written: {error}"))
     except (KeyboardInterrupt, EOFError):

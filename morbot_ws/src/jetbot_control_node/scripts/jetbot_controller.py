@@ -33,7 +33,7 @@ class JetBotController:
 
         # The supervisor decides what may be driven, and stops the robot; the report says why
         self.commanders = Publishers("cmd_vel")
-        self.report = Report(parameters)
+        self.report = Report(parameters, self.robot.driver)
         self.supervisor = Supervisor(self.robot, self.drive, parameters["cmd_vel_timeout"],
                                      self.commanders.names, self.report.change)
         self.commanders.keep_asking(self.supervisor)
@@ -62,7 +62,7 @@ class JetBotController:
         self.robot.set_motors(left_speed, right_speed)
 
     def run(self):
-        return node.run(self.supervisor, self.report, self.robot)
+        return node.run(self.supervisor, self.report)
 
 
 if __name__ == "__main__":

@@ -1,21 +1,29 @@
 #!/usr/bin/env python3
 """Report what is missing after a lesson: rosrun jetbot_lessons check_lesson.py N [YOUR_PACKAGE]."""
 
+import signal
 import sys
-from typing import List, Tuple, Union
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # while it imports, and at its end, Ctrl-C prints no traceback
 
 try:
+    import os
+    from typing import List, NoReturn, Tuple, Union
+
     import rosgraph
     import rospy
     from catkin_pkg.package import InvalidPackage
 
     from jetbot.text import printable
+    from jetbot_lessons.master import watch
     from jetbot_lessons.table import FIRST_OWN, LAST, first_problem
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun jetbot_lessons check_lesson.py N there.")
 
 USAGE = (f"Which lesson, 1 to {LAST}? Type: rosrun jetbot_lessons check_lesson.py N, "
          f"and from lesson {FIRST_OWN} on the name of your package")
+CANCELLED = 128 + signal.SIGINT  # exit code, as shells have it
 
 
 def parse_arguments(arguments: List[str]) -> Tuple[Union[int, str], ...]:
@@ -29,21 +37,44 @@ def parse_arguments(arguments: List[str]) -> Tuple[Union[int, str], ...]:
     return int(number), *names
 
 
+def find_problem(number: int, *own: str) -> Union[str, Exception, None]:
+    """Return the first problem of a lesson, or None if it is done; raise KeyboardInterrupt at Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        return first_problem(number, *own)
+    except EOFError:
+        return "this lesson asks what you see: run the check in a terminal"
+    except InvalidPackage as error:
+        return error
+    except (OSError, rosgraph.MasterException, rospy.ROSException) as error:
+        return f"the check ended early: {error}; try again"
+    finally:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def give_up(number: int, problem: str) -> NoReturn:
+    """Report a problem from any thread, and end the program without rospy's last words to the master."""
+    print(printable(f"Lesson {number}: {problem}"), file=sys.stderr, flush=True)
+    os._exit(1)
+
+
 def main() -> None:
     number, *own = parse_arguments(rospy.myargv()[1:])
+    watch(lambda problem: give_up(number, problem))
     try:
-        problem = first_problem(number, *own)
+        problem = find_problem(number, *own)
     except KeyboardInterrupt:
-        sys.exit("Cancelled.")
-    except EOFError:
-        problem = "this lesson asks what you see: run the check in a terminal"
-    except InvalidPackage as error:
-        problem = error
-    except (OSError, rosgraph.MasterException, rospy.ROSException) as error:
-        problem = f"the check ended early: {error}; try again"
+        print("Cancelled.", file=sys.stderr)
+        sys.exit(CANCELLED)
+    try:
+        if not problem:
+            print(f"Lesson {number}: done.")
+        print(end="", flush=True)
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # else Python complains at its end
+        problem = problem or f"the result cannot be printed: {error.strerror}"
     if problem:
         sys.exit(printable(f"Lesson {number}: {problem}"))
-    print(f"Lesson {number}: done.")
 
 
 if __name__ == "__main__":

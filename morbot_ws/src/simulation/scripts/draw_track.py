@@ -1,21 +1,32 @@
 #!/usr/bin/env python3
 """Draws where a robot drove, and how fast, into a PNG file."""
 
-import argparse
-import os
+import signal
 import sys
 
-import rosbag
-import rosgraph
-import rospy
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # while it imports, Ctrl-C prints no traceback
 
-from jetbot import files
-from jetbot.text import printable
-from jetbot_ros.master import require_master
-from simulation.drawing import draw
-from simulation.recording import read_bag, record
+try:
+    import argparse
+    import os
+
+    import rosbag
+    import rosgraph
+    import rospy
+    from nav_msgs.msg import Odometry
+
+    from jetbot import files
+    from jetbot.text import printable
+    from jetbot_ros.addresses import master_uri
+    from jetbot_ros.master import require_master
+    from jetbot_ros.xmlrpc import NO_ANSWER, proxy
+    from simulation.recording import Recording, read_bag, record
+except ImportError as error:
+    sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun simulation draw_track.py there.")
 
 MAX_SECONDS = 3600
+ANSWER_TIMEOUT = 2.0  # s, of the master
 
 
 def duration(text: str) -> float:
@@ -43,27 +54,49 @@ def parse_arguments() -> argparse.Namespace:
     return parser.parse_args(rospy.myargv()[1:])
 
 
+def advice(odom: str) -> str:
+    """Return why no odometry arrives on this topic, and what to do."""
+    try:
+        topics = dict(proxy(master_uri(), ANSWER_TIMEOUT).getPublishedTopics("/draw_track", "")[2])
+    except NO_ANSWER:
+        return f"The ROS master at {master_uri()} does not answer. Is it frozen (Ctrl-Z)? Continue it with fg."
+    if odom in topics:
+        return f"Nothing arrives on {odom}. Is the program that publishes it frozen (Ctrl-Z)? Continue it with fg."
+    others = sorted(topic[1:-len("/odom")] for topic, kind in topics.items()
+                    if kind == Odometry._type and topic.endswith("/odom"))
+    if any(others):
+        return f"Nothing is published on {odom}. Choose another robot: --robot {others[-1]}"
+    return f"Nothing is published on {odom}. Start a simulated robot: roslaunch simulation simulation.launch"
+
+
+def record_robot(odom: str, cmd_vel: str, seconds: float) -> Recording:
+    """Record the robot that drives now, and report what it waits for; end the program without a master."""
+    require_master()
+    print(f"Recording {odom} for {seconds:g} s; Ctrl-C ends earlier and draws what there is.", flush=True)
+    return record(odom, cmd_vel, seconds, lambda: print(printable(advice(odom)), flush=True))
+
+
 def main() -> None:
     given = parse_arguments()
     files.check_writable(given.png)
     odom, cmd_vel = (os.path.join("/", given.robot, name) for name in ("odom", "cmd_vel"))
     if given.bag:
         recording = read_bag(given.bag, odom, cmd_vel)
-        missing = f"{given.bag} holds no nav_msgs/Odometry on {odom}. Another robot's: --robot NAME"
     else:
-        require_master()
-        recording = record(odom, cmd_vel, given.seconds)
-        missing = f"Nothing was published on {odom}. Start the robot: roslaunch simulation simulation.launch"
+        recording = record_robot(odom, cmd_vel, given.seconds)
     if not recording.velocities:
-        sys.exit(printable(missing))
+        sys.exit(printable(f"{given.bag} holds no nav_msgs/Odometry on {odom}. Another robot's: --robot NAME"
+                           if given.bag else advice(odom)))
+    from simulation.drawing import draw  # here: it takes longer to import than all the rest
     draw(recording, given.png)
     print(printable(f"Drew {given.png}."))
 
 
 if __name__ == "__main__":
     try:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         main()
     except (OSError, ValueError, rosbag.ROSBagException) as error:
         sys.exit(printable(f"Nothing was drawn: {error}"))
     except KeyboardInterrupt:
-        sys.exit(1)
+        sys.exit(130)  # as shells have it

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+from pathlib import Path
 
 from jetbot import files
 from jetbot.text import printable
@@ -30,11 +31,12 @@ def main(config: str = "", *ros_arguments: str) -> int:
         text = files.read(config).decode()
     except (OSError, ValueError) as error:
         sys.exit(printable(f"{config or 'No file'} cannot be shown in RViz: {error}"))
-    with tempfile.NamedTemporaryFile("w", suffix=".rviz") as file:
-        file.write(add_namespace(text, os.environ.get("ROS_NAMESPACE", "").strip("/")))
-        file.flush()
+    name = os.environ.get("ROS_NAMESPACE", "").strip("/")
+    title = f"MorBot {name.replace('/', ' ')}".strip()
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, title).write_text(add_namespace(text, name))
         for tries in range(1, TRIES + 1):
-            code = subprocess.call(["rviz", "-d", file.name, *ros_arguments])
+            code = subprocess.call(["rviz", "-d", title, *ros_arguments], cwd=folder)  # the title of its window
             if code not in (-signal.SIGSEGV, -signal.SIGABRT):
                 break
             print(f"RViz crashed, {tries} of {TRIES} times", flush=True)

@@ -8,16 +8,17 @@ import rospy
 from jetbot import InvalidValue
 from jetbot.fake.motors import ROBOTS, wheel_speeds
 from jetbot.text import printable
+from jetbot_ros.command_line import private_parameters, public_words
 from jetbot_ros.master import require_master
 from simulation.diff_drive import DiffDriveModel, Pose
-from simulation.parameters import fake_folder, resolve
+from simulation.parameters import PARAMETERS, fake_folder, resolve
 from simulation.simulator import Simulator
 
 
 def main() -> None:
     require_master()
-    rospy.init_node("jetbot_simulator")
-    given = resolve(rospy.get_param("~", {}))
+    rospy.init_node("jetbot_simulator", argv=public_words())
+    given = resolve(private_parameters(rospy.get_param("~", {}), [*PARAMETERS, "config", "body"]))
     board, folder = given["board"], fake_folder(given, rospy.get_namespace())
     closed_loop = ROBOTS[board].closed_loop
     model = DiffDriveModel(

@@ -2,24 +2,35 @@
 
 import errno as numbers
 import os
-from typing import Optional
+from typing import Callable, Optional
 
 from .text import printable
 
 EXHAUSTED = (numbers.EMFILE, numbers.ENFILE, numbers.ENOMEM)  # not EAGAIN: an I2C bus that lost its arbitration
 
 
-class JetbotError(Exception):
-    """One sentence for the user: what is wrong (``reason``) and what to do about it (``advice``)."""
+def in_python(option: str) -> str:
+    """Return how a script's Robot is given "fake" for an option."""
+    return f'use Robot({option}="fake"), or type first: export JETBOT_{option.upper()}=fake'
 
-    def __init__(self, reason: str, advice: str = ""):
+
+class JetbotError(Exception):
+    """One sentence for the user: what is wrong (``reason``) and what to do about it (``advice``).
+
+    option: of Robot, whose value "fake" needs no robot; "" where that is no way out.
+    """
+
+    def __init__(self, reason: str, advice: str = "", option: str = ""):
         super().__init__(reason, advice)
-        self.reason = printable(reason)
-        self.advice = printable(advice)
+        self.reason, self.advice, self.option = printable(reason), printable(advice), option
 
     def __str__(self) -> str:
-        sentence = f"{self.reason[0].upper()}{self.reason[1:]}."
-        return f"{sentence} {self.advice}" if self.advice else sentence
+        return self.text(in_python)
+
+    def text(self, fake: Callable[[str], str]) -> str:
+        """Return the whole text. fake: returns how to give "fake" for an option, where this program was started."""
+        without = f"Without a robot, {fake(self.option)}" if self.option else ""
+        return " ".join(filter(None, (f"{self.reason[0].upper()}{self.reason[1:]}.", self.advice, without)))
 
 
 class InvalidValue(JetbotError, ValueError):
@@ -29,8 +40,8 @@ class InvalidValue(JetbotError, ValueError):
 class BusError(JetbotError, OSError):
     """The motor board cannot be driven; ``errno`` is the operating system's, or None."""
 
-    def __init__(self, reason: str, advice: str = "", errno: Optional[int] = None):
-        super().__init__(reason, advice)
+    def __init__(self, reason: str, advice: str = "", errno: Optional[int] = None, option: str = ""):
+        super().__init__(reason, advice, option)
         self.errno, self.strerror = errno, reason
 
 

@@ -7,8 +7,21 @@ import socket
 from pathlib import Path
 from typing import List, Optional, Union
 
+from .text import printable
+
 # Part of the model's name: the bus on pins 3 and 5 of the 40-pin header, by NVIDIA's and Raspberry Pi's pinouts.
 ROBOT_BUS = {"Jetson Nano": 1, "Xavier NX": 8, "Orin Nano": 7, "Raspberry Pi": 1}
+
+
+def program_name(pid: int) -> str:
+    """Return the name of a process's program, a script's own rather than Python's; "" where /proc does not show it."""
+    try:
+        words = Path(f"/proc/{pid}/cmdline").read_text(errors="replace").split("\0")[:-1]
+    except OSError:
+        return ""
+    names = [os.path.basename(word) for word in words]
+    script = len(names) > 1 and names[0].startswith("python") and not names[1].startswith("-")
+    return printable(names[1] if script else "".join(names[:1]))
 
 
 def ros_home() -> Path:
@@ -51,8 +64,8 @@ def bus_advice() -> str:
     """Return which buses this computer has, and which one to use."""
     existing = ", ".join(f"/dev/i2c-{bus}" for bus in buses()) or "no /dev/i2c-* at all"
     usual = robot_bus(model())
-    hint = f" On a {model()} the motors are on bus {usual}: i2c_bus:={usual}." if usual is not None else ""
-    return f"This computer has {existing}.{hint} Without a robot: i2c_bus:=fake (with rosrun, _i2c_bus:=fake)."
+    hint = f" On a {model()} the motors are on i2c_bus {usual}." if usual is not None else ""
+    return f"This computer has {existing}.{hint}"
 
 
 def is_loopback(host: object) -> bool:

@@ -3,6 +3,7 @@
 import errno
 import math
 import re
+import shlex
 import time
 from typing import Any, List, Sequence, Union
 
@@ -128,7 +129,7 @@ def explain(error: OSError, bus: str, address: int) -> JetbotError:
         errno.ETIMEDOUT: (BusStuck, f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires."),
     }.get(error.errno, (NoAnswer, f"no answer from 0x{address:02x} on {bus}",
                         f"Is the motor board plugged in and its battery on? {bus_advice()}"))
-    return kind(reason, advice, error.errno)
+    return kind(reason, advice, error.errno, option="i2c_bus" if kind in (NotFound, NoAnswer) else "")
 
 
 def explain_fake(error: OSError, bus: str, address: int) -> BusError:
@@ -137,4 +138,4 @@ def explain_fake(error: OSError, bus: str, address: int) -> BusError:
         return PermissionDenied(f"the fake bus {bus} cannot be used: {error.strerror}",
                                 "Name another folder: fake:FOLDER", error.errno)
     return NoAnswer(f"no answer from 0x{address:02x} on {bus}",
-                    f"To plug it in: python3 -m jetbot.fake {fake.folder_of(bus)}", error.errno)
+                    f"To plug it in: python3 -m jetbot.fake {shlex.quote(fake.folder_of(bus))}", error.errno)

@@ -11,6 +11,7 @@ from typing import Optional
 from . import fake
 from .errors import JetbotError
 from .fake.bus import power_on
+from .host import program_name
 
 NAME_SIZE = 100  # bytes; a socket's name may have 108
 REFUSED = 1000   # programs that may be refused until a name of the holder is no longer found
@@ -50,7 +51,7 @@ def identity(place: str) -> str:
 
 
 def holder(name: bytes) -> str:
-    """Return " (process N)" for the process that holds the lock of this name, "" if that cannot be seen."""
+    """Return " (PROGRAM, process N)" for the process that holds the lock, "" if that cannot be seen."""
     with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as probe:
         probe.setblocking(False)
         try:
@@ -58,4 +59,4 @@ def holder(name: bytes) -> str:
         except OSError:
             return ""
         pid = CREDENTIALS.unpack(probe.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, CREDENTIALS.size))[0]
-    return f" (process {pid})" if pid else ""  # 0: in another container
+    return f" ({', '.join(filter(None, (program_name(pid), f'process {pid}')))})" if pid else ""  # 0: in a container

@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from .boards import MotorDriver
-from .errors import InvalidValue
+from .kinds import FINITE, FRACTION, NUMBER
 from .kinematics import clamp
 
 RESIDUE = 1e-9  # speeds this small are rounding errors, as of 0.1 + 0.2 - 0.3: zero, also with a min_duty
@@ -14,12 +14,10 @@ class Motor:
     """One wheel of a Robot. Its docstring describes alpha, inverted and min_duty."""
 
     def __init__(self, robot, alpha: float, inverted: bool, min_duty: float):
+        FRACTION.check("the min_duty", min_duty)
         self._robot = robot
-        self._inverted = inverted
-        self._min_duty = finite(min_duty, "the min_duty")
+        self._inverted, self._min_duty = inverted, float(min_duty)
         self.alpha = alpha
-        if not 0 <= self._min_duty < 1:
-            raise InvalidValue(f"the min_duty must be at least 0 and below 1, not {min_duty!r}")
 
     @property
     def value(self) -> float:
@@ -37,7 +35,8 @@ class Motor:
 
     @alpha.setter
     def alpha(self, alpha: float) -> None:
-        self._alpha = finite(alpha, "an alpha")
+        NUMBER.check("an alpha", alpha)
+        self._alpha = float(alpha)
 
     def output(self, driver: MotorDriver) -> float:
         """Return what the driver is given: a duty by trim, clamp, dead-band compensation and sign.
@@ -61,18 +60,14 @@ def turn_cut_off(left: Motor, right: Motor, driver: MotorDriver) -> bool:
     return saturated and left.value != right.value and not driver.closed_loop
 
 
-def finite(number: Any, name: str) -> float:
-    """Return the number as a float; raise InvalidValue, which names it, for anything but a finite number."""
-    try:
-        if math.isfinite(number):
-            return float(number)
-    except (TypeError, ValueError, OverflowError):
-        pass
-    raise InvalidValue(f"{name} must be a finite number, not {number!r}")
+def checked(speed: Any) -> float:
+    """Return the speed as a float; raise InvalidValue for anything but a finite number."""
+    FINITE.check("a speed", speed)
+    return float(speed)
 
 
 def negated(speed: Any) -> Any:
-    """Return -speed; what cannot be negated is returned as it is, for ``finite`` to refuse."""
+    """Return -speed; what cannot be negated is returned as it is, for ``checked`` to refuse."""
     try:
         return -speed
     except TypeError:

@@ -8,7 +8,8 @@ from . import open_robots
 from .boards import DEFAULT_PORT, find_board
 from .errors import GuardError, InvalidValue, JetbotError
 from .guard import Guard, NoGuard
-from .motor import Motor, finite, negated, turn_cut_off
+from .kinds import BOOLEAN
+from .motor import Motor, checked, negated, turn_cut_off
 
 
 class Robot:
@@ -35,6 +36,9 @@ class Robot:
         board = (os.environ.get("JETBOT_BOARD") or "jetbot") if board is None else board
         i2c_bus = (os.environ.get("JETBOT_I2C_BUS") or 1) if i2c_bus is None else i2c_bus
         port = (os.environ.get("JETBOT_PORT") or DEFAULT_PORT) if port is None else port
+        BOOLEAN.check("the option swap_motors", swap_motors)
+        BOOLEAN.check("the option invert_left", invert_left)
+        BOOLEAN.check("the option invert_right", invert_right)
         self.left_motor = Motor(self, left_motor_alpha, invert_left, min_duty)
         self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty)
         self._outputs = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)
@@ -126,7 +130,7 @@ class Robot:
     def _set_speeds(self, speeds):
         """Drive the wheels in ``speeds``, a dict of Motor: speed; the others keep theirs. Wait for the guard."""
         try:
-            speeds = {motor: finite(speed, "a speed") for motor, speed in speeds.items()}
+            speeds = {motor: checked(speed) for motor, speed in speeds.items()}
         except InvalidValue:
             self.stop()
             raise

@@ -1,6 +1,7 @@
 """The edge to a serial port: which port a name means, and one sentence for each failure."""
 
 import errno
+import shlex
 import termios
 import threading
 from pathlib import Path
@@ -100,5 +101,5 @@ def explain(error: Exception, name: str) -> JetbotError:
         errno.EACCES: (PermissionDenied, f"no permission to open {name}", permission_advice(name, "dialout")),
     }.get(number, (NoAnswer, f"no answer from {name}", plugged))
     if fake.folder_of(name):
-        advice = f"To plug it in: python3 -m jetbot.fake {fake.folder_of(name)}"
-    return kind(reason, advice, number)
+        return kind(reason, f"To plug it in: python3 -m jetbot.fake {shlex.quote(fake.folder_of(name))}", number)
+    return kind(reason, advice, number, option="port" if kind in (NotFound, NoAnswer) else "")

@@ -30,7 +30,8 @@ def require_name(name: str) -> None:
     """
     condition = condition_of(name)
     if condition:
-        sys.exit(f"The node {name} {condition}. End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C.")
+        sys.exit(f"The node {name} {condition}. End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C. "
+                 "A second robot is launched with robot_name:=NAME, in a <group ns> of yours with namespace:=NAME.")
 
 
 def condition_of(name: str) -> Optional[str]:

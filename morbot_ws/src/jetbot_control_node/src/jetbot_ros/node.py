@@ -1,5 +1,6 @@
 """The life of the controller's node: it starts with one clear error at most, and stops the robot at its end."""
 
+import contextlib
 import os
 import re
 import signal
@@ -16,9 +17,10 @@ from jetbot.boards import find_board
 from jetbot.lock import lock_board
 
 from . import watch
+from .command_line import as_typed, private_parameters, public_words
 from .master import require_master, require_name
 from .network import bound_headers, stay_on_this_host
-from .parameters import resolve
+from .parameters import PARAMETERS, resolve
 from .registration import is_registered, register
 from .report import Report
 from .supervisor import Supervisor
@@ -36,7 +38,7 @@ def init_node(name: str) -> None:
     stay_on_this_host()
     bound_headers()
     # rospy's own signal handlers talk to the master before anything stops, and wait forever if that hangs.
-    rospy.init_node(name, disable_signals=True)
+    rospy.init_node(name, argv=public_words(), disable_signals=True)
     namespace = rospy.get_namespace()
     if not re.fullmatch(r"/([A-Za-z]\w*/)*", namespace, re.ASCII):  # ROS's programs in C++ refuse any other
         raise InvalidValue(f"a robot cannot be named {namespace.strip('/')}",
@@ -45,7 +47,7 @@ def init_node(name: str) -> None:
 
 def read_parameters() -> Dict[str, object]:
     """Return the node's parameters: typed ones, then those of the file, then the defaults. Raise InvalidValue."""
-    return resolve(rospy.get_param("~", {}))
+    return resolve(private_parameters(rospy.get_param("~", {}), [*PARAMETERS, "config"]))
 
 
 def make_robot(parameters: Dict[str, object]) -> Robot:
@@ -65,7 +67,7 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
     return robot
 
 
-def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
+def run(supervisor: Supervisor, report: Report) -> int:
     """Drive and report until the node ends, then stop the robot. Return the exit code.
 
     Raise JetbotError for what ended it, such as a lack of file descriptors.
@@ -73,15 +75,16 @@ def run(supervisor: Supervisor, report: Report, robot: Robot) -> int:
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, supervisor.end)
     watch.start(supervisor, watch.MasterWatch(is_registered, register))
-    failures, ended = [], threading.Event()
+    failures, ended, unregistered = [], threading.Event(), threading.Event()
     threading.Thread(target=give_up, args=[ended], daemon=True).start()  # now: at the end, no thread may be left
-    thread = threading.Thread(target=supervise, args=[supervisor, report, failures, ended])
-    thread.start()
+    rospy.core.add_shutdown_hook(lambda _: unregistered.set())  # the last of the hooks
+    threading.Thread(target=supervise, args=[supervisor, report, failures, ended], daemon=True).start()
     try:
-        report.spin(supervisor, robot.driver.link)
+        report.spin(supervisor)
     finally:
         supervisor.end()
-        thread.join()
+        ended.wait()
+        unregistered.wait()
     for failure in failures:
         raise failure
     return 0 if supervisor.closed else 1
@@ -106,12 +109,19 @@ def give_up(ended: threading.Event) -> None:
     os._exit(1)
 
 
+def leave(code: int) -> None:
+    """End the process now: rospy's threads, which have nothing left to do, would take another second."""
+    with contextlib.suppress(OSError):  # the terminal is closed
+        sys.stdout.flush()
+    os._exit(code)
+
+
 def main(start: Callable[[], int]) -> None:
     """Run a node's ``start`` and exit with its code; an error that the user can fix ends it with one sentence."""
     try:
-        sys.exit(start())
+        leave(start())
     except JetbotError as error:
-        rospy.logfatal(error)
+        rospy.logfatal(error.text(as_typed))
         sys.exit(1)
     except OSError:
         require_master()  # it may have ended meanwhile

@@ -1,24 +1,15 @@
 """The parameters. A parameter is one row, for the node, the launch file, YAML comments, command lines and the docs."""
 
-import math
 import os
-from contextlib import suppress
 from pathlib import Path
-from typing import Callable, Dict, NamedTuple, Optional, Union
+from typing import Collection, Dict, NamedTuple, Union
 
 from jetbot import InvalidValue, fake, files
-from jetbot.boards import BOARDS, DEFAULT_PORT
+from jetbot.boards import BOARDS, DEFAULT_PORT, find_board
 from jetbot.host import ros_home
-from jetbot.text import literal
+from jetbot.kinds import BOOLEAN, FRACTION, NUMBER, POSITIVE, SECONDS, Kind, is_number  # noqa: F401  for other nodes
 
 MAX_BUS = 2**20 - 1  # Linux's minor numbers have 20 bits
-
-
-class Kind(NamedTuple):
-    """What a value must be: a check, and its description."""
-
-    accepts: Callable[[object], bool]
-    description: str
 
 
 class Parameter(NamedTuple):
@@ -30,18 +21,6 @@ class Parameter(NamedTuple):
     unit: str = ""
 
 
-def is_number(value: object) -> bool:
-    """Return whether this is a finite int or float; not a bool, which YAML's yes and no would give."""
-    with suppress(OverflowError):  # an int that is too large for a float
-        return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
-    return False
-
-
-NUMBER = Kind(is_number, "a number")
-POSITIVE = Kind(lambda value: is_number(value) and value > 0, "a number above 0")
-SECONDS = Kind(lambda value: is_number(value) and value >= 0, "a number of seconds, 0 or more")
-FRACTION = Kind(lambda value: is_number(value) and 0 <= value < 1, "a number of at least 0 and below 1")
-BOOLEAN = Kind(lambda value: isinstance(value, bool), "true or false")
 # A list: what a YAML file gives may not be hashable.
 BOARD = Kind(lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}")
 BUS = Kind(lambda value: isinstance(value, str) or type(value) is int and 0 <= value <= MAX_BUS,
@@ -74,32 +53,41 @@ def default_file() -> Path:
     return ros_home() / "jetbot.yaml"
 
 
-def load(file: Optional[Union[str, Path]] = None) -> Dict[str, object]:
-    """Return the parameters in a YAML file: ``default_file``, if it exists and no other is named.
-
-    Raises InvalidValue for a file that cannot be read or holds something else.
-    """
+def load(file: Union[str, Path]) -> Dict[str, object]:
+    """Return the parameters in a YAML file; raise InvalidValue if it cannot be read or holds something else."""
     from .flat_yaml import parse  # here: doctor.py reports that YAML's package is missing
-    path = os.path.abspath(os.path.expanduser(str(default_file() if file is None else file)))
-    if file is None and files.is_missing(path):
-        return {}
     try:
-        return parse(files.read(path))
+        return parse(files.read(file))
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
-    raise InvalidValue(f"the file {path} cannot be used: {reason}", "Fix it, or name another file.")
+    raise InvalidValue(f"the file {file} cannot be used: {reason}", "Fix it, or name another file by its whole path.")
 
 
 def resolve(typed: Dict[str, object]) -> Dict[str, object]:
-    """Return all parameters: what is typed wins over the file ``config``, the file over the default.
+    """Return all parameters, and as ``config`` the path of the file that was read, or "".
 
-    Without ``config``, the file is ``default_file``, which belongs to the real robot: a fake bus or port reads nothing
-    from it. Raises InvalidValue.
+    What is typed wins over the file, the file over the default. Without a typed ``config``, the file is
+    ``default_file``; not with a typed fake bus or port, because that file is the real robot's. Raises InvalidValue.
     """
     typed = given(typed)
-    config = typed.pop("config", None)
-    file = {} if config is None and is_fake(typed) else load(config)
-    return checked({**file, **typed})
+    simulated = [name for name in ("i2c_bus", "port") if is_fake_place(typed.get(name))]
+    file = find_file(typed.pop("config", ""), simulated)
+    values = load(file) if file else {}
+    if simulated == ["port"]:
+        values.setdefault("board", "jetbot_pro")  # the only board on a port
+    values = checked({**values, **typed})
+    place = place_of(values["board"])
+    if simulated and place not in typed and not is_fake(values):  # or else a real robot would drive
+        raise InvalidValue(f"the {simulated[0]} is fake, but the board {values['board']} is on the {place} "
+                           f"{values[place]}", option=place)
+    return {**values, "config": file}
+
+
+def find_file(config: object, simulated: Collection[str]) -> str:
+    """Return the absolute path of the file to read, or "". config: what is typed; simulated: what is typed as fake."""
+    if config != "":
+        return os.path.abspath(os.path.expanduser(str(config)))
+    return "" if simulated or files.is_missing(default_file()) else os.path.abspath(default_file())
 
 
 def checked(values: Dict[str, object], parameters: Dict[str, Parameter] = PARAMETERS) -> Dict[str, object]:
@@ -109,23 +97,26 @@ def checked(values: Dict[str, object], parameters: Dict[str, Parameter] = PARAME
     if unknown:
         raise InvalidValue(f"there is no parameter {unknown[0]}", f"The parameters are {', '.join(parameters)}.")
     for name, row in parameters.items():
-        if name in values and not row.kind.accepts(values[name]):
-            raise InvalidValue(f"the parameter {name} must be {row.kind.description}, not {literal(values[name])}")
+        if name in values:
+            row.kind.check(f"the parameter {name}", values[name])
     return {name: values.get(name, row.default) for name, row in parameters.items()}
 
 
 def given(values: Dict[str, object]) -> Dict[str, object]:
-    """Return the values without those that are "", as a launch file passes on what was not typed.
-
-    Raises InvalidValue for what the master may hold in their place.
-    """
-    if not isinstance(values, dict):
-        raise InvalidValue(f"the parameters must have names, and not be {literal(values)}",
-                           "Remove that: rosparam delete NODE")
+    """Return the values without those that are "", as a launch file passes on what was not typed."""
     return {name: value for name, value in values.items() if value != ""}
 
 
+def place_of(board: str) -> str:
+    """Return which parameter names the place of a board: i2c_bus or port."""
+    return "i2c_bus" if find_board(board).address else "port"
+
+
 def is_fake(values: Dict[str, object]) -> bool:
-    """Return whether these parameters name a fake bus, or a fake port for a board on a serial port."""
-    place = values.get("i2c_bus" if BOARDS.get(str(values.get("board")), BOARDS["jetbot"]).address else "port", "")
+    """Return whether these parameters, which name the board, have it on a fake bus or port."""
+    return is_fake_place(values.get(place_of(values["board"])))
+
+
+def is_fake_place(place: object) -> bool:
+    """Return whether this names a fake bus or port."""
     return bool(fake.folder_of(fake.expand(str(place))))

@@ -11,7 +11,10 @@ from diagnostic_msgs.msg import DiagnosticStatus
 from diagnostic_updater import Updater
 from std_msgs.msg import String
 
+from jetbot.boards import MotorDriver
+
 from .safety import State
+from .summary import simulated, start_line, summary
 from .supervisor import Supervisor
 
 DIAGNOSTICS_INTERVAL = 1.0  # s
@@ -21,35 +24,42 @@ REPEAT_LOG = 1.0            # s before the same line is logged again
 class Report:
     """``change`` publishes the status at once, from any thread; ``spin`` logs in the main thread, which may wait."""
 
-    def __init__(self, parameters: Dict[str, object]):
-        self._board = parameters["board"]
+    def __init__(self, parameters: Dict[str, object], driver: MotorDriver):
+        self._summary = summary(parameters, driver)
+        self._link, self._suffix = driver.link, simulated(driver)
         self._status_publisher = rospy.Publisher("~status", String, latch=True, queue_size=1)
         self._status_changes = queue.Queue(maxsize=10)
         name = rospy.get_namespace().strip("/")
         self._prefix = f"{name}: " if name else ""
         self._logged = {}  # {status: time in s}
         self._last = None
+        self._ended = False
         self._counted = (0, time.monotonic())
 
     def change(self, state: State) -> None:
         """Publish a status that differs from the one before."""
-        self._status_publisher.publish(state.status)
+        self._publish(state.status)
         with contextlib.suppress(queue.Full):  # the terminal blocks the main thread, which then logs the latest only
             self._status_changes.put_nowait(state)
 
     def end(self) -> None:
-        """Publish the last status, and wake ``spin``."""
-        self._status_publisher.publish("stopped: the controller has ended")
+        """Publish the last status, and end ``spin``."""
+        self._ended = True
+        self._publish("stopped: the controller has ended")
         with contextlib.suppress(queue.Full):
             self._status_changes.put_nowait(None)
 
-    def spin(self, supervisor: Supervisor, link) -> None:
-        """Log and publish diagnostics until the node ends. link: of the robot's driver."""
+    def _publish(self, status):
+        self._status_publisher.publish(status + self._suffix)
+
+    def spin(self, supervisor: Supervisor) -> None:
+        """Log and publish diagnostics until the node ends."""
+        rospy.loginfo(self._prefix + start_line(self._summary))
         updater = Updater()
-        updater.setHardwareID(link.name)
-        updater.add("motors", lambda result: self._diagnose(result, supervisor, link))
+        updater.setHardwareID(self._summary["bus"])
+        updater.add("motors", lambda result: self._diagnose(result, supervisor))
         due = 0.0
-        while not rospy.is_shutdown():
+        while not (self._ended or rospy.is_shutdown()):
             state = self._next_change(due - time.monotonic())
             self._log(state or supervisor.state)
             if time.monotonic() >= due:
@@ -66,17 +76,17 @@ class Report:
         if state.status != self._last and now - self._logged.get(state.status, -math.inf) >= REPEAT_LOG:
             self._logged[state.status] = now
             self._last = state.status
-            (rospy.logwarn if state.warning else rospy.loginfo)(self._prefix + state.status)
+            (rospy.logwarn if state.warning else rospy.loginfo)(self._prefix + state.status + self._suffix)
 
-    def _diagnose(self, result, supervisor, link):
+    def _diagnose(self, result, supervisor):
         now, state = time.monotonic(), supervisor.state
         level = (DiagnosticStatus.ERROR if state.fault else
                  DiagnosticStatus.WARN if state.warning else DiagnosticStatus.OK)
-        result.summary(level, state.status)
-        result.add("board", self._board)
-        result.add("bus", link.name)
-        result.add("transfers", link.transfers)
-        result.add("failed transfers", link.errors)
+        result.summary(level, state.status + self._suffix)
+        for name, text in self._summary.items():
+            result.add(name, text)
+        result.add("transfers", self._link.transfers)
+        result.add("failed transfers", self._link.errors)
         disturbances = supervisor.disturbances
         result.add("settings lost", disturbances["resets"])
         result.add("writes of other programs", disturbances["overwritten"])

@@ -10,7 +10,8 @@ from jetbot.errors import JetbotError
 from jetbot.i2c import bus_name
 from jetbot_ros.parameters import checked, default_file, load
 
-from .probe import LAUNCH, Check, check_board, check_chip, check_serial, check_users
+from .commands import in_shell, launch
+from .probe import Check, check_board, check_chip, check_serial, check_users
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial"]
 NEEDED_BY_SOME = ["smbus2", "serial"]  # by boards on an I2C bus, on a serial port
@@ -86,7 +87,7 @@ def check_file(file: Path) -> Check:
     except JetbotError as error:
         return Check(str(file), False, error.reason, "Fix it, or remove it.")
     if answer.ok:
-        return Check(str(file), True, f"names the board {board}, and {answer.name} answers", command=LAUNCH)
+        return Check(str(file), True, f"names the board {board}, and {answer.name} answers", command=launch())
     return Check(str(file), False, f"names the board {board}, but {answer.finding}",
                  "Connect that board; or remove the file, and calibrate again.")
 
@@ -111,5 +112,6 @@ def verdict(checks: List[Check]) -> Check:
     commands = [check.command for check in checks if check.command]
     if not commands:
         return Check("robot", False, "no motor board found",
-                     "Fix the items marked NOT. To try everything without one: roslaunch simulation simulation.launch")
+                     "Fix the items marked NOT. To try everything without one: "
+                     + in_shell("roslaunch simulation simulation.launch"))
     return Check("robot", True, "could drive", f"Start it with: {commands[0]}", commands[0])

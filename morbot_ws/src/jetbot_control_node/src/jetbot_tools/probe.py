@@ -9,11 +9,13 @@ from typing import List, NamedTuple, Union
 from jetbot.boards import BOARDS, find_board, scmd
 from jetbot.boards.jetbot_pro import JetBotPro
 from jetbot.errors import JetbotError
+from jetbot.host import program_name
 from jetbot.i2c import I2CDevice
 from jetbot.serial_link import SerialLink
 from jetbot.text import printable
 
-LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
+from .commands import launch
+
 TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many frames in that time
 
 
@@ -38,7 +40,7 @@ def check_users(device: str) -> List[Check]:
     for process in Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):  # another user's, or ended meanwhile
             if int(process.name) != os.getpid() and target in map(os.readlink, (process / "fd").iterdir()):
-                users.append(f"{(process / 'comm').read_text().strip()} ({process.name})")
+                users.append(f"{program_name(int(process.name))} ({process.name})")
     if users:
         return [Check(device, False, f"also open in {', '.join(users)}",
                       "Two programs on one motor board disturb each other: end one of them.")]
@@ -65,7 +67,7 @@ def check_chip(bus: Union[int, str], address: int) -> Check:
         return Check(name, False, "the chip that answers is not a SparkFun motor driver")
     boards = [board for board, row in BOARDS.items() if row.address == address]
     finding = f"answers, and can be a board {' or '.join(boards)}"
-    return Check(name, True, finding, command=f"{LAUNCH} board:={boards[0]} i2c_bus:={bus}")
+    return Check(name, True, finding, command=launch(board=boards[0], i2c_bus=bus))
 
 
 def check_serial(port: str) -> Check:
@@ -79,5 +81,5 @@ def check_serial(port: str) -> Check:
     except JetbotError as error:
         return Check(port, False, error.reason, error.advice)
     if arrived.is_set():
-        return Check(port, True, "a JetBot Pro reports", command=f"{LAUNCH} board:=jetbot_pro port:={port}")
+        return Check(port, True, "a JetBot Pro reports", command=launch(board="jetbot_pro", port=port))
     return Check(port, False, "opens, but no JetBot Pro reports", "Is it this port, and is the robot switched on?")

@@ -2,86 +2,85 @@
 
 import ast
 import os
+import re
 import shutil
 import xml.etree.ElementTree as ET
+from difflib import get_close_matches
 from pathlib import Path
-
-from catkin_pkg.package import InvalidPackage, Package, parse_package
-from rospkg import ResourceNotFound, RosPack
+from shlex import quote
 
 from jetbot.files import read
 
 from . import Problem
+from .packages import (
+    MANIFEST,
+    XML_ERRORS,
+    check_workspace,
+    find,
+    folder,
+    ignore_marker,
+    manifests,
+    name_in,
+    parse,
+    workspace,
+)
 
-XML_ERRORS = (ET.ParseError, AttributeError, ValueError, LookupError, AssertionError, OSError)  # of any XML parser
 CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch"
 SHEBANG = "#!/usr/bin/env python3"
 MAX_SCRIPT = 1024 * 1024  # bytes
-
-
-def folder(package: str) -> Path:
-    """Return the package's source folder. Raise ResourceNotFound, or InvalidPackage for any bad package.xml."""
-    files = sorted(file for file in workspace().rglob("package.xml") if not file.is_dir())
-    for file in files:
-        _check_readable(file)  # rospkg waits for a FIFO
-    try:
-        return Path(RosPack().get_path(package))
-    except XML_ERRORS as error:  # rospkg's, of any file; it does not name the file
-        for file in files:
-            parse(file)
-        raise InvalidPackage(f"A package.xml in {workspace()} cannot be read: {error}") from None
-
-
-def _check_readable(file: Path) -> None:
-    try:
-        read(file)
-    except OSError as error:
-        raise InvalidPackage(f"{file} cannot be read: {error.strerror}") from None
-
-
-def workspace() -> Path:
-    """Return the source folder of the pupil's workspace."""
-    return Path(os.environ.get("ROS_PACKAGE_PATH", "").split(":")[0])
-
-
-def parse(file: Path) -> Package:
-    """Return the package that this package.xml describes. Raise InvalidPackage, in one line."""
-    try:
-        return parse_package(str(file))
-    except (InvalidPackage, *XML_ERRORS) as error:
-        reason = " ".join(str(getattr(error, "msg", error)).split())
-        raise InvalidPackage(f"{file} cannot be read: {reason}") from None
+NAME = re.compile(r"[A-Za-z][\w-]{,254}", re.ASCII)  # also of a folder
 
 
 def check_exists(package: str, source: str) -> Problem:
     """Return the problem, or None if ROS and catkin find the package; ``source`` is how to get it."""
-    try:
-        place = folder(package)
-    except ResourceNotFound:
+    if not NAME.fullmatch(Path(package).name):
+        return "A package's name begins with a letter and has letters, digits and _: type the name of yours"
+    problem = check_workspace()
+    if problem:
+        return problem
+    places = find(package)
+    if not places:
         return _not_found(package, source)
-    return None if (place / "CMakeLists.txt").exists() else _incomplete(place, "CMakeLists.txt", source)
+    return None if (places[0] / "CMakeLists.txt").exists() else _incomplete(places[0], "CMakeLists.txt", source)
+
+
+def check_own(package: str) -> Problem:
+    """Return the problem, or None if the package does not belong to ROS itself."""
+    place = folder(package)
+    if workspace() in place.parents or {Path("/usr"), Path("/opt")}.isdisjoint(place.parents):
+        return None
+    return f"{package} comes with ROS, in {place}: type the name of your own package"
 
 
 def _incomplete(place: Path, file: str, source: str) -> str:
-    return f"{place} has no {file}: mv {place} ~, then {source}"
+    return f"{place} has no {file}: mv {quote(str(place))} ~, then {source}"
 
 
 def _not_found(package: str, source: str) -> str:
     name, root = Path(package).name, workspace()
-    similar = [known for known in RosPack().list() if known.lower() == name.lower()]
+    names = sorted(filter(None, map(name_in, manifests(root))))
+    similar = [known for known in names if known.lower() == name.lower()] or get_close_matches(name, names, 1)
     if similar:
-        return f"There is no package {package}, but there is {similar[0]}: type that name"
-    places = [file.parent for file in root.rglob("package.xml") if file.parent.name == name]
-    places += [parent / name for parent in root.parents if (parent / name / "package.xml").exists()]
-    for place in places:
-        if root in place.parents and not any((parent / "package.xml").exists() for parent in place.parents):
-            return (f"{place / 'package.xml'} names another package: write <name>{name}</name> there, "
-                    f"and project({name}) in CMakeLists.txt")
-        return f"ROS does not search {place.parent} for packages: mv {place} {root}"
+        return f"There is no package {package}, but there is {similar[0]}: type that name, or {source}"
+    outside = [parent / name / MANIFEST for parent in root.parents]
+    for file in [*root.rglob(MANIFEST), *filter(Path.exists, outside)]:
+        if name in (file.parent.name, name_in(file)):
+            return _not_searched(file.parent, name)
     for place in root / name, root / "scenarios" / name:
-        if name and place.is_dir():
-            return _incomplete(place, "package.xml", source)
+        if place.is_dir():
+            return _incomplete(place, MANIFEST, source)
     return f"There is no package {package} in {root}: {source}"
+
+
+def _not_searched(place: Path, name: str) -> str:
+    """Return why the package in this folder is not found under this name."""
+    root, marker = workspace(), ignore_marker(place)
+    if marker:
+        return f"ROS and catkin ignore {place}: rm {quote(str(marker))}, then ./morbot setup"
+    if root in place.parents and not any((parent / MANIFEST).exists() for parent in place.parents):
+        return (f"{place / MANIFEST} names another package: write <name>{name}</name> there, "
+                f"and project({name}) in CMakeLists.txt")
+    return f"ROS does not search {place.parent} for packages: mv {quote(str(place))} {quote(str(root))}"
 
 
 def check_built(package: str) -> Problem:
@@ -110,26 +109,35 @@ def check_scripts(package: str) -> Problem:
 
 
 def _check_script(path: Path) -> Problem:
+    name = quote(str(path))
+    if path.is_symlink() and not path.exists():
+        return f"{path} is a link to {os.readlink(path)}, which does not exist: rm {name}"
     if not path.is_file():
-        return f"{path} is not a file: remove it"
+        return f"{path} is not a file: mv {name} ~"
     try:
         source = read(path, MAX_SCRIPT)
     except OSError as error:
         return f"{path} cannot be read: {error.strerror}"
+    if not source.strip():
+        return f"{path} is empty: write your program into it, and save it"
     first = source.partition(b"\n")[0].decode(errors="replace")
     if not first.startswith("#!"):
         return f"{path.name} does not begin with {SHEBANG}: make that the first line of {path}"
     if first.endswith("\r"):
-        return fr"{path.name} has Windows line endings: sed -i 's/\r$//' {path}"
+        return fr"{path.name} has Windows line endings: sed -i 's/\r$//' {name}"
     if not _starts_ros_python(first):
         return f"{path.name} begins with {first}, which does not start ROS's Python: write {SHEBANG}"
     if not os.access(path, os.X_OK):
-        return f"{path.name} is not executable: chmod +x {path}"
+        return f"{path.name} is not executable: chmod +x {name}"
+    return _check_program(path.name, source)
+
+
+def _check_program(name: str, source: bytes) -> Problem:
     try:
-        ast.parse(source, path.name)
+        program = ast.parse(source, name)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:  # ValueError: a zero byte, before 3.12
-        return f"Python cannot read {path.name}: {error}"
-    return None
+        return f"Python cannot read {name}: {error}"
+    return None if program.body else f"{name} holds no command yet: write your program into it, and save it"
 
 
 def _starts_ros_python(first: str) -> bool:

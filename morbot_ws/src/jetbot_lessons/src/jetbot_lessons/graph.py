@@ -9,7 +9,7 @@ import rosgraph
 
 from . import Problem
 from .files import folder
-from .nodes import CALLER, NO_ANSWER, answer_in_time, ask, command_of, connect, pid
+from .nodes import CALLER, NO_ANSWER, ask, command_of, connect, pid
 
 
 class Graph(NamedTuple):
@@ -30,20 +30,14 @@ def snapshot() -> Graph:
     return Graph(dict(publishers), dict(subscribers))
 
 
-def check_master(start: str) -> Problem:
-    """Return the problem, or None if a master runs; ``start`` is the command that starts one."""
-    if answer_in_time(rosgraph.is_master_online):
-        return None
-    return f"No ROS master at {rosgraph.get_master_uri()}: start one in another terminal with {start}"
-
-
 def check_node(name: str, start: str) -> Problem:
     """Return the problem, or None if the node runs; ``start`` is the command that starts it."""
     if pid(name) is not None:
         return None
     nodes = snapshot().nodes
     if name in nodes:
-        return f"The node {name} does not answer: stop it (after Ctrl-Z: fg, then Ctrl-C), then start it with {start}"
+        return (f"The node {name} was killed or hangs: start it again with {start}; "
+                "if it hangs, stop it first (after Ctrl-Z: fg, then Ctrl-C)")
     elsewhere = [node for node in nodes if node.endswith(name)]
     if elsewhere:
         return f"{elsewhere[0]} runs in a namespace: start it without one"
@@ -91,12 +85,14 @@ def check_publishes(package: str, topic: str, start: str) -> Problem:
     if set(own).intersection(graph.publishers.get(topic, ())):
         return None
     if not own:
-        hanging = "".join(f"; {node} was killed or hangs (fg, then Ctrl-C, stops it)" for node in graph.nodes
-                          if pid(node) is None)
+        hanging = "".join(f"; {node} was killed or hangs (fg, then Ctrl-C, stops it)"
+                          for node in graph.publishers.get(topic, ()) if pid(node) is None)
         return (f"No node of {package} runs{hanging}: start it in another terminal with {start}; "
                 "if it ends by itself, that terminal shows why")
     others = sorted(name for name, nodes in graph.publishers.items() if own[0] in nodes and name != "/rosout")
-    return f"{own[0]} publishes on {' and '.join(others) or 'no topic'}, not on {topic}: use that in rospy.Publisher"
+    if not others:
+        return f"{own[0]} has no rospy.Publisher: make one for {topic}, and call its publish in a loop"
+    return f"{own[0]} publishes on {' and '.join(others)}, not on {topic}: use that in rospy.Publisher"
 
 
 def check_launched_together(*packages: str) -> Problem:

@@ -1,8 +1,9 @@
 """Checks of the motion: the commands that arrive, and the wheels, on the fake bus or on a real robot."""
 
+import sys
 import time
 from functools import partial
-from typing import Callable, Optional, Tuple
+from typing import Callable, Dict, Optional, Tuple
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
@@ -21,7 +22,8 @@ TOPIC = "/cmd_vel"
 RATE_WINDOW = 1.5        # s in which the rate is measured
 RATE_TOLERANCE = 0.1     # fraction of the rate
 KEY_TIMEOUT = 20.0       # s for the user to press a key
-SPEED = 0.3              # m/s, of the command that tests the wheels
+SPEED, TURN = 0.3, 0.1   # m/s and rad/s, of the command that tests the wheels
+SPEED_TOLERANCE = 0.005  # of full power; less than a step of any board
 COMMAND_INTERVAL = 0.05  # s
 RESPONSE_TIMEOUT = 1.5   # s for the wheels to respond, or a publisher to connect
 SHOW_TIME = 1.0          # s that a real robot's wheels turn
@@ -65,50 +67,62 @@ def check_key(node: str) -> Problem:
 def check_wheels_obey() -> Problem:
     """Return the problem, or None if the wheels turn at a command and stop at the next; ask a real robot's user."""
     init_node()
-    wheels = fake_wheels()
+    motors = report()
+    wheels = fake_wheels(motors)
     publisher = rospy.Publisher(TOPIC, Twist, queue_size=1)
     try:
         problem = _check_fake_wheels(publisher, wheels) if wheels else _check_real_wheels(publisher)
-        return problem and f"The wheels do not follow the command: {problem}{_reason()}"
+        return problem and f"The wheels do not follow the command: {problem}{_reason(motors)}"
     finally:
         publisher.publish(Twist())
         publisher.unregister()
 
 
 def _check_fake_wheels(publisher: rospy.Publisher, wheels: Wheels) -> Problem:
-    for speed, obeyed in (SPEED, lambda: min(wheels()) > 0), (0, lambda: wheels() == STOPPED):
-        if not _drive(publisher, speed, obeyed):
-            return "at x {} they turn at {:.2f} and {:.2f}".format(speed, *wheels())
-    return None
+    return _check_command(publisher, wheels, SPEED, TURN) or _check_command(publisher, wheels, 0, 0)
+
+
+def _check_command(publisher: rospy.Publisher, wheels: Wheels, x: float, z: float) -> Problem:
+    wanted = x - z, x + z  # the workshop's mix
+
+    def obeyed():
+        return all(abs(speed - want) < SPEED_TOLERANCE for speed, want in zip(wheels(), wanted))
+
+    if _drive(publisher, x, z, obeyed):
+        return None
+    return "at x {} and z {} they turn at {:.2f} and {:.2f}, not {:.2f} and {:.2f}".format(x, z, *wheels(), *wanted)
 
 
 def _check_real_wheels(publisher: rospy.Publisher) -> Problem:
+    if not (sys.stdin and sys.stdout):  # closed
+        raise EOFError
     input(f"Put the robot on a box, wheels in the air. They turn for {SHOW_TIME:.0f} s. Enter starts, Ctrl-C cancels. ")
-    _drive(publisher, SPEED, lambda: False, SHOW_TIME)
-    _drive(publisher, 0, lambda: True)
+    _drive(publisher, SPEED, 0, lambda: False, SHOW_TIME)
+    _drive(publisher, 0, 0, lambda: True)
     if choose("Did both wheels turn forward, and stop?", {"yes": True, "no": False}):
         return None
     return "run rosrun jetbot_control_node doctor.py, then calibrate.py"
 
 
-def _drive(publisher, speed, condition, timeout=RESPONSE_TIMEOUT) -> bool:
-    """Command a forward speed (m/s) until the condition is true; return whether it becomes true in time (s)."""
+def _drive(publisher, x, z, condition, timeout=RESPONSE_TIMEOUT) -> bool:
+    """Command x (m/s) and z (rad/s) until the condition is true; return whether it becomes true in time (s)."""
     twist = Twist()
-    twist.linear.x = speed
+    twist.linear.x, twist.angular.z = x, z
     return wait_until(lambda: publisher.publish(twist) or condition(), timeout, COMMAND_INTERVAL)
 
 
 def check_wheels_turn() -> Problem:
     """Return the problem, or None if the robot drives at another node's commands."""
     init_node()
-    wheels = fake_wheels()
-    if wait_until(lambda: status() == "driving" and not (wheels and wheels() == STOPPED), RESPONSE_TIMEOUT):
+    motors = report()
+    wheels = fake_wheels(motors)
+    if wait_until(lambda: status().startswith("driving") and not (wheels and wheels() == STOPPED), RESPONSE_TIMEOUT):
         return None
-    return f"The wheels do not turn{_reason()}"
+    return f"The wheels do not turn{_reason(motors)}"
 
 
-def fake_wheels() -> Optional[Wheels]:
-    """Return the fake robot's wheels; None for a real robot. Raise ROSException if the controller reports no bus."""
+def report() -> Dict[str, str]:
+    """Return what the controller reports about its motors on /diagnostics; raise ROSException if it names no bus."""
     motors = {}
     subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, lambda array: motors.update(
         {pair.key: pair.value for report in array.status if report.name == "jetbot_controller: motors"
@@ -117,6 +131,11 @@ def fake_wheels() -> Optional[Wheels]:
     subscriber.unregister()
     if not reported:
         raise rospy.ROSException("the controller reports no bus on /diagnostics")
+    return motors
+
+
+def fake_wheels(motors: Dict[str, str]) -> Optional[Wheels]:
+    """Return the fake robot's wheels; None for a real robot. motors: as ``report`` returns it."""
     folder = fake.folder_of(motors["bus"])
     return partial(wheel_speeds, folder, motors["board"]) if folder else None
 
@@ -126,8 +145,13 @@ def status() -> str:
     return rospy.wait_for_message("/jetbot_controller/status", String, REPORT_TIMEOUT).data
 
 
-def _reason() -> str:
-    """Return the end of a sentence: the status that the controller reports."""
-    text = status()
-    release = "; release it with rostopic pub -1 /emergency_stop std_msgs/Bool false" if "emergency" in text else ""
-    return f", and the controller reports {text!r}{release}"
+def _reason(motors) -> str:
+    """Return the end of a sentence: the status that the controller reports, and what to do about it."""
+    text, settings = status(), motors.get("settings", "")
+    if "emergency" in text:
+        cure = "; release it with rostopic pub -1 /emergency_stop std_msgs/Bool false"
+    elif "from" in settings:
+        cure = f"; it has {settings}: start it without that file"
+    else:
+        cure = "; was it started with a parameter such as invert_left?" if text.startswith("driving") else ""
+    return f", and the controller reports {text!r}{cure}"

@@ -3,7 +3,7 @@
 from functools import partial
 from typing import Callable, Dict, List
 
-from . import Problem, files, graph, motion
+from . import Problem, files, graph, master, motion
 from .motion import TOPIC
 
 FIRST_OWN, LAST = 7, 8  # the lessons about the pupil's own package
@@ -24,9 +24,15 @@ def package(name: str, *dependencies: str) -> Checks:
             partial(files.check_built, name)]
 
 
+def own_package(name: str, *dependencies: str) -> Checks:
+    """Return the checks of the package that the pupil has made."""
+    exists, *others = package(name, *dependencies)
+    return [exists, partial(files.check_own, name), *others]
+
+
 def controller(start: str, start_master: str = "") -> Checks:
     """Return the checks of the running controller; start: what starts it, and the master if nothing else does."""
-    return [partial(graph.check_master, start_master or start),
+    return [partial(master.check_master, start_master or start),
             partial(graph.check_node, "/jetbot_controller", start),
             partial(graph.check_subscribes, "/jetbot_controller", TOPIC),
             partial(graph.check_type, TOPIC, "geometry_msgs/Twist")]
@@ -55,8 +61,8 @@ def lessons(own: str) -> Dict[int, Checks]:
         5: [*controller(LAUNCH), partial(graph.check_launched_together, ROBOT)],
         6: [*controller(LAUNCH_SCENARIO), partial(graph.check_launched_together, ROBOT, SCENARIO),
             *drives(SCENARIO, LAUNCH_SCENARIO, "start it without rate:=")],
-        7: [*package(own), *controller(LAUNCH), *drives(own, run_own)],
-        8: [*package(own, ROBOT), partial(files.check_launch_files, own), *controller(launch_own),
+        7: [*own_package(own), *controller(LAUNCH), *drives(own, run_own)],
+        8: [*own_package(own, ROBOT), partial(files.check_launch_files, own), *controller(launch_own),
             partial(graph.check_launched_together, ROBOT, own), *drives(own, launch_own)],
     }
 

@@ -5,10 +5,11 @@ from typing import Dict
 from jetbot import fake
 from jetbot.boards import find_board
 from jetbot.fake.motors import ROBOTS
+from jetbot.kinds import FRACTION, NUMBER, POSITIVE, SECONDS, Kind
 from jetbot_ros import parameters as controller
-from jetbot_ros.parameters import FRACTION, NUMBER, POSITIVE, SECONDS, Kind, Parameter, checked, given
+from jetbot_ros.parameters import Parameter, checked, given, is_fake_place
 
-FAKE = Kind(lambda value: value == "fake" or bool(fake.folder_of(str(value))), "fake, or fake:FOLDER")
+FAKE = Kind(is_fake_place, "fake, or fake:FOLDER")
 
 PARAMETERS = {
     "board": Parameter("jetbot", Kind(lambda value: value in list(ROBOTS), f"one of {', '.join(ROBOTS)}"),

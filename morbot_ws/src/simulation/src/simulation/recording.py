@@ -1,7 +1,10 @@
 """What a robot was commanded and what it did, from its topics or from a rosbag."""
 
+import contextlib
 import math
-from typing import Iterable, List, NamedTuple, Tuple, Union
+from threading import Thread
+from time import monotonic
+from typing import Callable, Iterable, List, NamedTuple, Tuple, Union
 
 import rosbag
 import rospy
@@ -13,6 +16,7 @@ from jetbot.wait import wait_until
 
 from .diff_drive import Pose
 
+SILENCE = 3.0  # s without odometry that are reported
 MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 
 
@@ -46,13 +50,21 @@ def check_bag(file: str) -> None:
             raise rosbag.ROSBagException(f"{file} is not a rosbag")
 
 
-def record(odom: str, cmd_vel: str, seconds: float) -> Recording:
-    """Return what these topics carry for some seconds, or until Ctrl-C."""
-    messages = []
-    rospy.init_node("draw_track", anonymous=True)
-    for topic, kind in (odom, Odometry), (cmd_vel, Twist):
-        rospy.Subscriber(topic, kind, lambda message: messages.append((rospy.get_time(), message)))
-    wait_until(rospy.is_shutdown, timeout=seconds)
+def record(odom: str, cmd_vel: str, seconds: float, silent: Callable[[], None]) -> Recording:
+    """Return what these topics carry for some seconds, or until Ctrl-C. silent: called if no odometry arrives at first.
+
+    Makes this process a node; a master must be running.
+    """
+    messages, deadline = [], monotonic() + seconds
+    with contextlib.suppress(KeyboardInterrupt):
+        rospy.init_node("draw_track", anonymous=True, disable_signals=True)  # rospy's own would ask the master
+        for topic, kind in (odom, Odometry), (cmd_vel, Twist):
+            rospy.Subscriber(topic, kind, lambda message: messages.append((rospy.get_time(), message)))
+        if not wait_until(lambda: any(message._type == Odometry._type for _, message in messages),
+                          min(seconds, SILENCE)):
+            silent()
+        wait_until(rospy.is_shutdown, deadline - monotonic())
+    Thread(target=rospy.signal_shutdown, args=["the recording ends"], daemon=True).start()  # the master may be frozen
     return make_recording(list(messages))
 
 

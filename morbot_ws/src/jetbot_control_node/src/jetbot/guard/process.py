@@ -103,7 +103,7 @@ def try_to_stop(board: str, place: str, reported: Optional[Exception]) -> Option
         find_board(board).open(place).close()  # opening a board stops its wheels
     except Exception as failure:  # not only a BusError: whatever has failed, the wheels may still turn
         if reported is None:
-            report(f"jetbot: the wheels may still turn. {failure}")
+            report(f"jetbot: the wheels may still turn: {getattr(failure, 'reason', failure)}")
         return failure
     return None
 

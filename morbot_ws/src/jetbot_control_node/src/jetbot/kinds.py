@@ -1,0 +1,40 @@
+"""What an option or a parameter must be."""
+
+import math
+from contextlib import suppress
+from typing import Callable, NamedTuple
+
+from .errors import InvalidValue
+from .text import literal
+
+
+class Kind(NamedTuple):
+    """What a value must be: a check, and its description."""
+
+    accepts: Callable[[object], bool]
+    description: str
+
+    def check(self, name: str, value: object) -> None:
+        """Raise InvalidValue, which names the value, unless it is of this kind."""
+        if not self.accepts(value):
+            raise InvalidValue(f"{name} must be {self.description}, not {literal(value)}")
+
+
+def is_finite(value: object) -> bool:
+    """Return whether this is a finite number, of Python or another library."""
+    with suppress(TypeError, ValueError, OverflowError):  # an int that is too large for a float
+        return math.isfinite(value)
+    return False
+
+
+def is_number(value: object) -> bool:
+    """Return whether this is a finite number; not a bool, which YAML's yes and no would give."""
+    return is_finite(value) and not isinstance(value, bool)
+
+
+FINITE = Kind(is_finite, "a finite number")
+NUMBER = Kind(is_number, "a number")
+POSITIVE = Kind(lambda value: is_number(value) and value > 0, "a number above 0")
+SECONDS = Kind(lambda value: is_number(value) and value >= 0, "a number of seconds, 0 or more")
+FRACTION = Kind(lambda value: is_number(value) and 0 <= value < 1, "a number of at least 0 and below 1")
+BOOLEAN = Kind(lambda value: isinstance(value, bool), "true or false")

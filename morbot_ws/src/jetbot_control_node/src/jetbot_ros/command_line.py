@@ -1,0 +1,71 @@
+"""A node's private parameters: those typed after its name (_name:=value), then those on the master.
+
+rospy puts the typed ones on the master, where they outlive the node and reach the next one. These nodes keep them.
+"""
+
+import contextlib
+import sys
+from typing import Collection, Dict, List
+
+import yaml
+
+from jetbot import InvalidValue
+
+from .launcher import LAUNCHED
+
+
+def public_words() -> List[str]:
+    """Return the command line without private parameters, for rospy.init_node."""
+    return [word for word in sys.argv if not is_private(word)]
+
+
+def private_parameters(on_master: object, known: Collection[str]) -> Dict[str, object]:
+    """Return the node's private parameters. on_master: those that the master has; known: the names that there are.
+
+    Raise InvalidValue for a word of the command line that is no parameter, or has lost its underscore.
+    """
+    typed = {}
+    for word in sys.argv[1:]:
+        typed.update(parse(word, known))
+    return {**kept(on_master, LAUNCHED), **typed}
+
+
+def as_typed(name: str) -> str:
+    """Return how this node is given "fake" for a parameter: a launch argument, or a word after its name."""
+    return f"add: {name}:=fake" if LAUNCHED else f"add: _{name}:=fake"
+
+
+def parse(word: str, known: Collection[str]) -> Dict[str, object]:
+    """Return the parameter in a word such as _board:=sparkfun; nothing for a word of rospy's, such as __ns:=red."""
+    name, separator, text = word.partition(":=")
+    if is_private(word):
+        return {name[1:]: plain_value(text)} if text.strip() else {}
+    if separator and name not in known:
+        return {}
+    name, _, value = word.lstrip("-_").replace(":=", "=").partition("=")
+    name = name.replace("-", "_")
+    raise InvalidValue(f"the node does not understand {word}",
+                       f"Type it as _{name}:={value or 'VALUE'}" if name in known else "Type it as _NAME:=VALUE")
+
+
+def plain_value(text: str) -> object:
+    """Return the number, bool or text that YAML sees in a text; the text itself where YAML sees something else."""
+    with contextlib.suppress(yaml.YAMLError, ValueError, RecursionError):
+        value = yaml.safe_load(text)
+        return text if isinstance(value, (dict, list)) else value
+    return text
+
+
+def is_private(word: str) -> bool:
+    """Return whether a word gives a private parameter, whose name follows one underscore."""
+    return ":=" in word and word.startswith("_") and not word.startswith("__")
+
+
+def kept(on_master: object, launched: bool) -> Dict[str, object]:
+    """Return the parameters on the master that are meant for this node. launched: whether roslaunch has started it.
+
+    Those of an earlier launch are not: among them is a "" for each argument that was not typed.
+    """
+    if not isinstance(on_master, dict) or "" in on_master.values() and not launched:
+        return {}
+    return on_master

@@ -1,0 +1,61 @@
+"""Ends roslaunch before it touches anything, if an argument is mistyped, or the controller already runs.
+
+A launch file makes ``python3 -m jetbot_ros.prelaunch [NAMESPACE]`` the command of a parameter, so that roslaunch runs
+it while it loads the file. It prints nothing on stdout: the parameter is "", like one that is not given.
+"""
+
+# ruff: noqa: E402
+import signal
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C reaches this process too, and simply ends it
+
+import os
+import sys
+
+from .addresses import is_reachable, master_uri
+from .launch_arguments import mistake
+from .roslaunch_command import of_parent, parse, refuse
+
+READING_TIMEOUT = 5.0  # s for the launch files; then nothing is refused
+
+
+def main(namespace: str = "") -> None:
+    """Print one sentence and end roslaunch, if it must not go on. namespace: of the node ``jetbot_controller``."""
+    words = of_parent()
+    if not words:
+        return
+    command = parse(words)
+    problem = mistake_in_time(command.files, command.typed)
+    if problem:
+        refuse(problem)
+    if command.port:
+        os.environ["ROS_MASTER_URI"] = f"http://localhost:{command.port}"
+    if is_reachable(master_uri()):  # without a master, no node runs
+        check_not_running(namespace)
+
+
+def mistake_in_time(files, typed):
+    """Return what ``mistake`` does, or None if that takes too long."""
+    def give_up(*_):
+        raise TimeoutError  # an OSError: mistake() then returns None
+    signal.signal(signal.SIGALRM, give_up)
+    signal.setitimer(signal.ITIMER_REAL, READING_TIMEOUT)
+    try:
+        return mistake(files, typed)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+
+
+def check_not_running(namespace: str) -> None:
+    """End roslaunch if the node ``jetbot_controller`` in this namespace runs, or the master does not answer."""
+    from .master import require_master, require_name  # here: they take longer to import than all the rest
+    parts = (os.environ.get("ROS_NAMESPACE", ""), namespace, "jetbot_controller")
+    try:
+        require_master()
+        require_name("/" + "/".join(filter(None, (part.strip("/") for part in parts))))
+    except SystemExit as refusal:
+        refuse(refusal)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,41 @@
+"""What this start of the controller drives: board, bus or port, the units of a command, the file of settings."""
+
+from typing import Dict
+
+from jetbot import fake
+from jetbot.boards import MotorDriver
+from jetbot.text import printable
+
+from .parameters import PARAMETERS
+
+GEOMETRY = ("wheel_separation", "max_speed")
+
+
+def summary(parameters: Dict[str, object], driver: MotorDriver) -> Dict[str, str]:
+    """Return a text for each of board, bus, units and settings. parameters: as ``resolve`` returns them."""
+    config = parameters["config"]
+    texts = {"board": parameters["board"], "bus": driver.link.name, "units": units(parameters, driver.closed_loop),
+             "settings": f"settings from {config}" if config else "no file of settings"}
+    return {name: printable(text) for name, text in texts.items()}
+
+
+def units(parameters: Dict[str, object], closed_loop: bool) -> str:
+    """Return what a command means. closed_loop: for a board that controls its wheel speeds itself."""
+    if closed_loop:
+        return "m/s and rad/s"
+    separation, speed = geometry = tuple(parameters[name] for name in GEOMETRY)
+    if geometry == tuple(PARAMETERS[name].default for name in GEOMETRY):
+        return "workshop units: left = x - z, right = x + z"
+    return f"m/s and rad/s, with wheels {separation:g} m apart and {speed:g} m/s at full power"
+
+
+def start_line(texts: Dict[str, str]) -> str:
+    """Return the ``summary`` as one line."""
+    return "board {board} on {bus}; {units}; {settings}".format(**texts)
+
+
+def simulated(driver: MotorDriver) -> str:
+    """Return the end of each status on fake hardware, "" on a real robot."""
+    if not fake.folder_of(driver.link.name):
+        return ""
+    return ", on a fake port" if driver.link.address is None else ", on a fake bus"

@@ -1,0 +1,36 @@
+"""Commands to type next, as they work where the program was started: in a shell that knows ROS, or after ./morbot."""
+
+import os
+import shlex
+
+from jetbot import fake
+from jetbot_ros.parameters import PARAMETERS
+
+MORBOT = os.environ.get("MORBOT", "")  # the name by which ./morbot was started, where it has started this program
+
+
+def in_shell(command: str) -> str:
+    """Return a command that needs ROS and this workspace."""
+    return f"{shlex.quote(MORBOT)} shell {command}" if MORBOT else command
+
+
+def launch(**typed: object) -> str:
+    """Return the command that starts the controller with these parameters; one at its default is left out."""
+    words = [f"{name}:={short(value)}" for name, value in typed.items()
+             if name not in PARAMETERS or value != PARAMETERS[name].default]
+    return in_shell(shlex.join(["roslaunch", "jetbot_control_node", "jetbot_controller.launch", *words]))
+
+
+def short(value: object) -> object:
+    """Return plain ``fake`` for the folder that it means, any other value unchanged."""
+    return "fake" if value == fake.expand("fake") else value
+
+
+def doctor() -> str:
+    """Return the command that starts doctor.py."""
+    return f"{shlex.quote(MORBOT)} doctor" if MORBOT else "rosrun jetbot_control_node doctor.py"
+
+
+def fake_option(name: str) -> str:
+    """Return how a tool is given "fake" for a parameter."""
+    return f"add: {name}:=fake"

@@ -1,0 +1,50 @@
+"""The ROS master: whether it answers, at the start and as long as the check runs."""
+
+import time
+from threading import Thread
+from typing import Callable
+
+from jetbot_ros.addresses import is_reachable, master_uri
+from jetbot_ros.xmlrpc import NO_ANSWER
+
+from . import Problem
+from .nodes import CALLER, answer_in_time, connect
+
+ASK_INTERVAL = 1.0  # s
+
+
+def is_online() -> bool:
+    """Return whether the master answers in time."""
+    def call():
+        try:
+            return isinstance(connect(master_uri()).getPid(CALLER), list)
+        except NO_ANSWER:
+            return False
+
+    return bool(answer_in_time(call))
+
+
+def check_master(start: str = "roscore") -> Problem:
+    """Return the problem, or None if a master runs; ``start`` is the command that starts one."""
+    uri = master_uri()
+    if is_online():
+        return None
+    if answer_in_time(lambda: is_reachable(uri)):
+        return (f"The ROS master at {uri} does not answer: continue it (after Ctrl-Z: fg), "
+                f"or stop it and start it with {start}")
+    return f"No ROS master at {uri}: start one in another terminal with {start}"
+
+
+def watch(report: Callable[[str], None]) -> None:
+    """In a thread, report the problem if a master that has answered stops doing so: rospy would wait forever."""
+    Thread(target=lambda: _wait_for_problem(report), daemon=True).start()
+
+
+def _wait_for_problem(report):
+    if not is_online():
+        return
+    problem = None
+    while not problem:
+        time.sleep(ASK_INTERVAL)
+        problem = None if is_online() else check_master()  # ask twice: it may have been busy
+    report(problem)

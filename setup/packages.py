@@ -1,0 +1,63 @@
+"""Finds the packages of a workspace that ROS can read, and what is wrong with the others.
+
+A package.xml that cannot be read ends every ROS command that searches its folder.
+"""
+
+import os
+from pathlib import Path
+from typing import Collection, Dict, List, Tuple
+
+from manifest import MANIFEST, Package, Problem, read_package
+
+
+def check(source: Path, known: Collection[Path] = ()) -> Tuple[List[Package], List[str]]:
+    """Return the packages below a folder that ROS can read, and one sentence for each problem.
+
+    Of two packages of one name, the one in ``known`` is the original, or else the one whose folder bears the name.
+    """
+    folders, problems = find_folders(source)
+    packages = []
+    for folder in folders:
+        try:
+            packages.append(read_package(folder))
+        except Problem as problem:
+            problems.append(str(problem))
+    originals: Dict[str, Package] = {}
+    for package in sorted(packages, key=lambda package: _originality(package, known)):
+        original = originals.setdefault(package.name, package)
+        if original is not package:
+            problems.append(_copied(package, original))
+    return sorted(originals.values()), problems
+
+
+def find_folders(source: Path) -> Tuple[List[Path], List[str]]:
+    """Return all folders with a package.xml, and one sentence for each link that leads to a folder a second time."""
+    folders, problems, seen = [], [], set()
+    for place, subfolders, files in os.walk(source, followlinks=True):
+        seen.add(os.path.realpath(place))
+        if "CATKIN_IGNORE" in files:
+            subfolders.clear()
+        elif MANIFEST in files or MANIFEST in subfolders:
+            folders.append(Path(place))
+            subfolders.clear()
+        links = [os.path.join(place, name) for name in subfolders if os.path.islink(os.path.join(place, name))]
+        again = [link for link in links if _leads_back(os.path.realpath(link), os.path.realpath(source), seen)]
+        problems += [f"{link} leads to a folder that ROS searches already: rm {link}" for link in again]
+        subfolders[:] = sorted(name for name in subfolders
+                               if name[0] != "." and os.path.join(place, name) not in again)
+    return folders, problems
+
+
+def _leads_back(target, source, seen):
+    return target in seen or os.path.commonpath([target, source]) in (target, source)
+
+
+def _originality(package, known):
+    folder = package.folder
+    return folder not in known, folder.name != package.name, (folder / MANIFEST).stat().st_mtime, folder
+
+
+def _copied(copy, original):
+    new = copy.folder.name if copy.folder.name != copy.name else "NEW"
+    return (f"{copy.folder / MANIFEST} has the same <name> as {original.folder}: write <name>{new}</name> there and "
+            f"project({new}) in its CMakeLists.txt, or mv {copy.folder} ~. The copy is left out until then.")

@@ -1,0 +1,48 @@
+"""What a build leaves in the devel folder for the next one and for shells: the search path and the stamp."""
+
+import os
+from pathlib import Path
+from typing import Iterable, List, NamedTuple
+
+from manifest import Package
+
+STAMP = "morbot.stamp"
+
+
+class Stamp(NamedTuple):
+    """What was built, and when: no change after ``time`` is in it. The file's own time is ``time``."""
+
+    source: str
+    folders: List[Path]
+    time: float
+
+
+def read_stamp(devel: Path) -> Stamp:
+    """Return the stamp of the last build; an empty one if there is none, or if it was interrupted."""
+    try:
+        source, *folders = (devel / STAMP).read_text().splitlines()
+        return Stamp(source, [Path(folder) for folder in folders], (devel / STAMP).stat().st_mtime)
+    except (FileNotFoundError, ValueError):
+        return Stamp("", [], 0.0)
+
+
+def write_stamp(devel: Path, stamp: Stamp) -> None:
+    """Replace the stamp in one step."""
+    _replace(devel / STAMP, "".join(f"{line}\n" for line in (stamp.source, *stamp.folders)), stamp.time)
+
+
+def write_search_path(devel: Path, folders: Iterable[Path], time: float) -> None:
+    """Name the folders in which ROS shall search for packages; catkin and ROS read them from this file."""
+    _replace(devel / ".catkin", ";".join(map(str, folders)), time)
+
+
+def search_path(source: Path, packages: Iterable[Package], problems: Iterable[str]) -> List[Path]:
+    """Return the folders in which ROS shall search: that of all packages, or of each one that can be read."""
+    return [package.folder for package in packages] if problems else [source]
+
+
+def _replace(file, text, time):
+    new = file.with_name(f"{file.name}.{os.getpid()}")
+    new.write_text(text)
+    os.utime(new, (time, time))
+    new.replace(file)
