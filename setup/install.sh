@@ -13,7 +13,9 @@ packages="$run_packages catkin make g++ librostest-dev libgeometry-msgs-dev ros-
 # A field of os-release(5); a derivative of Debian or Ubuntu names the release that it descends from.
 os_release() {  # FIELD...
     for file in ${OS_RELEASE:-/etc/os-release /usr/lib/os-release}; do
-        [ ! -r "$file" ] || (set +u; . "$file"; for field; do eval "echo \"\$$field\""; done) && return
+        [ -r "$file" ] || continue
+        (set +u; . "$file"; for field; do eval "echo \"\$$field\""; done)
+        return
     done
 }
 

@@ -104,6 +104,11 @@ def test_a_system_without_ros_is_named_and_nothing_is_installed(install, os_rele
     assert not commands
 
 
+def test_the_second_place_of_os_release_is_read_where_there_is_no_first(install, tmp_path):
+    code, _, commands = install(DEBIAN_12, OS_RELEASE=f"{tmp_path}/none {tmp_path}/os-release")
+    assert code == 0 and " python3-rospy " in commands
+
+
 @pytest.mark.parametrize("os_release, unknown, sentence", [
     (UBUNTU_20, "ros-noetic-", "; first add the source of ROS Noetic: http://wiki.ros.org/noetic/Install"),
     (UBUNTU_22, "python3-rospy", "morbot: apt cannot find python3-rospy; on Ubuntu and its derivatives, try: sudo ")])
