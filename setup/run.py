@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """roslaunch for ./morbot run: refuses mistyped words and a silent master, and its last line is what went wrong.
 
-It is roslaunch, in this process: signals, the terminal and the nodes find what they find with roslaunch itself.
+roslaunch runs in this process, so that signals, the terminal and the nodes behave as they do with roslaunch itself.
 """
 
 # ruff: noqa: E402
@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 
 from jetbot.text import printable
 from jetbot_ros.addresses import is_reachable, master_uri
-from jetbot_ros.launch_arguments import UNKNOWN, closest, launch_files, mistake, reachable
+from jetbot_ros.launch_arguments import UNREADABLE, argument_problem, closest, launch_files, receivers
 from jetbot_ros.roslaunch_command import parse
 from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
@@ -28,21 +28,22 @@ TERMINATED = 128 + signal.SIGTERM
 FATAL = re.compile(r"^\[rosout\]\[(?:CRITICAL|FATAL)\] \S+ \S+: (.*)", re.M)  # in rospy's log
 
 
-def misspelled(words: List[str]) -> Optional[str]:
-    """Return what is wrong with words that are no name:=value, or None. words: PACKAGE FILE, then what was typed."""
+def word_problem(words: List[str]) -> Optional[str]:
+    """Return the problem with words that are not name:=value, or None. words: PACKAGE FILE, then what was typed."""
     files = parse(words).files
     if len(files) == 2:
         return None
+    # The words that roslaunch takes for files, with the halves of a name:=value that has a space beside its :=
     text = " ".join(word for word in words[2:] if word in files[2:] or re.match(r"\w*:=$|:=", word))
     meant = re.match(r"(\w+)[\s:=]+(\S+)", text)
-    names = {name for each in reachable(launch_files(files[:2])) for name in each.arguments}
+    names = {name for each in receivers(launch_files(files[:2])) for name in each.arguments}
     name = meant and closest(meant[1], names)
     advice = f"Did you mean {name}:={meant[2]}?" if name else "An argument is name:=value, such as linear:=0.2"
     return f"morbot: there is no argument {text}. {advice}"
 
 
 def master_problem(port: str) -> Optional[str]:
-    """Return why roslaunch would wait or fail at the ROS master, or None. port: of the option -p, "" without it."""
+    """Return the problem that makes roslaunch wait or fail at the ROS master, or None. port: of the option -p, "" without it."""
     uri = f"http://localhost:{port}" if port else master_uri()
     try:
         host = urlsplit(uri).hostname if urlsplit(uri).port else None
@@ -131,10 +132,10 @@ def launch(words: List[str]) -> int:
 def main(words: List[str]) -> int:
     command = parse(words)
     try:
-        problem = misspelled(words)
-    except UNKNOWN:  # a broken launch file: roslaunch reports that
+        problem = word_problem(words)
+    except UNREADABLE:  # a broken launch file: roslaunch reports that
         problem = None
-    problem = problem or mistake(command.files, command.typed) or master_problem(command.port)
+    problem = problem or argument_problem(command.files, command.typed) or master_problem(command.port)
     if problem:
         sys.exit(printable(problem))
     return launch(words)

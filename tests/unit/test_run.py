@@ -21,26 +21,26 @@ LAUNCH = ["simulation", "simulation.launch", "motion:=true"]
 def packages(monkeypatch):
     folders = {"simulation": SIMULATION, "jetbot_control_node": SOURCE,
                "workshop": SOURCE.parent / "scenarios/workshop"}
-    monkeypatch.setattr(launch_arguments, "package", lambda name: str(folders.get(name, "")))
+    monkeypatch.setattr(launch_arguments, "package_folder", lambda name: str(folders.get(name, "")))
 
 
 @pytest.mark.parametrize("typed", [
     "linear=0.2", "linear:0.2", "linear: =0.2", "linear :=0.2", "linear:= 0.2", "linear = 0.2", "linear 0.2",
     "lineer=0.2"])
 def test_a_word_that_is_no_argument_is_refused_with_what_was_meant(typed):
-    assert run.misspelled([*LAUNCH, *typed.split()]) == (
+    assert run.word_problem([*LAUNCH, *typed.split()]) == (
         f"morbot: there is no argument {typed}. Did you mean linear:=0.2?")
 
 
 def test_only_the_word_that_is_wrong_is_named():
-    assert "no argument rviz=no. Did you mean rviz:=no?" in run.misspelled(
+    assert "no argument rviz=no. Did you mean rviz:=no?" in run.word_problem(
         [*LAUNCH, "-p", "11312", "--screen", "linear:=0.2", "rviz=no"])
-    assert "no argument fast. An argument is name:=value" in run.misspelled([*LAUNCH, "fast"])
+    assert "no argument fast. An argument is name:=value" in run.word_problem([*LAUNCH, "fast"])
 
 
 @pytest.mark.parametrize("typed", ["", "linear:=0.2", "linear:=", "-p 11312 linear:=0.2", "--screen -v __ns:=red"])
 def test_what_roslaunch_takes_is_not_refused(typed):
-    assert run.misspelled([*LAUNCH, *typed.split()]) is None
+    assert run.word_problem([*LAUNCH, *typed.split()]) is None
 
 
 @pytest.mark.parametrize("uri", ["localhost:11311", "http://localhost", "11311", "http://localhost:x"])

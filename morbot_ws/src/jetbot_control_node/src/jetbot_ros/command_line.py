@@ -20,22 +20,22 @@ def public_words() -> List[str]:
 
 
 def private_parameters(on_master: object, known: Collection[str]) -> Dict[str, object]:
-    """Return the node's private parameters. on_master: those that the master has; known: the names that there are.
+    """Return the node's private parameters. on_master: those that the master has; known: the names of all parameters.
 
     Raise InvalidValue for a word of the command line that is no parameter, or has lost its underscore.
     """
     typed = {}
     for word in sys.argv[1:]:
-        typed.update(parse(word, known))
-    return {**kept(on_master, LAUNCHED), **typed}
+        typed.update(parse_word(word, known))
+    return {**from_master(on_master, LAUNCHED), **typed}
 
 
-def as_typed(name: str) -> str:
-    """Return how this node is given "fake" for a parameter: a launch argument, or a word after its name."""
-    return f"add: {name}:=fake" if LAUNCHED else f"add: _{name}:=fake"
+def fake_advice(name: str) -> str:
+    """Return how to select "fake" for a parameter of this node: by a launch argument, or a word after its name."""
+    return f"add: {'' if LAUNCHED else '_'}{name}:=fake"
 
 
-def parse(word: str, known: Collection[str]) -> Dict[str, object]:
+def parse_word(word: str, known: Collection[str]) -> Dict[str, object]:
     """Return the parameter in a word such as _board:=sparkfun; nothing for a word of rospy's, such as __ns:=red."""
     name, separator, text = word.partition(":=")
     if is_private(word):
@@ -61,11 +61,11 @@ def is_private(word: str) -> bool:
     return ":=" in word and word.startswith("_") and not word.startswith("__")
 
 
-def kept(on_master: object, launched: bool) -> Dict[str, object]:
+def from_master(on_master: object, launched: bool) -> Dict[str, object]:
     """Return the parameters on the master that are meant for this node. launched: whether roslaunch has started it.
 
     Those of an earlier launch are not: among them is a "" for each argument that was not typed.
     """
-    if not isinstance(on_master, dict) or "" in on_master.values() and not launched:
+    if not isinstance(on_master, dict) or ("" in on_master.values() and not launched):
         return {}
     return on_master

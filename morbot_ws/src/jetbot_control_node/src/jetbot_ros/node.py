@@ -17,7 +17,7 @@ from jetbot.boards import find_board
 from jetbot.lock import lock_board
 
 from . import watch
-from .command_line import as_typed, private_parameters, public_words
+from .command_line import fake_advice, private_parameters, public_words
 from .master import require_master, require_name
 from .network import bound_headers, stay_on_this_host
 from .parameters import PARAMETERS, resolve
@@ -121,7 +121,7 @@ def main(start: Callable[[], int]) -> None:
     try:
         leave(start())
     except JetbotError as error:
-        rospy.logfatal(error.text(as_typed))
+        rospy.logfatal(error.text(fake_advice))
         sys.exit(1)
     except OSError:
         require_master()  # it may have ended meanwhile
