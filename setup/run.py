@@ -43,7 +43,10 @@ def word_problem(words: List[str]) -> Optional[str]:
 
 
 def master_problem(port: str) -> Optional[str]:
-    """Return the problem that makes roslaunch wait or fail at the ROS master, or None. port: of the option -p, "" without it."""
+    """Return the problem that makes roslaunch wait or fail at the ROS master, or None.
+
+    port: of the option -p, "" without it.
+    """
     uri = f"http://localhost:{port}" if port else master_uri()
     try:
         host = urlsplit(uri).hostname if urlsplit(uri).port else None

@@ -11,7 +11,7 @@ pytest.importorskip("catkin_pkg")
 sys.path.append(str(ROOT / "setup"))
 
 from manifest import Problem, read_package  # noqa: E402
-from packages import check  # noqa: E402
+from packages import find_packages  # noqa: E402
 from state import search_path  # noqa: E402
 
 XML = """<?xml version="1.0"?>
@@ -40,11 +40,11 @@ def add(folder, text):
 
 
 def names(source, known=()):
-    return [package.name for package in check(source, known)[0]]
+    return [package.name for package in find_packages(source, known)[0]]
 
 
 def test_in_a_healthy_workspace_ros_searches_its_folder(source):
-    packages, problems = check(source)
+    packages, problems = find_packages(source)
     assert [package.name for package in packages] == ["mine", "workshop"] and problems == []
     assert search_path(source, packages, problems) == [source]
 
@@ -64,7 +64,7 @@ def test_in_a_healthy_workspace_ros_searches_its_folder(source):
 def test_a_package_xml_that_cannot_be_read(source, now, then, problem):
     file = source / "mine/package.xml"
     file.write_text(XML.replace(now, then))
-    packages, [sentence] = check(source)
+    packages, [sentence] = find_packages(source)
     assert sentence.startswith(f"{file}{problem}")
     assert sentence.endswith(" The package is left out until then.")
     assert search_path(source, packages, [sentence]) == [source / "scenarios/workshop"]
@@ -79,7 +79,7 @@ def test_a_package_xml_that_is_no_text(source, make, problem):
     file = source / "mine/package.xml"
     file.unlink()
     make(file)
-    packages, [sentence] = check(source)
+    packages, [sentence] = find_packages(source)
     assert sentence.startswith(f"{file}{problem}")
     assert [package.name for package in packages] == ["workshop"]
 
@@ -92,7 +92,7 @@ def test_a_folder_that_would_be_two_in_a_search_path(source):
 
 def test_a_copy_is_left_out_and_not_the_original(source):
     add(source / "copy", XML.replace("mine", "workshop"))
-    packages, [sentence] = check(source)
+    packages, [sentence] = find_packages(source)
     assert source / "scenarios/workshop" in [package.folder for package in packages]
     assert sentence == (
         f"{source}/copy/package.xml has the same <name> as {source}/scenarios/workshop: write <name>copy</name> there "
@@ -102,16 +102,16 @@ def test_a_copy_is_left_out_and_not_the_original(source):
 def test_a_copy_whose_folder_bears_the_name_too_is_the_one_that_was_not_built(source):
     add(source / "workshop", XML.replace("mine", "workshop"))
     os.utime(source / "workshop/package.xml", (0, 0))
-    assert source / "workshop" in [package.folder for package in check(source)[0]]
+    assert source / "workshop" in [package.folder for package in find_packages(source)[0]]
     known = [source / "scenarios/workshop"]
-    assert known[0] in [package.folder for package in check(source, known)[0]]
+    assert known[0] in [package.folder for package in find_packages(source, known)[0]]
 
 
 @pytest.mark.parametrize("target", ["..", "../mine", "."])
 def test_a_link_that_leads_back_into_the_workspace(source, target):
     link = source / "scenarios/again"
     link.symlink_to(target)
-    packages, problems = check(source)
+    packages, problems = find_packages(source)
     assert problems == [f"{link} leads to a folder that ROS searches already: rm {link}"]
     assert len(packages) == 2
 
@@ -125,4 +125,4 @@ def test_a_link_to_a_package_elsewhere_is_followed(source, tmp_path):
 def test_a_folder_with_catkin_ignore_is_not_read(source):
     (source / "mine/package.xml").write_text("<")
     (source / "mine/CATKIN_IGNORE").touch()
-    assert names(source) == ["workshop"] and check(source)[1] == []
+    assert names(source) == ["workshop"] and find_packages(source)[1] == []
