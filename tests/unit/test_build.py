@@ -1,18 +1,13 @@
 """What is built, with which packages, and what an interrupted build leaves; with a fake catkin_make."""
 
 import os
-import sys
 import time
 
 import pytest
 from test_packages import XML, add
 
-from conftest import ROOT
-
-sys.path.append(str(ROOT / "setup"))
-
-from build import BuildFailed, Spaces, update  # noqa: E402
-from state import STAMP  # noqa: E402
+from build import BuildFailed, Spaces, update
+from state import STAMP
 
 CATKIN_MAKE = """#!/bin/sh
 printf '%s\\n' "$@" >>{0}/calls

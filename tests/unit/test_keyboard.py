@@ -17,5 +17,8 @@ from simulation import keyboard
 def test_what_is_missing(monkeypatch, package, xterm, environment, sentence):
     monkeypatch.setattr(keyboard, "package_folder", lambda name: package)
     monkeypatch.setattr(keyboard.shutil, "which", lambda name: xterm)
-    monkeypatch.setattr(keyboard.os, "environ", environment)
+    for name in "ROS_DISTRO", "DISPLAY":
+        monkeypatch.delenv(name, raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
     assert keyboard.missing() == sentence

@@ -1,14 +1,10 @@
 """Of a workspace with broken packages, the others stay in use, and each broken one is reported with file and cure."""
 
 import os
-import sys
 
 import pytest
 
-from conftest import ROOT
-
 pytest.importorskip("catkin_pkg")
-sys.path.append(str(ROOT / "setup"))
 
 from manifest import Problem, read_package  # noqa: E402
 from packages import find_packages  # noqa: E402

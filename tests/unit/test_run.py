@@ -1,18 +1,18 @@
-"""./morbot run refuses misspelled words and a master that is none, and finds the reason why a node has ended."""
+"""./morbot run refuses mistyped words and a master that is none, and finds the reason why a node has ended."""
 
 import contextlib
+import signal
 import socket
-import sys
 import threading
 from types import SimpleNamespace
 
 import pytest
 
-from conftest import ROOT, SIMULATION, SOURCE
+import run
+from conftest import SIMULATION, SOURCE
 from jetbot_ros import launch_arguments
 
-sys.path.insert(0, str(ROOT / "setup"))
-import run  # noqa: E402
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which run changes
 
 LAUNCH = ["simulation", "simulation.launch", "motion:=true"]
 
