@@ -1,20 +1,14 @@
-#!/usr/bin/env python3
-"""roslaunch for ./morbot run: refuses mistyped words and a silent master, and its last line is what went wrong.
-
-roslaunch runs in this process, so that signals, the terminal and the nodes behave as they do with roslaunch itself.
-"""
+"""./morbot run: roslaunch, which refuses mistyped words and a silent master before it starts anything."""
 
 # ruff: noqa: E402
 import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; roslaunch handles it later
 
-import contextlib
 import re
 import socket
 import sys
-import threading
-from typing import Iterator, List, Optional
+from typing import List, Optional
 from urllib.parse import urlsplit
 
 from jetbot.text import printable
@@ -24,8 +18,6 @@ from jetbot_ros.roslaunch_command import parse
 from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 MASTER_TIMEOUT = 5.0  # s for an answer
-TERMINATED = 128 + signal.SIGTERM
-FATAL = re.compile(r"^\[rosout\]\[(?:CRITICAL|FATAL)\] \S+ \S+: (.*)", re.M)  # in rospy's log
 
 
 def word_problem(words: List[str]) -> Optional[str]:
@@ -48,10 +40,7 @@ def master_problem(port: str) -> Optional[str]:
     port: of the option -p, "" without it.
     """
     uri = f"http://localhost:{port}" if port else master_uri()
-    try:
-        host = urlsplit(uri).hostname if urlsplit(uri).port else None
-    except ValueError:
-        host = None
+    host = host_of(uri)
     if not host:
         return f"morbot: ROS_MASTER_URI must look like http://localhost:11311, not {uri}"
     if not is_reachable(uri):
@@ -70,66 +59,12 @@ def master_problem(port: str) -> Optional[str]:
     return None
 
 
-def fatal_line(process) -> Optional[str]:
-    """Return what a node logged as its reason to end, or None. process: roslaunch's LocalProcess."""
-    log = next((word[len("__log:="):] for word in process.args if word.startswith("__log:=")), "")
+def host_of(uri: str) -> Optional[str]:
+    """Return the host in a URI, or None if it names no host and port."""
     try:
-        with open(log, errors="replace") as file:
-            lines = FATAL.findall(file.read().rpartition(f"pid[{process.pid}]")[2])  # an earlier start's are before
-    except OSError:
+        return urlsplit(uri).hostname if urlsplit(uri).port else None
+    except ValueError:
         return None
-    return lines[-1] if lines else None
-
-
-@contextlib.contextmanager
-def ctrl_c_for_this_process_only() -> Iterator[None]:
-    """Ctrl-C ends this process; a command that it runs meanwhile inherits a blocked SIGINT, and prints no traceback."""
-    threading.Thread(target=threading.Event().wait, daemon=True).start()  # does not block it
-    mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
-
-
-def launch(words: List[str]) -> int:
-    """Run roslaunch; return its exit code, 1 if a node that must run has failed."""
-    import roslaunch.parent
-    failures = []
-
-    class Failures(roslaunch.pmon.ProcessListener):
-        def __init__(self, monitor):
-            self._monitor = monitor
-
-        def process_died(self, name, code):
-            process = self._monitor.get_process(name)
-            reason = code and fatal_line(process)
-            if code and (reason or process.required):
-                cause = f"ended with exit code {code}" if code > 0 else f"was killed by signal {-code}"
-                failures.append(f"[FATAL] [{name.rpartition('-')[0] or name}]: {reason or cause}")
-                self._monitor.shutdown()
-
-    class Parent(roslaunch.parent.ROSLaunchParent):
-        def _load_config(self):
-            with ctrl_c_for_this_process_only():
-                super()._load_config()
-
-        def _start_pm(self):
-            super()._start_pm()
-            self.pm.add_process_listener(Failures(self.pm))  # before any process starts
-
-    roslaunch.parent.ROSLaunchParent = Parent
-    sys.argv = ["roslaunch", *words]  # roslaunch reads the arguments there
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(TERMINATED))
-    print("morbot: the workshop's scenario with a simulated robot; Ctrl-C ends it", flush=True)
-    try:
-        code = roslaunch.main(sys.argv)
-    except SystemExit as end:
-        code = end.code
-    sys.stdout.flush()
-    if failures:
-        print(printable(failures[0]), file=sys.stderr)
-    return 1 if failures else code or 0
 
 
 def main(words: List[str]) -> int:
@@ -141,6 +76,7 @@ def main(words: List[str]) -> int:
     problem = problem or argument_problem(command.files, command.typed) or master_problem(command.port)
     if problem:
         sys.exit(printable(problem))
+    from launch import launch  # here: it takes longer to import than all the rest
     return launch(words)
 
 

@@ -70,13 +70,14 @@ def test_a_master_that_does_not_answer(monkeypatch, answer, sentence):
 
 
 def test_the_reason_of_a_node_is_the_last_fatal_line_of_this_start(tmp_path):
+    launch = pytest.importorskip("launch")  # it needs ROS
     log = tmp_path / "node.log"
     fatal = "[rosout][CRITICAL] 2020-01-01 12:00:00,000: {}\n"
     start = "[rospy.client][INFO] 2020-01-01 12:00:00,000: init_node, name[/jetbot_controller], pid[{}]\n"
     log.write_text(start.format(1) + fatal.format("old") + start.format(2))
     process = SimpleNamespace(args=["node.py", f"__log:={log}"], pid=2)
-    assert run.fatal_line(process) is None
+    assert launch.fatal_line(process) is None
     with log.open("a") as file:
         file.write(fatal.format("There is no I2C bus /dev/i2c-7: what now?") + "[rospy.core][INFO] the end\n")
-    assert run.fatal_line(process) == "There is no I2C bus /dev/i2c-7: what now?"
-    assert run.fatal_line(SimpleNamespace(args=["node.py"], pid=2)) is None
+    assert launch.fatal_line(process) == "There is no I2C bus /dev/i2c-7: what now?"
+    assert launch.fatal_line(SimpleNamespace(args=["node.py"], pid=2)) is None
