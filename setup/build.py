@@ -60,7 +60,7 @@ def update(spaces: Spaces) -> None:
 
 
 def link_to_catkin(source: Path) -> None:
-    """Make the link that catkin_make would make: made during the build, it looks like a change after it."""
+    """Make the link that catkin_make would make: made during the build, it would look like a change after it."""
     file = source / "CMakeLists.txt"
     if not file.exists() and os.access(source, os.W_OK):
         with contextlib.suppress(FileNotFoundError):
@@ -69,7 +69,7 @@ def link_to_catkin(source: Path) -> None:
 
 
 def compile_modules(source: Path) -> None:
-    """Compile all modules, as Python would at their first import: a new __pycache__ looks like a change, too."""
+    """Compile all modules, as Python would at their first import: a new __pycache__ would look like a change."""
     if os.access(source, os.W_OK):
         compileall.compile_dir(str(source), quiet=2, rx=re.compile("/scripts/|/build/"))
 

@@ -10,7 +10,7 @@ STAMP = "morbot.stamp"
 
 
 class Stamp(NamedTuple):
-    """What was built, and when: no change after ``time`` is in it. The file's own time is ``time``."""
+    """What was built, and when: later changes are not in it. ``time`` is also the file's own modification time."""
 
     source: str
     folders: List[Path]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Stops every robot, until --release, and reports what each one answers.
+"""Stops every robot, or with --release ends the stop, and reports what each one answers.
 
 The exit code is 0 if there are robots, and all have confirmed. A robot that starts later is not stopped.
 """

@@ -77,14 +77,14 @@ def run(supervisor: Supervisor, report: Report) -> int:
     watch.start(supervisor, watch.MasterWatch(is_registered, register))
     failures, ended, unregistered = [], threading.Event(), threading.Event()
     threading.Thread(target=give_up, args=[ended], daemon=True).start()  # now: at the end, no thread may be left
-    rospy.core.add_shutdown_hook(lambda _: unregistered.set())  # the last of the hooks
+    rospy.core.add_shutdown_hook(lambda _: unregistered.set())  # rospy calls it last
     threading.Thread(target=supervise, args=[supervisor, report, failures, ended], daemon=True).start()
     try:
         report.spin(supervisor)
     finally:
         supervisor.end()
-        ended.wait()
-        unregistered.wait()
+        ended.wait()         # the robot is stopped;
+        unregistered.wait()  # after that, give_up limits the time
     for failure in failures:
         raise failure
     return 0 if supervisor.closed else 1
