@@ -136,6 +136,17 @@ def test_a_package_that_does_not_call_catkin_package(spaces):
     assert "quiet/CMakeLists.txt does not call catkin_package()" in problems(spaces)
 
 
+@pytest.mark.parametrize("marker", ["repository/quiet/AMENT_IGNORE", "repository/COLCON_IGNORE"])
+def test_a_package_that_catkin_ignores_is_no_problem(spaces, marker):
+    add(spaces.source / "repository/quiet", XML.replace("mine", "quiet"))
+    (spaces.source / marker).touch()
+    update(spaces)
+    assert problems(spaces) == ""
+    calls(spaces)
+    update(spaces)
+    assert calls(spaces) == ""
+
+
 def test_a_repository_of_many_packages_that_fail_does_not_take_an_hour(spaces):
     for number in range(100, 130):
         add(spaces.source / f"lib{number}", XML.replace("mine", f"lib{number}"))
