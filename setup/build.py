@@ -3,8 +3,10 @@
 build.py SOURCE BUILD DEVEL: the folders of a catkin workspace. The problems are in DEVEL/morbot.problems.
 """
 
+import compileall
 import contextlib
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -37,6 +39,7 @@ class Spaces(NamedTuple):
 def update(spaces: Spaces) -> None:
     """Build what has changed since the last build, and write each problem down. Raise BuildFailed or OSError."""
     link_to_catkin(spaces.source)
+    compile_modules(spaces.source)
     started = time.time()
     last = read_stamp(spaces.devel)
     packages, problems = check(spaces.source, last.folders)
@@ -63,6 +66,12 @@ def link_to_catkin(source: Path) -> None:
         with contextlib.suppress(FileNotFoundError):
             file.unlink()  # it leads to the catkin of another system
         subprocess.run(["catkin_init_workspace", str(source)], stdout=subprocess.DEVNULL, check=False)
+
+
+def compile_modules(source: Path) -> None:
+    """Compile all modules, as Python would at their first import: the new __pycache__ looks like a change, too."""
+    if os.access(source, os.W_OK):
+        compileall.compile_dir(str(source), quiet=2, rx=re.compile("/scripts/|/build/"))
 
 
 def is_built(devel: Path, packages: Collection[Package], last: Stamp) -> bool:

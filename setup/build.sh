@@ -39,6 +39,14 @@ build() {
     echo "morbot: going on with the last build" >&2
 }
 
+# Whatever was built last, and a search path without the packages that ROS cannot read now.
+source_last_build() {
+    choose_build
+    [ -f "$devel/setup.sh" ] || devel=$workspace/devel
+    [ ! -w "$devel" ] || python3 "$here/setup/refresh.py" "$workspace/src" "$devel" || :
+    source_workspace "$devel"
+}
+
 # ./morbot setup tries again what failed: its cause may be outside of the workspace.
 forget_problems() {
     [ ! -s "$devel/morbot.problems" ] || touch -t 197001010000 "$devel/morbot.stamp" 2>/dev/null || :

@@ -99,14 +99,20 @@ source_advice() {
     esac
 }
 
-# apt's status lines (kind:package:percent:text) as a percentage on a terminal. Fails if apt did.
+# Shows apt's status lines (kind:package:percent:text) as a percentage; elsewhere than on a terminal, every tenth one.
+# Fails if apt did.
 show_progress() {
+    shown=
     while IFS=: read -r kind _ percent _; do
         case $kind in
             failed) return 1 ;;
-            dlstatus | pmstatus) [ ! -t 1 ] || printf '\rmorbot: %s %3s %%  ' \
-                "$([ "$kind" = dlstatus ] && echo "fetched  " || echo installed)" "${percent%.*}" ;;
+            dlstatus) progress="fetched ${percent%.*} %" ;;
+            pmstatus) progress="installed ${percent%.*} %" ;;
+            *) continue ;;
         esac
+        [ "$progress" != "$shown" ] || continue
+        if [ -t 1 ]; then printf '\rmorbot: %s   ' "$progress"; else echo "morbot: $progress" | grep '0 %' || :; fi
+        shown=$progress
     done
     [ ! -t 1 ] || echo
 }

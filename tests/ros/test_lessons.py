@@ -49,7 +49,8 @@ def check(**options):
     (lambda: open("/dev/full", "w"), "No space left on device"), (lambda: closed_pipe(), "Broken pipe")])
 def test_result_that_cannot_be_printed(open_output, reason):
     with open_output() as output:
-        assert check(stdout=output) == (1, f"Lesson 1: the result cannot be printed: {reason}\n")
+        result = check(stdout=output, env={**os.environ, "PYTHONUNBUFFERED": ""})
+        assert result == (1, f"Lesson 1: the result cannot be printed: {reason}\n")
 
 
 def closed_pipe():

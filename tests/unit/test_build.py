@@ -23,6 +23,13 @@ done
 touch $devel/setup.sh
 mkdir -p $devel/share/mine/cmake $devel/share/workshop/cmake
 [ ! -e {0}/killed ] || exit 1
+for folder in {0}/src/lib*; do
+    name=${{folder##*/}}
+    case ";${{left_out#*=}};" in *";$name;"*) continue ;; esac
+    [ -d $folder ] || continue
+    printf -- '-- ==> add_subdirectory(%s)\nCMake Error at %s/CMakeLists.txt:1 (bad):\n' $name $name
+    exit 1
+done
 case $left_out in *mine*) exit 0 ;; esac
 [ -s {0}/src/mine/CMakeLists.txt ] || exit 0
 echo "-- ==> add_subdirectory(mine)"
@@ -132,6 +139,18 @@ def test_a_package_that_does_not_call_catkin_package(spaces):
     add(spaces.source / "quiet", XML.replace("mine", "quiet"))
     update(spaces)
     assert "quiet/CMakeLists.txt does not call catkin_package()" in problems(spaces)
+
+
+def test_a_repository_of_many_packages_that_fail_does_not_take_an_hour(spaces):
+    for number in range(100, 130):
+        add(spaces.source / f"lib{number}", XML.replace("mine", f"lib{number}"))
+    calls(spaces)
+    update(spaces)
+    assert calls(spaces).count("-C\n") < 20
+    assert problems(spaces).splitlines()[-1] == (
+        "morbot: All packages that were never built are left out until these are corrected.")
+    assert (spaces.devel / STAMP).read_text().splitlines()[1:] == [str(spaces.source / name)
+                                                                   for name in ("mine", "workshop")]
 
 
 def test_an_interrupted_build_leaves_no_stamp_and_is_not_continued(spaces):

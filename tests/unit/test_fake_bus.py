@@ -31,6 +31,18 @@ def test_power_on_values(bus, folder):
     assert registers(folder)[0xFE] == 0x1E
 
 
+def test_a_folder_that_holds_only_the_buses_of_namespaces_gets_its_chips(folder):
+    os.makedirs(f"{folder}/jetbot_01")
+    FakeBus(folder)
+    assert os.path.isfile(f"{folder}/0x60")
+
+
+def test_unplugged_chips_stay_unplugged(bus, folder):
+    os.unlink(f"{folder}/0x60")
+    FakeBus(folder)
+    assert not os.path.exists(f"{folder}/0x60")
+
+
 @pytest.mark.parametrize("mode1, outputs", [(0x10, "030000"), (0x30, "010203")])
 def test_a_block_fills_registers_only_with_auto_increment(bus, folder, mode1, outputs):
     bus.write_byte_data(0x60, 0x00, mode1)

@@ -72,7 +72,7 @@ def test_the_first_command_builds_the_image_and_starts_the_container_that_later_
     assert printed.startswith("morbot: Fedora Linux 40 has no packages of ROS 1; running in a container of docker\n")
     assert " --target system " in words_of(commands, "docker build")
     assert commands[-1].startswith(f"docker exec -i --workdir {ROOT}/docs")
-    assert commands[-1].endswith(" morbot run linear:=0.2".replace("morbot", str(MORBOT)))
+    assert commands[-1].endswith(f" {MORBOT} run linear:=0.2")
     _, _, later = morbot("shell", docker=WORKING)
     assert not [line for line in later if line.split()[1] in ("build", "run")]
     container = words_of(commands, "docker run").partition("--name ")[2].split()[0]
@@ -123,7 +123,7 @@ def test_without_a_container_engine_one_sentence_says_what_to_type(morbot, engin
 def test_a_failed_build_of_the_image_ends_with_one_sentence(morbot):
     code, printed, commands = morbot("run", docker={**WORKING, "build": "echo no network; false"})
     assert code == 1
-    assert printed.endswith("no network\nmorbot: cannot build the image (see above); the first use needs the internet\n")
+    assert "no network\nmorbot: cannot build the image (see above); the first use needs the internet\n" in printed
     assert not [line for line in commands if line.startswith("docker run")]
 
 
@@ -133,16 +133,17 @@ def attend():
     processes = []
 
     def run(*command):
-        client = subprocess.Popen(["sleep", "60"], start_new_session=True)
+        client = subprocess.Popen(["sleep", "60"], preexec_fn=os.setpgrp)
         attendant = subprocess.Popen([sys.executable, ATTEND, str(client.pid), *command], start_new_session=True,
                                      stdout=subprocess.PIPE, text=True)
-        processes.extend([client, attendant])
+        processes.append((client, attendant))
         return client, attendant
 
     yield run
-    for process in processes:
-        process.terminate()
-        process.wait(10)
+    for client, attendant in processes:
+        client.kill()
+        client.wait()
+        attendant.wait(10)
 
 
 def state(pid):
@@ -170,3 +171,10 @@ def test_a_command_is_suspended_and_continued_with_its_client(attend):
     assert wait_until(lambda: state(command) == "T", 10)
     client.send_signal(signal.SIGCONT)
     assert wait_until(lambda: state(command) != "T", 10)
+
+
+def test_a_suspended_command_suspends_its_client_until_a_shell_continues_it(attend):
+    client, attendant = attend("sh", "-c", "kill -STOP $$; echo continued")
+    assert wait_until(lambda: state(client.pid) == "T", 10)
+    client.send_signal(signal.SIGCONT)
+    assert attendant.stdout.readline() == "continued\n"

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -70,8 +71,10 @@ def test_a_launch_file_of_a_pupil(launch, content):
     assert "Did you mean i2c_bus:=fake?" in refusal(launch(content), "i2c_bas:=fake")
 
 
-def test_an_argument_that_an_include_does_not_get_is_refused(launch):
-    file = launch(INCLUDE.format(""))
+@pytest.mark.parametrize("include", [
+    INCLUDE.format(""), INCLUDE.format("").replace("/>", '><arg name="i2c_bus" value="$(arg bus)"/></include>')])
+def test_an_argument_that_an_include_does_not_get_is_refused(launch, include):
+    file = launch(include)
     assert refusal(file, "i2c_bus:=fake") == (
         'morbot: pupil.launch does not pass the argument i2c_bus on. Add pass_all_args="true" to its <include>.')
 
@@ -93,6 +96,17 @@ def test_launch_files_that_include_each_other(launch):
     assert "linear:=1" in refusal(file, "lineer:=1")
     file = launch('<include file="$(dirname)/./$(dirname)/../pupil.launch" pass_all_args="true"/>')
     assert refusal(file, "lineer:=1") is None
+
+
+def test_reading_launch_files_is_given_up_in_time(monkeypatch):
+    on_ctrl_c = signal.getsignal(signal.SIGINT)
+    from jetbot_ros import prelaunch
+    signal.signal(signal.SIGINT, on_ctrl_c)
+    monkeypatch.setattr(prelaunch, "READING_TIMEOUT", 0.1)
+    monkeypatch.setattr(launch_arguments, "package", lambda name: time.sleep(60))
+    start = time.monotonic()
+    assert prelaunch.mistake_in_time(["simulation", "simulation.launch"], [("lineer", "1")]) is None
+    assert time.monotonic() - start < 30
 
 
 ROSLAUNCH = ("import subprocess, sys; sys.exit(subprocess.call([sys.executable, '-m', 'jetbot_ros.prelaunch'], "

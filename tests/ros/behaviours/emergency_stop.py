@@ -4,6 +4,7 @@ import os
 import signal
 
 import rospy
+from std_msgs.msg import Bool, String
 
 from harness import START_TIMEOUT, RobotTest, program, read
 from jetbot_lessons.graph import snapshot
@@ -69,13 +70,18 @@ class EmergencyStop(RobotTest):
         self.assertNotIn("stopped: emergency stop", printed)
         self.drive_at(0.25)
 
-    def test_by_hand_a_frozen_robot_is_named_and_a_dead_one_is_not(self):
+    def test_by_hand_a_robot_that_is_frozen_or_drives_on_is_named_and_a_dead_one_is_not(self):
+        status = rospy.Publisher("~status", String, queue_size=1, latch=True)
+        self.record("/emergency_stop", Bool)
+        status.publish("driving")
         node = self.controller()
         node.send_signal(signal.SIGSTOP)
         code, printed = self.stop_by_hand()
-        self.assertEqual((code, printed.splitlines()[0]), (1, "/jetbot_controller: no answer (not confirmed)"))
-        node.send_signal(signal.SIGKILL)
+        self.assertEqual((code, printed.splitlines()[:2]), (1, [
+            "/jetbot_controller: no answer (not confirmed)", f"{rospy.get_name()}: driving (not confirmed)"]))
+        node.kill()
         node.wait()
+        status.unregister()
         code, printed = self.stop_by_hand()
         self.assertEqual(code, 1)
         self.assertTrue(printed.startswith("No robot runs on the ROS master at "), printed)

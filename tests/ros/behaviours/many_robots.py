@@ -31,7 +31,7 @@ class ManyRobots(RobotTest):
         for robots in ("1.5", "1000", "-1"):
             launch = self.start("roslaunch", "--nodes", "jetbot_control_node", FILE, f"robots:={robots}")
             self.assertEqual(launch.wait(START_TIMEOUT), 1)
-            self.assertEqual(read(launch).splitlines()[-1], "robots:= is a whole number from 1 to 99")
+            self.assertEqual(read(launch).splitlines()[-1], "morbot: robots:= is a whole number from 1 to 99")
 
     def are_at(self, speeds):
         return all(near(wheel_speeds(self.home / "fake_i2c" / name), (speed, speed)) for name, speed in speeds.items())

@@ -21,7 +21,8 @@ try:
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun jetbot_lessons check_lesson.py N there.")
 
-USAGE = (f"Which lesson, 1 to {LAST}? Type: rosrun jetbot_lessons check_lesson.py N, "
+COMMAND = f"{os.environ['MORBOT']} check" if "MORBOT" in os.environ else "rosrun jetbot_lessons check_lesson.py"
+USAGE = (f"Which lesson, 1 to {LAST}? Type: {COMMAND} N, "
          f"and from lesson {FIRST_OWN} on the name of your package")
 CANCELLED = 128 + signal.SIGINT  # exit code, as shells have it
 
@@ -33,7 +34,7 @@ def parse_arguments(arguments: List[str]) -> Tuple[Union[int, str], ...]:
         sys.exit(USAGE)
     if int(number) >= FIRST_OWN and not names:
         sys.exit(f"Lesson {number} is about your own package. "
-                 f"Type: rosrun jetbot_lessons check_lesson.py {number} ITS_NAME")
+                 f"Type: {COMMAND} {number} ITS_NAME")
     return int(number), *names
 
 

@@ -1,6 +1,11 @@
 #!/usr/bin/env python3
 """ROS node: simulates a JetBot that is driven by what the controller writes to a fake bus or serial port."""
 
+# ruff: noqa: E402
+import signal
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it
+
 import sys
 
 import rospy

@@ -37,12 +37,12 @@ def power_on(folder: Folder) -> None:
 class FakeBus:
     """Takes the place of ``smbus2.SMBus``: the methods that the drivers use, and the OSErrors of the kernel.
 
-    folder: made, with every known chip in it, if it does not exist.
+    folder: made, with every known chip in it, if it does not exist or holds only the buses of namespaces.
     """
 
     def __init__(self, folder: Folder):
         self._folder = Path(folder)
-        if not self._folder.exists():
+        if is_new(self._folder):
             power_on(self._folder)
         self._seconds_per_bit = seconds_per_bit(self._folder / "clock")
 
@@ -93,6 +93,15 @@ class FakeBus:
             raise no_answer() from None
         finally:
             os.close(chip)
+
+
+def is_new(folder: Path) -> bool:
+    """Return whether nothing was ever plugged in there: it does not exist, or holds only the buses of namespaces."""
+    try:
+        kinds = {entry.is_dir() for entry in os.scandir(folder)}
+    except FileNotFoundError:
+        return True
+    return kinds == {True}
 
 
 def seconds_per_bit(clock: Path) -> float:
