@@ -94,12 +94,11 @@ def test_package_of_ros_is_not_the_pupils(mine, monkeypatch):
 
 @pytest.mark.parametrize("place", ["..", "other"])
 def test_package_where_ros_does_not_search(mine, place):
-    source = mine.parent
-    (source / "other").mkdir()
-    (source / "other/package.xml").write_text(PACKAGE_XML.replace("mine", "other"))
-    elsewhere = (source / place / "mine").resolve()
+    (mine.parent / "other").mkdir()
+    (mine.parent / "other/package.xml").write_text(PACKAGE_XML.replace("mine", "other"))
+    elsewhere = (mine.parent / place / "mine").resolve()
     mine.rename(elsewhere)
-    assert exists("mine") == f"ROS does not search {elsewhere.parent} for packages: mv {elsewhere} {source}"
+    assert exists("mine") == f"ROS does not search {elsewhere.parent} for packages: mv {elsewhere} {mine.parent}"
 
 
 @pytest.mark.parametrize("file, text, check, problem", [
