@@ -7,7 +7,7 @@ from typing import Collection, Dict, NamedTuple, Union
 from jetbot import InvalidValue, fake, files
 from jetbot.boards import BOARDS, DEFAULT_PORT, find_board
 from jetbot.host import ros_home
-from jetbot.kinds import BOOLEAN, FRACTION, NUMBER, POSITIVE, SECONDS, Kind, is_number  # noqa: F401  copies of the workshop's node import them
+from jetbot.kinds import BOOLEAN, FRACTION, NUMBER, POSITIVE, SECONDS, Kind, is_number  # noqa: F401  for nodes
 
 MAX_BUS = 2**20 - 1  # Linux's minor numbers have 20 bits
 
