@@ -1,8 +1,7 @@
 """The simulated robot's parameters: which are refused, whose board counts, and one size of the robot in every file."""
 
-import xml.etree.ElementTree as ET
-
 import os
+import xml.etree.ElementTree as ET
 
 import pytest
 
