@@ -104,6 +104,20 @@ def test_a_system_without_ros_is_named_and_nothing_is_installed(install, os_rele
     assert not commands
 
 
+@pytest.mark.parametrize("os_release, name", [
+    ("ID=mine; PRETTY_NAME=My Own Linux", "My Own Linux"), ("ID=fedora\r; PRETTY_NAME='Odd'\r", "Odd"),
+    ("ID=mine; PATH=/nowhere; exit 3; PRETTY_NAME='$(echo Odd)'", "$(echo Odd)"),
+    ("{{}; ID=\"mine; PRETTY_NAME=Odd", "Odd")])
+def test_a_damaged_description_of_the_system_is_read_and_not_run(install, os_release, name):
+    code, printed, _ = install(os_release)
+    assert (code, printed) == (1, f"morbot: {name} has no packages of ROS 1\n")
+
+
+def test_the_second_description_is_read_where_the_first_is_missing(install, tmp_path):
+    (tmp_path / "vendors").write_text("ID=mine\nPRETTY_NAME=Odd")
+    assert install("", OS_RELEASE=f"/nowhere {tmp_path}/vendors")[1] == "morbot: Odd has no packages of ROS 1\n"
+
+
 @pytest.mark.parametrize("os_release, unknown, sentence", [
     (UBUNTU_20, "ros-noetic-", "; first add the source of ROS Noetic: http://wiki.ros.org/noetic/Install"),
     (UBUNTU_22, "python3-rospy", "morbot: apt cannot find python3-rospy; on Ubuntu and its derivatives, try: sudo ")])
