@@ -114,7 +114,7 @@ def build(spaces: Spaces, source: Path, packages: Collection[Package], last: Sta
         if attempt == MAX_ATTEMPTS:
             left_out.update(never_built(packages, left_out, last))
     done = [package for package in packages if package.name not in left_out]
-    unknown = [package for package in done if not (spaces.devel / "share" / package.name / "cmake").is_dir()
+    unknown = [package for package in done if not is_known(spaces.devel, package)
                and not is_ignored(package.folder, spaces.source)]
     problems = [*dict.fromkeys(left_out.values()), *map(without_catkin_package, unknown)]
     return [package.folder for package in done if package not in unknown], problems
@@ -154,6 +154,12 @@ def catkin_make(spaces: Spaces, source: Path, left_out: Iterable[str]) -> Option
              "-DPYTHON_EXECUTABLE=/usr/bin/python3", f"-DCATKIN_BLACKLIST_PACKAGES={';'.join(left_out)}"],
             stdout=output, stderr=subprocess.STDOUT, check=False).returncode
     return log.read_text(errors="replace").replace(str(source), str(spaces.source)) if code else None
+
+
+def is_known(devel: Path, package: Package) -> bool:
+    """Return whether catkin knows the package; what a build before left there does not count for an empty file."""
+    commands = re.sub("#.*", "", (package.folder / "CMakeLists.txt").read_text(errors="replace")).strip()
+    return bool(commands) and (devel / "share" / package.name / "cmake").is_dir()
 
 
 def never_built(packages: Iterable[Package], left_out: Collection[str], last: Stamp) -> dict:

@@ -14,7 +14,7 @@ packages="$run_packages catkin make g++ librostest-dev libgeometry-msgs-dev ros-
 os_release() {  # FIELD...
     for file in ${OS_RELEASE:-/etc/os-release /usr/lib/os-release}; do
         [ -r "$file" ] || continue
-        (set +u; . "$file"; for field; do eval "echo \"\$$field\""; done)
+        for field; do echo "$(sed -n "s/^$field=//p" "$file" | tr -d "\r\"'")"; done
         return
     done
 }
@@ -31,7 +31,7 @@ ros_packages() {
         *" debian "* | *" ubuntu "*) ;;
         *) echo none; return ;;
     esac
-    case $(os_release UBUNTU_CODENAME DEBIAN_CODENAME VERSION_CODENAME | grep -m 1 .) in
+    case $(os_release UBUNTU_CODENAME DEBIAN_CODENAME VERSION_CODENAME | grep . | sed -n 1p) in
         bookworm | trixie | jammy | noble) echo debian ;;
         focal) echo noetic ;;
         *) if [ -z "$(missing_packages)" ] || is_known $packages; then echo debian; else echo none; fi ;;

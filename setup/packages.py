@@ -31,21 +31,27 @@ def find_packages(source: Path, known: Collection[Path] = ()) -> Tuple[List[Pack
 
 
 def find_folders(source: Path) -> Tuple[List[Path], List[str]]:
-    """Return all folders with a package.xml, and one sentence for each link that leads to a folder a second time."""
+    """Return the folders of all packages, and one sentence for each package.xml or link that misleads ROS."""
     folders, problems, seen = [], [], set()
     for place, subfolders, files in os.walk(source, followlinks=True):
         seen.add(os.path.realpath(place))
         if "CATKIN_IGNORE" in files:
             subfolders.clear()
-        elif MANIFEST in files or MANIFEST in subfolders:
+        elif (MANIFEST in files or MANIFEST in subfolders) and not _holds_packages(place, subfolders):
             folders.append(Path(place))
             subfolders.clear()
+        elif MANIFEST in files:
+            problems.append(f"{place}/{MANIFEST} hides the packages in its folder from ROS: mv {place}/{MANIFEST} ~")
         links = [os.path.join(place, name) for name in subfolders if os.path.islink(os.path.join(place, name))]
         again = [link for link in links if _leads_back(os.path.realpath(link), os.path.realpath(source), seen)]
         problems += [f"{link} leads to a folder that ROS searches already: rm {link}" for link in again]
         subfolders[:] = sorted(name for name in subfolders
                                if name[0] != "." and os.path.join(place, name) not in again)
     return folders, problems
+
+
+def _holds_packages(place, subfolders):
+    return any(os.path.lexists(os.path.join(place, name, MANIFEST)) for name in subfolders)
 
 
 def _leads_back(target, source, seen):

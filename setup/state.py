@@ -38,7 +38,7 @@ def write_search_path(devel: Path, folders: Iterable[Path], time: float) -> None
 
 def search_path(source: Path, packages: Iterable[Package], problems: Iterable[str]) -> List[Path]:
     """Return the folders in which ROS searches: that of all packages, or of each one that can be read."""
-    return [package.folder for package in packages] if problems else [source]
+    return [package.folder for package in packages] if problems and packages else [source]
 
 
 def _replace(file, text, time):

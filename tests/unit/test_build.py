@@ -26,7 +26,7 @@ for folder in {0}/src/lib*; do
     exit 1
 done
 case $left_out in *mine*) exit 0 ;; esac
-[ -s {0}/src/mine/CMakeLists.txt ] || exit 0
+grep -q Error {0}/src/mine/CMakeLists.txt || exit 0
 echo "-- ==> add_subdirectory(mine)"
 cat {0}/src/mine/CMakeLists.txt
 exit 1
@@ -44,7 +44,7 @@ def spaces(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", f"{tmp_path}/bin:{os.environ['PATH']}")
     for name in "workshop", "mine":
         add(tmp_path / "src" / name, XML.replace("mine", name))
-        (tmp_path / "src" / name / "CMakeLists.txt").touch()
+        (tmp_path / "src" / name / "CMakeLists.txt").write_text("catkin_package()\n")
     spaces = Spaces(*(tmp_path / name for name in ("src", "build", "devel")))
     update(spaces)
     return spaces
@@ -132,6 +132,7 @@ def test_a_package_of_ros_2_is_left_out(spaces):
 
 def test_a_package_that_does_not_call_catkin_package(spaces):
     add(spaces.source / "quiet", XML.replace("mine", "quiet"))
+    (spaces.source / "quiet/CMakeLists.txt").write_text("project(quiet)\n")
     update(spaces)
     assert "quiet/CMakeLists.txt does not call catkin_package()" in problems(spaces)
 
@@ -145,6 +146,14 @@ def test_a_package_that_catkin_ignores_is_no_problem(spaces, marker):
     calls(spaces)
     update(spaces)
     assert calls(spaces) == ""
+
+
+@pytest.mark.parametrize("text", ["", "# later\n"])
+def test_an_empty_file_does_not_count_as_the_package_that_was_built_before(spaces, text):
+    update(spaces)
+    write(spaces.source / "mine/CMakeLists.txt", text)
+    update(spaces)
+    assert "mine/CMakeLists.txt does not call catkin_package()" in problems(spaces)
 
 
 def test_a_repository_of_many_packages_that_fail_does_not_take_an_hour(spaces):

@@ -22,6 +22,12 @@ def test_a_word_of_the_command_line(word, parameters):
     assert parse_word(word, NAMES) == parameters
 
 
+def test_an_unknown_name_on_the_master_is_refused_with_what_removes_it(monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["node.py"])
+    with pytest.raises(InvalidValue, match="holds i2c_buss for .* Type: rosparam delete /red/node/i2c_buss"):
+        private_parameters("/red/node", {"i2c_buss": "fake"}, NAMES)
+
+
 @pytest.mark.parametrize("word, sentence", [
     ("i2c_bus:=fake", "The node does not understand i2c_bus:=fake. Type it as _i2c_bus:=fake"),
     ("_i2c_bus=fake", "The node does not understand _i2c_bus=fake. Type it as _i2c_bus:=fake"),
@@ -36,7 +42,8 @@ def test_a_mistyped_word_is_refused(word, sentence):
 
 def test_what_is_typed_wins_over_the_master_and_does_not_go_there(monkeypatch):
     monkeypatch.setattr(sys, "argv", ["node.py", "_board:=sparkfun", "__ns:=red"])
-    assert private_parameters({"board": "adafruit", "i2c_bus": 1}, NAMES) == {"board": "sparkfun", "i2c_bus": 1}
+    on_master = {"board": "adafruit", "i2c_bus": 1}
+    assert private_parameters("/node", on_master, NAMES) == {"board": "sparkfun", "i2c_bus": 1}
     assert public_words() == ["node.py", "__ns:=red"]
 
 

@@ -1,7 +1,9 @@
 """The doctor prints one line per check; each failure is one sentence with its fix."""
 
 import json
+import os
 import runpy
+import signal
 import subprocess
 import sys
 
@@ -163,3 +165,14 @@ def test_json_and_exit_code(folder, plugged, code, monkeypatch, capsys):
     robot = json.loads(capsys.readouterr().out)[-1]
     assert (robot["name"], robot["ok"]) == ("robot", plugged)
     assert {file: file.read_bytes() for file in folder.iterdir()} == before, "it only reads"
+
+
+def test_a_reader_that_ends_early_ends_it_without_a_traceback(folder):
+    power_on(folder)
+    reader, output = os.pipe()
+    os.close(reader)
+    environment = {**os.environ, "PYTHONPATH": str(SOURCE / "src")}
+    ended = subprocess.run([sys.executable, str(SOURCE / "scripts/doctor.py"), f"--i2c-bus=fake:{folder}"],
+                           stdout=output, stderr=subprocess.PIPE, env=environment, check=False)
+    os.close(output)
+    assert ended.stderr == b"" and ended.returncode == -signal.SIGPIPE

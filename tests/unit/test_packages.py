@@ -118,6 +118,21 @@ def test_a_link_to_a_package_elsewhere_is_followed(source, tmp_path):
     assert names(source) == ["mine", "theirs", "workshop"]
 
 
+@pytest.mark.parametrize("folder", [".", "scenarios"])
+@pytest.mark.parametrize("text", ["<package", XML.replace("mine", "other")])
+def test_a_package_xml_beside_packages_does_not_hide_them(source, folder, text):
+    file = (source / folder / "package.xml")
+    file.write_text(text)
+    packages, [sentence] = check(source)
+    assert sentence == f"{file} hides the packages in its folder from ROS: mv {file} ~"
+    assert search_path(source, packages, [sentence]) == [source / "mine", source / "scenarios/workshop"]
+
+
+def test_the_search_path_is_never_empty(source):
+    """An open shell could not replace an empty one later."""
+    assert search_path(source, [], ["all are broken"]) == [source]
+
+
 def test_a_folder_with_catkin_ignore_is_not_read(source):
     (source / "mine/package.xml").write_text("<")
     (source / "mine/CATKIN_IGNORE").touch()

@@ -104,9 +104,18 @@ def test_a_system_without_ros_is_named_and_nothing_is_installed(install, os_rele
     assert not commands
 
 
-def test_the_second_place_of_os_release_is_read_where_there_is_no_first(install, tmp_path):
-    code, _, commands = install(DEBIAN_12, OS_RELEASE=f"{tmp_path}/none {tmp_path}/os-release")
-    assert code == 0 and " python3-rospy " in commands
+@pytest.mark.parametrize("os_release, name", [
+    ("ID=mine; PRETTY_NAME=My Own Linux", "My Own Linux"), ("ID=fedora\r; PRETTY_NAME='Odd'\r", "Odd"),
+    ("ID=mine; PATH=/nowhere; exit 3; PRETTY_NAME='$(echo Odd)'", "$(echo Odd)"),
+    ("{{}; ID=\"mine; PRETTY_NAME=Odd", "Odd")])
+def test_a_damaged_description_of_the_system_is_read_and_not_run(install, os_release, name):
+    code, printed, _ = install(os_release)
+    assert (code, printed) == (1, f"morbot: {name} has no packages of ROS 1\n")
+
+
+def test_the_second_description_is_read_where_the_first_is_missing(install, tmp_path):
+    (tmp_path / "vendors").write_text("ID=mine\nPRETTY_NAME=Odd")
+    assert install("", OS_RELEASE=f"/nowhere {tmp_path}/vendors")[1] == "morbot: Odd has no packages of ROS 1\n"
 
 
 @pytest.mark.parametrize("os_release, unknown, sentence", [

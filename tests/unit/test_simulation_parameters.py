@@ -1,5 +1,6 @@
 """The simulated robot's parameters: which are refused, whose board counts, and one size of the robot in every file."""
 
+import os
 import xml.etree.ElementTree as ET
 
 import pytest
@@ -45,7 +46,8 @@ def test_simulates_the_board_that_the_controller_drives(tmp_path, typed, file, b
 
 @pytest.mark.parametrize("board, folder", [("jetbot", "bus"), ("sparkfun", "bus"), ("jetbot_pro", "port")])
 def test_reads_the_bus_or_the_port_of_the_board(board, folder):
-    assert fake_folder(resolve({"board": board, "i2c_bus": "fake:bus", "port": "fake:port"}), "/") == folder
+    parameters = resolve({"board": board, "i2c_bus": "fake:bus", "port": "fake:port"})
+    assert fake_folder(parameters, "/") == os.path.abspath(folder)
 
 
 def test_the_file_of_the_body_shows_each_default_with_its_unit_and_meaning():

@@ -1,6 +1,13 @@
 #!/usr/bin/env python3
 """Checks everything that a JetBot needs to drive, and prints what is missing. Needs no roscore; moves no wheel."""
 
+# ruff: noqa: E402
+import signal
+
+if __name__ == "__main__":
+    for signum in (signal.SIGINT, signal.SIGPIPE):  # Ctrl-C and `| head` simply end it
+        signal.signal(signum, signal.SIG_DFL)
+
 import argparse
 import json
 import sys

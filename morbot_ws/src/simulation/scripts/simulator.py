@@ -23,7 +23,7 @@ from simulation.simulator import Simulator
 def main() -> None:
     require_master()
     rospy.init_node("jetbot_simulator", argv=public_words())
-    given = resolve(private_parameters(rospy.get_param("~", {}), [*PARAMETERS, "config", "body"]))
+    given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config", "body"]))
     board, folder = given["board"], fake_folder(given, rospy.get_namespace())
     closed_loop = ROBOTS[board].closed_loop
     model = DiffDriveModel(

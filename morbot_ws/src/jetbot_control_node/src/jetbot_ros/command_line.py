@@ -19,15 +19,21 @@ def public_words() -> List[str]:
     return [word for word in sys.argv if not is_private(word)]
 
 
-def private_parameters(on_master: object, known: Collection[str]) -> Dict[str, object]:
-    """Return the node's private parameters. on_master: those that the master has; known: the names of all parameters.
+def private_parameters(node: str, on_master: object, known: Collection[str]) -> Dict[str, object]:
+    """Return the private parameters of the node of this name. on_master: those that the master has.
 
-    Raise InvalidValue for a word of the command line that is no parameter, or has lost its underscore.
+    known: the names that there are. Raise InvalidValue for a word of the command line that is no parameter, or has lost
+    its underscore, and for an unknown name that somebody has put on the master.
     """
     typed = {}
     for word in sys.argv[1:]:
         typed.update(parse_word(word, known))
-    return {**from_master(on_master, LAUNCHED), **typed}
+    stored = from_master(on_master, LAUNCHED)
+    unknown = [] if LAUNCHED else sorted(set(stored) - set(known))  # roslaunch would put it there again
+    if unknown:
+        raise InvalidValue(f"the ROS master holds {unknown[0]} for this node, which is no parameter",
+                           f"Type: rosparam delete {node}/{unknown[0]}")
+    return {**stored, **typed}
 
 
 def fake_advice(name: str) -> str:

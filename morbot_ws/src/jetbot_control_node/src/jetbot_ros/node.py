@@ -47,7 +47,7 @@ def init_node(name: str) -> None:
 
 def read_parameters() -> Dict[str, object]:
     """Return the node's parameters: typed ones, then those of the file, then the defaults. Raise InvalidValue."""
-    return resolve(private_parameters(rospy.get_param("~", {}), [*PARAMETERS, "config"]))
+    return resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config"]))
 
 
 def make_robot(parameters: Dict[str, object]) -> Robot:

@@ -3,7 +3,6 @@
 import os
 import re
 from argparse import ArgumentParser
-from pathlib import Path
 from typing import List, Union
 
 from jetbot import fake
@@ -29,7 +28,4 @@ def as_options(arguments: List[str]) -> List[str]:
 
 def place_name(text: str) -> Union[int, str]:
     """Return a number as an int, a fake bus or port with its absolute path, any other text unchanged."""
-    folder = fake.folder_of(fake.expand(text))
-    if folder:
-        return f"fake:{Path(folder).absolute()}"
-    return int(text) if re.fullmatch(r"\d{1,7}", text, re.ASCII) else text
+    return int(text) if re.fullmatch(r"\d{1,7}", text, re.ASCII) else fake.expand(text)

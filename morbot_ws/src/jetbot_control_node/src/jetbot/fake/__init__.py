@@ -17,8 +17,9 @@ def default_folder(namespace: str = "/") -> Path:
 
 
 def expand(name: str, namespace: str = "/") -> str:
-    """Return ``fake:FOLDER`` for plain ``fake``; any other name unchanged."""
-    return f"fake:{default_folder(namespace)}" if name == "fake" else name
+    """Return ``fake:FOLDER`` with an absolute path for a fake bus or port; any other name unchanged."""
+    folder = default_folder(namespace) if name == "fake" else folder_of(name)
+    return f"fake:{Path(folder).absolute()}" if folder else name
 
 
 def folder_of(name: str) -> Optional[str]:
