@@ -114,8 +114,8 @@ def build(spaces: Spaces, source: Path, packages: Collection[Package], last: Sta
         if attempt == MAX_ATTEMPTS:
             left_out.update(never_built(packages, left_out, last))
     done = [package for package in packages if package.name not in left_out]
-    unknown = [package for package in done if not is_known(spaces.devel, package)
-               and not is_ignored(package.folder, spaces.source)]
+    unknown = [package for package in done
+               if not is_ignored(package.folder, spaces.source) and not is_known(spaces.devel, package)]
     problems = [*dict.fromkeys(left_out.values()), *map(without_catkin_package, unknown)]
     return [package.folder for package in done if package not in unknown], problems
 

@@ -123,7 +123,7 @@ def test_a_link_to_a_package_elsewhere_is_followed(source, tmp_path):
 def test_a_package_xml_beside_packages_does_not_hide_them(source, folder, text):
     file = (source / folder / "package.xml")
     file.write_text(text)
-    packages, [sentence] = check(source)
+    packages, [sentence] = find_packages(source)
     assert sentence == f"{file} hides the packages in its folder from ROS: mv {file} ~"
     assert search_path(source, packages, [sentence]) == [source / "mine", source / "scenarios/workshop"]
 
