@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Collection, Iterable, List, NamedTuple, Optional, Tuple
 
 from build_log import failures, summary
-from manifest import Package
-from packages import find_packages
+from jetbot_tools.manifest import Package
+from jetbot_tools.packages import find_packages
 from state import STAMP, Stamp, read_stamp, search_path, write_search_path, write_stamp
 
 MORBOT_PACKAGES = ("jetbot_control_node", "jetbot_lessons", "jetbot_tests", "simulation", "workshop")

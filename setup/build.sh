@@ -35,7 +35,7 @@ is_built_here() {
 build() {
     ! is_built || return 0
     [ ! -s "$stamp" ] || is_built_here || rm -rf "$build"/* "$devel"
-    python3 "$here/setup/build.py" "$workspace/src" "$build" "$devel" && return
+    PYTHONPATH=$workspace/src/jetbot_control_node/src python3 "$here/setup/build.py" "$workspace/src" "$build" "$devel" && return
     [ "$command" != setup ] && [ -f "$devel/setup.sh" ] || exit 1
     echo "morbot: going on with the last build" >&2
 }

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 from typing import Dict, Iterable, NamedTuple
 
-from manifest import Package
+from jetbot_tools.manifest import Package
 
 CURES = [  # what CMake or catkin says, and what to do about it
     (r'configuration file provided by "(?P<what>[^"]+)"',

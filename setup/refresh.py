@@ -4,7 +4,7 @@ import sys
 import time
 from pathlib import Path
 
-from packages import find_packages
+from jetbot_tools.packages import find_packages
 from state import read_stamp, search_path, write_search_path
 
 source, devel = map(Path, sys.argv[1:])

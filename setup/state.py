@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 from typing import Iterable, List, NamedTuple
 
-from manifest import Package
+from jetbot_tools.manifest import Package
 
 STAMP = "morbot.stamp"
 

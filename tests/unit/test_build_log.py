@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from build_log import failures, summary
-from manifest import Package
+from jetbot_tools.manifest import Package
 
 SOURCE = Path("/ws/src")
 PACKAGES = [Package(name, SOURCE / "scenarios" / name, "catkin") for name in ("mine", "other", "third")]

@@ -6,8 +6,8 @@ import pytest
 
 pytest.importorskip("catkin_pkg")
 
-from manifest import Problem, read_package  # noqa: E402
-from packages import find_packages  # noqa: E402
+from jetbot_tools.manifest import Problem, read_package  # noqa: E402
+from jetbot_tools.packages import find_packages  # noqa: E402
 from state import search_path  # noqa: E402
 
 XML = """<?xml version="1.0"?>

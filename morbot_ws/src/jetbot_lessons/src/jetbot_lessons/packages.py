@@ -1,19 +1,19 @@
 """The packages that ROS and catkin find, read one by one: one that cannot be read does not hide the others."""
 
 import os
-import shlex
 import xml.etree.ElementTree as ET
 from pathlib import Path
-from typing import Dict, Iterator, List, Optional
+from typing import List, Optional
 
 from catkin_pkg.package import InvalidPackage, Package, parse_package
 
 from jetbot.files import read
+from jetbot_tools.manifest import MANIFEST
+from jetbot_tools.packages import find_folders, find_packages
 
 from . import Problem
 
 XML_ERRORS = (ET.ParseError, AttributeError, ValueError, LookupError, AssertionError, OSError)  # of any XML parser
-MANIFEST = "package.xml"
 IGNORE_MARKERS = {"CATKIN_IGNORE", "AMENT_IGNORE", "COLCON_IGNORE"}  # as catkin_pkg.packages has them
 
 
@@ -27,19 +27,9 @@ def _search_path() -> List[Path]:
     return [Path(entry) for entry in os.environ.get("ROS_PACKAGE_PATH", "").split(":")]
 
 
-def manifests(root: Path) -> Iterator[Path]:
-    """Yield each package.xml below a folder that catkin does not ignore, in the order of their paths."""
-    seen = set()
-    for folder, folders, names in os.walk(root, followlinks=True):
-        if IGNORE_MARKERS.intersection(names + folders):
-            folders.clear()
-        elif MANIFEST in names:
-            folders.clear()
-            yield Path(folder, MANIFEST)
-        else:
-            folders[:] = sorted(name for name in folders if not name.startswith(".")
-                                and os.path.realpath(folder) not in seen)
-            seen.add(os.path.realpath(folder))  # a link may lead back here
+def manifests(root: Path) -> List[Path]:
+    """Return each package.xml below a folder that ROS and catkin do not ignore, in the order of their paths."""
+    return [place / MANIFEST for place in find_folders(root)[0]]
 
 
 def ignore_marker(place: Path) -> Optional[Path]:
@@ -86,16 +76,5 @@ def parse(file: Path) -> Package:
 
 
 def check_workspace() -> Problem:
-    """Return the problem, or None if catkin can read each package of the workspace, and no two have the same name."""
-    places: Dict[str, Path] = {}
-    for file in manifests(workspace()):
-        try:
-            name = parse(file).name
-        except InvalidPackage as error:
-            return str(error)
-        both = {file.parent, places.setdefault(name, file.parent)}
-        if len(both) > 1:
-            copy, original = sorted(both, key=lambda place: place.name == name)
-            return (f"{original} and {copy} are both the package {name}: give the second a name of its own, as <name> "
-                    f"in its {MANIFEST} and as project in its CMakeLists.txt, or mv {shlex.quote(str(copy))} ~")
-    return None
+    """Return the problem, or None if ROS and catkin can read each package of the workspace."""
+    return next(iter(find_packages(workspace())[1]), None)

@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 from typing import Collection, Dict, List, Tuple
 
-from manifest import MANIFEST, Package, Problem, read_package
+from .manifest import MANIFEST, Package, Problem, read_package
 
 
 def find_packages(source: Path, known: Collection[Path] = ()) -> Tuple[List[Package], List[str]]:
