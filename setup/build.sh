@@ -4,7 +4,7 @@
 choose_build() {
     build=$workspace/build devel=$workspace/devel
     if ! may_write "$workspace" "$workspace/src" "$build" "$devel" "$build/CMakeCache.txt" "$devel/setup.sh"; then
-        is_built && return
+        [ -r "$build" ] && is_built && return  # readable: the lock is there
         choose_cache
         build=$cache$workspace/build devel=$cache$workspace/devel
     fi
