@@ -14,7 +14,7 @@ import re
 import socket
 import sys
 import threading
-from typing import Iterator, List, Optional
+from typing import Callable, Iterator, List, Optional
 from urllib.parse import urlsplit
 
 from jetbot.text import printable
@@ -24,7 +24,7 @@ from jetbot_ros.roslaunch_command import parse
 from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 MASTER_TIMEOUT = 5.0  # s for an answer
-TERMINATED = 128 + signal.SIGTERM
+INTERRUPTED, TERMINATED, NO_READER = (128 + signum for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGPIPE))
 FATAL = re.compile(r"^\[rosout\]\[(?:CRITICAL|FATAL)\] \S+ \S+: (.*)", re.M)  # in rospy's log
 
 
@@ -88,6 +88,19 @@ def ctrl_c_for_this_process_only() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, mask)
 
 
+@contextlib.contextmanager
+def quiet_end(is_interrupted: Callable[[], bool]) -> Iterator[None]:
+    """End the process without a traceback if nobody reads its output, or if Ctrl-C comes while the nodes start."""
+    try:
+        yield
+    except BrokenPipeError:
+        sys.exit(NO_READER)
+    except Exception:
+        if is_interrupted():  # then roslaunch misses what it has just ended
+            sys.exit(INTERRUPTED)
+        raise
+
+
 def launch(words: List[str]) -> int:
     """Run roslaunch; return its exit code, 1 if a node that must run has failed."""
     import roslaunch.parent
@@ -113,6 +126,10 @@ def launch(words: List[str]) -> int:
         def _start_pm(self):
             super()._start_pm()
             self.pm.add_process_listener(Failures(self.pm))  # before any process starts
+
+        def start(self, *arguments):
+            with quiet_end(lambda: roslaunch.pmon._shutting_down):
+                super().start(*arguments)
 
     roslaunch.parent.ROSLaunchParent = Parent
     sys.argv = ["roslaunch", *words]  # roslaunch reads the arguments there

@@ -80,3 +80,16 @@ def test_the_reason_of_a_node_is_the_last_fatal_line_of_this_start(tmp_path):
         file.write(fatal.format("There is no I2C bus /dev/i2c-7: what now?") + "[rospy.core][INFO] the end\n")
     assert run.fatal_line(process) == "There is no I2C bus /dev/i2c-7: what now?"
     assert run.fatal_line(SimpleNamespace(args=["node.py"], pid=2)) is None
+
+
+@pytest.mark.parametrize("error, interrupted, code", [
+    (BrokenPipeError(), False, 141), (RuntimeError("could not contact master"), True, 130)])
+def test_a_start_that_is_cut_short_ends_without_a_traceback(error, interrupted, code):
+    with pytest.raises(SystemExit) as end, run.quiet_end(lambda: interrupted):
+        raise error
+    assert end.value.code == code
+
+
+def test_a_start_that_fails_by_itself_is_reported():
+    with pytest.raises(RuntimeError), run.quiet_end(lambda: False):
+        raise RuntimeError
