@@ -84,6 +84,14 @@ def test_a_package_xml_that_is_no_text(source, make, problem):
     assert [package.name for package in packages] == ["workshop"]
 
 
+@pytest.mark.parametrize("make", [os.mkfifo, os.mkdir])
+def test_a_build_file_that_is_no_file(source, make):
+    make(source / "mine/CMakeLists.txt")
+    packages, [sentence] = check(source)
+    assert f"{source}/mine/CMakeLists.txt is not a regular file: mv {source}/mine ~." in sentence
+    assert [package.name for package in packages] == ["workshop"]
+
+
 def test_a_folder_that_would_be_two_in_a_search_path(source):
     (source / "mine").rename(source / "mine:too")
     with pytest.raises(Problem, match="rename its folder 'mine:too', without : and ;"):
