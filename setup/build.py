@@ -14,6 +14,8 @@ import time
 from pathlib import Path
 from typing import Collection, Iterable, List, NamedTuple, Optional, Tuple
 
+from stand_ins import keep
+
 from build_log import failures, summary
 from jetbot_tools.manifest import Package
 from jetbot_tools.packages import find_packages
@@ -44,7 +46,7 @@ def update(spaces: Spaces) -> None:
     started = time.time()
     last = read_stamp(spaces.devel)
     packages, problems = find_packages(spaces.source, last.folders)
-    folders = search_path(spaces.source, packages, problems)
+    folders = search_path(spaces.source, spaces.devel, packages, problems)
     spaces.devel.mkdir(parents=True, exist_ok=True)
     write_search_path(spaces.devel, folders, started)
     if is_built(spaces.devel, packages, last):
@@ -57,6 +59,7 @@ def update(spaces: Spaces) -> None:
         stamp = Stamp(str(source), built, started)
         write_search_path(spaces.devel, folders, started)
     (spaces.devel / "morbot.problems").write_text("".join(f"morbot: {problem}\n" for problem in problems))
+    keep(spaces.devel, spaces.source, {package.folder for package in packages}.intersection(stamp.folders))
     write_stamp(spaces.devel, stamp)
 
 

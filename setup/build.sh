@@ -4,7 +4,7 @@
 choose_build() {
     build=$workspace/build devel=$workspace/devel
     if ! may_write "$workspace" "$workspace/src" "$build" "$devel" "$build/CMakeCache.txt" "$devel/setup.sh"; then
-        is_built && return
+        [ -r "$build" ] && is_built && return  # readable: the lock is there
         choose_cache
         build=$cache$workspace/build devel=$cache$workspace/devel
     fi
@@ -35,7 +35,7 @@ is_built_here() {
 build() {
     ! is_built || return 0
     [ ! -s "$stamp" ] || is_built_here || rm -rf "$build"/* "$devel"
-    PYTHONPATH=$workspace/src/jetbot_control_node/src python3 "$here/setup/build.py" "$workspace/src" "$build" "$devel" && return
+    in_python build.py "$workspace/src" "$build" "$devel" && return
     [ "$command" != setup ] && [ -f "$devel/setup.sh" ] || exit 1
     echo "morbot: going on with the last build" >&2
 }
@@ -44,8 +44,14 @@ build() {
 source_last_build() {
     choose_build
     [ -f "$devel/setup.sh" ] || devel=$workspace/devel
-    [ ! -w "$devel" ] || python3 "$here/setup/refresh.py" "$workspace/src" "$devel" || :
+    [ ! -w "$devel" ] || in_python refresh.py "$workspace/src" "$devel" || :
     source_workspace "$devel"
+}
+
+in_python() {  # SCRIPT ARGUMENTS...
+    script=$1
+    shift
+    PYTHONPATH=$workspace/src/jetbot_control_node/src python3 "$here/setup/$script" "$@"
 }
 
 # ./morbot setup tries again what failed: its cause may be outside of the workspace.

@@ -31,7 +31,8 @@ choose_ros_home() {
 # The folder of a user who may not write to the usual ones.
 choose_cache() {
     cache=${XDG_CACHE_HOME:-$home/.cache}/morbot
-    if [ -d "${XDG_CACHE_HOME:-$home}" ] && mkdir -p "$cache" 2>/dev/null && [ -w "$cache" ]; then return; fi
+    if [ -z "${XDG_CACHE_HOME:-}" ] && [ ! -d "$home" ]; then :
+    elif mkdir -p "$cache" 2>/dev/null && [ -w "$cache" ]; then return; fi
     cache=${TMPDIR:-/tmp}/morbot-$(id -u)
     mkdir -p -m 700 "$cache" && [ -O "$cache" ] ||
         fail "cannot write to $cache: set XDG_CACHE_HOME to a folder of yours"

@@ -9,13 +9,13 @@ import re
 import signal
 import sys
 import threading
-from typing import Iterator, List, Optional
+from typing import Callable, Iterator, List, Optional
 
 import roslaunch.parent
 
 from jetbot.text import printable
 
-TERMINATED = 128 + signal.SIGTERM
+INTERRUPTED, TERMINATED, NO_READER = (128 + signum for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGPIPE))
 FATAL = re.compile(r"^\[rosout\]\[(?:CRITICAL|FATAL)\] \S+ \S+: (.*)", re.M)  # in rospy's log
 
 
@@ -50,6 +50,10 @@ class Parent(roslaunch.parent.ROSLaunchParent):
     def _start_pm(self):
         super()._start_pm()
         self.pm.add_process_listener(FailureListener(self.pm, self._failures))  # before any process starts
+
+    def start(self, *arguments):
+        with quiet_end(lambda: roslaunch.pmon._shutting_down):
+            super().start(*arguments)
 
 
 class FailureListener(roslaunch.pmon.ProcessListener):
@@ -88,3 +92,16 @@ def ctrl_c_for_this_process_only() -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+
+
+@contextlib.contextmanager
+def quiet_end(is_interrupted: Callable[[], bool]) -> Iterator[None]:
+    """End the process without a traceback if nobody reads its output, or if Ctrl-C comes while the nodes start."""
+    try:
+        yield
+    except BrokenPipeError:
+        sys.exit(NO_READER)
+    except Exception:
+        if is_interrupted():  # then roslaunch misses what it has just ended
+            sys.exit(INTERRUPTED)
+        raise

@@ -5,6 +5,7 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; roslaunch handles it later
 
+import os
 import re
 import socket
 import sys
@@ -12,12 +13,14 @@ from typing import List, Optional
 from urllib.parse import urlsplit
 
 from jetbot.text import printable
+from jetbot.wait import wait_until
 from jetbot_ros.addresses import is_reachable, master_uri
 from jetbot_ros.launch_arguments import UNREADABLE, argument_problem, closest, launch_files, receivers
 from jetbot_ros.roslaunch_command import parse
 from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 MASTER_TIMEOUT = 5.0  # s for an answer
+ENDING_TIMEOUT = 3.0  # s in which a master that was just interrupted has ended
 
 
 def word_problem(words: List[str]) -> Optional[str]:
@@ -49,14 +52,23 @@ def master_problem(port: str) -> Optional[str]:
             f"morbot: no ROS master at {uri}. Start roscore on that computer; or to drive on this one: "
             "unset ROS_MASTER_URI")
     try:
-        proxy(uri, MASTER_TIMEOUT).getPid("/morbot")
+        if wait_until(lambda: is_master(uri) or not is_reachable(uri), ENDING_TIMEOUT):
+            return None
     except socket.timeout:
         return (f"morbot: the ROS master at {uri} does not answer. Is it frozen (Ctrl-Z)? Continue it with fg, "
                 "or restart it.")
+    return (f"morbot: another program than a ROS master listens at {uri}. End it, or choose another port: "
+            "export ROS_MASTER_URI=http://localhost:11399")
+
+
+def is_master(uri: str) -> bool:
+    """Return whether a ROS master listens at this URI; raise socket.timeout if what listens does not answer."""
+    try:
+        return bool(proxy(uri, MASTER_TIMEOUT).getPid("/morbot"))
+    except socket.timeout:
+        raise
     except NO_ANSWER:
-        return (f"morbot: another program than a ROS master listens at {uri}. End it, or choose another port: "
-                "export ROS_MASTER_URI=http://localhost:11399")
-    return None
+        return False
 
 
 def host_of(uri: str) -> Optional[str]:
@@ -67,7 +79,14 @@ def host_of(uri: str) -> Optional[str]:
         return None
 
 
+def with_whole_path(word: str) -> str:
+    """Return a word with the whole path of the file that it names; a node would look for it in ROS's home."""
+    name, _, value = word.partition(":=")
+    return f"{name}:={os.path.abspath(value)}" if name in ("config", "body") and os.path.isfile(value) else word
+
+
 def main(words: List[str]) -> int:
+    words = list(map(with_whole_path, words))
     command = parse(words)
     try:
         problem = word_problem(words)

@@ -2,7 +2,9 @@
 
 import os
 from pathlib import Path
-from typing import Iterable, List, NamedTuple
+from typing import Collection, Iterable, List, NamedTuple
+
+from stand_ins import stand_ins
 
 from jetbot_tools.manifest import Package
 
@@ -36,9 +38,11 @@ def write_search_path(devel: Path, folders: Iterable[Path], time: float) -> None
     _replace(devel / ".catkin", ";".join(map(str, folders)), time)
 
 
-def search_path(source: Path, packages: Iterable[Package], problems: Iterable[str]) -> List[Path]:
-    """Return the folders in which ROS searches: that of all packages, or of each one that can be read."""
-    return [package.folder for package in packages] if problems and packages else [source]
+def search_path(source: Path, devel: Path, packages: Collection[Package], problems: Iterable[str]) -> List[Path]:
+    """Return the folders in which ROS searches: that of all packages, or of each that can be read or was built."""
+    if not (problems and packages):
+        return [source]
+    return [*(package.folder for package in packages), *stand_ins(devel, source, packages)]
 
 
 def _replace(file, text, time):

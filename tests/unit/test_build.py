@@ -1,6 +1,7 @@
 """What is built, with which packages, and what an interrupted build leaves; with a fake catkin_make."""
 
 import os
+import shutil
 import time
 
 import pytest
@@ -89,11 +90,23 @@ def test_a_package_xml_that_breaks_leaves_the_last_build_in_use(spaces):
     update(spaces)
     assert calls(spaces) == ""
     assert "<package> has no end" in problems(spaces)
-    assert searched(spaces) == str(spaces.source / "workshop")
+    stand_in = spaces.devel / "stand_ins/mine"
+    assert searched(spaces) == f"{spaces.source / 'workshop'};{stand_in}"
+    assert (stand_in / "package.xml").read_text() == XML
+    assert (stand_in / "CMakeLists.txt").samefile(spaces.source / "mine/CMakeLists.txt")
+
+
+def test_nothing_stands_in_for_a_package_that_was_deleted_or_renamed(spaces):
+    (spaces.source / "workshop/package.xml").write_text("<package>")
+    shutil.rmtree(spaces.source / "mine")
+    add(spaces.source / "other", XML)
+    (spaces.source / "other/CMakeLists.txt").touch()
+    update(spaces)
+    assert searched(spaces) == f"{spaces.source / 'other'};{spaces.devel / 'stand_ins/workshop'}"
 
 
 def test_with_a_broken_package_xml_the_first_build_is_of_links_to_the_others(spaces):
-    (spaces.devel / STAMP).unlink()
+    shutil.rmtree(spaces.devel)
     (spaces.source / "mine/package.xml").write_text("<package>")
     update(spaces)
     view = spaces.build / "view/src"

@@ -74,6 +74,18 @@ def test_without_a_home_settings_and_logs_are_in_a_folder_of_the_user(shell, tmp
     assert stat.S_IMODE((tmp_path / f"morbot-{os.getuid()}").stat().st_mode) == 0o700
 
 
+def test_a_cache_folder_that_is_named_is_made(shell, tmp_path):
+    place = shell("choose_cache; echo $cache", XDG_CACHE_HOME=str(tmp_path / "xdg"))
+    assert place == f"{tmp_path}/xdg/morbot" and os.path.isdir(place)
+
+
+@pytest.mark.skipif(os.getuid() == 0, reason="root may read all")
+def test_a_build_whose_folder_cannot_be_read_is_not_used(shell, tmp_path):
+    (tmp_path / "morbot_ws/build").mkdir(parents=True)
+    (tmp_path / "morbot_ws/build").chmod(0)
+    assert "/.cache/morbot/" in shell("is_built() { true; }; choose_build; echo $build")
+
+
 @pytest.mark.parametrize("closed, built, place", [
     ("nothing", False, "morbot_ws/build"),
     ("morbot_ws", True, "morbot_ws/build"),

@@ -6,7 +6,7 @@ import os
 import pytest
 
 from jetbot_ros.parameters import PARAMETERS
-from jetbot_tools.options import add_options, as_options
+from jetbot_tools.options import add_options, parse
 
 
 @pytest.fixture
@@ -22,7 +22,17 @@ def parser(monkeypatch):
     ("i2c_bus:=fake", "fake:/home/of_ros/fake_i2c"), ("i2c_bus:=fake:robot", f"fake:{os.getcwd()}/robot")])
 def test_options_as_the_shell_and_as_ros_write_them(parser, monkeypatch, argument, i2c_bus):
     monkeypatch.setenv("ROS_HOME", "/home/of_ros")
-    assert parser.parse_args(as_options([argument])).i2c_bus == i2c_bus
+    assert parse(parser, [argument]).i2c_bus == i2c_bus
+
+
+@pytest.mark.parametrize("typed, advice", [
+    ("i2c_bus=fake", "Did you mean i2c_bus:=fake?"), ("i2c_buss:=fake", "Did you mean i2c_bus:=fake?"),
+    ("--i2cbus=7", "Did you mean i2c_bus:=7?"), ("fake", "See doctor.py --help")])
+def test_a_mistyped_word_is_refused_with_what_was_meant(parser, typed, advice):
+    parser.prog = "doctor.py"
+    with pytest.raises(SystemExit, match=f"There is no argument {typed}. ".replace("?", ".")) as end:
+        parse(parser, [typed])
+    assert str(end.value).endswith(advice)
 
 
 def test_without_an_option_the_environment_is_used(parser):

@@ -42,7 +42,7 @@ def names(source, known=()):
 def test_in_a_healthy_workspace_ros_searches_its_folder(source):
     packages, problems = find_packages(source)
     assert [package.name for package in packages] == ["mine", "workshop"] and problems == []
-    assert search_path(source, packages, problems) == [source]
+    assert search_path(source, source, packages, problems) == [source]
 
 
 @pytest.mark.parametrize("now, then, problem", [
@@ -62,8 +62,8 @@ def test_a_package_xml_that_cannot_be_read(source, now, then, problem):
     file.write_text(XML.replace(now, then))
     packages, [sentence] = find_packages(source)
     assert sentence.startswith(f"{file}{problem}")
-    assert sentence.endswith(" The package is left out until then.")
-    assert search_path(source, packages, [sentence]) == [source / "scenarios/workshop"]
+    assert sentence.endswith(" Until then, the package is used as it was last built, or left out.")
+    assert search_path(source, source, packages, [sentence]) == [source / "scenarios/workshop"]
 
 
 @pytest.mark.parametrize("make, problem", [
@@ -77,6 +77,14 @@ def test_a_package_xml_that_is_no_text(source, make, problem):
     make(file)
     packages, [sentence] = find_packages(source)
     assert sentence.startswith(f"{file}{problem}")
+    assert [package.name for package in packages] == ["workshop"]
+
+
+@pytest.mark.parametrize("make", [os.mkfifo, os.mkdir])
+def test_a_build_file_that_is_no_file(source, make):
+    make(source / "mine/CMakeLists.txt")
+    packages, [sentence] = find_packages(source)
+    assert f"{source}/mine/CMakeLists.txt is not a regular file: mv {source}/mine ~." in sentence
     assert [package.name for package in packages] == ["workshop"]
 
 
@@ -125,12 +133,12 @@ def test_a_package_xml_beside_packages_does_not_hide_them(source, folder, text):
     file.write_text(text)
     packages, [sentence] = find_packages(source)
     assert sentence == f"{file} hides the packages in its folder from ROS: mv {file} ~"
-    assert search_path(source, packages, [sentence]) == [source / "mine", source / "scenarios/workshop"]
+    assert search_path(source, source, packages, [sentence]) == [source / "mine", source / "scenarios/workshop"]
 
 
 def test_the_search_path_is_never_empty(source):
     """An open shell could not replace an empty one later."""
-    assert search_path(source, [], ["all are broken"]) == [source]
+    assert search_path(source, source, [], ["all are broken"]) == [source]
 
 
 def test_a_folder_with_catkin_ignore_is_not_read(source):

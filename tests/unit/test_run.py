@@ -62,11 +62,27 @@ def answer_all(server, answer):
     (b"SSH-2.0\r\n", "another program than a ROS master listens at http://localhost:{}.")], ids=["frozen", "other"])
 def test_a_master_that_does_not_answer(monkeypatch, answer, sentence):
     monkeypatch.setattr(run, "MASTER_TIMEOUT", 1.0)
+    monkeypatch.setattr(run, "ENDING_TIMEOUT", 0.5)
     with socket.create_server(("localhost", 0)) as server:
         port = server.getsockname()[1]
         if answer:
             threading.Thread(target=answer_all, args=[server, answer], daemon=True).start()
         assert sentence.format(port) in run.master_problem(str(port))
+
+
+def test_a_master_that_is_just_ending_is_no_problem(monkeypatch):
+    server = socket.create_server(("localhost", 0))
+    port = server.getsockname()[1]
+    threading.Thread(target=answer_all, args=[server, b"\r\n"], daemon=True).start()
+    monkeypatch.setattr(run, "is_master", lambda uri: server.shutdown(socket.SHUT_RDWR) or server.close())
+    assert run.master_problem(str(port)) is None
+
+
+def test_a_file_is_named_by_its_whole_path(monkeypatch, tmp_path):
+    (tmp_path / "my.yaml").touch()
+    monkeypatch.chdir(tmp_path)
+    words = ["config:=my.yaml", "config:=none.yaml", "linear:=0.2"]
+    assert list(map(run.with_whole_path, words)) == [f"config:={tmp_path}/my.yaml", *words[1:]]
 
 
 def test_the_reason_of_a_node_is_the_last_fatal_line_of_this_start(tmp_path):
@@ -81,3 +97,18 @@ def test_the_reason_of_a_node_is_the_last_fatal_line_of_this_start(tmp_path):
         file.write(fatal.format("There is no I2C bus /dev/i2c-7: what now?") + "[rospy.core][INFO] the end\n")
     assert launch.fatal_line(process) == "There is no I2C bus /dev/i2c-7: what now?"
     assert launch.fatal_line(SimpleNamespace(args=["node.py"], pid=2)) is None
+
+
+@pytest.mark.parametrize("error, interrupted, code", [
+    (BrokenPipeError(), False, 141), (RuntimeError("could not contact master"), True, 130)])
+def test_a_start_that_is_cut_short_ends_without_a_traceback(error, interrupted, code):
+    launch = pytest.importorskip("launch")
+    with pytest.raises(SystemExit) as end, launch.quiet_end(lambda: interrupted):
+        raise error
+    assert end.value.code == code
+
+
+def test_a_start_that_fails_by_itself_is_reported():
+    launch = pytest.importorskip("launch")
+    with pytest.raises(RuntimeError), launch.quiet_end(lambda: False):
+        raise RuntimeError

@@ -19,7 +19,7 @@ from jetbot.text import printable
 from jetbot_ros.parameters import PARAMETERS, default_file, is_fake
 from jetbot_tools.calibration import as_yaml
 from jetbot_tools.commands import doctor, fake_advice, launch
-from jetbot_tools.options import add_options, as_options
+from jetbot_tools.options import add_options, parse
 from jetbot_tools.probe import check_board, check_users
 from jetbot_tools.wizard import WIZARDS, Wizard
 
@@ -80,7 +80,7 @@ def main() -> None:
     add_options(parser, board="those that answer are tried", i2c_bus="the one of this computer's motors", port="")
     parser.add_argument("--output", type=Path, help="the YAML file to write (default: jetbot.yaml in ROS's home; "
                                                     "jetbot_fake.yaml for a simulated robot)")
-    options = parser.parse_args(as_options(sys.argv[1:]))
+    options = parse(parser, sys.argv[1:])
     if not sys.stdin.isatty():
         raise JetbotError("calibrate.py asks questions and needs a terminal")
     sys.stdin.reconfigure(errors="replace")  # a key may give what is no text

@@ -13,14 +13,14 @@ import json
 import sys
 
 from jetbot_tools.doctor import run_checks
-from jetbot_tools.options import add_options, as_options
+from jetbot_tools.options import add_options, parse
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--json", action="store_true", help="print the checks as a JSON list")
     add_options(parser, i2c_bus="every bus", port="")
-    options = parser.parse_args(as_options(sys.argv[1:]))
+    options = parse(parser, sys.argv[1:])
     checks = []
     for check in run_checks(options.i2c_bus, options.port):
         checks.append(check)

@@ -123,6 +123,8 @@ def main(start: Callable[[], int]) -> None:
     except JetbotError as error:
         rospy.logfatal(error.text(fake_advice))
         sys.exit(1)
-    except OSError:
+    except OSError as error:
         require_master()  # it may have ended meanwhile
+        if isinstance(error, BrokenPipeError):  # `| head`: nobody reads the log
+            leave(1)
         raise

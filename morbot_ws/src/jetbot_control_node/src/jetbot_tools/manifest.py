@@ -32,11 +32,14 @@ def read_package(folder: Path) -> Package:
     try:
         if re.search("[:;\x00-\x1f]", str(folder)):
             raise Problem(f": rename its folder {ascii(folder.name)}, without : and ;")
+        build_file = folder / "CMakeLists.txt"
+        if build_file.exists() and not build_file.is_file():  # CMake would wait for a FIFO
+            raise Problem(f": {build_file} is not a regular file: mv {folder} ~")
         content = _read(file)
         _check_xml(content)
         return _parse(content, folder)
     except Problem as problem:
-        raise Problem(f"{file}{problem}. The package is left out until then.") from None
+        raise Problem(f"{file}{problem}. Until then, the package is used as it was last built, or left out.") from None
 
 
 def _read(file):

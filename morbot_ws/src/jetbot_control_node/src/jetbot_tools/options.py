@@ -2,10 +2,13 @@
 
 import os
 import re
-from argparse import ArgumentParser
+import sys
+from argparse import ArgumentParser, Namespace
 from typing import List, Union
 
 from jetbot import fake
+from jetbot.text import printable
+from jetbot_ros.launch_arguments import closest
 from jetbot_ros.parameters import PARAMETERS
 
 
@@ -24,6 +27,19 @@ def add_options(parser: ArgumentParser, **meaning: str) -> None:
 def as_options(arguments: List[str]) -> List[str]:
     """Return the arguments with i2c_bus:=7 and _i2c_bus:=7, as ROS writes them, as --i2c-bus=7."""
     return [re.sub(r"^_?(\w+):=", lambda name: f"--{name[1].replace('_', '-')}=", argument) for argument in arguments]
+
+
+def parse(parser: ArgumentParser, arguments: List[str]) -> Namespace:
+    """Return the options. An unknown word ends the program with one sentence that says what was probably meant."""
+    options, unknown = parser.parse_known_args(as_options(arguments))
+    if unknown:
+        typed = next(word for word in arguments if as_options([word])[0] in unknown)
+        name, value = re.match(r"[-_]*([\w-]*)[\s:=]*(.*)", typed, re.S).groups()
+        names = [option.strip("-").replace("-", "_") for option in parser._option_string_actions]
+        meant = closest(name.replace("-", "_"), names)
+        advice = f"Did you mean {meant}:={value or 'VALUE'}?" if meant in PARAMETERS else f"See {parser.prog} --help"
+        sys.exit(printable(f"There is no argument {typed}. {advice}"))
+    return options
 
 
 def place_name(text: str) -> Union[int, str]:
