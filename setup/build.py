@@ -16,11 +16,12 @@ from typing import Collection, Iterable, List, NamedTuple, Optional, Tuple
 
 from build_log import failures, summary
 from manifest import Package
-from packages import check
+from packages import find_packages
 from state import STAMP, Stamp, read_stamp, search_path, write_search_path, write_stamp
 
-OURS = ("jetbot_control_node", "jetbot_lessons", "jetbot_tests", "simulation", "workshop")
+MORBOT_PACKAGES = ("jetbot_control_node", "jetbot_lessons", "jetbot_tests", "simulation", "workshop")
 MAX_ATTEMPTS = 10  # a repository of a hundred packages that lack one library must not take an hour
+CATKIN_ONLY = ("AMENT_IGNORE", "COLCON_IGNORE")  # files that make catkin ignore a folder, but not ROS
 READ_BY_CATKIN = "( -type d -o -name package.xml -o -name CMakeLists.txt -o -name setup.py )".split()
 
 
@@ -42,7 +43,7 @@ def update(spaces: Spaces) -> None:
     compile_modules(spaces.source)
     started = time.time()
     last = read_stamp(spaces.devel)
-    packages, problems = check(spaces.source, last.folders)
+    packages, problems = find_packages(spaces.source, last.folders)
     folders = search_path(spaces.source, packages, problems)
     spaces.devel.mkdir(parents=True, exist_ok=True)
     write_search_path(spaces.devel, folders, started)
@@ -60,7 +61,7 @@ def update(spaces: Spaces) -> None:
 
 
 def link_to_catkin(source: Path) -> None:
-    """Make the link that catkin_make would make: made during the build, it looks like a change after it."""
+    """Make the link that catkin_make would make: made during the build, it would look like a change after it."""
     file = source / "CMakeLists.txt"
     if not file.exists() and os.access(source, os.W_OK):
         with contextlib.suppress(FileNotFoundError):
@@ -69,7 +70,7 @@ def link_to_catkin(source: Path) -> None:
 
 
 def compile_modules(source: Path) -> None:
-    """Compile all modules, as Python would at their first import: the new __pycache__ looks like a change, too."""
+    """Compile all modules, as Python would at their first import: a new __pycache__ would look like a change."""
     if os.access(source, os.W_OK):
         compileall.compile_dir(str(source), quiet=2, rx=re.compile("/scripts/|/build/"))
 
@@ -98,10 +99,10 @@ def link_packages(spaces: Spaces, packages: Iterable[Package]) -> Path:
 
 
 def build(spaces: Spaces, source: Path, packages: Collection[Package], last: Stamp) -> Tuple[List[Path], List[str]]:
-    """Build these packages, again without those that fail. Return the folders of all built ones, and the problems."""
+    """Build these packages, and again without those that fail; return the built folders and the problems."""
     print("morbot: building", file=sys.stderr)
     discard_interrupted(spaces, source, last)
-    left_out = {package.name: foreign(package) for package in packages if package.build_type != "catkin"}
+    left_out = {package.name: not_for_catkin(package) for package in packages if package.build_type != "catkin"}
     for attempt in range(len(packages) + 1):
         log = catkin_make(spaces, source, left_out)
         if log is None:
@@ -113,13 +114,20 @@ def build(spaces: Spaces, source: Path, packages: Collection[Package], last: Sta
         if attempt == MAX_ATTEMPTS:
             left_out.update(never_built(packages, left_out, last))
     done = [package for package in packages if package.name not in left_out]
-    unknown = [package for package in done if not is_known(spaces.devel, package)]
+    unknown = [package for package in done
+               if not is_ignored(package.folder, spaces.source) and not is_known(spaces.devel, package)]
     problems = [*dict.fromkeys(left_out.values()), *map(without_catkin_package, unknown)]
     return [package.folder for package in done if package not in unknown], problems
 
 
+def is_ignored(folder: Path, source: Path) -> bool:
+    """Return whether catkin ignores a package in which ROS searches."""
+    places = [place for place in (folder, *folder.parents) if source in (place, *place.parents)]
+    return any((place / marker).exists() for place in places for marker in CATKIN_ONLY)
+
+
 def discard_interrupted(spaces: Spaces, source: Path, last: Stamp) -> None:
-    """Let no interrupted build go on, and none that is interrupted now look like a good one."""
+    """Remove CMake's cache after an interrupted build, or one of another folder, and the stamp before this one."""
     with contextlib.suppress(FileNotFoundError):
         (spaces.devel / STAMP).unlink()
     write_search_path(spaces.devel, [source], time.time())  # catkin would add the source folder to those of before
@@ -158,10 +166,10 @@ def never_built(packages: Iterable[Package], left_out: Collection[str], last: St
     """Return {name: sentence} for the packages that were never built, and are not MorBot's own."""
     return {package.name: "All packages that were never built are left out until these are corrected."
             for package in packages
-            if package.name not in (*left_out, *OURS) and package.folder not in last.folders}
+            if package.name not in (*left_out, *MORBOT_PACKAGES) and package.folder not in last.folders}
 
 
-def foreign(package: Package) -> str:
+def not_for_catkin(package: Package) -> str:
     """Return what to do about a package that catkin does not build."""
     return (f"{package.folder}/package.xml is for {package.build_type}, which ROS 1 does not build: get the package's "
             f"version for ROS 1, or mv {package.folder} ~. It is left out until then.")

@@ -18,22 +18,23 @@ may_write() {
 }
 
 # Whether nothing that catkin reads has changed since the last build: package descriptions and the list of files.
-# A build made in another folder cannot be used.
 is_built() {
     stamp=$devel/morbot.stamp
-    [ -f "$devel/setup.sh" ] && [ -s "$stamp" ] && read -r source <"$stamp" || return 1
-    [ "$source" = "$workspace/src" ] || [ "$source" = "$build/view/src" ] || return 1
+    [ -f "$devel/setup.sh" ] && [ -s "$stamp" ] && is_built_here || return 1
     [ -z "$(find -L "$workspace/src" -name __pycache__ -prune -o -cnewer "$stamp" \
         \( -type d -o -name package.xml -o -name CMakeLists.txt -o -name setup.py \) -print 2>/dev/null)" ]
 }
 
-# What was built before is still of use if the build fails.
+# A build made in another folder cannot be used.
+is_built_here() {
+    read -r source <"$stamp" || return 1
+    [ "$source" = "$workspace/src" ] || [ "$source" = "$build/view/src" ]
+}
+
+# If the build fails, the last one stays in use.
 build() {
     ! is_built || return 0
-    [ ! -s "$stamp" ] || case $source in
-        "$workspace/src" | "$build/view/src") ;;
-        *) rm -rf "$build"/* "$devel" ;;
-    esac
+    [ ! -s "$stamp" ] || is_built_here || rm -rf "$build"/* "$devel"
     python3 "$here/setup/build.py" "$workspace/src" "$build" "$devel" && return
     [ "$command" != setup ] && [ -f "$devel/setup.sh" ] || exit 1
     echo "morbot: going on with the last build" >&2

@@ -18,6 +18,7 @@ CURES = [  # what CMake or catkin says, and what to do about it
      "catkin_metapackage(), and nothing else: correct it"),
     (r"Parse error|Function missing ending", "a bracket or a quote is missing there or before: add it"),
 ]
+ERROR = re.compile(r"^CMake Error(?: at (.*?:\d+))?.*?\n(.*?)(?=^-- |^CMake |\Z)", re.M | re.S)  # place, text
 
 
 class _Error(NamedTuple):
@@ -50,8 +51,8 @@ def _workspace_error(log, folder, name):
 def _cmake_error(log, folder):
     """Return the first error while CMake reads the package in this folder."""
     start = rf"^-- ==> add_subdirectory\({re.escape(folder)}\)$"
-    part = re.search(rf"{start}(.*?)(?=^-- (?:\+\+\+ processing|Configuring)|\Z)", log, re.M | re.S)
-    error = part and re.search(r"^CMake Error(?: at (.*?:\d+))?.*?\n(.*?)(?=^-- |^CMake |\Z)", part[1], re.M | re.S)
+    section = re.search(rf"{start}(.*?)(?=^-- (?:\+\+\+ processing|Configuring)|\Z)", log, re.M | re.S)
+    error = section and ERROR.search(section[1])
     if not error:
         return None
     places = [error[1] or "", *re.findall(r"^ +(\S.*?:\d+)", error[2], re.M)]  # and the call stack
@@ -78,7 +79,7 @@ def _advice(error, package):
 
 
 def summary(log: str) -> str:
-    """Return the cause of a failure that is no package's, or the lines of the log that may tell it."""
+    """Return the cause of a failure that is no package's, or the lines of the log that may show it."""
     if "No space left on device" in log:
         return "the disk is full; make room on it"
     lines = [line for line in log.splitlines() if re.search("error|fail|denied|cannot", line, re.I)]

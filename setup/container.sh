@@ -89,7 +89,7 @@ base_image() {
 
 container_advice() {
     case $(docker ps 2>&1)$(podman --version 2>/dev/null) in
-        *"ermission denied"*) 
+        *"ermission denied"*)
             echo "docker is there, but closed to you: sudo usermod -aG docker $(id -un), and log in again" ;;
         *"daemon running"*) echo "docker is there, but not running: sudo systemctl enable --now docker" ;;
         *podman*) echo "podman is there, but does not work; see: podman ps" ;;

@@ -34,7 +34,8 @@ choose_cache() {
     if [ -z "${XDG_CACHE_HOME:-}" ] && [ ! -d "$home" ]; then :
     elif mkdir -p "$cache" 2>/dev/null && [ -w "$cache" ]; then return; fi
     cache=${TMPDIR:-/tmp}/morbot-$(id -u)
-    mkdir -p -m 700 "$cache" && [ -O "$cache" ] || fail "cannot write to $cache: set XDG_CACHE_HOME to a folder of yours"
+    mkdir -p -m 700 "$cache" && [ -O "$cache" ] ||
+        fail "cannot write to $cache: set XDG_CACHE_HOME to a folder of yours"
 }
 
 # Users of one computer have masters of their own: the port is ROS's for root and for the first user, and depends on

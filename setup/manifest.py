@@ -63,7 +63,7 @@ def _line(error):
 
 
 def _check_xml(content):
-    """Raise Problem, with the place where something opens that does not end, as far as that is the cause."""
+    """Raise Problem if this is not XML; it names the element that has no end, where that is the cause."""
     if not content.strip():
         raise Problem(" is empty: make it again with catkin_create_pkg, or remove its folder")
     parser, opened = expat.ParserCreate(), []

@@ -10,10 +10,10 @@ from typing import Collection, Dict, List, Tuple
 from manifest import MANIFEST, Package, Problem, read_package
 
 
-def check(source: Path, known: Collection[Path] = ()) -> Tuple[List[Package], List[str]]:
+def find_packages(source: Path, known: Collection[Path] = ()) -> Tuple[List[Package], List[str]]:
     """Return the packages below a folder that ROS can read, and one sentence for each problem.
 
-    Of two packages of one name, the one in ``known`` is the original, or else the one whose folder bears the name.
+    Of two packages of one name, the one in ``known`` is the original, or else the one whose folder has the name.
     """
     folders, problems = find_folders(source)
     packages = []
@@ -23,10 +23,10 @@ def check(source: Path, known: Collection[Path] = ()) -> Tuple[List[Package], Li
         except Problem as problem:
             problems.append(str(problem))
     originals: Dict[str, Package] = {}
-    for package in sorted(packages, key=lambda package: _originality(package, known)):
+    for package in sorted(packages, key=lambda package: _original_first(package, known)):
         original = originals.setdefault(package.name, package)
         if original is not package:
-            problems.append(_copied(package, original))
+            problems.append(_name_problem(package, original))
     return sorted(originals.values()), problems
 
 
@@ -58,12 +58,12 @@ def _leads_back(target, source, seen):
     return target in seen or os.path.commonpath([target, source]) in (target, source)
 
 
-def _originality(package, known):
+def _original_first(package, known):
     folder = package.folder
     return folder not in known, folder.name != package.name, (folder / MANIFEST).stat().st_mtime, folder
 
 
-def _copied(copy, original):
+def _name_problem(copy, original):
     new = copy.folder.name if copy.folder.name != copy.name else "NEW"
     return (f"{copy.folder / MANIFEST} has the same <name> as {original.folder}: write <name>{new}</name> there and "
             f"project({new}) in its CMakeLists.txt, or mv {copy.folder} ~. The copy is left out until then.")

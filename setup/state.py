@@ -10,7 +10,7 @@ STAMP = "morbot.stamp"
 
 
 class Stamp(NamedTuple):
-    """What was built, and when: no change after ``time`` is in it. The file's own time is ``time``."""
+    """What was built, and when: later changes are not in it. ``time`` is also the file's own modification time."""
 
     source: str
     folders: List[Path]
@@ -32,12 +32,12 @@ def write_stamp(devel: Path, stamp: Stamp) -> None:
 
 
 def write_search_path(devel: Path, folders: Iterable[Path], time: float) -> None:
-    """Name the folders in which ROS shall search for packages; catkin and ROS read them from this file."""
+    """Write the folders in which ROS searches for packages; catkin and ROS read them from this file."""
     _replace(devel / ".catkin", ";".join(map(str, folders)), time)
 
 
 def search_path(source: Path, packages: Iterable[Package], problems: Iterable[str]) -> List[Path]:
-    """Return the folders in which ROS shall search: that of all packages, or of each one that can be read."""
+    """Return the folders in which ROS searches: that of all packages, or of each one that can be read."""
     return [package.folder for package in packages] if problems and packages else [source]
 
 

@@ -48,25 +48,20 @@ def test_nothing_is_missing(mine):
         assert check("mine") is None
 
 
-def test_no_package(mine):
-    assert exists("yours") == f"There is no package yours in {mine.parent}: make it"
+@pytest.mark.parametrize("given, problem", [
+    ("yours", "There is no package yours in {}: make it"),
+    *((name, f"There is no package {name}, but there is mine: type that name, or make it")
+      for name in ("Mine", "scenarios/mine", "/mine/", "mien")),
+    *((name, "A package's name begins with a letter and has letters, digits and _: type the name of yours")
+      for name in ("", "/", "..", "my car", "2cars", "m" * 5000))])
+def test_no_package(mine, given, problem):
+    assert exists(given) == problem.format(mine.parent)
 
 
 def test_package_outside_the_workspace(mine, tmp_path, monkeypatch):
     mine.rename(tmp_path / "mine")
     monkeypatch.setenv("ROS_PACKAGE_PATH", f"{mine.parent}:{tmp_path / 'mine'}")
     assert exists("mine") is None
-
-
-@pytest.mark.parametrize("given", ["Mine", "scenarios/mine", "/mine/", "mien"])
-def test_another_name(mine, given):
-    assert exists(given) == f"There is no package {given}, but there is mine: type that name, or make it"
-
-
-@pytest.mark.parametrize("given", ["", "/", "..", "my car", "2cars", "m" * 5000])
-def test_what_is_no_name(mine, given):
-    assert exists(given) == ("A package's name begins with a letter and has letters, digits and _: "
-                             "type the name of yours")
 
 
 @pytest.mark.parametrize("place", ["mine", "."])
@@ -99,12 +94,11 @@ def test_package_of_ros_is_not_the_pupils(mine, monkeypatch):
 
 @pytest.mark.parametrize("place", ["..", "other"])
 def test_package_where_ros_does_not_search(mine, place):
-    source = mine.parent
-    (source / "other").mkdir()
-    (source / "other/package.xml").write_text(PACKAGE_XML.replace("mine", "other"))
-    elsewhere = (source / place / "mine").resolve()
+    (mine.parent / "other").mkdir()
+    (mine.parent / "other/package.xml").write_text(PACKAGE_XML.replace("mine", "other"))
+    elsewhere = (mine.parent / place / "mine").resolve()
     mine.rename(elsewhere)
-    assert exists("mine") == f"ROS does not search {elsewhere.parent} for packages: mv {elsewhere} {source}"
+    assert exists("mine") == f"ROS does not search {elsewhere.parent} for packages: mv {elsewhere} {mine.parent}"
 
 
 @pytest.mark.parametrize("file, text, check, problem", [

@@ -82,7 +82,7 @@ def test_master_that_freezes_ends_the_check(silent_master, monkeypatch):
     answers, problems = iter([True, True, False, False]), queue.Queue()
     monkeypatch.setattr(master, "is_online", lambda: next(answers))
     monkeypatch.setattr(master, "ASK_INTERVAL", 0.0)
-    master.watch(problems.put)
+    master.report_loss(problems.put)
     assert problems.get(timeout=10) == f"The ROS master at {silent_master} {FROZEN}"
 
 

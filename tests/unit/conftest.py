@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 SOURCE = ROOT / "morbot_ws/src/jetbot_control_node"
 SIMULATION = SOURCE.parent / "simulation"
-sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src")]
+sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src"), str(ROOT / "setup")]
 
 from jetbot import fake, guard, i2c, open_robots, robot  # noqa: E402
 from jetbot.fake.bus import FakeBus  # noqa: E402

@@ -1,18 +1,13 @@
 """What is built, with which packages, and what an interrupted build leaves; with a fake catkin_make."""
 
 import os
-import sys
 import time
 
 import pytest
 from test_packages import XML, add
 
-from conftest import ROOT
-
-sys.path.append(str(ROOT / "setup"))
-
-from build import BuildFailed, Spaces, update  # noqa: E402
-from state import STAMP  # noqa: E402
+from build import BuildFailed, Spaces, update
+from state import STAMP
 
 CATKIN_MAKE = """#!/bin/sh
 printf '%s\\n' "$@" >>{0}/calls
@@ -140,6 +135,17 @@ def test_a_package_that_does_not_call_catkin_package(spaces):
     (spaces.source / "quiet/CMakeLists.txt").write_text("project(quiet)\n")
     update(spaces)
     assert "quiet/CMakeLists.txt does not call catkin_package()" in problems(spaces)
+
+
+@pytest.mark.parametrize("marker", ["repository/quiet/AMENT_IGNORE", "repository/COLCON_IGNORE"])
+def test_a_package_that_catkin_ignores_is_no_problem(spaces, marker):
+    add(spaces.source / "repository/quiet", XML.replace("mine", "quiet"))
+    (spaces.source / marker).touch()
+    update(spaces)
+    assert problems(spaces) == ""
+    calls(spaces)
+    update(spaces)
+    assert calls(spaces) == ""
 
 
 @pytest.mark.parametrize("text", ["", "# later\n"])

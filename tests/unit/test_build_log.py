@@ -1,16 +1,11 @@
 """Which package could not be built, where the error is and what to do, from what catkin_make printed."""
 
-import sys
 from pathlib import Path
 
 import pytest
 
-from conftest import ROOT
-
-sys.path.append(str(ROOT / "setup"))
-
-from build_log import failures, summary  # noqa: E402
-from manifest import Package  # noqa: E402
+from build_log import failures, summary
+from manifest import Package
 
 SOURCE = Path("/ws/src")
 PACKAGES = [Package(name, SOURCE / "scenarios" / name, "catkin") for name in ("mine", "other", "third")]

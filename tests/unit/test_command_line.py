@@ -7,7 +7,7 @@ import pytest
 from jetbot import InvalidValue
 from jetbot.errors import NotFound
 from jetbot_ros import command_line
-from jetbot_ros.command_line import kept, parse, private_parameters, public_words
+from jetbot_ros.command_line import from_master, parse_word, private_parameters, public_words
 
 NAMES = ["board", "i2c_bus"]
 
@@ -19,7 +19,7 @@ NAMES = ["board", "i2c_bus"]
     ("_board:=" + "[" * 9000, {"board": "[" * 9000}),
     ("__ns:=red", {}), ("__log:=/tmp/log", {}), ("cmd_vel:=/red/cmd_vel", {}), ("/a:=/b", {})])
 def test_a_word_of_the_command_line(word, parameters):
-    assert parse(word, NAMES) == parameters
+    assert parse_word(word, NAMES) == parameters
 
 
 def test_an_unknown_name_on_the_master_is_refused_with_what_removes_it(monkeypatch):
@@ -36,7 +36,7 @@ def test_an_unknown_name_on_the_master_is_refused_with_what_removes_it(monkeypat
     ("fake", "The node does not understand fake. Type it as _NAME:=VALUE")])
 def test_a_mistyped_word_is_refused(word, sentence):
     with pytest.raises(InvalidValue) as error:
-        parse(word, NAMES)
+        parse_word(word, NAMES)
     assert str(error.value) == sentence
 
 
@@ -52,10 +52,10 @@ def test_what_is_typed_wins_over_the_master_and_does_not_go_there(monkeypatch):
     ({"board": "sparkfun", "i2c_bus": ""}, False, {}), ({"board": "sparkfun"}, False, {"board": "sparkfun"}),
     (5, False, {}), ([""], True, {})])
 def test_what_an_earlier_roslaunch_left_on_the_master_does_not_count(on_master, launched, parameters):
-    assert kept(on_master, launched) == parameters
+    assert from_master(on_master, launched) == parameters
 
 
 @pytest.mark.parametrize("launched, advice", [(False, "add: _i2c_bus:=fake"), (True, "add: i2c_bus:=fake")])
 def test_advice_is_what_its_reader_can_type(monkeypatch, launched, advice):
     monkeypatch.setattr(command_line, "LAUNCHED", launched)
-    assert NotFound("no bus", option="i2c_bus").text(command_line.as_typed) == f"No bus. Without a robot, {advice}"
+    assert NotFound("no bus", option="i2c_bus").text(command_line.fake_advice) == f"No bus. Without a robot, {advice}"

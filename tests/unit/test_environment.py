@@ -97,3 +97,13 @@ def test_a_workspace_that_a_user_may_not_write_is_built_in_their_home(shell, tmp
         is_built() {{ {"true" if built else "false"}; }}
         choose_build; echo $build""")
     assert chosen == f"{tmp_path}/{place.format(tmp_path)}" and os.path.isdir(chosen)
+
+
+@pytest.mark.parametrize("source, kept", [("{}/morbot_ws/src", True), ("{}/morbot_ws/build/view/src", True),
+                                          ("/elsewhere/MorBot/morbot_ws/src", False)])
+def test_a_build_of_another_folder_is_removed_also_without_its_setup_sh(shell, tmp_path, source, kept):
+    devel = tmp_path / "morbot_ws/devel"
+    devel.mkdir(parents=True)
+    (devel / "morbot.stamp").write_text(f"{source.format(tmp_path)}\n")
+    assert shell("python3() { echo builds; }; choose_build; build") == "builds"
+    assert devel.exists() == kept

@@ -15,7 +15,10 @@ from simulation import keyboard
                      "teleop_twist_keyboard.py _key_timeout:=0.7"),
     ("/x", "/y", {"DISPLAY": ":0"}, None)])
 def test_what_is_missing(monkeypatch, package, xterm, environment, sentence):
-    monkeypatch.setattr(keyboard, "package", lambda name: package)
+    monkeypatch.setattr(keyboard, "package_folder", lambda name: package)
     monkeypatch.setattr(keyboard.shutil, "which", lambda name: xterm)
-    monkeypatch.setattr(keyboard.os, "environ", environment)
+    for name in "ROS_DISTRO", "DISPLAY":
+        monkeypatch.delenv(name, raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
     assert keyboard.missing() == sentence

@@ -11,7 +11,7 @@ import pytest
 
 from conftest import SOURCE
 from jetbot_ros import launch_arguments
-from jetbot_ros.launch_arguments import mistake
+from jetbot_ros.launch_arguments import argument_problem
 from jetbot_ros.roslaunch_command import parse
 
 PACKAGES = SOURCE.parent
@@ -23,7 +23,7 @@ PASS_ALL = INCLUDE.format('pass_all_args="true"')
 
 @pytest.fixture(autouse=True)
 def packages(monkeypatch):
-    monkeypatch.setattr(launch_arguments, "package", lambda name: str(FOLDERS.get(name, "")))
+    monkeypatch.setattr(launch_arguments, "package_folder", lambda name: str(FOLDERS.get(name, "")))
 
 
 @pytest.fixture
@@ -38,7 +38,7 @@ def launch(tmp_path):
 def refusal(*words):
     """Return what is refused on this command line of roslaunch."""
     command = parse(list(words))
-    return mistake(command.files, command.typed)
+    return argument_problem(command.files, command.typed)
 
 
 @pytest.mark.parametrize("line, meant", [
@@ -103,9 +103,9 @@ def test_reading_launch_files_is_given_up_in_time(monkeypatch):
     from jetbot_ros import prelaunch
     signal.signal(signal.SIGINT, on_ctrl_c)
     monkeypatch.setattr(prelaunch, "READING_TIMEOUT", 0.1)
-    monkeypatch.setattr(launch_arguments, "package", lambda name: time.sleep(60))
+    monkeypatch.setattr(launch_arguments, "package_folder", lambda name: time.sleep(60))
     start = time.monotonic()
-    assert prelaunch.mistake_in_time(["simulation", "simulation.launch"], [("lineer", "1")]) is None
+    assert prelaunch.argument_problem_in_time(["simulation", "simulation.launch"], [("lineer", "1")]) is None
     assert time.monotonic() - start < 30
 
 

@@ -1,17 +1,13 @@
 """Of a workspace with broken packages, the others stay in use, and each broken one is reported with file and cure."""
 
 import os
-import sys
 
 import pytest
 
-from conftest import ROOT
-
 pytest.importorskip("catkin_pkg")
-sys.path.append(str(ROOT / "setup"))
 
 from manifest import Problem, read_package  # noqa: E402
-from packages import check  # noqa: E402
+from packages import find_packages  # noqa: E402
 from state import search_path  # noqa: E402
 
 XML = """<?xml version="1.0"?>
@@ -40,11 +36,11 @@ def add(folder, text):
 
 
 def names(source, known=()):
-    return [package.name for package in check(source, known)[0]]
+    return [package.name for package in find_packages(source, known)[0]]
 
 
 def test_in_a_healthy_workspace_ros_searches_its_folder(source):
-    packages, problems = check(source)
+    packages, problems = find_packages(source)
     assert [package.name for package in packages] == ["mine", "workshop"] and problems == []
     assert search_path(source, packages, problems) == [source]
 
@@ -64,7 +60,7 @@ def test_in_a_healthy_workspace_ros_searches_its_folder(source):
 def test_a_package_xml_that_cannot_be_read(source, now, then, problem):
     file = source / "mine/package.xml"
     file.write_text(XML.replace(now, then))
-    packages, [sentence] = check(source)
+    packages, [sentence] = find_packages(source)
     assert sentence.startswith(f"{file}{problem}")
     assert sentence.endswith(" The package is left out until then.")
     assert search_path(source, packages, [sentence]) == [source / "scenarios/workshop"]
@@ -79,7 +75,7 @@ def test_a_package_xml_that_is_no_text(source, make, problem):
     file = source / "mine/package.xml"
     file.unlink()
     make(file)
-    packages, [sentence] = check(source)
+    packages, [sentence] = find_packages(source)
     assert sentence.startswith(f"{file}{problem}")
     assert [package.name for package in packages] == ["workshop"]
 
@@ -87,7 +83,7 @@ def test_a_package_xml_that_is_no_text(source, make, problem):
 @pytest.mark.parametrize("make", [os.mkfifo, os.mkdir])
 def test_a_build_file_that_is_no_file(source, make):
     make(source / "mine/CMakeLists.txt")
-    packages, [sentence] = check(source)
+    packages, [sentence] = find_packages(source)
     assert f"{source}/mine/CMakeLists.txt is not a regular file: mv {source}/mine ~." in sentence
     assert [package.name for package in packages] == ["workshop"]
 
@@ -100,7 +96,7 @@ def test_a_folder_that_would_be_two_in_a_search_path(source):
 
 def test_a_copy_is_left_out_and_not_the_original(source):
     add(source / "copy", XML.replace("mine", "workshop"))
-    packages, [sentence] = check(source)
+    packages, [sentence] = find_packages(source)
     assert source / "scenarios/workshop" in [package.folder for package in packages]
     assert sentence == (
         f"{source}/copy/package.xml has the same <name> as {source}/scenarios/workshop: write <name>copy</name> there "
@@ -110,16 +106,16 @@ def test_a_copy_is_left_out_and_not_the_original(source):
 def test_a_copy_whose_folder_bears_the_name_too_is_the_one_that_was_not_built(source):
     add(source / "workshop", XML.replace("mine", "workshop"))
     os.utime(source / "workshop/package.xml", (0, 0))
-    assert source / "workshop" in [package.folder for package in check(source)[0]]
+    assert source / "workshop" in [package.folder for package in find_packages(source)[0]]
     known = [source / "scenarios/workshop"]
-    assert known[0] in [package.folder for package in check(source, known)[0]]
+    assert known[0] in [package.folder for package in find_packages(source, known)[0]]
 
 
 @pytest.mark.parametrize("target", ["..", "../mine", "."])
 def test_a_link_that_leads_back_into_the_workspace(source, target):
     link = source / "scenarios/again"
     link.symlink_to(target)
-    packages, problems = check(source)
+    packages, problems = find_packages(source)
     assert problems == [f"{link} leads to a folder that ROS searches already: rm {link}"]
     assert len(packages) == 2
 
@@ -135,7 +131,7 @@ def test_a_link_to_a_package_elsewhere_is_followed(source, tmp_path):
 def test_a_package_xml_beside_packages_does_not_hide_them(source, folder, text):
     file = (source / folder / "package.xml")
     file.write_text(text)
-    packages, [sentence] = check(source)
+    packages, [sentence] = find_packages(source)
     assert sentence == f"{file} hides the packages in its folder from ROS: mv {file} ~"
     assert search_path(source, packages, [sentence]) == [source / "mine", source / "scenarios/workshop"]
 
@@ -148,4 +144,4 @@ def test_the_search_path_is_never_empty(source):
 def test_a_folder_with_catkin_ignore_is_not_read(source):
     (source / "mine/package.xml").write_text("<")
     (source / "mine/CATKIN_IGNORE").touch()
-    assert names(source) == ["workshop"] and check(source)[1] == []
+    assert names(source) == ["workshop"] and find_packages(source)[1] == []

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from jetbot_ros.parameters import checked
-from jetbot_ros.summary import simulated, start_line, summary
+from jetbot_ros.summary import start_line, status_suffix, summary
 
 
 def driver(name="/dev/i2c-1", address=0x60, closed_loop=False):
@@ -29,4 +29,4 @@ def test_start_line(typed, config, robot, line):
     (driver(), ""), (driver("fake:/bus"), ", on a fake bus"), (driver("fake:/port", None), ", on a fake port"),
     (driver("/dev/ttyACM0", None), "")])
 def test_fake_hardware_is_named(robot, end):
-    assert simulated(robot) == end
+    assert status_suffix(robot) == end

@@ -71,9 +71,10 @@ class StartErrors(RobotTest):
         self.assertNotIn("Traceback", read(launch))
 
     def test_the_last_line_of_morbot_run_is_why_a_node_has_failed(self):
-        for argument, reason in (("i2c_bus:=77", r"\[jetbot_controller\]: There is no I2C bus /dev/i2c-77\."),
-                                 ("linear:=x", r"\[jetbot_motion_control\]: The parameter linear must be a number")):
-            launch = self.start(sys.executable, str(RUN), "workshop", "workshop_jetbot_controller.launch", argument)
+        for typed, reason in ((["i2c_bus:=77"], r"\[jetbot_controller\]: There is no I2C bus /dev/i2c-77\."),
+                              ([f"i2c_bus:=fake:{self.bus}", "linear:=x"],
+                               r"\[jetbot_motion_control\]: The parameter linear must be a number")):
+            launch = self.start(sys.executable, str(RUN), "workshop", "workshop_jetbot_controller.launch", *typed)
             self.assertEqual(launch.wait(SHUTDOWN_TIMEOUT), 1)
             self.assertRegex(read(launch).splitlines()[-1], r"^\[FATAL\] " + reason)
 

@@ -3,18 +3,22 @@
 import signal
 
 from harness import START_TIMEOUT, RobotTest
+from jetbot_lessons.graph import snapshot
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class StopAtShutdown(RobotTest):
     def test_node(self):
+        texts = self.status()
         for each in SIGNALS:
             node = self.controller(cmd_vel_timeout=0)
             self.drive_at(0.5)
             node.send_signal(each)
             self.wait_for_stop(within=0.7)
             self.assertEqual(node.wait(START_TIMEOUT), 0)
+            self.assertNotIn("/jetbot_controller", snapshot().nodes)
+            self.wait_for_status(texts, "stopped: the controller has ended")
             self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the node to unsubscribe")
 
     def test_roslaunch(self):

@@ -18,7 +18,7 @@ from jetbot.lock import lock_board
 from jetbot.text import printable
 from jetbot_ros.parameters import PARAMETERS, default_file, is_fake
 from jetbot_tools.calibration import as_yaml
-from jetbot_tools.commands import doctor, fake_option, launch
+from jetbot_tools.commands import doctor, fake_advice, launch
 from jetbot_tools.options import add_options, parse
 from jetbot_tools.probe import check_board, check_users
 from jetbot_tools.wizard import WIZARDS, Wizard
@@ -102,7 +102,7 @@ if __name__ == "__main__":
     try:
         main()
     except JetbotError as error:
-        sys.exit(error.text(fake_option))
+        sys.exit(error.text(fake_advice))
     except OSError as error:
         sys.exit(printable(f"The wheels are stopped, but the file was not written: {error}"))
     except (KeyboardInterrupt, EOFError):

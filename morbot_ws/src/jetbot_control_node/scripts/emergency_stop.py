@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Stops every robot, until --release frees them, and reports what each one answers.
+"""Stops every robot, or with --release ends the stop, and reports what each one answers.
 
 The exit code is 0 if there are robots, and all have confirmed. A robot that starts later is not stopped.
 """
@@ -27,7 +27,7 @@ SWITCH = "If a robot moves, use its switch."
 
 
 def is_stop(arguments: List[str]) -> bool:
-    """Return whether the robots are to be stopped, and not freed; raise SystemExit. In doubt, they are stopped."""
+    """Return whether the robots are to be stopped, and not released; raise SystemExit. In doubt, they are stopped."""
     if {"-h", "--help"}.intersection(arguments):
         print(__doc__.strip())
         sys.exit()
@@ -64,7 +64,7 @@ def after(seconds: float, action, *arguments) -> threading.Timer:
 
 
 def stop(engaged: bool) -> bool:
-    """Stop or free all robots, and print a line for each; return whether there are some, and all have confirmed."""
+    """Stop or release all robots, and print a line for each; return whether there are some, and all have confirmed."""
     try:
         import rospy  # here: it takes long to import
 
@@ -74,7 +74,7 @@ def stop(engaged: bool) -> bool:
     rospy.init_node("emergency_stop", anonymous=True, disable_rosout=True, disable_signals=True)
     fleet = Fleet(engaged)
     if not fleet.wait(CONFIRM_TIMEOUT):
-        fleet.forget_dead()
+        fleet.remove_dead()
     unconfirmed = fleet.unconfirmed()
     for name, status in sorted(fleet.statuses.items()):
         print(printable(f"{name}: {status or 'no answer'}{' (not confirmed)' if name in unconfirmed else ''}"))

@@ -16,7 +16,7 @@ try:
     from catkin_pkg.package import InvalidPackage
 
     from jetbot.text import printable
-    from jetbot_lessons.master import watch
+    from jetbot_lessons.master import report_loss
     from jetbot_lessons.table import FIRST_OWN, LAST, first_problem
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun jetbot_lessons check_lesson.py N there.")
@@ -61,7 +61,7 @@ def give_up(number: int, problem: str) -> NoReturn:
 
 def main() -> None:
     number, *own = parse_arguments(rospy.myargv()[1:])
-    watch(lambda problem: give_up(number, problem))
+    report_loss(lambda problem: give_up(number, problem))
     try:
         problem = find_problem(number, *own)
     except KeyboardInterrupt:

@@ -9,15 +9,15 @@ from .text import printable
 EXHAUSTED = (numbers.EMFILE, numbers.ENFILE, numbers.ENOMEM)  # not EAGAIN: an I2C bus that lost its arbitration
 
 
-def in_python(option: str) -> str:
-    """Return how a script's Robot is given "fake" for an option."""
+def fake_advice(option: str) -> str:
+    """Return how a script selects "fake" for an option of its Robot."""
     return f'use Robot({option}="fake"), or type first: export JETBOT_{option.upper()}=fake'
 
 
 class JetbotError(Exception):
     """One sentence for the user: what is wrong (``reason``) and what to do about it (``advice``).
 
-    option: of Robot, whose value "fake" needs no robot; "" where that is no way out.
+    option: the option of Robot, i2c_bus or port, whose value "fake" avoids the error; "" if none does.
     """
 
     def __init__(self, reason: str, advice: str = "", option: str = ""):
@@ -25,11 +25,11 @@ class JetbotError(Exception):
         self.reason, self.advice, self.option = printable(reason), printable(advice), option
 
     def __str__(self) -> str:
-        return self.text(in_python)
+        return self.text(fake_advice)
 
-    def text(self, fake: Callable[[str], str]) -> str:
-        """Return the whole text. fake: returns how to give "fake" for an option, where this program was started."""
-        without = f"Without a robot, {fake(self.option)}" if self.option else ""
+    def text(self, advise: Callable[[str], str]) -> str:
+        """Return the whole text. advise: returns how to select "fake" for an option, where this program was started."""
+        without = f"Without a robot, {advise(self.option)}" if self.option else ""
         return " ".join(filter(None, (f"{self.reason[0].upper()}{self.reason[1:]}.", self.advice, without)))
 
 

@@ -20,8 +20,9 @@ def program_name(pid: int) -> str:
     except OSError:
         return ""
     names = [os.path.basename(word) for word in words]
-    script = len(names) > 1 and names[0].startswith("python") and not names[1].startswith("-")
-    return printable(names[1] if script else "".join(names[:1]))
+    if len(names) > 1 and names[0].startswith("python") and not names[1].startswith("-"):
+        return printable(names[1])
+    return printable(names[0]) if names else ""
 
 
 def ros_home() -> Path:

@@ -59,4 +59,7 @@ def holder(name: bytes) -> str:
         except OSError:
             return ""
         pid = CREDENTIALS.unpack(probe.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, CREDENTIALS.size))[0]
-    return f" ({', '.join(filter(None, (program_name(pid), f'process {pid}')))})" if pid else ""  # 0: in a container
+    if not pid:  # in another container
+        return ""
+    program = program_name(pid)
+    return f" ({program}, process {pid})" if program else f" (process {pid})"

@@ -27,8 +27,8 @@ def private_parameters(node: str, on_master: object, known: Collection[str]) -> 
     """
     typed = {}
     for word in sys.argv[1:]:
-        typed.update(parse(word, known))
-    stored = kept(on_master, LAUNCHED)
+        typed.update(parse_word(word, known))
+    stored = from_master(on_master, LAUNCHED)
     unknown = [] if LAUNCHED else sorted(set(stored) - set(known))  # roslaunch would put it there again
     if unknown:
         raise InvalidValue(f"the ROS master holds {unknown[0]} for this node, which is no parameter",
@@ -36,12 +36,12 @@ def private_parameters(node: str, on_master: object, known: Collection[str]) -> 
     return {**stored, **typed}
 
 
-def as_typed(name: str) -> str:
-    """Return how this node is given "fake" for a parameter: a launch argument, or a word after its name."""
-    return f"add: {name}:=fake" if LAUNCHED else f"add: _{name}:=fake"
+def fake_advice(name: str) -> str:
+    """Return how to select "fake" for a parameter of this node: by a launch argument, or a word after its name."""
+    return f"add: {'' if LAUNCHED else '_'}{name}:=fake"
 
 
-def parse(word: str, known: Collection[str]) -> Dict[str, object]:
+def parse_word(word: str, known: Collection[str]) -> Dict[str, object]:
     """Return the parameter in a word such as _board:=sparkfun; nothing for a word of rospy's, such as __ns:=red."""
     name, separator, text = word.partition(":=")
     if is_private(word):
@@ -67,11 +67,11 @@ def is_private(word: str) -> bool:
     return ":=" in word and word.startswith("_") and not word.startswith("__")
 
 
-def kept(on_master: object, launched: bool) -> Dict[str, object]:
+def from_master(on_master: object, launched: bool) -> Dict[str, object]:
     """Return the parameters on the master that are meant for this node. launched: whether roslaunch has started it.
 
     Those of an earlier launch are not: among them is a "" for each argument that was not typed.
     """
-    if not isinstance(on_master, dict) or "" in on_master.values() and not launched:
+    if not isinstance(on_master, dict) or ("" in on_master.values() and not launched):
         return {}
     return on_master

@@ -9,20 +9,23 @@ from xml.parsers import expat
 SOURCE = os.path.abspath(f"{__file__}/../../..")
 MAX_SIZE = 1024 * 1024  # bytes of a launch file
 MAX_FILES = 100
-UNKNOWN = (OSError, ValueError, LookupError, expat.ExpatError)  # of a file that hides its names, or that is broken
+UNREADABLE = (OSError, ValueError, LookupError, expat.ExpatError)  # of a file that hides its names, or that is broken
 
 
 class LaunchFile(NamedTuple):
-    """What a launch file holds: its arguments, names in its substitutions, includes that get all arguments, others."""
+    """What a launch file holds.
+
+    mentioned: the names in its substitutions; full_includes: the files that get all arguments.
+    """
 
     arguments: Set[str]
     mentioned: Set[str]
-    passed_on: List[str]
-    others: List[str]
+    full_includes: List[str]
+    other_includes: List[str]
 
 
-def mistake(words: Sequence[str], typed: Sequence[Tuple[str, str]]) -> Optional[str]:
-    """Return what is wrong with the first mistyped argument, or None; also None where the names cannot be known.
+def argument_problem(words: Sequence[str], typed: Sequence[Tuple[str, str]]) -> Optional[str]:
+    """Return the problem with the first mistyped argument, or None; also None where the names cannot be known.
 
     words: PACKAGE FILE or FILE, as on roslaunch's command line; typed: [(name, value)].
     """
@@ -32,7 +35,7 @@ def mistake(words: Sequence[str], typed: Sequence[Tuple[str, str]]) -> Optional[
     known, mentioned = set(), set()
     try:
         files = launch_files(words)
-        for each in reachable(files):
+        for each in receivers(files):
             known |= each.arguments
             mentioned |= each.mentioned
             if known.issuperset(name for name, _ in typed):
@@ -40,7 +43,7 @@ def mistake(words: Sequence[str], typed: Sequence[Tuple[str, str]]) -> Optional[
         for name, value in typed:
             if name not in known | mentioned and (not name.startswith("_") or name.strip("_") in known):
                 return f"morbot: {_explain(name, value, known, files)}"
-    except UNKNOWN:
+    except UNREADABLE:
         pass
     return None
 
@@ -53,7 +56,7 @@ def closest(name: str, names: Iterable[str]) -> Optional[str]:
 
 def _explain(name, value, known, files):
     for file in files:
-        if any(name in each.arguments for each in reachable(read(file).others)):
+        if any(name in each.arguments for each in receivers(read_launch_file(file).other_includes)):
             return (f"{os.path.basename(file)} does not pass the argument {name} on. "
                     'Add pass_all_args="true" to its <include>.')
     meant = closest(name, known)
@@ -63,7 +66,7 @@ def _explain(name, value, known, files):
 
 def launch_files(words: Sequence[str]) -> List[str]:
     """Return the files that roslaunch reads: of PACKAGE FILE, that file of the package; else the words themselves."""
-    folder = package(words[0]) if len(words) > 1 else ""
+    folder = package_folder(words[0]) if len(words) > 1 else ""
     for place, _, names in os.walk(folder, followlinks=True):
         if words[1] in names:
             return [os.path.join(place, words[1]), *words[2:]]
@@ -71,7 +74,7 @@ def launch_files(words: Sequence[str]) -> List[str]:
 
 
 @lru_cache(maxsize=None)
-def package(name: str) -> str:
+def package_folder(name: str) -> str:
     """Return the folder of a package, "" if there is none."""
     if name == "jetbot_control_node" and os.path.exists(f"{SOURCE}/package.xml"):  # not where it is installed
         return SOURCE
@@ -82,19 +85,19 @@ def package(name: str) -> str:
         return ""
 
 
-def reachable(files: Iterable[str]) -> Iterator[LaunchFile]:
-    """Yield these launch files, and all that get their arguments; raise UNKNOWN."""
+def receivers(files: Iterable[str]) -> Iterator[LaunchFile]:
+    """Yield these launch files, and all that get their arguments; raise UNREADABLE."""
     queue = list(files)
     for file in queue:
-        launch_file = read(file)
+        launch_file = read_launch_file(file)
         yield launch_file
-        queue += [each for each in launch_file.passed_on if each not in queue]
+        queue += [each for each in launch_file.full_includes if each not in queue]
         if len(queue) > MAX_FILES:
             raise ValueError(f"more than {MAX_FILES} launch files")
 
 
-def read(file: str) -> LaunchFile:
-    """Return what a launch file holds; raise UNKNOWN."""
+def read_launch_file(file: str) -> LaunchFile:
+    """Return what a launch file holds; raise UNREADABLE."""
     if not os.path.isfile(file) or os.path.getsize(file) > MAX_SIZE:
         raise ValueError(f"{file} is no launch file")
     with open(file, "rb") as stream:
@@ -108,8 +111,8 @@ def read(file: str) -> LaunchFile:
         if tag == "arg" and "include" not in inside:
             found.arguments.add(attributes["name"])
         elif tag == "include":
-            passes = resolve(attributes.get("pass_all_args", ""), file).lower() == "true"
-            (found.passed_on if passes else found.others).append(resolve(attributes["file"], file))
+            passes = substitute(attributes.get("pass_all_args", ""), file).lower() == "true"
+            (found.full_includes if passes else found.other_includes).append(substitute(attributes["file"], file))
 
     parser = expat.ParserCreate()
     parser.StartElementHandler, parser.EndElementHandler = start, lambda tag: inside.pop()
@@ -117,14 +120,14 @@ def read(file: str) -> LaunchFile:
     return found
 
 
-def resolve(text: str, file: str) -> str:
-    """Return a text of a launch file with $(find ...), $(dirname) and $(env ...) replaced; raise UNKNOWN."""
+def substitute(text: str, file: str) -> str:
+    """Return a text of a launch file with $(find ...), $(dirname) and $(env ...) replaced; raise UNREADABLE."""
     def value(match):
         command, *rest = match[1].split()
         if command == "dirname":
             return os.path.dirname(os.path.abspath(file))
-        if command == "find" and package(rest[0]):
-            return package(rest[0])
+        if command == "find" and package_folder(rest[0]):
+            return package_folder(rest[0])
         if command in ("env", "optenv"):
             return os.environ[rest[0]]
         raise ValueError(f"{match[0]} is not known before the launch")

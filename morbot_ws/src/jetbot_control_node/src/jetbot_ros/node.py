@@ -17,7 +17,7 @@ from jetbot.boards import find_board
 from jetbot.lock import lock_board
 
 from . import watch
-from .command_line import as_typed, private_parameters, public_words
+from .command_line import fake_advice, private_parameters, public_words
 from .master import require_master, require_name
 from .network import bound_headers, stay_on_this_host
 from .parameters import PARAMETERS, resolve
@@ -77,14 +77,14 @@ def run(supervisor: Supervisor, report: Report) -> int:
     watch.start(supervisor, watch.MasterWatch(is_registered, register))
     failures, ended, unregistered = [], threading.Event(), threading.Event()
     threading.Thread(target=give_up, args=[ended], daemon=True).start()  # now: at the end, no thread may be left
-    rospy.core.add_shutdown_hook(lambda _: unregistered.set())  # the last of the hooks
+    rospy.core.add_shutdown_hook(lambda _: unregistered.set())  # rospy calls it last
     threading.Thread(target=supervise, args=[supervisor, report, failures, ended], daemon=True).start()
     try:
         report.spin(supervisor)
     finally:
         supervisor.end()
-        ended.wait()
-        unregistered.wait()
+        ended.wait()         # the robot is stopped;
+        unregistered.wait()  # after that, give_up limits the time
     for failure in failures:
         raise failure
     return 0 if supervisor.closed else 1
@@ -121,7 +121,7 @@ def main(start: Callable[[], int]) -> None:
     try:
         leave(start())
     except JetbotError as error:
-        rospy.logfatal(error.text(as_typed))
+        rospy.logfatal(error.text(fake_advice))
         sys.exit(1)
     except OSError as error:
         require_master()  # it may have ended meanwhile

@@ -7,7 +7,7 @@ from typing import Collection, Dict, NamedTuple, Union
 from jetbot import InvalidValue, fake, files
 from jetbot.boards import BOARDS, DEFAULT_PORT, find_board
 from jetbot.host import ros_home
-from jetbot.kinds import BOOLEAN, FRACTION, NUMBER, POSITIVE, SECONDS, Kind, is_number  # noqa: F401  for other nodes
+from jetbot.kinds import BOOLEAN, FRACTION, NUMBER, POSITIVE, SECONDS, Kind, is_number  # noqa: F401  for nodes
 
 MAX_BUS = 2**20 - 1  # Linux's minor numbers have 20 bits
 
@@ -77,7 +77,7 @@ def resolve(typed: Dict[str, object]) -> Dict[str, object]:
         values.setdefault("board", "jetbot_pro")  # the only board on a port
     values = checked({**values, **typed})
     place = place_of(values["board"])
-    if simulated and place not in typed and not is_fake(values):  # or else a real robot would drive
+    if simulated and place not in typed and not is_fake(values):  # else the real robot would drive
         raise InvalidValue(f"the {simulated[0]} is fake, but the board {values['board']} is on the {place} "
                            f"{values[place]}", option=place)
     return {**values, "config": file}
@@ -113,7 +113,7 @@ def place_of(board: str) -> str:
 
 
 def is_fake(values: Dict[str, object]) -> bool:
-    """Return whether these parameters, which name the board, have it on a fake bus or port."""
+    """Return whether the board in these parameters is on a fake bus or port."""
     return is_fake_place(values.get(place_of(values["board"])))
 
 

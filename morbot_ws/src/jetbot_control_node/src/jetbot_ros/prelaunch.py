@@ -13,35 +13,35 @@ import os
 import sys
 
 from .addresses import is_reachable, master_uri
-from .launch_arguments import mistake
-from .roslaunch_command import of_parent, parse, refuse
+from .launch_arguments import argument_problem
+from .roslaunch_command import end_roslaunch, parent_words, parse
 
 READING_TIMEOUT = 5.0  # s for the launch files; then nothing is refused
 
 
 def main(namespace: str = "") -> None:
     """Print one sentence and end roslaunch, if it must not go on. namespace: of the node ``jetbot_controller``."""
-    words = of_parent()
+    words = parent_words()
     if not words:
         return
     command = parse(words)
-    problem = mistake_in_time(command.files, command.typed)
+    problem = argument_problem_in_time(command.files, command.typed)
     if problem:
-        refuse(problem)
+        end_roslaunch(problem)
     if command.port:
         os.environ["ROS_MASTER_URI"] = f"http://localhost:{command.port}"
     if is_reachable(master_uri()):  # without a master, no node runs
         check_not_running(namespace)
 
 
-def mistake_in_time(files, typed):
-    """Return what ``mistake`` does, or None if that takes too long."""
+def argument_problem_in_time(files, typed):
+    """Return what ``argument_problem`` does, or None if that takes too long."""
     def give_up(*_):
-        raise TimeoutError  # an OSError: mistake() then returns None
+        raise TimeoutError  # an OSError: argument_problem() then returns None
     signal.signal(signal.SIGALRM, give_up)
     signal.setitimer(signal.ITIMER_REAL, READING_TIMEOUT)
     try:
-        return mistake(files, typed)
+        return argument_problem(files, typed)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
 
@@ -54,7 +54,7 @@ def check_not_running(namespace: str) -> None:
         require_master()
         require_name("/" + "/".join(filter(None, (part.strip("/") for part in parts))))
     except SystemExit as refusal:
-        refuse(refusal)
+        end_roslaunch(refusal)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ from std_msgs.msg import String
 from jetbot.boards import MotorDriver
 
 from .safety import State
-from .summary import simulated, start_line, summary
+from .summary import start_line, status_suffix, summary
 from .supervisor import Supervisor
 
 DIAGNOSTICS_INTERVAL = 1.0  # s
@@ -26,7 +26,7 @@ class Report:
 
     def __init__(self, parameters: Dict[str, object], driver: MotorDriver):
         self._summary = summary(parameters, driver)
-        self._link, self._suffix = driver.link, simulated(driver)
+        self._link, self._suffix = driver.link, status_suffix(driver)
         self._status_publisher = rospy.Publisher("~status", String, latch=True, queue_size=1)
         self._status_changes = queue.Queue(maxsize=10)
         name = rospy.get_namespace().strip("/")

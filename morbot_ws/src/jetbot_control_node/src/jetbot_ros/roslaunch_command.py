@@ -1,4 +1,4 @@
-"""What roslaunch was told: its command line. Quick to import, because each start of a robot does."""
+"""The command line of roslaunch. Quick to import, because each start of a robot imports it."""
 
 import argparse
 import os
@@ -35,7 +35,7 @@ def parse(words: List[str]) -> Command:
                    [tuple(word.split(":=", 1)) for word in rest if ":=" in word], options.port)
 
 
-def of_parent() -> List[str]:
+def parent_words() -> List[str]:
     """Return the words after ``roslaunch`` of the parent process; nothing if it starts no node, or /proc hides it."""
     try:
         with open(f"/proc/{PARENT}/cmdline", errors="surrogateescape") as cmdline:
@@ -46,7 +46,7 @@ def of_parent() -> List[str]:
     return [] if program is None or LISTING.intersection(words) else words[program + 1:]
 
 
-def refuse(sentence: object) -> NoReturn:
+def end_roslaunch(sentence: object) -> NoReturn:
     """Print the sentence and end this process and its parent, a roslaunch that has not started anything yet.
 
     Without the signal, roslaunch would print a page of XML.

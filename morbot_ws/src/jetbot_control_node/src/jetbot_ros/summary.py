@@ -34,7 +34,7 @@ def start_line(texts: Dict[str, str]) -> str:
     return "board {board} on {bus}; {units}; {settings}".format(**texts)
 
 
-def simulated(driver: MotorDriver) -> str:
+def status_suffix(driver: MotorDriver) -> str:
     """Return the end of each status on fake hardware, "" on a real robot."""
     if not fake.folder_of(driver.link.name):
         return ""

@@ -31,6 +31,6 @@ def doctor() -> str:
     return f"{shlex.quote(MORBOT)} doctor" if MORBOT else "rosrun jetbot_control_node doctor.py"
 
 
-def fake_option(name: str) -> str:
-    """Return how a tool is given "fake" for a parameter."""
+def fake_advice(name: str) -> str:
+    """Return how to select "fake" for a parameter of doctor.py or calibrate.py."""
     return f"add: {name}:=fake"

@@ -35,16 +35,16 @@ def check_master(start: str = "roscore") -> Problem:
     return f"No ROS master at {uri}: start one in another terminal with {start}"
 
 
-def watch(report: Callable[[str], None]) -> None:
-    """In a thread, report the problem if a master that has answered stops doing so: rospy would wait forever."""
-    Thread(target=lambda: _wait_for_problem(report), daemon=True).start()
+def report_loss(callback: Callable[[str], None]) -> None:
+    """In a thread, call back with the problem if a master no longer answers, for which rospy would wait forever."""
+    Thread(target=lambda: _wait_for_problem(callback), daemon=True).start()
 
 
-def _wait_for_problem(report):
+def _wait_for_problem(callback):
     if not is_online():
         return
     problem = None
     while not problem:
         time.sleep(ASK_INTERVAL)
-        problem = None if is_online() else check_master()  # ask twice: it may have been busy
-    report(problem)
+        problem = None if is_online() else check_master()  # a second question: it may have been busy
+    callback(problem)

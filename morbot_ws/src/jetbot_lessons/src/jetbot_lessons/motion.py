@@ -67,7 +67,7 @@ def check_key(node: str) -> Problem:
 def check_wheels_obey() -> Problem:
     """Return the problem, or None if the wheels turn at a command and stop at the next; ask a real robot's user."""
     init_node()
-    motors = report()
+    motors = motor_diagnostics()
     wheels = fake_wheels(motors)
     publisher = rospy.Publisher(TOPIC, Twist, queue_size=1)
     try:
@@ -114,14 +114,14 @@ def _drive(publisher, x, z, condition, timeout=RESPONSE_TIMEOUT) -> bool:
 def check_wheels_turn() -> Problem:
     """Return the problem, or None if the robot drives at another node's commands."""
     init_node()
-    motors = report()
+    motors = motor_diagnostics()
     wheels = fake_wheels(motors)
     if wait_until(lambda: status().startswith("driving") and not (wheels and wheels() == STOPPED), RESPONSE_TIMEOUT):
         return None
     return f"The wheels do not turn{_reason(motors)}"
 
 
-def report() -> Dict[str, str]:
+def motor_diagnostics() -> Dict[str, str]:
     """Return what the controller reports about its motors on /diagnostics; raise ROSException if it names no bus."""
     motors = {}
     subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, lambda array: motors.update(
@@ -135,7 +135,7 @@ def report() -> Dict[str, str]:
 
 
 def fake_wheels(motors: Dict[str, str]) -> Optional[Wheels]:
-    """Return the fake robot's wheels; None for a real robot. motors: as ``report`` returns it."""
+    """Return the fake robot's wheels; None for a real robot. motors: as ``motor_diagnostics`` returns it."""
     folder = fake.folder_of(motors["bus"])
     return partial(wheel_speeds, folder, motors["board"]) if folder else None
 

@@ -27,11 +27,11 @@ def _search_path() -> List[Path]:
     return [Path(entry) for entry in os.environ.get("ROS_PACKAGE_PATH", "").split(":")]
 
 
-def manifests(root: Path, ignored: bool = False) -> Iterator[Path]:
-    """Yield each package.xml below a folder, in the order of their paths; ignored: those that catkin ignores, too."""
+def manifests(root: Path) -> Iterator[Path]:
+    """Yield each package.xml below a folder that catkin does not ignore, in the order of their paths."""
     seen = set()
     for folder, folders, names in os.walk(root, followlinks=True):
-        if IGNORE_MARKERS.intersection(names + folders) and not ignored:
+        if IGNORE_MARKERS.intersection(names + folders):
             folders.clear()
         elif MANIFEST in names:
             folders.clear()
@@ -49,7 +49,7 @@ def ignore_marker(place: Path) -> Optional[Path]:
 
 
 def find(name: str) -> List[Path]:
-    """Return the folders of the workspace's packages of this name; if there is none, of all others."""
+    """Return the folders of the packages of this name: in the workspace, or else on the search path."""
     for root in (workspace(), *_search_path()):
         found = [file.parent for file in manifests(root) if name_in(file) == name]
         if found:

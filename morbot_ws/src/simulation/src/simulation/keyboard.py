@@ -7,8 +7,8 @@ import os
 import shutil
 from typing import Optional
 
-from jetbot_ros.launch_arguments import package
-from jetbot_ros.roslaunch_command import of_parent, refuse
+from jetbot_ros.launch_arguments import package_folder
+from jetbot_ros.roslaunch_command import end_roslaunch, parent_words
 
 TELEOP = "teleop_twist_keyboard"
 CLONE = f"git clone https://github.com/ros-teleop/{TELEOP}.git morbot_ws/src/{TELEOP} && ./morbot setup"
@@ -18,7 +18,7 @@ RUN = f"rosrun {TELEOP} {TELEOP}.py _key_timeout:=0.7"
 
 def missing() -> Optional[str]:
     """Return what the keyboard's window lacks and how to get it, or None."""
-    if not package(TELEOP):
+    if not package_folder(TELEOP):
         return f"the package {TELEOP}: {APT if os.environ.get('ROS_DISTRO') == 'noetic' else CLONE}"
     if not shutil.which("xterm"):
         return "xterm: sudo apt install xterm"
@@ -27,5 +27,5 @@ def missing() -> Optional[str]:
 
 if __name__ == "__main__":
     lack = missing()
-    if lack and of_parent():
-        refuse(f"morbot: teleop:=true needs {lack}")
+    if lack and parent_words():
+        end_roslaunch(f"morbot: teleop:=true needs {lack}")

@@ -16,7 +16,7 @@ from jetbot.wait import wait_until
 
 from .diff_drive import Pose
 
-SILENCE = 3.0  # s without odometry that are reported
+ODOMETRY_TIMEOUT = 3.0  # s without odometry, then that is reported
 MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 
 
@@ -50,8 +50,8 @@ def check_bag(file: str) -> None:
             raise rosbag.ROSBagException(f"{file} is not a rosbag")
 
 
-def record(odom: str, cmd_vel: str, seconds: float, silent: Callable[[], None]) -> Recording:
-    """Return what these topics carry for some seconds, or until Ctrl-C. silent: called if no odometry arrives at first.
+def record(odom: str, cmd_vel: str, seconds: float, report_missing: Callable[[], None]) -> Recording:
+    """Return what these topics carry for some seconds, or until Ctrl-C. report_missing: called if no odometry arrives.
 
     Makes this process a node; a master must be running.
     """
@@ -61,8 +61,8 @@ def record(odom: str, cmd_vel: str, seconds: float, silent: Callable[[], None]) 
         for topic, kind in (odom, Odometry), (cmd_vel, Twist):
             rospy.Subscriber(topic, kind, lambda message: messages.append((rospy.get_time(), message)))
         if not wait_until(lambda: any(message._type == Odometry._type for _, message in messages),
-                          min(seconds, SILENCE)):
-            silent()
+                          min(seconds, ODOMETRY_TIMEOUT)):
+            report_missing()
         wait_until(rospy.is_shutdown, deadline - monotonic())
     Thread(target=rospy.signal_shutdown, args=["the recording ends"], daemon=True).start()  # the master may be frozen
     return make_recording(list(messages))

@@ -98,10 +98,11 @@ class FakeBus:
 def is_new(folder: Path) -> bool:
     """Return whether nothing was ever plugged in there: it does not exist, or holds only the buses of namespaces."""
     try:
-        kinds = {entry.is_dir() for entry in os.scandir(folder)}
+        with os.scandir(folder) as entries:
+            are_folders = [entry.is_dir() for entry in entries]
     except FileNotFoundError:
         return True
-    return kinds == {True}
+    return bool(are_folders) and all(are_folders)
 
 
 def seconds_per_bit(clock: Path) -> float:
