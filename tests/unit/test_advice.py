@@ -2,6 +2,7 @@
 
 import pytest
 
+from jetbot import fake
 from jetbot_tools import commands
 
 LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
@@ -21,5 +22,10 @@ def test_only_what_must_be_typed(monkeypatch, typed, words):
     ("./morbot", f"./morbot shell {LAUNCH}", "./morbot doctor"),
     ("/my robot/morbot", f"'/my robot/morbot' shell {LAUNCH}", "'/my robot/morbot' doctor")])
 def test_after_morbot_without_a_shell_that_knows_ros(monkeypatch, morbot, launch, doctor):
-    monkeypatch.setattr(commands, "MORBOT", morbot)
+    monkeypatch.setenv("MORBOT", morbot)
     assert (commands.launch(), commands.doctor()) == (launch, doctor)
+
+
+def test_a_board_is_plugged_in_where_morbot_was_typed(monkeypatch):
+    monkeypatch.setenv("MORBOT", "./morbot")
+    assert fake.power_on_command("/my bus") == "./morbot shell python3 -m jetbot.fake '/my bus'"

@@ -3,6 +3,7 @@
 import grp
 import ipaddress
 import os
+import shlex
 import socket
 from pathlib import Path
 from typing import List, Optional, Union
@@ -23,6 +24,12 @@ def program_name(pid: int) -> str:
     if len(names) > 1 and names[0].startswith("python") and not names[1].startswith("-"):
         return printable(names[1])
     return printable(names[0]) if names else ""
+
+
+def in_shell(command: str) -> str:
+    """Return a command that needs ROS and this workspace, as it works where this program was started."""
+    morbot = os.environ.get("MORBOT")  # the name by which ./morbot was started, where it has started this program
+    return f"{shlex.quote(morbot)} shell {command}" if morbot else command
 
 
 def ros_home() -> Path:

@@ -3,7 +3,6 @@
 import errno
 import math
 import re
-import shlex
 import time
 from typing import Any, List, Sequence, Union
 
@@ -138,4 +137,4 @@ def explain_fake(error: OSError, bus: str, address: int) -> BusError:
         return PermissionDenied(f"the fake bus {bus} cannot be used: {error.strerror}",
                                 "Name another folder: fake:FOLDER", error.errno)
     return NoAnswer(f"no answer from 0x{address:02x} on {bus}",
-                    f"To plug it in: python3 -m jetbot.fake {shlex.quote(fake.folder_of(bus))}", error.errno)
+                    f"To plug it in: {fake.power_on_command(fake.folder_of(bus))}", error.errno)

@@ -1,7 +1,6 @@
 """The edge to a serial port: which port a name means, and one sentence for each failure."""
 
 import errno
-import shlex
 import termios
 import threading
 from pathlib import Path
@@ -101,5 +100,5 @@ def explain(error: Exception, name: str) -> JetbotError:
         errno.EACCES: (PermissionDenied, f"no permission to open {name}", permission_advice(name, "dialout")),
     }.get(number, (NoAnswer, f"no answer from {name}", plugged))
     if fake.folder_of(name):
-        return kind(reason, f"To plug it in: python3 -m jetbot.fake {shlex.quote(fake.folder_of(name))}", number)
+        return kind(reason, f"To plug it in: {fake.power_on_command(fake.folder_of(name))}", number)
     return kind(reason, advice, number, option="port" if kind in (NotFound, NoAnswer) else "")

@@ -4,14 +4,8 @@ import os
 import shlex
 
 from jetbot import fake
+from jetbot.host import in_shell
 from jetbot_ros.parameters import PARAMETERS
-
-MORBOT = os.environ.get("MORBOT", "")  # the name by which ./morbot was started, where it has started this program
-
-
-def in_shell(command: str) -> str:
-    """Return a command that needs ROS and this workspace."""
-    return f"{shlex.quote(MORBOT)} shell {command}" if MORBOT else command
 
 
 def launch(**typed: object) -> str:
@@ -28,7 +22,8 @@ def short(value: object) -> object:
 
 def doctor() -> str:
     """Return the command that starts doctor.py."""
-    return f"{shlex.quote(MORBOT)} doctor" if MORBOT else "rosrun jetbot_control_node doctor.py"
+    morbot = os.environ.get("MORBOT")
+    return f"{shlex.quote(morbot)} doctor" if morbot else "rosrun jetbot_control_node doctor.py"
 
 
 def fake_advice(name: str) -> str:

@@ -3,10 +3,11 @@
 The folder is the bus or the port, a file in it a chip or a board. Every process that opens the folder uses the same.
 """
 
+import shlex
 from pathlib import Path
 from typing import Optional, Union
 
-from ..host import ros_home
+from ..host import in_shell, ros_home
 
 Folder = Union[str, Path]
 
@@ -25,6 +26,11 @@ def expand(name: str, namespace: str = "/") -> str:
 def folder_of(name: str) -> Optional[str]:
     """Return FOLDER if the name is ``fake:FOLDER``, else None."""
     return name[len("fake:"):] or None if name.startswith("fake:") else None
+
+
+def power_on_command(folder: Folder) -> str:
+    """Return the command that plugs every simulated board in there."""
+    return in_shell(f"python3 -m jetbot.fake {shlex.quote(str(folder))}")
 
 
 def chip_file(folder: Folder, address: Optional[int]) -> Path:

@@ -2,12 +2,12 @@
 
 import errno
 import os
-import shlex
 import stat
 from pathlib import Path
 from typing import Optional, Tuple, Union
 
 from ..errors import BusError
+from . import power_on_command
 
 MAX_SIZE = 32  # bytes read of a file that holds a number
 
@@ -50,5 +50,5 @@ def check_chip(descriptor: int, file: Union[str, Path], size: int) -> os.stat_re
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(file))
     if not stat.S_ISREG(status.st_mode) or status.st_size != size:
         raise BusError(f"{file} is not a chip, which is a file of {size} bytes",
-                       f"Make a new one: python3 -m jetbot.fake {shlex.quote(str(Path(file).parent))}", errno.EINVAL)
+                       f"Make a new one: {power_on_command(Path(file).parent)}", errno.EINVAL)
     return status
