@@ -49,7 +49,8 @@ class SimulationLaunch(RobotTest):
                           if message.transforms[0].child_frame_id == "base_footprint"}, {"/jetbot_controller"})
         self.command(0)
         self.wait_for(lambda: self.odometry[-1].twist.twist.linear.x == 0, START_TIMEOUT, "the end of the motion")
-        self.assertAlmostEqual(paths[-1].poses[-1].pose.position.x, position(frames).x, delta=0.2)
+        self.wait_for(lambda: abs(paths[-1].poses[-1].pose.position.x - position(frames).x) < 0.2, START_TIMEOUT,
+                      "the path to end where the robot is")
 
 
 def position(frames):
