@@ -74,6 +74,7 @@ def test_a_listening_guard_that_was_frozen_and_replaced_stops_nothing(folder, li
     first = listener()
     with Robot(i2c_bus=f"fake:{folder}") as robot:
         robot.forward()
+        assert wait_until(lambda: len(children(first.pid)) == 1, TIMEOUT)  # the one of ``listen``'s question has ended
         frozen, = children(first.pid)
         os.kill(frozen, signal.SIGSTOP)
         assert wait_until(lambda: keep_alive(robot, folder) == (0, 0), STOP_TIMEOUT)
