@@ -19,7 +19,7 @@ from std_msgs.msg import Bool, String
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
 
-START_TIMEOUT = 15.0     # s, until a process works; generous, for slow machines
+START_TIMEOUT = 60  # s for processes to start and to end; thirty controllers of another test may start meanwhile
 SHUTDOWN_TIMEOUT = 45.0  # s, until a process has ended: roslaunch ends its nodes one after the other
 
 
