@@ -14,16 +14,14 @@ import time
 from pathlib import Path
 from typing import Collection, Iterable, List, NamedTuple, Optional, Tuple
 
-from stand_ins import keep
-
 from build_log import failures, summary
 from jetbot_tools.manifest import Package
-from jetbot_tools.packages import find_packages
+from jetbot_tools.packages import find_packages, ignore_marker
+from stand_ins import keep
 from state import STAMP, Stamp, read_stamp, search_path, write_search_path, write_stamp
 
 MORBOT_PACKAGES = ("jetbot_control_node", "jetbot_lessons", "jetbot_tests", "simulation", "workshop")
 MAX_ATTEMPTS = 10  # a repository of a hundred packages that lack one library must not take an hour
-CATKIN_ONLY = ("AMENT_IGNORE", "COLCON_IGNORE")  # files that make catkin ignore a folder, but not ROS
 READ_BY_CATKIN = "( -type d -o -name package.xml -o -name CMakeLists.txt -o -name setup.py )".split()
 
 
@@ -118,15 +116,9 @@ def build(spaces: Spaces, source: Path, packages: Collection[Package], last: Sta
             left_out.update(never_built(packages, left_out, last))
     done = [package for package in packages if package.name not in left_out]
     unknown = [package for package in done
-               if not is_ignored(package.folder, spaces.source) and not is_known(spaces.devel, package)]
+               if not ignore_marker(package.folder, spaces.source) and not is_known(spaces.devel, package)]
     problems = [*dict.fromkeys(left_out.values()), *map(without_catkin_package, unknown)]
     return [package.folder for package in done if package not in unknown], problems
-
-
-def is_ignored(folder: Path, source: Path) -> bool:
-    """Return whether catkin ignores a package in which ROS searches."""
-    places = [place for place in (folder, *folder.parents) if source in (place, *place.parents)]
-    return any((place / marker).exists() for place in places for marker in CATKIN_ONLY)
 
 
 def discard_interrupted(spaces: Spaces, source: Path, last: Stamp) -> None:

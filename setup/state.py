@@ -4,9 +4,8 @@ import os
 from pathlib import Path
 from typing import Collection, Iterable, List, NamedTuple
 
-from stand_ins import stand_ins
-
 from jetbot_tools.manifest import Package
+from stand_ins import stand_ins
 
 STAMP = "morbot.stamp"
 

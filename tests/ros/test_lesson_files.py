@@ -64,9 +64,9 @@ def test_package_outside_the_workspace(mine, tmp_path, monkeypatch):
     assert exists("mine") is None
 
 
-@pytest.mark.parametrize("place", ["mine", "."])
-def test_package_that_catkin_ignores(mine, place):
-    marker = mine.parent / place / "CATKIN_IGNORE"
+@pytest.mark.parametrize("place, name", [("mine", "CATKIN_IGNORE"), (".", "CATKIN_IGNORE"), ("mine", "COLCON_IGNORE")])
+def test_package_that_catkin_ignores(mine, place, name):
+    marker = mine.parent / place / name
     marker.touch()
     assert exists("mine") == f"ROS and catkin ignore {mine}: rm {marker}, then ./morbot setup"
 

@@ -5,9 +5,11 @@ A package.xml that cannot be read ends every ROS command that searches its folde
 
 import os
 from pathlib import Path
-from typing import Collection, Dict, List, Tuple
+from typing import Collection, Dict, List, Optional, Tuple
 
 from .manifest import MANIFEST, Package, Problem, read_package
+
+IGNORE_MARKERS = ("CATKIN_IGNORE", "AMENT_IGNORE", "COLCON_IGNORE")  # as catkin_pkg has them; ROS knows the first
 
 
 def find_packages(source: Path, known: Collection[Path] = ()) -> Tuple[List[Package], List[str]]:
@@ -35,7 +37,7 @@ def find_folders(source: Path) -> Tuple[List[Path], List[str]]:
     folders, problems, seen = [], [], set()
     for place, subfolders, files in os.walk(source, followlinks=True):
         seen.add(os.path.realpath(place))
-        if "CATKIN_IGNORE" in files:
+        if IGNORE_MARKERS[0] in files:
             subfolders.clear()
         elif (MANIFEST in files or MANIFEST in subfolders) and not _holds_packages(place, subfolders):
             folders.append(Path(place))
@@ -48,6 +50,12 @@ def find_folders(source: Path) -> Tuple[List[Path], List[str]]:
         subfolders[:] = sorted(name for name in subfolders
                                if name[0] != "." and os.path.join(place, name) not in again)
     return folders, problems
+
+
+def ignore_marker(folder: Path, source: Path) -> Optional[Path]:
+    """Return the file that makes catkin ignore this folder of the source folder, or None."""
+    places = [place for place in (folder, *folder.parents) if source in (place, *place.parents)]
+    return next((place / name for place in places for name in IGNORE_MARKERS if (place / name).exists()), None)
 
 
 def _holds_packages(place, subfolders):

@@ -10,6 +10,7 @@ from pathlib import Path
 from shlex import quote
 
 from jetbot.files import read
+from jetbot_tools.packages import ignore_marker
 
 from . import Problem
 from .packages import (
@@ -18,7 +19,6 @@ from .packages import (
     check_workspace,
     find,
     folder,
-    ignore_marker,
     manifests,
     name_in,
     parse,
@@ -74,7 +74,8 @@ def _not_found(package: str, source: str) -> str:
 
 def _not_searched(place: Path, name: str) -> str:
     """Return why the package in this folder is not found under this name."""
-    root, marker = workspace(), ignore_marker(place)
+    root = workspace()
+    marker = ignore_marker(place, root)
     if marker:
         return f"ROS and catkin ignore {place}: rm {quote(str(marker))}, then ./morbot setup"
     if root in place.parents and not any((parent / MANIFEST).exists() for parent in place.parents):

@@ -9,12 +9,11 @@ from catkin_pkg.package import InvalidPackage, Package, parse_package
 
 from jetbot.files import read
 from jetbot_tools.manifest import MANIFEST
-from jetbot_tools.packages import find_folders, find_packages
+from jetbot_tools.packages import find_folders, find_packages, ignore_marker
 
 from . import Problem
 
 XML_ERRORS = (ET.ParseError, AttributeError, ValueError, LookupError, AssertionError, OSError)  # of any XML parser
-IGNORE_MARKERS = {"CATKIN_IGNORE", "AMENT_IGNORE", "COLCON_IGNORE"}  # as catkin_pkg.packages has them
 
 
 def workspace() -> Path:
@@ -29,13 +28,7 @@ def _search_path() -> List[Path]:
 
 def manifests(root: Path) -> List[Path]:
     """Return each package.xml below a folder that ROS and catkin do not ignore, in the order of their paths."""
-    return [place / MANIFEST for place in find_folders(root)[0]]
-
-
-def ignore_marker(place: Path) -> Optional[Path]:
-    """Return the file that makes catkin and ROS ignore this folder of the workspace, or None."""
-    folders = [parent for parent in (place, *place.parents) if workspace() in (parent, *parent.parents)]
-    return next((each / name for each in folders for name in IGNORE_MARKERS if (each / name).exists()), None)
+    return [place / MANIFEST for place in find_folders(root)[0] if not ignore_marker(place, root)]
 
 
 def find(name: str) -> List[Path]:
