@@ -15,13 +15,14 @@ try:
     import rospy
     from catkin_pkg.package import InvalidPackage
 
+    from jetbot.host import by_morbot
     from jetbot.text import printable
     from jetbot_lessons.master import report_loss
     from jetbot_lessons.table import FIRST_OWN, LAST, first_problem
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun jetbot_lessons check_lesson.py N there.")
 
-COMMAND = f"{os.environ['MORBOT']} check" if "MORBOT" in os.environ else "rosrun jetbot_lessons check_lesson.py"
+COMMAND = by_morbot("check", "rosrun jetbot_lessons check_lesson.py")
 USAGE = (f"Which lesson, 1 to {LAST}? Type: {COMMAND} N, "
          f"and from lesson {FIRST_OWN} on the name of your package")
 CANCELLED = 128 + signal.SIGINT  # exit code, as shells have it

@@ -26,10 +26,15 @@ def program_name(pid: int) -> str:
     return printable(names[0]) if names else ""
 
 
+def by_morbot(arguments: str, otherwise: str) -> str:
+    """Return the command ./morbot with these arguments where ./morbot has started this program, else the other one."""
+    morbot = os.environ.get("MORBOT")  # the name by which it was started
+    return f"{shlex.quote(morbot)} {arguments}" if morbot else otherwise
+
+
 def in_shell(command: str) -> str:
     """Return a command that needs ROS and this workspace, as it works where this program was started."""
-    morbot = os.environ.get("MORBOT")  # the name by which ./morbot was started, where it has started this program
-    return f"{shlex.quote(morbot)} shell {command}" if morbot else command
+    return by_morbot(f"shell {command}", command)
 
 
 def ros_home() -> Path:

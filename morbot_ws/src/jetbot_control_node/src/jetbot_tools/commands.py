@@ -1,10 +1,9 @@
 """Commands to type next, as they work where the program was started: in a shell that knows ROS, or after ./morbot."""
 
-import os
 import shlex
 
 from jetbot import fake
-from jetbot.host import in_shell
+from jetbot.host import by_morbot, in_shell
 from jetbot_ros.parameters import PARAMETERS
 
 
@@ -22,8 +21,7 @@ def short(value: object) -> object:
 
 def doctor() -> str:
     """Return the command that starts doctor.py."""
-    morbot = os.environ.get("MORBOT")
-    return f"{shlex.quote(morbot)} doctor" if morbot else "rosrun jetbot_control_node doctor.py"
+    return by_morbot("doctor", "rosrun jetbot_control_node doctor.py")
 
 
 def fake_advice(name: str) -> str:
