@@ -16,6 +16,8 @@ LAUNCH = ET.parse(SOURCE / "launch/jetbot_controller.launch").getroot()
 
 def shown(value):
     """Return a default as YAML and roslaunch write it."""
+    if value is None:
+        return "the board's own"
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
@@ -23,7 +25,8 @@ def test_defaults():
     assert checked({}) == {
         "board": "jetbot", "i2c_bus": 1, "cmd_vel_timeout": 1.0, "wheel_separation": 2.0, "max_speed": 1.0,
         "left_motor_alpha": 1.0, "right_motor_alpha": 1.0, "swap_motors": False, "invert_left": False,
-        "invert_right": False, "min_duty": 0.0, "port": "/dev/ttyACM0", "publish_tf": False}
+        "invert_right": False, "min_duty": 0.0, "port": "/dev/ttyACM0", "i2c_address": None, "max_duty": 1.0,
+        "acceleration_limit": 0.0, "pwm_frequency": 1526, "publish_odom": False, "publish_tf": False}
 
 
 def test_a_given_value_counts_and_an_empty_one_is_not_given():
@@ -48,6 +51,12 @@ def test_a_mistyped_name():
     ("left_motor_alpha", True, "a number"),
     ("swap_motors", 1, "true or false"),
     ("min_duty", 1, "a number of at least 0 and below 1"),
+    ("max_duty", 0, "a number above 0, 1 at most"),
+    ("acceleration_limit", -1, "a number, 0 or more"),
+    ("pwm_frequency", 20, "a number from 24 to 1526"),
+    ("i2c_address", 0x78, "an address from 0x03 to 0x77"),
+    ("i2c_address", "0x2", "an address from 0x03 to 0x77"),
+    ("i2c_address", True, "an address from 0x03 to 0x77"),
 ])
 def test_bad_values(name, value, must):
     with pytest.raises(InvalidValue) as error:

@@ -49,6 +49,10 @@ class Motor:
             return 0.0
         return math.copysign(min_duty + (1 - min_duty) * abs(speed), -speed if self._inverted else speed)
 
+    def forward(self, output: float) -> float:
+        """Return an ``output`` as the wheel turns: positive forward."""
+        return -output if self._inverted else output
+
 
 def turn_cut_off(left: Motor, right: Motor, driver: MotorDriver) -> bool:
     """Return whether both wheels are at full power, the same way, although they were commanded different speeds.

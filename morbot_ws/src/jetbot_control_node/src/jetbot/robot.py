@@ -2,7 +2,7 @@
 
 import os
 import threading
-from typing import Optional, Union
+from typing import Optional, Tuple, Union
 
 from . import open_robots
 from .boards import DEFAULT_PORT, find_board
@@ -43,6 +43,7 @@ class Robot:
         self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty)
         self._outputs = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)
         self._speeds = dict.fromkeys(self._outputs, 0.0)
+        self._given = dict.fromkeys(self._outputs, 0.0)  # what the driver was given last; 0 while that is not known
         self._lock = threading.RLock()  # a signal handler may come in between, in the same thread
         self._closed = False
         place = find_board(board).place(i2c_bus, port)
@@ -123,6 +124,14 @@ class Robot:
             return self._guard.is_up()
 
     @property
+    def duties(self) -> Tuple[float, float]:
+        """What the wheels (left, right) are given now, positive forward: 1 is full power; of a closed loop, m/s.
+
+        0 while they are stopped for lack of a guard, and while the board does not answer.
+        """
+        return tuple(motor.forward(self._given[motor]) for motor in (self.left_motor, self.right_motor))
+
+    @property
     def at_full_power(self) -> bool:
         """Whether both wheels are at full power, the same way, so that the turn which was commanded is cut off."""
         return turn_cut_off(self.left_motor, self.right_motor, self.driver)
@@ -154,9 +163,11 @@ class Robot:
             raise JetbotError("this robot is closed", "Make a new Robot().")
         done = None
         while done != (wanted := self._permitted()):
+            self._given = dict.fromkeys(self._outputs, 0.0)
             for action in actions:
                 action()
             self.driver.drive(*wanted)
+            self._given = dict(zip(self._outputs, wanted))
             done = wanted  # unless a signal handler has set other speeds meanwhile
 
     def _permitted(self):

@@ -7,7 +7,19 @@ from typing import Collection, Dict, NamedTuple, Union
 from jetbot import InvalidValue, fake, files
 from jetbot.boards import BOARDS, DEFAULT_PORT, find_board
 from jetbot.host import ros_home
-from jetbot.kinds import BOOLEAN, FRACTION, NUMBER, POSITIVE, SECONDS, Kind, is_number  # noqa: F401  for nodes
+from jetbot.kinds import (  # noqa: F401  for nodes
+    ADDRESS,
+    BOOLEAN,
+    DUTY,
+    FRACTION,
+    LIMIT,
+    NUMBER,
+    POSITIVE,
+    PWM_FREQUENCY,
+    SECONDS,
+    Kind,
+    is_number,
+)
 
 MAX_BUS = 2**20 - 1  # Linux's minor numbers have 20 bits
 
@@ -29,8 +41,9 @@ SERIAL = Kind(lambda value: isinstance(value, str), "a serial device, a socket:/
 
 PARAMETERS = {
     "board": Parameter("jetbot", BOARD, "motor board: jetbot (Adafruit's and Waveshare's layout at once), adafruit, "
-                                        "waveshare, sparkfun or jetbot_pro"),
+                                        "waveshare, waveshare_hat, sparkfun or jetbot_pro"),
     "i2c_bus": Parameter(1, BUS, "I2C bus: N for /dev/i2c-N, fake (no robot needed), or fake:FOLDER"),
+    "i2c_address": Parameter(None, ADDRESS, "I2C address of the board, where its jumpers or switches change it"),
     "port": Parameter(DEFAULT_PORT, SERIAL, "serial port of a jetbot_pro: a device, a socket:// URL, fake, or "
                                             "fake:FOLDER"),
     "cmd_vel_timeout": Parameter(1.0, SECONDS, "time without a command after which the robot stops; 0 holds the last "
@@ -44,7 +57,15 @@ PARAMETERS = {
     "invert_left": Parameter(False, BOOLEAN, "true: the left motor turns the wrong way"),
     "invert_right": Parameter(False, BOOLEAN, "true: the right motor turns the wrong way"),
     "min_duty": Parameter(0.0, FRACTION, "smallest duty that turns a wheel; speeds above 0 start there"),
-    "publish_tf": Parameter(False, BOOLEAN, "true: a jetbot_pro publishes tf odom -> base_footprint"),
+    "max_duty": Parameter(1.0, DUTY, "largest duty, at speed 1; below 1 it limits the speed, and the robot still "
+                                      "steers"),
+    "acceleration_limit": Parameter(0.0, LIMIT, "most by which the speed of a wheel grows in a second; 0: no limit. A "
+                                                "stop is never slowed down", "m/s^2"),
+    "pwm_frequency": Parameter(1526, PWM_FREQUENCY, "frequency of the PWM of a PCA9685, 24 to 1526; motors start at a "
+                                                    "lower duty where it is low", "Hz"),
+    "publish_odom": Parameter(False, BOOLEAN, "true: a board that measures nothing publishes odom and joint_states "
+                                              "from what the wheels are given"),
+    "publish_tf": Parameter(False, BOOLEAN, "true: who publishes odom publishes tf odom -> base_footprint, too"),
 }
 
 

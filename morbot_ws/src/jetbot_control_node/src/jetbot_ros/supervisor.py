@@ -4,7 +4,7 @@ import contextlib
 import queue
 import threading
 import time
-from typing import Callable, Collection, Dict, Tuple
+from typing import Callable, Collection, Dict, Optional, Sequence, Tuple
 
 from jetbot import BusError, JetbotError, Robot
 from jetbot.wait import wait_until
@@ -21,6 +21,8 @@ FREEZE = 0.8                 # s between two steps after which this program was 
 
 GUARD_START_TIMEOUT = 5.0    # s until a guard that does not start is reported
 
+Observer = Callable[[Tuple[float, float], float], Optional[str]]
+
 NO_GUARD = JetbotError("the guard, which stops the wheels if this program dies, is not running")
 
 
@@ -28,13 +30,16 @@ class Supervisor:
     """Drives the velocity that its ``state`` allows. Any thread may call ``command``, ``hold``, ``confirm``, ``end``.
 
     drive: drives the robot at (linear, angular); senders: returns the names of the programs that could send commands;
-    on_change: takes each State whose status differs from the one before. None of them may block.
+    on_change: takes each State whose status differs from the one before. observers: each is told after every step
+    what the wheels are given, as ``Robot.duties``, and the time, and may return a note for the status. None of them
+    may block.
     closed: whether ``run`` has ended, with the wheels stopped.
     """
 
     def __init__(self, robot: Robot, drive: Callable[[float, float], None], cmd_vel_timeout: float,
-                 senders: Callable[[], Collection[str]], on_change: Callable[[State], None]):
-        self._robot, self._drive = robot, drive
+                 senders: Callable[[], Collection[str]], on_change: Callable[[State], None],
+                 observers: Sequence[Observer] = ()):
+        self._robot, self._drive, self._observers = robot, drive, observers
         self._senders, self._on_change = senders, on_change
         self.state = State(cmd_vel_timeout)
         self.closed = False
@@ -128,6 +133,7 @@ class Supervisor:
 
     def _notes(self, senders, now) -> Tuple[str, ...]:
         notes = [self._commanders.note(senders, now), FULL_POWER if self._robot.at_full_power else None,
+                 *(observe(self._robot.duties, now) for observe in self._observers),
                  *self._disturbances.notes(self.disturbances, now)]
         return tuple(note for note in notes if note)
 

@@ -9,7 +9,7 @@ from ..serial_link import SerialLink
 from ..wait import wait_until
 from .driver import MotorDriver, Telemetry
 from .jetbot_pro import JetBotPro
-from .pwm_motors import ADAFRUIT, WAVESHARE, HBridge, PwmMotors, Wiring
+from .pwm_motors import ADAFRUIT, WAVESHARE, WAVESHARE_HAT, HBridge, PwmMotors, Wiring
 from .scmd import ScmdMotors
 
 __all__ = ["BOARDS", "DEFAULT_PORT", "Board", "HBridge", "MotorDriver", "PwmMotors", "Telemetry", "Wiring",
@@ -48,6 +48,7 @@ BOARDS = {
     "jetbot": Board(partial(PwmMotors, wirings=(ADAFRUIT, WAVESHARE)), 0x60),
     "adafruit": Board(partial(PwmMotors, wirings=(ADAFRUIT,)), 0x60),
     "waveshare": Board(partial(PwmMotors, wirings=(WAVESHARE,)), 0x60),
+    "waveshare_hat": Board(partial(PwmMotors, wirings=(WAVESHARE_HAT,)), 0x40),
     "sparkfun": Board(ScmdMotors, 0x5D),
     "jetbot_pro": Board(JetBotPro),
 }

@@ -48,6 +48,9 @@ ADAFRUIT = Wiring(left=HBridge(forward=9, backward=10, pwm=8), right=HBridge(for
 # Waveshare's JetBot board: the duty is on the direction outputs.
 WAVESHARE = Wiring(left=HBridge(forward=1, backward=0), right=HBridge(forward=2, backward=3))
 
+# Waveshare's Motor Driver HAT for the Raspberry Pi, a TB6612: its library's forward is IN1 low and IN2 high.
+WAVESHARE_HAT = Wiring(left=HBridge(forward=2, backward=1, pwm=0), right=HBridge(forward=4, backward=3, pwm=5))
+
 
 class PwmMotors(MotorDriver):
     """Drives motors on a PCA9685 in one wiring or, if the boards cannot be distinguished, in several at once."""

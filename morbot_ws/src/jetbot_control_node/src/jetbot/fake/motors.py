@@ -28,6 +28,7 @@ class FakeRobot(NamedTuple):
 ROBOTS = {
     "adafruit": FakeRobot(PCA9685, 0x60, left=(8, 9, 10), right=(13, 12, 11)),
     "waveshare": FakeRobot(PCA9685, 0x60, left=(None, 1, 0), right=(None, 2, 3)),
+    "waveshare_hat": FakeRobot(PCA9685, 0x40, left=(0, 2, 1), right=(5, 4, 3)),
     "sparkfun": FakeRobot(SCMD, 0x5D, left=0x20, right=0x21),
     "jetbot_pro": FakeRobot(JetBotPro, None, left=-1, right=1, closed_loop=True),
 }
