@@ -54,6 +54,11 @@ class PCA9685:
         return bool(registers[0x00] & 0x10)
 
     @staticmethod
+    def frequency(registers: bytes) -> float:
+        """Return the frequency of the PWM in Hz: 25 MHz / 4096, divided by PRE_SCALE + 1."""
+        return 25e6 / 4096 / (registers[0xFE] + 1)
+
+    @staticmethod
     def duty(registers: bytes, output: int) -> float:
         """Return the fraction of the time that an output is high: 0 to 1."""
         on = int.from_bytes(registers[0x06 + 4 * output:][:2], "little")
