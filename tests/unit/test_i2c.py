@@ -36,6 +36,17 @@ def test_each_failure_has_its_class_and_sentence(number, kind, sentence):
     assert (type(error), error.errno, str(error)) == (kind, number, sentence)
 
 
+@pytest.mark.parametrize("driver, kind, sentence", [
+    ("ina3221", NoAnswer, "0x40 on /dev/i2c-1 is in use by the kernel driver ina3221. That chip measures the supply, "
+                          "and drives no motor. This computer has /dev/i2c-0."),
+    ("pca9685-pwm", BusError, "0x40 on /dev/i2c-1 is in use by the kernel driver pca9685-pwm. If it is the motor "
+                              "board, release it: echo 1-0040 | sudo tee /sys/bus/i2c/drivers/pca9685-pwm/unbind")])
+def test_a_chip_that_a_kernel_driver_holds(monkeypatch, driver, kind, sentence):
+    monkeypatch.setattr(i2c, "kernel_driver", {"1-0040": driver}.__getitem__)
+    error = explain(OSError(errno.EBUSY, ""), "/dev/i2c-1", 0x40)
+    assert (type(error), error.errno, str(error)) == (kind, errno.EBUSY, sentence)
+
+
 @pytest.mark.parametrize("bus", ["", "one", "fake:", "-1", 1.5, None])
 def test_a_bad_bus(bus):
     with pytest.raises(InvalidValue, match="^An I2C bus cannot be .*. Give a number"):
