@@ -62,6 +62,7 @@ def a_computer_with_one_package_and_no_device(monkeypatch, tmp_path):
     monkeypatch.setattr(doctor, "DEFAULT_PORT", "/dev/nowhere")
     monkeypatch.setattr(host, "buses", lambda: [])
     monkeypatch.setattr(host, "model", lambda: "")
+    monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
     monkeypatch.setenv("ROS_HOME", str(tmp_path))
 
 

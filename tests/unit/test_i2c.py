@@ -17,6 +17,7 @@ from jetbot.i2c import I2CDevice, explain
 
 @pytest.fixture(autouse=True)
 def host(monkeypatch):
+    monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
     monkeypatch.setattr(i2c, "bus_advice", lambda: "This computer has /dev/i2c-0.")
     monkeypatch.setattr(i2c, "permission_advice", lambda device, group: f"Join its group {group}.")
 
