@@ -5,13 +5,13 @@ from pathlib import Path
 from typing import Iterator, List, Optional, Union
 
 from jetbot import fake, files, host
-from jetbot.boards import DEFAULT_PORT
+from jetbot.boards import BOARDS, DEFAULT_PORT
 from jetbot.errors import JetbotError
 from jetbot.i2c import bus_name
 from jetbot_ros.parameters import checked, default_file, load
 
 from .commands import in_shell, launch
-from .identify import OTHER_ADDRESSES, OWN_ADDRESSES
+from .identify import JUMPER_ADDRESSES
 from .probe import Check, check_board, check_chip, check_chips, check_serial, check_users
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial"]
@@ -105,11 +105,13 @@ def check_bus(bus: Union[int, str], i2c_address: Optional[int] = None, other_add
         name = bus_name(bus)
     except JetbotError as error:
         return [Check(f"bus {bus}", False, error.reason, error.advice)]
-    addresses = OWN_ADDRESSES if i2c_address is None else [i2c_address]
+    addresses = list(dict.fromkeys(row.address for row in BOARDS.values() if row.address))
+    if i2c_address is not None:
+        addresses = [i2c_address]
     chips = check_chips(bus, addresses)
     boards = [chip for chip in chips if chip.ok]
     if other_addresses and i2c_address is None and not boards:
-        boards = [chip for chip in check_chips(bus, OTHER_ADDRESSES) if chip.ok]
+        boards = [chip for chip in check_chips(bus, JUMPER_ADDRESSES) if chip.ok]
     return check_users(name) + (boards or list(dict.fromkeys([check_chip(bus, addresses[0]), *chips])))
 
 

@@ -26,9 +26,8 @@ class Family(NamedTuple):
 FAMILIES = (Family("PCA9685", range(0x60, 0x78), "jetbot"), Family("PCA9685", range(0x40, 0x60), "waveshare_hat"),
             Family("SCMD", range(0x58, 0x62), "sparkfun"))
 
-OWN_ADDRESSES = list(dict.fromkeys(row.address for row in BOARDS.values() if row.address))
 # Not from 0x70 on: a read begins with the byte of a register, which would switch a multiplexer (TCA9548A).
-OTHER_ADDRESSES = [address for address in range(0x40, 0x70) if address not in OWN_ADDRESSES]
+JUMPER_ADDRESSES = range(0x40, 0x70)
 
 
 def motor_chip(chip: I2CDevice) -> str:
