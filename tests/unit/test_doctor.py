@@ -119,6 +119,7 @@ def test_a_port_that_is_named_is_checked_alone(monkeypatch):
     (0x6F, PCA9685, "jetbot or adafruit or waveshare", "i2c_address:=0x6f"),
     (0x41, PCA9685, "waveshare_hat", "board:=waveshare_hat i2c_address:=0x41"),
     (0x58, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x58"),
+    (0x63, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x63"),
     (0x60, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x60"),
     (0x40, PCA9685, "waveshare_hat", "board:=waveshare_hat")])
 def test_a_board_at_an_address_that_its_jumpers_select(plug_in, address, chip, boards, command):

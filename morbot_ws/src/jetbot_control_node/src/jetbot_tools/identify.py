@@ -22,9 +22,9 @@ class Family(NamedTuple):
 
 
 # Adafruit's A0 to A4 add to 0x60, those of Waveshare's Motor Driver HAT to 0x40 (their user manuals); SparkFun's four
-# configuration jumpers select 0x58 to 0x61 (hookup guide of the Serial Controlled Motor Driver).
+# configuration jumpers select 0x58 to 0x63 (main.c of its firmware).
 FAMILIES = (Family("PCA9685", range(0x60, 0x78), "jetbot"), Family("PCA9685", range(0x40, 0x60), "waveshare_hat"),
-            Family("SCMD", range(0x58, 0x62), "sparkfun"))
+            Family("SCMD", range(0x58, 0x64), "sparkfun"))
 
 # Not from 0x70 on: a read begins with the byte of a register, which would switch a multiplexer (TCA9548A).
 JUMPER_ADDRESSES = range(0x40, 0x70)
