@@ -26,7 +26,7 @@ def bus(folder):
 def test_power_on_values(bus, folder):
     bus.write_byte_data(0x60, 0x00, 0x20)
     power_on(folder)
-    assert registers(folder)[:2].hex() == "1104"
+    assert registers(folder)[:6].hex() == "1104e2e4e8e0"
     assert registers(folder)[0x06:0x46] == OFF * 16
     assert registers(folder)[0xFE] == 0x1E
 
@@ -55,7 +55,7 @@ def test_a_block_that_sets_auto_increment_uses_it_at_once(bus, folder):
     assert registers(folder)[:2].hex() == "3014"
 
 
-@pytest.mark.parametrize("mode1, values", [(0x11, [0x11, 0x11, 0x11]), (0x31, [0x31, 0x04, 0x00])])
+@pytest.mark.parametrize("mode1, values", [(0x11, [0x11, 0x11, 0x11]), (0x31, [0x31, 0x04, 0xE2])])
 def test_a_block_is_read_from_one_register_without_auto_increment(bus, mode1, values):
     bus.write_byte_data(0x60, 0x00, mode1)
     assert bus.read_i2c_block_data(0x60, 0x00, 3) == values

@@ -13,7 +13,8 @@ from typing import List, Optional, Sequence, Tuple
 class PCA9685:
     """Sixteen PWM outputs of 12 bits: MODE1 0x00, outputs 0x06..0x45, all outputs 0xFA..0xFD, PRE_SCALE 0xFE."""
 
-    POWER_ON = (bytes([0x11, 0x04, 0, 0, 0, 0]) + bytes([0, 0, 0, 0x10]) * 16).ljust(0xFD, b"\0") + b"\x10\x1E\0"
+    POWER_ON = ((bytes([0x11, 0x04, 0xE2, 0xE4, 0xE8, 0xE0]) + bytes([0, 0, 0, 0x10]) * 16).ljust(0xFD, b"\0")
+                + b"\x10\x1E\0")
 
     @staticmethod
     def write(registers: bytearray, register: int, data: Sequence[int]) -> None:
