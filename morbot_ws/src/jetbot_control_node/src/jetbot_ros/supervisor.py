@@ -9,7 +9,7 @@ from typing import Callable, Collection, Dict, Optional, Sequence, Tuple
 from jetbot import BusError, JetbotError, Robot
 from jetbot.wait import wait_until
 
-from .notes import FULL_POWER, Commanders, Disturbances, Lasting, too_slow
+from .notes import Commanders, Disturbances, Lasting, full_power, too_slow
 from .safety import STOPPED, Hold, Sender, State
 
 DRIVING_INTERVAL = 0.05      # s between two checks of what may stop the robot while it drives
@@ -132,7 +132,7 @@ class Supervisor:
         return None
 
     def _notes(self, senders, now) -> Tuple[str, ...]:
-        notes = [self._commanders.note(senders, now), FULL_POWER if self._robot.at_full_power else None,
+        notes = [self._commanders.note(senders, now), full_power(self._robot),
                  self._too_slow.note(too_slow(self._robot) if self.state.driving else None, now),
                  *(observe(self._robot.duties, now) for observe in self._observers),
                  *self._disturbances.notes(self.disturbances, now)]

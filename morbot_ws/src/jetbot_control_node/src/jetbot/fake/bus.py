@@ -8,6 +8,7 @@ Chips stay powered when the process that uses them ends. By hand:
     echo 3 > FOLDER/0x60.cut               end its next write with a STOP after 3 bytes of data, not acknowledged
     echo 100000 > FOLDER/clock             take as long as a bus of 100 kHz (read when the bus is opened)
     python3 -m jetbot.fake FOLDER          power every chip on again: after unplugging, or as a brown-out
+                  --i2c-address 0x61       plug a PCA9685 in at this address, too
 """
 
 import errno
@@ -18,6 +19,7 @@ from typing import List, Optional, Sequence
 
 from ..errors import BusError
 from . import Folder, chip_file
+from .chips import PCA9685
 from .files import check_chip, open_file, read_text
 from .motors import ROBOTS
 
@@ -25,12 +27,17 @@ REGISTERS = 256
 CLOCK_RANGE = (10.0, 1e7)  # Hz
 
 
-def power_on(folder: Folder) -> None:
-    """Give every chip its power-on registers; make the folder, and plug in the chips that are missing."""
+def power_on(folder: Folder, address: Optional[int] = None) -> None:
+    """Give every chip its power-on registers; make the folder, and plug in the chips that are missing.
+
+    address: of one more chip, if there is none at this I2C address yet.
+    """
     Path(folder).mkdir(parents=True, exist_ok=True)
-    for file, chip in {chip_file(folder, robot.address): robot.chip for robot in ROBOTS.values()}.items():
+    plugged = {int(file.name, 16) for file in Path(folder).glob("0x[0-7][0-9a-f]")}
+    for each in plugged | {robot.address for robot in ROBOTS.values()} | {address}:
+        file = chip_file(folder, each)
         new = file.with_suffix(f".{os.getpid()}")
-        new.write_bytes(chip.POWER_ON)
+        new.write_bytes(chip_at(each).POWER_ON)
         new.replace(file)  # at once, for the processes that use the chip
 
 
@@ -38,12 +45,13 @@ class FakeBus:
     """Takes the place of ``smbus2.SMBus``: the methods that the drivers use, and the OSErrors of the kernel.
 
     folder: made, with every known chip in it, if it does not exist or holds only the buses of namespaces.
+    address: of one more chip in a folder that is made.
     """
 
-    def __init__(self, folder: Folder):
+    def __init__(self, folder: Folder, address: Optional[int] = None):
         self._folder = Path(folder)
         if is_new(self._folder):
-            power_on(self._folder)
+            power_on(self._folder, address)
         self._seconds_per_bit = seconds_per_bit(self._folder / "clock")
 
     def read_byte_data(self, address: int, register: int) -> int:
@@ -120,9 +128,9 @@ def seconds_per_bit(clock: Path) -> float:
     return 1 / frequency
 
 
-def chip_at(address: int) -> type:
-    """Return the class of the chip at this address."""
-    return next(robot.chip for robot in ROBOTS.values() if robot.address == address)
+def chip_at(address: Optional[int]) -> type:
+    """Return the class of the chip at this address: of a robot, or a PCA9685; None: on the serial port."""
+    return next((robot.chip for robot in ROBOTS.values() if robot.address == address), PCA9685)
 
 
 def number_in(request: str) -> Optional[int]:
