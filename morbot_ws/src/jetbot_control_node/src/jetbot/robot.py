@@ -21,6 +21,8 @@ class Robot:
     swap_motors, invert_left, invert_right: for a robot whose motors are wired differently.
     min_duty: smallest duty, in [0, 1), that turns a wheel; speeds above 0 start there.
     guard: False drives without the second process that stops the wheels if this one is killed.
+    resumes: whether ``verify`` and ``keep_alive``, where they find that the board has lost its speeds, drive on; False
+    stops both motors until the next command.
 
     Speeds are in [-1, 1], 1 full forward, and clamped to that; a JetBot Pro takes m/s instead, up to 32.767. A speed
     that is not a finite number stops both wheels and raises InvalidValue (a ValueError); so does a bad option. A board
@@ -28,6 +30,8 @@ class Robot:
     the guard is up: the first command waits for it, up to 5 s, then raises GuardError. The methods may be called from
     any thread and any signal handler.
     """
+
+    resumes = True
 
     def __init__(self, board: Optional[str] = None, i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
                  left_motor_alpha: float = 1.0, right_motor_alpha: float = 1.0, swap_motors: bool = False,
@@ -78,7 +82,7 @@ class Robot:
     def verify(self) -> None:
         """Read back a part of what the board holds, in one transfer, and restore what it lost."""
         with self._lock:
-            self._apply(self.driver.verify)
+            self._apply(self.driver.verify, self._stop_if_lost)
 
     def keep_alive(self) -> None:
         """Feed the watchdogs: the guard, and the board's own timer.
@@ -88,7 +92,7 @@ class Robot:
         """
         with self._lock:
             try:
-                self._apply(self.driver.keep_alive)
+                self._apply(self.driver.keep_alive, self._stop_if_lost)
             finally:
                 if not self._closed:
                     self._guard.heartbeat()
@@ -162,13 +166,17 @@ class Robot:
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
         done = None
-        while done != (wanted := self._permitted()):
+        while done != self._permitted():  # again if a signal handler has set other speeds meanwhile
             self._given = dict.fromkeys(self._outputs, 0.0)
             for action in actions:
                 action()
-            self.driver.drive(*wanted)
-            self._given = dict(zip(self._outputs, wanted))
-            done = wanted  # unless a signal handler has set other speeds meanwhile
+            done = self._permitted()
+            self.driver.drive(*done)
+            self._given = dict(zip(self._outputs, done))
+
+    def _stop_if_lost(self):
+        if not (self.resumes or self.driver.in_sync):
+            self._clear_speeds()
 
     def _permitted(self):
         """Return what the driver may be given now: what is commanded, but 0 if there is no guard or no robot."""

@@ -39,7 +39,7 @@ class PCA9685:
 
     spans: ranges of up to 8 outputs, 32 bytes, the most that one SMBus transfer carries; the outputs of a span switch
     on and off together.
-    resets, overwritten: as in MotorDriver.
+    resets, overwritten, in_sync: as in MotorDriver.
     Nothing is sent before ``start`` or the first ``set_outputs``. Every method may raise BusError.
     """
 
@@ -51,6 +51,10 @@ class PCA9685:
         self._blocks = itertools.cycle([range(MODE1, MODE2 + 1), range(PRE_SCALE, PRE_SCALE + 1), *self._spans])
         self._sent = None  # the registers as the chip holds them; None: not known
         self._differs = None  # what ``verify`` read instead of what was sent
+
+    @property
+    def in_sync(self) -> bool:
+        return self._sent is not None
 
     def start(self) -> None:
         """Set the chip up, whatever state it is in: first all outputs off, and only then the rest.
