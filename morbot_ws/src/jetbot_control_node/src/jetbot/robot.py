@@ -21,8 +21,6 @@ class Robot:
     swap_motors, invert_left, invert_right: for a robot whose motors are wired differently.
     min_duty: smallest duty, in [0, 1), that turns a wheel; speeds above 0 start there.
     guard: False drives without the second process that stops the wheels if this one is killed.
-    resumes: whether ``verify`` and ``keep_alive``, where they find that the board has lost its speeds, drive on; False
-    stops both motors until the next command.
 
     Speeds are in [-1, 1], 1 full forward, and clamped to that; a JetBot Pro takes m/s instead, up to 32.767. A speed
     that is not a finite number stops both wheels and raises InvalidValue (a ValueError); so does a bad option. A board
@@ -30,8 +28,6 @@ class Robot:
     the guard is up: the first command waits for it, up to 5 s, then raises GuardError. The methods may be called from
     any thread and any signal handler.
     """
-
-    resumes = True
 
     def __init__(self, board: Optional[str] = None, i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
                  left_motor_alpha: float = 1.0, right_motor_alpha: float = 1.0, swap_motors: bool = False,
@@ -49,6 +45,7 @@ class Robot:
         self._speeds = dict.fromkeys(self._outputs, 0.0)
         self._given = dict.fromkeys(self._outputs, 0.0)  # what the driver was given last; 0 while that is not known
         self._lock = threading.RLock()  # a signal handler may come in between, in the same thread
+        self.resumes = True  # False: a board that has lost its speeds is left stopped until the next command
         self._closed = False
         place = find_board(board).place(i2c_bus, port)
         self.driver = find_board(board).open(place)
