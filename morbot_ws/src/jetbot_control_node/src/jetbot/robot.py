@@ -162,14 +162,15 @@ class Robot:
         """Run the actions, then drive both motors."""
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
-        done = None
-        while done != self._permitted():  # again if a signal handler has set other speeds meanwhile
+        while True:
             self._given = dict.fromkeys(self._outputs, 0.0)
             for action in actions:
                 action()
-            done = self._permitted()
-            self.driver.drive(*done)
-            self._given = dict(zip(self._outputs, done))
+            permitted = self._permitted()
+            self.driver.drive(*permitted)
+            self._given = dict(zip(self._outputs, permitted))
+            if permitted == self._permitted():  # else a signal handler has set other speeds meanwhile
+                return
 
     def _stop_if_lost(self):
         if not (self.resumes or self.driver.in_sync):

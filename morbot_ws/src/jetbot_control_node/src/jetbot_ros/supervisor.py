@@ -119,7 +119,7 @@ class Supervisor:
             fault = error
         interval = self._robot.driver.keep_alive_interval if state.driving else STOPPED_INTERVAL
         self._keep_alive(now, interval)
-        if not any(self._robot.duties):
+        if self._ramp.acceleration_limit and not any(self._robot.duties):
             self._ramp.reset()
         self._faults += isinstance(fault, BusError) and not state.fault
         self._change(State.driven, fault, self._notes(senders, now))
