@@ -67,9 +67,13 @@ def test_the_file_of_the_body_shows_each_default_with_its_unit_and_meaning():
 
 def test_the_controller_assumes_the_same_size():
     controller = load(SOURCE / "config/si_units.yaml")
-    assert {name: controller[name] for name in SIZE if name in controller} == {
-        name: SIZE[name] for name in ("wheel_separation", "max_speed")}
+    assert all(controller[name] == SIZE[name] for name in ("wheel_separation", "max_speed"))
     assert calibration.WHEEL_SEPARATION == SIZE["wheel_separation"]
+
+
+def test_si_units_draw_a_fraction_of_the_current_of_a_sudden_start():
+    controller = load(SOURCE / "config/si_units.yaml")
+    assert controller["acceleration_limit"] * SIZE["motor_lag"] < 0.2 * controller["max_speed"]
 
 
 def test_the_drawn_robot_has_the_same_size():

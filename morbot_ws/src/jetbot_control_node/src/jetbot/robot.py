@@ -49,6 +49,7 @@ class Robot:
         self._speeds = dict.fromkeys(self._outputs, 0.0)
         self._given = dict.fromkeys(self._outputs, 0.0)  # what the driver was given last; 0 while that is not known
         self._lock = threading.RLock()  # a signal handler may come in between, in the same thread
+        self.resumes = True  # False: a board that has lost its speeds is left stopped until the next command
         self._closed = False
         row = find_board(board, i2c_address)
         place = row.place(i2c_bus, port)
@@ -83,7 +84,7 @@ class Robot:
     def verify(self) -> None:
         """Read back a part of what the board holds, in one transfer, and restore what it lost."""
         with self._lock:
-            self._apply(self.driver.verify)
+            self._apply(self.driver.verify, self._stop_if_lost)
 
     def keep_alive(self) -> None:
         """Feed the watchdogs: the guard, and the board's own timer.
@@ -93,7 +94,7 @@ class Robot:
         """
         with self._lock:
             try:
-                self._apply(self.driver.keep_alive)
+                self._apply(self.driver.keep_alive, self._stop_if_lost)
             finally:
                 if not self._closed:
                     self._guard.heartbeat()
@@ -166,14 +167,19 @@ class Robot:
         """Run the actions, then drive both motors."""
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
-        done = None
-        while done != (wanted := self._permitted()):
+        while True:
             self._given = dict.fromkeys(self._outputs, 0.0)
             for action in actions:
                 action()
-            self.driver.drive(*wanted)
-            self._given = dict(zip(self._outputs, wanted))
-            done = wanted  # unless a signal handler has set other speeds meanwhile
+            permitted = self._permitted()
+            self.driver.drive(*permitted)
+            self._given = dict(zip(self._outputs, permitted))
+            if permitted == self._permitted():  # else a signal handler has set other speeds meanwhile
+                return
+
+    def _stop_if_lost(self):
+        if not (self.resumes or self.driver.in_sync):
+            self._clear_speeds()
 
     def _permitted(self):
         """Return what the driver may be given now: what is commanded, but 0 if there is no guard or no robot."""

@@ -34,6 +34,7 @@ class MotorDriver(abc.ABC):
     closed_loop = False  # True: the board controls its wheel speeds itself; they are in m/s, for wheels 2 m apart
     resets = 0       # how often the board was found at its power-on values: a brown-out
     overwritten = 0  # how often it held what another program has written
+    in_sync = True   # whether the board holds what it was sent, as far as is known; else the next ``drive`` restores it
     keep_alive_interval = 0.25  # s: how often ``keep_alive`` is due while the wheels turn
 
     def __init__(self, link: Union[I2CDevice, SerialLink], pwm_frequency: float = DEFAULT_PWM_FREQUENCY):

@@ -45,6 +45,10 @@ class JetBotPro(MotorDriver):
         self._closed = False
         self._listener = None
 
+    @property
+    def in_sync(self) -> bool:
+        return self._sent is not None
+
     def start(self) -> None:
         self.link.write(frame(PID, *DEFAULT_PID_GAINS) + frame(CORRECTIONS, *NO_CORRECTIONS))
         self._send(velocity(0, 0))

@@ -38,7 +38,7 @@ class PCA9685:
     groups: outputs that switch on and off together, in the order in which ``stop`` switches them off; from the first to
     the last are 8 at most, 32 bytes, the most that one SMBus transfer carries.
     pwm_frequency: in Hz, 24 to 1526, of all outputs of the chip.
-    resets, overwritten: as in MotorDriver.
+    resets, overwritten, in_sync: as in MotorDriver.
     Nothing is sent before ``start`` or the first ``set_outputs``. Every method may raise BusError.
     """
 
@@ -52,6 +52,10 @@ class PCA9685:
         self._blocks = itertools.cycle([range(MODE1, MODE2 + 1), range(PRE_SCALE, PRE_SCALE + 1), *self._spans])
         self._sent = None  # the registers as the chip holds them; None: not known
         self._differs = None  # what ``verify`` read instead of what was sent
+
+    @property
+    def in_sync(self) -> bool:
+        return self._sent is not None
 
     def start(self) -> None:
         """Set the chip up, whatever state it is in: first the outputs off, and only then the rest.

@@ -68,6 +68,10 @@ class PwmMotors(MotorDriver):
     def overwritten(self) -> int:
         return self._chip.overwritten
 
+    @property
+    def in_sync(self) -> bool:
+        return self._chip.in_sync
+
     def start(self) -> None:
         self._chip.start()
 

@@ -34,6 +34,10 @@ class ScmdMotors(MotorDriver):
         self._verified = itertools.cycle([DRIVER_ENABLE, MA_DRIVE, FSAFE_CTRL, MB_DRIVE, FSAFE_TIME])
         self._differs = False  # whether something else was read than was sent
 
+    @property
+    def in_sync(self) -> bool:
+        return self._sent is not None
+
     def start(self) -> None:
         if self.link.read(ID) != ID_WORD:
             raise NoAnswer(f"the chip at 0x{self.link.address:02x} on {self.link.name} is not a SparkFun motor driver",
