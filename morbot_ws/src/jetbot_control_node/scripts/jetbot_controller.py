@@ -35,7 +35,8 @@ class JetBotController:
         self.commanders = Publishers("cmd_vel")
         self.report = Report(parameters, self.robot.driver)
         self.supervisor = Supervisor(self.robot, self.drive, parameters["cmd_vel_timeout"],
-                                     self.commanders.names, self.report.change)
+                                     self.commanders.names, self.report.change,
+                                     node.make_observers(self.robot, parameters))
         self.commanders.keep_asking(self.supervisor)
 
         # Subscribe to the topics and define the callback functions; an earlier emergency stop comes before any command

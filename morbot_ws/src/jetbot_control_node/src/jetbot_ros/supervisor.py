@@ -97,6 +97,7 @@ class Supervisor:
             with contextlib.suppress(JetbotError):  # the guard reports it, and keeps trying
                 self._robot.close()
                 self.closed = True
+            self._observe(time.monotonic())
 
     def step(self, now: float, commanded: bool) -> float:
         """Do all that is due at the time ``now``; return the seconds until the next step, if nothing happens before.
@@ -133,9 +134,12 @@ class Supervisor:
 
     def _notes(self, senders, now) -> Tuple[str, ...]:
         notes = [self._commanders.note(senders, now), FULL_POWER if self._robot.at_full_power else None,
-                 *(observe(self._robot.duties, now) for observe in self._observers),
+                 *self._observe(now),
                  *self._disturbances.notes(self.disturbances, now)]
         return tuple(note for note in notes if note)
+
+    def _observe(self, now):
+        return [observe(self._robot.duties, now) for observe in self._observers]
 
     def _wake(self):
         if self._events.empty():  # one that the thread has not taken yet will do

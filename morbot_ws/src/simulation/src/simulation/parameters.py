@@ -9,6 +9,7 @@ from jetbot.kinds import FRACTION, NUMBER, POSITIVE, SECONDS, Kind
 from jetbot_ros import parameters as controller
 from jetbot_ros.parameters import Parameter, checked, given, is_fake_place
 
+SHARED = ("board", "publish_odom")  # that the controller's file may hold
 FAKE = Kind(is_fake_place, "fake, or fake:FOLDER")
 
 PARAMETERS = {
@@ -16,6 +17,7 @@ PARAMETERS = {
                        "motor board that the controller drives; jetbot is simulated with Adafruit's layout"),
     "i2c_bus": Parameter("fake", FAKE, "I2C bus that the controller drives: fake or fake:FOLDER"),
     "port": Parameter("fake", FAKE, "serial port of a jetbot_pro: fake or fake:FOLDER"),
+    "publish_odom": controller.PARAMETERS["publish_odom"],
     "wheel_separation": Parameter(0.1125, POSITIVE, "distance between the wheels, of NVIDIA's model in Isaac Sim", "m"),
     "wheel_diameter": Parameter(0.06, POSITIVE, "diameter of a wheel, of the same model", "m"),
     "max_speed": Parameter(0.6, POSITIVE, "speed of a wheel at full power; TT motors, about 200 rpm at 5 V", "m/s"),
@@ -30,14 +32,16 @@ PARAMETERS = {
 def resolve(typed: Dict[str, object]) -> Dict[str, object]:
     """Return all parameters: what is typed wins over the file ``body``, the file over the default.
 
-    The board is the controller's: typed, or from its file ``config``, or its default. Raises InvalidValue.
+    What the controller has too is the controller's: typed, or from its file ``config``, or its default.
+    Raises InvalidValue.
     """
     own = {name: value for name, value in given(typed).items() if name not in ("config", "body")}
     body = controller.load(typed["body"]) if typed.get("body") else {}
     parameters = checked({**body, **own}, PARAMETERS)
-    shared = {name: typed.get(name, "") for name in ("board", "config")}
+    shared = {name: typed.get(name, "") for name in (*SHARED, "config")}
     shared.update({name: parameters[name] for name in ("i2c_bus", "port")})
-    return checked({**parameters, "board": controller.resolve(shared)["board"]}, PARAMETERS)
+    resolved = controller.resolve(shared)
+    return checked({**parameters, **{name: resolved[name] for name in SHARED}}, PARAMETERS)
 
 
 def fake_folder(parameters: Dict[str, object], namespace: str) -> str:
