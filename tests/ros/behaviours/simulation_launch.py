@@ -3,7 +3,6 @@
 import math
 import pathlib
 
-import rosgraph
 import rospy
 import tf2_ros
 from geometry_msgs.msg import Vector3
@@ -11,7 +10,7 @@ from nav_msgs.msg import Odometry, Path
 from sensor_msgs.msg import JointState
 from tf2_msgs.msg import TFMessage
 
-from harness import START_TIMEOUT, RobotTest
+from harness import START_TIMEOUT, RobotTest, publishers
 from simulation.recording import pose_of
 
 
@@ -78,11 +77,6 @@ class SimulationLaunch(RobotTest):
         self.assert_stops()
         self.wait_for(lambda: abs(paths[-1].poses[-1].pose.position.x - position(frames).x) < 0.2, START_TIMEOUT,
                       "the path to end where the robot is")
-
-
-def publishers(topic):
-    """Return the names of the nodes that publish on a topic, by the master."""
-    return dict(rosgraph.Master(rospy.get_name()).getSystemState()[0]).get(topic, [])
 
 
 def senders(transforms, child):

@@ -35,7 +35,7 @@ class OpenLoopOdometry:
         self._odometry = OdometryPublisher(parameters["publish_tf"], DRIFT)
         self._joint_states = rospy.Publisher("joint_states", JointState, queue_size=1)
         self._started = threading.Event()
-        rospy.core.add_preshutdown_hook(lambda _: self._publish())
+        rospy.on_shutdown(self._publish)
         threading.Thread(target=self._run, daemon=True).start()
 
     def __call__(self, duties: Tuple[float, float], now: float) -> None:
@@ -54,6 +54,7 @@ class OpenLoopOdometry:
                 time.sleep(max(0.0, due - time.monotonic()))
                 if not motion.moving:
                     self._started.wait(STOPPED_INTERVAL - MOVING_INTERVAL)
+                    due = time.monotonic()
 
     def _publish(self) -> Motion:
         """Publish the motion at this moment, and return it."""
