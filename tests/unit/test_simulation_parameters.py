@@ -8,6 +8,7 @@ import pytest
 from conftest import SIMULATION, SOURCE
 from jetbot import InvalidValue
 from jetbot.fake.motors import ROBOTS
+from jetbot_ros import dead_reckoning
 from jetbot_ros.parameters import checked, load
 from jetbot_tools import calibration
 from simulation.parameters import PARAMETERS, fake_folder, resolve
@@ -52,6 +53,13 @@ def test_simulates_the_board_at_the_address_that_the_controller_drives(tmp_path,
     assert resolve({"i2c_address": typed, "config": str(tmp_path / "robot.yaml")})["i2c_address"] == address
 
 
+@pytest.mark.parametrize("typed, file, published", [
+    ("", "{}", False), (True, "{}", True), ("", "publish_odom: true", True), (False, "publish_odom: true", False)])
+def test_knows_whether_the_controller_publishes_odom(tmp_path, typed, file, published):
+    (tmp_path / "robot.yaml").write_text(file)
+    assert resolve({"publish_odom": typed, "config": str(tmp_path / "robot.yaml")})["publish_odom"] is published
+
+
 @pytest.mark.parametrize("board, folder", [("jetbot", "bus"), ("sparkfun", "bus"), ("jetbot_pro", "port")])
 def test_reads_the_bus_or_the_port_of_the_board(board, folder):
     parameters = resolve({"board": board, "i2c_bus": "fake:bus", "port": "fake:port"})
@@ -69,6 +77,7 @@ def test_the_controller_assumes_the_same_size():
     controller = load(SOURCE / "config/si_units.yaml")
     assert all(controller[name] == SIZE[name] for name in ("wheel_separation", "max_speed"))
     assert calibration.WHEEL_SEPARATION == SIZE["wheel_separation"]
+    assert dead_reckoning.WHEEL_RADIUS == SIZE["wheel_diameter"] / 2
 
 
 def test_si_units_draw_a_fraction_of_the_current_of_a_sudden_start():

@@ -37,6 +37,7 @@ class JetBotController:
         self.report = Report(parameters, self.robot.driver)
         self.supervisor = Supervisor(self.robot, self.drive, parameters["cmd_vel_timeout"],
                                      self.commanders.names, self.report.change,
+                                     node.make_observers(self.robot, parameters),
                                      ramp=make_ramp(parameters, self.robot.driver))
         self.commanders.keep_asking(self.supervisor)
 

@@ -109,6 +109,7 @@ class Robot:
                 return
             self._closed = True
             self._clear_speeds()  # for the command that a signal handler interrupts
+            self._given = dict.fromkeys(self._outputs, 0.0)
             try:
                 self.driver.drive(0, 0)
                 self._guard.dismiss()

@@ -23,7 +23,7 @@ from .network import bound_headers, stay_on_this_host
 from .parameters import PARAMETERS, resolve
 from .registration import is_registered, register
 from .report import Report
-from .supervisor import Supervisor
+from .supervisor import Observer, Supervisor
 
 SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
 
@@ -63,9 +63,17 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
     robot = Robot(**{name: parameters[name] for name in names}, **places)
     robot.lock = lock  # until this process ends
     if robot.driver.closed_loop:
-        from .odometry import OdometryPublisher  # here: most robots have no such board
-        robot.driver.listen(OdometryPublisher(parameters["publish_tf"]))
+        from .odometry import TelemetryPublisher  # here: most robots have no such board
+        robot.driver.listen(TelemetryPublisher(parameters["publish_tf"]))
     return robot
+
+
+def make_observers(robot: Robot, parameters: Dict[str, object]) -> List[Observer]:
+    """Return the Supervisor's observers that the parameters ask for."""
+    if robot.driver.closed_loop or not parameters["publish_odom"]:
+        return []
+    from .open_loop import OpenLoopOdometry  # here: most robots do without
+    return [OpenLoopOdometry(robot, parameters)]
 
 
 def run(supervisor: Supervisor, report: Report) -> int:

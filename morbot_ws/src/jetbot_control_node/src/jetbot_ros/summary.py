@@ -25,10 +25,15 @@ def units(parameters: Dict[str, object], closed_loop: bool) -> str:
     """Return what a command means. closed_loop: for a board that controls its wheel speeds itself."""
     if closed_loop:
         return "m/s and rad/s"
-    separation, speed = geometry = tuple(parameters[name] for name in GEOMETRY)
-    if geometry == tuple(PARAMETERS[name].default for name in GEOMETRY):
+    if in_workshop_units(parameters):
         return "workshop units: left = x - z, right = x + z"
+    separation, speed = (parameters[name] for name in GEOMETRY)
     return f"m/s and rad/s, with wheels {separation:g} m apart and {speed:g} m/s at full power"
+
+
+def in_workshop_units(parameters: Dict[str, object]) -> bool:
+    """Return whether wheel_separation and max_speed are the workshop's, and not the robot's."""
+    return all(parameters[name] == PARAMETERS[name].default for name in GEOMETRY)
 
 
 def start_line(texts: Dict[str, str]) -> str:

@@ -100,6 +100,7 @@ class Supervisor:
             with contextlib.suppress(JetbotError):  # the guard reports it, and keeps trying
                 self._robot.close()
                 self.closed = True
+            self._observe(time.monotonic())
 
     def step(self, now: float, commanded: bool) -> float:
         """Do all that is due at the time ``now``; return the seconds until the next step, if nothing happens before.
@@ -145,9 +146,12 @@ class Supervisor:
     def _notes(self, senders, now) -> Tuple[str, ...]:
         notes = [self._commanders.note(senders, now), full_power(self._robot),
                  self._too_slow.note(too_slow(self._robot) if self.state.driving else None, now),
-                 *(observe(self._robot.duties, now) for observe in self._observers),
+                 *self._observe(now),
                  *self._disturbances.notes(self.disturbances, now)]
         return tuple(note for note in notes if note)
+
+    def _observe(self, now):
+        return [observe(self._robot.duties, now) for observe in self._observers]
 
     def _wake(self):
         if self._events.empty():  # one that the thread has not taken yet will do
