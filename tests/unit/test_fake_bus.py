@@ -55,7 +55,7 @@ def test_a_block_that_sets_auto_increment_uses_it_at_once(bus, folder):
     assert registers(folder)[:2].hex() == "3014"
 
 
-@pytest.mark.parametrize("mode1, values", [(0x11, [0x11, 0x11, 0x11]), (0x31, [0x31, 0x04, 0x00])])
+@pytest.mark.parametrize("mode1, values", [(0x11, [0x11, 0x11, 0x11]), (0x31, [0x31, 0x04, 0xE2])])
 def test_a_block_is_read_from_one_register_without_auto_increment(bus, mode1, values):
     bus.write_byte_data(0x60, 0x00, mode1)
     assert bus.read_i2c_block_data(0x60, 0x00, 3) == values

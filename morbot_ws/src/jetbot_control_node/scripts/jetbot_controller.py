@@ -33,9 +33,10 @@ class JetBotController:
 
         # The supervisor decides what may be driven, and stops the robot; the report says why
         self.commanders = Publishers("cmd_vel")
-        self.report = Report(parameters, self.robot.driver)
+        self.supply = node.watch_supply(self.robot, parameters)
+        self.report = Report(parameters, self.robot.driver, self.supply)
         self.supervisor = Supervisor(self.robot, self.drive, parameters["cmd_vel_timeout"],
-                                     self.commanders.names, self.report.change)
+                                     self.commanders.names, self.report.change, [self.supply])
         self.commanders.keep_asking(self.supervisor)
 
         # Subscribe to the topics and define the callback functions; an earlier emergency stop comes before any command

@@ -7,6 +7,8 @@ Chips stay powered when the process that uses them ends. By hand:
     echo 5 > FOLDER/0x60.fail              let its next 5 transfers fail
     echo 3 > FOLDER/0x60.cut               end its next write with a STOP after 3 bytes of data, not acknowledged
     echo 100000 > FOLDER/clock             take as long as a bus of 100 kHz (read when the bus is opened)
+    printf '\\x56\\xB8' | dd of=FOLDER/0x41 bs=1 seek=4 conv=notrunc
+                                           set the voltage of the supply to 11.1 V, which is 0x56B8 >> 3 times 4 mV
     python3 -m jetbot.fake FOLDER          power every chip on again: after unplugging, or as a brown-out
 """
 
@@ -14,21 +16,23 @@ import errno
 import os
 import time
 from pathlib import Path
-from typing import List, Optional, Sequence
+from typing import Dict, List, Optional, Sequence
 
 from ..errors import BusError
 from . import Folder, chip_file
+from .chips import INA219, PCA9685
 from .files import check_chip, open_file, read_text
 from .motors import ROBOTS
 
-REGISTERS = 256
+SENSORS = {0x41: INA219}  # beside a robot's chip
 CLOCK_RANGE = (10.0, 1e7)  # Hz
 
 
 def power_on(folder: Folder) -> None:
     """Give every chip its power-on registers; make the folder, and plug in the chips that are missing."""
     Path(folder).mkdir(parents=True, exist_ok=True)
-    for file, chip in {chip_file(folder, robot.address): robot.chip for robot in ROBOTS.values()}.items():
+    for address, chip in known_chips().items():
+        file = chip_file(folder, address)
         new = file.with_suffix(f".{os.getpid()}")
         new.write_bytes(chip.POWER_ON)
         new.replace(file)  # at once, for the processes that use the chip
@@ -83,8 +87,9 @@ class FakeBus:
         try:
             if self._seconds_per_bit:
                 time.sleep(max(0.0, end - time.perf_counter()))
-            check_chip(chip, file, REGISTERS)
-            registers = bytearray(os.pread(chip, REGISTERS, 0))
+            size = len(chip_at(address).POWER_ON)
+            check_chip(chip, file, size)
+            registers = bytearray(os.pread(chip, size, 0))
             result = action(registers)
             if result is None:  # a write; the file's time is then that of the last write
                 os.pwrite(chip, registers, 0)
@@ -120,9 +125,14 @@ def seconds_per_bit(clock: Path) -> float:
     return 1 / frequency
 
 
+def known_chips() -> Dict[Optional[int], type]:
+    """Return the class of each chip that is plugged in at power-on, by its address; None: on the serial port."""
+    return {**SENSORS, **{robot.address: robot.chip for robot in ROBOTS.values()}}
+
+
 def chip_at(address: int) -> type:
     """Return the class of the chip at this address."""
-    return next(robot.chip for robot in ROBOTS.values() if robot.address == address)
+    return known_chips().get(address, PCA9685)
 
 
 def number_in(request: str) -> Optional[int]:
