@@ -7,7 +7,9 @@ from typing import Iterator, List, Optional, Union
 from jetbot import fake, files, host
 from jetbot.boards import BOARDS, DEFAULT_PORT
 from jetbot.errors import JetbotError
-from jetbot.i2c import bus_name
+from jetbot.i2c import I2CDevice, bus_name
+from jetbot.serial_link import SerialLink
+from jetbot.supply import find_supply
 from jetbot_ros.parameters import checked, default_file, load
 
 from .commands import in_shell, launch
@@ -15,6 +17,7 @@ from .probe import Check, check_board, check_chip, check_serial, check_users
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial"]
 NEEDED_BY_SOME = ["smbus2", "serial"]  # by boards on an I2C bus, on a serial port
+LOW_BATTERY = 0.1  # of the charge
 
 
 def run_checks(i2c_bus: Union[int, str, None] = None, port: Optional[str] = None) -> Iterator[Check]:
@@ -48,9 +51,11 @@ def all_checks(i2c_bus: Union[int, str, None], port: Optional[str]) -> Iterator[
         checks = check_bus(bus)
         yield from checks
         if any(check.command for check in checks):
+            yield from check_supply(I2CDevice(bus, BOARDS["jetbot"].address))
             return
     yield from check_users(port or DEFAULT_PORT)
     yield check_serial(port or DEFAULT_PORT)
+    yield from check_supply(SerialLink(port or DEFAULT_PORT))
 
 
 def check_module(module: str) -> Check:
@@ -101,6 +106,20 @@ def check_bus(bus: Union[int, str]) -> List[Check]:
     addresses = dict.fromkeys(row.address for row in BOARDS.values() if row.address)
     chips = [check_chip(bus, address) for address in addresses]
     return check_users(name) + ([chip for chip in chips if chip.ok] or chips[:1])
+
+
+def check_supply(link: Union[I2CDevice, SerialLink]) -> List[Check]:
+    """Check that the robot with this link to its board has the power to drive; [] if nothing measures that."""
+    supply = find_supply(link)
+    if not supply:
+        return []
+    try:
+        reading = supply.read()
+    except JetbotError as error:  # unplugged meanwhile
+        return [Check("supply", False, error.reason, error.advice)]
+    advice = ("Charge the battery." if reading.percentage < LOW_BATTERY else
+              "Use a supply of 5 V and 3 A, and a short cable." if reading.undervoltage else "")
+    return [Check("supply", not advice, f"{reading}, by the {supply.sensor}", advice)]
 
 
 def verdict(checks: List[Check]) -> Check:

@@ -16,7 +16,7 @@ import errno
 import os
 import time
 from pathlib import Path
-from typing import Dict, List, Optional, Sequence
+from typing import List, Optional, Sequence
 
 from ..errors import BusError
 from . import Folder, chip_file
@@ -31,7 +31,7 @@ CLOCK_RANGE = (10.0, 1e7)  # Hz
 def power_on(folder: Folder) -> None:
     """Give every chip its power-on registers; make the folder, and plug in the chips that are missing."""
     Path(folder).mkdir(parents=True, exist_ok=True)
-    for address, chip in known_chips().items():
+    for address, chip in {**SENSORS, **{robot.address: robot.chip for robot in ROBOTS.values()}}.items():
         file = chip_file(folder, address)
         new = file.with_suffix(f".{os.getpid()}")
         new.write_bytes(chip.POWER_ON)
@@ -56,7 +56,7 @@ class FakeBus:
     def read_i2c_block_data(self, address: int, register: int, length: int) -> List[int]:
         fail_if_asked(f"{self._folder}/0x{address:02x}.fail")
         return self._transfer(address, 3 + length,
-                              lambda registers: chip_at(address).read(registers, register, length))
+                              lambda chip, registers: chip.read(registers, register, length))
 
     def write_byte_data(self, address: int, register: int, value: int) -> None:
         self.write_i2c_block_data(address, register, [value])
@@ -68,7 +68,7 @@ class FakeBus:
         if cut is None:
             fail_if_asked(f"{self._folder}/0x{address:02x}.fail")
         sent = data[:cut]
-        self._transfer(address, 2 + len(sent), lambda registers: chip_at(address).write(registers, register, sent))
+        self._transfer(address, 2 + len(sent), lambda chip, registers: chip.write(registers, register, sent))
         if cut is not None:
             os.unlink(f"{self._folder}/0x{address:02x}.cut")
             raise no_answer()
@@ -81,23 +81,23 @@ class FakeBus:
         end = time.perf_counter() + (2 + 9 * wire_bytes) * self._seconds_per_bit
         file = f"{self._folder}/0x{address:02x}"  # pathlib would take longer than all the rest
         try:
-            chip = open_file(file, os.O_RDWR)
+            descriptor = open_file(file, os.O_RDWR)
         except FileNotFoundError:
             raise no_answer() from None
         try:
             if self._seconds_per_bit:
                 time.sleep(max(0.0, end - time.perf_counter()))
-            size = len(chip_at(address).POWER_ON)
-            check_chip(chip, file, size)
-            registers = bytearray(os.pread(chip, size, 0))
-            result = action(registers)
+            chip = chip_in(descriptor, address)
+            check_chip(descriptor, file, len(chip.POWER_ON))
+            registers = bytearray(os.pread(descriptor, len(chip.POWER_ON), 0))
+            result = action(chip, registers)
             if result is None:  # a write; the file's time is then that of the last write
-                os.pwrite(chip, registers, 0)
+                os.pwrite(descriptor, registers, 0)
             return result
         except FileNotFoundError:  # unplugged, or a brown-out, before the STOP
             raise no_answer() from None
         finally:
-            os.close(chip)
+            os.close(descriptor)
 
 
 def is_new(folder: Path) -> bool:
@@ -125,14 +125,11 @@ def seconds_per_bit(clock: Path) -> float:
     return 1 / frequency
 
 
-def known_chips() -> Dict[Optional[int], type]:
-    """Return the class of each chip that is plugged in at power-on, by its address; None: on the serial port."""
-    return {**SENSORS, **{robot.address: robot.chip for robot in ROBOTS.values()}}
-
-
-def chip_at(address: int) -> type:
-    """Return the class of the chip at this address."""
-    return known_chips().get(address, PCA9685)
+def chip_in(descriptor: int, address: int) -> type:
+    """Return the class of the chip in an open file: an INA219 by its size, any other by its address."""
+    if os.fstat(descriptor).st_size == len(INA219.POWER_ON):
+        return INA219
+    return next((robot.chip for robot in ROBOTS.values() if robot.address == address), PCA9685)
 
 
 def number_in(request: str) -> Optional[int]:
