@@ -1,14 +1,19 @@
 """The supply is read where a chip or the computer measures it, and only there. Registers are as in TI's data sheet."""
 
+import errno
 import math
+import time
+from unittest.mock import Mock
 
 import pytest
 
-from jetbot import JetbotError
+from jetbot import JetbotError, i2c
 from jetbot.fake.bus import power_on
 from jetbot.i2c import I2CDevice
 from jetbot.serial_link import SerialLink
 from jetbot.supply import find_supply
+from jetbot_ros import supply_watch
+from jetbot_ros.supply_watch import SupplyWatch
 
 PCA9685_WITHOUT_INCREMENT = bytes.fromhex("1111 0000 E2E2 0000 0000 0000")  # what it answers for registers 0 and 2
 
@@ -62,8 +67,9 @@ def test_a_pack_that_is_switched_off_has_no_charge_that_is_known(link, folder, w
     assert str(reading) == f"{volts:.2f} V"
 
 
-def test_a_reading_is_one_short_transfer(link, wire):
+def test_a_reading_is_one_short_transfer_and_the_look_for_the_chip_two(link, wire):
     supply = find_supply(link)
+    assert wire.bits == [2 + 9 * 5] * 2
     wire.bits.clear()
     assert str(supply.read()) == "12.10 V, 86 %"
     assert wire.bits == [2 + 9 * 5]
@@ -86,13 +92,13 @@ def test_a_motor_board_at_its_address_is_not_asked(link, wire):
 def test_without_a_chip_one_try_at_each_address_tells_it(link, folder, monkeypatch):
     (folder / "0x41").unlink()
     tried = []
-    monkeypatch.setattr(I2CDevice, "_transfer", lambda chip, *_: tried.append(chip.address) or refuse())
+    monkeypatch.setattr(I2CDevice, "_transfer", lambda chip, *_: tried.append(chip.address) or fail(JetbotError("")))
     assert find_supply(link) is None
     assert tried == [0x41, 0x42]
 
 
-def refuse():
-    raise JetbotError("no answer")
+def fail(error):
+    raise error
 
 
 def test_unplugged_it_fails_after_one_try_and_plugged_in_it_is_read_again(link, folder):
@@ -105,6 +111,20 @@ def test_unplugged_it_fails_after_one_try_and_plugged_in_it_is_read_again(link, 
     assert chip.errors == before + 1
     power_on(folder)
     assert supply.read().voltage == pytest.approx(12.1)
+
+
+@pytest.mark.parametrize("transfer, problem", [
+    (lambda: fail(OSError(errno.ETIMEDOUT, "")), "the bus /dev/i2c-1 is stuck"),
+    (lambda: time.sleep(0.2) or [0x5E, 0x88], "the bus /dev/i2c-1 is too slow to stop the robot in time")])
+def test_a_reading_that_holds_up_the_bus_is_the_last_one(monkeypatch, transfer, problem):
+    answers = [lambda: [0x39, 0x9F], *[lambda: [0x5E, 0x88]] * 2, transfer, transfer]
+    bus = Mock(read_i2c_block_data=lambda *_: answers.pop(0)())
+    monkeypatch.setattr(i2c, "open_bus", lambda name: bus)
+    monkeypatch.setattr(supply_watch, "INTERVAL", 0.01)
+    watch, readings = SupplyWatch(find_supply(I2CDevice(1, 0x60)), ""), []
+    watch.run(readings.append, lambda: False)
+    assert str(watch).startswith(f"unknown: {problem}")
+    assert readings[0].voltage == 12.1 and math.isnan(readings[-1].voltage) and len(readings) <= 3
 
 
 def test_a_jetson_nano_tells_the_voltage_at_its_input_which_is_no_battery(sysfs):

@@ -1,5 +1,6 @@
 """The robot's supply, where a chip on the board's bus or the computer measures it. Both are only read."""
 
+import itertools
 import math
 from functools import partial
 from pathlib import Path
@@ -17,6 +18,8 @@ CONFIGURATION, BUS_VOLTAGE = 0x00, 0x02
 CONFIGURATION_MAX = 0x3FFF  # its two highest bits are 0 in an INA219; in an INA226 and an INA3221 one is set
 BUS_VOLTAGE_LSB = 0.004     # V, from bit 3 on
 VOLTAGE_MAX = 26.0          # V that these chips measure; a PCA9685 read as if it were one gives 29 V
+
+TRANSFER_TIME_LIMIT = 0.15  # s; a transfer takes less than a millisecond, and holds up the motors' for as long
 
 EMPTY, FULL = 9.0, 12.6  # V, of the pack in Waveshare's JetBot: three lithium-ion cells of 3.0 to 4.2 V
 DISCONNECTED = 7.5       # V, below which the protection circuit of such a pack has switched it off
@@ -51,7 +54,7 @@ def find_supply(link: Union[I2CDevice, SerialLink], sysfs: Path = Path("/sys")) 
 
     A chip on the board's bus comes before what the computer reports. Fake hardware has no computer.
     """
-    for supply in (*on_bus(link), *(() if fake.folder_of(link.name) else on_computer(sysfs))):
+    for supply in itertools.chain(on_bus(link), () if fake.folder_of(link.name) else on_computer(sysfs)):
         try:
             supply.read()
             return supply
@@ -66,6 +69,7 @@ def on_bus(link: Union[I2CDevice, SerialLink]) -> Iterator[Supply]:
         if link.address not in (None, address):
             chip = I2CDevice(link.name, address)
             chip.tries = 1  # the next reading is the second try
+            chip.time_limit = TRANSFER_TIME_LIMIT
             if is_ina219(chip):
                 yield Supply(f"INA219 at 0x{address:02x} on {chip.name}", partial(read_ina219, chip))
 
