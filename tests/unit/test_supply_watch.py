@@ -132,8 +132,8 @@ def test_a_robot_whose_supply_nothing_measures():
 
 @pytest.fixture
 def moments(watch, monkeypatch):
-    """The moments of the readings by the thread, five times as fast."""
-    monkeypatch.setattr(supply_watch, "INTERVAL", 0.2)
+    """The moments of the thread's readings, one in each 1.5 s."""
+    monkeypatch.setattr(supply_watch, "INTERVAL", 1.5)
     moments, over = [], threading.Event()
     threading.Thread(target=watch.run, args=[lambda reading: moments.append(time.monotonic()), over.is_set],
                      daemon=True).start()
@@ -141,19 +141,25 @@ def moments(watch, monkeypatch):
     over.set()
 
 
+def test_each_start_of_the_motors_has_a_reading_of_its_own(watch, moments):
+    assert START_DELAY <= delay_of_start(watch, moments, 1) < 1.2
+    assert START_DELAY <= delay_of_start(watch, moments, 3) < 1.2  # 2 is that of the start, 3 the next without one
+
+
+def delay_of_start(watch, moments, count):
+    """Start the motors right after so many readings; return the seconds until the next one."""
+    assert wait_until(lambda: len(moments) == count, 10.0, interval=0.001)
+    begin = time.monotonic()
+    watch(AHEAD, begin)
+    watch(STOPPED, begin)
+    assert wait_until(lambda: len(moments) > count, 10.0)
+    return moments[count] - begin
+
+
 def test_however_often_the_motors_start_each_interval_has_one_reading(watch, moments):
     begin = time.monotonic()
-    while time.monotonic() < begin + 1.0:
+    while time.monotonic() < begin + 4.0:
         watch(AHEAD, time.monotonic())
         watch(STOPPED, time.monotonic())
         time.sleep(0.01)
-    assert 2 <= len(moments) <= (time.monotonic() - begin) / 0.2 + 2
-
-
-def test_the_start_of_the_motors_has_a_reading_of_its_own(watch, moments, monkeypatch):
-    monkeypatch.setattr(supply_watch, "INTERVAL", 30.0)
-    assert wait_until(lambda: len(moments) == 2, 5.0)
-    begin = time.monotonic()
-    watch(AHEAD, begin)
-    assert wait_until(lambda: len(moments) == 3, 5.0)
-    assert START_DELAY <= moments[2] - begin < 2.0
+    assert 2 <= len(moments) <= (time.monotonic() - begin) / 1.5 + 2
