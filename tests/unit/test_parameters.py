@@ -64,6 +64,11 @@ def test_bad_values(name, value, must):
     assert str(error.value) == f"The parameter {name} must be {must}, not {value!r}."
 
 
+def test_duties_without_a_range_between():
+    with pytest.raises(InvalidValue, match="^The min_duty, 0.4, must be below the max_duty, 0.3. Lower the one, or "):
+        checked({"min_duty": 0.4, "max_duty": 0.3})
+
+
 @pytest.mark.parametrize("name", PARAMETERS)
 def test_a_launch_argument_shows_its_row_and_is_empty_unless_typed(name):
     row = PARAMETERS[name]

@@ -32,7 +32,7 @@ def test_bad_values(name, value, must):
 
 def test_defaults_are_good():
     defaults = {name: parameter.default for name, parameter in PARAMETERS.items()}
-    assert checked(defaults, PARAMETERS) == resolve({}) == defaults
+    assert checked({}, PARAMETERS) == resolve({}) == defaults
 
 
 @pytest.mark.parametrize("typed, file, board", [
@@ -42,6 +42,13 @@ def test_simulates_the_board_that_the_controller_drives(tmp_path, typed, file, b
     (tmp_path / "robot.yaml").write_text(file)
     parameters = resolve({"board": typed, "config": str(tmp_path / "robot.yaml"), "x": ""})
     assert (parameters["board"], parameters["i2c_bus"], parameters["x"]) == (board, "fake", 0.0)
+
+
+@pytest.mark.parametrize("typed, file, address", [
+    ("", "{}", None), ("0x61", "{}", "0x61"), ("", "i2c_address: 0x61", 0x61), (0x62, "i2c_address: 0x61", 0x62)])
+def test_simulates_the_board_at_the_address_that_the_controller_drives(tmp_path, typed, file, address):
+    (tmp_path / "robot.yaml").write_text(file)
+    assert resolve({"i2c_address": typed, "config": str(tmp_path / "robot.yaml")})["i2c_address"] == address
 
 
 @pytest.mark.parametrize("board, folder", [("jetbot", "bus"), ("sparkfun", "bus"), ("jetbot_pro", "port")])

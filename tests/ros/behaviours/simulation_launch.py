@@ -34,7 +34,7 @@ class SimulationLaunch(RobotTest):
 
     def test_simulates_the_board_of_the_configuration_file(self):
         config = pathlib.Path(self.folder, "robot.yaml")
-        config.write_text("board: sparkfun")
+        config.write_text("board: waveshare_hat\ni2c_address: 0x61")
         self.simulate(f"config:={config}")
         self.assert_drives((0.5, 0.0), (0.3, 0.0))
 

@@ -24,13 +24,13 @@ def main() -> None:
     require_master()
     rospy.init_node("jetbot_simulator", argv=public_words())
     given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config", "body"]))
-    board, folder = given["board"], fake_folder(given, rospy.get_namespace())
-    closed_loop = ROBOTS[board].closed_loop
+    robot = fake_folder(given, rospy.get_namespace()), given["board"], given["i2c_address"]
+    closed_loop = ROBOTS[given["board"]].closed_loop
     model = DiffDriveModel(
         given["wheel_separation"], given["wheel_diameter"], given["max_speed"], given["motor_lag"], given["dead_band"],
         Pose(given["x"], given["y"], given["yaw"]), closed_loop)
     # A board with a closed loop measures its motion: its controller publishes odom.
-    Simulator(model, lambda: wheel_speeds(folder, board), publish_odom=not closed_loop).spin()
+    Simulator(model, lambda: wheel_speeds(*robot), publish_odom=not closed_loop).spin()
 
 
 if __name__ == "__main__":

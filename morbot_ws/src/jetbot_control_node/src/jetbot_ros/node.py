@@ -57,9 +57,10 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
 
     Raise JetbotError, also if another program drives that board.
     """
-    names = ("board", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left", "invert_right", "min_duty")
+    names = ("board", "i2c_address", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left",
+             "invert_right", "min_duty", "max_duty", "pwm_frequency")
     places = {name: fake.expand(str(parameters[name]), rospy.get_namespace()) for name in ("i2c_bus", "port")}
-    board = find_board(parameters["board"])
+    board = find_board(parameters["board"], parameters["i2c_address"])
     lock = lock_board(board.place(**places), board.address)  # before Robot() stops the wheels, which may be another's
     robot = Robot(**{name: parameters[name] for name in names}, **places)
     robot.lock = lock  # until this process ends

@@ -18,6 +18,7 @@ from jetbot.kinds import (  # noqa: F401  for nodes
     PWM_FREQUENCY,
     SECONDS,
     Kind,
+    check_duties,
     is_number,
 )
 
@@ -120,7 +121,10 @@ def checked(values: Dict[str, object], parameters: Dict[str, Parameter] = PARAME
     for name, row in parameters.items():
         if name in values:
             row.kind.check(f"the parameter {name}", values[name])
-    return {name: values.get(name, row.default) for name, row in parameters.items()}
+    values = {name: values.get(name, row.default) for name, row in parameters.items()}
+    if "max_duty" in values:
+        check_duties(values["min_duty"], values["max_duty"])
+    return values
 
 
 def given(values: Dict[str, object]) -> Dict[str, object]:

@@ -12,9 +12,11 @@ GEOMETRY = ("wheel_separation", "max_speed")
 
 
 def summary(parameters: Dict[str, object], driver: MotorDriver) -> Dict[str, str]:
-    """Return a text for each of board, bus, units and settings. parameters: as ``resolve`` returns them."""
+    """Return a text for each of board, bus, address, units and settings. parameters: as ``resolve`` returns them."""
     config = parameters["config"]
-    texts = {"board": parameters["board"], "bus": driver.link.name, "units": units(parameters, driver.closed_loop),
+    address = driver.link.address
+    texts = {"board": parameters["board"], "bus": driver.link.name, "address": f"0x{address:02x}" if address else "",
+             "units": units(parameters, driver.closed_loop),
              "settings": f"settings from {config}" if config else "no file of settings"}
     return {name: printable(text) for name, text in texts.items()}
 

@@ -9,7 +9,7 @@ from typing import Callable, Collection, Dict, Optional, Sequence, Tuple
 from jetbot import BusError, JetbotError, Robot
 from jetbot.wait import wait_until
 
-from .notes import FULL_POWER, Commanders, Disturbances
+from .notes import Commanders, Disturbances, full_power
 from .safety import STOPPED, Hold, Sender, State
 
 DRIVING_INTERVAL = 0.05      # s between two checks of what may stop the robot while it drives
@@ -132,7 +132,7 @@ class Supervisor:
         return None
 
     def _notes(self, senders, now) -> Tuple[str, ...]:
-        notes = [self._commanders.note(senders, now), FULL_POWER if self._robot.at_full_power else None,
+        notes = [self._commanders.note(senders, now), full_power(self._robot),
                  *(observe(self._robot.duties, now) for observe in self._observers),
                  *self._disturbances.notes(self.disturbances, now)]
         return tuple(note for note in notes if note)

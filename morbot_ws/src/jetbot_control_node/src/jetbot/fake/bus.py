@@ -10,13 +10,14 @@ Chips stay powered when the process that uses them ends. By hand:
     printf '\\x56\\xB8' | dd of=FOLDER/0x41 bs=1 seek=4 conv=notrunc
                                            set the voltage of the supply to 11.1 V, which is 0x56B8 >> 3 times 4 mV
     python3 -m jetbot.fake FOLDER          power every chip on again: after unplugging, or as a brown-out
+                  --i2c-address 0x61       plug a PCA9685 in at this address, too
 """
 
 import errno
 import os
 import time
 from pathlib import Path
-from typing import List, Optional, Sequence
+from typing import List, Optional, Sequence, Union
 
 from ..errors import BusError
 from . import Folder, chip_file
@@ -28,11 +29,16 @@ SENSORS = {0x41: INA219}  # beside a robot's chip
 CLOCK_RANGE = (10.0, 1e7)  # Hz
 
 
-def power_on(folder: Folder) -> None:
-    """Give every chip its power-on registers; make the folder, and plug in the chips that are missing."""
+def power_on(folder: Folder, address: Optional[int] = None) -> None:
+    """Give every chip its power-on registers; make the folder, and plug in the chips that are missing.
+
+    address: of one more chip, a motor board's.
+    """
     Path(folder).mkdir(parents=True, exist_ok=True)
-    for address, chip in {**SENSORS, **{robot.address: robot.chip for robot in ROBOTS.values()}}.items():
-        file = chip_file(folder, address)
+    plugged = {int(file.name, 16) for file in Path(folder).glob("0x[0-7][0-9a-f]")}
+    for each in plugged | {*SENSORS, *(robot.address for robot in ROBOTS.values()), address}:
+        file = chip_file(folder, each)
+        chip = chip_at(each) if each == address else chip_in(file, each)
         new = file.with_suffix(f".{os.getpid()}")
         new.write_bytes(chip.POWER_ON)
         new.replace(file)  # at once, for the processes that use the chip
@@ -42,12 +48,13 @@ class FakeBus:
     """Takes the place of ``smbus2.SMBus``: the methods that the drivers use, and the OSErrors of the kernel.
 
     folder: made, with every known chip in it, if it does not exist or holds only the buses of namespaces.
+    address: of one more chip in a folder that is made.
     """
 
-    def __init__(self, folder: Folder):
+    def __init__(self, folder: Folder, address: Optional[int] = None):
         self._folder = Path(folder)
         if is_new(self._folder):
-            power_on(self._folder)
+            power_on(self._folder, address)
         self._seconds_per_bit = seconds_per_bit(self._folder / "clock")
 
     def read_byte_data(self, address: int, register: int) -> int:
@@ -125,10 +132,18 @@ def seconds_per_bit(clock: Path) -> float:
     return 1 / frequency
 
 
-def chip_in(descriptor: int, address: int) -> type:
-    """Return the class of the chip in an open file: an INA219 by its size, any other by its address."""
-    if os.fstat(descriptor).st_size == len(INA219.POWER_ON):
-        return INA219
+def chip_in(file: Union[int, Path], address: Optional[int]) -> type:
+    """Return the class of the chip in a file, which may be open or missing: an INA219 by its size or its address."""
+    try:
+        size = os.stat(file).st_size
+    except FileNotFoundError:
+        size = 0
+    is_sensor = address in SENSORS and size != len(PCA9685.POWER_ON)
+    return INA219 if is_sensor or size == len(INA219.POWER_ON) else chip_at(address)
+
+
+def chip_at(address: Optional[int]) -> type:
+    """Return the class of a motor board's chip at this address: of a robot, or a PCA9685; None: on the serial port."""
     return next((robot.chip for robot in ROBOTS.values() if robot.address == address), PCA9685)
 
 

@@ -40,14 +40,21 @@ class PCA9685:
     def _store(registers, register, value):
         if register == 0xFE and not PCA9685.asleep(registers):
             return  # PRE_SCALE cannot be written while the chip is awake
-        if register == 0x00 and value & 0x10 and any(PCA9685.duty(registers, output) for output in range(16)):
-            value |= 0x80  # RESTART: put to sleep with an output on
+        if register == 0x00:
+            value = PCA9685._with_restart(registers, value)
         elif 0x06 <= register <= 0x45:
             registers[0x00] &= 0x7F
         registers[register] = value
         if 0xFA <= register <= 0xFD:
             first = register - 0xFA + 0x06
             registers[first:0x46:4] = bytes([value] * 16)
+
+    @staticmethod
+    def _with_restart(registers, mode1):
+        """Return MODE1 as the chip stores it: RESTART is set by a sleep with an output on, cleared by writing 1."""
+        slept = mode1 & 0x10 and any(PCA9685.duty(registers, output) for output in range(16))
+        waits = registers[0x00] & 0x80 and (mode1 & 0x90 != 0x80 or PCA9685.asleep(registers))
+        return mode1 & 0x7F | (0x80 if slept or waits else 0)
 
     @staticmethod
     def asleep(registers: bytes) -> bool:
@@ -59,7 +66,7 @@ class PCA9685:
         """Return the fraction of the time that an output is high: 0 to 1."""
         on = int.from_bytes(registers[0x06 + 4 * output:][:2], "little")
         off = int.from_bytes(registers[0x08 + 4 * output:][:2], "little")
-        if PCA9685.asleep(registers) or off & 0x1000:
+        if registers[0x00] & 0x90 or off & 0x1000:  # asleep, or not restarted since
             return 0.0
         return 1.0 if on & 0x1000 else (off - on) % 4096 / 4096
 

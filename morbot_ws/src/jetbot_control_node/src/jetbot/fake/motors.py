@@ -4,7 +4,7 @@ Written from the boards' circuit diagrams and not from ``boards``, so that a dri
 """
 
 import time
-from typing import NamedTuple, Optional, Tuple
+from typing import NamedTuple, Optional, Tuple, Union
 
 from ..errors import BusError
 from . import Folder, chip_file
@@ -35,11 +35,16 @@ ROBOTS = {
 ROBOTS["jetbot"] = ROBOTS["adafruit"]  # the driver `jetbot` serves both layouts; this robot has one
 
 
-def wheel_speeds(folder: Folder, board: str = "adafruit") -> Tuple[float, float]:
-    """Return the speeds (left, right) of the robot with this board in a fake bus's folder; 0 if there is no chip."""
+def wheel_speeds(folder: Folder, board: str = "adafruit",
+                 i2c_address: Union[int, str, None] = None) -> Tuple[float, float]:
+    """Return the speeds (left, right) of the robot with this board in a fake bus's folder; 0 if there is no chip.
+
+    i2c_address: as for ``boards.find_board``.
+    """
     robot = ROBOTS[board]
+    address = int(str(i2c_address), 0) if i2c_address and robot.address else robot.address
     try:
-        registers, written = read_chip(chip_file(folder, robot.address), len(robot.chip.POWER_ON))
+        registers, written = read_chip(chip_file(folder, address), len(robot.chip.POWER_ON))
     except (FileNotFoundError, BusError):
         return STOPPED
     age = time.time() - written
