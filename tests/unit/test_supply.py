@@ -119,7 +119,7 @@ def test_unplugged_it_fails_after_one_try_and_plugged_in_it_is_read_again(link, 
 def test_a_reading_that_holds_up_the_bus_is_the_last_one(monkeypatch, transfer, problem):
     answers = [lambda: [0x39, 0x9F], *[lambda: [0x5E, 0x88]] * 2, transfer, transfer]
     bus = Mock(read_i2c_block_data=lambda *_: answers.pop(0)())
-    monkeypatch.setattr(i2c, "open_bus", lambda name: bus)
+    monkeypatch.setattr(i2c, "open_bus", lambda *_: bus)
     monkeypatch.setattr(supply_watch, "INTERVAL", 0.01)
     watch, readings = SupplyWatch(find_supply(I2CDevice(1, 0x60)), ""), []
     watch.run(readings.append, lambda: False)
