@@ -52,7 +52,7 @@ def set_bus_voltage(folder, word):
 @pytest.mark.parametrize("word, volts, percentage", [
     ("6270", 12.6, 1.0), ("5E88", 12.1, 0.861), ("5E8B", 12.1, 0.861), ("4650", 9.0, 0.0), ("4E20", 10.0, 0.278),
     ("3E80", 8.0, 0.0), ("7530", 15.0, 1.0)])
-def test_an_ina219_tells_voltage_and_charge_of_three_cells(link, folder, word, volts, percentage):
+def test_an_ina219_reports_voltage_and_charge_of_three_cells(link, folder, word, volts, percentage):
     set_bus_voltage(folder, word)
     reading = find_supply(link).read()
     assert reading.voltage == pytest.approx(volts)
@@ -89,7 +89,7 @@ def test_a_motor_board_at_its_address_is_not_asked(link, wire):
     assert wire.bits == []
 
 
-def test_without_a_chip_one_try_at_each_address_tells_it(link, folder, monkeypatch):
+def test_without_a_chip_each_address_is_tried_once(link, folder, monkeypatch):
     (folder / "0x41").unlink()
     tried = []
     monkeypatch.setattr(I2CDevice, "_transfer", lambda chip, *_: tried.append(chip.address) or fail(JetbotError("")))
@@ -127,14 +127,14 @@ def test_a_reading_that_holds_up_the_bus_is_the_last_one(monkeypatch, transfer, 
     assert readings[0].voltage == 12.1 and math.isnan(readings[-1].voltage) and len(readings) <= 3
 
 
-def test_a_jetson_nano_tells_the_voltage_at_its_input_which_is_no_battery(sysfs):
+def test_a_jetson_nano_reports_the_voltage_at_its_input_which_is_no_battery(sysfs):
     put(sysfs, in_voltage0_input="5064\n")
     supply = on_computer(sysfs)
     assert (str(supply.read()), supply.sensor) == ("5.06 V", "ina3221x of this computer")
 
 
 @pytest.mark.parametrize("text, undervoltage", [("0\n", False), ("1\n", True)])
-def test_a_raspberry_pi_tells_an_undervoltage(sysfs, text, undervoltage):
+def test_a_raspberry_pi_reports_an_undervoltage(sysfs, text, undervoltage):
     put(sysfs, name="rpi_volt\n", in0_lcrit_alarm=text)
     reading = on_computer(sysfs).read()
     assert reading.undervoltage is undervoltage and math.isnan(reading.voltage)
