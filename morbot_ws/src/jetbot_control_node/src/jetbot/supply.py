@@ -72,6 +72,8 @@ def on_bus(link: Union[I2CDevice, SerialLink]) -> Iterator[Supply]:
             chip.time_limit = TRANSFER_TIME_LIMIT
             if is_ina219(chip):
                 yield Supply(f"INA219 at 0x{address:02x} on {chip.name}", partial(read_ina219, chip))
+            else:
+                chip.close()
 
 
 def is_ina219(chip: I2CDevice) -> bool:
