@@ -23,6 +23,17 @@ def bus(folder):
     return FakeBus(folder)
 
 
+def test_a_motor_board_takes_the_place_of_the_sensor_at_its_address_and_keeps_it(bus, folder):
+    assert bus.read_i2c_block_data(0x41, 0x02, 2) == [0x5E, 0x8A]
+    power_on(folder, 0x41)
+    assert bus.read_byte_data(0x41, 0xFE) == 0x1E
+    power_on(folder)
+    assert bus.read_byte_data(0x41, 0xFE) == 0x1E
+    (folder / "0x41").unlink()
+    power_on(folder)
+    assert bus.read_i2c_block_data(0x41, 0x02, 2) == [0x5E, 0x8A]
+
+
 def test_power_on_values(bus, folder):
     bus.write_byte_data(0x60, 0x00, 0x20)
     power_on(folder)

@@ -34,10 +34,11 @@ class JetBotController:
 
         # The supervisor decides what may be driven, and stops the robot; the report says why
         self.commanders = Publishers("cmd_vel")
-        self.report = Report(parameters, self.robot.driver)
+        self.supply = node.watch_supply(self.robot, parameters)
+        self.report = Report(parameters, self.robot.driver, self.supply)
         self.supervisor = Supervisor(self.robot, self.drive, parameters["cmd_vel_timeout"],
                                      self.commanders.names, self.report.change,
-                                     node.make_observers(self.robot, parameters),
+                                     [self.supply, *node.make_observers(self.robot, parameters)],
                                      ramp=make_ramp(parameters, self.robot.driver))
         self.commanders.keep_asking(self.supervisor)
 

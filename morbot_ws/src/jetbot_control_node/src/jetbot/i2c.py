@@ -29,11 +29,13 @@ class I2CDevice:
 
     bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; address: 7 bits.
     transfers, errors: how many transfers were tried, and how many of them failed.
+    tries: how often a transfer is tried.
     time_limit: s that a transfer may take. The second one in a row that takes longer raises BusTooSlow; those after it
     do not, so that the wheels can be stopped.
     The bus is opened at the first transfer, and again after a failure. Raises OutOfResources if it cannot be.
     """
 
+    tries = TRIES
     time_limit = math.inf
 
     def __init__(self, bus: Union[int, str], address: int):
@@ -65,7 +67,7 @@ class I2CDevice:
             self._smbus = None
 
     def _transfer(self, method, *arguments):
-        for _ in range(TRIES):
+        for _ in range(self.tries):
             try:
                 self._smbus = self._smbus or open_bus(self.name, self.address)
                 self.transfers += 1

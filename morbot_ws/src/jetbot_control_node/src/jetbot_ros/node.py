@@ -15,6 +15,7 @@ import rospy
 from jetbot import InvalidValue, JetbotError, Robot, fake
 from jetbot.boards import find_board
 from jetbot.lock import lock_board
+from jetbot.supply import find_supply
 
 from . import watch
 from .command_line import fake_advice, private_parameters, public_words
@@ -24,6 +25,7 @@ from .parameters import PARAMETERS, resolve
 from .registration import is_registered, register
 from .report import Report
 from .supervisor import Observer, Supervisor
+from .supply_watch import SupplyWatch
 
 SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
 
@@ -74,6 +76,16 @@ def make_observers(robot: Robot, parameters: Dict[str, object]) -> List[Observer
         return []
     from .open_loop import OpenLoopOdometry  # here: most robots do without
     return [OpenLoopOdometry(robot, parameters)]
+
+
+def watch_supply(robot: Robot, parameters: Dict[str, object]) -> SupplyWatch:
+    """Return what watches the robot's supply. If something measures it, publish that from now on."""
+    supply = find_supply(robot.driver.link)
+    supply_watch = SupplyWatch(supply, f"{'lower' if parameters['acceleration_limit'] else 'set'} acceleration_limit")
+    if supply:
+        from .battery import publish_supply  # here: on many robots nothing measures it
+        publish_supply(supply, supply_watch)
+    return supply_watch
 
 
 def run(supervisor: Supervisor, report: Report) -> int:

@@ -1,10 +1,10 @@
 """What the chips on the fake bus do with the bytes they are sent.
 
-Written from NXP's data sheet of the PCA9685 (rev. 4) and SparkFun's description of the SCMD, not from the drivers, and
-with registers as plain numbers, so that a driver's mistake shows. A chip has ``POWER_ON``, its registers at power-on;
-``write(registers, register, data)`` and ``read(registers, register, length)``, one transfer each; and
-``speed(registers, motor, age)``, the speed in [-1, 1] of a motor that is wired to it, ``age`` seconds after the last
-write.
+Written from NXP's data sheet of the PCA9685 (rev. 4), SparkFun's description of the SCMD and TI's data sheet of the
+INA219 (SBOS448), not from the drivers, and with registers as plain numbers, so that a driver's mistake shows. A chip
+has ``POWER_ON``, its registers at power-on; ``write(registers, register, data)`` and ``read(registers, register,
+length)``, one transfer each; and, if it drives motors, ``speed(registers, motor, age)``, the speed in [-1, 1] of a
+motor that is wired to it, ``age`` seconds after the last write.
 """
 
 from typing import List, Optional, Sequence, Tuple
@@ -111,3 +111,22 @@ class SCMD:
         if timed_out or not registers[0x70] & 0x01:
             return 0.0
         return (0x80 - registers[motor]) / 0x80
+
+
+class INA219:
+    """A voltmeter of six registers of 16 bits, the high byte first: configuration 0, bus voltage 2, calibration 5.
+
+    Register n is in the bytes 2 n and 2 n + 1. It measures what its bus voltage is set to: V / 0.004 from bit 3 on.
+    """
+
+    POWER_ON = bytes.fromhex("399F 0000 5E8A 0000 0000 0000")  # 12.1 V
+    WRITABLE = (0, 5)
+
+    @staticmethod
+    def write(registers: bytearray, register: int, data: Sequence[int]) -> None:
+        if register in INA219.WRITABLE and len(data) == 2:
+            registers[2 * register:2 * register + 2] = bytes(data)
+
+    @staticmethod
+    def read(registers: bytes, register: int, length: int) -> List[int]:
+        return [registers[(2 * register + offset % 2) % len(registers)] for offset in range(length)]
