@@ -96,6 +96,13 @@ def test_the_file_in_ros_home_is_used_where_it_exists(ros_home):
                            "config": f"{ros_home}/jetbot.yaml"}
 
 
+def test_a_file_of_this_package_needs_no_path_but_comes_after_ones_own(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert resolve({"config": "si_units.yaml"})["config"] == str(SOURCE / "config/si_units.yaml")
+    (tmp_path / "si_units.yaml").write_text("max_speed: 0.5")
+    assert resolve({"config": "si_units.yaml"})["max_speed"] == 0.5
+
+
 @pytest.fixture
 def ros_home(tmp_path, monkeypatch):
     monkeypatch.setenv("ROS_HOME", str(tmp_path))

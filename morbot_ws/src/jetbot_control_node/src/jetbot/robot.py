@@ -39,9 +39,8 @@ class Robot:
         board = (os.environ.get("JETBOT_BOARD") or "jetbot") if board is None else board
         i2c_bus = (os.environ.get("JETBOT_I2C_BUS") or 1) if i2c_bus is None else i2c_bus
         port = (os.environ.get("JETBOT_PORT") or DEFAULT_PORT) if port is None else port
-        BOOLEAN.check("the option swap_motors", swap_motors)
-        BOOLEAN.check("the option invert_left", invert_left)
-        BOOLEAN.check("the option invert_right", invert_right)
+        for name, value in ("swap_motors", swap_motors), ("invert_left", invert_left), ("invert_right", invert_right):
+            BOOLEAN.check(f"the option {name}", value)
         PWM_FREQUENCY.check("the pwm_frequency", pwm_frequency)
         self.left_motor = Motor(self, left_motor_alpha, invert_left, min_duty, max_duty)
         self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty, max_duty)

@@ -22,6 +22,7 @@ from jetbot.kinds import (  # noqa: F401  for nodes
     is_number,
 )
 
+SHIPPED = Path(__file__).resolve().parents[2] / "config"
 MAX_BUS = 2**20 - 1  # Linux's minor numbers have 20 bits
 
 
@@ -106,9 +107,14 @@ def resolve(typed: Dict[str, object]) -> Dict[str, object]:
 
 
 def find_file(config: object, simulated: Collection[str]) -> str:
-    """Return the absolute path of the file to read, or "". config: what is typed; simulated: what is typed as fake."""
+    """Return the absolute path of the file to read, or "". config: what is typed; simulated: what is typed as fake.
+
+    A name such as si_units.yaml, if there is no such file, is one of this package's.
+    """
     if config != "":
-        return os.path.abspath(os.path.expanduser(str(config)))
+        file = os.path.abspath(os.path.expanduser(str(config)))
+        shipped = SHIPPED / str(config)
+        return str(shipped) if shipped.is_file() and not os.path.exists(file) else file
     return "" if simulated or files.is_missing(default_file()) else os.path.abspath(default_file())
 
 
