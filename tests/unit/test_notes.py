@@ -72,9 +72,9 @@ def test_one_fault_has_a_status_of_its_own_but_several_are_counted():
 
 @pytest.mark.parametrize("closed_loop, cure", [(False, "raise min_duty"), (True, "command more")])
 def test_wheels_that_get_less_than_a_step_of_the_board_have_a_cure(closed_loop, cure):
-    robot = Mock(duties=(0.0001, 0.0), **{"driver.closed_loop": closed_loop, "driver.turns.return_value": False})
+    robot = Mock(duties=(-0.0001, 0.0), **{"driver.closed_loop": closed_loop, "driver.resolution": 0.0002})
     assert too_slow(robot) == TOO_SLOW + cure
-    robot.driver.turns.return_value = True
+    robot.duties = (0.0, -0.0002)
     assert too_slow(robot) is None
 
 

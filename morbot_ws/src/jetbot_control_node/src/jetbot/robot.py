@@ -11,6 +11,7 @@ from .guard import Guard, NoGuard
 from .kinds import BOOLEAN, PWM_FREQUENCY
 from .motor import STOPPED, Motor, checked, negated, turn_cut_off
 
+
 class Robot:
     """A JetBot's two wheels. They stop when the interpreter exits, and when its process is killed.
 
@@ -130,10 +131,7 @@ class Robot:
 
     @property
     def duties(self) -> Tuple[float, float]:
-        """What the wheels (left, right) are given now, positive forward: 1 is full power; of a closed loop, m/s.
-
-        0 while they are stopped for lack of a guard, and while the board does not answer.
-        """
+        """What the wheels (left, right) are given now: duties in [-1, 1], of a closed loop m/s; 0 if not known."""
         duties = {motor: motor.duty_of(given) for motor, given in zip(self._outputs, self._given)}
         return duties[self.left_motor], duties[self.right_motor]
 

@@ -65,7 +65,7 @@ def full_power(robot: Robot) -> Optional[str]:
 
 def too_slow(robot: Robot) -> Optional[str]:
     """Return a sentence if the board rounds down to 0 what both wheels of a robot that drives are given, else None."""
-    if robot.driver.turns(*robot.duties):
+    if max(map(abs, robot.duties)) > robot.driver.resolution / 2:
         return None
     return TOO_SLOW + ("command more" if robot.driver.closed_loop else "raise min_duty")
 
