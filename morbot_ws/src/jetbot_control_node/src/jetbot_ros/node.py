@@ -21,10 +21,11 @@ from . import watch
 from .command_line import fake_advice, private_parameters, public_words
 from .master import require_master, require_name
 from .network import bound_headers, stay_on_this_host
+from .notes import Observer
 from .parameters import PARAMETERS, resolve
 from .registration import is_registered, register
 from .report import Report
-from .supervisor import Observer, Supervisor
+from .supervisor import Supervisor
 from .supply_watch import SupplyWatch
 
 SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
