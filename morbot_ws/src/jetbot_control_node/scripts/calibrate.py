@@ -44,7 +44,7 @@ def calibrate(boards: List[str], **connection: Any) -> Dict[str, Any]:
             wizard = WIZARDS.get(board, Wizard)(board=board, **connection)
             print(f"\nTrying the board {board}.")
             if wizard.find_motors():
-                wizard.straighten()
+                wizard.tune()
                 return wizard.parameters
     raise JetbotError("no wheel turned", f"Is the motors' battery on? Run: {doctor()}")
 
