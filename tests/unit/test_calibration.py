@@ -42,8 +42,8 @@ def test_trim_makes_the_wheels_equal(left, right):
     assert max(left_alpha, right_alpha) == 1
 
 
-def test_trim_turns_the_wheels_by_what_is_above_the_min_duty():
-    left, right = (0.05 + 0.9 * alpha * DRIVE_SPEED for alpha in trim(1.0, 1.0, 0.4, min_duty=0.1))  # friction: 0.05
+def test_trim_knows_that_an_alpha_leaves_the_min_duty_as_it_is():
+    left, right = (0.1 + 0.9 * alpha * DRIVE_SPEED for alpha in trim(1.0, 1.0, 0.4, min_duty=0.1))
     assert left * (1 - 0.2 * WHEEL_SEPARATION) == pytest.approx(right * (1 + 0.2 * WHEEL_SEPARATION), rel=1e-3)
 
 

@@ -9,7 +9,7 @@ from jetbot_tools import tape_measure
 from simulation.diff_drive import Motor, Pose
 
 SEPARATION = 0.1125 * 1.08
-KNOWN = {"left_motor_alpha": 1.0, "right_motor_alpha": 1.0, "min_duty": 0.06}
+KNOWN = {"left_motor_alpha": 1.0, "right_motor_alpha": 1.0, "min_duty": 0.007}
 
 
 class Person:
@@ -25,7 +25,7 @@ class Person:
         if self.stops:
             self.stops -= 1
             return motion[0]
-        wheels, pose, self.rotation = [Motor(0.6, 0.1, 0.05), Motor(0.6 * 0.97, 0.1, 0.05)], Pose(), 0.0
+        wheels, pose, self.rotation = [Motor(0.6, 0.1, 0.006), Motor(0.6 * 0.97, 0.1, 0.006)], Pose(), 0.0
         for left, right, seconds in [*motion, (0, 0, 2.0)]:
             duties = (self.duty(left, "left"), self.duty(right, "right"))
             rolled = [wheel.step(duty, seconds) for wheel, duty in zip(wheels, duties)]
@@ -36,7 +36,7 @@ class Person:
 
     def duty(self, speed, wheel):
         speed = clamp(speed * self.parameters[f"{wheel}_motor_alpha"], 1.0)
-        return speed and math.copysign(0.06 + 0.94 * abs(speed), speed)
+        return speed and math.copysign(0.007 + 0.993 * abs(speed), speed)
 
     def answer(self, question):
         if "[y" in question:
@@ -74,7 +74,7 @@ def test_two_rounds_of_squares_close_them(measure, skips):
 
 def test_without_squares_the_robot_drives_and_turns_as_far_as_it_should(measure):
     person = measure()
-    person.drive("", tape_measure.gentle(0.4, 0.4, 2 / 0.4 / person.parameters["max_speed"]))
+    person.drive("", tape_measure.gentle(0.4, 0.4, 2 / 0.4 / person.parameters["max_speed"], 0.0))
     assert person.ended[-1] == pytest.approx(200, rel=0.03)
     person.drive("", tape_measure.spin(math.pi, person.parameters))
     assert person.rotation / SEPARATION == pytest.approx(math.pi, rel=0.03)

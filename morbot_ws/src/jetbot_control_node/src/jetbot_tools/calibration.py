@@ -33,15 +33,15 @@ def curvature_of(drift: float) -> float:
 
 
 def base_alpha(min_duty: float) -> float:
-    """Return what min_duty adds to an alpha at DRIVE_SPEED, if friction takes half of it and half turns the wheel."""
-    return min_duty / (1 - min_duty) / DRIVE_SPEED / 2
+    """Return what min_duty adds to the effect of an alpha at DRIVE_SPEED."""
+    return min_duty / (1 - min_duty) / DRIVE_SPEED
 
 
 def trim(left_alpha: float, right_alpha: float, curvature: float, min_duty: float = 0.0) -> Tuple[float, float]:
     """Return better alphas (left, right) for a robot whose path has a curvature, in rad/m to the left.
 
-    Its wheels' speeds differ by the part curvature * WHEEL_SEPARATION; each alpha makes up half of that. The larger
-    of the returned alphas is 1.
+    Its wheels' speeds, which are proportional to their duties, differ by the part curvature * WHEEL_SEPARATION; each
+    alpha makes up half of that. The larger of the returned alphas is 1.
     """
     change, base = curvature * WHEEL_SEPARATION / 2, base_alpha(min_duty)
     left, right = (left_alpha + base) * (1 + change) - base, (right_alpha + base) * (1 - change) - base

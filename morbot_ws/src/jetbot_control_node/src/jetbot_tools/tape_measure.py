@@ -6,7 +6,7 @@ from typing import Any, Callable, Dict, List, Optional
 from jetbot.errors import InvalidValue
 
 from .calibration import WHEEL_SEPARATION
-from .motions import DRIVE_SPEED, Step, gentle, spin, square
+from .motions import DRIVE_SPEED, Step, duty, gentle, spin, square
 from .terminal import number, offset, wanted
 from .umbmark import corrected, find_errors
 
@@ -23,11 +23,13 @@ Drive = Callable[[str, List[Step]], Optional[Step]]  # as Wizard.drive
 def measure(drive: Drive, parameters: Dict[str, Any]) -> None:
     """Add max_speed and wheel_separation to a robot's parameters, and improve its alphas; a person may skip each."""
     print(INTRODUCTION)
+    min_duty = parameters["min_duty"]
+    motion = gentle(DRIVE_SPEED, DRIVE_SPEED, DRIVE_TIME, min_duty)
     centimetres = ask(drive, "Measure how far it drives?", f"The robot will drive ahead for {DRIVE_TIME:.0f} s.",
-                      gentle(DRIVE_SPEED, DRIVE_SPEED, DRIVE_TIME), "How many centimetres did it drive?", 10, 200)
+                      motion, "How many centimetres did it drive?", 10, 200)
     if not centimetres:
         return
-    parameters["max_speed"] = round(centimetres / 100 / (DRIVE_SPEED * DRIVE_TIME), 4)
+    parameters["max_speed"] = round(centimetres / 100 / DRIVE_TIME / duty(DRIVE_SPEED, min_duty), 4)
     degrees = ask(drive, "Measure how far it turns?", "The robot will turn left on the spot, about twice round.",
                   spin(math.radians(TURN), {**parameters, "wheel_separation": WHEEL_SEPARATION}),
                   f"How many degrees did it turn? Twice round is {TURN}.", 180, 1440)

@@ -15,7 +15,7 @@ from .terminal import choose, key_pressed, offset, single_keys
 TURN_SPEED = 0.5  # fraction of full power
 TURN_TIME = 0.8   # s
 DRIVE_TIME = 4.0  # s
-RAMP = [step * 0.001 for step in range(1, 601)]  # fractions of full power, to 60 % in 13 s
+RAMP = [0.003 * 1.007 ** step for step in range(760)]  # duties, to 60 % in 17 s; in 0.3 s, a person is 10 % late
 MAX_DELAY = 0.5   # s by which a step may be late; later, the guard may have stopped the wheels meanwhile
 
 DIRECTIONS = {"forward": 1, "backward": -1}
@@ -86,7 +86,7 @@ class Wizard:
         while True:
             self.parameters.update(zip(("left_motor_alpha", "right_motor_alpha"), alphas))
             self.drive(f"The robot will drive ahead for {DRIVE_TIME:.0f} s.",
-                       gentle(DRIVE_SPEED, DRIVE_SPEED, DRIVE_TIME))
+                       gentle(DRIVE_SPEED, DRIVE_SPEED, DRIVE_TIME, self.parameters["min_duty"]))
             drift = offset("How many centimetres off the line was it after one metre? "
                            "Press Enter alone if that is straight enough.", 90, {"left": 1, "right": -1}) / 100
             if not drift:
@@ -102,7 +102,7 @@ class Wizard:
             if not reached:
                 print(f"No key was pressed below {100 * RAMP[-1]:.0f} % of full power. Try again.")
             elif choose(f"Did the {wheel} wheel turn?", {"yes": True, "no": False}):
-                return round(max(reached.left, reached.right), 3)
+                return round(max(reached.left, reached.right), 4)
 
 
 class BaseWizard(Wizard):
