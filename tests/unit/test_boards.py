@@ -9,7 +9,7 @@ from conftest import registers
 from jetbot import InvalidValue
 from jetbot.boards import find_board
 from jetbot.fake import chip_file
-from jetbot.fake.motors import wheel_speeds
+from jetbot.fake.motors import STOPPED, wheel_speeds
 
 OFF, HIGH, HALF = "00000010", "00100000", "00000008"
 
@@ -102,6 +102,16 @@ def test_a_changed_register_is_restored(folder, name, address, register, value):
         board.verify()
     board.drive(0.5, 0.5)
     assert registers(folder, address) == good
+
+
+@pytest.mark.parametrize("name, step", [("jetbot", 1 / 4096), ("waveshare_hat", 1 / 4096), ("sparkfun", 1 / 128),
+                                        ("jetbot_pro", 0.001)])
+def test_a_driver_knows_which_speeds_are_too_small_for_its_board(folder, name, step):
+    board = find_board(name).open(f"fake:{folder}")
+    for speeds in itertools.product([part * step for part in (0, 0.3, -0.4, 0.6, -0.7, 1)], repeat=2):
+        board.drive(*speeds)
+        assert board.turns(*speeds) == (wheel_speeds(folder, name) != STOPPED)
+    board.close()
 
 
 def test_opening_a_board_stops_what_turned(folder):

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from simulation.diff_drive import DiffDriveModel, Motor, Pose
+from simulation.diff_drive import STARTING_EXPONENT, DiffDriveModel, Motor, Pose
 
 SEPARATION, DIAMETER, MAX_SPEED = 0.1125, 0.06, 0.6
 
@@ -63,3 +63,40 @@ def test_dead_band(duty, speed):
     motor = Motor(MAX_SPEED, lag=0.0, dead_band=0.1)
     motor.step(duty, 1.0)
     assert motor.speed == pytest.approx(speed)
+
+
+@pytest.mark.parametrize("frequency, starts_at", [(1600, 0.28), (25, 0.02)])
+def test_the_dead_band_shrinks_with_the_pwm_frequency_as_measured(frequency, starts_at):
+    dead_band = 0.28 * (1526 / 1600) ** STARTING_EXPONENT
+    motor = Motor(MAX_SPEED, lag=0.0, dead_band=dead_band)
+    for duty, stalled in ((0.98 * starts_at, True), (1.02 * starts_at, False)):
+        motor.step(duty, 1.0, frequency)
+        assert motor.stalled == stalled
+        assert motor.speed == pytest.approx(0 if stalled else duty * MAX_SPEED)
+
+
+def test_both_wheels_turn_slowly_at_a_low_pwm_frequency():
+    robot = model(dead_band=0.05)
+    robot.step((-0.1 * SEPARATION / 2 / MAX_SPEED, 0.1 * SEPARATION / 2 / MAX_SPEED), 1.0, pwm_frequency=50.0)
+    assert robot.velocity == pytest.approx((0.0, 0.1))
+
+
+def test_the_wheels_that_get_too_little_to_turn_are_named():
+    robot = model(dead_band=0.05)
+    robot.step((-0.047, 0.047), 0.02)
+    assert robot.stalled == {"left": -0.047, "right": 0.047}
+    robot.step((0.0, 0.049), 0.02)
+    assert robot.stalled == {"right": 0.049}
+    robot.step((0.0, 0.05), 0.02)
+    assert robot.stalled == {}
+
+
+@pytest.mark.parametrize("closed_loop, speeds", [(False, (0.5, 0.5)), (True, (0.3, 0.3))])
+def test_a_smaller_right_wheel_turns_as_fast_and_drives_less_far(closed_loop, speeds):
+    robot = model(wheel_ratio=0.97, closed_loop=closed_loop)
+    robot.step(speeds, 2.0)
+    assert (robot.left.distance, robot.right.distance) == pytest.approx((0.6, 0.97 * 0.6))
+    assert robot.pose.yaw == pytest.approx(-0.03 * 0.6 / SEPARATION)
+    angles, rates = robot.joints
+    assert angles[0] == pytest.approx(angles[1])
+    assert rates[0] == pytest.approx(rates[1])

@@ -8,7 +8,7 @@ from conftest import ROOT, SOURCE
 from jetbot.boards import BOARDS, scmd
 from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE
 from jetbot.guard import process as guard
-from jetbot.host import ROBOT_BUS
+from jetbot.host import ROBOT_BUS, robot_bus
 from jetbot_ros.parameters import PARAMETERS
 
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
@@ -73,9 +73,10 @@ def test_the_picture_shows_these_outputs_and_their_registers():
 
 
 def test_the_bus_of_each_computer():
-    buses = {row[0]: row[1] for row in rows(BOARDS_PAGE) if len(row) == 2}
-    for computer, bus in ROBOT_BUS.items():
-        assert [cell for names, cell in buses.items() if computer in names][0].startswith(f"`{bus}`")
+    buses = {name: int(row[1][1]) for row in rows(BOARDS_PAGE) if re.match(r"`\d`", row[1])
+             for name in row[0].split(", ")}
+    assert buses == {name: robot_bus(name) for name in buses}
+    assert set(buses.values()) == set(ROBOT_BUS.values())
 
 
 def test_safety_page_has_the_times_of_the_code():

@@ -12,7 +12,7 @@ from conftest import registers
 from jetbot import BusError
 from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.chips import PCA9685
-from jetbot.fake.motors import STOPPED, wheel_speeds
+from jetbot.fake.motors import STOPPED, pwm_frequency, wheel_speeds
 from jetbot.fake.port import FakePort
 
 FULL, HALF, OFF = bytes([0, 0x10, 0, 0]), bytes([0, 0, 0, 0x08]), bytes([0, 0, 0, 0x10])  # one output's registers
@@ -26,7 +26,7 @@ def bus(folder):
 def test_power_on_values(bus, folder):
     bus.write_byte_data(0x60, 0x00, 0x20)
     power_on(folder)
-    assert registers(folder)[:2].hex() == "1104"
+    assert registers(folder)[:6].hex() == "1104e2e4e8e0"
     assert registers(folder)[0x06:0x46] == OFF * 16
     assert registers(folder)[0xFE] == 0x1E
 
@@ -55,7 +55,7 @@ def test_a_block_that_sets_auto_increment_uses_it_at_once(bus, folder):
     assert registers(folder)[:2].hex() == "3014"
 
 
-@pytest.mark.parametrize("mode1, values", [(0x11, [0x11, 0x11, 0x11]), (0x31, [0x31, 0x04, 0x00])])
+@pytest.mark.parametrize("mode1, values", [(0x11, [0x11, 0x11, 0x11]), (0x31, [0x31, 0x04, 0xE2])])
 def test_a_block_is_read_from_one_register_without_auto_increment(bus, mode1, values):
     bus.write_byte_data(0x60, 0x00, mode1)
     assert bus.read_i2c_block_data(0x60, 0x00, 3) == values
@@ -66,6 +66,18 @@ def test_pre_scale_is_written_only_asleep(bus, mode1, pre_scale):
     bus.write_byte_data(0x60, 0x00, mode1)
     bus.write_byte_data(0x60, 0xFE, 3)
     assert bus.read_byte_data(0x60, 0xFE) == pre_scale
+
+
+@pytest.mark.parametrize("pre_scale, frequency", [(3, 1526), (121, 50), (255, 24)])
+def test_the_prescaler_sets_the_frequency_of_the_motors(bus, folder, pre_scale, frequency):
+    bus.write_byte_data(0x60, 0xFE, pre_scale)
+    assert pwm_frequency(folder) == pytest.approx(frequency, abs=0.5)
+
+
+@pytest.mark.parametrize("board", ["sparkfun", "jetbot_pro", "waveshare_hat"])
+def test_a_frequency_that_is_fixed_or_of_no_chip_is_unknown(bus, folder, board):
+    (folder / "0x40").unlink()
+    assert pwm_frequency(folder, board) is None
 
 
 def test_no_output_while_asleep(bus, folder):

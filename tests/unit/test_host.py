@@ -11,9 +11,30 @@ from jetbot.wait import wait_until
 
 @pytest.mark.parametrize("name, bus", [
     ("NVIDIA Jetson Nano Developer Kit", 1), ("NVIDIA Jetson Xavier NX Developer Kit", 8),
-    ("NVIDIA Jetson Orin Nano Developer Kit", 7), ("Raspberry Pi 4 Model B Rev 1.4", 1), ("A PC", None), ("", None)])
+    ("NVIDIA Jetson Orin Nano Developer Kit", 7), ("Raspberry Pi 4 Model B Rev 1.4", 1), ("A PC", None), ("", None),
+    ("NVIDIA Orin NX Developer Kit", 7), ("NVIDIA Jetson Orin NX Engineering Reference Developer Kit Super", 7),
+    ("Jetson AGX Orin Developer Kit", 7), ("NVIDIA Jetson AGX Thor Developer Kit", 7),
+    ("NVIDIA Jetson AGX Xavier Developer Kit", 8), ("Jetson-AGX", 8), ("jetson-xavier", 8),
+    ("NVIDIA Jetson TX2 Developer Kit", 1), ("quill", 1), ("jetson-nano", 1)])
 def test_robot_bus(name, bus):
     assert host.robot_bus(name) == bus
+
+
+@pytest.mark.parametrize("name, expected", [
+    ("Raspberry Pi 3 Model B Plus Rev 1.3", True), ("Raspberry Pi 4 Model B Rev 1.4", True),
+    ("Raspberry Pi 400 Rev 1.0", True), ("Raspberry Pi Zero 2 W Rev 1.0", True),
+    ("Raspberry Pi Compute Module 4 Rev 1.1", True), ("Raspberry Pi Compute Module 5 Rev 1.0", False),
+    ("Raspberry Pi 5 Model B Rev 1.0", False), ("Raspberry Pi 500 Rev 1.0", False),
+    ("NVIDIA Jetson Nano Developer Kit", False), ("", False)])
+def test_which_computers_mishandle_a_stretched_clock(name, expected):
+    assert host.mishandles_clock_stretching(name) == expected
+
+
+def test_the_kernel_driver_that_holds_a_chip(tmp_path):
+    (tmp_path / "1-0040").mkdir()
+    (tmp_path / "1-0040/driver").symlink_to("../../../bus/i2c/drivers/ina3221")
+    (tmp_path / "1-0060").mkdir()
+    assert [host.kernel_driver(device, tmp_path) for device in ("1-0040", "1-0060", "7-0040")] == ["ina3221", "", ""]
 
 
 def test_model(tmp_path):

@@ -17,6 +17,7 @@ from jetbot.i2c import I2CDevice, explain
 
 @pytest.fixture(autouse=True)
 def host(monkeypatch):
+    monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
     monkeypatch.setattr(i2c, "bus_advice", lambda: "This computer has /dev/i2c-0.")
     monkeypatch.setattr(i2c, "permission_advice", lambda device, group: f"Join its group {group}.")
 
@@ -34,6 +35,17 @@ FAKE = 'Without a robot, use Robot(i2c_bus="fake"), or type first: export JETBOT
 def test_each_failure_has_its_class_and_sentence(number, kind, sentence):
     error = explain(OSError(number, ""), "/dev/i2c-1", 0x60)
     assert (type(error), error.errno, str(error)) == (kind, number, sentence)
+
+
+@pytest.mark.parametrize("driver, kind, sentence", [
+    ("ina3221", NoAnswer, "0x40 on /dev/i2c-1 is in use by the kernel driver ina3221. That chip measures the supply, "
+                          "and drives no motor. This computer has /dev/i2c-0."),
+    ("pca9685-pwm", BusError, "0x40 on /dev/i2c-1 is in use by the kernel driver pca9685-pwm. If it is the motor "
+                              "board, release it: echo 1-0040 | sudo tee /sys/bus/i2c/drivers/pca9685-pwm/unbind")])
+def test_a_chip_that_a_kernel_driver_holds(monkeypatch, driver, kind, sentence):
+    monkeypatch.setattr(i2c, "kernel_driver", {"1-0040": driver}.__getitem__)
+    error = explain(OSError(errno.EBUSY, ""), "/dev/i2c-1", 0x40)
+    assert (type(error), error.errno, str(error)) == (kind, errno.EBUSY, sentence)
 
 
 @pytest.mark.parametrize("bus", ["", "one", "fake:", "-1", 1.5, None])

@@ -1,6 +1,19 @@
 """What the status reports beside "driving"."""
 
-from jetbot_ros.notes import NOTE_FOR, RIVALS_WITHIN, Commanders, Disturbances
+from unittest.mock import Mock
+
+import pytest
+
+from jetbot_ros.notes import (
+    LASTING,
+    NOTE_FOR,
+    RIVALS_WITHIN,
+    TOO_SLOW,
+    Commanders,
+    Disturbances,
+    Lasting,
+    too_slow,
+)
 from jetbot_ros.safety import Sender
 
 NONE = {"resets": 0, "overwritten": 0, "faults": 0}
@@ -55,3 +68,19 @@ def test_one_fault_has_a_status_of_its_own_but_several_are_counted():
     assert disturbances.notes({**NONE, "faults": 1}, now=0.0) == []
     assert disturbances.notes({**NONE, "faults": 2}, now=9.0) == [
         "its board keeps failing to answer (2 so far): check the wires"]
+
+
+@pytest.mark.parametrize("closed_loop, cure", [(False, "raise min_duty"), (True, "command more")])
+def test_wheels_that_get_less_than_a_step_of_the_board_have_a_cure(closed_loop, cure):
+    robot = Mock(duties=(0.0001, 0.0), **{"driver.closed_loop": closed_loop, "driver.turns.return_value": False})
+    assert too_slow(robot) == TOO_SLOW + cure
+    robot.driver.turns.return_value = True
+    assert too_slow(robot) is None
+
+
+def test_a_condition_is_reported_while_it_has_lasted():
+    lasting = Lasting()
+    assert lasting.note("slow", now=0.0) is None
+    assert lasting.note("slow", now=LASTING) == "slow"
+    assert lasting.note(None, now=LASTING) is None
+    assert lasting.note("slow", now=LASTING + 0.1) is None

@@ -13,7 +13,7 @@ from jetbot_tools.options import add_options, parse
 def parser(monkeypatch):
     monkeypatch.setenv("JETBOT_PORT", "/dev/ttyUSB0")
     parser = argparse.ArgumentParser(formatter_class=lambda prog: argparse.HelpFormatter(prog, width=200))
-    add_options(parser, i2c_bus="every bus", port="")
+    add_options(parser, i2c_bus="every bus", port="", i2c_address="the board's own")
     return parser
 
 
@@ -23,6 +23,17 @@ def parser(monkeypatch):
 def test_options_as_the_shell_and_as_ros_write_them(parser, monkeypatch, argument, i2c_bus):
     monkeypatch.setenv("ROS_HOME", "/home/of_ros")
     assert parse(parser, [argument]).i2c_bus == i2c_bus
+
+
+@pytest.mark.parametrize("argument", ["i2c_address:=0x61", "--i2c-address=97", "_i2c_address:=97"])
+def test_an_address_is_a_number(parser, argument):
+    assert parse(parser, [argument]).i2c_address == 0x61
+
+
+@pytest.mark.parametrize("address", ["0x80", "2", "sixty"])
+def test_a_bad_address_is_refused(parser, address):
+    with pytest.raises(SystemExit, match="The parameter i2c_address must be an address from 0x03 to 0x77, not "):
+        parse(parser, [f"i2c_address:={address}"])
 
 
 @pytest.mark.parametrize("typed, advice", [
@@ -36,7 +47,7 @@ def test_a_mistyped_word_is_refused_with_what_was_meant(parser, typed, advice):
 
 
 def test_without_an_option_the_environment_is_used(parser):
-    assert vars(parser.parse_args([])) == {"i2c_bus": None, "port": "/dev/ttyUSB0"}
+    assert vars(parser.parse_args([])) == {"i2c_bus": None, "port": "/dev/ttyUSB0", "i2c_address": None}
 
 
 def test_help_has_the_meaning_and_the_default(parser):

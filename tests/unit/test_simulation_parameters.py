@@ -24,6 +24,7 @@ SIZE = load(BODY)
     ("dead_band", 1, "a number of at least 0 and below 1"),
     ("motor_lag", -1, "a number of seconds, 0 or more"),
     ("wheel_diameter", 0, "a number above 0"),
+    ("wheel_ratio", 0, "a number above 0"),
 ])
 def test_bad_values(name, value, must):
     with pytest.raises(InvalidValue, match=f"The parameter {name} must be {must}, not "):
@@ -54,12 +55,13 @@ def test_the_file_of_the_body_shows_each_default_with_its_unit_and_meaning():
     rows = {name: row for name, row in PARAMETERS.items() if name in SIZE}
     assert BODY.read_text().splitlines()[1:] == [
         f"{name}: {row.default}  # {row.unit + '; ' if row.unit else ''}{row.doc}" for name, row in rows.items()]
-    assert len(SIZE) == 5
+    assert len(SIZE) == 6
 
 
 def test_the_controller_assumes_the_same_size():
     controller = load(SOURCE / "config/si_units.yaml")
-    assert controller == {name: SIZE[name] for name in ("wheel_separation", "max_speed")}
+    assert {name: controller[name] for name in SIZE if name in controller} == {
+        name: SIZE[name] for name in ("wheel_separation", "max_speed")}
     assert calibration.WHEEL_SEPARATION == SIZE["wheel_separation"]
 
 

@@ -1,13 +1,15 @@
 """The real path: smbus2 itself runs, and what it asks of the kernel arrives at the fake chip."""
 
+import errno
 import os
 from types import SimpleNamespace
 
 import pytest
 
-from jetbot import BusError
+from jetbot import BusError, i2c
 from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.motors import wheel_speeds
+from jetbot_tools import probe
 
 smbus2 = pytest.importorskip("smbus2.smbus2")
 
@@ -57,6 +59,18 @@ def kernel(folder, monkeypatch):
     monkeypatch.setattr(smbus2, "os", SimpleNamespace(open=kernel.open, close=kernel.close, O_RDWR=os.O_RDWR))
     monkeypatch.setattr(smbus2, "ioctl", kernel.ioctl)
     return kernel
+
+
+def test_a_chip_that_a_kernel_driver_holds_is_left_to_it(kernel, monkeypatch):
+    def ioctl(descriptor, request, argument):
+        assert request in (smbus2.I2C_SLAVE, smbus2.I2C_FUNCS), "not I2C_SLAVE_FORCE"
+        if request == smbus2.I2C_SLAVE:
+            raise OSError(errno.EBUSY, "")
+
+    monkeypatch.setattr(smbus2, "ioctl", ioctl)
+    monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
+    check = probe.check_chip(1, 0x40)
+    assert (check.ok, check.finding) == (False, "0x40 on /dev/i2c-1 is in use by a kernel driver")
 
 
 def test_the_wheels_turn(kernel, make_robot, folder):

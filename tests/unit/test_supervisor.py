@@ -10,6 +10,7 @@ from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.guard.process import HEARTBEAT_TIMEOUT
 from jetbot.wait import wait_until
+from jetbot_ros.notes import TOO_SLOW
 from jetbot_ros.safety import EMERGENCY_STOP, Sender
 from jetbot_ros.supervisor import Supervisor
 
@@ -187,6 +188,20 @@ def test_a_turn_that_is_cut_off_is_reported(supervisor, robot, statuses, monkeyp
     monkeypatch.setattr(type(robot), "at_full_power", True)
     go(supervisor)
     assert statuses == ["driving, both wheels at full power"]
+
+
+def test_a_command_below_the_steps_of_the_board_is_reported_unless_it_passes(supervisor, folder, statuses):
+    supervisor.state = supervisor.state.command(0.0001, 0.0, PUPIL, 0.0)
+    steps(supervisor, 0.0, 0.4)
+    assert statuses == ["driving"]
+    steps(supervisor, 0.4, 0.3)
+    assert wheel_speeds(folder) == STOPPED
+    assert statuses[-1] == f"driving, {TOO_SLOW}raise min_duty"
+    supervisor.state = supervisor.state.command(0.01, 0.0, PUPIL, 0.7)
+    supervisor.step(0.7, commanded=True)
+    supervisor.state = supervisor.state.command(0.0, 0.0, PUPIL, 0.8)
+    steps(supervisor, 0.8, 2.0)
+    assert statuses[2:] == ["driving", "stopped: the command is zero"]
 
 
 def test_a_board_that_fails_now_and_then_is_reported(supervisor, folder, statuses):

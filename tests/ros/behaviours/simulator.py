@@ -91,6 +91,17 @@ class Simulator(RobotTest):
                       "a last line")
         self.assertRegex(read(self.simulator).splitlines()[-1], r"^at x 1\.\d\d m, y 0\.\d\d m, heading 29 deg; ")
 
+    def test_says_once_why_a_wheel_does_not_turn(self):
+        sentence = "the wheels get 4.7 % of full power, too little to turn: raise min_duty, or lower pwm_frequency"
+        with self.robot() as robot:
+            robot.set_motors(0.047, -0.047)
+            self.wait_for(lambda: sentence in read(self.simulator), 5.0, "the sentence")
+            self.sample_after(1.0)
+            self.assertEqual(self.velocity(), (0, 0))
+            robot.set_motors(0.06, -0.06)
+            self.wait_for(lambda: self.velocity()[1] < -0.05, 5.0, "a slow turn")
+        self.assertEqual(read(self.simulator).count(sentence), 1)
+
     def test_its_track_is_drawn_at_ctrl_c(self):
         picture = Path(self.folder, "track.png")
         process = self.start(program("simulation", "draw_track.py"), str(picture))

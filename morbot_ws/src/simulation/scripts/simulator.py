@@ -11,7 +11,7 @@ import sys
 import rospy
 
 from jetbot import InvalidValue
-from jetbot.fake.motors import ROBOTS, wheel_speeds
+from jetbot.fake.motors import ROBOTS, pwm_frequency, wheel_speeds
 from jetbot.text import printable
 from jetbot_ros.command_line import private_parameters, public_words
 from jetbot_ros.master import require_master
@@ -28,9 +28,10 @@ def main() -> None:
     closed_loop = ROBOTS[board].closed_loop
     model = DiffDriveModel(
         given["wheel_separation"], given["wheel_diameter"], given["max_speed"], given["motor_lag"], given["dead_band"],
-        Pose(given["x"], given["y"], given["yaw"]), closed_loop)
+        Pose(given["x"], given["y"], given["yaw"]), closed_loop, given["wheel_ratio"])
     # A board with a closed loop measures its motion: its controller publishes odom.
-    Simulator(model, lambda: wheel_speeds(folder, board), publish_odom=not closed_loop).spin()
+    Simulator(model, lambda: wheel_speeds(folder, board), lambda: pwm_frequency(folder, board),
+              publish_odom=not closed_loop).spin()
 
 
 if __name__ == "__main__":

@@ -1,8 +1,10 @@
 """This computer: its model, its I2C buses, the one that a JetBot's motors are on, its addresses, and ROS's home."""
 
+import contextlib
 import grp
 import ipaddress
 import os
+import re
 import shlex
 import socket
 from pathlib import Path
@@ -10,20 +12,35 @@ from typing import List, Optional, Union
 
 from .text import printable
 
-# Part of the model's name: the bus on pins 3 and 5 of the 40-pin header, by NVIDIA's and Raspberry Pi's pinouts.
-ROBOT_BUS = {"Jetson Nano": 1, "Xavier NX": 8, "Orin Nano": 7, "Raspberry Pi": 1}
+# Part of the model's name, in lower case and without hyphens: the bus on pins 3 and 5 of the 40-pin header, by NVIDIA's
+# and Raspberry Pi's pinouts, and Adafruit Blinka's for a Thor, whose developer kit has no such header. Jetson Linux 32
+# calls a TX2 "quill" and an AGX Xavier "jetson-xavier" or "Jetson-AGX"; Jetson Linux 35 an Orin NX "NVIDIA Orin NX".
+ROBOT_BUS = {"orin": 7, "thor": 7, "xavier": 8, "jetson agx": 8, "jetson nano": 1, "jetson tx2": 1, "quill": 1,
+             "raspberry pi": 1}
+
+# The display of the JetBot library's images: its systemd unit, and how that starts it (create_stats_service.py).
+DISPLAY_SERVICE = (b"jetbot_stats.service", b"jetbot.apps.stats", b"jetbot/apps/stats.py")
 
 
-def program_name(pid: int) -> str:
+def program_name(pid: int, proc: Path = Path("/proc")) -> str:
     """Return the name of a process's program, a script's own rather than Python's; "" where /proc does not show it."""
     try:
-        words = Path(f"/proc/{pid}/cmdline").read_text(errors="replace").split("\0")[:-1]
+        words = (proc / str(pid) / "cmdline").read_text(errors="replace").split("\0")[:-1]
     except OSError:
         return ""
     names = [os.path.basename(word) for word in words]
     if len(names) > 1 and names[0].startswith("python") and not names[1].startswith("-"):
         return printable(names[1])
     return printable(names[0]) if names else ""
+
+
+def is_display_service(pid: int, proc: Path = Path("/proc")) -> bool:
+    """Return whether a process is the service that writes to the display of a JetBot, by its unit or command line."""
+    text = b""
+    for name in ("cgroup", "cmdline"):
+        with contextlib.suppress(OSError):
+            text += (proc / str(pid) / name).read_bytes()
+    return any(part in text for part in DISPLAY_SERVICE)
 
 
 def by_morbot(arguments: str, otherwise: str) -> str:
@@ -49,7 +66,24 @@ def model(file: Path = Path("/proc/device-tree/model")) -> str:
 
 def robot_bus(name: str) -> Optional[int]:
     """Return the number of the bus that the motors are on, for a computer of this model; None for an unknown one."""
-    return next((bus for part, bus in ROBOT_BUS.items() if part in name), None)
+    plain = name.lower().replace("-", " ")
+    return next((bus for part, bus in ROBOT_BUS.items() if part in plain), None)
+
+
+def mishandles_clock_stretching(name: str) -> bool:
+    """Return whether a computer of this model may fail to wait for a chip that holds the clock: a Raspberry Pi up to 4.
+
+    https://github.com/raspberrypi/linux/issues/4884; the bus of a Raspberry Pi 5 is on another chip, its RP1.
+    """
+    return "Raspberry Pi" in name and not re.search("Raspberry Pi (Compute Module )?[5-9]", name)
+
+
+def kernel_driver(device: str, devices: Path = Path("/sys/bus/i2c/devices")) -> str:
+    """Return the kernel driver that holds a chip, "" for none. device: as Linux names it, 1-0040 for 0x40 on bus 1."""
+    try:
+        return os.path.basename(os.readlink(devices / device / "driver"))
+    except OSError:
+        return ""
 
 
 def buses(dev: Path = Path("/dev")) -> List[int]:

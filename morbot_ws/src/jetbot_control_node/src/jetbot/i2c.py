@@ -19,7 +19,7 @@ from .errors import (
     OutOfResources,
     PermissionDenied,
 )
-from .host import bus_advice, permission_advice
+from .host import bus_advice, kernel_driver, permission_advice
 
 TRIES = 3  # a single failed transfer is noise; three in a row are a fault
 
@@ -121,14 +121,27 @@ def explain(error: OSError, bus: str, address: int) -> JetbotError:
         return OutOfResources(error)
     if fake.folder_of(bus):
         return explain_fake(error, bus, address)
+    if error.errno == errno.EBUSY:
+        return explain_held(bus, address)
     kind, reason, advice = {
         errno.ENOENT: (NotFound, f"there is no I2C bus {bus}", bus_advice()),
         errno.EACCES: (PermissionDenied, f"no permission to open {bus}", permission_advice(bus, "i2c")),
-        errno.EBUSY: (BusError, f"0x{address:02x} on {bus} is in use by a kernel driver", "Unload that driver."),
         errno.ETIMEDOUT: (BusStuck, f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires."),
     }.get(error.errno, (NoAnswer, f"no answer from 0x{address:02x} on {bus}",
                         f"Is the motor board plugged in and its battery on? {bus_advice()}"))
     return kind(reason, advice, error.errno, option="i2c_bus" if kind in (NotFound, NoAnswer) else "")
+
+
+def explain_held(bus: str, address: int) -> BusError:
+    """Return the BusError for a chip that a kernel driver holds; NoAnswer for one that cannot be the motor board."""
+    device = f"{bus[len('/dev/i2c-'):]}-{address:04x}"
+    driver = kernel_driver(device)
+    reason = f"0x{address:02x} on {bus} is in use by {f'the kernel driver {driver}' if driver else 'a kernel driver'}"
+    if driver.startswith("ina"):  # ina2xx, ina3221 (hwmon), ina3221x (Jetson Linux 32)
+        return NoAnswer(reason, f"That chip measures the supply, and drives no motor. {bus_advice()}", errno.EBUSY)
+    release = f"echo {device} | sudo tee /sys/bus/i2c/drivers/{driver}/unbind"
+    return BusError(reason, f"If it is the motor board, release it: {release}" if driver else "Unload that driver.",
+                    errno.EBUSY)
 
 
 def explain_fake(error: OSError, bus: str, address: int) -> BusError:

@@ -3,11 +3,14 @@
 import math
 from typing import Collection, Dict, List, Optional
 
+from jetbot import Robot
+
 from .safety import Sender
 
 RIVALS_WITHIN = 1.5  # s between commands of two programs that contradict each other
 NOTE_FOR = 3.0       # s that a disturbance of the board is reported
-MAX_NAMES = 3            # names that a status lists
+LASTING = 0.5        # s that a condition lasts until it is reported: a ramp passes through some
+MAX_NAMES = 3        # names that a status lists
 
 DISTURBANCES = {  # count: from how many on it is reported, and how
     "resets": (1, "its board has lost its settings ({} so far): check the battery and the plugs"),
@@ -15,6 +18,7 @@ DISTURBANCES = {  # count: from how many on it is reported, and how
     "faults": (2, "its board keeps failing to answer ({} so far): check the wires"),  # each has its status, too
 }
 FULL_POWER = "both wheels at full power"
+TOO_SLOW = "the wheels get less than one step of its board, so they do not turn: "
 
 
 class Commanders:
@@ -50,6 +54,29 @@ class Disturbances:
         self._counts = counts
         return [sentence.format(counts[name]) for name, (threshold, sentence) in DISTURBANCES.items()
                 if counts[name] >= threshold and now - self._seen_at[name] < NOTE_FOR]
+
+
+def too_slow(robot: Robot) -> Optional[str]:
+    """Return a sentence if the board rounds down to 0 what both wheels of a robot that drives are given, else None."""
+    if robot.driver.turns(*robot.duties):
+        return None
+    return TOO_SLOW + ("command more" if robot.driver.closed_loop else "raise min_duty")
+
+
+class Lasting:
+    """A condition that is reported only once it has lasted for ``LASTING`` seconds."""
+
+    def __init__(self):
+        self._since: Optional[float] = None
+
+    def note(self, sentence: Optional[str], now: float) -> Optional[str]:
+        """Return the sentence that describes the condition, or None while there is none, or it is too recent."""
+        if sentence is None:
+            self._since = None
+            return None
+        if self._since is None:
+            self._since = now
+        return sentence if now - self._since >= LASTING else None
 
 
 def listed(names: List[str]) -> str:

@@ -9,7 +9,7 @@ from typing import Callable, Collection, Dict, Optional, Sequence, Tuple
 from jetbot import BusError, JetbotError, Robot
 from jetbot.wait import wait_until
 
-from .notes import FULL_POWER, Commanders, Disturbances
+from .notes import FULL_POWER, Commanders, Disturbances, Lasting, too_slow
 from .safety import STOPPED, Hold, Sender, State
 
 DRIVING_INTERVAL = 0.05      # s between two checks of what may stop the robot while it drives
@@ -48,7 +48,7 @@ class Supervisor:
         self._ending, self._failure = False, None
         self._status = None
         self._fed_at = self._verified_at = self._stepped_at = float("-inf")
-        self._commanders, self._disturbances = Commanders(), Disturbances()
+        self._commanders, self._disturbances, self._too_slow = Commanders(), Disturbances(), Lasting()
         self._faults = 0
 
     @property
@@ -133,6 +133,7 @@ class Supervisor:
 
     def _notes(self, senders, now) -> Tuple[str, ...]:
         notes = [self._commanders.note(senders, now), FULL_POWER if self._robot.at_full_power else None,
+                 self._too_slow.note(too_slow(self._robot) if self.state.driving else None, now),
                  *(observe(self._robot.duties, now) for observe in self._observers),
                  *self._disturbances.notes(self.disturbances, now)]
         return tuple(note for note in notes if note)

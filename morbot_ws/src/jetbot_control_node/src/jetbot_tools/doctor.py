@@ -11,26 +11,28 @@ from jetbot.i2c import bus_name
 from jetbot_ros.parameters import checked, default_file, load
 
 from .commands import in_shell, launch
-from .probe import Check, check_board, check_chip, check_serial, check_users
+from .identify import JUMPER_ADDRESSES
+from .probe import Check, check_board, check_chip, check_chips, check_serial, check_users
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial"]
 NEEDED_BY_SOME = ["smbus2", "serial"]  # by boards on an I2C bus, on a serial port
 
 
-def run_checks(i2c_bus: Union[int, str, None] = None, port: Optional[str] = None) -> Iterator[Check]:
+def run_checks(i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
+               i2c_address: Optional[int] = None) -> Iterator[Check]:
     """Yield every Check, the verdict last.
 
     i2c_bus: N for /dev/i2c-N, fake, or fake:FOLDER; port: a serial port, or the same. A board is looked for there;
-    without both, on every bus of this computer and on the default port.
+    without both, on every bus of this computer and on the default port. i2c_address: look there alone on each bus.
     """
     checks = []
-    for check in all_checks(i2c_bus, port):
+    for check in all_checks(i2c_bus, port, i2c_address):
         checks.append(check)
         yield check
     yield verdict(checks)
 
 
-def all_checks(i2c_bus: Union[int, str, None], port: Optional[str]) -> Iterator[Check]:
+def all_checks(i2c_bus: Union[int, str, None], port: Optional[str], i2c_address: Optional[int]) -> Iterator[Check]:
     """Yield all checks but the verdict: of the buses until one has a board, of the port if none has."""
     yield from map(check_module, MODULES)
     yield check_host()
@@ -38,14 +40,15 @@ def all_checks(i2c_bus: Union[int, str, None], port: Optional[str]) -> Iterator[
     simulated = any(fake.folder_of(fake.expand(str(place))) for place in (i2c_bus, port))
     if not files.is_missing(file) and not simulated:
         yield check_file(file)
+    usual = host.robot_bus(host.model()) if i2c_bus is None else i2c_bus
     buses = [] if i2c_bus is None else [i2c_bus]
     if i2c_bus is None and port is None:
-        buses = sorted(host.buses(), key=lambda bus: bus != host.robot_bus(host.model()))  # the usual one first
+        buses = sorted(host.buses(), key=lambda bus: bus != usual)
         if not buses:
             yield Check("I2C buses", False, "there is no /dev/i2c-*",
                         "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.")
     for bus in buses:
-        checks = check_bus(bus)
+        checks = check_bus(bus, i2c_address, other_addresses=bus == usual)
         yield from checks
         if any(check.command for check in checks):
             return
@@ -83,24 +86,33 @@ def check_file(file: Path) -> Check:
     try:
         parameters = checked(load(file))
         board = parameters["board"]
-        answer = check_board(board, parameters["i2c_bus"], parameters["port"])
+        answer = check_board(board, parameters["i2c_bus"], parameters["port"], parameters["i2c_address"])
     except JetbotError as error:
         return Check(str(file), False, error.reason, "Fix it, or remove it.")
     if answer.ok:
-        return Check(str(file), True, f"names the board {board}, and {answer.name} answers", command=launch())
+        return Check(str(file), True, f"names the board {board}, and {answer.name} answers", answer.advice, launch())
     return Check(str(file), False, f"names the board {board}, but {answer.finding}",
                  "Connect that board; or remove the file, and calibrate again.")
 
 
-def check_bus(bus: Union[int, str]) -> List[Check]:
-    """Check that a board is on a bus, and that no other program uses it."""
+def check_bus(bus: Union[int, str], i2c_address: Optional[int] = None, other_addresses: bool = False) -> List[Check]:
+    """Check that a board is on a bus, and that no other program uses it.
+
+    i2c_address: the only one to check; without it, those of the boards, and if none of them is there, and
+    ``other_addresses`` is true, those that their jumpers select: on another bus, chips of the computer itself may be.
+    """
     try:
         name = bus_name(bus)
     except JetbotError as error:
         return [Check(f"bus {bus}", False, error.reason, error.advice)]
-    addresses = dict.fromkeys(row.address for row in BOARDS.values() if row.address)
-    chips = [check_chip(bus, address) for address in addresses]
-    return check_users(name) + ([chip for chip in chips if chip.ok] or chips[:1])
+    addresses = list(dict.fromkeys(row.address for row in BOARDS.values() if row.address))
+    if i2c_address is not None:
+        addresses = [i2c_address]
+    chips = check_chips(bus, addresses)
+    boards = [chip for chip in chips if chip.ok]
+    if other_addresses and i2c_address is None and not boards:
+        boards = [chip for chip in check_chips(bus, JUMPER_ADDRESSES) if chip.ok]
+    return check_users(name) + (boards or list(dict.fromkeys([check_chip(bus, addresses[0]), *chips])))
 
 
 def verdict(checks: List[Check]) -> Check:

@@ -6,7 +6,7 @@ import sys
 from argparse import ArgumentParser, Namespace
 from typing import List, Union
 
-from jetbot import fake
+from jetbot import InvalidValue, fake
 from jetbot.text import printable
 from jetbot_ros.launch_arguments import closest
 from jetbot_ros.parameters import PARAMETERS
@@ -39,7 +39,18 @@ def parse(parser: ArgumentParser, arguments: List[str]) -> Namespace:
         meant = closest(name.replace("-", "_"), names)
         advice = f"Did you mean {meant}:={value or 'VALUE'}?" if meant in PARAMETERS else f"See {parser.prog} --help"
         sys.exit(printable(f"There is no argument {typed}. {advice}"))
+    if getattr(options, "i2c_address", None) is not None:
+        options.i2c_address = checked_address(options.i2c_address)
     return options
+
+
+def checked_address(value: Union[int, str]) -> int:
+    """Return an I2C address as a number; another value ends the program with one sentence."""
+    try:
+        PARAMETERS["i2c_address"].kind.check("the parameter i2c_address", value)
+    except InvalidValue as error:
+        sys.exit(str(error))
+    return int(str(value), 0)
 
 
 def place_name(text: str) -> Union[int, str]:

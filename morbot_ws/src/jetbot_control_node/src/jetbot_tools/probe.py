@@ -1,22 +1,32 @@
 """Checks of what a motor board may be connected to. They only read."""
 
 import contextlib
+import errno
 import os
 import threading
 from pathlib import Path
-from typing import List, NamedTuple, Union
+from typing import Iterable, List, NamedTuple, Union
 
-from jetbot.boards import BOARDS, find_board, scmd
+from jetbot import host
+from jetbot.boards import BOARDS, find_board
 from jetbot.boards.jetbot_pro import JetBotPro
-from jetbot.errors import JetbotError
-from jetbot.host import program_name
-from jetbot.i2c import I2CDevice
+from jetbot.errors import BusError, JetbotError, NoAnswer
+from jetbot.i2c import I2CDevice, bus_name
 from jetbot.serial_link import SerialLink
 from jetbot.text import printable
 
 from .commands import launch
+from .identify import boards_with, has_chip, motor_chip, power_monitor
 
 TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many frames in that time
+
+# What to know of a board that was found at, or belongs to, an address. Waveshare's revisions:
+# https://github.com/dusty-nv/jetbot_ros/issues/31, https://github.com/NVIDIA-AI-IOT/jetbot/issues/314
+ADVICE = {0x60: "jetbot drives both layouts; Waveshare's boards from before August 2020 have Adafruit's.",
+          0x40: "A servo board answers in the same way: do not drive that."}
+CLOCK_STRETCHING = ("It stretches the clock, which a Raspberry Pi 4 or older mishandles. If transfers fail, write to "
+                    "its config.txt dtparam=i2c_arm=off and dtoverlay=i2c-gpio,bus=3,i2c_gpio_sda=2,i2c_gpio_scl=3, "
+                    "restart it, and use i2c_bus:=3")
 
 
 class Check(NamedTuple):
@@ -32,42 +42,95 @@ class Check(NamedTuple):
         return printable(f"{'ok' if self.ok else 'NOT':<4}{self.name}: {self.finding}. {self.advice}".rstrip())
 
 
-def check_users(device: str) -> List[Check]:
-    """Check that no other program has a device open, as far as this user may see; [] if there is no such device."""
+def check_users(device: str, proc: Path = Path("/proc")) -> List[Check]:
+    """Check that no other program has a device open, as far as this user may see; [] if there is no such device.
+
+    The JetBot's display service is no fault: the kernel sends each transfer as a whole.
+    """
     if not os.path.exists(device):
         return []
-    target, users = os.path.realpath(device), []
-    for process in Path("/proc").glob("[0-9]*"):
-        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
-            if int(process.name) != os.getpid() and target in map(os.readlink, (process / "fd").iterdir()):
-                users.append(f"{program_name(int(process.name))} ({process.name})")
-    if users:
-        return [Check(device, False, f"also open in {', '.join(users)}",
+    users = [pid for pid in processes_with(device, proc) if pid != os.getpid()]
+    others = [pid for pid in users if not host.is_display_service(pid, proc)]
+    if others:
+        names = ", ".join(f"{host.program_name(pid, proc)} ({pid})" for pid in others)
+        return [Check(device, False, f"also open in {names}",
                       "Two programs on one motor board disturb each other: end one of them.")]
     whose = "" if os.geteuid() == 0 else " of this user"
-    return [Check(device, True, f"no other program{whose} has it open")]
+    display = " but the service of the JetBot's display, which is normal" if users else ""
+    return [Check(device, True, f"no other program{whose} has it open{display}")]
 
 
-def check_board(board: str, i2c_bus: Union[int, str], port: str) -> Check:
+def processes_with(device: str, proc: Path) -> Iterable[int]:
+    """Yield the ids of the processes that have a device open, as far as this user may see."""
+    target = os.path.realpath(device)
+    for process in proc.glob("[0-9]*"):
+        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
+            if target in map(os.readlink, (process / "fd").iterdir()):
+                yield int(process.name)
+
+
+def check_board(board: str, i2c_bus: Union[int, str], port: str, i2c_address: Union[int, str, None] = None) -> Check:
     """Check that a board answers on its bus or port; raise InvalidValue for an unknown board or a bad bus."""
     row = find_board(board)
     place = row.place(i2c_bus, port)
-    return check_chip(place, row.address) if row.address else check_serial(place)
+    if not row.address:
+        return check_serial(place)
+    return check_chip(place, row.address if i2c_address is None else int(str(i2c_address), 0), board)
 
 
-def check_chip(bus: Union[int, str], address: int) -> Check:
-    """Check that a motor board answers a read, as all boards at one address do. bus: as for an I2CDevice."""
-    with contextlib.closing(I2CDevice(bus, address)) as chip:
-        name = f"0x{address:02x} on {chip.name}"
+def check_chip(bus: Union[int, str], address: int, board: str = "") -> Check:
+    """Check that a motor board answers at an address, this one if it is named. bus: as for an I2CDevice."""
+    try:
+        return identify_board(bus, address, board)
+    except JetbotError as error:
+        return Check(place_name(bus, address), False, error.reason, error.advice)
+
+
+def check_chips(bus: Union[int, str], addresses: Iterable[int]) -> List[Check]:
+    """Check the addresses at which a chip answers; of a bus that does not work, only the first address."""
+    checks = []
+    for address in addresses:
         try:
-            answer = chip.read(scmd.ID)
+            checks.append(identify_board(bus, address))
+        except NoAnswer:
+            continue
         except JetbotError as error:
-            return Check(name, False, error.reason, error.advice)
-    if address == BOARDS["sparkfun"].address and answer != scmd.ID_WORD:
-        return Check(name, False, "the chip that answers is not a SparkFun motor driver")
-    boards = [board for board, row in BOARDS.items() if row.address == address]
-    finding = f"answers, and can be a board {' or '.join(boards)}"
-    return Check(name, True, finding, command=launch(board=boards[0], i2c_bus=bus))
+            checks.append(Check(place_name(bus, address), False, error.reason, error.advice))
+            if not isinstance(error, BusError) or error.errno != errno.EBUSY:
+                break
+    return checks
+
+
+def identify_board(bus: Union[int, str], address: int, board: str = "") -> Check:
+    """Return which motor boards the chip at an address can be, or whether the one that is named; raise JetbotError."""
+    with contextlib.closing(I2CDevice(bus, address)) as device:
+        chip = motor_chip(device)
+        monitor = "" if chip else power_monitor(device)
+    name = place_name(bus, address)
+    boards = boards_with(chip, address)
+    if board:
+        boards = [board] if has_chip(board, chip) else []
+    if not boards:
+        sparkfun = board == "sparkfun" or address == BOARDS["sparkfun"].address
+        wanted = "SparkFun motor driver" if sparkfun else "PCA9685"
+        found = f"an {monitor}, which measures the supply" if monitor else f"not a {wanted}"
+        return Check(name, False, f"the chip that answers is {found}", clock_advice(address))
+    own = BOARDS[boards[0]].address
+    command = launch(board=boards[0], i2c_bus=bus, i2c_address=None if address == own else f"0x{address:02x}")
+    return Check(name, True, f"answers, and can be a board {' or '.join(boards)}", ADVICE.get(own) or clock_advice(own),
+                 command)
+
+
+def clock_advice(address: int) -> str:
+    """Return what to do where this computer mishandles the clock of a SparkFun board, "" for another address."""
+    if address == BOARDS["sparkfun"].address and host.mishandles_clock_stretching(host.model()):
+        return CLOCK_STRETCHING
+    return ""
+
+
+def place_name(bus: Union[int, str], address: int) -> str:
+    """Return how an address on a bus is printed."""
+    return f"0x{address:02x} on {bus_name(bus)}"
 
 
 def check_serial(port: str) -> Check:

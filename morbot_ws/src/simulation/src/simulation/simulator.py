@@ -3,7 +3,7 @@
 import math
 import time
 from collections import deque
-from typing import Callable
+from typing import Callable, Optional
 
 import rospy
 from geometry_msgs.msg import Pose2D, PoseStamped
@@ -14,7 +14,8 @@ from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 
 from jetbot_ros.messages import frame_name, odometry, transform
 
-from .diff_drive import DiffDriveModel, Pair, Pose
+from .diff_drive import PWM_FREQUENCY, DiffDriveModel, Pair, Pose
+from .stall import StallReport
 
 RATE = 50           # Hz
 JOINTS = ["left_wheel_joint", "right_wheel_joint"]  # as in jetbot.urdf
@@ -25,18 +26,22 @@ PATH_LENGTH = 1000  # poses; the oldest are dropped
 class Simulator:
     """Drives the model at the speeds that ``wheel_speeds`` returns; publishes ``joint_states``, ``path`` and tf.
 
+    pwm_frequency: returns that of the board in Hz, None where it is fixed.
     publish_odom: whether to publish ``odom`` and its tf too, without drift: its frame coincides with ``map``.
     Otherwise the controller does, and its odometry starts at 0, where the robot is.
     ``~set_pose`` and ``~reset`` hand a pose to the loop, which alone changes the model.
     """
 
-    def __init__(self, model: DiffDriveModel, wheel_speeds: Callable[[], Pair], publish_odom: bool):
+    def __init__(self, model: DiffDriveModel, wheel_speeds: Callable[[], Pair],
+                 pwm_frequency: Callable[[], Optional[float]], publish_odom: bool):
         self._model = model
-        self._wheel_speeds = wheel_speeds
+        self._wheel_speeds, self._pwm_frequency = wheel_speeds, pwm_frequency
         self._start = model.pose
         self._new_pose = deque(maxlen=1)
         self._stepped_at = time.monotonic()
         self._printed = ""
+        self._prefix = f"{rospy.get_namespace().strip('/')} ".lstrip()
+        self._stall_report = StallReport()
         self._poses = deque(maxlen=PATH_LENGTH)
         self._odom = rospy.Publisher("odom", Odometry, queue_size=10) if publish_odom else None
         self._joint_states = rospy.Publisher("joint_states", JointState, queue_size=10)
@@ -71,8 +76,12 @@ class Simulator:
             self._model.pose = self._new_pose.popleft()
             self._poses.clear()
         now = time.monotonic()
-        self._model.step(self._wheel_speeds(), now - self._stepped_at)
+        frequency = self._pwm_frequency()
+        self._model.step(self._wheel_speeds(), now - self._stepped_at, frequency or PWM_FREQUENCY)
         self._stepped_at = now
+        stall = self._stall_report.update(self._model.stalled, frequency is None, now)
+        if stall:
+            rospy.logwarn(self._prefix + stall)
 
     def _publish(self):
         model = self._model
@@ -95,4 +104,4 @@ class Simulator:
                  f"left wheel {left} m/s, right wheel {right} m/s")
         if state != self._printed:
             self._printed = state
-            print(f"{rospy.get_namespace().strip('/')} {state}".strip(), flush=True)
+            print(self._prefix + state, flush=True)

@@ -44,6 +44,10 @@ class MotorDriver(abc.ABC):
     def drive(self, left: float, right: float) -> None:
         """Turn the wheels at these speeds, in [-limit, limit], positive forward. A repeated speed costs no transfer."""
 
+    def turns(self, left: float, right: float) -> bool:
+        """Return whether ``drive`` turns any wheel at these speeds: False if, in the board's own steps, both are 0."""
+        return bool(left or right)
+
     def verify(self) -> None:
         """Read back a part of what the board holds, in one transfer at most; the next ``drive`` restores what it lost.
 

@@ -57,6 +57,9 @@ class JetBotPro(MotorDriver):
         if wanted != self._sent:
             self._send(wanted)
 
+    def turns(self, left: float, right: float) -> bool:
+        return velocity(left, right) != velocity(0, 0)
+
     def keep_alive(self) -> None:
         if self._sent is not None:
             self._send(self._sent)

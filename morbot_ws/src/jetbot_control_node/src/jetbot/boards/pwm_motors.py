@@ -20,7 +20,7 @@ class HBridge(NamedTuple):
 
     def duties(self, speed: float) -> Dict[int, int]:
         """Return {output: duty} for a speed in [-1, 1]: never both directions, and all low when stopped."""
-        duty = round(abs(speed) * FULL_DUTY)
+        duty = steps(speed)
         active, idle = (self.forward, self.backward) if speed > 0 else (self.backward, self.forward)
         if self.pwm is None:
             return {active: duty, idle: 0}
@@ -78,5 +78,13 @@ class PwmMotors(MotorDriver):
             duties.update(wiring.right.duties(right))
         self._chip.set_outputs(duties)
 
+    def turns(self, left: float, right: float) -> bool:
+        return bool(steps(left) or steps(right))
+
     def verify(self) -> None:
         self._chip.verify()
+
+
+def steps(speed: float) -> int:
+    """Return the duty, in 4096ths, of a speed in [-1, 1]."""
+    return round(abs(speed) * FULL_DUTY)

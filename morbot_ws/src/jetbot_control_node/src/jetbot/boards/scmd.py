@@ -55,6 +55,9 @@ class ScmdMotors(MotorDriver):
         if wanted != self._sent:
             self._send(wanted)
 
+    def turns(self, left: float, right: float) -> bool:
+        return encode(left) != STOP or encode(right) != STOP
+
     def verify(self) -> None:
         sent, self._sent = self._sent, None  # also if the chip does not answer
         if sent is None:

@@ -13,7 +13,8 @@ from typing import List, Optional, Sequence, Tuple
 class PCA9685:
     """Sixteen PWM outputs of 12 bits: MODE1 0x00, outputs 0x06..0x45, all outputs 0xFA..0xFD, PRE_SCALE 0xFE."""
 
-    POWER_ON = (bytes([0x11, 0x04, 0, 0, 0, 0]) + bytes([0, 0, 0, 0x10]) * 16).ljust(0xFD, b"\0") + b"\x10\x1E\0"
+    POWER_ON = ((bytes([0x11, 0x04, 0xE2, 0xE4, 0xE8, 0xE0]) + bytes([0, 0, 0, 0x10]) * 16).ljust(0xFD, b"\0")
+                + b"\x10\x1E\0")
 
     @staticmethod
     def write(registers: bytearray, register: int, data: Sequence[int]) -> None:
@@ -52,6 +53,11 @@ class PCA9685:
     def asleep(registers: bytes) -> bool:
         """Return whether the oscillator, and with it every output, is off."""
         return bool(registers[0x00] & 0x10)
+
+    @staticmethod
+    def frequency(registers: bytes) -> float:
+        """Return the frequency of the PWM in Hz: 25 MHz / 4096, divided by PRE_SCALE + 1."""
+        return 25e6 / 4096 / (registers[0xFE] + 1)
 
     @staticmethod
     def duty(registers: bytes, output: int) -> float:

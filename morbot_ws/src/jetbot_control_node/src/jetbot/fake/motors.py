@@ -44,3 +44,14 @@ def wheel_speeds(folder: Folder, board: str = "adafruit") -> Tuple[float, float]
         return STOPPED
     age = time.time() - written
     return robot.chip.speed(registers, robot.left, age), robot.chip.speed(registers, robot.right, age)
+
+
+def pwm_frequency(folder: Folder, board: str = "adafruit") -> Optional[float]:
+    """Return the frequency in Hz of the PWM of the robot with this board; None where it is fixed, or without a chip."""
+    robot = ROBOTS[board]
+    if robot.chip is not PCA9685:
+        return None
+    try:
+        return PCA9685.frequency(read_chip(chip_file(folder, robot.address), len(PCA9685.POWER_ON))[0])
+    except (FileNotFoundError, BusError):
+        return None
