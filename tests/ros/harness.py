@@ -11,6 +11,7 @@ import unittest
 from pathlib import Path
 from typing import Callable, List, Tuple
 
+import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 from roslib.packages import find_node
@@ -156,6 +157,11 @@ def find_processes(text: str, name: str = "") -> List[int]:
             if text in (path / "cmdline").read_text() and name in (path / "comm").read_text():
                 ids.append(int(path.name))
     return ids
+
+
+def publishers(topic: str) -> List[str]:
+    """Return the names of the nodes that publish on a topic, by the master."""
+    return dict(rosgraph.Master(rospy.get_name()).getSystemState()[0]).get(topic, [])
 
 
 def read(process: subprocess.Popen) -> str:

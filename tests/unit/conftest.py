@@ -35,7 +35,7 @@ class CountedBus(FakeBus):
 @pytest.fixture
 def wire(monkeypatch):
     """What crossed the fake bus since ``wire.bits.clear()``."""
-    monkeypatch.setattr(i2c, "open_bus", lambda name: CountedBus(fake.folder_of(name)))
+    monkeypatch.setattr(i2c, "open_bus", lambda name, address: CountedBus(fake.folder_of(name), address))
     CountedBus.bits.clear()
     CountedBus.states.clear()
     return CountedBus

@@ -74,8 +74,10 @@ class InterruptedPCA9685:
         asleep = self.registers[0] & 0x10
         if register == 0xFE and not asleep:
             return
-        if register == 0 and value & 0x10 and not asleep and any(map(self._is_on, range(16))):
-            value |= 0x80
+        if register == 0:
+            restart = self.registers[0] & ~value & 0x80  # until 1 is written
+            slept = value & 0x10 and not asleep and any(map(self._is_on, range(16)))
+            value = value & 0x7F | (0x80 if slept else restart)
         if 0xFA <= register <= 0xFD:
             self.registers[register - 0xFA + 6:0x46:4] = bytes([value] * 16)
             return

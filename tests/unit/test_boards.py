@@ -28,23 +28,32 @@ WAVESHARE = {  # left forward 1, backward 0; right forward 2, backward 3
     (0, 0): {0: OFF, 1: OFF, 2: OFF, 3: OFF},
 }
 JETBOT = {speeds: {**ADAFRUIT[speeds], **WAVESHARE[speeds]} for speeds in ADAFRUIT}
-CASES = [(name, speeds, outputs) for name, table in
-         (("adafruit", ADAFRUIT), ("waveshare", WAVESHARE), ("jetbot", JETBOT)) for speeds, outputs in table.items()]
+WAVESHARE_HAT = {  # left PWM 0, AIN1 1, AIN2 2; right PWM 5, BIN1 3, BIN2 4; forward: IN1 low, IN2 high
+    (0.5, 0.5): {0: HALF, 1: OFF, 2: HIGH, 3: OFF, 4: HIGH, 5: HALF},
+    (-0.5, -0.5): {0: HALF, 1: HIGH, 2: OFF, 3: HIGH, 4: OFF, 5: HALF},
+    (-1, 1): {0: HIGH, 1: HIGH, 2: OFF, 3: OFF, 4: HIGH, 5: HIGH},
+    (0.5, 0): {0: HALF, 1: OFF, 2: HIGH, 3: OFF, 4: OFF, 5: OFF},
+    (0, 0): {0: OFF, 1: OFF, 2: OFF, 3: OFF, 4: OFF, 5: OFF},
+}
+TABLES = {"adafruit": (0x60, ADAFRUIT), "waveshare": (0x60, WAVESHARE), "jetbot": (0x60, JETBOT),
+          "waveshare_hat": (0x40, WAVESHARE_HAT)}
+CASES = [(name, address, speeds, outputs) for name, (address, table) in TABLES.items()
+         for speeds, outputs in table.items()]
 SPEEDS = (0, 0.5, 1, -0.3, -1)
 PAIRS = list(itertools.product(SPEEDS, SPEEDS))
 
 
-@pytest.mark.parametrize("name, speeds, outputs", CASES)
-def test_registers(folder, name, speeds, outputs):
+@pytest.mark.parametrize("name, address, speeds, outputs", CASES)
+def test_registers(folder, name, address, speeds, outputs):
     board = find_board(name).open(f"fake:{folder}")
     for earlier in ((0.7, -0.2), (-0.7, 0.2), (1, 1), (0, 0)):
         board.drive(*earlier)
         board.drive(*speeds)
         for output in range(16):
-            assert registers(folder)[0x06 + 4 * output:][:4].hex() == outputs.get(output, OFF)
+            assert registers(folder, address)[0x06 + 4 * output:][:4].hex() == outputs.get(output, OFF)
 
 
-@pytest.mark.parametrize("name", ["jetbot", "adafruit", "waveshare"])
+@pytest.mark.parametrize("name", ["jetbot", "adafruit", "waveshare", "waveshare_hat"])
 def test_never_both_directions_at_once_and_few_transfers(folder, wire, name):
     board = find_board(name).open(f"fake:{folder}")
     for before, after in itertools.product(PAIRS, PAIRS):
@@ -55,7 +64,8 @@ def test_never_both_directions_at_once_and_few_transfers(folder, wire, name):
         assert (len(wire.bits) <= 2 and sum(wire.bits) <= 400) or (len(wire.bits) <= 3 and sum(wire.bits) <= 160)
         for state in wire.states:
             high = {output for output in range(16) if not state[0x09 + 4 * output] & 0x10}
-            assert not any({forward, backward} <= high for forward, backward in ((9, 10), (12, 11), (1, 0), (2, 3)))
+            directions = ((1, 2), (3, 4)) if name == "waveshare_hat" else ((9, 10), (12, 11), (1, 0), (2, 3))
+            assert not any({forward, backward} <= high for forward, backward in directions)
 
 
 def test_any_change_of_speed_ahead_takes_at_most_three_transfers_and_160_bits(folder, wire):
@@ -114,10 +124,29 @@ def test_a_driver_knows_which_speeds_are_too_small_for_its_board(folder, name, s
     board.close()
 
 
-def test_opening_a_board_stops_what_turned(folder):
+@pytest.mark.parametrize("board", ["jetbot", "adafruit"])
+def test_opening_a_board_stops_what_turned(folder, board):
     find_board("adafruit").open(f"fake:{folder}").drive(1, 1)
-    find_board("waveshare").open(f"fake:{folder}")
+    find_board(board).open(f"fake:{folder}")
     assert wheel_speeds(folder) == (0, 0)
+
+
+@pytest.mark.parametrize("address", [0x61, "0x61"])
+def test_a_board_at_another_address(folder, address):
+    board = find_board("adafruit", address).open(f"fake:{folder}")
+    board.drive(0.5, -0.25)
+    assert wheel_speeds(folder, "adafruit", 0x61) == (0.5, -0.25)
+    assert wheel_speeds(folder) == (0, 0)
+
+
+def test_a_board_on_a_serial_port_has_no_address():
+    assert find_board("jetbot_pro", 0x61) == find_board("jetbot_pro")
+
+
+@pytest.mark.parametrize("address", [0, 0x78, "61h", True, 1.5])
+def test_what_is_no_address_is_refused(address):
+    with pytest.raises(InvalidValue, match="^The I2C address must be an address from 0x03 to 0x77, not "):
+        find_board("adafruit", address)
 
 
 def test_unknown_board():

@@ -6,7 +6,7 @@ import pytest
 
 from conftest import ROOT, SOURCE
 from jetbot.boards import BOARDS, scmd
-from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE
+from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE, WAVESHARE_HAT
 from jetbot.guard import process as guard
 from jetbot.host import ROBOT_BUS, robot_bus
 from jetbot_ros.parameters import PARAMETERS
@@ -57,7 +57,8 @@ def test_every_board_is_explained():
     assert {name[1] for name in names if name} == set(BOARDS)
 
 
-@pytest.mark.parametrize("board, wiring", [("adafruit", ADAFRUIT), ("waveshare", WAVESHARE)])
+@pytest.mark.parametrize("board, wiring", [
+    ("adafruit", ADAFRUIT), ("waveshare", WAVESHARE), ("waveshare_hat", WAVESHARE_HAT)])
 def test_which_output_is_which_wheel(board, wiring):
     outputs = {row[1]: tuple(int(cell) if cell else None for cell in row[2:])
                for row in rows(BOARDS_PAGE) if row[0] == f"`{board}`" and row[1] in ("left", "right")}

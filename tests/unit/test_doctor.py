@@ -7,11 +7,12 @@ import runpy
 import signal
 import subprocess
 import sys
+from functools import partial
 
 import pytest
 
 from conftest import SOURCE
-from jetbot import host, i2c
+from jetbot import host, i2c, supply
 from jetbot.fake import chip_file
 from jetbot.fake.bus import power_on
 from jetbot.serial_link import SerialLink
@@ -63,6 +64,7 @@ def a_computer_with_one_package_and_no_device(monkeypatch, tmp_path):
     monkeypatch.setattr(host, "buses", lambda: [])
     monkeypatch.setattr(host, "model", lambda: "")
     monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
+    monkeypatch.setattr(supply, "on_computer", lambda sysfs: [])
     monkeypatch.setenv("ROS_HOME", str(tmp_path))
 
 
@@ -79,13 +81,36 @@ def test_a_computer_with_nothing():
 
 def test_a_board_that_answers(folder):
     power_on(folder)
-    for address in (0x40, 0x5D):
+    for address in (0x40, 0x41, 0x5D):
         chip_file(folder, address).unlink()
     assert lines(f"fake:{folder}")[2:] == [
         f"ok  0x60 on fake:{folder}: answers, and can be a board jetbot or adafruit or waveshare. "
         "jetbot drives both layouts; Waveshare's boards from before August 2020 have Adafruit's.",
         "ok  robot: could drive. Start it with: roslaunch jetbot_control_node jetbot_controller.launch "
         f"i2c_bus:=fake:{folder}"]
+
+
+@pytest.mark.parametrize("word, line", [
+    ("5E88", "ok  supply: 12.10 V, 86 %, by the INA219 at 0x41 on BUS."),
+    ("4846", "NOT supply: 9.25 V, 7 %, by the INA219 at 0x41 on BUS. Charge the battery."),
+    ("0000", "ok  supply: 0.00 V, by the INA219 at 0x41 on BUS.")])
+def test_the_supply_that_a_chip_beside_the_board_measures(folder, word, line):
+    power_on(folder)
+    chip_file(folder, 0x41).write_bytes(bytes.fromhex(f"399F 0000 {word} 0000 0000 0000"))
+    assert lines(f"fake:{folder}")[-2] == line.replace("BUS", f"fake:{folder}")
+    assert lines(f"fake:{folder}")[-1].startswith("ok  robot: could drive.")
+
+
+@pytest.mark.parametrize("alarm, line", [
+    ("0", "ok  supply: no undervoltage, by the rpi_volt of this computer."),
+    ("1", "NOT supply: undervoltage, by the rpi_volt of this computer. "
+          "Use a supply of 5 V and 3 A, and a short cable.")])
+def test_the_supply_that_the_computer_measures(tmp_path, monkeypatch, alarm, line):
+    (tmp_path / "name").write_text("rpi_volt\n")
+    (tmp_path / "in0_lcrit_alarm").write_text(alarm)
+    read = partial(supply.read_alarm, tmp_path / "in0_lcrit_alarm")
+    monkeypatch.setattr(supply, "on_computer", lambda sysfs: [supply.Supply("rpi_volt of this computer", read)])
+    assert lines(port="/dev/nowhere")[-2] == line
 
 
 def test_a_bus_without_a_board(folder):

@@ -23,6 +23,17 @@ def bus(folder):
     return FakeBus(folder)
 
 
+def test_a_motor_board_takes_the_place_of_the_sensor_at_its_address_and_keeps_it(bus, folder):
+    assert bus.read_i2c_block_data(0x41, 0x02, 2) == [0x5E, 0x8A]
+    power_on(folder, 0x41)
+    assert bus.read_byte_data(0x41, 0xFE) == 0x1E
+    power_on(folder)
+    assert bus.read_byte_data(0x41, 0xFE) == 0x1E
+    (folder / "0x41").unlink()
+    power_on(folder)
+    assert bus.read_i2c_block_data(0x41, 0x02, 2) == [0x5E, 0x8A]
+
+
 def test_power_on_values(bus, folder):
     bus.write_byte_data(0x60, 0x00, 0x20)
     power_on(folder)
@@ -156,9 +167,40 @@ def test_a_pipe_blocks_nothing(folder, name):
         FakeBus(folder).write_byte_data(0x60, 0x00, 0x20)
 
 
+def test_a_new_bus_has_a_chip_at_the_address_that_is_asked_for(folder):
+    assert FakeBus(folder, 0x61).read_byte_data(0x61, 0x00) == 0x11
+
+
+def power_on_by_hand(monkeypatch, *words):
+    monkeypatch.setattr(sys, "argv", ["jetbot.fake", *map(str, words)])
+    runpy.run_module("jetbot.fake", run_name="__main__")
+
+
+def test_a_chip_is_plugged_in_by_hand_and_powered_on_with_the_others(bus, folder, monkeypatch):
+    power_on_by_hand(monkeypatch, folder, "--i2c-address", "0x61")
+    bus.write_byte_data(0x61, 0x00, 0x20)
+    assert registers(folder, 0x61)[0x00] == 0x20
+    power_on_by_hand(monkeypatch, folder)
+    assert registers(folder, 0x61)[0x00] == 0x11
+
+
+def test_no_chip_can_be_at_any_address(folder, monkeypatch, capsys):
+    with pytest.raises(SystemExit):
+        power_on_by_hand(monkeypatch, folder, "--i2c-address", "0x161")
+    assert "--i2c-address must be an address from 0x03 to 0x77" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("restart, duty", [(0x20, 0), (0xA0, 0.5)])
+def test_an_output_that_was_on_before_a_sleep_goes_on_after_a_restart(bus, folder, restart, duty):
+    bus.write_byte_data(0x60, 0x00, 0x20)
+    bus.write_i2c_block_data(0x60, 0x06, list(HALF))
+    for mode1 in (0x30, 0x20, restart):
+        bus.write_byte_data(0x60, 0x00, mode1)
+    assert PCA9685.duty(registers(folder), 0) == duty
+
+
 @pytest.mark.parametrize("name", ["/dev/null", "/dev/null/\x1b[2J"])
 def test_a_folder_that_cannot_be_made_gets_one_sentence(monkeypatch, name):
-    monkeypatch.setattr(sys, "argv", ["jetbot.fake", name])
     with pytest.raises(SystemExit) as end:
-        runpy.run_module("jetbot.fake", run_name="__main__")
+        power_on_by_hand(monkeypatch, name)
     assert end.value.code.startswith("The fake bus /dev/null") and end.value.code.isprintable()

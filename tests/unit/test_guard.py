@@ -10,9 +10,9 @@ import subprocess
 import pytest
 from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_in_a_process, drive_until_killed, kill, start, stopped
 
-from conftest import SOURCE
+from conftest import SOURCE, registers
 from jetbot import Robot
-from jetbot.fake.bus import power_on
+from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.motors import wheel_speeds
 from jetbot.wait import wait_until
 
@@ -60,6 +60,24 @@ def test_a_forked_child_does_not_keep_the_guard_waiting(folder):
 def test_wheels_stop_when_the_process_is_killed(folder, killer):
     kill(drive_until_killed(folder), killer)
     assert wait_until(stopped(folder), STOP_TIMEOUT)
+
+
+def test_a_board_at_another_address_stops_too(folder):
+    process = start(folder, "import time; from jetbot import Robot\n"
+                            "robot = Robot(i2c_address=0x61); robot.forward(); time.sleep(60)")
+    assert wait_until(lambda: folder.exists() and wheel_speeds(folder, "jetbot", 0x61) == (1, 1), TIMEOUT)
+    kill(process)
+    assert wait_until(lambda: wheel_speeds(folder, "jetbot", 0x61) == (0, 0), STOP_TIMEOUT)
+
+
+def test_a_servo_on_the_same_chip_keeps_its_pulse(folder):
+    process = drive_until_killed(folder)
+    FakeBus(folder).write_i2c_block_data(0x60, 6 + 4 * 15, [0, 0, 0x34, 0x01])
+    before = registers(folder)
+    kill(process)
+    assert wait_until(stopped(folder), STOP_TIMEOUT)
+    assert [registers(folder)[i] for i in (0x00, 0x01, 0xFE)] == [0x20, 0x04, 3]
+    assert registers(folder)[0x42:] == before[0x42:]
 
 
 @pytest.mark.parametrize("preparation", [

@@ -71,6 +71,20 @@ def test_a_lasting_failure_is_reported(folder):
     assert str(error.value) == f"No answer from 0x60 on fake:{folder}. To plug it in: python3 -m jetbot.fake {folder}"
 
 
+@pytest.mark.parametrize("address, advice", [
+    (0x61, "To plug it in: python3 -m jetbot.fake {} --i2c-address 0x61"),
+    (61, "Do you mean 0x61? To plug it in: python3 -m jetbot.fake {} --i2c-address 0x3d")])
+def test_a_board_at_another_address_that_is_missing(folder, address, advice):
+    I2CDevice(f"fake:{folder}", 0x60).read(0)
+    with pytest.raises(BusError) as error:
+        I2CDevice(f"fake:{folder}", address).read(0)
+    assert str(error.value) == f"No answer from 0x{address:02x} on fake:{folder}. {advice.format(folder)}"
+
+
+def test_an_address_that_was_typed_without_0x():
+    assert explain(OSError(errno.EREMOTEIO, ""), "/dev/i2c-1", 61).advice.startswith("Do you mean 0x61? Is the motor ")
+
+
 def test_a_fake_bus_that_cannot_be_written():
     assert str(explain(OSError(errno.EROFS, "Read-only file system"), "fake:/ro", 0x60)) == (
         "The fake bus fake:/ro cannot be used: Read-only file system. Name another folder: fake:FOLDER")

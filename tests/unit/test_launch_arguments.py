@@ -46,7 +46,7 @@ def refusal(*words):
     ("simulation simulation.launch Rviz:=false", "Rviz. Did you mean rviz:=false?"),
     ("simulation three_robots.launch rvizz:=false", "rvizz. Did you mean rviz:=false?"),
     ("jetbot_control_node jetbot_controller.launch _i2c_bus:=fake", "_i2c_bus. Did you mean i2c_bus:=fake?"),
-    ("jetbot_control_node jetbot_controller.launch foo:=3", "foo. The arguments are board, cmd_vel_timeout, "),
+    ("jetbot_control_node jetbot_controller.launch foo:=3", "foo. The arguments are acceleration_limit, board, "),
     ("-p 11411 --screen workshop workshop_jetbot_controller.launch bord:=", "bord. Did you mean board:=?"),
     (f"{SOURCE}/launch/many_robots.launch {SOURCE}/launch/jetbot_controller.launch robts:=3",
      "robts. Did you mean robots:=3?")])

@@ -8,9 +8,9 @@ from conftest import SOURCE
 
 LAYERS = [f"jetbot/{module}" for module in (
     "text", "errors", "kinds", "files", "wait", "kinematics", "host", "fake/__init__", "fake/files", "fake/chips",
-    "fake/jetbot_pro", "fake/motors", "fake/bus", "fake/port", "i2c", "serial_link", "boards/driver", "boards/pca9685",
-    "boards/pwm_motors", "boards/scmd", "boards/jetbot_pro", "boards/__init__", "lock", "motor", "guard/process",
-    "guard/peer", "guard/__init__", "open_robots", "robot", "__init__")]
+    "fake/jetbot_pro", "fake/motors", "fake/bus", "fake/port", "i2c", "serial_link", "supply", "boards/driver",
+    "boards/pca9685", "boards/pwm_motors", "boards/scmd", "boards/jetbot_pro", "boards/__init__", "lock", "motor",
+    "guard/process", "guard/peer", "guard/__init__", "open_robots", "robot", "__init__")]
 FILES = {str(file.relative_to(SOURCE / "src").with_suffix("")): file for file in (SOURCE / "src").rglob("*.py")}
 
 

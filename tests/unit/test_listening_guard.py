@@ -10,7 +10,7 @@ import pytest
 from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_until_killed, keep_alive, kill, stopped
 
 from conftest import SOURCE
-from jetbot import Robot, guard
+from jetbot import Robot, guard, open_robots
 from jetbot.errors import GuardError
 from jetbot.fake.motors import wheel_speeds
 from jetbot.guard.__main__ import is_in_use
@@ -56,6 +56,15 @@ def test_a_listening_guard_guards_each_robot(tmp_path, listener):
         kill(drive_until_killed(tmp_path / "two"))
         assert wait_until(stopped(tmp_path / "two"), STOP_TIMEOUT)
         assert robot.guarded and wheel_speeds(tmp_path / "one") == (1, 1)
+
+
+def test_a_listening_guard_stops_a_board_at_another_address(folder, listener):
+    listener()
+    robot = Robot(i2c_bus=f"fake:{folder}", i2c_address=0x61)
+    robot.forward()
+    robot.detach()  # as a process that is killed
+    assert wait_until(lambda: wheel_speeds(folder, "jetbot", 0x61) == (0, 0), STOP_TIMEOUT)
+    open_robots.remove(robot)
 
 
 def test_nothing_turns_if_the_listening_guard_is_gone_until_it_is_back(folder, listener, monkeypatch):

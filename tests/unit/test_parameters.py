@@ -64,6 +64,11 @@ def test_bad_values(name, value, must):
     assert str(error.value) == f"The parameter {name} must be {must}, not {value!r}."
 
 
+def test_duties_without_a_range_between():
+    with pytest.raises(InvalidValue, match="^The min_duty, 0.4, must be below the max_duty, 0.3. Lower the one, or "):
+        checked({"min_duty": 0.4, "max_duty": 0.3})
+
+
 @pytest.mark.parametrize("name", PARAMETERS)
 def test_a_launch_argument_shows_its_row_and_is_empty_unless_typed(name):
     row = PARAMETERS[name]
@@ -89,6 +94,13 @@ def test_the_file_in_ros_home_is_used_where_it_exists(ros_home):
     (ros_home / "jetbot.yaml").write_text("max_speed: 0.5\ninvert_left: true\nboard: sparkfun")
     assert resolve({}) == {**checked({"max_speed": 0.5, "invert_left": True, "board": "sparkfun"}),
                            "config": f"{ros_home}/jetbot.yaml"}
+
+
+def test_a_file_of_this_package_needs_no_path_but_comes_after_ones_own(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert resolve({"config": "si_units.yaml"})["config"] == str(SOURCE / "config/si_units.yaml")
+    (tmp_path / "si_units.yaml").write_text("max_speed: 0.5")
+    assert resolve({"config": "si_units.yaml"})["max_speed"] == 0.5
 
 
 @pytest.fixture

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from conftest import registers
 from jetbot import BusError, InvalidValue, JetbotError
 from jetbot.fake.motors import wheel_speeds
 
@@ -38,6 +39,9 @@ def test_wheels_turn_at_the_speed_that_is_set(make_robot, folder, action, left, 
     ({"min_duty": 0.2}, (0, 0.001), (0, 0.2008)),
     ({"min_duty": 0.2}, (0.5, -0.5), (0.6, -0.6)),
     ({"min_duty": 0.2}, (1, -1), (1, -1)),
+    ({"max_duty": 0.5}, (1, -0.5), (0.5, -0.25)),
+    ({"min_duty": 0.2, "max_duty": 0.6}, (0.5, -1), (0.4, -0.6)),
+    ({"max_duty": 0.5}, (9, -9), (0.5, -0.5)),
     ({"min_duty": 0.2}, (0.1 + 0.2 - 0.3, 0.3 - 0.1 - 0.2), (0, 0)),
 ])
 def test_saturation_trim_wiring_and_dead_band(make_robot, folder, options, speeds, wheels):
@@ -48,7 +52,7 @@ def test_saturation_trim_wiring_and_dead_band(make_robot, folder, options, speed
 @pytest.mark.parametrize("speeds, sent", [
     ((-0.5, 1.5), (-0.5, 1.5)), ((-2.0, 2.0), (-2.0, 2.0)), ((1e308, 1e308), (32.767, 32.767))])
 def test_a_jetbot_pro_saturates_only_where_its_frames_end(make_robot, folder, speeds, sent):
-    trims = {"min_duty": 0.1, "left_motor_alpha": 0.9}  # of duties, which this board controls itself
+    trims = {"min_duty": 0.1, "max_duty": 0.5, "left_motor_alpha": 0.9}  # of duties, which this board controls itself
     make_robot(board="jetbot_pro", port=f"fake:{folder}", **trims).set_motors(*speeds)
     assert wheel_speeds(folder, "jetbot_pro") == sent
 
@@ -56,7 +60,8 @@ def test_a_jetbot_pro_saturates_only_where_its_frames_end(make_robot, folder, sp
 @pytest.mark.parametrize("options, speeds, cut_off", [
     ({}, (1.0, 1.2), True), ({}, (-1.5, -1.2), True), ({}, (1.2, 1.2), False), ({}, (0.9, 1.2), False),
     ({}, (-1.2, 1.5), False), ({"left_motor_alpha": 0.5}, (1.2, 1.5), False),
-    ({"min_duty": 0.3, "invert_left": True}, (1.2, 1.5), True), ({"board": "jetbot_pro"}, (40, 50), False)])
+    ({"min_duty": 0.3, "invert_left": True}, (1.2, 1.5), True), ({"max_duty": 0.5}, (1.2, 1.5), True),
+    ({"board": "jetbot_pro"}, (40, 50), False)])
 def test_a_turn_that_full_power_cuts_off(make_robot, folder, options, speeds, cut_off):
     robot = make_robot(port=f"fake:{folder}", **options)
     robot.set_motors(*speeds)
@@ -142,10 +147,29 @@ def test_with_stops_at_the_end(make_robot, folder):
     assert wheel_speeds(folder) == (0, 0)
 
 
+def test_duties_without_a_range_between(make_robot, folder):
+    with pytest.raises(InvalidValue, match="^The min_duty, 0.6, must be below the max_duty, 0.6. Lower "):
+        make_robot(min_duty=0.6, max_duty=0.6)
+    assert not folder.exists(), "the board is not touched"
+
+
+def test_a_board_at_another_address_and_pwm_frequency(make_robot, folder):
+    with make_robot(i2c_address="0x61", pwm_frequency=50) as robot:
+        robot.set_motors(0.5, -0.5)
+        assert wheel_speeds(folder, "adafruit", 0x61) == (0.5, -0.5)
+        assert registers(folder, 0x61)[0xFE] == 121
+    assert wheel_speeds(folder, "adafruit", 0x61) == (0, 0)
+
+
 @pytest.mark.parametrize("name, value, sentence", [
     ("min_duty", 1, "The min_duty must be a number of at least 0 and below 1, not 1."),
     ("min_duty", -0.1, "The min_duty must be a number of at least 0 and below 1, not -0.1."),
     ("min_duty", math.nan, "The min_duty must be a number of at least 0 and below 1, not nan."),
+    ("max_duty", 0, "The max_duty must be a number above 0, 1 at most, not 0."),
+    ("max_duty", 1.5, "The max_duty must be a number above 0, 1 at most, not 1.5."),
+    ("pwm_frequency", 2000, "The pwm_frequency must be a number from 24 to 1526, not 2000."),
+    ("pwm_frequency", "fast", "The pwm_frequency must be a number from 24 to 1526, not 'fast'."),
+    ("i2c_address", "0x78", "The I2C address must be an address from 0x03 to 0x77, not '0x78'."),
     ("min_duty", "much", "The min_duty must be a number of at least 0 and below 1, not 'much'."),
     ("swap_motors", "false", "The option swap_motors must be true or false, not 'false'."),
     ("invert_left", 1, "The option invert_left must be true or false, not 1."),

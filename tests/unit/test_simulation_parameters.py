@@ -8,6 +8,7 @@ import pytest
 from conftest import SIMULATION, SOURCE
 from jetbot import InvalidValue
 from jetbot.fake.motors import ROBOTS
+from jetbot_ros import dead_reckoning
 from jetbot_ros.parameters import checked, load
 from jetbot_tools import calibration
 from simulation.parameters import PARAMETERS, fake_folder, resolve
@@ -33,7 +34,7 @@ def test_bad_values(name, value, must):
 
 def test_defaults_are_good():
     defaults = {name: parameter.default for name, parameter in PARAMETERS.items()}
-    assert checked(defaults, PARAMETERS) == resolve({}) == defaults
+    assert checked({}, PARAMETERS) == resolve({}) == defaults
 
 
 @pytest.mark.parametrize("typed, file, board", [
@@ -43,6 +44,20 @@ def test_simulates_the_board_that_the_controller_drives(tmp_path, typed, file, b
     (tmp_path / "robot.yaml").write_text(file)
     parameters = resolve({"board": typed, "config": str(tmp_path / "robot.yaml"), "x": ""})
     assert (parameters["board"], parameters["i2c_bus"], parameters["x"]) == (board, "fake", 0.0)
+
+
+@pytest.mark.parametrize("typed, file, address", [
+    ("", "{}", None), ("0x61", "{}", "0x61"), ("", "i2c_address: 0x61", 0x61), (0x62, "i2c_address: 0x61", 0x62)])
+def test_simulates_the_board_at_the_address_that_the_controller_drives(tmp_path, typed, file, address):
+    (tmp_path / "robot.yaml").write_text(file)
+    assert resolve({"i2c_address": typed, "config": str(tmp_path / "robot.yaml")})["i2c_address"] == address
+
+
+@pytest.mark.parametrize("typed, file, published", [
+    ("", "{}", False), (True, "{}", True), ("", "publish_odom: true", True), (False, "publish_odom: true", False)])
+def test_knows_whether_the_controller_publishes_odom(tmp_path, typed, file, published):
+    (tmp_path / "robot.yaml").write_text(file)
+    assert resolve({"publish_odom": typed, "config": str(tmp_path / "robot.yaml")})["publish_odom"] is published
 
 
 @pytest.mark.parametrize("board, folder", [("jetbot", "bus"), ("sparkfun", "bus"), ("jetbot_pro", "port")])
@@ -60,9 +75,14 @@ def test_the_file_of_the_body_shows_each_default_with_its_unit_and_meaning():
 
 def test_the_controller_assumes_the_same_size():
     controller = load(SOURCE / "config/si_units.yaml")
-    assert {name: controller[name] for name in SIZE if name in controller} == {
-        name: SIZE[name] for name in ("wheel_separation", "max_speed")}
+    assert all(controller[name] == SIZE[name] for name in ("wheel_separation", "max_speed"))
     assert calibration.WHEEL_SEPARATION == SIZE["wheel_separation"]
+    assert dead_reckoning.WHEEL_RADIUS == SIZE["wheel_diameter"] / 2
+
+
+def test_si_units_draw_a_fraction_of_the_current_of_a_sudden_start():
+    controller = load(SOURCE / "config/si_units.yaml")
+    assert controller["acceleration_limit"] * SIZE["motor_lag"] < 0.2 * controller["max_speed"]
 
 
 def test_the_drawn_robot_has_the_same_size():

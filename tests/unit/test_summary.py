@@ -25,6 +25,11 @@ def test_start_line(typed, config, robot, line):
     assert start_line(summary({**checked(typed), "config": config}, robot)) == line
 
 
+@pytest.mark.parametrize("address, text", [(0x61, "0x61"), (None, "")])
+def test_the_address_is_named(address, text):
+    assert summary({**checked({}), "config": ""}, driver(address=address))["address"] == text
+
+
 @pytest.mark.parametrize("robot, end", [
     (driver(), ""), (driver("fake:/bus"), ", on a fake bus"), (driver("fake:/port", None), ", on a fake port"),
     (driver("/dev/ttyACM0", None), "")])

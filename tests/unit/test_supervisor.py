@@ -184,10 +184,12 @@ def test_what_cannot_be_retried_ends_the_thread_with_the_wheels_stopped(supervis
     assert wheel_speeds(folder) == STOPPED
 
 
-def test_a_turn_that_is_cut_off_is_reported(supervisor, robot, statuses, monkeypatch):
+@pytest.mark.parametrize("max_duty, limit", [(1, "full power"), (0.5, "max_duty")])
+def test_a_turn_that_is_cut_off_is_reported(supervisor, robot, statuses, monkeypatch, max_duty, limit):
     monkeypatch.setattr(type(robot), "at_full_power", True)
+    robot.left_motor.max_duty = max_duty
     go(supervisor)
-    assert statuses == ["driving, both wheels at full power"]
+    assert statuses == [f"driving, both wheels at {limit}"]
 
 
 def test_a_command_below_the_steps_of_the_board_is_reported_unless_it_passes(supervisor, folder, statuses):

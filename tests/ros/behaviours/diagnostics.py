@@ -1,9 +1,11 @@
-"""/diagnostics reports what the robot does and why it is stopped."""
+"""/diagnostics reports what the robot does and why it is stopped; ``battery`` and the status, what its supply does."""
 
+import math
 import os
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from sensor_msgs.msg import BatteryState
 
 from harness import RobotTest, read
 from jetbot.fake.bus import power_on
@@ -52,3 +54,31 @@ class Diagnostics(RobotTest):
         os.unlink(os.path.join(self.bus, "0x60"))
         self.wait_for_level(DiagnosticStatus.ERROR, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")
         power_on(self.bus)  # else the guard keeps trying for minutes
+
+    def test_supply(self):
+        batteries, texts = self.record("/battery", BatteryState), self.status()
+        self.controller(cmd_vel_timeout=0)
+        self.wait_for(lambda: len(batteries) > 1, 5.0, "two messages of the battery")
+        self.assertAlmostEqual(batteries[-1].voltage, 12.1, places=3)
+        self.assertAlmostEqual(batteries[-1].percentage, (12.1 - 9.0) / 3.6, places=3)
+        self.assertTrue(batteries[-1].present and math.isnan(batteries[-1].current))
+        self.wait_for_next(batteries)
+        self.set_supply(0x5000)  # 10.24 V
+        self.command(0.5)
+        self.wait_for_status(texts, "driving, its supply dips from 12.1 to 10.2 V as the motors start: "
+                                    "set acceleration_limit")
+        self.wait_for_status(texts, "driving")
+        os.unlink(os.path.join(self.bus, "0x41"))
+        self.wait_for(lambda: math.isnan(batteries[-1].voltage), 5.0, "a battery without a voltage")
+        self.wait_for(lambda: self.values()["supply"] == f"unknown: no answer from 0x41 on fake:{self.bus}", 5.0,
+                      "the unplugged sensor in /diagnostics")
+        self.assertEqual((self.values()["supply dips"], self.wheels()), ("1", (0.5, 0.5)))
+
+    def wait_for_next(self, messages):
+        count = len(messages)
+        self.wait_for(lambda: len(messages) > count, 5.0, "another message")
+
+    def set_supply(self, bus_voltage):
+        with open(os.path.join(self.bus, "0x41"), "r+b") as chip:
+            chip.seek(4)
+            chip.write(bus_voltage.to_bytes(2, "big"))

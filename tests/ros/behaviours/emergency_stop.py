@@ -2,6 +2,7 @@
 
 import os
 import signal
+import time
 
 import rospy
 from std_msgs.msg import Bool, String
@@ -28,6 +29,19 @@ class EmergencyStop(RobotTest):
         self.wait_for_status(texts, "stopped: no command since the emergency stop was released")
         self.wheels_stay(0, 0, for_seconds=0.3)
         self.drive_at(0.25)
+
+    def test_in_the_middle_of_a_gentle_start(self):
+        self.controller(cmd_vel_timeout=0, acceleration_limit=0.5)
+        self.command(0.8, 0.2)
+        self.wait_for(lambda: self.wheels() != (0, 0), 5.0, "a start")
+        start = time.monotonic()
+        self.wait_for(lambda: self.wheels()[1] > 0.3, 5.0, "more speed")
+        self.assertGreater(time.monotonic() - start, 0.3)
+        left, right = self.wheels()
+        self.assertAlmostEqual(left / right, 0.6, delta=0.03)
+        self.emergency_stop(True)
+        self.wait_for_stop(within=0.2)
+        self.commands_are_ignored(for_seconds=0.2)
 
     def test_stops_a_robot_started_later(self):
         self.emergency_stop(True)

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from harness import RobotTest
+from harness import RobotTest, near, wheel_speeds
 
 TABLE = [  # x, z, left, right
     (0.5, 0.0, 0.5, 0.5), (-0.5, 0.0, -0.5, -0.5), (0.0, 0.4, -0.4, 0.4), (0.0, -0.4, 0.4, -0.4),
@@ -24,6 +24,13 @@ class LaunchController(RobotTest):
         for x, z, left, right in TABLE:
             self.command(x, z)
             self.wait_for_wheels(left, right)
+
+    def test_a_board_at_another_address_with_its_own_duties_and_frequency(self):
+        self.launched("board:=waveshare_hat", "i2c_address:=0x61", "min_duty:=0.1", "max_duty:=0.5",
+                      "pwm_frequency:=50")
+        self.command(0.5, 0.5)
+        self.wait_for(lambda: near(wheel_speeds(self.bus, "waveshare_hat", 0x61), (0.0, 0.5)), 5.0, "the wheels")
+        self.assertEqual(Path(self.bus, "0x61").read_bytes()[0xFE], 121)
 
     def test_an_argument_wins_over_the_file_also_where_it_equals_the_default(self):
         self.launched_with_a_file("max_speed:=1.0", "left_motor_alpha:=0.75")

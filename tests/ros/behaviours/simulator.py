@@ -9,7 +9,7 @@ from geometry_msgs.msg import Pose2D
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Empty
 
-from harness import START_TIMEOUT, RobotTest, program, read
+from harness import START_TIMEOUT, RobotTest, program, publishers, read
 from jetbot import Robot
 from simulation.recording import pose_of
 
@@ -101,6 +101,16 @@ class Simulator(RobotTest):
             robot.set_motors(0.06, -0.06)
             self.wait_for(lambda: self.velocity()[1] < -0.05, 5.0, "a slow turn")
         self.assertEqual(read(self.simulator).count(sentence), 1)
+
+    def test_a_controller_that_publishes_odom_takes_over_and_its_last_odometry_is_a_stop(self):
+        controller = self.controller(publish_odom=True, cmd_vel_timeout=0)
+        for topic in ("/odom", "/joint_states"):
+            self.wait_for(lambda topic=topic: publishers(topic) == ["/jetbot_controller"], START_TIMEOUT, topic)
+        self.assertIn("odom is not in metres: give the robot's wheel_separation and max_speed", self.logs())
+        self.command(0.5)
+        self.wait_for_velocity(0.5, 0.0)  # in the workshop's units, not those of the simulated robot
+        controller.send_signal(signal.SIGINT)
+        self.wait_for_velocity(0.0, 0.0)
 
     def test_its_track_is_drawn_at_ctrl_c(self):
         picture = Path(self.folder, "track.png")

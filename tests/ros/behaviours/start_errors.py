@@ -11,8 +11,9 @@ from harness import CONTROLLER, SHUTDOWN_TIMEOUT, START_TIMEOUT, RobotTest, prog
 RUN = Path(__file__).parents[3] / "setup/run.py"
 ERRORS = [  # a sentence, and the parameters that cause it
     ("There is no I2C bus /dev/i2c-77. This computer has ", "_i2c_bus:=77"),
-    ("The parameter board must be one of jetbot, adafruit, waveshare, sparkfun, jetbot_pro, not 'lego'.",
+    ("The parameter board must be one of jetbot, adafruit, waveshare, waveshare_hat, sparkfun, jetbot_pro, not 'lego'.",
      "_board:=lego"),
+    ("The min_duty, 0.4, must be below the max_duty, 0.3. Lower the one, ", "_min_duty:=0.4", "_max_duty:=0.3"),
     ("There is no parameter bord. The parameters are board, i2c_bus, ", "_bord:=sparkfun"),
     ("The node does not understand i2c_bus:=fake. Type it as _i2c_bus:=fake", "i2c_bus:=fake"),
     ("A robot cannot be named jetbot-07. Begin with a letter, and use letters, digits and _.",

@@ -24,14 +24,14 @@ def main() -> None:
     require_master()
     rospy.init_node("jetbot_simulator", argv=public_words())
     given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config", "body"]))
-    board, folder = given["board"], fake_folder(given, rospy.get_namespace())
-    closed_loop = ROBOTS[board].closed_loop
+    robot = fake_folder(given, rospy.get_namespace()), given["board"], given["i2c_address"]
+    closed_loop = ROBOTS[given["board"]].closed_loop
     model = DiffDriveModel(
         given["wheel_separation"], given["wheel_diameter"], given["max_speed"], given["motor_lag"], given["dead_band"],
         Pose(given["x"], given["y"], given["yaw"]), closed_loop, given["wheel_ratio"])
-    # A board with a closed loop measures its motion: its controller publishes odom.
-    Simulator(model, lambda: wheel_speeds(folder, board), lambda: pwm_frequency(folder, board),
-              publish_odom=not closed_loop).spin()
+    # A board with a closed loop measures its motion, but tells no angles of its wheels.
+    others = ["odom"] if closed_loop else ["odom", "joint_states"] if given["publish_odom"] else []
+    Simulator(model, lambda: wheel_speeds(*robot), lambda: pwm_frequency(*robot), others).spin()
 
 
 if __name__ == "__main__":

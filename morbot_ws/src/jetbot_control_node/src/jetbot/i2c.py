@@ -29,11 +29,13 @@ class I2CDevice:
 
     bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; address: 7 bits.
     transfers, errors: how many transfers were tried, and how many of them failed.
+    tries: how often a transfer is tried.
     time_limit: s that a transfer may take. The second one in a row that takes longer raises BusTooSlow; those after it
     do not, so that the wheels can be stopped.
     The bus is opened at the first transfer, and again after a failure. Raises OutOfResources if it cannot be.
     """
 
+    tries = TRIES
     time_limit = math.inf
 
     def __init__(self, bus: Union[int, str], address: int):
@@ -65,9 +67,9 @@ class I2CDevice:
             self._smbus = None
 
     def _transfer(self, method, *arguments):
-        for _ in range(TRIES):
+        for _ in range(self.tries):
             try:
-                self._smbus = self._smbus or open_bus(self.name)
+                self._smbus = self._smbus or open_bus(self.name, self.address)
                 self.transfers += 1
                 start = time.monotonic()
                 result = getattr(self._smbus, method)(self.address, *arguments)
@@ -102,12 +104,12 @@ def bus_name(bus: Union[int, str]) -> str:
     raise InvalidValue(f"an I2C bus cannot be {bus!r}", "Give a number (1 for /dev/i2c-1), fake, or fake:FOLDER.")
 
 
-def open_bus(name: str) -> Any:
-    """Return the bus with this ``bus_name``, with the methods of smbus2.SMBus."""
+def open_bus(name: str, address: int) -> Any:
+    """Return the bus with this ``bus_name``, with the methods of smbus2.SMBus. A new fake one has a chip there."""
     folder = fake.folder_of(name)
     if folder:
         from .fake.bus import FakeBus
-        return FakeBus(folder)
+        return FakeBus(folder, address)
     try:
         from smbus2 import SMBus  # here: a computer without a bus does not need it
     except ImportError:
@@ -128,7 +130,7 @@ def explain(error: OSError, bus: str, address: int) -> JetbotError:
         errno.EACCES: (PermissionDenied, f"no permission to open {bus}", permission_advice(bus, "i2c")),
         errno.ETIMEDOUT: (BusStuck, f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires."),
     }.get(error.errno, (NoAnswer, f"no answer from 0x{address:02x} on {bus}",
-                        f"Is the motor board plugged in and its battery on? {bus_advice()}"))
+                        f"{address_advice(address)}Is the motor board plugged in and its battery on? {bus_advice()}"))
     return kind(reason, advice, error.errno, option="i2c_bus" if kind in (NotFound, NoAnswer) else "")
 
 
@@ -149,5 +151,13 @@ def explain_fake(error: OSError, bus: str, address: int) -> BusError:
     if error.errno in (errno.EROFS, errno.EACCES, errno.ENOTDIR, errno.ENOSPC):
         return PermissionDenied(f"the fake bus {bus} cannot be used: {error.strerror}",
                                 "Name another folder: fake:FOLDER", error.errno)
+    from .fake.motors import ROBOTS  # here: no real robot needs it
+    extra = None if address in [robot.address for robot in ROBOTS.values()] else address
     return NoAnswer(f"no answer from 0x{address:02x} on {bus}",
-                    f"To plug it in: {fake.power_on_command(fake.folder_of(bus))}", error.errno)
+                    f"{address_advice(address)}To plug it in: {fake.power_on_command(fake.folder_of(bus), extra)}",
+                    error.errno)
+
+
+def address_advice(address: int) -> str:
+    """Return a question if the address can be a motor board's whose 0x was left out, such as 61 for 0x61; else ""."""
+    return f"Do you mean 0x{address}? " if 40 <= address < 0x40 else ""

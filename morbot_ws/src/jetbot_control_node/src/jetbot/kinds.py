@@ -49,3 +49,12 @@ DUTY = Kind(lambda value: is_number(value) and 0 < value <= 1, "a number above 0
 LIMIT = Kind(lambda value: is_number(value) and value >= 0, "a number, 0 or more")
 PWM_FREQUENCY = Kind(lambda value: is_number(value) and 24 <= value <= 1526, "a number from 24 to 1526")
 ADDRESS = Kind(is_address, "an address from 0x03 to 0x77")
+
+
+def check_duties(min_duty: object, max_duty: object) -> None:
+    """Raise InvalidValue unless 0 <= min_duty < max_duty <= 1."""
+    FRACTION.check("the min_duty", min_duty)
+    DUTY.check("the max_duty", max_duty)
+    if min_duty >= max_duty:
+        raise InvalidValue(f"the min_duty, {min_duty:g}, must be below the max_duty, {max_duty:g}",
+                           "Lower the one, or raise the other.")

@@ -24,7 +24,7 @@ def lock_board(place: str, address: Optional[int]) -> socket.socket:
     Raises JetbotError if another program holds it. The lock is the name of an abstract socket, unix(7): it reaches all
     users, and the containers that share this network namespace (``network_mode: host``).
     """
-    name = f"\0jetbot {identity(place)} {address}".encode()[:NAME_SIZE]
+    name = f"\0jetbot {identity(place, address)} {address}".encode()[:NAME_SIZE]
     lock = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
     try:
         lock.bind(name)
@@ -38,12 +38,12 @@ def lock_board(place: str, address: Optional[int]) -> socket.socket:
     return lock
 
 
-def identity(place: str) -> str:
-    """Return what names the board's bus or port, whatever path leads to it."""
+def identity(place: str, address: Optional[int]) -> str:
+    """Return what names the board's bus or port, whatever path leads to it. A fake one is made, with the board."""
     folder = fake.folder_of(place)
     try:
         if folder and not Path(folder).exists():
-            power_on(folder)
+            power_on(folder, address)
         status = os.stat(folder or place)
     except OSError:  # whoever opens it explains
         return place

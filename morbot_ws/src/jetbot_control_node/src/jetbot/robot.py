@@ -5,10 +5,10 @@ import threading
 from typing import Optional, Tuple, Union
 
 from . import open_robots
-from .boards import DEFAULT_PORT, find_board
+from .boards import DEFAULT_PORT, DEFAULT_PWM_FREQUENCY, find_board
 from .errors import GuardError, InvalidValue, JetbotError
 from .guard import Guard, NoGuard
-from .kinds import BOOLEAN
+from .kinds import BOOLEAN, PWM_FREQUENCY
 from .motor import Motor, checked, negated, turn_cut_off
 
 
@@ -17,9 +17,11 @@ class Robot:
 
     board: a name in ``boards.BOARDS``; i2c_bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; port: of a jetbot_pro.
     The defaults are JETBOT_BOARD, JETBOT_I2C_BUS and JETBOT_PORT, else ``jetbot``, 1 and /dev/ttyACM0.
+    i2c_address: 0x03 to 0x77, of a board whose jumpers or switches change it.
     left_motor_alpha, right_motor_alpha: trims, finite numbers, for a robot that does not drive straight.
     swap_motors, invert_left, invert_right: for a robot whose motors are wired differently.
-    min_duty: smallest duty, in [0, 1), that turns a wheel; speeds above 0 start there.
+    min_duty, max_duty: the duties that speeds in (0, 1] map onto: the smallest that turns a wheel, and the largest.
+    pwm_frequency: of the duties, in Hz, 24 to 1526.
     guard: False drives without the second process that stops the wheels if this one is killed.
 
     Speeds are in [-1, 1], 1 full forward, and clamped to that; a JetBot Pro takes m/s instead, up to 32.767. A speed
@@ -32,23 +34,26 @@ class Robot:
     def __init__(self, board: Optional[str] = None, i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
                  left_motor_alpha: float = 1.0, right_motor_alpha: float = 1.0, swap_motors: bool = False,
                  invert_left: bool = False, invert_right: bool = False, min_duty: float = 0.0,
-                 guard: bool = True):
+                 guard: bool = True, *, max_duty: float = 1.0, i2c_address: Union[int, str, None] = None,
+                 pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
         board = (os.environ.get("JETBOT_BOARD") or "jetbot") if board is None else board
         i2c_bus = (os.environ.get("JETBOT_I2C_BUS") or 1) if i2c_bus is None else i2c_bus
         port = (os.environ.get("JETBOT_PORT") or DEFAULT_PORT) if port is None else port
-        BOOLEAN.check("the option swap_motors", swap_motors)
-        BOOLEAN.check("the option invert_left", invert_left)
-        BOOLEAN.check("the option invert_right", invert_right)
-        self.left_motor = Motor(self, left_motor_alpha, invert_left, min_duty)
-        self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty)
+        for name, value in ("swap_motors", swap_motors), ("invert_left", invert_left), ("invert_right", invert_right):
+            BOOLEAN.check(f"the option {name}", value)
+        PWM_FREQUENCY.check("the pwm_frequency", pwm_frequency)
+        self.left_motor = Motor(self, left_motor_alpha, invert_left, min_duty, max_duty)
+        self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty, max_duty)
         self._outputs = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)
         self._speeds = dict.fromkeys(self._outputs, 0.0)
         self._given = dict.fromkeys(self._outputs, 0.0)  # what the driver was given last; 0 while that is not known
         self._lock = threading.RLock()  # a signal handler may come in between, in the same thread
+        self.resumes = True  # False: a board that has lost its speeds is left stopped until the next command
         self._closed = False
-        place = find_board(board).place(i2c_bus, port)
-        self.driver = find_board(board).open(place)
-        self._guard = Guard(board, place) if guard else NoGuard()
+        row = find_board(board, i2c_address)
+        place = row.place(i2c_bus, port)
+        self.driver = row.open(place, pwm_frequency)
+        self._guard = Guard(board, place, row.address) if guard else NoGuard()
         open_robots.add(self)
 
     def set_motors(self, left_speed: float, right_speed: float) -> None:
@@ -78,7 +83,7 @@ class Robot:
     def verify(self) -> None:
         """Read back a part of what the board holds, in one transfer, and restore what it lost."""
         with self._lock:
-            self._apply(self.driver.verify)
+            self._apply(self.driver.verify, self._stop_if_lost)
 
     def keep_alive(self) -> None:
         """Feed the watchdogs: the guard, and the board's own timer.
@@ -88,7 +93,7 @@ class Robot:
         """
         with self._lock:
             try:
-                self._apply(self.driver.keep_alive)
+                self._apply(self.driver.keep_alive, self._stop_if_lost)
             finally:
                 if not self._closed:
                     self._guard.heartbeat()
@@ -103,6 +108,7 @@ class Robot:
                 return
             self._closed = True
             self._clear_speeds()  # for the command that a signal handler interrupts
+            self._given = dict.fromkeys(self._outputs, 0.0)
             try:
                 self.driver.drive(0, 0)
                 self._guard.dismiss()
@@ -133,7 +139,7 @@ class Robot:
 
     @property
     def at_full_power(self) -> bool:
-        """Whether both wheels are at full power, the same way, so that the turn which was commanded is cut off."""
+        """Whether both wheels are at full power, or max_duty, the same way: the turn that was commanded is cut off."""
         return turn_cut_off(self.left_motor, self.right_motor, self.driver)
 
     def _set_speeds(self, speeds):
@@ -161,14 +167,19 @@ class Robot:
         """Run the actions, then drive both motors."""
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
-        done = None
-        while done != (wanted := self._permitted()):
+        while True:
             self._given = dict.fromkeys(self._outputs, 0.0)
             for action in actions:
                 action()
-            self.driver.drive(*wanted)
-            self._given = dict(zip(self._outputs, wanted))
-            done = wanted  # unless a signal handler has set other speeds meanwhile
+            permitted = self._permitted()
+            self.driver.drive(*permitted)
+            self._given = dict(zip(self._outputs, permitted))
+            if permitted == self._permitted():  # else a signal handler has set other speeds meanwhile
+                return
+
+    def _stop_if_lost(self):
+        if not (self.resumes or self.driver.in_sync):
+            self._clear_speeds()
 
     def _permitted(self):
         """Return what the driver may be given now: what is commanded, but 0 if there is no guard or no robot."""

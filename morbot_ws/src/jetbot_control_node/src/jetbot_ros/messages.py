@@ -1,10 +1,14 @@
 """Messages and frame names of a robot (REP 103, REP 105), as the controller and the simulator publish them."""
 
 import math
+from typing import Sequence
 
 import rospy
 from geometry_msgs.msg import Quaternion, TransformStamped
 from nav_msgs.msg import Odometry
+from sensor_msgs.msg import JointState
+
+JOINTS = ["left_wheel_joint", "right_wheel_joint"]  # as in simulation/urdf/jetbot.urdf
 
 
 def frame_name(name: str) -> str:
@@ -24,6 +28,13 @@ def odometry(stamp: rospy.Time, pose, linear: float = 0.0, angular: float = 0.0)
     message.pose.pose.position.x, message.pose.pose.position.y = pose.x, pose.y
     message.pose.pose.orientation = quaternion(pose.yaw)
     message.twist.twist.linear.x, message.twist.twist.angular.z = linear, angular
+    return message
+
+
+def joint_states(stamp: rospy.Time, angles: Sequence[float], rates: Sequence[float]) -> JointState:
+    """Return the rotations of the wheels (left, right) in rad, and their angular speeds in rad/s."""
+    message = JointState(name=JOINTS, position=angles, velocity=rates)
+    message.header.stamp = stamp
     return message
 
 

@@ -15,6 +15,7 @@ import rospy
 from jetbot import InvalidValue, JetbotError, Robot, fake
 from jetbot.boards import find_board
 from jetbot.lock import lock_board
+from jetbot.supply import find_supply
 
 from . import watch
 from .command_line import fake_advice, private_parameters, public_words
@@ -23,7 +24,8 @@ from .network import bound_headers, stay_on_this_host
 from .parameters import PARAMETERS, resolve
 from .registration import is_registered, register
 from .report import Report
-from .supervisor import Supervisor
+from .supervisor import Observer, Supervisor
+from .supply_watch import SupplyWatch
 
 SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
 
@@ -55,16 +57,35 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
 
     Raise JetbotError, also if another program drives that board.
     """
-    names = ("board", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left", "invert_right", "min_duty")
+    names = ("board", "i2c_address", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left",
+             "invert_right", "min_duty", "max_duty", "pwm_frequency")
     places = {name: fake.expand(str(parameters[name]), rospy.get_namespace()) for name in ("i2c_bus", "port")}
-    board = find_board(parameters["board"])
+    board = find_board(parameters["board"], parameters["i2c_address"])
     lock = lock_board(board.place(**places), board.address)  # before Robot() stops the wheels, which may be another's
     robot = Robot(**{name: parameters[name] for name in names}, **places)
     robot.lock = lock  # until this process ends
     if robot.driver.closed_loop:
-        from .odometry import OdometryPublisher  # here: most robots have no such board
-        robot.driver.listen(OdometryPublisher(parameters["publish_tf"]))
+        from .odometry import TelemetryPublisher  # here: most robots have no such board
+        robot.driver.listen(TelemetryPublisher(parameters["publish_tf"]))
     return robot
+
+
+def make_observers(robot: Robot, parameters: Dict[str, object]) -> List[Observer]:
+    """Return the Supervisor's observers that the parameters ask for."""
+    if robot.driver.closed_loop or not parameters["publish_odom"]:
+        return []
+    from .open_loop import OpenLoopOdometry  # here: most robots do without
+    return [OpenLoopOdometry(robot, parameters)]
+
+
+def watch_supply(robot: Robot, parameters: Dict[str, object]) -> SupplyWatch:
+    """Return what watches the robot's supply. If something measures it, publish that from now on."""
+    supply = find_supply(robot.driver.link)
+    supply_watch = SupplyWatch(supply, f"{'lower' if parameters['acceleration_limit'] else 'set'} acceleration_limit")
+    if supply:
+        from .battery import publish_supply  # here: on many robots nothing measures it
+        publish_supply(supply, supply_watch)
+    return supply_watch
 
 
 def run(supervisor: Supervisor, report: Report) -> int:

@@ -17,7 +17,7 @@ DISTURBANCES = {  # count: from how many on it is reported, and how
     "overwritten": (1, "another program writes to its board ({} so far)"),
     "faults": (2, "its board keeps failing to answer ({} so far): check the wires"),  # each has its status, too
 }
-FULL_POWER = "both wheels at full power"
+FULL_POWER, MAX_DUTY = "both wheels at full power", "both wheels at max_duty"
 TOO_SLOW = "the wheels get less than one step of its board, so they do not turn: "
 
 
@@ -54,6 +54,13 @@ class Disturbances:
         self._counts = counts
         return [sentence.format(counts[name]) for name, (threshold, sentence) in DISTURBANCES.items()
                 if counts[name] >= threshold and now - self._seen_at[name] < NOTE_FOR]
+
+
+def full_power(robot: Robot) -> Optional[str]:
+    """Return a sentence if the robot turns less than commanded, because both wheels are at their limit, else None."""
+    if not robot.at_full_power:
+        return None
+    return FULL_POWER if robot.left_motor.max_duty == 1 else MAX_DUTY
 
 
 def too_slow(robot: Robot) -> Optional[str]:

@@ -1,8 +1,8 @@
-"""Odometry and IMU of a board that measures its motion, as ROS messages."""
+"""A robot's odometry, and the IMU of a board that has one, as ROS messages."""
 
 import math
 import time
-from typing import List, Optional
+from typing import List, Optional, Union
 
 import rospy
 from geometry_msgs.msg import TwistWithCovariance
@@ -12,9 +12,10 @@ from sensor_msgs.msg import Imu
 from jetbot.boards import Telemetry
 
 from . import messages
+from .dead_reckoning import Motion
 from .pose_tracker import PoseTracker, Velocity
 
-DRIFT = 0.05              # of the path length and of the total rotation: an estimate for uncalibrated wheel odometry
+DRIFT = 0.05              # of the path length and of the total rotation: an estimate for uncalibrated encoders
 RESOLUTION = 0.001        # m and rad
 GYRO_ERROR = 0.09         # rad/s, and
 ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets of uncalibrated sensors (5 deg/s and 80 mg for an MPU-9250)
@@ -23,44 +24,59 @@ UNKNOWN = 1e6             # variance of what is not measured
 
 
 class OdometryPublisher:
-    """Publishes ``odom``, ``imu/data_raw`` and, if ``publish_tf``, tf odom -> base_footprint, for each Telemetry."""
+    """Publishes ``odom`` and, if ``publish_tf``, tf odom -> base_footprint. drift: see ``odometry``."""
 
-    def __init__(self, publish_tf: bool):
+    def __init__(self, publish_tf: bool, drift: float):
+        self._drift = drift
         self._odom = rospy.Publisher("odom", Odometry, queue_size=1)
-        self._imu = rospy.Publisher("imu/data_raw", Imu, queue_size=1)
-        self._tracker = PoseTracker()
         self._tf = None
         if publish_tf:
             from tf2_ros import TransformBroadcaster  # here: tf2 takes memory, and most robots do not need it
             self._tf = TransformBroadcaster()
 
+    def publish(self, stamp: rospy.Time, motion: Union[PoseTracker, Motion]) -> None:
+        """Publish where the robot is at this time."""
+        odom = odometry(stamp, motion, self._drift)
+        self._odom.publish(odom)
+        if self._tf:
+            self._tf.sendTransform(messages.transform(stamp, odom.header.frame_id, odom.child_frame_id, motion))
+
+
+class TelemetryPublisher:
+    """Publishes odometry and ``imu/data_raw`` for each Telemetry of a board that measures its motion."""
+
+    def __init__(self, publish_tf: bool):
+        self._odometry = OdometryPublisher(publish_tf, DRIFT)
+        self._imu = rospy.Publisher("imu/data_raw", Imu, queue_size=1)
+        self._tracker = PoseTracker()
+
     def __call__(self, telemetry: Telemetry) -> None:
         stamp = rospy.Time.now()
         self._tracker.update((telemetry.x, telemetry.y, telemetry.yaw), time.monotonic())
-        odom = odometry(stamp, self._tracker)
-        self._odom.publish(odom)
+        self._odometry.publish(stamp, self._tracker)
         self._imu.publish(imu(stamp, telemetry))
-        if self._tf:
-            self._tf.sendTransform(messages.transform(stamp, odom.header.frame_id, odom.child_frame_id, self._tracker))
 
 
-def odometry(stamp: rospy.Time, tracker: PoseTracker) -> Odometry:
-    """Return the tracker's pose and velocity, with covariances that grow with the path."""
-    odom = messages.odometry(stamp, tracker)
-    yaw = min((DRIFT * tracker.total_rotation) ** 2 + RESOLUTION ** 2, MAX_YAW_VARIANCE)
-    position = min(DRIFT ** 2 + yaw, 1) * tracker.path_length ** 2 + RESOLUTION ** 2
+def odometry(stamp: rospy.Time, motion: Union[PoseTracker, Motion], drift: float) -> Odometry:
+    """Return the pose and velocity, with covariances that grow with the path.
+
+    drift: its standard deviation, as a fraction of the path length and of the total rotation.
+    """
+    odom = messages.odometry(stamp, motion)
+    yaw = min((drift * motion.total_rotation) ** 2 + RESOLUTION ** 2, MAX_YAW_VARIANCE)
+    position = min(drift ** 2 + yaw, 1) * motion.path_length ** 2 + RESOLUTION ** 2
     odom.pose.covariance = diagonal(position, yaw)
-    odom.twist = twist(tracker.velocity)
+    odom.twist = twist(motion.velocity, drift)
     return odom
 
 
-def twist(velocity: Optional[Velocity]) -> TwistWithCovariance:
-    """Return the velocity with its covariance."""
+def twist(velocity: Optional[Velocity], drift: float) -> TwistWithCovariance:
+    """Return the velocity with its covariance. drift: see ``odometry``."""
     if velocity is None:
         return TwistWithCovariance(covariance=diagonal(UNKNOWN, UNKNOWN))
     seconds, forward, turn = velocity
     result = TwistWithCovariance(covariance=diagonal(*(
-        (RESOLUTION / seconds) ** 2 + (DRIFT * change / seconds) ** 2 for change in (forward, turn))))
+        (RESOLUTION / seconds) ** 2 + (drift * change / seconds) ** 2 for change in (forward, turn))))
     result.twist.linear.x, result.twist.angular.z = forward / seconds, turn / seconds
     return result
 

@@ -18,9 +18,11 @@ from jetbot.kinds import (  # noqa: F401  for nodes
     PWM_FREQUENCY,
     SECONDS,
     Kind,
+    check_duties,
     is_number,
 )
 
+SHIPPED = Path(__file__).resolve().parents[2] / "config"
 MAX_BUS = 2**20 - 1  # Linux's minor numbers have 20 bits
 
 
@@ -105,9 +107,14 @@ def resolve(typed: Dict[str, object]) -> Dict[str, object]:
 
 
 def find_file(config: object, simulated: Collection[str]) -> str:
-    """Return the absolute path of the file to read, or "". config: what is typed; simulated: what is typed as fake."""
+    """Return the absolute path of the file to read, or "". config: what is typed; simulated: what is typed as fake.
+
+    A name such as si_units.yaml, if there is no such file, is one of this package's.
+    """
     if config != "":
-        return os.path.abspath(os.path.expanduser(str(config)))
+        file = os.path.abspath(os.path.expanduser(str(config)))
+        shipped = SHIPPED / str(config)
+        return str(shipped) if shipped.is_file() and not os.path.exists(file) else file
     return "" if simulated or files.is_missing(default_file()) else os.path.abspath(default_file())
 
 
@@ -120,7 +127,10 @@ def checked(values: Dict[str, object], parameters: Dict[str, Parameter] = PARAME
     for name, row in parameters.items():
         if name in values:
             row.kind.check(f"the parameter {name}", values[name])
-    return {name: values.get(name, row.default) for name, row in parameters.items()}
+    values = {name: values.get(name, row.default) for name, row in parameters.items()}
+    if "max_duty" in values:
+        check_duties(values["min_duty"], values["max_duty"])
+    return values
 
 
 def given(values: Dict[str, object]) -> Dict[str, object]:

@@ -16,6 +16,7 @@ from jetbot.boards import MotorDriver
 from .safety import State
 from .summary import start_line, status_suffix, summary
 from .supervisor import Supervisor
+from .supply_watch import SupplyWatch
 
 DIAGNOSTICS_INTERVAL = 1.0  # s
 REPEAT_LOG = 1.0            # s before the same line is logged again
@@ -24,9 +25,9 @@ REPEAT_LOG = 1.0            # s before the same line is logged again
 class Report:
     """``change`` publishes the status at once, from any thread; ``spin`` logs in the main thread, which may wait."""
 
-    def __init__(self, parameters: Dict[str, object], driver: MotorDriver):
+    def __init__(self, parameters: Dict[str, object], driver: MotorDriver, supply: SupplyWatch):
         self._summary = summary(parameters, driver)
-        self._link, self._suffix = driver.link, status_suffix(driver)
+        self._link, self._suffix, self._supply = driver.link, status_suffix(driver), supply
         self._status_publisher = rospy.Publisher("~status", String, latch=True, queue_size=1)
         self._status_changes = queue.Queue(maxsize=10)
         name = rospy.get_namespace().strip("/")
@@ -91,6 +92,8 @@ class Report:
         result.add("settings lost", disturbances["resets"])
         result.add("writes of other programs", disturbances["overwritten"])
         result.add("times without an answer", disturbances["faults"])
+        result.add("supply", str(self._supply))
+        result.add("supply dips", self._supply.dips)
         result.add("commanded by", state.sender.name if state.sender else "nobody yet")
         (commands, since), self._counted = self._counted, (state.commands, now)
         result.add("commands per second", f"{(state.commands - commands) / (now - since):.1f}")

@@ -12,9 +12,11 @@ GEOMETRY = ("wheel_separation", "max_speed")
 
 
 def summary(parameters: Dict[str, object], driver: MotorDriver) -> Dict[str, str]:
-    """Return a text for each of board, bus, units and settings. parameters: as ``resolve`` returns them."""
+    """Return a text for each of board, bus, address, units and settings. parameters: as ``resolve`` returns them."""
     config = parameters["config"]
-    texts = {"board": parameters["board"], "bus": driver.link.name, "units": units(parameters, driver.closed_loop),
+    address = driver.link.address
+    texts = {"board": parameters["board"], "bus": driver.link.name, "address": f"0x{address:02x}" if address else "",
+             "units": units(parameters, driver.closed_loop),
              "settings": f"settings from {config}" if config else "no file of settings"}
     return {name: printable(text) for name, text in texts.items()}
 
@@ -23,10 +25,15 @@ def units(parameters: Dict[str, object], closed_loop: bool) -> str:
     """Return what a command means. closed_loop: for a board that controls its wheel speeds itself."""
     if closed_loop:
         return "m/s and rad/s"
-    separation, speed = geometry = tuple(parameters[name] for name in GEOMETRY)
-    if geometry == tuple(PARAMETERS[name].default for name in GEOMETRY):
+    if in_workshop_units(parameters):
         return "workshop units: left = x - z, right = x + z"
+    separation, speed = (parameters[name] for name in GEOMETRY)
     return f"m/s and rad/s, with wheels {separation:g} m apart and {speed:g} m/s at full power"
+
+
+def in_workshop_units(parameters: Dict[str, object]) -> bool:
+    """Return whether wheel_separation and max_speed are the workshop's, and not the robot's."""
+    return all(parameters[name] == PARAMETERS[name].default for name in GEOMETRY)
 
 
 def start_line(texts: Dict[str, str]) -> str:

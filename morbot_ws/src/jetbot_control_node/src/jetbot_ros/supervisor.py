@@ -9,7 +9,8 @@ from typing import Callable, Collection, Dict, Optional, Sequence, Tuple
 from jetbot import BusError, JetbotError, Robot
 from jetbot.wait import wait_until
 
-from .notes import FULL_POWER, Commanders, Disturbances, Lasting, too_slow
+from .notes import Commanders, Disturbances, Lasting, full_power, too_slow
+from .ramp import STEP_INTERVAL, Ramp
 from .safety import STOPPED, Hold, Sender, State
 
 DRIVING_INTERVAL = 0.05      # s between two checks of what may stop the robot while it drives
@@ -32,14 +33,16 @@ class Supervisor:
     drive: drives the robot at (linear, angular); senders: returns the names of the programs that could send commands;
     on_change: takes each State whose status differs from the one before. observers: each is told after every step
     what the wheels are given, as ``Robot.duties``, and the time, and may return a note for the status. None of them
-    may block.
+    may block. ramp: limits how fast the wheels speed up.
     closed: whether ``run`` has ended, with the wheels stopped.
     """
 
     def __init__(self, robot: Robot, drive: Callable[[float, float], None], cmd_vel_timeout: float,
                  senders: Callable[[], Collection[str]], on_change: Callable[[State], None],
-                 observers: Sequence[Observer] = ()):
+                 observers: Sequence[Observer] = (), ramp: Optional[Ramp] = None):
         self._robot, self._drive, self._observers = robot, drive, observers
+        self._ramp = ramp or Ramp()
+        robot.resumes = not self._ramp.acceleration_limit  # else what the board has lost comes back by the ramp
         self._senders, self._on_change = senders, on_change
         self.state = State(cmd_vel_timeout)
         self.closed = False
@@ -97,6 +100,7 @@ class Supervisor:
             with contextlib.suppress(JetbotError):  # the guard reports it, and keeps trying
                 self._robot.close()
                 self.closed = True
+            self._observe(time.monotonic())
 
     def step(self, now: float, commanded: bool) -> float:
         """Do all that is due at the time ``now``; return the seconds until the next step, if nothing happens before.
@@ -110,33 +114,44 @@ class Supervisor:
         self._change(State.check_timeout, senders, now)
         state, fault = self.state, None
         try:
-            fault = self._drive_if_guarded(state)
+            fault = self._drive_if_guarded(state, now)
             self._verify(now, commanded)
         except BusError as error:
             fault = error
         interval = self._robot.driver.keep_alive_interval if state.driving else STOPPED_INTERVAL
         self._keep_alive(now, interval)
+        if self._ramp.acceleration_limit and not any(self._robot.duties):
+            self._ramp.reset()
         self._faults += isinstance(fault, BusError) and not state.fault
         self._change(State.driven, fault, self._notes(senders, now))
         self._report()
-        pause = RETRY_INTERVAL if fault else DRIVING_INTERVAL if state.driving else STOPPED_INTERVAL
-        return min(pause, self._fed_at + interval - now)
+        return min(self._pause(), self._fed_at + interval - now)
 
-    def _drive_if_guarded(self, state):
+    def _pause(self):
+        if self.state.fault:
+            return RETRY_INTERVAL
+        if self._ramp.active:
+            return STEP_INTERVAL
+        return DRIVING_INTERVAL if self.state.driving else STOPPED_INTERVAL
+
+    def _drive_if_guarded(self, state, now):
         """Drive, or stop if there is no guard; return the fault."""
         if state.driving and not self._robot.guarded:
             self._drive(*STOPPED)
             self._fed_at = float("-inf")  # now: a heartbeat starts another guard
             return NO_GUARD
-        self._drive(*state.velocity)
+        self._drive(*self._ramp.limit(state.velocity, now))
         return None
 
     def _notes(self, senders, now) -> Tuple[str, ...]:
-        notes = [self._commanders.note(senders, now), FULL_POWER if self._robot.at_full_power else None,
+        notes = [self._commanders.note(senders, now), full_power(self._robot),
                  self._too_slow.note(too_slow(self._robot) if self.state.driving else None, now),
-                 *(observe(self._robot.duties, now) for observe in self._observers),
+                 *self._observe(now),
                  *self._disturbances.notes(self.disturbances, now)]
         return tuple(note for note in notes if note)
+
+    def _observe(self, now):
+        return [observe(self._robot.duties, now) for observe in self._observers]
 
     def _wake(self):
         if self._events.empty():  # one that the thread has not taken yet will do

@@ -7,7 +7,9 @@ from typing import Iterator, List, Optional, Union
 from jetbot import fake, files, host
 from jetbot.boards import BOARDS, DEFAULT_PORT
 from jetbot.errors import JetbotError
-from jetbot.i2c import bus_name
+from jetbot.i2c import I2CDevice, bus_name
+from jetbot.serial_link import SerialLink
+from jetbot.supply import find_supply
 from jetbot_ros.parameters import checked, default_file, load
 
 from .commands import in_shell, launch
@@ -16,6 +18,7 @@ from .probe import Check, check_board, check_chip, check_chips, check_serial, ch
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial"]
 NEEDED_BY_SOME = ["smbus2", "serial"]  # by boards on an I2C bus, on a serial port
+LOW_BATTERY = 0.1  # of the charge
 
 
 def run_checks(i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
@@ -51,9 +54,11 @@ def all_checks(i2c_bus: Union[int, str, None], port: Optional[str], i2c_address:
         checks = check_bus(bus, i2c_address, other_addresses=bus == usual)
         yield from checks
         if any(check.command for check in checks):
+            yield from check_supply(I2CDevice(bus, BOARDS["jetbot"].address))
             return
     yield from check_users(port or DEFAULT_PORT)
     yield check_serial(port or DEFAULT_PORT)
+    yield from check_supply(SerialLink(port or DEFAULT_PORT))
 
 
 def check_module(module: str) -> Check:
@@ -113,6 +118,20 @@ def check_bus(bus: Union[int, str], i2c_address: Optional[int] = None, other_add
     if other_addresses and i2c_address is None and not boards:
         boards = [chip for chip in check_chips(bus, JUMPER_ADDRESSES) if chip.ok]
     return check_users(name) + (boards or list(dict.fromkeys([check_chip(bus, addresses[0]), *chips])))
+
+
+def check_supply(link: Union[I2CDevice, SerialLink]) -> List[Check]:
+    """Check that the robot with this link to its board has the power to drive; [] if nothing measures that."""
+    supply = find_supply(link)
+    if not supply:
+        return []
+    try:
+        reading = supply.read()
+    except JetbotError as error:  # unplugged meanwhile
+        return [Check("supply", False, error.reason, error.advice)]
+    advice = ("Charge the battery." if reading.percentage < LOW_BATTERY else
+              "Use a supply of 5 V and 3 A, and a short cable." if reading.undervoltage else "")
+    return [Check("supply", not advice, f"{reading}, by the {supply.sensor}", advice)]
 
 
 def verdict(checks: List[Check]) -> Check:

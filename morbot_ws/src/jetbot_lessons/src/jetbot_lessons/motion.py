@@ -137,7 +137,7 @@ def motor_diagnostics() -> Dict[str, str]:
 def fake_wheels(motors: Dict[str, str]) -> Optional[Wheels]:
     """Return the fake robot's wheels; None for a real robot. motors: as ``motor_diagnostics`` returns it."""
     folder = fake.folder_of(motors["bus"])
-    return partial(wheel_speeds, folder, motors["board"]) if folder else None
+    return partial(wheel_speeds, folder, motors["board"], motors.get("address")) if folder else None
 
 
 def status() -> str:

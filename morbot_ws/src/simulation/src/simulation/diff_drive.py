@@ -1,9 +1,9 @@
 """A differential-drive robot: two motors, and the pose that results."""
 
 import math
-from typing import Dict, NamedTuple, Tuple
+from typing import Dict, Tuple
 
-from jetbot.kinematics import mix
+from jetbot.kinematics import Pose, mix
 
 Pair = Tuple[float, float]  # left, right
 
@@ -11,22 +11,6 @@ PWM_FREQUENCY = 1526.0  # Hz, at which a dead band is given
 # Adafruit, "Improve Low-Speed Performance of Brushed DC Motors": a gear motor (product 4416) starts at 1.4 V of 5 V at
 # 1600 Hz, and at 0.1 V at 25 Hz.
 STARTING_EXPONENT = math.log(1.4 / 0.1) / math.log(1600 / 25)
-
-
-class Pose(NamedTuple):
-    """x, y in metres; yaw in radians, counterclockwise from the x axis (REP 103)."""
-
-    x: float = 0.0
-    y: float = 0.0
-    yaw: float = 0.0
-
-    def integrate_arc(self, left: float, right: float, wheel_separation: float) -> "Pose":
-        """Return the pose at the end of the arc on which the wheels roll ``left`` and ``right`` metres."""
-        rotation, arc = (right - left) / wheel_separation, (left + right) / 2
-        chord = arc * math.sin(rotation / 2) / (rotation / 2) if rotation else arc
-        heading = self.yaw + rotation / 2
-        return Pose(self.x + chord * math.cos(heading), self.y + chord * math.sin(heading),
-                    math.remainder(self.yaw + rotation, math.tau))
 
 
 class Motor:

@@ -5,17 +5,20 @@ from typing import Dict
 from jetbot import fake
 from jetbot.boards import find_board
 from jetbot.fake.motors import ROBOTS
-from jetbot.kinds import FRACTION, NUMBER, POSITIVE, SECONDS, Kind
+from jetbot.kinds import ADDRESS, FRACTION, NUMBER, POSITIVE, SECONDS, Kind
 from jetbot_ros import parameters as controller
 from jetbot_ros.parameters import Parameter, checked, given, is_fake_place
 
+SHARED = ("board", "i2c_address", "publish_odom")  # that the controller's file may hold
 FAKE = Kind(is_fake_place, "fake, or fake:FOLDER")
 
 PARAMETERS = {
     "board": Parameter("jetbot", Kind(lambda value: value in list(ROBOTS), f"one of {', '.join(ROBOTS)}"),
                        "motor board that the controller drives; jetbot is simulated with Adafruit's layout"),
     "i2c_bus": Parameter("fake", FAKE, "I2C bus that the controller drives: fake or fake:FOLDER"),
+    "i2c_address": Parameter(None, ADDRESS, "I2C address of the board that the controller drives"),
     "port": Parameter("fake", FAKE, "serial port of a jetbot_pro: fake or fake:FOLDER"),
+    "publish_odom": controller.PARAMETERS["publish_odom"],
     "wheel_separation": Parameter(0.1125, POSITIVE, "distance between the wheels, of NVIDIA's model in Isaac Sim", "m"),
     "wheel_diameter": Parameter(0.06, POSITIVE, "diameter of the left wheel, of the same model", "m"),
     "wheel_ratio": Parameter(1.0, POSITIVE, "diameter of the right wheel over that of the left one"),
@@ -33,14 +36,16 @@ PARAMETERS = {
 def resolve(typed: Dict[str, object]) -> Dict[str, object]:
     """Return all parameters: what is typed wins over the file ``body``, the file over the default.
 
-    The board is the controller's: typed, or from its file ``config``, or its default. Raises InvalidValue.
+    What the controller has too is the controller's: typed, or from its file ``config``, or its default.
+    Raises InvalidValue.
     """
     own = {name: value for name, value in given(typed).items() if name not in ("config", "body")}
     body = controller.load(typed["body"]) if typed.get("body") else {}
     parameters = checked({**body, **own}, PARAMETERS)
-    shared = {name: typed.get(name, "") for name in ("board", "config")}
+    shared = {name: typed.get(name, "") for name in (*SHARED, "config")}
     shared.update({name: parameters[name] for name in ("i2c_bus", "port")})
-    return checked({**parameters, "board": controller.resolve(shared)["board"]}, PARAMETERS)
+    resolved = controller.resolve(shared)
+    return {**parameters, **{name: resolved[name] for name in SHARED}}
 
 
 def fake_folder(parameters: Dict[str, object], namespace: str) -> str:

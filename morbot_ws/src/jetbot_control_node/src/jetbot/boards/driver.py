@@ -6,6 +6,8 @@ from typing import Callable, NamedTuple, Tuple, Union
 from ..i2c import I2CDevice
 from ..serial_link import SerialLink
 
+DEFAULT_PWM_FREQUENCY = 1526  # Hz, the most that a PCA9685 can do; the JetBot library asks for 1600
+
 
 class Telemetry(NamedTuple):
     """What a board measures of its own motion. Axes: forward, left, up. Position and yaw count from the board's start.
@@ -25,20 +27,27 @@ class MotorDriver(abc.ABC):
 
     A driver holds no clock and no thread but that of ``listen``; its caller decides when. Every method but ``close``
     may raise BusError; after one, the next ``drive`` sets the board up again.
+    pwm_frequency: in Hz; a board whose frequency is fixed ignores it.
     """
 
     limit = 1.0  # largest |wheel speed| that the board accepts; Robot clamps a speed to it, and nothing else does
     closed_loop = False  # True: the board controls its wheel speeds itself; they are in m/s, for wheels 2 m apart
     resets = 0       # how often the board was found at its power-on values: a brown-out
     overwritten = 0  # how often it held what another program has written
+    in_sync = True   # whether the board holds what it was sent, as far as is known; else the next ``drive`` restores it
     keep_alive_interval = 0.25  # s: how often ``keep_alive`` is due while the wheels turn
 
-    def __init__(self, link: Union[I2CDevice, SerialLink]):
+    def __init__(self, link: Union[I2CDevice, SerialLink], pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
         self.link = link
+        self.pwm_frequency = pwm_frequency
 
     @abc.abstractmethod
     def start(self) -> None:
         """Set the board up with both motors off, whatever state it is in; raise NotReady while it is starting."""
+
+    def stop(self) -> None:
+        """Switch both motors off, whatever state the board is in; its settings stay. Raise NotReady as ``start``."""
+        self.start()
 
     @abc.abstractmethod
     def drive(self, left: float, right: float) -> None:

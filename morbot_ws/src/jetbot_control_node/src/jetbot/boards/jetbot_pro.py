@@ -12,7 +12,7 @@ from typing import Callable, Iterator, Tuple
 
 from ..errors import BusError
 from ..serial_link import SerialLink
-from .driver import MotorDriver, Telemetry
+from .driver import DEFAULT_PWM_FREQUENCY, MotorDriver, Telemetry
 
 HEADER = b"\xaa\x55"
 MIN_FRAME, MAX_FRAME = 5, 64                    # bytes; the longest that the board sends, telemetry, has 45
@@ -39,11 +39,15 @@ class JetBotPro(MotorDriver):
     closed_loop = True
     keep_alive_interval = 0.04  # s; so a lost frame is soon repeated
 
-    def __init__(self, link: SerialLink):
-        super().__init__(link)
+    def __init__(self, link: SerialLink, pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
+        super().__init__(link, pwm_frequency)
         self._sent = None
         self._closed = False
         self._listener = None
+
+    @property
+    def in_sync(self) -> bool:
+        return self._sent is not None
 
     def start(self) -> None:
         self.link.write(frame(PID, *DEFAULT_PID_GAINS) + frame(CORRECTIONS, *NO_CORRECTIONS))

@@ -7,7 +7,7 @@ from typing import Dict, List, Sequence
 from ..i2c import I2CDevice
 
 MODE1 = 0x00
-MODE1_RESTART = 0x80    # set by the chip itself
+MODE1_RESTART = 0x80    # the chip sets it when it sleeps with outputs on; writing 1, awake, lets them go on
 MODE1_AI = 0x20         # auto-increment; without it, every byte of a block is written to the same register
 MODE1_SLEEP = 0x10      # oscillator and outputs off
 MODE1_POWER_ON = 0x11   # asleep, answers to the address of all such chips
@@ -15,13 +15,10 @@ MODE2 = 0x01
 MODE2_OUTDRV = 0x04     # outputs drive high and low; they change at the STOP of a transfer, as OCH (0x08) is 0
 LED0_ON_L = 0x06        # four registers per output: ON_L, ON_H, OFF_L, OFF_H
 LED_FULL = 0x10         # in ON_H: always on; in OFF_H: always off, and off wins
-ALL_LED_ON_L = 0xFA     # the same four registers of all outputs at once
-ALL_LED_OFF_H = 0xFD
 PRE_SCALE = 0xFE        # writable only asleep
-PRESCALE_MIN = 3        # 25 MHz / 4096 / (3 + 1) = 1526 Hz
 PRESCALE_POWER_ON = 0x1E
-OUTPUTS = 16
 FULL_DUTY = 4096
+OSCILLATOR = 25e6       # Hz
 OSCILLATOR_START = 0.0005  # s
 
 REGISTERS = 256
@@ -30,42 +27,65 @@ MAX_TRANSFERS = 3       # of a change of duties alone
 MAX_BITS = 160          # on the wire, of such a change: nine per byte, and two per transfer for START and STOP
 
 OFF = bytes([0, 0, 0, LED_FULL])
-SET_UP = ((MODE1, MODE1_SLEEP), *enumerate(OFF, ALL_LED_ON_L), (PRE_SCALE, PRESCALE_MIN), (MODE2, MODE2_OUTDRV),
-          (MODE1, MODE1_AI))
+OFF_H = 3               # of the four registers of an output
 
 
 class PCA9685:
-    """Writes only the registers that changed, and verifies what the chip holds block by block.
+    """Some outputs of the chip; the others may be another program's, as of servos, and go on as they are.
 
-    spans: ranges of up to 8 outputs, 32 bytes, the most that one SMBus transfer carries; the outputs of a span switch
-    on and off together.
-    resets, overwritten: as in MotorDriver.
+    Writes only the registers that changed, and verifies what the chip holds block by block.
+
+    groups: outputs that switch on and off together, in the order in which ``stop`` switches them off; from the first to
+    the last are 8 at most, 32 bytes, the most that one SMBus transfer carries.
+    pwm_frequency: in Hz, 24 to 1526, of all outputs of the chip.
+    resets, overwritten, in_sync: as in MotorDriver.
     Nothing is sent before ``start`` or the first ``set_outputs``. Every method may raise BusError.
     """
 
     resets = overwritten = 0
 
-    def __init__(self, link: I2CDevice, spans: Sequence[range]):
+    def __init__(self, link: I2CDevice, groups: Sequence[Sequence[int]], pwm_frequency: float):
         self._link = link
-        self._spans = [range(LED0_ON_L + 4 * span.start, LED0_ON_L + 4 * span.stop) for span in spans]
+        self._outputs = [output for group in groups for output in group]
+        self._prescale = prescale(pwm_frequency)
+        self._spans = [range(LED0_ON_L + 4 * min(group), LED0_ON_L + 4 * max(group) + 4) for group in groups]
         self._blocks = itertools.cycle([range(MODE1, MODE2 + 1), range(PRE_SCALE, PRE_SCALE + 1), *self._spans])
         self._sent = None  # the registers as the chip holds them; None: not known
         self._differs = None  # what ``verify`` read instead of what was sent
 
-    def start(self) -> None:
-        """Set the chip up, whatever state it is in: first all outputs off, and only then the rest.
+    @property
+    def in_sync(self) -> bool:
+        return self._sent is not None
 
-        Byte by byte: after a brown-out in the middle, without MODE1_AI, a block would end up in a single register.
+    def start(self) -> None:
+        """Set the chip up, whatever state it is in: first the outputs off, and only then the rest.
+
+        A chip that runs as wanted is not put to sleep, which would interrupt the other outputs.
         """
-        self._link.write(ALL_LED_OFF_H, [LED_FULL])
-        self._count_fault(self._link.read(MODE1))
-        for register, value in SET_UP:
-            self._link.write(register, [value])
-        time.sleep(OSCILLATOR_START)
+        self.stop()
+        mode1 = self._link.read(MODE1)
+        self._count_fault(mode1)
+        if mode1 & MODE1_SLEEP or self._link.read(PRE_SCALE) != self._prescale:
+            self._set_prescale()
+        elif mode1 & ~MODE1_RESTART != MODE1_AI:
+            self._link.write(MODE1, [MODE1_AI])
         sent = bytearray(REGISTERS)
-        sent[MODE1], sent[MODE2], sent[PRE_SCALE] = MODE1_AI, MODE2_OUTDRV, PRESCALE_MIN
-        sent[LED0_ON_L:LED0_ON_L + 4 * OUTPUTS] = OFF * OUTPUTS
+        sent[MODE1], sent[MODE2], sent[PRE_SCALE] = MODE1_AI, MODE2_OUTDRV, self._prescale
+        for span in self._spans:
+            sent[span.start:span.stop] = OFF * (len(span) // 4)
+            self._link.write(span.start, sent[span.start:span.stop])
         self._sent = sent
+
+    def stop(self) -> None:
+        """Switch the outputs off, whatever state the chip is in; nothing else changes.
+
+        Byte by byte: after a brown-out, without MODE1_AI, a block would end up in a single register. MODE2 comes first:
+        it may invert the outputs, or let them wait for all four registers.
+        """
+        self._sent = None
+        self._link.write(MODE2, [MODE2_OUTDRV])
+        for output in self._outputs:
+            self._link.write(LED0_ON_L + 4 * output + OFF_H, [LED_FULL])
 
     def set_outputs(self, duties: Dict[int, int]) -> None:
         """Set outputs to duties, {output: 0 to 4096}, in 4096ths; start the chip first if its state is unknown."""
@@ -99,6 +119,12 @@ class PCA9685:
         else:
             self._differs = held
 
+    def _set_prescale(self):
+        for register, value in (MODE1, MODE1_AI | MODE1_SLEEP), (PRE_SCALE, self._prescale), (MODE1, MODE1_AI):
+            self._link.write(register, [value])
+        time.sleep(OSCILLATOR_START)
+        self._link.write(MODE1, [MODE1_RESTART | MODE1_AI])
+
     def _count_fault(self, mode1):
         """Count why ``verify`` found the chip changed; mode1: what its MODE1 holds now."""
         if self._differs:
@@ -107,6 +133,11 @@ class PCA9685:
             else:
                 self.overwritten += 1
         self._differs = None
+
+
+def prescale(pwm_frequency: float) -> int:
+    """Return PRE_SCALE for a frequency of 24 to 1526 Hz."""
+    return round(OSCILLATOR / FULL_DUTY / pwm_frequency) - 1
 
 
 def encode(duty: int) -> bytes:

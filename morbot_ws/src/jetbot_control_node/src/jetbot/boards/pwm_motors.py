@@ -1,9 +1,9 @@
 """Motors behind H bridges on the outputs of a PCA9685: how two wheel speeds become duties."""
 
-from typing import Dict, NamedTuple, Optional, Sequence
+from typing import Dict, List, NamedTuple, Optional, Sequence
 
 from ..i2c import I2CDevice
-from .driver import MotorDriver
+from .driver import DEFAULT_PWM_FREQUENCY, MotorDriver
 from .pca9685 import FULL_DUTY, PCA9685
 
 
@@ -34,10 +34,10 @@ class Wiring(NamedTuple):
     right: HBridge
 
     @property
-    def outputs(self) -> range:
-        """The range of PCA9685 outputs from the first that is used to the last."""
-        used = [output for bridge in self for output in bridge if output is not None]
-        return range(min(used), max(used) + 1)
+    def outputs(self) -> List[int]:
+        """The PCA9685 outputs that are used: first those without which neither direction gets power."""
+        duties = [bridge.pwm for bridge in self if bridge.pwm is not None]
+        return duties + [output for bridge in self for output in (bridge.forward, bridge.backward)]
 
 
 # Both as in the JetBot library, https://github.com/NVIDIA-AI-IOT/jetbot, jetbot/motor.py.
@@ -55,10 +55,10 @@ WAVESHARE_HAT = Wiring(left=HBridge(forward=2, backward=1, pwm=0), right=HBridge
 class PwmMotors(MotorDriver):
     """Drives motors on a PCA9685 in one wiring or, if the boards cannot be distinguished, in several at once."""
 
-    def __init__(self, link: I2CDevice, wirings: Sequence[Wiring]):
-        super().__init__(link)
+    def __init__(self, link: I2CDevice, pwm_frequency: float = DEFAULT_PWM_FREQUENCY, *, wirings: Sequence[Wiring]):
+        super().__init__(link, pwm_frequency)
         self._wirings = wirings
-        self._chip = PCA9685(link, [wiring.outputs for wiring in wirings])
+        self._chip = PCA9685(link, [wiring.outputs for wiring in wirings], pwm_frequency)
 
     @property
     def resets(self) -> int:
@@ -68,8 +68,15 @@ class PwmMotors(MotorDriver):
     def overwritten(self) -> int:
         return self._chip.overwritten
 
+    @property
+    def in_sync(self) -> bool:
+        return self._chip.in_sync
+
     def start(self) -> None:
         self._chip.start()
+
+    def stop(self) -> None:
+        self._chip.stop()
 
     def drive(self, left: float, right: float) -> None:
         duties = {}

@@ -7,7 +7,7 @@ import itertools
 
 from ..errors import BusError, NoAnswer, NotReady
 from ..i2c import I2CDevice
-from .driver import MotorDriver
+from .driver import DEFAULT_PWM_FREQUENCY, MotorDriver
 
 ID = 0x01
 ID_WORD = 0xA9
@@ -26,13 +26,17 @@ TIMEOUT = 100                    # FSAFE_TIME while the timer is fed: 1.0 s
 class ScmdMotors(MotorDriver):
     """Drives the SCMD. Its timer is off until the first ``keep_alive``; from then on it must be fed within 1.0 s."""
 
-    def __init__(self, link: I2CDevice):
-        super().__init__(link)
+    def __init__(self, link: I2CDevice, pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
+        super().__init__(link, pwm_frequency)
         self._sent = None  # the drive bytes as the chip holds them; None: not known
         self._timeout = 0  # FSAFE_TIME as the chip holds it
         self._has_blocks = False
         self._verified = itertools.cycle([DRIVER_ENABLE, MA_DRIVE, FSAFE_CTRL, MB_DRIVE, FSAFE_TIME])
         self._differs = False  # whether something else was read than was sent
+
+    @property
+    def in_sync(self) -> bool:
+        return self._sent is not None
 
     def start(self) -> None:
         if self.link.read(ID) != ID_WORD:

@@ -28,9 +28,10 @@ def folder_of(name: str) -> Optional[str]:
     return name[len("fake:"):] or None if name.startswith("fake:") else None
 
 
-def power_on_command(folder: Folder) -> str:
-    """Return the command that plugs every simulated board in there."""
-    return in_shell(f"python3 -m jetbot.fake {shlex.quote(str(folder))}")
+def power_on_command(folder: Folder, address: Optional[int] = None) -> str:
+    """Return the command that plugs every simulated board in there, and one at this I2C address."""
+    option = f" --i2c-address 0x{address:02x}" if address else ""
+    return in_shell(f"python3 -m jetbot.fake {shlex.quote(str(folder))}{option}")
 
 
 def chip_file(folder: Folder, address: Optional[int]) -> Path:

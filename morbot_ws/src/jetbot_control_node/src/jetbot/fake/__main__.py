@@ -3,14 +3,19 @@
 import argparse
 import sys
 
+from ..kinds import ADDRESS
 from ..text import printable
 from . import default_folder
 from .bus import power_on
 
 parser = argparse.ArgumentParser(prog="python3 -m jetbot.fake", description=__doc__)
 parser.add_argument("folder", nargs="?", help="the folder that is the bus (default: fake_i2c in ROS's home)")
-folder = parser.parse_args().folder or default_folder()
+parser.add_argument("--i2c-address", metavar="ADDRESS", help="plug a PCA9685 in at this address too, such as 0x61")
+options = parser.parse_args()
+folder, address = options.folder or default_folder(), options.i2c_address
+if address is not None and not ADDRESS.accepts(address):
+    parser.error(f"--i2c-address must be {ADDRESS.description}")
 try:
-    power_on(folder)
+    power_on(folder, address and int(address, 0))
 except (OSError, ValueError) as error:
     sys.exit(printable(f"The fake bus {folder} cannot be powered on: {error}"))

@@ -7,28 +7,38 @@ Chips stay powered when the process that uses them ends. By hand:
     echo 5 > FOLDER/0x60.fail              let its next 5 transfers fail
     echo 3 > FOLDER/0x60.cut               end its next write with a STOP after 3 bytes of data, not acknowledged
     echo 100000 > FOLDER/clock             take as long as a bus of 100 kHz (read when the bus is opened)
+    printf '\\x56\\xB8' | dd of=FOLDER/0x41 bs=1 seek=4 conv=notrunc
+                                           set the voltage of the supply to 11.1 V, which is 0x56B8 >> 3 times 4 mV
     python3 -m jetbot.fake FOLDER          power every chip on again: after unplugging, or as a brown-out
+                  --i2c-address 0x61       plug a PCA9685 in at this address, too
 """
 
 import errno
 import os
 import time
 from pathlib import Path
-from typing import List, Optional, Sequence
+from typing import List, Optional, Sequence, Union
 
 from ..errors import BusError
 from . import Folder, chip_file
+from .chips import INA219, PCA9685
 from .files import check_chip, open_file, read_text
 from .motors import ROBOTS
 
-REGISTERS = 256
+SENSORS = {0x41: INA219}  # beside a robot's chip
 CLOCK_RANGE = (10.0, 1e7)  # Hz
 
 
-def power_on(folder: Folder) -> None:
-    """Give every chip its power-on registers; make the folder, and plug in the chips that are missing."""
+def power_on(folder: Folder, address: Optional[int] = None) -> None:
+    """Give every chip its power-on registers; make the folder, and plug in the chips that are missing.
+
+    address: of one more chip, a motor board's.
+    """
     Path(folder).mkdir(parents=True, exist_ok=True)
-    for file, chip in {chip_file(folder, robot.address): robot.chip for robot in ROBOTS.values()}.items():
+    plugged = {int(file.name, 16) for file in Path(folder).glob("0x[0-7][0-9a-f]")}
+    for each in plugged | {*SENSORS, *(robot.address for robot in ROBOTS.values()), address}:
+        file = chip_file(folder, each)
+        chip = chip_at(each) if each == address else chip_in(file, each)
         new = file.with_suffix(f".{os.getpid()}")
         new.write_bytes(chip.POWER_ON)
         new.replace(file)  # at once, for the processes that use the chip
@@ -38,12 +48,13 @@ class FakeBus:
     """Takes the place of ``smbus2.SMBus``: the methods that the drivers use, and the OSErrors of the kernel.
 
     folder: made, with every known chip in it, if it does not exist or holds only the buses of namespaces.
+    address: of one more chip in a folder that is made.
     """
 
-    def __init__(self, folder: Folder):
+    def __init__(self, folder: Folder, address: Optional[int] = None):
         self._folder = Path(folder)
         if is_new(self._folder):
-            power_on(self._folder)
+            power_on(self._folder, address)
         self._seconds_per_bit = seconds_per_bit(self._folder / "clock")
 
     def read_byte_data(self, address: int, register: int) -> int:
@@ -52,7 +63,7 @@ class FakeBus:
     def read_i2c_block_data(self, address: int, register: int, length: int) -> List[int]:
         fail_if_asked(f"{self._folder}/0x{address:02x}.fail")
         return self._transfer(address, 3 + length,
-                              lambda registers: chip_at(address).read(registers, register, length))
+                              lambda chip, registers: chip.read(registers, register, length))
 
     def write_byte_data(self, address: int, register: int, value: int) -> None:
         self.write_i2c_block_data(address, register, [value])
@@ -64,7 +75,7 @@ class FakeBus:
         if cut is None:
             fail_if_asked(f"{self._folder}/0x{address:02x}.fail")
         sent = data[:cut]
-        self._transfer(address, 2 + len(sent), lambda registers: chip_at(address).write(registers, register, sent))
+        self._transfer(address, 2 + len(sent), lambda chip, registers: chip.write(registers, register, sent))
         if cut is not None:
             os.unlink(f"{self._folder}/0x{address:02x}.cut")
             raise no_answer()
@@ -77,22 +88,23 @@ class FakeBus:
         end = time.perf_counter() + (2 + 9 * wire_bytes) * self._seconds_per_bit
         file = f"{self._folder}/0x{address:02x}"  # pathlib would take longer than all the rest
         try:
-            chip = open_file(file, os.O_RDWR)
+            descriptor = open_file(file, os.O_RDWR)
         except FileNotFoundError:
             raise no_answer() from None
         try:
             if self._seconds_per_bit:
                 time.sleep(max(0.0, end - time.perf_counter()))
-            check_chip(chip, file, REGISTERS)
-            registers = bytearray(os.pread(chip, REGISTERS, 0))
-            result = action(registers)
+            chip = chip_in(descriptor, address)
+            check_chip(descriptor, file, len(chip.POWER_ON))
+            registers = bytearray(os.pread(descriptor, len(chip.POWER_ON), 0))
+            result = action(chip, registers)
             if result is None:  # a write; the file's time is then that of the last write
-                os.pwrite(chip, registers, 0)
+                os.pwrite(descriptor, registers, 0)
             return result
         except FileNotFoundError:  # unplugged, or a brown-out, before the STOP
             raise no_answer() from None
         finally:
-            os.close(chip)
+            os.close(descriptor)
 
 
 def is_new(folder: Path) -> bool:
@@ -120,9 +132,19 @@ def seconds_per_bit(clock: Path) -> float:
     return 1 / frequency
 
 
-def chip_at(address: int) -> type:
-    """Return the class of the chip at this address."""
-    return next(robot.chip for robot in ROBOTS.values() if robot.address == address)
+def chip_in(file: Union[int, Path], address: Optional[int]) -> type:
+    """Return the class of the chip in a file, which may be open or missing: an INA219 by its size or its address."""
+    try:
+        size = os.stat(file).st_size
+    except FileNotFoundError:
+        size = 0
+    is_sensor = address in SENSORS and size != len(PCA9685.POWER_ON)
+    return INA219 if is_sensor or size == len(INA219.POWER_ON) else chip_at(address)
+
+
+def chip_at(address: Optional[int]) -> type:
+    """Return the class of a motor board's chip at this address: of a robot, or a PCA9685; None: on the serial port."""
+    return next((robot.chip for robot in ROBOTS.values() if robot.address == address), PCA9685)
 
 
 def number_in(request: str) -> Optional[int]:

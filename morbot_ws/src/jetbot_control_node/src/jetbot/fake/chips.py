@@ -1,10 +1,10 @@
 """What the chips on the fake bus do with the bytes they are sent.
 
-Written from NXP's data sheet of the PCA9685 (rev. 4) and SparkFun's description of the SCMD, not from the drivers, and
-with registers as plain numbers, so that a driver's mistake shows. A chip has ``POWER_ON``, its registers at power-on;
-``write(registers, register, data)`` and ``read(registers, register, length)``, one transfer each; and
-``speed(registers, motor, age)``, the speed in [-1, 1] of a motor that is wired to it, ``age`` seconds after the last
-write.
+Written from NXP's data sheet of the PCA9685 (rev. 4), SparkFun's description of the SCMD and TI's data sheet of the
+INA219 (SBOS448), not from the drivers, and with registers as plain numbers, so that a driver's mistake shows. A chip
+has ``POWER_ON``, its registers at power-on; ``write(registers, register, data)`` and ``read(registers, register,
+length)``, one transfer each; and, if it drives motors, ``speed(registers, motor, age)``, the speed in [-1, 1] of a
+motor that is wired to it, ``age`` seconds after the last write.
 """
 
 from typing import List, Optional, Sequence, Tuple
@@ -40,14 +40,21 @@ class PCA9685:
     def _store(registers, register, value):
         if register == 0xFE and not PCA9685.asleep(registers):
             return  # PRE_SCALE cannot be written while the chip is awake
-        if register == 0x00 and value & 0x10 and any(PCA9685.duty(registers, output) for output in range(16)):
-            value |= 0x80  # RESTART: put to sleep with an output on
+        if register == 0x00:
+            value = PCA9685._with_restart(registers, value)
         elif 0x06 <= register <= 0x45:
             registers[0x00] &= 0x7F
         registers[register] = value
         if 0xFA <= register <= 0xFD:
             first = register - 0xFA + 0x06
             registers[first:0x46:4] = bytes([value] * 16)
+
+    @staticmethod
+    def _with_restart(registers, mode1):
+        """Return MODE1 as the chip stores it: RESTART is set by a sleep with an output on, cleared by writing 1."""
+        slept = mode1 & 0x10 and any(PCA9685.duty(registers, output) for output in range(16))
+        waits = registers[0x00] & 0x80 and (mode1 & 0x90 != 0x80 or PCA9685.asleep(registers))
+        return mode1 & 0x7F | (0x80 if slept or waits else 0)
 
     @staticmethod
     def asleep(registers: bytes) -> bool:
@@ -64,7 +71,7 @@ class PCA9685:
         """Return the fraction of the time that an output is high: 0 to 1."""
         on = int.from_bytes(registers[0x06 + 4 * output:][:2], "little")
         off = int.from_bytes(registers[0x08 + 4 * output:][:2], "little")
-        if PCA9685.asleep(registers) or off & 0x1000:
+        if registers[0x00] & 0x90 or off & 0x1000:  # asleep, or not restarted since
             return 0.0
         return 1.0 if on & 0x1000 else (off - on) % 4096 / 4096
 
@@ -104,3 +111,22 @@ class SCMD:
         if timed_out or not registers[0x70] & 0x01:
             return 0.0
         return (0x80 - registers[motor]) / 0x80
+
+
+class INA219:
+    """A voltmeter of six registers of 16 bits, the high byte first: configuration 0, bus voltage 2, calibration 5.
+
+    Register n is in the bytes 2 n and 2 n + 1. It measures what its bus voltage is set to: V / 0.004 from bit 3 on.
+    """
+
+    POWER_ON = bytes.fromhex("399F 0000 5E8A 0000 0000 0000")  # 12.1 V
+    WRITABLE = (0, 5)
+
+    @staticmethod
+    def write(registers: bytearray, register: int, data: Sequence[int]) -> None:
+        if register in INA219.WRITABLE and len(data) == 2:
+            registers[2 * register:2 * register + 2] = bytes(data)
+
+    @staticmethod
+    def read(registers: bytes, register: int, length: int) -> List[int]:
+        return [registers[(2 * register + offset % 2) % len(registers)] for offset in range(length)]

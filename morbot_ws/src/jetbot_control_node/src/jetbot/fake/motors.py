@@ -4,7 +4,7 @@ Written from the boards' circuit diagrams and not from ``boards``, so that a dri
 """
 
 import time
-from typing import NamedTuple, Optional, Tuple
+from typing import NamedTuple, Optional, Tuple, Union
 
 from ..errors import BusError
 from . import Folder, chip_file
@@ -35,23 +35,32 @@ ROBOTS = {
 ROBOTS["jetbot"] = ROBOTS["adafruit"]  # the driver `jetbot` serves both layouts; this robot has one
 
 
-def wheel_speeds(folder: Folder, board: str = "adafruit") -> Tuple[float, float]:
-    """Return the speeds (left, right) of the robot with this board in a fake bus's folder; 0 if there is no chip."""
+def wheel_speeds(folder: Folder, board: str = "adafruit",
+                 i2c_address: Union[int, str, None] = None) -> Tuple[float, float]:
+    """Return the speeds (left, right) of the robot with this board in a fake bus's folder; 0 if there is no chip.
+
+    i2c_address: as for ``boards.find_board``.
+    """
     robot = ROBOTS[board]
-    try:
-        registers, written = read_chip(chip_file(folder, robot.address), len(robot.chip.POWER_ON))
-    except (FileNotFoundError, BusError):
+    registers, written = read_robot(folder, robot, i2c_address)
+    if registers is None:
         return STOPPED
     age = time.time() - written
     return robot.chip.speed(registers, robot.left, age), robot.chip.speed(registers, robot.right, age)
 
 
-def pwm_frequency(folder: Folder, board: str = "adafruit") -> Optional[float]:
+def pwm_frequency(folder: Folder, board: str = "adafruit",
+                  i2c_address: Union[int, str, None] = None) -> Optional[float]:
     """Return the frequency in Hz of the PWM of the robot with this board; None where it is fixed, or without a chip."""
     robot = ROBOTS[board]
-    if robot.chip is not PCA9685:
-        return None
+    registers, _ = read_robot(folder, robot, i2c_address)
+    return PCA9685.frequency(registers) if registers and robot.chip is PCA9685 else None
+
+
+def read_robot(folder: Folder, robot: FakeRobot, i2c_address: Union[int, str, None]) -> Tuple[Optional[bytes], float]:
+    """Return the registers of a robot's chip and the time of the last write to it; None, 0 if there is no chip."""
+    address = int(str(i2c_address), 0) if i2c_address and robot.address else robot.address
     try:
-        return PCA9685.frequency(read_chip(chip_file(folder, robot.address), len(PCA9685.POWER_ON))[0])
+        return read_chip(chip_file(folder, address), len(robot.chip.POWER_ON))
     except (FileNotFoundError, BusError):
-        return None
+        return None, 0.0

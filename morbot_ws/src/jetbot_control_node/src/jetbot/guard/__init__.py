@@ -7,7 +7,7 @@ Each Robot starts one, unless JETBOT_GUARD names the socket of a guard that runs
 import os
 import time
 from functools import partial
-from typing import Callable
+from typing import Callable, Optional
 
 from ..errors import GuardError
 from ..wait import wait_until
@@ -22,17 +22,17 @@ WAIT_TIMEOUT = 5.0        # s
 class Guard:
     """The driving process's side of its guard, which it replaces if that is killed or hangs. All but ``wait`` is quick.
 
-    board: a name in ``boards.BOARDS``; place: its ``Board.place``. Raises GuardError if no guard can be started, but
-    does not wait for it.
+    board: a name in ``boards.BOARDS``; place: its ``Board.place``; address: its I2C address, None for the board's own.
+    Raises GuardError if no guard can be started, but does not wait for it.
     """
 
-    def __init__(self, board: str, place: str):
+    def __init__(self, board: str, place: str, address: Optional[int] = None):
         listener = os.environ.get("JETBOT_GUARD")
         if listener:
-            self._open = partial(connect, listener, board, place)
+            self._open = partial(connect, listener, board, place, address)
             self._advice = f"Start the guard that listens on {listener}, or unset JETBOT_GUARD."
         else:
-            self._open = partial(spawn, board, place)
+            self._open = partial(spawn, board, place, address)
             self._advice = "Close other programs, then start this one again."
         self._peer, self._problem, self._starts = None, "", 0
         self._start()

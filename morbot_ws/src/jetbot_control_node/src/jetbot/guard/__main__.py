@@ -41,15 +41,15 @@ def is_in_use(path: str) -> bool:
 
 
 def serve(connection: socket.socket) -> None:
-    """Guard the robot at the other end of a connection, whose first line names its board and place."""
+    """Guard the robot at the other end of a connection, whose first line names its board, place and I2C address."""
     with connection.makefile("rb", buffering=0) as stream:  # no buffer: what follows the line are messages
-        board, place = json.loads(stream.readline())
-    find_board(board)
+        board, place, address = json.loads(stream.readline())
+    row = find_board(board, address)
     device = fake.folder_of(place) or place
     if device.startswith("/") and not os.access(device, os.R_OK | os.W_OK):
         connection.send(f"it may not use {device}".encode())
     else:
-        guard(connection, board, place)
+        guard(connection, row, place)
 
 
 def serve_in_child(listener: socket.socket, connection: socket.socket) -> None:

@@ -104,15 +104,15 @@ class Peer:
             self.problem = "it has ended"
 
 
-def spawn(board: str, place: str) -> Peer:
-    """Start a guard process for the robot with this board at this place. Raise OSError."""
+def spawn(board: str, place: str, address: Optional[int]) -> Peer:
+    """Start a guard process for the robot with this board at this place and I2C address. Raise OSError."""
     path = [os.path.join(START_FOLDER, entry) for entry in sys.path if isinstance(entry, str)] + [PACKAGES]
     code = CODE.format(path=ascii(path), module=main.__module__)
     ours, theirs = socket.socketpair()
     with theirs:
         try:
             process = subprocess.Popen(
-                [sys.executable, "-IS", "-c", code, board, place], stdin=theirs,
+                [sys.executable, "-IS", "-c", code, board, place, str(address or "")], stdin=theirs,
                 stdout=subprocess.DEVNULL,  # else whatever reads this program's output would wait for the guard to end
                 start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
         except BaseException:
@@ -121,13 +121,13 @@ def spawn(board: str, place: str) -> Peer:
     return Peer(ours, process)
 
 
-def connect(path: str, board: str, place: str) -> Peer:
+def connect(path: str, board: str, place: str, address: Optional[int]) -> Peer:
     """Ask the guard that listens on the socket ``path`` to guard this robot. Raise OSError."""
     connection = socket.socket(socket.AF_UNIX)
     try:
         connection.connect(path)
         require_own(connection)
-        connection.sendall(json.dumps([board, place]).encode() + b"\n")
+        connection.sendall(json.dumps([board, place, address]).encode() + b"\n")
     except BaseException:
         connection.close()
         raise

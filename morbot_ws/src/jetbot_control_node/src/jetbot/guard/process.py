@@ -15,7 +15,7 @@ import time
 from pathlib import Path
 from typing import Optional
 
-from ..boards import find_board
+from ..boards import Board, find_board
 
 STOPPED = b"s"            # the driving process has stopped the wheels, and needs no guard any more
 HEARTBEAT = b"h"          # it does not hang
@@ -27,18 +27,21 @@ RETRY_FOR = 600.0         # s to keep trying when the board does not answer
 RETRY_INTERVAL = 0.2      # s
 
 
-def main(connection: socket.socket, board: str, place: str) -> None:
-    """Guard a robot, then end this process at once: a thread that ``report`` has started may never end."""
+def main(connection: socket.socket, board: str, place: str, address: str = "") -> None:
+    """Guard a robot, then end this process at once: a thread that ``report`` has started may never end.
+
+    board: a name in ``boards.BOARDS``; address: its I2C address, "" for the board's own.
+    """
     try:
-        guard(connection, board, place)
+        guard(connection, find_board(board, address or None), place)
     finally:
         os._exit(0)
 
 
-def guard(connection: socket.socket, board: str, place: str) -> None:
+def guard(connection: socket.socket, board: Board, place: str) -> None:
     """Stop the wheels when the driving process at the other end of the connection ends, and while it hangs.
 
-    board: a name in ``boards.BOARDS``; place: its ``Board.place``.
+    place: the ``Board.place`` of the board.
     """
     prepare()
     answer(connection)
@@ -87,7 +90,7 @@ def answer(connection: socket.socket) -> None:
         connection.send(ANSWER, socket.MSG_DONTWAIT)
 
 
-def stop(board: str, place: str) -> None:
+def stop(board: Board, place: str) -> None:
     """Stop the wheels. If the board does not answer, try for ``RETRY_FOR`` seconds."""
     start, failure = time.monotonic(), None
     while time.monotonic() - start < RETRY_FOR:
@@ -97,10 +100,10 @@ def stop(board: str, place: str) -> None:
         time.sleep(RETRY_INTERVAL)
 
 
-def try_to_stop(board: str, place: str, reported: Optional[Exception]) -> Optional[Exception]:
+def try_to_stop(board: Board, place: str, reported: Optional[Exception]) -> Optional[Exception]:
     """Stop the wheels; return what has failed, or None. It is reported, unless another failure has been before."""
     try:
-        find_board(board).open(place).close()  # opening a board stops its wheels
+        board.stop(place)
     except Exception as failure:  # not only a BusError: whatever has failed, the wheels may still turn
         if reported is None:
             report(f"jetbot: the wheels may still turn: {getattr(failure, 'reason', failure)}")

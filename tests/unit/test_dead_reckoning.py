@@ -1,0 +1,158 @@
+"""Open-loop odometry against closed forms and the simulated robot, with a clock turned by hand and no master."""
+
+import math
+
+import pytest
+
+from jetbot.fake.motors import wheel_speeds
+from jetbot.kinematics import mix
+from jetbot.wait import wait_until
+from jetbot_ros.dead_reckoning import MAX_GAP, DeadReckoning
+from jetbot_ros.safety import Sender
+from jetbot_ros.supervisor import Supervisor
+from simulation.diff_drive import DiffDriveModel, Pose
+
+SEPARATION, DIAMETER, MAX_SPEED, LAG = 0.1125, 0.06, 0.6, 0.1
+PUPIL = Sender("/pupil")
+
+
+def reckoning_of(robot, max_speed=MAX_SPEED, wheel_separation=SEPARATION):
+    return DeadReckoning(robot.left_motor, robot.right_motor, max_speed, wheel_separation)
+
+
+def pose(motion):
+    return motion.x, motion.y, motion.yaw
+
+
+@pytest.fixture
+def robot(make_robot):
+    return make_robot()
+
+
+@pytest.fixture
+def reckoning(robot):
+    return reckoning_of(robot)
+
+
+@pytest.fixture
+def supervisor(robot, reckoning):
+    return Supervisor(robot, lambda linear, angular: robot.set_motors(*mix(linear, angular, SEPARATION, MAX_SPEED)),
+                      1.0, lambda: {PUPIL.name}, lambda _: None, [reckoning])
+
+
+def drive(supervisor, linear, angular, start, seconds, follow=lambda now: None):
+    """Step as ``run`` would, for a command that is repeated; return the end."""
+    now = start
+    while now < start + seconds:
+        supervisor.state = supervisor.state.command(linear, angular, PUPIL, now)
+        pause = supervisor.step(now, commanded=True)
+        now = min(now + pause, start + seconds)
+        follow(now)
+    return now
+
+
+@pytest.mark.parametrize("reports", [3, 300])
+@pytest.mark.parametrize("linear, angular", [(0.5, 0.0), (-0.3, 0.0), (0.5, 0.1), (0.2, -1.5), (-0.3, 0.7), (0, 2.0)])
+def test_drives_the_exact_arc_of_what_the_wheels_are_given(robot, reckoning, linear, angular, reports):
+    robot.set_motors(*mix(linear, angular, SEPARATION, MAX_SPEED))
+    for i in range(reports + 1):
+        reckoning(robot.duties, 7.0 + 2.0 * i / reports)
+    yaw = angular * 2.0
+    x = linear / angular * math.sin(yaw) if angular else linear * 2.0
+    y = linear / angular * (1 - math.cos(yaw)) if angular else 0.0
+    motion = reckoning.motion
+    assert pose(motion) == pytest.approx((x, y, math.remainder(yaw, 2 * math.pi)), abs=1e-9)
+    assert motion.velocity == pytest.approx((1.0, linear, angular))
+    assert (motion.path_length, motion.total_rotation) == pytest.approx((abs(linear * 2.0), abs(yaw)))
+
+
+def test_between_two_reports_the_motion_goes_on(robot, reckoning):
+    robot.forward(0.5)
+    reckoning(robot.duties, 0.0)
+    assert reckoning.motion.advance(0.04).x == pytest.approx(0.04 * 0.3)
+    assert reckoning.motion.x == 0
+
+
+@pytest.mark.parametrize("options", [
+    {}, {"left_motor_alpha": 0.9}, {"swap_motors": True, "invert_left": True},
+    {"right_motor_alpha": 0.8, "invert_right": True}])
+def test_trim_and_wiring_do_not_change_the_speed_that_is_reported(make_robot, options):
+    robot = make_robot(**options)
+    reckoning = reckoning_of(robot)
+    robot.set_motors(0.3, -0.6)
+    reckoning(robot.duties, 0.0)
+    assert reckoning.motion.speeds == pytest.approx((0.3 * MAX_SPEED, -0.6 * MAX_SPEED))
+
+
+@pytest.mark.parametrize("options, speeds, duties", [
+    ({}, (0.5, 3.0), (0.5, 1.0)), ({"min_duty": 0.2}, (0.5, 0), (0.6, 0)), ({"min_duty": 0.2}, (-0.1, 1), (-0.28, 1))])
+def test_the_wheels_turn_as_fast_as_what_they_are_given_and_not_as_commanded(make_robot, options, speeds, duties):
+    robot = make_robot(**options)
+    reckoning = reckoning_of(robot)
+    robot.set_motors(*speeds)
+    reckoning(robot.duties, 0.0)
+    assert reckoning.motion.speeds == pytest.approx(tuple(duty * MAX_SPEED for duty in duties))
+
+
+def test_the_wheels_roll_as_far_as_the_robot(robot, reckoning):
+    robot.set_motors(0.5, -1.0)
+    reckoning(robot.duties, 0.0)
+    reckoning(robot.duties, 1.0)
+    angles, rates = reckoning.motion.joints
+    assert angles == rates == pytest.approx((0.3 / 0.03, -0.6 / 0.03))
+
+
+def test_a_square_of_four_metres_ends_where_the_simulated_robot_does(supervisor, reckoning, folder):
+    model, now = DiffDriveModel(SEPARATION, DIAMETER, MAX_SPEED, LAG, 0.0, Pose()), 0.0
+
+    def follow(until):
+        model.step(wheel_speeds(folder), until - follow.at)
+        follow.at = until
+    follow.at = now
+    for _ in range(4):
+        now = drive(supervisor, 0.4, 0.0, now, 1.0 / 0.4, follow)
+        now = drive(supervisor, 0.0, 2.0, now, math.pi / 4, follow)
+    drive(supervisor, 0.0, 0.0, now, 1.0, follow)
+    assert model.left.distance + model.right.distance == pytest.approx(8.0, abs=0.01)
+    assert math.dist(pose(reckoning.motion)[:2], model.pose[:2]) < 0.02 * 4
+    assert abs(math.remainder(reckoning.motion.yaw - model.pose.yaw, math.tau)) < 0.02
+
+
+@pytest.mark.parametrize("stop", [
+    lambda supervisor, folder, monkeypatch: None,  # no further command
+    lambda supervisor, folder, monkeypatch: (folder / "0x60").unlink(),
+    lambda supervisor, folder, monkeypatch: monkeypatch.setattr(type(supervisor._robot), "guarded", False)],
+    ids=["time-out", "no board", "no guard"])
+def test_whatever_stops_the_wheels_stops_the_odometry(supervisor, reckoning, folder, monkeypatch, stop):
+    now = drive(supervisor, 0.4, 0.0, 0.0, 1.0)
+    stop(supervisor, folder, monkeypatch)
+    for _ in range(40):
+        now += supervisor.step(now, commanded=False)
+    assert not reckoning.motion.moving
+    assert 0.39 < reckoning.motion.x < 0.4 * 2.2
+
+
+def test_after_a_freeze_only_what_the_guard_allows_counts(robot, reckoning):
+    robot.forward(0.5)
+    reckoning(robot.duties, 0.0)
+    thawed = reckoning.motion.advance(60.0)
+    assert not thawed.moving
+    assert thawed.x == pytest.approx(0.3 * MAX_GAP)
+
+
+def test_the_end_of_the_node_stops_the_odometry(supervisor, reckoning):
+    supervisor.command(0.4, 0.0, PUPIL)
+    supervisor.run(lambda: wait_until(lambda: False, 0.02) or reckoning.motion.x > 0)
+    assert supervisor.closed
+    assert not reckoning.motion.moving
+
+
+@pytest.mark.parametrize("size", [(1e300, 1e-300), (1e-300, 1e300)])
+def test_absurd_sizes_give_finite_numbers(make_robot, size):
+    robot = make_robot(left_motor_alpha=1e-300, right_motor_alpha=0.0)
+    reckoning = reckoning_of(robot, *size)
+    robot.set_motors(1e300, 1.0)
+    for now in range(100):
+        reckoning(robot.duties, float(now))
+    motion = reckoning.motion
+    assert all(map(math.isfinite, (*pose(motion), motion.path_length, motion.total_rotation ** 2)))

@@ -1,0 +1,168 @@
+"""What reaches the board while the wheels speed up within acceleration_limit, with a clock turned by hand."""
+
+import pytest
+
+from conftest import registers
+from jetbot.fake.bus import power_on
+from jetbot.fake.motors import ROBOTS, STOPPED
+from jetbot_ros.ramp import MAX_STEP, Ramp
+from jetbot_ros.safety import EMERGENCY_STOP, SUSPENDED, Sender
+from jetbot_ros.supervisor import DRIVING_INTERVAL, Supervisor
+
+PUPIL = Sender("/pupil", latched=True)
+RESOLUTION = 1 / 128  # of the coarsest board, SparkFun's
+SLOW = 0.005          # s that a computer is late
+
+
+class Drive:
+    """A supervisor with a limit of 1 m/s^2 and a robot on the fake bus, whose wheels are recorded."""
+
+    def __init__(self, robot, folder, board, wire):
+        self.robot, self.chip, self.folder, self.wire, self.now = robot, ROBOTS[board], folder, wire, 0.0
+        self.file, self.stopped, self.senders = f"0x{self.chip.address:02x}", self.registers(), {PUPIL.name}
+        self.supervisor = Supervisor(robot, lambda x, z: robot.set_motors(x - z, x + z), 1.0, lambda: self.senders,
+                                     lambda state: None, ramp=Ramp(1.0))
+        self.supervisor.step(0.0, commanded=False)
+
+    def command(self, linear, angular=0.0):
+        self.supervisor.state = self.supervisor.state.command(linear, angular, PUPIL, self.now)
+
+    def step(self, elapsed=0.001):
+        """Step after this time; return the pause until the next step."""
+        self.now += elapsed
+        self.supervisor.confirm(PUPIL.name, self.now)
+        return self.supervisor.step(self.now, commanded=False)
+
+    def run(self, seconds):
+        """Step for some time as its thread would on a slow computer; return the pauses between the steps."""
+        end, pauses = self.now + seconds, [0.0]
+        while self.now < end:
+            pauses.append(self.step(pauses[-1] + SLOW) + SLOW)
+        return pauses[1:]
+
+    def drive_at(self, linear, angular=0.0):
+        """Drive until the wheels have this speed."""
+        self.command(linear, angular)
+        self.run(1.0)
+
+    def registers(self):
+        return registers(self.folder, self.chip.address)
+
+    def note(self):
+        """Record the wheels at a moment without a transfer."""
+        self.wire.states.append(self.registers())
+
+    def speeds(self):
+        """Return the speeds (left, right) of the wheels after each transfer."""
+        return [tuple(self.chip.chip.speed(state, wheel, 0.0) for wheel in (self.chip.left, self.chip.right))
+                for state in self.wire.states]
+
+    def assert_gentle(self, first=STOPPED):
+        """Fail if a wheel has ever become faster, from its first speed on, by more than MAX_STEP allows."""
+        speeds = [first, *self.speeds()]
+        for before, after in zip(speeds, speeds[1:]):
+            grown = (abs(speed) - (abs(was) if speed * was > 0 else 0) for was, speed in zip(before, after))
+            assert max(grown) <= MAX_STEP + RESOLUTION, (before, after)
+
+
+@pytest.fixture(params=["adafruit", "waveshare", "sparkfun"])
+def drive(request, make_robot, folder, wire):
+    return Drive(make_robot(board=request.param), folder, request.param, wire)
+
+
+def near(*speeds):
+    return pytest.approx(speeds, abs=RESOLUTION)
+
+
+def test_the_wheels_speed_up_on_the_arc_that_is_commanded_in_steps_of_20_ms_at_most(drive):
+    drive.command(0.4, 0.2)
+    assert max(drive.run(0.5)) <= 0.02
+    assert drive.speeds()[-1] != near(0.2, 0.6)
+    drive.run(0.3)
+    assert drive.speeds()[-1] == near(0.2, 0.6)
+    drive.assert_gentle()
+    assert drive.robot.duties == pytest.approx((0.2, 0.6))
+
+
+def test_once_the_speed_is_reached_nothing_is_sent_and_the_steps_are_as_rare_as_without_a_ramp(drive, monkeypatch):
+    drive.drive_at(0.5)
+    monkeypatch.setattr(drive.robot, "verify", lambda: None)
+    monkeypatch.setattr(drive.robot, "keep_alive", lambda: None)
+    drive.wire.bits.clear()
+    assert len(drive.run(1.0)) < 1.4 / DRIVING_INTERVAL
+    assert drive.wire.bits == []
+
+
+@pytest.mark.parametrize("stop", [
+    lambda drive: drive.command(0.0), lambda drive: drive.command(float("nan")),
+    lambda drive: drive.supervisor.hold(EMERGENCY_STOP, True), lambda drive: drive.senders.clear()],
+    ids=["zero", "not finite", "emergency stop", "nobody is left"])
+def test_a_stop_is_obeyed_in_one_step_in_the_middle_of_a_ramp(drive, stop):
+    drive.command(0.5)
+    drive.run(0.2)
+    stop(drive)
+    drive.step()
+    assert drive.speeds()[-1] == STOPPED
+
+
+def test_the_end_stops_the_wheels_in_the_middle_of_a_ramp(drive):
+    drive.command(0.5)
+    drive.run(0.2)
+    drive.supervisor.end()
+    drive.supervisor.run(lambda: False)
+    assert drive.speeds()[-1] == STOPPED
+
+
+def brown_out(drive):
+    power_on(drive.folder)
+    drive.note()
+
+
+def unplugged_for_a_while(drive):
+    (drive.folder / drive.file).rename(drive.folder / "unplugged")
+    drive.run(0.3)
+    power_on(drive.folder)
+    drive.note()
+
+
+def guard_lost_for_a_while(drive):
+    drive.robot._guard.is_up.return_value = False
+    drive.run(0.3)
+    drive.robot._guard.is_up.return_value = True
+
+
+def frozen_so_that_the_guard_stops_the_wheels(drive):
+    drive.now += 0.7
+    (drive.folder / drive.file).write_bytes(drive.stopped)
+    drive.note()
+
+
+def suspended(drive):
+    for engaged in (True, False):
+        drive.supervisor.hold(SUSPENDED, engaged)
+        drive.step()
+    drive.command(0.5)
+
+
+@pytest.mark.parametrize("seconds", [0.2, 1.0], ids=["in the middle of a ramp", "at full speed"])
+@pytest.mark.parametrize("event", [
+    brown_out, unplugged_for_a_while, guard_lost_for_a_while, frozen_so_that_the_guard_stops_the_wheels, suspended],
+    ids=lambda event: event.__name__)
+def test_wheels_that_something_else_has_stopped_speed_up_again_from_zero(drive, event, seconds):
+    drive.command(0.5)
+    drive.run(seconds)
+    drive.wire.states.clear()
+    event(drive)
+    drive.run(2.0)
+    assert STOPPED in drive.speeds()
+    assert drive.speeds()[-1] == near(0.5, 0.5)
+    drive.assert_gentle(drive.speeds()[0])
+
+
+@pytest.mark.parametrize("transfers", [1, 2, 3, 4, 6, 9])
+def test_after_failed_transfers_the_wheels_do_not_jump(drive, transfers):
+    drive.drive_at(0.5)
+    (drive.folder / f"{drive.file}.fail").write_text(str(transfers))
+    drive.run(2.0)
+    assert drive.speeds()[-1] == near(0.5, 0.5)
+    drive.assert_gentle()

@@ -1,0 +1,165 @@
+"""The supply is read once a second, shortly after the motors start if they do, and a dip is reported once."""
+
+import threading
+import time
+
+import pytest
+
+from jetbot import JetbotError
+from jetbot.errors import BusStuck, BusTooSlow
+from jetbot.supply import Reading, Supply
+from jetbot.wait import wait_until
+from jetbot_ros import supply_watch
+from jetbot_ros.notes import NOTE_FOR
+from jetbot_ros.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
+
+STOPPED, AHEAD, BACK = (0.0, 0.0), (0.4, 0.6), (-0.4, -0.6)
+CURE = "set acceleration_limit"
+
+
+class Sensor:
+    """A sensor that reads as ``reading``, which may be an error, and counts how often."""
+
+    def __init__(self, reading):
+        self.reading, self.count = reading, 0
+
+    def read(self):
+        self.count += 1
+        if isinstance(self.reading, Exception):
+            raise self.reading
+        return self.reading
+
+
+def volts(value):
+    return Reading(voltage=value)
+
+
+@pytest.fixture
+def sensor():
+    return Sensor(volts(12.0))
+
+
+@pytest.fixture
+def watch(sensor):
+    watch = SupplyWatch(Supply("INA219", sensor.read), CURE)
+    watch.read(now=0.0)
+    watch(STOPPED, now=0.0)
+    return watch
+
+
+def start(watch, sensor, reading, now, after=START_DELAY):
+    """Start the motors, and read this ``after`` seconds later; return the note."""
+    watch(AHEAD, now)
+    sensor.reading = reading
+    watch.read(now + after)
+    return watch(AHEAD, now + after)
+
+
+def stop(watch, sensor, now):
+    sensor.reading = volts(12.0)
+    watch.read(now)
+    watch(STOPPED, now)
+
+
+def test_a_dip_is_reported_once_with_its_cure(watch, sensor):
+    note = start(watch, sensor, volts(11.1), now=1.0)
+    assert note == "its supply dips from 12.0 to 11.1 V as the motors start: set acceleration_limit"
+    assert watch(AHEAD, now=1.0 + NOTE_FOR - 0.1)
+    assert watch(AHEAD, now=1.1 + NOTE_FOR) is None
+    stop(watch, sensor, now=9.0)
+    assert start(watch, sensor, volts(11.1), now=10.0) is None
+    assert watch.dips == 2
+
+
+@pytest.mark.parametrize("reading, after", [(volts(11.5), START_DELAY), (volts(11.1), DIP_WITHIN), (volts(0.0), 5.0)])
+def test_what_is_small_or_long_after_the_start_is_no_dip(watch, sensor, reading, after):
+    assert start(watch, sensor, reading, now=1.0, after=after) is None
+    assert watch.dips == 0
+
+
+def test_a_supply_that_sinks_while_nothing_starts_is_no_dip(watch, sensor):
+    start(watch, sensor, volts(12.0), now=1.0)
+    sensor.reading = volts(11.0)
+    watch((0.8, 0.9), now=5.0)  # faster, but the wheels turn already
+    watch.read(now=5.1)
+    assert watch.dips == 0
+
+
+def test_a_reversal_starts_the_motors_again(watch, sensor):
+    start(watch, sensor, volts(11.9), now=1.0)
+    sensor.reading = volts(10.9)
+    watch(BACK, now=5.0)
+    watch.read(now=5.1)
+    assert watch.dips == 1
+
+
+def test_a_raspberry_pi_reports_an_undervoltage_some_seconds_later(watch, sensor):
+    sensor.reading = Reading(undervoltage=False)
+    watch.read(now=0.5)
+    note = start(watch, sensor, Reading(undervoltage=True), now=1.0, after=ALARM_WITHIN - 0.5)
+    assert note == f"its supply dips as the motors start: {CURE}"
+    assert str(watch) == "undervoltage, by the INA219"
+
+
+def test_an_undervoltage_from_before_the_start_is_no_dip(watch, sensor):
+    sensor.reading = Reading(undervoltage=True)
+    watch.read(now=0.5)
+    assert start(watch, sensor, Reading(undervoltage=True), now=1.0) is None
+
+
+def test_a_sensor_that_is_unplugged_is_reported_and_read_again(watch, sensor):
+    assert start(watch, sensor, JetbotError("no answer from 0x41"), now=1.0) is None
+    assert str(watch) == "unknown: no answer from 0x41"
+    sensor.reading = volts(11.0)
+    assert watch.read(now=1.1) == volts(11.0)
+    assert (str(watch), watch.dips) == ("11.00 V, by the INA219", 0)
+
+
+@pytest.mark.parametrize("error", [BusStuck("the bus is stuck"), BusTooSlow("the bus is too slow")])
+def test_a_reading_that_blocks_the_bus_is_the_last_one(error):
+    sensor, readings = Sensor(error), []
+    watch = SupplyWatch(Supply("INA219", sensor.read), CURE)
+    watch.run(readings.append, lambda: False)
+    assert (str(readings), sensor.count) == (str([Reading()]), 1)
+    assert str(watch) == f"unknown: {error.reason}; restart the controller to read it again"
+
+
+def test_a_robot_whose_supply_nothing_measures():
+    watch = SupplyWatch(None, CURE)
+    assert watch(AHEAD, now=1.0) is None
+    assert str(watch) == "not measured"
+
+
+@pytest.fixture
+def moments(watch, monkeypatch):
+    """The moments of the thread's readings, one in each 1.5 s."""
+    monkeypatch.setattr(supply_watch, "INTERVAL", 1.5)
+    moments, over = [], threading.Event()
+    threading.Thread(target=watch.run, args=[lambda reading: moments.append(time.monotonic()), over.is_set],
+                     daemon=True).start()
+    yield moments
+    over.set()
+
+
+def test_each_start_of_the_motors_has_a_reading_of_its_own(watch, moments):
+    assert START_DELAY <= delay_of_start(watch, moments, 1) < 1.2
+    assert START_DELAY <= delay_of_start(watch, moments, 3) < 1.2  # 2 is that of the start, 3 the next without one
+
+
+def delay_of_start(watch, moments, count):
+    """Start the motors right after so many readings; return the seconds until the next one."""
+    assert wait_until(lambda: len(moments) == count, 10.0, interval=0.001)
+    begin = time.monotonic()
+    watch(AHEAD, begin)
+    watch(STOPPED, begin)
+    assert wait_until(lambda: len(moments) > count, 10.0)
+    return moments[count] - begin
+
+
+def test_however_often_the_motors_start_each_interval_has_one_reading(watch, moments):
+    begin = time.monotonic()
+    while time.monotonic() < begin + 4.0:
+        watch(AHEAD, time.monotonic())
+        watch(STOPPED, time.monotonic())
+        time.sleep(0.01)
+    assert 2 <= len(moments) <= (time.monotonic() - begin) / 1.5 + 2
