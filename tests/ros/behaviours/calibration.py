@@ -2,15 +2,16 @@
 
 import math
 import os
+import signal
 
 import pexpect
 
 from harness import START_TIMEOUT, RobotTest, program
 from jetbot.fake.motors import STOPPED, wheel_speeds
 
-DEAD_BAND = 0.12
+DEAD_BAND = 0.006
 WEAKNESS = 0.95
-QUESTION = "Which w|Did the|How many cent"
+QUESTION = "Which w|Did the|How many|Where did|Measure|Drive the"
 
 
 class CalibrationTest(RobotTest):
@@ -76,7 +77,11 @@ class Calibration(CalibrationTest):
 
     def straighten(self):
         while True:
-            left, right = self.drive("drive ahead for 4 s")
+            self.answer("drive ahead for 4 s")
+            self.wait_for(lambda: min(self.wheels()) > 0.37, START_TIMEOUT, "the full speed of this motion")
+            left, right = self.wheels()
+            self.terminal.send(" ")
+            self.terminal.expect(QUESTION)
             curvature = (right - left) / (0.1125 * (right + left) / 2)
             if abs(curvature) < 0.01:
                 return self.terminal.sendline("")
@@ -92,18 +97,19 @@ class Calibration(CalibrationTest):
             self.ramp(lambda: wheel_speeds(self.bus, "waveshare") != STOPPED, "n")  # the key comes too early
             self.ramp(lambda: self.wheels() != STOPPED, "y")
         self.straighten()
+        self.answer("Measure how far it drives")  # Enter alone skips it
         self.start_calibrated_robot()
         self.command(0.5)
         self.wait_for(lambda: min(self.wheels()) > 0.4, 5.0, "both wheels to turn forward")
         left, right = self.wheels()
         self.assertAlmostEqual(left / right, 1, delta=0.01)
 
-    def interrupt_motion(self, interrupt, *arguments):
-        """Interrupt the first motion while its wheel turns; fail unless the wheel stops within a second."""
+    def interrupt_motion(self, interrupt, *arguments, within=1.0):
+        """Interrupt the first motion while its wheel turns; fail unless the wheel stops within this many seconds."""
         self.answer("any key stops it")
         self.wait_for(lambda: wheel_speeds(self.bus) != STOPPED, START_TIMEOUT, "a wheel to turn")
         interrupt(*arguments)
-        self.wait_for(lambda: wheel_speeds(self.bus) == STOPPED, 1.0, "the wheel to stop")
+        self.wait_for(lambda: wheel_speeds(self.bus) == STOPPED, within, "the wheel to stop")
 
     def test_any_key_ends_a_motion_and_ctrl_c_the_calibration(self):
         self.interrupt_motion(self.terminal.send, "x")
@@ -118,10 +124,18 @@ class Calibration(CalibrationTest):
         refused = self.calibrate("--output", os.path.join(self.folder, "jetbot.yaml"))
         refused.expect("jetbot.yaml is for the real robot, and this one is simulated. Name another with --output.")
 
+    def test_a_motion_that_was_frozen_is_not_continued(self):
+        self.interrupt_motion(os.kill, self.terminal.pid, signal.SIGSTOP, within=10.0)  # the guard stops it
+        os.kill(self.terminal.pid, signal.SIGCONT)
+        self.terminal.expect("Which wheel turned")
+        self.assertEqual(wheel_speeds(self.bus), STOPPED)
+        self.terminal.sendcontrol("c")
+        self.terminal.expect("Cancelled")
+
     def test_a_lost_terminal_ends_a_motion(self):
         self.interrupt_motion(self.terminal.close, False)
 
 
 def motor(duty):
     """The speed of a motor that friction holds below a dead band."""
-    return math.copysign(max(0.0, abs(duty) - DEAD_BAND) / (1 - DEAD_BAND), duty)
+    return duty if abs(duty) >= DEAD_BAND else 0.0

@@ -9,9 +9,13 @@ from jetbot_ros.summary import GEOMETRY
 
 from . import tape_measure
 from .calibration import base_wiring, curvature_of, motor_wiring, trim
+from .identify import has_chip
 from .motions import DRIVE_SPEED, Step, gentle, steady
 from .terminal import choose, key_pressed, offset, single_keys
 
+# Hz, for a PCA9685. Adafruit, "Improve Low-Speed Performance of Brushed DC Motors": 50 to 100 Hz; TT motors then start
+# at a duty several times lower than at 1600 Hz.
+PWM_FREQUENCY = 50
 TURN_SPEED = 0.5  # fraction of full power
 TURN_TIME = 0.8   # s
 DRIVE_TIME = 4.0  # s
@@ -27,7 +31,7 @@ class Wizard:
     wiring = staticmethod(motor_wiring)
 
     def __init__(self, **known: Any):
-        self.parameters = known
+        self.parameters = {**known, "pwm_frequency": PWM_FREQUENCY} if has_chip(known["board"], "PCA9685") else known
 
     def drive(self, announcement: str, motion: Sequence[Step]) -> Optional[Step]:
         """Wait for Enter, then drive one step after the other.
