@@ -89,13 +89,16 @@ class Calibration(CalibrationTest):
             self.terminal.sendline(f"{abs(100 * drift):.1f} cm")
             self.answer("Left or right", "left" if drift > 0 else "r")
 
-    def test_from_the_box_to_a_straight_line(self):
+    def to_the_floor(self):
         for _ in range(4):  # two outputs as Adafruit's board has them, then two as Waveshare's
             self.turn()
         self.answer("Put the robot on the floor")
         for _ in ("left", "right"):
             self.ramp(lambda: wheel_speeds(self.bus, "waveshare") != STOPPED, "n")  # the key comes too early
             self.ramp(lambda: self.wheels() != STOPPED, "y")
+
+    def test_from_the_box_to_a_straight_line(self):
+        self.to_the_floor()
         self.straighten()
         self.answer("Measure how far it drives")  # Enter alone skips it
         self.start_calibrated_robot()
@@ -104,12 +107,12 @@ class Calibration(CalibrationTest):
         left, right = self.wheels()
         self.assertAlmostEqual(left / right, 1, delta=0.01)
 
-    def interrupt_motion(self, interrupt, *arguments, within=1.0):
-        """Interrupt the first motion while its wheel turns; fail unless the wheel stops within this many seconds."""
+    def interrupt_motion(self, interrupt, *arguments):
+        """Interrupt the first motion while its wheel turns; fail unless the wheel stops within a second."""
         self.answer("any key stops it")
         self.wait_for(lambda: wheel_speeds(self.bus) != STOPPED, START_TIMEOUT, "a wheel to turn")
         interrupt(*arguments)
-        self.wait_for(lambda: wheel_speeds(self.bus) == STOPPED, within, "the wheel to stop")
+        self.wait_for(lambda: wheel_speeds(self.bus) == STOPPED, 1.0, "the wheel to stop")
 
     def test_any_key_ends_a_motion_and_ctrl_c_the_calibration(self):
         self.interrupt_motion(self.terminal.send, "x")
@@ -125,10 +128,15 @@ class Calibration(CalibrationTest):
         refused.expect("jetbot.yaml is for the real robot, and this one is simulated. Name another with --output.")
 
     def test_a_motion_that_was_frozen_is_not_continued(self):
-        self.interrupt_motion(os.kill, self.terminal.pid, signal.SIGSTOP, within=10.0)  # the guard stops it
+        self.to_the_floor()
+        self.answer("drive ahead for 4 s")
+        self.wait_for(lambda: self.wheels() != STOPPED, START_TIMEOUT, "the motion")
+        os.kill(self.terminal.pid, signal.SIGSTOP)
+        self.wait_for_stop(within=10.0)  # by the guard
         os.kill(self.terminal.pid, signal.SIGCONT)
-        self.terminal.expect("Which wheel turned")
-        self.assertEqual(wheel_speeds(self.bus), STOPPED)
+        self.wait_for(lambda: self.wheels() != STOPPED or self.terminal.expect([pexpect.TIMEOUT, QUESTION], 0),
+                      START_TIMEOUT, "the next question")
+        self.assertEqual(self.wheels(), STOPPED)
         self.terminal.sendcontrol("c")
         self.terminal.expect("Cancelled")
 

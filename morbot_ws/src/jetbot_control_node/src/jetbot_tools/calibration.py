@@ -49,11 +49,12 @@ def trim(left_alpha: float, right_alpha: float, curvature: float, min_duty: floa
 
 
 def units(values: Mapping[str, Any]) -> List[str]:
-    """Return the sentence that says what commands mean, if these parameters make them metres and radians."""
+    """Return, in a list, the sentence that says what commands mean, if these parameters change that."""
     if "max_speed" not in values:
         return []
-    angular = "angular.z in rad/s" if "wheel_separation" in values else "but angular.z is not in rad/s"
-    return [f"With it, the robot obeys metres and radians: linear.x is in m/s, {angular}."]
+    if "wheel_separation" not in values:
+        return ["With it, linear.x is in m/s, but angular.z is not in rad/s: wheel_separation is not measured."]
+    return ["With it, the robot obeys metres and radians: linear.x is in m/s, angular.z in rad/s."]
 
 
 def as_yaml(values: Mapping[str, Any]) -> str:

@@ -1,4 +1,4 @@
-"""Asks how a robot is wired and how straight it drives, by short motions, each announced and stopped by any key."""
+"""Asks how a robot is wired and how it drives, by short motions, each announced and stopped by any key."""
 
 import time
 from typing import Any, List, Optional, Sequence
@@ -18,7 +18,7 @@ from .terminal import choose, key_pressed, offset, single_keys
 PWM_FREQUENCY = 50
 TURN_SPEED = 0.5  # fraction of full power
 TURN_TIME = 0.8   # s
-DRIVE_TIME = 4.0  # s
+LINE_TIME = 4.0   # s
 RAMP = [0.003 * 1.007 ** step for step in range(760)]  # duties, to 60 % in 17 s; in 0.3 s, a person is 10 % late
 MAX_DELAY = 0.5   # s by which a step may be late; later, the guard may have stopped the wheels meanwhile
 
@@ -89,8 +89,8 @@ class Wizard:
         alphas = (1.0, 1.0)
         while True:
             self.parameters.update(zip(("left_motor_alpha", "right_motor_alpha"), alphas))
-            self.drive(f"The robot will drive ahead for {DRIVE_TIME:.0f} s.",
-                       gentle(DRIVE_SPEED, DRIVE_SPEED, DRIVE_TIME, self.parameters["min_duty"]))
+            self.drive(f"The robot will drive ahead for {LINE_TIME:.0f} s.",
+                       gentle(DRIVE_SPEED, DRIVE_SPEED, LINE_TIME, self.parameters["min_duty"]))
             drift = offset("How many centimetres off the line was it after one metre? "
                            "Press Enter alone if that is straight enough.", 90, {"left": 1, "right": -1}) / 100
             if not drift:
