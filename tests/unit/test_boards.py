@@ -116,11 +116,12 @@ def test_a_changed_register_is_restored(folder, name, address, register, value):
 
 @pytest.mark.parametrize("name, step", [("jetbot", 1 / 4096), ("waveshare_hat", 1 / 4096), ("sparkfun", 1 / 128),
                                         ("jetbot_pro", 0.001)])
-def test_a_driver_knows_which_speeds_are_too_small_for_its_board(folder, name, step):
+def test_half_a_step_of_the_board_is_rounded_to_0(folder, name, step):
     board = find_board(name).open(f"fake:{folder}")
-    for speeds in itertools.product([part * step for part in (0, 0.3, -0.4, 0.6, -0.7, 1)], repeat=2):
-        board.drive(*speeds)
-        assert board.turns(*speeds) == (wheel_speeds(folder, name) != STOPPED)
+    assert board.resolution == step
+    for part, sign in itertools.product((0, 0.3, 0.4, 0.6, 0.7, 1), (1, -1)):
+        board.drive(part * step, sign * part * step)
+        assert (wheel_speeds(folder, name) != STOPPED) == (part > 0.5)
     board.close()
 
 

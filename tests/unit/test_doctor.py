@@ -212,14 +212,14 @@ def test_a_chip_that_a_kernel_driver_holds(plug_in, monkeypatch, driver, reporte
     assert lines(1, address=0x40)[2].startswith(held)
 
 
-@pytest.mark.parametrize("model, chip, told", [
+@pytest.mark.parametrize("model, chip, reported", [
     ("Raspberry Pi 4 Model B Rev 1.4", SCMD, True), ("Raspberry Pi 4 Model B Rev 1.4", {}, True),
     ("Raspberry Pi 5 Model B Rev 1.0", SCMD, False), ("NVIDIA Jetson Nano Developer Kit", SCMD, False)])
-def test_a_computer_that_mishandles_the_clock_of_sparkfuns_board(plug_in, monkeypatch, model, chip, told):
+def test_a_computer_that_mishandles_the_clock_of_sparkfuns_board(plug_in, monkeypatch, model, chip, reported):
     monkeypatch.setattr(host, "model", lambda: model)
     plug_in({0x5D: chip})
     line = next(line for line in lines(1) if "0x5d on /dev/i2c-1" in line)
-    assert ("dtoverlay=i2c-gpio,bus=3" in line) == told
+    assert ("dtoverlay=i2c-gpio,bus=3" in line) == reported
 
 
 def test_another_chip_at_sparkfuns_address(folder):

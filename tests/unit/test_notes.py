@@ -12,7 +12,7 @@ from jetbot_ros.notes import (
     Commanders,
     Disturbances,
     Lasting,
-    too_slow,
+    TooSlow,
 )
 from jetbot_ros.safety import Sender
 
@@ -70,12 +70,17 @@ def test_one_fault_has_a_status_of_its_own_but_several_are_counted():
         "its board keeps failing to answer (2 so far): check the wires"]
 
 
-@pytest.mark.parametrize("closed_loop, cure", [(False, "raise min_duty"), (True, "command more")])
-def test_wheels_that_get_less_than_a_step_of_the_board_have_a_cure(closed_loop, cure):
-    robot = Mock(duties=(0.0001, 0.0), **{"driver.closed_loop": closed_loop, "driver.turns.return_value": False})
-    assert too_slow(robot) == TOO_SLOW + cure
-    robot.driver.turns.return_value = True
-    assert too_slow(robot) is None
+@pytest.mark.parametrize("closed_loop, advice", [(False, "raise min_duty"), (True, "command more")])
+def test_wheels_that_get_less_than_a_step_of_the_board_are_reported_with_advice(closed_loop, advice):
+    robot = Mock(**{"left_motor.value": -0.0001, "driver.closed_loop": closed_loop, "driver.resolution": 0.0002})
+    too_slow = TooSlow(robot)
+    assert [too_slow((-0.0001, 0.0), now) for now in (0.0, LASTING)] == [None, TOO_SLOW + advice]
+    assert too_slow((0.0, -0.0002), now=LASTING) is None
+
+
+def test_wheels_that_are_commanded_to_stop_are_not_too_slow():
+    too_slow = TooSlow(Mock(**{"left_motor.value": 0.0, "right_motor.value": 0.0, "driver.resolution": 0.0002}))
+    assert [too_slow((0.0, 0.0), now) for now in (0.0, LASTING)] == [None, None]
 
 
 def test_a_condition_is_reported_while_it_has_lasted():

@@ -20,11 +20,11 @@ def reports(*moments, fixed_pwm=False):
     (0.01, 0.047, BOTH),
     (-0.0002, 0, BOTH.replace("wheels get 4.7 %", "left wheel gets 0.02 %")),
     (0, 0.04, BOTH.replace("wheels get 4.7 %", "right wheel gets 4 %"))])
-def test_a_stall_that_lasts_is_reported_with_its_cure(left, right, sentence):
+def test_a_stall_that_lasts_is_reported_with_advice(left, right, sentence):
     assert reports((0.0, left, right), (LASTING, left, right)) == [None, sentence]
 
 
-def test_a_frequency_that_is_fixed_is_no_cure():
+def test_a_frequency_that_is_fixed_is_no_advice():
     assert reports((0.0, 0.04, 0), (1.0, 0.04, 0), fixed_pwm=True)[1].endswith("too little to turn: raise min_duty")
 
 

@@ -14,7 +14,7 @@ from jetbot_ros.notes import NOTE_FOR
 from jetbot_ros.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
 
 STOPPED, AHEAD, BACK = (0.0, 0.0), (0.4, 0.6), (-0.4, -0.6)
-CURE = "set acceleration_limit"
+ADVICE = "set acceleration_limit"
 
 
 class Sensor:
@@ -41,7 +41,7 @@ def sensor():
 
 @pytest.fixture
 def watch(sensor):
-    watch = SupplyWatch(Supply("INA219", sensor.read), CURE)
+    watch = SupplyWatch(Supply("INA219", sensor.read), ADVICE)
     watch.read(now=0.0)
     watch(STOPPED, now=0.0)
     return watch
@@ -61,7 +61,7 @@ def stop(watch, sensor, now):
     watch(STOPPED, now)
 
 
-def test_a_dip_is_reported_once_with_its_cure(watch, sensor):
+def test_a_dip_is_reported_once_with_advice(watch, sensor):
     note = start(watch, sensor, volts(11.1), now=1.0)
     assert note == "its supply dips from 12.0 to 11.1 V as the motors start: set acceleration_limit"
     assert watch(AHEAD, now=1.0 + NOTE_FOR - 0.1)
@@ -97,7 +97,7 @@ def test_a_raspberry_pi_reports_an_undervoltage_some_seconds_later(watch, sensor
     sensor.reading = Reading(undervoltage=False)
     watch.read(now=0.5)
     note = start(watch, sensor, Reading(undervoltage=True), now=1.0, after=ALARM_WITHIN - 0.5)
-    assert note == f"its supply dips as the motors start: {CURE}"
+    assert note == f"its supply dips as the motors start: {ADVICE}"
     assert str(watch) == "undervoltage, by the INA219"
 
 
@@ -118,14 +118,14 @@ def test_a_sensor_that_is_unplugged_is_reported_and_read_again(watch, sensor):
 @pytest.mark.parametrize("error", [BusStuck("the bus is stuck"), BusTooSlow("the bus is too slow")])
 def test_a_reading_that_blocks_the_bus_is_the_last_one(error):
     sensor, readings = Sensor(error), []
-    watch = SupplyWatch(Supply("INA219", sensor.read), CURE)
+    watch = SupplyWatch(Supply("INA219", sensor.read), ADVICE)
     watch.run(readings.append, lambda: False)
     assert (str(readings), sensor.count) == (str([Reading()]), 1)
     assert str(watch) == f"unknown: {error.reason}; restart the controller to read it again"
 
 
 def test_a_robot_whose_supply_nothing_measures():
-    watch = SupplyWatch(None, CURE)
+    watch = SupplyWatch(None, ADVICE)
     assert watch(AHEAD, now=1.0) is None
     assert str(watch) == "not measured"
 

@@ -69,9 +69,10 @@ class SimulationLaunch(RobotTest):
     def test_the_controller_of_a_jetbot_pro_alone_publishes_odom_and_its_tf_and_they_agree_with_the_path(self):
         frames, transforms, paths = tf2_ros.Buffer(), self.record("/tf", TFMessage), self.record("path", Path)
         self.addCleanup(tf2_ros.TransformListener(frames).unregister)
-        self.simulate("board:=jetbot_pro", "x:=1")
+        self.simulate("board:=jetbot_pro", "x:=1", "publish_odom:=true")  # which is for other boards
         self.assert_drives((2.0, 0.2), (2.0, 0.2))
         self.assertEqual(publishers("/odom"), ["/jetbot_controller"])
+        self.assertEqual(publishers("/joint_states"), ["/jetbot_simulator"])
         self.wait_for(lambda: position(frames).x > 2, START_TIMEOUT, "the simulated robot to drive")
         self.assertEqual(senders(transforms, "base_footprint"), {"/jetbot_controller"})
         self.assert_stops()

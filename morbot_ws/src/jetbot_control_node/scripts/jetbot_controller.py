@@ -15,10 +15,8 @@ from std_msgs.msg import Bool
 from jetbot.kinematics import mix
 from jetbot_ros import node
 from jetbot_ros.publishers import Publishers
-from jetbot_ros.ramp import make_ramp
 from jetbot_ros.report import Report
 from jetbot_ros.safety import EMERGENCY_STOP
-from jetbot_ros.supervisor import Supervisor
 
 
 class JetBotController:
@@ -34,12 +32,10 @@ class JetBotController:
 
         # The supervisor decides what may be driven, and stops the robot; the report says why
         self.commanders = Publishers("cmd_vel")
-        self.supply = node.watch_supply(self.robot, parameters)
-        self.report = Report(parameters, self.robot.driver, self.supply)
-        self.supervisor = Supervisor(self.robot, self.drive, parameters["cmd_vel_timeout"],
-                                     self.commanders.names, self.report.change,
-                                     [self.supply, *node.make_observers(self.robot, parameters)],
-                                     ramp=make_ramp(parameters, self.robot.driver))
+        supply = node.watch_supply(self.robot, parameters)
+        self.report = Report(parameters, self.robot.driver, supply)
+        self.supervisor = node.make_supervisor(self.robot, parameters, self.drive, self.commanders.names,
+                                               self.report.change, supply)
         self.commanders.keep_asking(self.supervisor)
 
         # Subscribe to the topics and define the callback functions; an earlier emergency stop comes before any command

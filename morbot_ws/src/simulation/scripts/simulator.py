@@ -29,7 +29,7 @@ def main() -> None:
     model = DiffDriveModel(
         given["wheel_separation"], given["wheel_diameter"], given["max_speed"], given["motor_lag"], given["dead_band"],
         Pose(given["x"], given["y"], given["yaw"]), closed_loop, given["wheel_ratio"])
-    # A board with a closed loop measures its motion, but tells no angles of its wheels.
+    # A board with a closed loop measures its motion, but not the angles of its wheels.
     others = ["odom"] if closed_loop else ["odom", "joint_states"] if given["publish_odom"] else []
     Simulator(model, lambda: wheel_speeds(*robot), lambda: pwm_frequency(*robot), others).spin()
 

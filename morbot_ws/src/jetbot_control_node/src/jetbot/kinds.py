@@ -2,7 +2,7 @@
 
 import math
 from contextlib import suppress
-from typing import Callable, NamedTuple
+from typing import Callable, NamedTuple, Union
 
 from .errors import InvalidValue
 from .text import literal
@@ -35,8 +35,13 @@ def is_number(value: object) -> bool:
 def is_address(value: object) -> bool:
     """Return whether a chip may have this I2C address: a number, or its hexadecimal text as roslaunch passes it on."""
     with suppress(ValueError, TypeError):
-        return type(value) in (int, str) and 0x03 <= int(str(value), 0) <= 0x77
+        return type(value) in (int, str) and 0x03 <= address_of(value) <= 0x77
     return False
+
+
+def address_of(value: Union[int, str]) -> int:
+    """Return an I2C address, given as a number or as text, as a number; raise ValueError for other text."""
+    return int(str(value), 0)
 
 
 FINITE = Kind(is_finite, "a finite number")
@@ -46,7 +51,7 @@ SECONDS = Kind(lambda value: is_number(value) and value >= 0, "a number of secon
 FRACTION = Kind(lambda value: is_number(value) and 0 <= value < 1, "a number of at least 0 and below 1")
 BOOLEAN = Kind(lambda value: isinstance(value, bool), "true or false")
 DUTY = Kind(lambda value: is_number(value) and 0 < value <= 1, "a number above 0, 1 at most")
-LIMIT = Kind(lambda value: is_number(value) and value >= 0, "a number, 0 or more")
+NON_NEGATIVE = Kind(lambda value: is_number(value) and value >= 0, "a number, 0 or more")
 PWM_FREQUENCY = Kind(lambda value: is_number(value) and 24 <= value <= 1526, "a number from 24 to 1526")
 ADDRESS = Kind(is_address, "an address from 0x03 to 0x77")
 

@@ -1,4 +1,4 @@
-"""From a Twist to two wheel speeds, and from the way of two wheels to the robot's pose."""
+"""From a Twist to two wheel speeds, and from the distances that two wheels roll to the robot's pose."""
 
 import math
 import sys

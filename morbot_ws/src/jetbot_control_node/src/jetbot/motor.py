@@ -7,13 +7,14 @@ from .boards import MotorDriver
 from .kinds import FINITE, NUMBER, check_duties
 from .kinematics import clamp
 
+STOPPED = (0.0, 0.0)  # what the driver is given for two motors that are off
 RESIDUE = 1e-9  # speeds this small are rounding errors, as of 0.1 + 0.2 - 0.3: zero, also with a min_duty
 
 
 class Motor:
     """One wheel of a Robot. Its docstring describes alpha, inverted, min_duty and max_duty."""
 
-    def __init__(self, robot, alpha: float, inverted: bool, min_duty: float = 0.0, max_duty: float = 1.0):
+    def __init__(self, robot, alpha: float, inverted: bool, min_duty: float, max_duty: float):
         check_duties(min_duty, max_duty)
         self._robot = robot
         self._inverted, self.min_duty, self.max_duty = inverted, float(min_duty), float(max_duty)
@@ -57,8 +58,8 @@ class Motor:
         """
         return duty / self.alpha if self.alpha else 0.0
 
-    def forward(self, output: float) -> float:
-        """Return an ``output`` as the wheel turns: positive forward."""
+    def duty_of(self, output: float) -> float:
+        """Return the duty of an ``output``, positive forward."""
         return -output if self._inverted else output
 
 

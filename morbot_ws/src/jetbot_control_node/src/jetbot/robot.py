@@ -9,7 +9,7 @@ from .boards import DEFAULT_PORT, DEFAULT_PWM_FREQUENCY, find_board
 from .errors import GuardError, InvalidValue, JetbotError
 from .guard import Guard, NoGuard
 from .kinds import BOOLEAN, PWM_FREQUENCY
-from .motor import Motor, checked, negated, turn_cut_off
+from .motor import STOPPED, Motor, checked, negated, turn_cut_off
 
 
 class Robot:
@@ -46,7 +46,7 @@ class Robot:
         self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty, max_duty)
         self._outputs = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)
         self._speeds = dict.fromkeys(self._outputs, 0.0)
-        self._given = dict.fromkeys(self._outputs, 0.0)  # what the driver was given last; 0 while that is not known
+        self._given = STOPPED  # what the driver was given last, as of ``_outputs``; 0 while that is not known
         self._lock = threading.RLock()  # a signal handler may come in between, in the same thread
         self.resumes = True  # False: a board that has lost its speeds is left stopped until the next command
         self._closed = False
@@ -108,7 +108,7 @@ class Robot:
                 return
             self._closed = True
             self._clear_speeds()  # for the command that a signal handler interrupts
-            self._given = dict.fromkeys(self._outputs, 0.0)
+            self._given = STOPPED
             try:
                 self.driver.drive(0, 0)
                 self._guard.dismiss()
@@ -131,11 +131,9 @@ class Robot:
 
     @property
     def duties(self) -> Tuple[float, float]:
-        """What the wheels (left, right) are given now, positive forward: 1 is full power; of a closed loop, m/s.
-
-        0 while they are stopped for lack of a guard, and while the board does not answer.
-        """
-        return tuple(motor.forward(self._given[motor]) for motor in (self.left_motor, self.right_motor))
+        """What the wheels (left, right) are given now: duties in [-1, 1], of a closed loop m/s; 0 if not known."""
+        duties = {motor: motor.duty_of(given) for motor, given in zip(self._outputs, self._given)}
+        return duties[self.left_motor], duties[self.right_motor]
 
     @property
     def at_full_power(self) -> bool:
@@ -168,12 +166,12 @@ class Robot:
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
         while True:
-            self._given = dict.fromkeys(self._outputs, 0.0)
+            self._given = STOPPED
             for action in actions:
                 action()
             permitted = self._permitted()
             self.driver.drive(*permitted)
-            self._given = dict(zip(self._outputs, permitted))
+            self._given = permitted
             if permitted == self._permitted():  # else a signal handler has set other speeds meanwhile
                 return
 
@@ -184,8 +182,8 @@ class Robot:
     def _permitted(self):
         """Return what the driver may be given now: what is commanded, but 0 if there is no guard or no robot."""
         if self._is_commanded() and not self._closed and self._guard.is_up():
-            return [motor.output(self.driver) for motor in self._outputs]
-        return [0.0, 0.0]
+            return tuple(motor.output(self.driver) for motor in self._outputs)
+        return STOPPED
 
     def _is_commanded(self):
         return any(self._speeds.values())

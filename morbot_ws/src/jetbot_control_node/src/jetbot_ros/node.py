@@ -7,7 +7,7 @@ import signal
 import sys
 import threading
 import time
-from typing import Callable, Dict, List
+from typing import Callable, Collection, Dict, List
 
 import rosgraph
 import rospy
@@ -21,10 +21,13 @@ from . import watch
 from .command_line import fake_advice, private_parameters, public_words
 from .master import require_master, require_name
 from .network import bound_headers, stay_on_this_host
+from .notes import Observer
 from .parameters import PARAMETERS, resolve
+from .ramp import make_ramp
 from .registration import is_registered, register
 from .report import Report
-from .supervisor import Observer, Supervisor
+from .safety import State
+from .supervisor import Supervisor
 from .supply_watch import SupplyWatch
 
 SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
@@ -70,14 +73,6 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
     return robot
 
 
-def make_observers(robot: Robot, parameters: Dict[str, object]) -> List[Observer]:
-    """Return the Supervisor's observers that the parameters ask for."""
-    if robot.driver.closed_loop or not parameters["publish_odom"]:
-        return []
-    from .open_loop import OpenLoopOdometry  # here: most robots do without
-    return [OpenLoopOdometry(robot, parameters)]
-
-
 def watch_supply(robot: Robot, parameters: Dict[str, object]) -> SupplyWatch:
     """Return what watches the robot's supply. If something measures it, publish that from now on."""
     supply = find_supply(robot.driver.link)
@@ -86,6 +81,17 @@ def watch_supply(robot: Robot, parameters: Dict[str, object]) -> SupplyWatch:
         from .battery import publish_supply  # here: on many robots nothing measures it
         publish_supply(supply, supply_watch)
     return supply_watch
+
+
+def make_supervisor(robot: Robot, parameters: Dict[str, object], drive: Callable[[float, float], None],
+                    senders: Callable[[], Collection[str]], on_change: Callable[[State], None],
+                    *observers: Observer) -> Supervisor:
+    """Return the Supervisor, with the ramp and the odometry that the parameters ask for."""
+    if parameters["publish_odom"] and not robot.driver.closed_loop:
+        from .open_loop import OpenLoopOdometry  # here: most robots do without
+        observers += (OpenLoopOdometry(robot, parameters),)
+    return Supervisor(robot, drive, parameters["cmd_vel_timeout"], senders, on_change, observers,
+                      make_ramp(parameters, robot.driver))
 
 
 def run(supervisor: Supervisor, report: Report) -> int:

@@ -1,11 +1,14 @@
 """What the status reports beside "driving": programs that contradict each other, and what costs motion."""
 
 import math
-from typing import Collection, Dict, List, Optional
+from typing import Callable, Collection, Dict, List, Optional, Tuple
 
 from jetbot import Robot
 
 from .safety import Sender
+
+# Called after each step with what the wheels (left, right) are given, as ``Robot.duties``, and the time in s.
+Observer = Callable[[Tuple[float, float], float], Optional[str]]
 
 RIVALS_WITHIN = 1.5  # s between commands of two programs that contradict each other
 NOTE_FOR = 3.0       # s that a disturbance of the board is reported
@@ -56,18 +59,16 @@ class Disturbances:
                 if counts[name] >= threshold and now - self._seen_at[name] < NOTE_FOR]
 
 
-def full_power(robot: Robot) -> Optional[str]:
-    """Return a sentence if the robot turns less than commanded, because both wheels are at their limit, else None."""
-    if not robot.at_full_power:
-        return None
-    return FULL_POWER if robot.left_motor.max_duty == 1 else MAX_DUTY
+class FullPower:
+    """An observer: reports that a robot turns less than commanded, because both wheels are at their limit."""
 
+    def __init__(self, robot: Robot):
+        self._robot = robot
 
-def too_slow(robot: Robot) -> Optional[str]:
-    """Return a sentence if the board rounds down to 0 what both wheels of a robot that drives are given, else None."""
-    if robot.driver.turns(*robot.duties):
-        return None
-    return TOO_SLOW + ("command more" if robot.driver.closed_loop else "raise min_duty")
+    def __call__(self, duties: Tuple[float, float], now: float) -> Optional[str]:
+        if not self._robot.at_full_power:
+            return None
+        return FULL_POWER if self._robot.left_motor.max_duty == 1 else MAX_DUTY
 
 
 class Lasting:
@@ -84,6 +85,20 @@ class Lasting:
         if self._since is None:
             self._since = now
         return sentence if now - self._since >= LASTING else None
+
+
+class TooSlow:
+    """An observer: reports that the board rounds to 0 what it is given, although motion is commanded."""
+
+    def __init__(self, robot: Robot):
+        self._robot, self._lasting = robot, Lasting()
+
+    def __call__(self, duties: Tuple[float, float], now: float) -> Optional[str]:
+        driver = self._robot.driver
+        commanded = self._robot.left_motor.value or self._robot.right_motor.value
+        if not commanded or max(map(abs, duties)) > driver.resolution / 2:
+            return self._lasting.note(None, now)
+        return self._lasting.note(TOO_SLOW + ("command more" if driver.closed_loop else "raise min_duty"), now)
 
 
 def listed(names: List[str]) -> str:

@@ -12,7 +12,7 @@ from jetbot.kinds import (  # noqa: F401  for nodes
     BOOLEAN,
     DUTY,
     FRACTION,
-    LIMIT,
+    NON_NEGATIVE,
     NUMBER,
     POSITIVE,
     PWM_FREQUENCY,
@@ -61,13 +61,14 @@ PARAMETERS = {
     "min_duty": Parameter(0.0, FRACTION, "smallest duty that turns a wheel; speeds above 0 start there"),
     "max_duty": Parameter(1.0, DUTY, "largest duty, at speed 1; below 1 it limits the speed, and the robot still "
                                       "steers"),
-    "acceleration_limit": Parameter(0.0, LIMIT, "most by which the speed of a wheel grows in a second; 0: no limit. A "
-                                                "stop is never slowed down", "m/s^2"),
+    "acceleration_limit": Parameter(0.0, NON_NEGATIVE, "largest increase of a wheel's speed per second; 0: no limit. "
+                                                       "Stops are immediate", "m/s^2"),
     "pwm_frequency": Parameter(1526, PWM_FREQUENCY, "frequency of the PWM of a PCA9685, 24 to 1526; motors start at a "
                                                     "lower duty where it is low", "Hz"),
     "publish_odom": Parameter(False, BOOLEAN, "true: a board that measures nothing publishes odom and joint_states "
                                               "from what the wheels are given"),
-    "publish_tf": Parameter(False, BOOLEAN, "true: who publishes odom publishes tf odom -> base_footprint, too"),
+    "publish_tf": Parameter(False, BOOLEAN, "true: the node that publishes odom also publishes tf "
+                                            "odom -> base_footprint"),
 }
 
 

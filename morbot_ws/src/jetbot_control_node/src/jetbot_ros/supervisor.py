@@ -9,7 +9,7 @@ from typing import Callable, Collection, Dict, Optional, Sequence, Tuple
 from jetbot import BusError, JetbotError, Robot
 from jetbot.wait import wait_until
 
-from .notes import Commanders, Disturbances, Lasting, full_power, too_slow
+from .notes import Commanders, Disturbances, FullPower, Observer, TooSlow
 from .ramp import STEP_INTERVAL, Ramp
 from .safety import STOPPED, Hold, Sender, State
 
@@ -22,8 +22,6 @@ FREEZE = 0.8                 # s between two steps after which this program was 
 
 GUARD_START_TIMEOUT = 5.0    # s until a guard that does not start is reported
 
-Observer = Callable[[Tuple[float, float], float], Optional[str]]
-
 NO_GUARD = JetbotError("the guard, which stops the wheels if this program dies, is not running")
 
 
@@ -31,16 +29,16 @@ class Supervisor:
     """Drives the velocity that its ``state`` allows. Any thread may call ``command``, ``hold``, ``confirm``, ``end``.
 
     drive: drives the robot at (linear, angular); senders: returns the names of the programs that could send commands;
-    on_change: takes each State whose status differs from the one before. observers: each is told after every step
-    what the wheels are given, as ``Robot.duties``, and the time, and may return a note for the status. None of them
-    may block. ramp: limits how fast the wheels speed up.
+    on_change: takes each State whose status differs from the one before. observers: each may return a note for the
+    status. None of them may block. ramp: limits how fast the wheels speed up.
     closed: whether ``run`` has ended, with the wheels stopped.
     """
 
     def __init__(self, robot: Robot, drive: Callable[[float, float], None], cmd_vel_timeout: float,
                  senders: Callable[[], Collection[str]], on_change: Callable[[State], None],
                  observers: Sequence[Observer] = (), ramp: Optional[Ramp] = None):
-        self._robot, self._drive, self._observers = robot, drive, observers
+        self._robot, self._drive = robot, drive
+        self._observers = FullPower(robot), TooSlow(robot), *observers
         self._ramp = ramp or Ramp()
         robot.resumes = not self._ramp.acceleration_limit  # else what the board has lost comes back by the ramp
         self._senders, self._on_change = senders, on_change
@@ -51,7 +49,7 @@ class Supervisor:
         self._ending, self._failure = False, None
         self._status = None
         self._fed_at = self._verified_at = self._stepped_at = float("-inf")
-        self._commanders, self._disturbances, self._too_slow = Commanders(), Disturbances(), Lasting()
+        self._commanders, self._disturbances = Commanders(), Disturbances()
         self._faults = 0
 
     @property
@@ -121,7 +119,7 @@ class Supervisor:
         interval = self._robot.driver.keep_alive_interval if state.driving else STOPPED_INTERVAL
         self._keep_alive(now, interval)
         if self._ramp.acceleration_limit and not any(self._robot.duties):
-            self._ramp.reset()
+            self._ramp.reset()  # whatever has stopped the wheels
         self._faults += isinstance(fault, BusError) and not state.fault
         self._change(State.driven, fault, self._notes(senders, now))
         self._report()
@@ -144,14 +142,13 @@ class Supervisor:
         return None
 
     def _notes(self, senders, now) -> Tuple[str, ...]:
-        notes = [self._commanders.note(senders, now), full_power(self._robot),
-                 self._too_slow.note(too_slow(self._robot) if self.state.driving else None, now),
-                 *self._observe(now),
+        notes = [self._commanders.note(senders, now), *self._observe(now),
                  *self._disturbances.notes(self.disturbances, now)]
         return tuple(note for note in notes if note)
 
     def _observe(self, now):
-        return [observe(self._robot.duties, now) for observe in self._observers]
+        duties = self._robot.duties
+        return [observe(duties, now) for observe in self._observers]
 
     def _wake(self):
         if self._events.empty():  # one that the thread has not taken yet will do

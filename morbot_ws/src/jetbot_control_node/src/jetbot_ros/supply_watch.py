@@ -22,11 +22,11 @@ class SupplyWatch:
 
     It is an observer of the Supervisor: a note reports the first dip. ``run`` is a thread of its own, for which no
     command waits; a supply whose reading has held up the bus is not read again.
-    supply: None if nothing measures it; cure: what to do against a dip. dips: how many were seen.
+    supply: None if nothing measures it; advice: what to do against a dip. dips: how many were seen.
     """
 
-    def __init__(self, supply: Optional[Supply], cure: str):
-        self._supply, self._cure = supply, cure
+    def __init__(self, supply: Optional[Supply], advice: str):
+        self._supply, self._advice = supply, advice
         self._reading, self._text = Reading(), "not read yet" if supply else "not measured"
         self._motors_started, self._started_at = threading.Event(), float("-inf")
         self._duties = 0.0, 0.0
@@ -81,4 +81,4 @@ class SupplyWatch:
         self.dips += 1
         if self.dips == 1:
             dip = f" from {before.voltage:.1f} to {after.voltage:.1f} V" if lower else ""
-            self._note, self._noted_at = f"its supply dips{dip} as the motors start: {self._cure}", now
+            self._note, self._noted_at = f"its supply dips{dip} as the motors start: {self._advice}", now

@@ -14,7 +14,7 @@ from jetbot_ros.parameters import checked, default_file, load
 
 from .commands import in_shell, launch
 from .identify import JUMPER_ADDRESSES
-from .probe import Check, check_board, check_chip, check_chips, check_serial, check_users
+from .probe import Check, check_board, check_chips, check_serial, check_users
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial"]
 NEEDED_BY_SOME = ["smbus2", "serial"]  # by boards on an I2C bus, on a serial port
@@ -117,7 +117,7 @@ def check_bus(bus: Union[int, str], i2c_address: Optional[int] = None, other_add
     boards = [chip for chip in chips if chip.ok]
     if other_addresses and i2c_address is None and not boards:
         boards = [chip for chip in check_chips(bus, JUMPER_ADDRESSES) if chip.ok]
-    return check_users(name) + (boards or list(dict.fromkeys([check_chip(bus, addresses[0]), *chips])))
+    return check_users(name) + (boards or chips)
 
 
 def check_supply(link: Union[I2CDevice, SerialLink]) -> List[Check]:

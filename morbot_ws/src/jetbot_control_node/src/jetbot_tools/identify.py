@@ -1,4 +1,4 @@
-"""Which chip answers at an I2C address, told by reads alone, and which motor boards it can be."""
+"""Which chip answers at an I2C address, and which motor boards it can be. Chips are only read."""
 
 from typing import List, NamedTuple
 

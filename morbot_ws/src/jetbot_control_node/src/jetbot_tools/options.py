@@ -7,6 +7,7 @@ from argparse import ArgumentParser, Namespace
 from typing import List, Union
 
 from jetbot import InvalidValue, fake
+from jetbot.kinds import address_of
 from jetbot.text import printable
 from jetbot_ros.launch_arguments import closest
 from jetbot_ros.parameters import PARAMETERS
@@ -50,7 +51,7 @@ def checked_address(value: Union[int, str]) -> int:
         PARAMETERS["i2c_address"].kind.check("the parameter i2c_address", value)
     except InvalidValue as error:
         sys.exit(str(error))
-    return int(str(value), 0)
+    return address_of(value)
 
 
 def place_name(text: str) -> Union[int, str]:

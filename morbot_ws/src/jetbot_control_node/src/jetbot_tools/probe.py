@@ -5,7 +5,7 @@ import errno
 import os
 import threading
 from pathlib import Path
-from typing import Iterable, List, NamedTuple, Union
+from typing import Iterable, List, NamedTuple, Sequence, Union
 
 from jetbot import host
 from jetbot.boards import BOARDS, find_board
@@ -71,11 +71,9 @@ def processes_with(device: str, proc: Path) -> Iterable[int]:
 
 def check_board(board: str, i2c_bus: Union[int, str], port: str, i2c_address: Union[int, str, None] = None) -> Check:
     """Check that a board answers on its bus or port; raise InvalidValue for an unknown board or a bad bus."""
-    row = find_board(board)
+    row = find_board(board, i2c_address)
     place = row.place(i2c_bus, port)
-    if not row.address:
-        return check_serial(place)
-    return check_chip(place, row.address if i2c_address is None else int(str(i2c_address), 0), board)
+    return check_chip(place, row.address, board) if row.address else check_serial(place)
 
 
 def check_chip(bus: Union[int, str], address: int, board: str = "") -> Check:
@@ -83,22 +81,28 @@ def check_chip(bus: Union[int, str], address: int, board: str = "") -> Check:
     try:
         return identify_board(bus, address, board)
     except JetbotError as error:
-        return Check(place_name(bus, address), False, error.reason, error.advice)
+        return failed(bus, address, error)
 
 
-def check_chips(bus: Union[int, str], addresses: Iterable[int]) -> List[Check]:
-    """Check the addresses at which a chip answers; of a bus that does not work, only the first address."""
+def check_chips(bus: Union[int, str], addresses: Sequence[int]) -> List[Check]:
+    """Check the first address, and the others at which a chip answers; if the bus does not work, no further one."""
     checks = []
     for address in addresses:
         try:
             checks.append(identify_board(bus, address))
-        except NoAnswer:
-            continue
+        except NoAnswer as error:
+            if address == addresses[0]:
+                checks.append(failed(bus, address, error))
         except JetbotError as error:
-            checks.append(Check(place_name(bus, address), False, error.reason, error.advice))
+            checks.append(failed(bus, address, error))
             if not isinstance(error, BusError) or error.errno != errno.EBUSY:
                 break
     return checks
+
+
+def failed(bus: Union[int, str], address: int, error: JetbotError) -> Check:
+    """Return the check of an address that cannot be read."""
+    return Check(place_name(bus, address), False, error.reason, error.advice)
 
 
 def identify_board(bus: Union[int, str], address: int, board: str = "") -> Check:

@@ -24,8 +24,8 @@ class StallReport:
 
 
 def describe(duties: Dict[str, float], fixed_pwm: bool) -> str:
-    """Return a sentence about the wheels that do not turn at these duties, with the largest of them, and the cure."""
+    """Return a sentence about the wheels that do not turn at these duties, with the largest of them, and advice."""
     wheels = "wheels get" if len(duties) > 1 else f"{''.join(duties)} wheel gets"
     percent = 100 * max(map(abs, duties.values()))
-    cure = "raise min_duty" if fixed_pwm else "raise min_duty, or lower pwm_frequency"
-    return f"the {wheels} {percent:.2g} % of full power, too little to turn: {cure}"
+    advice = "raise min_duty" if fixed_pwm else "raise min_duty, or lower pwm_frequency"
+    return f"the {wheels} {percent:.2g} % of full power, too little to turn: {advice}"

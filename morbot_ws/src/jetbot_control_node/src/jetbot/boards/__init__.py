@@ -6,7 +6,7 @@ from typing import Callable, NamedTuple, Optional, Union
 
 from ..errors import InvalidValue, JetbotError, NotReady
 from ..i2c import I2CDevice, bus_name
-from ..kinds import ADDRESS
+from ..kinds import ADDRESS, address_of
 from ..serial_link import SerialLink
 from ..wait import wait_until
 from .driver import DEFAULT_PWM_FREQUENCY, MotorDriver, Telemetry
@@ -74,7 +74,7 @@ def find_board(name: str, i2c_address: Union[int, str, None] = None) -> Board:
     if i2c_address is None:
         return row
     ADDRESS.check("the I2C address", i2c_address)
-    return row._replace(address=row.address and int(str(i2c_address), 0))
+    return row._replace(address=row.address and address_of(i2c_address))
 
 
 def when_ready(action: Callable[[], None]) -> None:

@@ -31,6 +31,7 @@ class MotorDriver(abc.ABC):
     """
 
     limit = 1.0  # largest |wheel speed| that the board accepts; Robot clamps a speed to it, and nothing else does
+    resolution = 0.0  # the board's step of a wheel speed: half a step or less is rounded to 0
     closed_loop = False  # True: the board controls its wheel speeds itself; they are in m/s, for wheels 2 m apart
     resets = 0       # how often the board was found at its power-on values: a brown-out
     overwritten = 0  # how often it held what another program has written
@@ -39,7 +40,6 @@ class MotorDriver(abc.ABC):
 
     def __init__(self, link: Union[I2CDevice, SerialLink], pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
         self.link = link
-        self.pwm_frequency = pwm_frequency
 
     @abc.abstractmethod
     def start(self) -> None:
@@ -52,10 +52,6 @@ class MotorDriver(abc.ABC):
     @abc.abstractmethod
     def drive(self, left: float, right: float) -> None:
         """Turn the wheels at these speeds, in [-limit, limit], positive forward. A repeated speed costs no transfer."""
-
-    def turns(self, left: float, right: float) -> bool:
-        """Return whether ``drive`` turns any wheel at these speeds: False if, in the board's own steps, both are 0."""
-        return bool(left or right)
 
     def verify(self) -> None:
         """Read back a part of what the board holds, in one transfer at most; the next ``drive`` restores what it lost.

@@ -36,6 +36,7 @@ class JetBotPro(MotorDriver):
     """
 
     limit = INT16_MAX / 1000  # the frame's numbers are int16, in mm/s and mrad/s
+    resolution = 0.001
     closed_loop = True
     keep_alive_interval = 0.04  # s; so a lost frame is soon repeated
 
@@ -60,9 +61,6 @@ class JetBotPro(MotorDriver):
         wanted = velocity(left, right)
         if wanted != self._sent:
             self._send(wanted)
-
-    def turns(self, left: float, right: float) -> bool:
-        return velocity(left, right) != velocity(0, 0)
 
     def keep_alive(self) -> None:
         if self._sent is not None:

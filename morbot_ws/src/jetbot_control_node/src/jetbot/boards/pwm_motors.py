@@ -20,7 +20,7 @@ class HBridge(NamedTuple):
 
     def duties(self, speed: float) -> Dict[int, int]:
         """Return {output: duty} for a speed in [-1, 1]: never both directions, and all low when stopped."""
-        duty = steps(speed)
+        duty = round(abs(speed) * FULL_DUTY)
         active, idle = (self.forward, self.backward) if speed > 0 else (self.backward, self.forward)
         if self.pwm is None:
             return {active: duty, idle: 0}
@@ -55,6 +55,8 @@ WAVESHARE_HAT = Wiring(left=HBridge(forward=2, backward=1, pwm=0), right=HBridge
 class PwmMotors(MotorDriver):
     """Drives motors on a PCA9685 in one wiring or, if the boards cannot be distinguished, in several at once."""
 
+    resolution = 1 / FULL_DUTY
+
     def __init__(self, link: I2CDevice, pwm_frequency: float = DEFAULT_PWM_FREQUENCY, *, wirings: Sequence[Wiring]):
         super().__init__(link, pwm_frequency)
         self._wirings = wirings
@@ -85,13 +87,5 @@ class PwmMotors(MotorDriver):
             duties.update(wiring.right.duties(right))
         self._chip.set_outputs(duties)
 
-    def turns(self, left: float, right: float) -> bool:
-        return bool(steps(left) or steps(right))
-
     def verify(self) -> None:
         self._chip.verify()
-
-
-def steps(speed: float) -> int:
-    """Return the duty, in 4096ths, of a speed in [-1, 1]."""
-    return round(abs(speed) * FULL_DUTY)

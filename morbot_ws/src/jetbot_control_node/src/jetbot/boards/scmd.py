@@ -26,6 +26,8 @@ TIMEOUT = 100                    # FSAFE_TIME while the timer is fed: 1.0 s
 class ScmdMotors(MotorDriver):
     """Drives the SCMD. Its timer is off until the first ``keep_alive``; from then on it must be fed within 1.0 s."""
 
+    resolution = 1 / 0x80
+
     def __init__(self, link: I2CDevice, pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
         super().__init__(link, pwm_frequency)
         self._sent = None  # the drive bytes as the chip holds them; None: not known
@@ -58,9 +60,6 @@ class ScmdMotors(MotorDriver):
         wanted = bytes([encode(left), encode(right)])
         if wanted != self._sent:
             self._send(wanted)
-
-    def turns(self, left: float, right: float) -> bool:
-        return encode(left) != STOP or encode(right) != STOP
 
     def verify(self) -> None:
         sent, self._sent = self._sent, None  # also if the chip does not answer

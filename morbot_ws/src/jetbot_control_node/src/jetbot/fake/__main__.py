@@ -3,7 +3,7 @@
 import argparse
 import sys
 
-from ..kinds import ADDRESS
+from ..kinds import ADDRESS, address_of
 from ..text import printable
 from . import default_folder
 from .bus import power_on
@@ -16,6 +16,6 @@ folder, address = options.folder or default_folder(), options.i2c_address
 if address is not None and not ADDRESS.accepts(address):
     parser.error(f"--i2c-address must be {ADDRESS.description}")
 try:
-    power_on(folder, address and int(address, 0))
+    power_on(folder, address and address_of(address))
 except (OSError, ValueError) as error:
     sys.exit(printable(f"The fake bus {folder} cannot be powered on: {error}"))

@@ -7,6 +7,7 @@ import time
 from typing import NamedTuple, Optional, Tuple, Union
 
 from ..errors import BusError
+from ..kinds import address_of
 from . import Folder, chip_file
 from .chips import PCA9685, SCMD
 from .files import read_chip
@@ -59,7 +60,7 @@ def pwm_frequency(folder: Folder, board: str = "adafruit",
 
 def read_robot(folder: Folder, robot: FakeRobot, i2c_address: Union[int, str, None]) -> Tuple[Optional[bytes], float]:
     """Return the registers of a robot's chip and the time of the last write to it; None, 0 if there is no chip."""
-    address = int(str(i2c_address), 0) if i2c_address and robot.address else robot.address
+    address = address_of(i2c_address) if i2c_address and robot.address else robot.address
     try:
         return read_chip(chip_file(folder, address), len(robot.chip.POWER_ON))
     except (FileNotFoundError, BusError):
