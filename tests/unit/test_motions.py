@@ -30,6 +30,6 @@ def test_a_gentle_motion_starts_and_ends_at_an_eighth_of_its_speed():
 
 @pytest.mark.parametrize("way", [1, -1])
 def test_a_square_has_four_metres_and_one_turn(way):
-    motion = square(way, {"max_speed": 0.5, "wheel_separation": 0.12, "min_duty": 0.02})
-    left, right = (0.5 * wheel for wheel in rolled(motion, 0.02))
+    motion = square(way, {"max_speed": 0.5, "wheel_separation": 0.12})
+    left, right = (0.5 * wheel for wheel in rolled(motion, 0.0))
     assert ((left + right) / 2, (right - left) / 0.12) == pytest.approx((4.0, way * math.tau))

@@ -4,8 +4,10 @@ import math
 
 import pytest
 
-from jetbot.kinematics import clamp
+from jetbot.kinematics import clamp, mix
 from jetbot_tools import tape_measure
+from jetbot_tools.calibration import ALPHAS
+from jetbot_tools.motions import steady
 from simulation.diff_drive import Motor, Pose
 
 SEPARATION = 0.1125 * 1.08
@@ -15,8 +17,8 @@ KNOWN = {"left_motor_alpha": 1.0, "right_motor_alpha": 1.0, "min_duty": 0.007}
 class Person:
     """Answers by the robot's true pose. stops: how many motions a key stops at first; skips: what is not wanted."""
 
-    def __init__(self, stops=0, skips=(), rounds=0):
-        self.parameters = dict(KNOWN)
+    def __init__(self, stops=0, skips=(), rounds=0, min_duty=0.007):
+        self.parameters = {**KNOWN, "min_duty": min_duty}
         self.stops, self.skips, self.rounds = stops, skips, rounds
         self.offers, self.ended = [], []
 
@@ -36,7 +38,8 @@ class Person:
 
     def duty(self, speed, wheel):
         speed = clamp(speed * self.parameters[f"{wheel}_motor_alpha"], 1.0)
-        return speed and math.copysign(0.007 + 0.993 * abs(speed), speed)
+        min_duty = self.parameters.get("min_duty", 0.0)
+        return speed and math.copysign(min_duty + (1 - min_duty) * abs(speed), speed)
 
     def answer(self, question):
         if "[y" in question:
@@ -72,6 +75,24 @@ def test_two_rounds_of_squares_close_them(measure, skips):
     assert max(person.ended[-2:]) < 5
 
 
+@pytest.mark.parametrize("min_duty", [0.007, 0.02])
+@pytest.mark.parametrize("metres, radians", [(0.1, 0.0), (0.3, 0.0), (0.0, 0.5), (0.0, 1.5)])
+def test_commands_are_metres_and_radians_when_slow_too(measure, min_duty, metres, radians):
+    person = measure(rounds=2, min_duty=min_duty)
+    separation, max_speed = person.parameters["wheel_separation"], person.parameters["max_speed"]
+    person.drive("", steady(*mix(metres, radians, separation, max_speed), 2.0))
+    rolled = person.ended[-1] / 100, person.rotation / SEPARATION
+    assert rolled == pytest.approx((2 * metres, 2 * radians), rel=0.02, abs=0.01)
+
+
+def test_a_robot_stays_straight_without_its_min_duty():
+    parameters = {"left_motor_alpha": 0.9, "right_motor_alpha": 1.0, "min_duty": 0.1}
+    left, right = (0.1 + 0.9 * parameters[name] * 0.4 for name in ALPHAS)
+    tape_measure.obey_metres(parameters, 0.25)
+    assert [parameters[name] for name in ALPHAS] == pytest.approx([left / right, 1.0], rel=1e-3)
+    assert parameters["max_speed"] == pytest.approx(0.25 / right, rel=1e-3)
+
+
 def test_without_squares_the_robot_drives_and_turns_as_far_as_it_should(measure):
     person = measure()
     person.drive("", tape_measure.gentle(0.4, 0.4, 2 / 0.4 / person.parameters["max_speed"], 0.0))
@@ -81,9 +102,9 @@ def test_without_squares_the_robot_drives_and_turns_as_far_as_it_should(measure)
 
 
 @pytest.mark.parametrize("skips, measured", [
-    (("drives",), []), (("turns",), ["max_speed"]), ((), ["max_speed", "wheel_separation"])])
+    (("drives",), {"min_duty"}), (("turns",), {"max_speed"}), ((), {"max_speed", "wheel_separation"})])
 def test_enter_alone_skips(measure, skips, measured):
-    assert [name for name in measure(skips=skips).parameters if name not in KNOWN] == measured
+    assert measure(skips=skips).parameters.keys() - set(ALPHAS) == measured
 
 
 @pytest.mark.parametrize("rounds", [0, 1])

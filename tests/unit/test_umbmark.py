@@ -8,7 +8,7 @@ from jetbot import InvalidValue
 from jetbot_tools.umbmark import Errors, corrected, find_errors
 from simulation.diff_drive import Pose
 
-PARAMETERS = {"left_motor_alpha": 1.0, "right_motor_alpha": 1.0, "min_duty": 0.0, "max_speed": 0.6,
+PARAMETERS = {"left_motor_alpha": 1.0, "right_motor_alpha": 1.0, "max_speed": 0.6,
               "wheel_separation": 0.1125}
 
 

@@ -9,6 +9,7 @@ from jetbot_ros.parameters import PARAMETERS
 from .motions import DRIVE_SPEED
 
 WHEEL_SEPARATION = 0.1125  # m; NVIDIA's model of the JetBot in Isaac Sim
+ALPHAS = ("left_motor_alpha", "right_motor_alpha")
 
 Turn = Tuple[str, int]  # which wheel turned, "left" or "right"; 1 forward, -1 backward
 
@@ -46,6 +47,14 @@ def trim(left_alpha: float, right_alpha: float, curvature: float, min_duty: floa
     change, base = curvature * WHEEL_SEPARATION / 2, base_alpha(min_duty)
     left, right = (left_alpha + base) * (1 + change) - base, (right_alpha + base) * (1 - change) - base
     return round(left / max(left, right), 4), round(right / max(left, right), 4)
+
+
+def proportional_alphas(left_alpha: float, right_alpha: float, min_duty: float) -> Tuple[float, float]:
+    """Return the alphas (left, right) that without a min_duty give the ratio of duties that these give at DRIVE_SPEED.
+
+    The larger of the returned alphas is 1.
+    """
+    return trim(left_alpha + base_alpha(min_duty), right_alpha + base_alpha(min_duty), 0.0)
 
 
 def units(values: Mapping[str, Any]) -> List[str]:

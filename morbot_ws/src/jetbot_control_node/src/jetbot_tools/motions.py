@@ -23,7 +23,7 @@ def steady(left: float, right: float, seconds: float) -> List[Step]:
     return [*[Step(left, right)] * int(count), Step(left, right, rest)]
 
 
-def gentle(left: float, right: float, seconds: float, min_duty: float) -> List[Step]:
+def gentle(left: float, right: float, seconds: float, min_duty: float = 0.0) -> List[Step]:
     """Return a motion that rolls as far as these speeds, equal but for the sign, do in ``seconds``.
 
     It starts and ends at lower speeds.
@@ -41,9 +41,7 @@ def duty(speed: float, min_duty: float) -> float:
 
 def roll(metres: float, left: int, right: int, speed: float, parameters: Mapping[str, Any]) -> List[Step]:
     """Return a motion on which each wheel rolls so far. left, right: 1 forward, -1 backward."""
-    min_duty = parameters["min_duty"]
-    seconds = metres / (parameters["max_speed"] * duty(speed, min_duty))
-    return gentle(left * speed, right * speed, seconds, min_duty)
+    return gentle(left * speed, right * speed, metres / (parameters["max_speed"] * speed))
 
 
 def spin(angle: float, parameters: Mapping[str, Any]) -> List[Step]:

@@ -5,7 +5,7 @@ from typing import Any, Callable, Dict, List, Optional
 
 from jetbot.errors import InvalidValue
 
-from .calibration import WHEEL_SEPARATION
+from .calibration import ALPHAS, WHEEL_SEPARATION, proportional_alphas
 from .motions import DRIVE_SPEED, Step, duty, gentle, spin, square
 from .terminal import number, offset, wanted
 from .umbmark import corrected, find_errors
@@ -23,19 +23,30 @@ Drive = Callable[[str, List[Step]], Optional[Step]]  # as Wizard.drive
 def measure(drive: Drive, parameters: Dict[str, Any]) -> None:
     """Add max_speed and wheel_separation to a robot's parameters, and improve its alphas; a person may skip each."""
     print(INTRODUCTION)
-    min_duty = parameters["min_duty"]
-    motion = gentle(DRIVE_SPEED, DRIVE_SPEED, DRIVE_TIME, min_duty)
+    motion = gentle(DRIVE_SPEED, DRIVE_SPEED, DRIVE_TIME, parameters["min_duty"])
     centimetres = ask(drive, "Measure how far it drives?", f"The robot will drive ahead for {DRIVE_TIME:.0f} s.",
                       motion, "How many centimetres did it drive?", 10, 200)
     if not centimetres:
         return
-    parameters["max_speed"] = round(centimetres / 100 / DRIVE_TIME / duty(DRIVE_SPEED, min_duty), 4)
+    obey_metres(parameters, centimetres / 100 / DRIVE_TIME)
     degrees = ask(drive, "Measure how far it turns?", "The robot will turn left on the spot, about twice round.",
                   spin(math.radians(TURN), {**parameters, "wheel_separation": WHEEL_SEPARATION}),
                   f"How many degrees did it turn? Twice round is {TURN}.", 180, 1440)
     if degrees:
         parameters["wheel_separation"] = round(WHEEL_SEPARATION * TURN / degrees, 4)
     check_squares(drive, parameters)
+
+
+def obey_metres(parameters: Dict[str, Any], speed: float) -> None:
+    """Add the max_speed of a robot that drives at ``speed`` m/s at DRIVE_SPEED, and leave out its min_duty.
+
+    A min_duty is added to each command, whereas above it a motor's speed is proportional to its duty.
+    """
+    min_duty = parameters.pop("min_duty")
+    max_speed = round(speed / duty(DRIVE_SPEED, min_duty), 4)
+    alphas = proportional_alphas(*(parameters[name] for name in ALPHAS), min_duty)
+    parameters.update(zip(ALPHAS, alphas), max_speed=max_speed)
+    print(f"To make metres true, min_duty is left out: below {min_duty * max_speed:.3f} m/s, a wheel may not turn.")
 
 
 def ask(drive: Drive, offer: str, announcement: str, motion: List[Step], question: str,

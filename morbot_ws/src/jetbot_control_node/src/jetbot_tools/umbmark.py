@@ -10,7 +10,7 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Sequence
 
 from jetbot.errors import InvalidValue
 
-from .calibration import WHEEL_SEPARATION, base_alpha, trim
+from .calibration import ALPHAS, WHEEL_SEPARATION, trim
 
 QUARTER = math.pi / 2                # rad
 STEPS = (0.1, 0.01, 0.001, 0.0001)   # rad; the search tries GRID of each, around the best so far
@@ -56,9 +56,8 @@ def corrected(parameters: Mapping[str, Any], errors: Errors) -> Dict[str, float]
 
     The turn tells the separation on this floor; the trim slows down one wheel, and with it the robot.
     """
-    names, min_duty = ("left_motor_alpha", "right_motor_alpha"), parameters["min_duty"]
-    alphas = trim(*(parameters[name] for name in names), errors.curvature, min_duty)
-    left, better = (alpha + base_alpha(min_duty) for alpha in (parameters[names[0]], alphas[0]))
-    slower = better / left * (1 - errors.curvature * WHEEL_SEPARATION / 2)
-    return {**dict(zip(names, alphas)), "max_speed": round(parameters["max_speed"] * slower, 4),
+    left, right = (parameters[name] for name in ALPHAS)
+    alphas = trim(left, right, errors.curvature)
+    slower = alphas[0] / left * (1 - errors.curvature * WHEEL_SEPARATION / 2)
+    return {**dict(zip(ALPHAS, alphas)), "max_speed": round(parameters["max_speed"] * slower, 4),
             "wheel_separation": round(parameters["wheel_separation"] * QUARTER / (QUARTER + errors.excess), 4)}

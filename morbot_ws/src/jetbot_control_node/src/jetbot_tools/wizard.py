@@ -8,7 +8,7 @@ from jetbot.robot import Robot
 from jetbot_ros.summary import GEOMETRY
 
 from . import tape_measure
-from .calibration import base_wiring, curvature_of, motor_wiring, trim
+from .calibration import ALPHAS, base_wiring, curvature_of, motor_wiring, trim
 from .identify import has_chip
 from .motions import DRIVE_SPEED, Step, gentle, steady
 from .terminal import choose, key_pressed, offset, single_keys
@@ -88,7 +88,7 @@ class Wizard:
         self.parameters["min_duty"] = max(self.ramp("left", 1, 0), self.ramp("right", 0, 1))
         alphas = (1.0, 1.0)
         while True:
-            self.parameters.update(zip(("left_motor_alpha", "right_motor_alpha"), alphas))
+            self.parameters.update(zip(ALPHAS, alphas))
             self.drive(f"The robot will drive ahead for {LINE_TIME:.0f} s.",
                        gentle(DRIVE_SPEED, DRIVE_SPEED, LINE_TIME, self.parameters["min_duty"]))
             drift = offset("How many centimetres off the line was it after one metre? "
