@@ -15,7 +15,6 @@ from .dead_reckoning import DeadReckoning, Motion
 from .odometry import OdometryPublisher
 from .summary import in_workshop_units
 
-DRIFT = 0.1               # of the path length and of the total rotation: an estimate; speeds vary with the battery
 MOVING_INTERVAL = 1 / 30  # s between two messages while a wheel turns
 STOPPED_INTERVAL = 1.0    # s, while none does
 
@@ -32,7 +31,7 @@ class OpenLoopOdometry:
                           "as config/si_units.yaml does")
         self._reckoning = DeadReckoning(robot.left_motor, robot.right_motor,
                                         parameters["max_speed"], parameters["wheel_separation"])
-        self._odometry = OdometryPublisher(parameters["publish_tf"], DRIFT)
+        self._odometry = OdometryPublisher(parameters["publish_tf"])
         self._joint_states = rospy.Publisher("joint_states", JointState, queue_size=1)
         self._started = threading.Event()
         rospy.on_shutdown(self._publish)
