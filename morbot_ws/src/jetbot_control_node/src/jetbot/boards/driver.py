@@ -59,6 +59,9 @@ class MotorDriver(abc.ABC):
         Successive calls go through all parts.
         """
 
+    def invalidate(self) -> None:
+        """Something else has driven the board, such as the guard: the next ``drive`` sets it up again. Counts nothing."""
+
     def keep_alive(self) -> None:
         """Feed the board's own timer, which stops the motors when it is no longer fed. Without a timer: nothing."""
 

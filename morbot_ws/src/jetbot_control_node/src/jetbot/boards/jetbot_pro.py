@@ -62,6 +62,9 @@ class JetBotPro(MotorDriver):
         if wanted != self._sent:
             self._send(wanted)
 
+    def invalidate(self) -> None:
+        self._sent = None
+
     def keep_alive(self) -> None:
         if self._sent is not None:
             self._send(self._sent)

@@ -73,6 +73,9 @@ class ScmdMotors(MotorDriver):
         else:
             self._differs = True
 
+    def invalidate(self) -> None:
+        self._sent = None
+
     def keep_alive(self) -> None:
         sent, self._sent = self._sent, None  # until all of it went through
         if sent is None:
