@@ -13,7 +13,6 @@ from jetbot import Robot
 from . import messages
 from .dead_reckoning import DeadReckoning, Motion
 from .odometry import OdometryPublisher
-from .summary import in_workshop_units
 
 MOVING_INTERVAL = 1 / 30  # s between two messages while a wheel turns
 STOPPED_INTERVAL = 1.0    # s, while none does
@@ -26,9 +25,6 @@ class OpenLoopOdometry:
     """
 
     def __init__(self, robot: Robot, parameters: Dict[str, object]):
-        if in_workshop_units(parameters):
-            rospy.logwarn("odom is not in metres: give the robot's wheel_separation and max_speed, "
-                          "as config/si_units.yaml does")
         self._reckoning = DeadReckoning(robot.left_motor, robot.right_motor,
                                         parameters["max_speed"], parameters["wheel_separation"])
         self._odometry = OdometryPublisher(parameters["publish_tf"])
