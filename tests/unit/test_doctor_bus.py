@@ -1,0 +1,184 @@
+"""What the doctor finds on a bus: motor boards, other chips and other programs."""
+
+import errno
+import os
+import subprocess
+
+import pytest
+from examined import lines, make_bare
+
+from jetbot import host, i2c
+from jetbot_tools import probe
+
+PCA9685 = {0x00: 0x11, 0x01: 0x04, 0x02: 0xE2, 0x03: 0xE4, 0x04: 0xE8}
+SCMD = {0x01: 0xA9}
+LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
+
+
+class Bus:
+    """A bus that only reads. chips: {address: {register: byte}, or the number of the error}; read: the addresses."""
+
+    def __init__(self, chips):
+        self.chips, self.read = chips, []
+
+    def read_byte_data(self, address, register):
+        return self.read_i2c_block_data(address, register, 1)[0]
+
+    def read_i2c_block_data(self, address, register, length):
+        self.read.append(address)
+        chip = self.chips.get(address, self.chips.get("any", errno.EREMOTEIO))
+        if isinstance(chip, int):
+            raise OSError(chip, "")
+        return [chip.get(register + offset, 0) for offset in range(length)]
+
+    def close(self):
+        """Nothing to close."""
+
+
+@pytest.fixture(autouse=True)
+def computer(monkeypatch, tmp_path):
+    make_bare(monkeypatch, tmp_path)
+
+
+@pytest.fixture
+def plug_in(monkeypatch):
+    """Make this computer's /dev/i2c-N, all of them, a Bus with these chips, and return it."""
+    def make(chips):
+        bus = Bus(chips)
+        monkeypatch.setattr(i2c, "open_bus", lambda name, *address: bus)
+        return bus
+    return make
+
+
+@pytest.mark.parametrize("address, chip, boards, command", [
+    (0x61, PCA9685, "jetbot or adafruit or waveshare", "i2c_address:=0x61"),
+    (0x6F, PCA9685, "jetbot or adafruit or waveshare", "i2c_address:=0x6f"),
+    (0x41, PCA9685, "waveshare_hat", "board:=waveshare_hat i2c_address:=0x41"),
+    (0x58, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x58"),
+    (0x63, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x63"),
+    (0x60, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x60"),
+    (0x40, PCA9685, "waveshare_hat", "board:=waveshare_hat")])
+def test_a_board_at_an_address_that_its_jumpers_select(plug_in, address, chip, boards, command):
+    plug_in({address: chip})
+    output = lines(1)
+    assert output[-2].startswith(f"ok  0x{address:02x} on /dev/i2c-1: answers, and can be a board {boards}.")
+    assert output[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
+
+
+def test_a_servo_board_is_not_offered_without_a_warning(plug_in):
+    plug_in({0x40: PCA9685})
+    assert lines(1)[-2].endswith(" A servo board answers in the same way: do not drive that.")
+
+
+@pytest.mark.parametrize("chips", [{0x68: {}}, {0x61: {}, 0x41: {0x00: 0x39, 0x01: 0x9F}}, {0x40: {}}])
+def test_another_chip_is_no_motor_board(plug_in, chips):
+    plug_in(chips)
+    assert lines(1)[-1].startswith("NOT robot: no motor board found.")
+
+
+@pytest.mark.parametrize("configuration, name", [((0x39, 0x9F), "INA219"), ((0x71, 0x27), "INA3221")])
+def test_a_power_monitor_at_the_address_of_waveshares_hat(plug_in, configuration, name):
+    plug_in({0x40: dict(enumerate(configuration))})
+    assert f"NOT 0x40 on /dev/i2c-1: the chip that answers is an {name}, which measures the supply." in lines(1)
+
+
+def test_a_multiplexer_which_a_read_would_switch_is_left_alone(plug_in):
+    bus = plug_in({})
+    lines(1)
+    assert (min(bus.read), max(bus.read)) == (0x40, 0x6F)
+
+
+def test_other_addresses_are_read_on_the_robots_bus_alone(plug_in, monkeypatch):
+    monkeypatch.setattr(host, "model", lambda: "NVIDIA Jetson Nano Developer Kit")
+    monkeypatch.setattr(host, "buses", lambda: [0])
+    bus = plug_in({})
+    lines()
+    assert set(bus.read) == {0x40, 0x5D, 0x60}
+    monkeypatch.setattr(host, "buses", lambda: [1])
+    lines()
+    assert set(range(0x40, 0x70)) == set(bus.read)
+
+
+def test_an_address_that_is_typed_is_the_only_one(plug_in):
+    bus = plug_in({0x60: PCA9685, 0x61: PCA9685})
+    assert lines(1, address=0x61)[-1].endswith(f"{LAUNCH} i2c_address:=0x61")
+    assert 0x60 not in bus.read
+    assert lines(1, address=0x62)[2].startswith("NOT 0x62 on /dev/i2c-1: no answer from 0x62 on /dev/i2c-1.")
+
+
+def test_a_bus_that_is_stuck_is_not_read_at_every_address(plug_in):
+    bus = plug_in({"any": errno.ETIMEDOUT})
+    assert lines(1)[2].startswith("NOT 0x60 on /dev/i2c-1: the bus /dev/i2c-1 is stuck.")
+    assert len(bus.read) <= 3
+
+
+@pytest.mark.parametrize("driver, reported", [("ina3221", False), ("pca9685-pwm", True)])
+def test_a_chip_that_a_kernel_driver_holds(plug_in, monkeypatch, driver, reported):
+    monkeypatch.setattr(i2c, "kernel_driver", lambda device: driver)
+    plug_in({0x40: errno.EBUSY})
+    output = lines(1)
+    assert output[2].startswith("NOT 0x60 on /dev/i2c-1: no answer from 0x60")
+    held = f"NOT 0x40 on /dev/i2c-1: 0x40 on /dev/i2c-1 is in use by the kernel driver {driver}."
+    assert any(line.startswith(held) for line in output) == reported
+    assert lines(1, address=0x40)[2].startswith(held)
+
+
+@pytest.mark.parametrize("model, chip, reported", [
+    ("Raspberry Pi 4 Model B Rev 1.4", SCMD, True), ("Raspberry Pi 4 Model B Rev 1.4", {}, True),
+    ("Raspberry Pi 5 Model B Rev 1.0", SCMD, False), ("NVIDIA Jetson Nano Developer Kit", SCMD, False)])
+def test_a_computer_that_mishandles_the_clock_of_sparkfuns_board(plug_in, monkeypatch, model, chip, reported):
+    monkeypatch.setattr(host, "model", lambda: model)
+    plug_in({0x5D: chip})
+    line = next(line for line in lines(1) if "0x5d on /dev/i2c-1" in line)
+    assert ("dtoverlay=i2c-gpio,bus=3" in line) == reported
+
+
+@pytest.mark.parametrize("board, address, finding", [
+    ("waveshare", "0x61", "names the board waveshare, and 0x61 on /dev/i2c-1 answers"),
+    ("sparkfun", "0x61", "names the board sparkfun, but the chip that answers is not a SparkFun motor driver"),
+    ("waveshare", "0x5e", "names the board waveshare, but the chip that answers is not a PCA9685"),
+    ("waveshare", "0x62", "names the board waveshare, but no answer from 0x62 on /dev/i2c-1")])
+def test_the_files_board_must_be_at_the_files_address(tmp_path, plug_in, board, address, finding):
+    plug_in({0x60: PCA9685, 0x61: PCA9685, 0x5E: SCMD})
+    (tmp_path / "jetbot.yaml").write_text(f"board: {board}\ni2c_address: {address}")
+    assert f"{tmp_path}/jetbot.yaml: {finding}." in lines()[2]
+
+
+def test_who_else_has_a_device_open(tmp_path):
+    device = tmp_path / "i2c-1"
+    device.touch()
+    assert probe.check_users(str(tmp_path / "none")) == []
+    with device.open() as file:
+        assert str(probe.check_users(str(device))[0]).startswith(f"ok  {device}: no other program")
+        other = subprocess.Popen(["sleep", "60"], stdin=file)
+    checks = probe.check_users(str(device))
+    other.kill()
+    other.wait()
+    assert [str(check) for check in checks] == [
+        f"NOT {device}: also open in sleep ({other.pid}). Two programs on one motor board disturb each other: "
+        "end one of them."]
+
+
+@pytest.mark.parametrize("cgroup, cmdline", [
+    ("0::/system.slice/jetbot_stats.service", "python3"), ("0::/docker/1", "python3 -m jetbot.apps.stats"),
+    ("0::/user.slice", "/usr/bin/python3 /home/jetbot/jetbot/jetbot/apps/stats.py")])
+def test_the_service_of_the_jetbots_display_may_have_the_bus_open(tmp_path, monkeypatch, cgroup, cmdline):
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    device = tmp_path / "i2c-1"
+    device.touch()
+    proc = tmp_path / "proc"
+    add_process(proc / "7", device, cgroup, cmdline)
+    assert [str(check) for check in probe.check_users(str(device), proc)] == [
+        f"ok  {device}: no other program has it open but the service of the JetBot's display, which is normal."]
+    add_process(proc / "8", device, "0::/user.slice", "python3 drive.py")
+    assert [str(check) for check in probe.check_users(str(device), proc)] == [
+        f"NOT {device}: also open in drive.py (8). Two programs on one motor board disturb each other: "
+        "end one of them."]
+
+
+def add_process(folder, device, cgroup, cmdline):
+    """Make a process's folder in a fake /proc. cmdline: words without spaces."""
+    (folder / "fd").mkdir(parents=True)
+    (folder / "fd/3").symlink_to(device)
+    (folder / "cgroup").write_text(cgroup + "\n")
+    (folder / "cmdline").write_text(cmdline.replace(" ", "\0") + "\0")
