@@ -1,13 +1,16 @@
 """The file that calibrate.py writes."""
 
+import contextlib
 import os
 import runpy
+from unittest.mock import MagicMock, PropertyMock
 
 import pytest
 
 from conftest import SOURCE
 from jetbot import JetbotError
 from jetbot.lock import lock_board
+from jetbot_tools.motions import Step
 from jetbot_tools.wizard import Wizard
 
 calibrate = runpy.run_path(str(SOURCE / "scripts/calibrate.py"))
@@ -70,3 +73,16 @@ def test_finds_a_board_at_another_address_and_calibrates_it_there(home, folder, 
 @pytest.mark.parametrize("board, frequency", [("jetbot", 50), ("waveshare_hat", 50), ("sparkfun", None)])
 def test_a_pca9685_drives_at_a_frequency_at_which_motors_start_early(board, frequency):
     assert Wizard(board=board).parameters.get("pwm_frequency") == frequency
+
+
+@pytest.mark.parametrize("guarded, ends_at", [([True, True], None), ([True, False], 1)])
+def test_a_motion_ends_when_the_guard_is_lost(monkeypatch, guarded, ends_at):
+    robot = MagicMock()
+    robot.__enter__.return_value = robot
+    type(robot).guarded = PropertyMock(side_effect=guarded)
+    monkeypatch.setattr("jetbot_tools.wizard.Robot", lambda **_: robot)
+    monkeypatch.setattr("jetbot_tools.wizard.single_keys", contextlib.nullcontext)
+    monkeypatch.setattr("jetbot_tools.wizard.key_pressed", lambda timeout: False)
+    monkeypatch.setattr("builtins.input", lambda question: "")
+    motion = [Step(0.1, 0.1), Step(0.2, 0.2)]
+    assert Wizard(board="jetbot").drive("", motion) == (None if ends_at is None else motion[ends_at])

@@ -36,8 +36,8 @@ class Wizard:
     def drive(self, announcement: str, motion: Sequence[Step]) -> Optional[Step]:
         """Wait for Enter, then drive one step after the other.
 
-        Returns the step at which a key was pressed, or this program was held up; None if it drove them all. Raises
-        KeyboardInterrupt for an abort key.
+        Returns the step at which a key was pressed, this program was held up, or its guard was lost; None if it drove
+        them all. Raises KeyboardInterrupt for an abort key.
         """
         input(f"\n{announcement} Press Enter to start; any key stops it. ")
         options = {name: value for name, value in self.parameters.items() if name not in GEOMETRY}
@@ -49,7 +49,8 @@ class Wizard:
                 robot.keep_alive()
                 robot.verify()
                 end += step.seconds
-                if key_pressed(max(0.0, end - time.monotonic())) or time.monotonic() > end + MAX_DELAY:
+                stopped = key_pressed(max(0.0, end - time.monotonic())) or not robot.guarded
+                if stopped or time.monotonic() > end + MAX_DELAY:
                     return step
         return None
 
