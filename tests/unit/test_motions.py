@@ -22,9 +22,10 @@ def test_a_gentle_motion_reaches_as_far_as_its_speed_does_in_that_time(seconds, 
     assert max(step.seconds for step in gentle_one + steady_one) <= STEP
 
 
-def test_a_gentle_motion_starts_and_ends_at_an_eighth_of_its_speed():
-    speeds = [step.left for step in gentle(0.4, 0.4, 2.0, 0.0)]
-    assert (speeds[0], max(speeds), speeds[-1]) == pytest.approx((0.05, 0.4, 0.05))
+@pytest.mark.parametrize("speed", [0.2, 0.4])
+def test_a_gentle_motion_starts_and_ends_just_above_the_dead_band(speed):
+    speeds = [step.left for step in gentle(speed, speed, 2.0, 0.0)]
+    assert (speeds[0], max(speeds), speeds[-1]) == pytest.approx((0.08, speed, 0.08))
     assert max(abs(after - before) for before, after in zip(speeds, speeds[1:])) < 0.051
 
 

@@ -3,10 +3,11 @@
 import math
 from typing import Any, List, Mapping, NamedTuple
 
-STEP = 0.022       # s between two calls to the robot, which feed its watchdogs
-RAMP_STEPS = 7     # until a gentle motion has its full speed, and until it has lost it
-DRIVE_SPEED = 0.4  # fraction of full power, to drive ahead
-SPIN_SPEED = 0.2   # fraction of full power, to turn on the spot
+STEP = 0.022        # s between two calls to the robot, which feed its watchdogs
+RAMP_STEPS = 7      # until a gentle motion has its full speed, and until it has lost it
+START_SPEED = 0.08  # fraction of full power at which it starts and ends: above the dead band, so that each step counts
+DRIVE_SPEED = 0.4   # fraction of full power, to drive ahead
+SPIN_SPEED = 0.2    # fraction of full power, to turn on the spot
 
 
 class Step(NamedTuple):
@@ -26,9 +27,10 @@ def steady(left: float, right: float, seconds: float) -> List[Step]:
 def gentle(left: float, right: float, seconds: float, min_duty: float = 0.0) -> List[Step]:
     """Return a motion that rolls as far as these speeds, equal but for the sign, do in ``seconds``.
 
-    It starts and ends at lower speeds.
+    It starts and ends at START_SPEED.
     """
-    parts = [step / (RAMP_STEPS + 1) for step in range(1, RAMP_STEPS + 1)]
+    lowest = START_SPEED / abs(left)
+    parts = [lowest + (1 - lowest) * step / RAMP_STEPS for step in range(RAMP_STEPS)]
     rising = [Step(left * part, right * part) for part in parts]
     ramp = 2 * STEP * sum(duty(abs(step.left), min_duty) for step in rising) / duty(abs(left), min_duty)
     return [*rising, *steady(left, right, max(0.0, seconds - ramp)), *reversed(rising)]
