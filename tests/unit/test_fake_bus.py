@@ -184,10 +184,11 @@ def test_a_chip_is_plugged_in_by_hand_and_powered_on_with_the_others(bus, folder
     assert registers(folder, 0x61)[0x00] == 0x11
 
 
-def test_no_chip_can_be_at_any_address(folder, monkeypatch, capsys):
+@pytest.mark.parametrize("address", ["0x3f", "0x78", "0x161", "sixty"])
+def test_no_chip_can_be_at_any_address(folder, monkeypatch, capsys, address):
     with pytest.raises(SystemExit):
-        power_on_by_hand(monkeypatch, folder, "--i2c-address", "0x161")
-    assert "--i2c-address must be an address from 0x03 to 0x77" in capsys.readouterr().err
+        power_on_by_hand(monkeypatch, folder, "--i2c-address", address)
+    assert "--i2c-address must be an address from 0x40 to 0x77" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("restart, duty", [(0x20, 0), (0xA0, 0.5)])

@@ -32,7 +32,7 @@ CLOCK_RANGE = (10.0, 1e7)  # Hz
 def power_on(folder: Folder, address: Optional[int] = None) -> None:
     """Give every chip its power-on registers; make the folder, and plug in the chips that are missing.
 
-    address: of one more chip, a motor board's.
+    address: of one more chip, a motor board's, in PCA9685.ADDRESSES.
     """
     Path(folder).mkdir(parents=True, exist_ok=True)
     plugged = {int(file.name, 16) for file in Path(folder).glob("0x[0-7][0-9a-f]")}
@@ -48,13 +48,13 @@ class FakeBus:
     """Takes the place of ``smbus2.SMBus``: the methods that the drivers use, and the OSErrors of the kernel.
 
     folder: made, with every known chip in it, if it does not exist or holds only the buses of namespaces.
-    address: of one more chip in a folder that is made.
+    address: of one more chip in a folder that is made, if a motor board can be there.
     """
 
     def __init__(self, folder: Folder, address: Optional[int] = None):
         self._folder = Path(folder)
         if is_new(self._folder):
-            power_on(self._folder, address)
+            power_on(self._folder, address if address in PCA9685.ADDRESSES else None)
         self._seconds_per_bit = seconds_per_bit(self._folder / "clock")
 
     def read_byte_data(self, address: int, register: int) -> int:
