@@ -53,8 +53,8 @@ def plug_in(monkeypatch):
     return make
 
 
-def lines(bus=None, port=None, address=None):
-    return [str(check) for check in doctor.run_checks(bus, port, address)]
+def lines(bus=None, port=None, address=None, board=""):
+    return [str(check) for check in doctor.run_checks(bus, port, address, board)]
 
 
 @pytest.fixture(autouse=True)
@@ -142,11 +142,9 @@ def test_a_port_that_is_named_is_checked_alone(monkeypatch):
 @pytest.mark.parametrize("address, chip, boards, command", [
     (0x61, PCA9685, "jetbot or adafruit or waveshare", "i2c_address:=0x61"),
     (0x6F, PCA9685, "jetbot or adafruit or waveshare", "i2c_address:=0x6f"),
-    (0x41, PCA9685, "waveshare_hat", "board:=waveshare_hat i2c_address:=0x41"),
     (0x58, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x58"),
     (0x63, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x63"),
-    (0x60, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x60"),
-    (0x40, PCA9685, "waveshare_hat", "board:=waveshare_hat")])
+    (0x60, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x60")])
 def test_a_board_at_an_address_that_its_jumpers_select(plug_in, address, chip, boards, command):
     plug_in({address: chip})
     output = lines(1)
@@ -154,9 +152,41 @@ def test_a_board_at_an_address_that_its_jumpers_select(plug_in, address, chip, b
     assert output[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
 
 
-def test_a_servo_board_is_not_offered_without_a_warning(plug_in):
-    plug_in({0x40: PCA9685})
-    assert lines(1)[-2].endswith(" A servo board answers in the same way: do not drive that.")
+@pytest.mark.parametrize("address, command", [
+    (0x40, "board:=waveshare_hat"), (0x41, "board:=waveshare_hat i2c_address:=0x41")])
+def test_what_may_be_a_servo_board_is_offered_on_one_condition(plug_in, address, command):
+    plug_in({address: PCA9685})
+    *_, chip, robot = doctor.run_checks(1)
+    assert str(chip).endswith(" A servo board answers in the same way: do not drive that.")
+    condition = f"the chip at 0x{address:02x} is Waveshare's Motor Driver HAT and no servo board"
+    assert str(robot) == f"NOT robot: could drive if {condition}. Start it with: {LAUNCH} {command}"
+    assert robot.condition == chip.condition == condition
+    assert lines(1, address=address)[-1] == str(robot)
+    assert lines(1, board="waveshare_hat")[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
+
+
+def test_a_board_that_is_certain_comes_before_one_that_may_be_a_servo_board(plug_in):
+    plug_in({0x40: PCA9685, 0x5D: SCMD})
+    assert lines(1)[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} board:=sparkfun"
+
+
+@pytest.mark.parametrize("board, address, command", [
+    ("adafruit", 0x60, "board:=adafruit"), ("waveshare", 0x61, "board:=waveshare i2c_address:=0x61"),
+    ("sparkfun", 0x58, "board:=sparkfun i2c_address:=0x58")])
+def test_a_board_that_is_named_is_looked_for_alone(plug_in, board, address, command):
+    plug_in({0x40: PCA9685, 0x5D: {}, address: SCMD if board == "sparkfun" else PCA9685})
+    output = lines(1, board=board)
+    assert not [line for line in output if "0x40 on" in line]
+    assert output[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
+
+
+@pytest.mark.parametrize("board, port", [("jetbot", None), ("jetbot", "/dev/nowhere"), ("jetbot_pro", None)])
+def test_a_board_that_is_named_is_looked_for_where_it_can_be(plug_in, monkeypatch, board, port):
+    plug_in({0x40: PCA9685, 0x5D: SCMD})
+    monkeypatch.setattr(host, "buses", lambda: [1])
+    output = "\n".join(lines(port=port, board=board))
+    assert ("0x60 on /dev/i2c-1" in output, "/dev/nowhere" in output) == (board == "jetbot", board == "jetbot_pro")
+    assert "NOT robot: no motor board found." in output
 
 
 @pytest.mark.parametrize("chips", [{0x68: {}}, {0x61: {}, 0x41: {0x00: 0x39, 0x01: 0x9F}}, {0x40: {}}])
