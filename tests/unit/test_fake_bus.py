@@ -14,6 +14,7 @@ from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.chips import PCA9685
 from jetbot.fake.motors import STOPPED, pwm_frequency, wheel_speeds
 from jetbot.fake.port import FakePort
+from jetbot.lock import lock_board
 
 FULL, HALF, OFF = bytes([0, 0x10, 0, 0]), bytes([0, 0, 0, 0x08]), bytes([0, 0, 0, 0x10])  # one output's registers
 
@@ -169,6 +170,13 @@ def test_a_pipe_blocks_nothing(folder, name):
 
 def test_a_new_bus_has_a_chip_at_the_address_that_is_asked_for(folder):
     assert FakeBus(folder, 0x61).read_byte_data(0x61, 0x00) == 0x11
+
+
+@pytest.mark.parametrize("plug_in", [FakeBus, power_on, lambda folder, address: lock_board(f"fake:{folder}", address)])
+@pytest.mark.parametrize("address, possible", [(0x3D, False), (0x3F, False), (0x40, True), (0x77, True)])
+def test_a_chip_has_the_address_of_a_pca9685(folder, plug_in, address, possible):
+    plug_in(folder, address)
+    assert (folder / f"0x{address:02x}").exists() == possible
 
 
 def power_on_by_hand(monkeypatch, *words):
