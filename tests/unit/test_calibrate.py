@@ -7,6 +7,8 @@ import pytest
 
 from conftest import SOURCE
 from jetbot import JetbotError
+from jetbot.lock import lock_board
+from jetbot_tools.wizard import Wizard
 
 calibrate = runpy.run_path(str(SOURCE / "scripts/calibrate.py"))
 
@@ -45,3 +47,26 @@ def test_a_simulated_robot_is_not_written_to_the_real_ones_file_by_another_name(
     for name in ("jetbot.yaml", "link.yaml"):
         with pytest.raises(JetbotError, match="is for the real robot, and this one is simulated"):
             calibrate["output_file"](home / name, True)
+
+
+def test_finds_a_board_at_another_address_and_calibrates_it_there(home, folder, monkeypatch):
+    seen = []
+
+    class Recorder(Wizard):
+        def find_motors(self):
+            seen.append(self.parameters)
+
+    place = {"i2c_bus": f"fake:{folder}", "port": ""}
+    lock_board(place["i2c_bus"], 0x61).close()  # a fake bus is made with a chip there
+    monkeypatch.setattr("builtins.input", lambda question: "")
+    monkeypatch.setitem(calibrate["calibrate"].__globals__, "Wizard", Recorder)
+    boards = calibrate["find_boards"](0x61, **place)
+    assert "adafruit" in boards and "sparkfun" not in boards
+    with pytest.raises(JetbotError, match="No wheel turned"):
+        calibrate["calibrate"](["adafruit"], 0x61, **place)
+    assert seen == [{"board": "adafruit", **place, "i2c_address": 0x61, "pwm_frequency": 50}]
+
+
+@pytest.mark.parametrize("board, frequency", [("jetbot", 50), ("waveshare_hat", 50), ("sparkfun", None)])
+def test_a_pca9685_drives_at_a_frequency_at_which_motors_start_early(board, frequency):
+    assert Wizard(board=board).parameters.get("pwm_frequency") == frequency

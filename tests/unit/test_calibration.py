@@ -6,7 +6,8 @@ import yaml
 from jetbot import InvalidValue
 from jetbot.fake.motors import wheel_speeds
 from jetbot_ros.parameters import PARAMETERS, checked
-from jetbot_tools.calibration import WHEEL_SEPARATION, as_yaml, base_wiring, motor_wiring, trim
+from jetbot_tools.calibration import WHEEL_SEPARATION, as_yaml, base_wiring, curvature_of, motor_wiring, trim
+from jetbot_tools.motions import DRIVE_SPEED
 
 
 @pytest.mark.parametrize("left_output, right_output, swap, left, right", [
@@ -36,9 +37,14 @@ def test_one_wheel_cannot_turn_at_both_outputs():
 def test_trim_makes_the_wheels_equal(left, right):
     curvature = (right - left) / (WHEEL_SEPARATION * (right + left) / 2)
     drift = math.copysign((1 - math.sqrt(1 - curvature ** 2)) / curvature, curvature) if curvature else 0
-    left_alpha, right_alpha = trim(1.0, 1.0, drift)
+    left_alpha, right_alpha = trim(1.0, 1.0, curvature_of(drift))
     assert left * left_alpha == pytest.approx(right * right_alpha, rel=1e-3)
     assert max(left_alpha, right_alpha) == 1
+
+
+def test_trim_knows_that_an_alpha_leaves_the_min_duty_as_it_is():
+    left, right = (0.1 + 0.9 * alpha * DRIVE_SPEED for alpha in trim(1.0, 1.0, 0.4, min_duty=0.1))
+    assert left * (1 - 0.2 * WHEEL_SEPARATION) == pytest.approx(right * (1 + 0.2 * WHEEL_SEPARATION), rel=1e-3)
 
 
 def test_the_file_holds_the_parameters():
@@ -50,3 +56,13 @@ def test_the_file_holds_the_parameters():
 
 def test_the_file_explains_each_parameter():
     assert f"min_duty: 0.1  # {PARAMETERS['min_duty'].doc}\n" in as_yaml({"min_duty": 0.1})
+
+
+@pytest.mark.parametrize("measured, says", [
+    ({"max_speed": 0.6, "wheel_separation": 0.11},
+     ["# With it, the robot obeys metres and radians: linear.x is in m/s, angular.z in rad/s."]),
+    ({"max_speed": 0.6},
+     ["# With it, linear.x is in m/s, but angular.z is not in rad/s: wheel_separation is not measured."]),
+    ({}, [])])
+def test_the_file_says_whether_commands_are_metres_and_radians(measured, says):
+    assert [line for line in as_yaml(measured).splitlines() if line.startswith("#")][1:] == says

@@ -2,15 +2,16 @@
 
 import math
 import os
+import signal
 
 import pexpect
 
 from harness import START_TIMEOUT, RobotTest, program
 from jetbot.fake.motors import STOPPED, wheel_speeds
 
-DEAD_BAND = 0.12
+DEAD_BAND = 0.006
 WEAKNESS = 0.95
-QUESTION = "Which w|Did the|How many cent"
+QUESTION = "Which w|Did the|How many|Where did|Measure|Drive the"
 
 
 class CalibrationTest(RobotTest):
@@ -76,7 +77,11 @@ class Calibration(CalibrationTest):
 
     def straighten(self):
         while True:
-            left, right = self.drive("drive ahead for 4 s")
+            self.answer("drive ahead for 4 s")
+            self.wait_for(lambda: min(self.wheels()) > 0.37, START_TIMEOUT, "the full speed of this motion")
+            left, right = self.wheels()
+            self.terminal.send(" ")
+            self.terminal.expect(QUESTION)
             curvature = (right - left) / (0.1125 * (right + left) / 2)
             if abs(curvature) < 0.01:
                 return self.terminal.sendline("")
@@ -84,14 +89,18 @@ class Calibration(CalibrationTest):
             self.terminal.sendline(f"{abs(100 * drift):.1f} cm")
             self.answer("Left or right", "left" if drift > 0 else "r")
 
-    def test_from_the_box_to_a_straight_line(self):
+    def to_the_floor(self):
         for _ in range(4):  # two outputs as Adafruit's board has them, then two as Waveshare's
             self.turn()
         self.answer("Put the robot on the floor")
         for _ in ("left", "right"):
             self.ramp(lambda: wheel_speeds(self.bus, "waveshare") != STOPPED, "n")  # the key comes too early
             self.ramp(lambda: self.wheels() != STOPPED, "y")
+
+    def test_from_the_box_to_a_straight_line(self):
+        self.to_the_floor()
         self.straighten()
+        self.answer("Measure how far it drives")  # Enter alone skips it
         self.start_calibrated_robot()
         self.command(0.5)
         self.wait_for(lambda: min(self.wheels()) > 0.4, 5.0, "both wheels to turn forward")
@@ -118,10 +127,23 @@ class Calibration(CalibrationTest):
         refused = self.calibrate("--output", os.path.join(self.folder, "jetbot.yaml"))
         refused.expect("jetbot.yaml is for the real robot, and this one is simulated. Name another with --output.")
 
+    def test_a_motion_that_was_frozen_is_not_continued(self):
+        self.to_the_floor()
+        self.answer("drive ahead for 4 s")
+        self.wait_for(lambda: self.wheels() != STOPPED, START_TIMEOUT, "the motion")
+        os.kill(self.terminal.pid, signal.SIGSTOP)
+        self.wait_for_stop(within=10.0)  # by the guard
+        os.kill(self.terminal.pid, signal.SIGCONT)
+        self.wait_for(lambda: self.wheels() != STOPPED or self.terminal.expect([pexpect.TIMEOUT, QUESTION], 0),
+                      START_TIMEOUT, "the next question")
+        self.assertEqual(self.wheels(), STOPPED)
+        self.terminal.sendcontrol("c")
+        self.terminal.expect("Cancelled")
+
     def test_a_lost_terminal_ends_a_motion(self):
         self.interrupt_motion(self.terminal.close, False)
 
 
 def motor(duty):
     """The speed of a motor that friction holds below a dead band."""
-    return math.copysign(max(0.0, abs(duty) - DEAD_BAND) / (1 - DEAD_BAND), duty)
+    return duty if abs(duty) >= DEAD_BAND else 0.0

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Asks at the terminal how a robot is wired and how straight it drives, and writes the answers for the controller.
+"""Asks at the terminal how a robot is wired and how it drives, and writes the answers for the controller.
 
 Every motion is announced and short, and any key stops it.
 """
@@ -24,27 +24,29 @@ from jetbot_tools.probe import check_board, check_users
 from jetbot_tools.wizard import WIZARDS, Wizard
 
 
-def find_boards(**connection: Any) -> List[str]:
+def find_boards(i2c_address: Optional[int], **place: Any) -> List[str]:
     """Return the names of the boards that answer on the i2c_bus, else on the port; raise JetbotError if none does."""
-    places = {board: row.place(**connection) for board, row in BOARDS.items() if board != "jetbot"}  # two of them
-    for place in dict.fromkeys(places.values()):
-        checks = {board: check_board(board, **connection) for board in places if places[board] == place}
+    places = {board: row.place(**place) for board, row in BOARDS.items() if board != "jetbot"}  # two of them
+    for each in dict.fromkeys(places.values()):
+        checks = {board: check_board(board, i2c_address=i2c_address, **place)
+                  for board in places if places[board] == each}
         if any(check.ok for check in checks.values()):
             return [board for board, check in checks.items() if check.ok]
         print(*dict.fromkeys(map(str, checks.values())), sep="\n")
     raise JetbotError("no motor board found", "If you know which one it is, name it with --board.", "i2c_bus")
 
 
-def calibrate(boards: List[str], **connection: Any) -> Dict[str, Any]:
+def calibrate(boards: List[str], i2c_address: Optional[int], **place: Any) -> Dict[str, Any]:
     """Try the boards until a wheel turns; return the parameters of that robot. Raise JetbotError if none turns."""
     input("Put the robot on a box, so that its wheels turn freely. Press Enter to continue; Ctrl-C quits at any time. ")
+    address = {} if i2c_address is None else {"i2c_address": i2c_address}
     for board in boards:
-        row = find_board(board)
-        with lock_board(row.place(**connection), row.address):
-            wizard = WIZARDS.get(board, Wizard)(board=board, **connection)
+        row = find_board(board, i2c_address)
+        with lock_board(row.place(**place), row.address):
+            wizard = WIZARDS.get(board, Wizard)(board=board, **place, **address)
             print(f"\nTrying the board {board}.")
             if wizard.find_motors():
-                wizard.straighten()
+                wizard.tune()
                 return wizard.parameters
     raise JetbotError("no wheel turned", f"Is the motors' battery on? Run: {doctor()}")
 
@@ -77,7 +79,8 @@ def write(file: Path, text: str) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    add_options(parser, board="those that answer are tried", i2c_bus="the one of this computer's motors", port="")
+    add_options(parser, board="those that answer are tried", i2c_bus="the one of this computer's motors",
+                i2c_address="the board's own", port="")
     parser.add_argument("--output", type=Path, help="the YAML file to write (default: jetbot.yaml in ROS's home; "
                                                     "jetbot_fake.yaml for a simulated robot)")
     options = parse(parser, sys.argv[1:])
@@ -87,13 +90,13 @@ def main() -> None:
     if options.i2c_bus is None:
         options.board = options.board or options.port and "jetbot_pro"  # the only board on a port
         options.i2c_bus = robot_bus(model()) or PARAMETERS["i2c_bus"].default
-    connection = {"i2c_bus": options.i2c_bus, "port": options.port or PARAMETERS["port"].default}
-    boards = [options.board] if options.board else find_boards(**connection)
-    file = output_file(options.output, is_fake({"board": boards[0], **connection}))
-    for check in check_users(find_board(boards[0]).place(**connection)):
+    place = {"i2c_bus": options.i2c_bus, "port": options.port or PARAMETERS["port"].default}
+    boards = [options.board] if options.board else find_boards(options.i2c_address, **place)
+    file = output_file(options.output, is_fake({"board": boards[0], **place}))
+    for check in check_users(find_board(boards[0]).place(**place)):
         if not check.ok:
             print(check)
-    text = as_yaml(calibrate(boards, **connection))
+    text = as_yaml(calibrate(boards, options.i2c_address, **place))
     print(f"\n{text}")
     write(file, text)
 

@@ -29,8 +29,8 @@ class Supervisor:
     """Drives the velocity that its ``state`` allows. Any thread may call ``command``, ``hold``, ``confirm``, ``end``.
 
     drive: drives the robot at (linear, angular); senders: returns the names of the programs that could send commands;
-    on_change: takes each State whose status differs from the one before. observers: each may return a note for the
-    status. None of them may block. ramp: limits how fast the wheels speed up.
+    on_change: takes each State whose status differs from the one before. observers: called after every step,
+    may return a note for the status. None of them may block. ramp: limits how fast the wheels speed up.
     closed: whether ``run`` has ended, with the wheels stopped.
     """
 

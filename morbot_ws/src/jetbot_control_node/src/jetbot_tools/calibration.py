@@ -1,10 +1,12 @@
 """From what a person sees a robot do to the controller's parameters; no terminal and no motion."""
 
 import json
-from typing import Any, Dict, Mapping, Tuple
+from typing import Any, Dict, List, Mapping, Tuple
 
 from jetbot.errors import InvalidValue
 from jetbot_ros.parameters import PARAMETERS
+
+from .motions import DRIVE_SPEED
 
 WHEEL_SEPARATION = 0.1125  # m; NVIDIA's model of the JetBot in Isaac Sim
 
@@ -25,19 +27,39 @@ def base_wiring(ahead: int, left_turn: int) -> Dict[str, bool]:
     return {"swap_motors": ahead != left_turn, "invert_left": ahead < 0, "invert_right": ahead < 0}
 
 
-def trim(left_alpha: float, right_alpha: float, drift: float) -> Tuple[float, float]:
-    """Return better alphas (left, right) for a robot ``drift`` m left of the line, negative: right, after one metre.
+def curvature_of(drift: float) -> float:
+    """Return the curvature, in rad/m, of a path that is ``drift`` m left of the line after one metre."""
+    return 2 * drift / (1 + drift ** 2)
 
-    The path is an arc of curvature 2 * drift / (1 + drift^2), on which the wheels' speeds differ by
-    curvature * WHEEL_SEPARATION; each alpha makes up half of that. The larger of the returned alphas is 1.
+
+def base_alpha(min_duty: float) -> float:
+    """Return what min_duty adds to the effect of an alpha at DRIVE_SPEED."""
+    return min_duty / (1 - min_duty) / DRIVE_SPEED
+
+
+def trim(left_alpha: float, right_alpha: float, curvature: float, min_duty: float = 0.0) -> Tuple[float, float]:
+    """Return better alphas (left, right) for a robot whose path has a curvature, in rad/m to the left.
+
+    Its wheels' speeds, which are proportional to their duties, differ by the part curvature * WHEEL_SEPARATION; each
+    alpha makes up half of that. The larger of the returned alphas is 1.
     """
-    change = drift / (1 + drift ** 2) * WHEEL_SEPARATION
-    left, right = left_alpha * (1 + change), right_alpha * (1 - change)
+    change, base = curvature * WHEEL_SEPARATION / 2, base_alpha(min_duty)
+    left, right = (left_alpha + base) * (1 + change) - base, (right_alpha + base) * (1 - change) - base
     return round(left / max(left, right), 4), round(right / max(left, right), 4)
+
+
+def units(values: Mapping[str, Any]) -> List[str]:
+    """Return, in a list, the sentence that says what commands mean, if these parameters change that."""
+    if "max_speed" not in values:
+        return []
+    if "wheel_separation" not in values:
+        return ["With it, linear.x is in m/s, but angular.z is not in rad/s: wheel_separation is not measured."]
+    return ["With it, the robot obeys metres and radians: linear.x is in m/s, angular.z in rad/s."]
 
 
 def as_yaml(values: Mapping[str, Any]) -> str:
     """Return parameters as a YAML file with the meaning of each as a comment."""
     lines = ["# Made by calibrate.py for one robot; the controller loads it. Without this file, the defaults apply."]
+    lines += [f"# {text}" for text in units(values)]
     lines += [f"{name}: {json.dumps(values[name])}  # {row.doc}" for name, row in PARAMETERS.items() if name in values]
     return "\n".join(lines) + "\n"

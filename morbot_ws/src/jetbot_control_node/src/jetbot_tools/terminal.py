@@ -20,14 +20,29 @@ def choose(question: str, answers: Dict[str, Any]) -> Any:
         print(f"Please answer with one of: {', '.join(answers)}")
 
 
-def number(question: str, highest: float) -> float:
-    """Ask until a number from 0 to ``highest`` is given, with or without "cm"; Enter alone means 0."""
+def wanted(offer: str) -> bool:
+    """Ask until "y" or "n", or a longer word, is given; Enter alone means no."""
+    while True:
+        given = input(f"{offer} [y, or Enter alone to skip it] ").strip().lower()
+        if given in ("", "n", "no", "y", "yes"):
+            return given.startswith("y")
+        print("Please answer with y, or press Enter alone.")
+
+
+def number(question: str, highest: float, lowest: float = 0.0) -> float:
+    """Ask until a number from ``lowest`` to ``highest`` is given, with or without "cm"; Enter alone means 0."""
     while True:
         given = input(f"{question} ").lower().replace("cm", "").replace(",", ".").strip()
         with contextlib.suppress(ValueError):
-            if 0 <= float(given or 0) <= highest:
+            if not given or lowest <= float(given) <= highest:
                 return float(given or 0)
-        print(f"Please answer with a number from 0 to {highest}.")
+        print(f"Please answer with a number from {lowest:g} to {highest}.")
+
+
+def offset(question: str, highest: float, sides: Dict[str, int]) -> float:
+    """Ask for a number and, unless it is 0, for its side; return it with that sign. sides: {word: 1 or -1}."""
+    distance = number(question, highest)
+    return distance and distance * choose(f"{' or '.join(sides).capitalize()}?", sides)
 
 
 @contextlib.contextmanager

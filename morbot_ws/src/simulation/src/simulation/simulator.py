@@ -3,37 +3,26 @@
 import math
 import time
 from collections import deque
-from typing import Callable, Collection, Optional, Set
+from typing import Callable, Collection, Optional
 
 import rospy
 from geometry_msgs.msg import Pose2D, PoseStamped
-from nav_msgs.msg import Odometry, Path
-from sensor_msgs.msg import JointState
+from nav_msgs.msg import Path
 from std_srvs.srv import Empty, EmptyResponse
-from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
-
-from jetbot_ros.addresses import is_reachable, master_uri
-from jetbot_ros.messages import frame_name, joint_states, odometry, transform
-from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 from .diff_drive import PWM_FREQUENCY, DiffDriveModel, Pair, Pose
 from .stall import StallReport
+from .topics import SharedTopics
 
 RATE = 50           # Hz
-TOPICS = {"odom": Odometry, "joint_states": JointState}  # which the controller may publish instead
-ANSWER_TIMEOUT = 1.0  # s, of the master
 PATH_STEP = 0.05    # metres between two poses of the path
 PATH_LENGTH = 1000  # poses; the oldest are dropped
 
 
 class Simulator:
-    """Drives the model at the speeds that ``wheel_speeds`` returns; publishes ``path``, tf, ``odom``, ``joint_states``.
+    """Drives the model at the speeds that ``wheel_speeds`` returns; publishes ``path`` and the SharedTopics.
 
-    Its ``odom`` has no drift: the frame coincides with ``map``.
-    pwm_frequency: returns that of the board in Hz, None where it is fixed.
-    others: which of TOPICS another node publishes. The simulator never publishes the same; if the other appears later,
-    it takes over. Odometry of its own starts at 0, where the robot is, and tf ``map -> true_base_footprint`` is then
-    the robot's true pose.
+    pwm_frequency: returns that of the board in Hz, None where it is fixed; others: as for SharedTopics.
     ``~set_pose`` and ``~reset`` hand a pose to the loop, which alone changes the model.
     """
 
@@ -48,13 +37,8 @@ class Simulator:
         self._prefix = f"{rospy.get_namespace().strip('/')} ".lstrip()
         self._stall_report = StallReport()
         self._poses = deque(maxlen=PATH_LENGTH)
-        self._others = {*others, *published_by_others()}
-        self._publishers = {topic: rospy.Publisher(topic, TOPICS[topic], queue_size=10)
-                            for topic in TOPICS if topic not in self._others}
+        self._topics = SharedTopics(others, model.pose)
         self._path = rospy.Publisher("path", Path, queue_size=1, latch=True)
-        self._tf = TransformBroadcaster()
-        self._static_tf = StaticTransformBroadcaster()
-        self._place_odom(Pose() if "odom" in self._publishers else model.pose)
         rospy.Subscriber("~set_pose", Pose2D, self._on_set_pose, queue_size=1)
         rospy.Service("~reset", Empty, self._on_reset)
 
@@ -71,24 +55,11 @@ class Simulator:
     def spin(self) -> None:
         """Step and publish, and print once per second, until the node is shut down."""
         rospy.Timer(rospy.Duration(1.0), self._print_state)
-        rospy.Timer(rospy.Duration(1.0), lambda _: self._others.update(published_by_others()))
         rate = rospy.Rate(RATE, reset=True)
         while not rospy.is_shutdown():
-            for topic in self._others & set(self._publishers):
-                self._hand_over(topic)
             self._step()
             self._publish()
             rate.sleep()
-
-    def _hand_over(self, topic):
-        self._publishers.pop(topic).unregister()
-        if topic == "odom":
-            self._place_odom(self._model.pose)
-        rospy.loginfo(f"Another node publishes {topic}. The simulator no longer does.")
-
-    def _place_odom(self, origin):
-        """Publish where the odometry starts on the map."""
-        self._static_tf.sendTransform(transform(rospy.Time.now(), "map", frame_name("odom"), origin))
 
     def _step(self):
         if self._new_pose:
@@ -103,16 +74,7 @@ class Simulator:
             rospy.logwarn(self._prefix + stall)
 
     def _publish(self):
-        model = self._model
-        stamp = rospy.Time.now()
-        odom = odometry(stamp, model.pose, *model.velocity)
-        frames = "map", frame_name("true_base_footprint")
-        if "odom" in self._publishers:
-            self._publishers["odom"].publish(odom)
-            frames = odom.header.frame_id, odom.child_frame_id
-        self._tf.sendTransform(transform(stamp, *frames, model.pose))
-        if "joint_states" in self._publishers:
-            self._publishers["joint_states"].publish(joint_states(stamp, *model.joints))
+        odom = self._topics.publish(self._model)
         odom.header.frame_id = "map"
         position, last = odom.pose.pose.position, self._poses[-1].pose.position if self._poses else None
         if last is None or math.hypot(position.x - last.x, position.y - last.y) >= PATH_STEP:
@@ -128,17 +90,3 @@ class Simulator:
         if state != self._printed:
             self._printed = state
             print(self._prefix + state, flush=True)
-
-
-def published_by_others() -> Set[str]:
-    """Return which of TOPICS another node publishes; none while the master does not answer.
-
-    The master still lists a node that was killed, but that one is not reachable.
-    """
-    master, name = proxy(master_uri(), ANSWER_TIMEOUT), rospy.get_name()
-    try:
-        publishers = dict(master.getSystemState(name)[2][0])
-        return {topic for topic in TOPICS for other in publishers.get(rospy.resolve_name(topic), ())
-                if other != name and is_reachable(master.lookupNode(name, other)[2])}
-    except NO_ANSWER:
-        return set()

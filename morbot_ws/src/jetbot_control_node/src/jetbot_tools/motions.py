@@ -1,0 +1,57 @@
+"""Motions: lists of what the wheels do, in steps of at most STEP seconds."""
+
+import math
+from typing import Any, List, Mapping, NamedTuple
+
+STEP = 0.022       # s between two calls to the robot, which feed its watchdogs
+RAMP_STEPS = 7     # until a gentle motion has its full speed, and until it has lost it
+DRIVE_SPEED = 0.4  # fraction of full power, to drive ahead
+SPIN_SPEED = 0.2   # fraction of full power, to turn on the spot
+
+
+class Step(NamedTuple):
+    """Wheel speeds, as Robot.set_motors takes them, and how long they are held."""
+
+    left: float
+    right: float
+    seconds: float = STEP
+
+
+def steady(left: float, right: float, seconds: float) -> List[Step]:
+    """Return a motion at these speeds."""
+    count, rest = divmod(seconds, STEP)
+    return [*[Step(left, right)] * int(count), Step(left, right, rest)]
+
+
+def gentle(left: float, right: float, seconds: float, min_duty: float) -> List[Step]:
+    """Return a motion that rolls as far as these speeds, equal but for the sign, do in ``seconds``.
+
+    It starts and ends at lower speeds.
+    """
+    parts = [step / (RAMP_STEPS + 1) for step in range(1, RAMP_STEPS + 1)]
+    rising = [Step(left * part, right * part) for part in parts]
+    ramp = 2 * STEP * sum(duty(abs(step.left), min_duty) for step in rising) / duty(abs(left), min_duty)
+    return [*rising, *steady(left, right, max(0.0, seconds - ramp)), *reversed(rising)]
+
+
+def duty(speed: float, min_duty: float) -> float:
+    """Return the duty of a wheel at a speed in (0, 1], as ``jetbot.motor`` has it. A motor's speed is proportional."""
+    return min_duty + (1 - min_duty) * speed
+
+
+def roll(metres: float, left: int, right: int, speed: float, parameters: Mapping[str, Any]) -> List[Step]:
+    """Return a motion on which each wheel rolls so far. left, right: 1 forward, -1 backward."""
+    min_duty = parameters["min_duty"]
+    seconds = metres / (parameters["max_speed"] * duty(speed, min_duty))
+    return gentle(left * speed, right * speed, seconds, min_duty)
+
+
+def spin(angle: float, parameters: Mapping[str, Any]) -> List[Step]:
+    """Return a turn on the spot by an angle in rad, positive to the left, of a robot with these parameters."""
+    way = 1 if angle > 0 else -1
+    return roll(abs(angle) * parameters["wheel_separation"] / 2, -way, way, SPIN_SPEED, parameters)
+
+
+def square(way: int, parameters: Mapping[str, Any]) -> List[Step]:
+    """Return a square with sides of 1 m and four quarter turns. way: 1 to the left, -1 to the right."""
+    return 4 * (roll(1.0, 1, 1, DRIVE_SPEED, parameters) + spin(way * math.pi / 2, parameters))

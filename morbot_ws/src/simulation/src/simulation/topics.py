@@ -1,0 +1,73 @@
+"""What the simulator publishes unless the controller does: ``odom`` with its tf, and ``joint_states``."""
+
+from typing import Collection, Set
+
+import rospy
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import JointState
+from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
+
+from jetbot_ros.addresses import is_reachable, master_uri
+from jetbot_ros.messages import frame_name, joint_states, odometry, transform
+from jetbot_ros.xmlrpc import NO_ANSWER, proxy
+
+from .diff_drive import DiffDriveModel, Pose
+
+TOPICS = {"odom": Odometry, "joint_states": JointState}
+POLL_INTERVAL = 1.0   # s between two looks at who publishes them
+ANSWER_TIMEOUT = 1.0  # s, of the master
+
+
+class SharedTopics:
+    """Publishes those of TOPICS that no other node publishes, and tf.
+
+    others: which of them another node will publish; one that appears later takes over. The simulator's ``odom`` has no
+    drift: its frame coincides with ``map``. Another's starts at 0, where the robot is, and tf
+    ``map -> true_base_footprint`` is then the true pose.
+    """
+
+    def __init__(self, others: Collection[str], pose: Pose):
+        self._others = {*others, *published_by_others()}
+        self._publishers = {topic: rospy.Publisher(topic, TOPICS[topic], queue_size=10)
+                            for topic in TOPICS if topic not in self._others}
+        self._tf, self._static_tf = TransformBroadcaster(), StaticTransformBroadcaster()
+        self._place_odom(Pose() if "odom" in self._publishers else pose)
+        rospy.Timer(rospy.Duration(POLL_INTERVAL), lambda _: self._others.update(published_by_others()))
+
+    def publish(self, model: DiffDriveModel) -> Odometry:
+        """Publish where the robot is and how it moves, and return it."""
+        for topic in self._others & set(self._publishers):
+            self._hand_over(topic, model.pose)
+        odom = odometry(rospy.Time.now(), model.pose, *model.velocity)
+        frames = "map", frame_name("true_base_footprint")
+        if "odom" in self._publishers:
+            self._publishers["odom"].publish(odom)
+            frames = odom.header.frame_id, odom.child_frame_id
+        self._tf.sendTransform(transform(odom.header.stamp, *frames, model.pose))
+        if "joint_states" in self._publishers:
+            self._publishers["joint_states"].publish(joint_states(odom.header.stamp, *model.joints))
+        return odom
+
+    def _hand_over(self, topic, pose):
+        self._publishers.pop(topic).unregister()
+        if topic == "odom":
+            self._place_odom(pose)
+        rospy.loginfo(f"Another node publishes {topic}. The simulator no longer does.")
+
+    def _place_odom(self, origin):
+        """Publish where the odometry starts on the map."""
+        self._static_tf.sendTransform(transform(rospy.Time.now(), "map", frame_name("odom"), origin))
+
+
+def published_by_others() -> Set[str]:
+    """Return which of TOPICS another node publishes; none while the master does not answer.
+
+    The master still lists a node that was killed, but that one is not reachable.
+    """
+    master, name = proxy(master_uri(), ANSWER_TIMEOUT), rospy.get_name()
+    try:
+        publishers = dict(master.getSystemState(name)[2][0])
+        return {topic for topic in TOPICS for other in publishers.get(rospy.resolve_name(topic), ())
+                if other != name and is_reachable(master.lookupNode(name, other)[2])}
+    except NO_ANSWER:
+        return set()

@@ -1,0 +1,20 @@
+"""What the tests of the doctor share: a bare computer, and its lines."""
+
+from jetbot import host, i2c, supply
+from jetbot_tools import doctor
+
+
+def lines(bus=None, port=None, address=None, board=""):
+    """Return the doctor's lines."""
+    return [str(check) for check in doctor.run_checks(bus, port, address, board)]
+
+
+def make_bare(monkeypatch, tmp_path):
+    """Make this a computer with one package and no device, whose ROS home is this folder."""
+    monkeypatch.setattr(doctor, "MODULES", ["json"])
+    monkeypatch.setattr(doctor, "DEFAULT_PORT", "/dev/nowhere")
+    monkeypatch.setattr(host, "buses", lambda: [])
+    monkeypatch.setattr(host, "model", lambda: "")
+    monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
+    monkeypatch.setattr(supply, "on_computer", lambda sysfs: [])
+    monkeypatch.setenv("ROS_HOME", str(tmp_path))
