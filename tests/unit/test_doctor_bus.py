@@ -6,7 +6,7 @@ import pytest
 from examined import lines, make_bare
 
 from jetbot import host, i2c
-from jetbot_tools import doctor
+from jetbot_tools import doctor, probe
 
 PCA9685 = {0x00: 0x11, 0x01: 0x04, 0x02: 0xE2, 0x03: 0xE4, 0x04: 0xE8}
 SCMD = {0x01: 0xA9}
@@ -72,6 +72,14 @@ def test_what_may_be_a_servo_board_is_offered_on_one_condition(plug_in, address,
     assert robot.condition == chip.condition == condition
     assert lines(1, address=address)[-1] == str(robot)
     assert lines(1, board="waveshare_hat")[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
+
+
+@pytest.mark.parametrize("board, address, uncertain", [
+    ("waveshare_hat", 0x40, True), ("adafruit", 0x40, True), ("adafruit", 0x60, False), ("waveshare_hat", 0x61, False)])
+def test_what_may_be_a_servo_board_is_marked_whatever_board_is_tried_there(plug_in, board, address, uncertain):
+    plug_in({0x40: PCA9685, 0x60: PCA9685, 0x61: PCA9685})
+    check = probe.check_board(board, 1, "", address)
+    assert check.ok and bool(check.condition) == uncertain
 
 
 def test_a_board_that_is_certain_comes_before_one_that_may_be_a_servo_board(plug_in):

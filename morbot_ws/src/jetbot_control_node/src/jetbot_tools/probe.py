@@ -117,6 +117,7 @@ def identify_board(bus: Union[int, str], address: int, board: str = "") -> Check
         monitor = "" if chip else power_monitor(device)
     name = place_name(bus, address)
     boards = boards_with(chip, address)
+    condition = CONDITION.format(address) if boards == ["waveshare_hat"] else ""
     if board:
         boards = [board] if has_chip(board, chip) else []
     if not boards:
@@ -127,7 +128,7 @@ def identify_board(bus: Union[int, str], address: int, board: str = "") -> Check
     own = BOARDS[boards[0]].address
     command = launch(board=boards[0], i2c_bus=bus, i2c_address=None if address == own else f"0x{address:02x}")
     return Check(name, True, f"answers, and can be a board {' or '.join(boards)}", ADVICE.get(own) or clock_advice(own),
-                 command, CONDITION.format(address) if own == BOARDS["waveshare_hat"].address else "")
+                 command, condition)
 
 
 def clock_advice(address: int) -> str:
