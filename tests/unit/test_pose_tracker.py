@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from jetbot_ros.pose_tracker import PoseTracker
+from jetbot_ros.deviation import RESOLUTION, Deviation
+from jetbot_ros.pose_tracker import DRIFT, PoseTracker
 
 
 def track(*counts, period=0.05):
@@ -22,7 +23,7 @@ def pose(tracker):
 def test_begins_where_the_board_is_and_has_not_moved():
     tracker = track((1500, -250, 785))
     assert pose(tracker) == (1.5, -0.25, 0.785)
-    assert (tracker.path_length, tracker.total_rotation, tracker.velocity) == (0, 0, None)
+    assert (tracker.deviation, tracker.velocity) == (Deviation(DRIFT), None)
 
 
 @pytest.mark.parametrize("counts, expected", [
@@ -32,7 +33,7 @@ def test_begins_where_the_board_is_and_has_not_moved():
 def test_a_counter_that_wraps(counts, expected):
     tracker = track(*counts)
     assert pose(tracker) == pytest.approx(expected)
-    assert tracker.path_length + tracker.total_rotation < 0.11
+    assert tracker.deviation.position + tracker.deviation.yaw < 0.11 * DRIFT + 2 * RESOLUTION
 
 
 @pytest.mark.parametrize("last, first, after", [
@@ -45,7 +46,6 @@ def test_after_a_restart_of_the_board_the_pose_continues(last, first, after):
     x, y, yaw = (count / 1000 for count in last)
     assert pose(tracker) == pytest.approx((x, y, yaw))
     tracker.update((first[0] + 50, 0, 0), after + 0.05)
-    assert tracker.path_length == pytest.approx(0.05)
     assert (tracker.x - x, tracker.y - y) == pytest.approx((0.05 * math.cos(yaw), 0.05 * math.sin(yaw)))
 
 

@@ -1,15 +1,21 @@
-"""What the start line says, and how each status on fake hardware ends."""
+"""What the first lines say, and how each status on fake hardware ends."""
 
 from types import SimpleNamespace
 
 import pytest
 
-from jetbot_ros.parameters import checked
-from jetbot_ros.summary import start_line, status_suffix, summary
+from jetbot.boards import BOARDS
+from jetbot_ros.parameters import PARAMETERS, checked
+from jetbot_ros.summary import start_line, start_warnings, status_suffix, summary
 
 
 def driver(name="/dev/i2c-1", address=0x60, closed_loop=False):
     return SimpleNamespace(link=SimpleNamespace(name=name, address=address), closed_loop=closed_loop)
+
+
+def driver_of(board):
+    row = BOARDS[board]
+    return row.driver(SimpleNamespace(name="", address=row.address))
 
 
 @pytest.mark.parametrize("typed, config, robot, line", [
@@ -26,6 +32,24 @@ def driver(name="/dev/i2c-1", address=0x60, closed_loop=False):
      r"settings from /a b/\x1b[2J\udcff\n.yaml")])
 def test_start_line(typed, config, robot, line):
     assert start_line(summary({**checked(typed), "config": config}, robot)) == line
+
+
+@pytest.mark.parametrize("board, typed, warnings", [
+    ("jetbot_pro", {"max_duty": 0.5, "pwm_frequency": 50}, ["the board jetbot_pro ignores max_duty and pwm_frequency"]),
+    ("jetbot_pro", {"max_duty": 1, "publish_odom": True}, ["the board jetbot_pro ignores publish_odom"]),
+    ("jetbot_pro", {"wheel_separation": 0.1, "max_speed": 0.6, "min_duty": 0.1},
+     ["the board jetbot_pro ignores wheel_separation, max_speed and min_duty"]),
+    ("sparkfun", {"max_duty": 0.5, "pwm_frequency": 50}, ["the board sparkfun ignores pwm_frequency"]),
+    ("jetbot", {"max_duty": 0.5, "pwm_frequency": 50}, []),
+    ("jetbot", {"publish_odom": True}, ["odom is not in metres: add config:=si_units.yaml"]),
+    ("jetbot", {"publish_odom": True, "max_speed": 0.6}, [])])
+def test_what_does_not_do_what_is_expected_is_named_at_the_start(board, typed, warnings):
+    assert start_warnings(checked({"board": board, **typed}), driver_of(board)) == warnings
+
+
+@pytest.mark.parametrize("board", BOARDS)
+def test_a_board_ignores_what_is_a_parameter(board):
+    assert set(driver_of(board).ignores) <= set(PARAMETERS)
 
 
 @pytest.mark.parametrize("address, text", [(0x61, "0x61"), (None, "")])

@@ -6,6 +6,7 @@ from unittest.mock import Mock
 import pytest
 
 from jetbot import JetbotError
+from jetbot.boards import BOARDS
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.guard.process import HEARTBEAT_TIMEOUT
@@ -68,6 +69,22 @@ def test_a_standing_order_outlives_a_freeze_of_this_program(supervisor, folder):
     assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
     steps(supervisor, 5.05, 1.1)
     assert wheel_speeds(folder) == STOPPED
+
+
+@pytest.mark.parametrize("board", ["jetbot", "sparkfun"])
+@pytest.mark.parametrize("driving", [True, False])
+def test_after_a_freeze_nobody_is_blamed_for_what_the_guard_has_stopped(
+        make_robot, folder, statuses, board, driving):
+    robot = make_robot(board=board)
+    supervisor = Supervisor(robot, lambda linear, _: robot.forward(linear), 1.0, lambda: {PUPIL.name},
+                            lambda state: statuses.append(state.status))
+    supervisor.state = supervisor.state.command(0.5 * driving, 0.0, PUPIL._replace(latched=True), 0.0)
+    steps(supervisor, 0.0, 0.9)
+    BOARDS[board].stop(f"fake:{folder}")
+    steps(supervisor, 3.0, 0.9)
+    assert wheel_speeds(folder, board) == pytest.approx((0.5 * driving, 0.5 * driving), abs=0.004)
+    assert len(statuses) == 1
+    assert set(supervisor.disturbances.values()) == {0}
 
 
 def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot):

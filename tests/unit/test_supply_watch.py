@@ -1,5 +1,6 @@
-"""The supply is read once a second, shortly after the motors start if they do, and a dip is reported once."""
+"""The supply is read once a second, shortly after the motors start if they do; what is wrong is reported once."""
 
+import math
 import threading
 import time
 
@@ -7,14 +8,13 @@ import pytest
 
 from jetbot import JetbotError
 from jetbot.errors import BusStuck, BusTooSlow
-from jetbot.supply import Reading, Supply
+from jetbot.supply import EMPTY_BATTERY, Reading, Supply, percentage
 from jetbot.wait import wait_until
 from jetbot_ros import supply_watch
 from jetbot_ros.notes import NOTE_FOR
 from jetbot_ros.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
 
 STOPPED, AHEAD, BACK = (0.0, 0.0), (0.4, 0.6), (-0.4, -0.6)
-ADVICE = "set acceleration_limit"
 
 
 class Sensor:
@@ -31,7 +31,7 @@ class Sensor:
 
 
 def volts(value):
-    return Reading(voltage=value)
+    return Reading(value, percentage(value))
 
 
 @pytest.fixture
@@ -41,7 +41,7 @@ def sensor():
 
 @pytest.fixture
 def watch(sensor):
-    watch = SupplyWatch(Supply("INA219", sensor.read), ADVICE)
+    watch = SupplyWatch(Supply("INA219", sensor.read))
     watch.read(now=0.0)
     watch(STOPPED, now=0.0)
     return watch
@@ -63,12 +63,42 @@ def stop(watch, sensor, now):
 
 def test_a_dip_is_reported_once_with_advice(watch, sensor):
     note = start(watch, sensor, volts(11.1), now=1.0)
-    assert note == "its supply dips from 12.0 to 11.1 V as the motors start: set acceleration_limit"
+    assert note == "its supply dips from 12.0 to 11.1 V as the motors start: set acceleration_limit:=1"
     assert watch(AHEAD, now=1.0 + NOTE_FOR - 0.1)
     assert watch(AHEAD, now=1.1 + NOTE_FOR) is None
     stop(watch, sensor, now=9.0)
     assert start(watch, sensor, volts(11.1), now=10.0) is None
     assert watch.dips == 2
+
+
+def test_a_limit_that_is_too_high_for_the_supply_is_named(sensor):
+    watch = SupplyWatch(Supply("INA219", sensor.read), acceleration_limit=2.5)
+    watch.read(now=0.0)
+    note = start(watch, sensor, volts(11.1), now=1.0)
+    assert note.endswith("as the motors start: lower acceleration_limit (now 2.5)")
+
+
+def test_an_empty_battery_is_reported_once_and_diagnosed_until_it_is_charged(watch, sensor):
+    sentence = "its battery is empty (9.0 V): charge it"
+    for begin in (1.0, 10.0):
+        sensor.reading = volts(9.0)
+        watch.read(now=begin)
+        assert (watch(STOPPED, now=begin), watch.warning) == (sentence if begin == 1.0 else None, sentence)
+        watch.read(now=begin + NOTE_FOR)
+        assert (watch(STOPPED, now=begin + NOTE_FOR), watch.warning) == (None, sentence)
+        sensor.reading = volts(12.0)
+        watch.read(now=begin + 5.0)
+        assert watch.warning is None
+
+
+@pytest.mark.parametrize("charge, empty", [(EMPTY_BATTERY, True), (EMPTY_BATTERY + 0.01, False), (math.nan, False)])
+def test_a_battery_is_empty_up_to_this_charge(charge, empty):
+    assert Reading(9.3, charge).empty == empty
+
+
+def test_a_battery_whose_voltage_dips_as_the_motors_start_is_not_empty(watch, sensor):
+    start(watch, sensor, volts(9.0), now=1.0)
+    assert (watch.dips, watch.warning) == (1, None)
 
 
 @pytest.mark.parametrize("reading, after", [(volts(11.5), START_DELAY), (volts(11.1), DIP_WITHIN), (volts(0.0), 5.0)])
@@ -97,7 +127,7 @@ def test_a_raspberry_pi_reports_an_undervoltage_some_seconds_later(watch, sensor
     sensor.reading = Reading(undervoltage=False)
     watch.read(now=0.5)
     note = start(watch, sensor, Reading(undervoltage=True), now=1.0, after=ALARM_WITHIN - 0.5)
-    assert note == f"its supply dips as the motors start: {ADVICE}"
+    assert note == "its supply dips as the motors start: set acceleration_limit:=1"
     assert str(watch) == "undervoltage, by the INA219"
 
 
@@ -112,20 +142,20 @@ def test_a_sensor_that_is_unplugged_is_reported_and_read_again(watch, sensor):
     assert str(watch) == "unknown: no answer from 0x41"
     sensor.reading = volts(11.0)
     assert watch.read(now=1.1) == volts(11.0)
-    assert (str(watch), watch.dips) == ("11.00 V, by the INA219", 0)
+    assert (str(watch), watch.dips) == ("11.00 V, 56 %, by the INA219", 0)
 
 
 @pytest.mark.parametrize("error", [BusStuck("the bus is stuck"), BusTooSlow("the bus is too slow")])
 def test_a_reading_that_blocks_the_bus_is_the_last_one(error):
     sensor, readings = Sensor(error), []
-    watch = SupplyWatch(Supply("INA219", sensor.read), ADVICE)
+    watch = SupplyWatch(Supply("INA219", sensor.read))
     watch.run(readings.append, lambda: False)
     assert (str(readings), sensor.count) == (str([Reading()]), 1)
     assert str(watch) == f"unknown: {error.reason}; restart the controller to read it again"
 
 
 def test_a_robot_whose_supply_nothing_measures():
-    watch = SupplyWatch(None, ADVICE)
+    watch = SupplyWatch(None)
     assert watch(AHEAD, now=1.0) is None
     assert str(watch) == "not measured"
 

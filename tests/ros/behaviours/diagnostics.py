@@ -66,8 +66,12 @@ class Diagnostics(RobotTest):
         self.set_supply(0x5000)  # 10.24 V
         self.command(0.5)
         self.wait_for_status(texts, "driving, its supply dips from 12.1 to 10.2 V as the motors start: "
-                                    "set acceleration_limit")
+                                    "set acceleration_limit:=1")
         self.wait_for_status(texts, "driving")
+        self.set_supply(0x4650)  # 9.0 V
+        self.wait_for_status(texts, "driving, its battery is empty (9.0 V): charge it")
+        self.wait_for_status(texts, "driving")
+        self.wait_for_level(DiagnosticStatus.WARN, "driving, its battery is empty (9.0 V): charge it")
         os.unlink(os.path.join(self.bus, "0x41"))
         self.wait_for(lambda: math.isnan(batteries[-1].voltage), 5.0, "a battery without a voltage")
         self.wait_for(lambda: self.values()["supply"] == f"unknown: no answer from 0x41 on fake:{self.bus}", 5.0,

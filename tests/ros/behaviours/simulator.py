@@ -106,7 +106,8 @@ class Simulator(RobotTest):
         controller = self.controller(publish_odom=True, cmd_vel_timeout=0)
         for topic in ("/odom", "/joint_states"):
             self.wait_for(lambda topic=topic: publishers(topic) == ["/jetbot_controller"], START_TIMEOUT, topic)
-        self.assertIn("odom is not in metres: give the robot's wheel_separation and max_speed", self.logs())
+        warning = "odom is not in metres: add config:=si_units.yaml"
+        self.wait_for(lambda: warning in self.logs(), START_TIMEOUT, warning)
         self.command(0.5)
         self.wait_for_velocity(0.5, 0.0)  # in the workshop's units, not those of the simulated robot
         controller.send_signal(signal.SIGINT)

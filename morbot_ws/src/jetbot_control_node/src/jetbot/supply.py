@@ -22,6 +22,7 @@ VOLTAGE_MAX = 26.0          # V that these chips measure; a PCA9685 read as if i
 TRANSFER_TIME_LIMIT = 0.15  # s; a transfer takes less than a millisecond, and holds up the motors' for as long
 
 EMPTY, FULL = 9.0, 12.6  # V, of the pack in Waveshare's JetBot: three lithium-ion cells of 3.0 to 4.2 V
+EMPTY_BATTERY = 0.1      # charge, up to which a battery counts as empty: 9.36 V
 DISCONNECTED = 7.5       # V, below which the protection circuit of such a pack has switched it off
 
 
@@ -35,6 +36,11 @@ class Reading(NamedTuple):
     voltage: float = math.nan
     percentage: float = math.nan
     undervoltage: Optional[bool] = None
+
+    @property
+    def empty(self) -> bool:
+        """Whether the battery must be charged now."""
+        return self.percentage <= EMPTY_BATTERY
 
     def __str__(self) -> str:
         if self.undervoltage is not None:

@@ -1,5 +1,7 @@
 """Text from outside, such as the name of a file or of a node, made harmless to print."""
 
+from typing import Sequence
+
 MAX_LENGTH = 1000  # characters; a sentence is shorter
 
 
@@ -15,3 +17,8 @@ def literal(value: object) -> str:
         return printable(repr(value))
     except ValueError:  # from Python 3.11 on, of an int with more than 4,300 digits
         return "a number of more than 4,300 digits"
+
+
+def enumeration(names: Sequence[str]) -> str:
+    """Return one name or more in one phrase: a, b and c."""
+    return " and ".join(filter(None, [", ".join(names[:-1]), names[-1]]))

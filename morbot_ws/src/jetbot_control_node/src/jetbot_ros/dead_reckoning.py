@@ -6,12 +6,14 @@ from jetbot.guard.process import HEARTBEAT_TIMEOUT
 from jetbot.kinematics import Pose, clamp
 from jetbot.motor import Motor
 
+from .deviation import Deviation
 from .pose_tracker import Velocity
 from .safety import STOPPED
 
 MAX_GAP = HEARTBEAT_TIMEOUT  # s between two reports after which the guard has stopped the wheels
 MAX_SPEED = 100.0            # m/s and
 MIN_SEPARATION = 0.001       # m: so that all sums stay finite, whatever the parameters are
+DRIFT = 0.1                  # see ``Deviation``: an estimate; speeds vary with the battery
 WHEEL_RADIUS = 0.03          # m; NVIDIA's model of the JetBot in Isaac Sim
 
 Pair = Tuple[float, float]  # left, right
@@ -20,7 +22,7 @@ Pair = Tuple[float, float]  # left, right
 class Motion(NamedTuple):
     """Where the robot is at the monotonic time ``at``, and how its wheels turn. Immutable.
 
-    x, y: m; yaw: rad, to the left, within half a turn; path_length: m; total_rotation: rad;
+    x, y: m; yaw: rad, to the left, within half a turn; deviation: how uncertain they are;
     speeds: of the wheels, m/s; distances: that they have rolled, m, negative for backward.
     """
 
@@ -29,8 +31,7 @@ class Motion(NamedTuple):
     x: float = 0.0
     y: float = 0.0
     yaw: float = 0.0
-    path_length: float = 0.0
-    total_rotation: float = 0.0
+    deviation: Deviation = Deviation(DRIFT)
     speeds: Pair = STOPPED
     distances: Pair = (0.0, 0.0)
 
@@ -63,8 +64,7 @@ class Motion(NamedTuple):
         return self._replace(
             at=now, **pose._asdict(), speeds=STOPPED if frozen else self.speeds,
             distances=tuple(map(sum, zip(self.distances, rolled))),
-            path_length=self.path_length + abs(forward) * seconds,
-            total_rotation=self.total_rotation + abs(turn) * seconds)
+            deviation=self.deviation.grow(forward * seconds, turn * seconds))
 
 
 class DeadReckoning:

@@ -76,7 +76,7 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
 def watch_supply(robot: Robot, parameters: Dict[str, object]) -> SupplyWatch:
     """Return what watches the robot's supply. If something measures it, publish that from now on."""
     supply = find_supply(robot.driver.link)
-    supply_watch = SupplyWatch(supply, f"{'lower' if parameters['acceleration_limit'] else 'set'} acceleration_limit")
+    supply_watch = SupplyWatch(supply, parameters["acceleration_limit"])
     if supply:
         from .battery import publish_supply  # here: on many robots nothing measures it
         publish_supply(supply, supply_watch)

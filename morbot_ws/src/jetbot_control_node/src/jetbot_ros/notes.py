@@ -4,6 +4,7 @@ import math
 from typing import Callable, Collection, Dict, List, Optional, Tuple
 
 from jetbot import Robot
+from jetbot.text import enumeration
 
 from .safety import Sender
 
@@ -105,4 +106,4 @@ def listed(names: List[str]) -> str:
     """Return the names in one phrase, the first few of many."""
     if len(names) > MAX_NAMES:
         names = names[:MAX_NAMES - 1] + [f"{len(names) - MAX_NAMES + 1} more"]
-    return f"{', '.join(names[:-1])} and {names[-1]}"
+    return enumeration(names)

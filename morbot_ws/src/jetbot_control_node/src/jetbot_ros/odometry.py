@@ -1,6 +1,5 @@
 """A robot's odometry, and the IMU of a board that has one, as ROS messages."""
 
-import math
 import time
 from typing import List, Optional, Union
 
@@ -13,21 +12,18 @@ from jetbot.boards import Telemetry
 
 from . import messages
 from .dead_reckoning import Motion
+from .deviation import RESOLUTION
 from .pose_tracker import PoseTracker, Velocity
 
-DRIFT = 0.05              # of the path length and of the total rotation: an estimate for uncalibrated encoders
-RESOLUTION = 0.001        # m and rad
 GYRO_ERROR = 0.09         # rad/s, and
 ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets of uncalibrated sensors (5 deg/s and 80 mg for an MPU-9250)
-MAX_YAW_VARIANCE = math.pi ** 2 / 3  # rad^2: of a yaw that may be any
 UNKNOWN = 1e6             # variance of what is not measured
 
 
 class OdometryPublisher:
-    """Publishes ``odom`` and, if ``publish_tf``, tf odom -> base_footprint. drift: see ``odometry``."""
+    """Publishes ``odom`` and, if ``publish_tf``, tf odom -> base_footprint."""
 
-    def __init__(self, publish_tf: bool, drift: float):
-        self._drift = drift
+    def __init__(self, publish_tf: bool):
         self._odom = rospy.Publisher("odom", Odometry, queue_size=1)
         self._tf = None
         if publish_tf:
@@ -36,7 +32,7 @@ class OdometryPublisher:
 
     def publish(self, stamp: rospy.Time, motion: Union[PoseTracker, Motion]) -> None:
         """Publish where the robot is at this time."""
-        odom = odometry(stamp, motion, self._drift)
+        odom = odometry(stamp, motion)
         self._odom.publish(odom)
         if self._tf:
             self._tf.sendTransform(messages.transform(stamp, odom.header.frame_id, odom.child_frame_id, motion))
@@ -46,7 +42,7 @@ class TelemetryPublisher:
     """Publishes odometry and ``imu/data_raw`` for each Telemetry of a board that measures its motion."""
 
     def __init__(self, publish_tf: bool):
-        self._odometry = OdometryPublisher(publish_tf, DRIFT)
+        self._odometry = OdometryPublisher(publish_tf)
         self._imu = rospy.Publisher("imu/data_raw", Imu, queue_size=1)
         self._tracker = PoseTracker()
 
@@ -57,21 +53,17 @@ class TelemetryPublisher:
         self._imu.publish(imu(stamp, telemetry))
 
 
-def odometry(stamp: rospy.Time, motion: Union[PoseTracker, Motion], drift: float) -> Odometry:
-    """Return the pose and velocity, with covariances that grow with the path.
-
-    drift: its standard deviation, as a fraction of the path length and of the total rotation.
-    """
+def odometry(stamp: rospy.Time, motion: Union[PoseTracker, Motion]) -> Odometry:
+    """Return the pose and velocity, with covariances that grow with the path."""
     odom = messages.odometry(stamp, motion)
-    yaw = min((drift * motion.total_rotation) ** 2 + RESOLUTION ** 2, MAX_YAW_VARIANCE)
-    position = min(drift ** 2 + yaw, 1) * motion.path_length ** 2 + RESOLUTION ** 2
-    odom.pose.covariance = diagonal(position, yaw)
-    odom.twist = twist(motion.velocity, drift)
+    deviation = motion.deviation
+    odom.pose.covariance = diagonal(deviation.position ** 2, deviation.yaw ** 2)
+    odom.twist = twist(motion.velocity, deviation.drift)
     return odom
 
 
 def twist(velocity: Optional[Velocity], drift: float) -> TwistWithCovariance:
-    """Return the velocity with its covariance. drift: see ``odometry``."""
+    """Return the velocity with its covariance. drift: see ``Deviation``."""
     if velocity is None:
         return TwistWithCovariance(covariance=diagonal(UNKNOWN, UNKNOWN))
     seconds, forward, turn = velocity

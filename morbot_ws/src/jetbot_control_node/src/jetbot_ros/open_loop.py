@@ -13,9 +13,7 @@ from jetbot import Robot
 from . import messages
 from .dead_reckoning import DeadReckoning, Motion
 from .odometry import OdometryPublisher
-from .summary import in_workshop_units
 
-DRIFT = 0.1               # of the path length and of the total rotation: an estimate; speeds vary with the battery
 MOVING_INTERVAL = 1 / 30  # s between two messages while a wheel turns
 STOPPED_INTERVAL = 1.0    # s, while none does
 
@@ -27,12 +25,9 @@ class OpenLoopOdometry:
     """
 
     def __init__(self, robot: Robot, parameters: Dict[str, object]):
-        if in_workshop_units(parameters):
-            rospy.logwarn("odom is not in metres: give the robot's wheel_separation and max_speed, "
-                          "as config/si_units.yaml does")
         self._reckoning = DeadReckoning(robot.left_motor, robot.right_motor,
                                         parameters["max_speed"], parameters["wheel_separation"])
-        self._odometry = OdometryPublisher(parameters["publish_tf"], DRIFT)
+        self._odometry = OdometryPublisher(parameters["publish_tf"])
         self._joint_states = rospy.Publisher("joint_states", JointState, queue_size=1)
         self._started = threading.Event()
         rospy.on_shutdown(self._publish)

@@ -4,6 +4,8 @@ import math
 from collections import deque
 from typing import NamedTuple, Optional, Tuple
 
+from .deviation import Deviation
+
 COUNTER_RANGE = 0x10000  # mm and mrad after which the board's int16 counters wrap
 YAW_RANGE = 2000 * math.pi  # mrad: a board may also wrap its yaw at a full turn
 RESTART_RANGE = 100      # mm and mrad: the counters of a board that has just restarted are below
@@ -11,6 +13,7 @@ MAX_RATES = (2000, 2000, 10000)  # mm/s, mm/s and mrad/s, which no JetBot reache
 MAX_GAP = 0.12           # s: a longer gap in the telemetry says no more about a restart
 BURST_INTERVAL = 0.01    # s within which telemetry frames count as one: the serial port may hold some back
 WINDOW = 0.04            # s, at least, over which velocities are averaged
+DRIFT = 0.05             # see ``Deviation``: an estimate for uncalibrated encoders
 
 Counts = Tuple[int, int, int]  # x, y in mm; yaw in mrad
 
@@ -26,12 +29,13 @@ class Velocity(NamedTuple):
 class PoseTracker:
     """Adds up what the board counts, without a jump when its counters wrap or it restarts.
 
-    x, y: m; yaw: rad, to the left, unbounded; path_length: m; total_rotation: rad;
+    x, y: m; yaw: rad, to the left, unbounded; deviation: how uncertain they are;
     velocity: over the last ``WINDOW`` or longer; None while it is not known.
     """
 
     def __init__(self):
-        self.x = self.y = self.yaw = self.path_length = self.total_rotation = 0.0
+        self.x = self.y = self.yaw = 0.0
+        self.deviation = Deviation(DRIFT)
         self.velocity: Optional[Velocity] = None
         self._counts: Optional[Counts] = None
         self._updated_at = 0.0
@@ -57,8 +61,7 @@ class PoseTracker:
         forward, _ = rotate(dx, dy, -(self.yaw + turn / 2))
         self.x, self.y, self.yaw = self.x + dx, self.y + dy, self.yaw + turn
         self._forward += forward
-        self.path_length += abs(forward)
-        self.total_rotation += abs(turn)
+        self.deviation = self.deviation.grow(forward, turn)
 
     def _append_sample(self, now):
         samples = self._samples

@@ -14,7 +14,7 @@ from std_msgs.msg import String
 from jetbot.boards import MotorDriver
 
 from .safety import State
-from .summary import start_line, status_suffix, summary
+from .summary import start_line, start_warnings, status_suffix, summary
 from .supervisor import Supervisor
 from .supply_watch import SupplyWatch
 
@@ -26,7 +26,7 @@ class Report:
     """``change`` publishes the status at once, from any thread; ``spin`` logs in the main thread, which may wait."""
 
     def __init__(self, parameters: Dict[str, object], driver: MotorDriver, supply: SupplyWatch):
-        self._summary = summary(parameters, driver)
+        self._summary, self._warnings = summary(parameters, driver), start_warnings(parameters, driver)
         self._link, self._suffix, self._supply = driver.link, status_suffix(driver), supply
         self._status_publisher = rospy.Publisher("~status", String, latch=True, queue_size=1)
         self._status_changes = queue.Queue(maxsize=10)
@@ -56,6 +56,8 @@ class Report:
     def spin(self, supervisor: Supervisor) -> None:
         """Log and publish diagnostics until the node ends."""
         rospy.loginfo(self._prefix + start_line(self._summary))
+        for warning in self._warnings:
+            rospy.logwarn(self._prefix + warning)
         updater = Updater()
         updater.setHardwareID(self._summary["bus"])
         updater.add("motors", lambda result: self._diagnose(result, supervisor))
@@ -79,11 +81,17 @@ class Report:
             self._last = state.status
             (rospy.logwarn if state.warning else rospy.loginfo)(self._prefix + state.status + self._suffix)
 
+    def _diagnosis(self, state):
+        """Return the level and the message of /diagnostics, which a status reports only for a while."""
+        lasting = self._supply.warning
+        level = (DiagnosticStatus.ERROR if state.fault else
+                 DiagnosticStatus.WARN if state.warning or lasting else DiagnosticStatus.OK)
+        addition = f", {lasting}" if lasting and lasting not in state.status else ""
+        return level, state.status + addition + self._suffix
+
     def _diagnose(self, result, supervisor):
         now, state = time.monotonic(), supervisor.state
-        level = (DiagnosticStatus.ERROR if state.fault else
-                 DiagnosticStatus.WARN if state.warning else DiagnosticStatus.OK)
-        result.summary(level, state.status + self._suffix)
+        result.summary(*self._diagnosis(state))
         for name, text in self._summary.items():
             result.add(name, text)
         result.add("transfers", self._link.transfers)

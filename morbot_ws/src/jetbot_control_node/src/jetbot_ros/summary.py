@@ -1,10 +1,10 @@
 """What this start of the controller drives: board, bus or port, the units of a command, the file of settings."""
 
-from typing import Dict, Optional
+from typing import Dict, List, Optional
 
 from jetbot import fake
 from jetbot.boards import BOARDS, MotorDriver
-from jetbot.text import printable
+from jetbot.text import enumeration, printable
 
 from .parameters import PARAMETERS
 
@@ -45,6 +45,17 @@ def start_line(texts: Dict[str, str]) -> str:
     own = texts["address"] == address_text(BOARDS[texts["board"]].address)
     return ("board {board} on {bus}; {units}; {settings}" if own else
             "board {board} at {address} on {bus}; {units}; {settings}").format(**texts)
+
+
+def start_warnings(parameters: Dict[str, object], driver: MotorDriver) -> List[str]:
+    """Return a sentence for each parameter that does not do what its user may expect. parameters: as ``summary``."""
+    warnings = []
+    ignored = [name for name in driver.ignores if parameters[name] != PARAMETERS[name].default]
+    if ignored:
+        warnings.append(f"the board {parameters['board']} ignores {enumeration(ignored)}")
+    if parameters["publish_odom"] and not driver.closed_loop and in_workshop_units(parameters):
+        warnings.append("odom is not in metres: add config:=si_units.yaml")
+    return warnings
 
 
 def status_suffix(driver: MotorDriver) -> str:

@@ -18,7 +18,8 @@ STOPPED_INTERVAL = 0.4       # s between two wake-ups while it is stopped; the g
 RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried again
 VERIFY_AFTER_COMMAND = 0.1   # s between two verifications right after a command, when the next is not due soon
 VERIFY_IDLE = 0.3            # s between two verifications at any other moment
-FREEZE = 0.8                 # s between two steps after which this program was frozen, and with it its questions
+FREEZE = 0.7                 # s between two steps after which this program was frozen, and with it its questions
+#                              and heartbeats; the guard stops the wheels 0.75 s after a step at the earliest
 
 GUARD_START_TIMEOUT = 5.0    # s until a guard that does not start is reported
 
@@ -48,7 +49,8 @@ class Supervisor:
         self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
         self._ending, self._failure = False, None
         self._status = None
-        self._fed_at = self._verified_at = self._stepped_at = float("-inf")
+        self._fed_at = self._verified_at = float("-inf")
+        self._stepped_at = float("inf")  # there is no step yet, and so no gap after it
         self._commanders, self._disturbances = Commanders(), Disturbances()
         self._faults = 0
 
@@ -108,6 +110,7 @@ class Supervisor:
         senders = self._senders()
         if now - self._stepped_at > FREEZE:
             self._change(State.confirm, self.state.held_for, now)
+            self._robot.driver.invalidate()  # the guard may have stopped the wheels meanwhile
         self._stepped_at = now
         self._change(State.check_timeout, senders, now)
         state, fault = self.state, None

@@ -1,4 +1,4 @@
-"""Watches the supply: when it is read, and whether it dips as the motors start. No ROS here."""
+"""Watches the supply: when it is read, whether it dips as the motors start, and whether it is empty. No ROS here."""
 
 import threading
 import time
@@ -20,25 +20,28 @@ ALARM_WITHIN = 4.0  # s from it; Linux asks a Raspberry Pi's firmware every 2 s 
 class SupplyWatch:
     """Reads the supply once in each second: shortly after the motors have started, if they do.
 
-    It is an observer of the Supervisor: a note reports the first dip. ``run`` is a thread of its own, for which no
-    command waits; a supply whose reading has held up the bus is not read again.
-    supply: None if nothing measures it; advice: what to do against a dip. dips: how many were seen.
+    It is an observer of the Supervisor: a note reports the first dip, and once that the battery is empty. ``run`` is a
+    thread of its own, for which no command waits; a supply whose reading has held up the bus is not read again.
+    supply: None if nothing measures it; acceleration_limit: as the parameter. dips: how many were seen;
+    warning: a sentence while the battery is empty, else None.
     """
 
-    def __init__(self, supply: Optional[Supply], advice: str):
-        self._supply, self._advice = supply, advice
+    def __init__(self, supply: Optional[Supply], acceleration_limit: float = 0.0):
+        self._supply, self._advice = supply, dip_advice(acceleration_limit)
         self._reading, self._text = Reading(), "not read yet" if supply else "not measured"
         self._motors_started, self._started_at = threading.Event(), float("-inf")
         self._duties = 0.0, 0.0
         self._note, self._noted_at = None, float("-inf")
+        self._noted_empty = False
         self.dips = 0
+        self.warning: Optional[str] = None
 
     def __str__(self) -> str:
         """The supply at its last reading, or why it is not known."""
         return self._text
 
     def __call__(self, duties: Tuple[float, float], now: float) -> Optional[str]:
-        """Accept what the wheels are given; return a note for ``NOTE_FOR`` seconds after the first dip, else None."""
+        """Accept what the wheels are given; return a note for ``NOTE_FOR`` seconds after what it reports, else None."""
         if any(new and new * old <= 0 for new, old in zip(duties, self._duties)):  # from a standstill, or reversed
             self._started_at = now
             self._motors_started.set()
@@ -70,6 +73,7 @@ class SupplyWatch:
                 self._supply = None
                 self._text += "; restart the controller to read it again"
         self._check_dip(before, self._reading, now)
+        self._check_empty(self._reading, now)
         return self._reading
 
     def _check_dip(self, before, after, now):
@@ -82,3 +86,18 @@ class SupplyWatch:
         if self.dips == 1:
             dip = f" from {before.voltage:.1f} to {after.voltage:.1f} V" if lower else ""
             self._note, self._noted_at = f"its supply dips{dip} as the motors start: {self._advice}", now
+
+    def _check_empty(self, reading, now):
+        if now - self._started_at < DIP_WITHIN:  # a full battery may dip, too
+            return
+        if not reading.empty:
+            self.warning = None
+        elif not self.warning:
+            self.warning = f"its battery is empty ({reading.voltage:.1f} V): charge it"
+            if not self._noted_empty:
+                self._noted_empty, self._note, self._noted_at = True, self.warning, now
+
+
+def dip_advice(acceleration_limit: float) -> str:
+    """Return what to do against a supply that dips as the motors start. acceleration_limit: the parameter."""
+    return f"lower acceleration_limit (now {acceleration_limit})" if acceleration_limit else "set acceleration_limit:=1"

@@ -18,7 +18,6 @@ from .probe import Check, check_board, check_chips, check_serial, check_users
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial"]
 NEEDED_BY_SOME = ["smbus2", "serial"]  # by boards on an I2C bus, on a serial port
-LOW_BATTERY = 0.1  # of the charge
 
 
 def run_checks(i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
@@ -147,7 +146,7 @@ def check_supply(link: Union[I2CDevice, SerialLink]) -> List[Check]:
         reading = supply.read()
     except JetbotError as error:  # unplugged meanwhile
         return [Check("supply", False, error.reason, error.advice)]
-    advice = ("Charge the battery." if reading.percentage < LOW_BATTERY else
+    advice = ("Charge the battery." if reading.empty else
               "Use a supply of 5 V and 3 A, and a short cable." if reading.undervoltage else "")
     return [Check("supply", not advice, f"{reading}, by the {supply.sensor}", advice)]
 

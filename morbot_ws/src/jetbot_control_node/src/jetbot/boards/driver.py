@@ -1,7 +1,7 @@
 """The contract between a robot and its motor board."""
 
 import abc
-from typing import Callable, NamedTuple, Tuple, Union
+from typing import Callable, NamedTuple, Sequence, Tuple, Union
 
 from ..i2c import I2CDevice
 from ..serial_link import SerialLink
@@ -33,6 +33,7 @@ class MotorDriver(abc.ABC):
     limit = 1.0  # largest |wheel speed| that the board accepts; Robot clamps a speed to it, and nothing else does
     resolution = 0.0  # the board's step of a wheel speed: half a step or less is rounded to 0
     closed_loop = False  # True: the board controls its wheel speeds itself; they are in m/s, for wheels 2 m apart
+    ignores: Sequence[str] = ()  # the controller's parameters that change nothing on this board
     resets = 0       # how often the board was found at its power-on values: a brown-out
     overwritten = 0  # how often it held what another program has written
     in_sync = True   # whether the board holds what it was sent, as far as is known; else the next ``drive`` restores it
@@ -58,6 +59,9 @@ class MotorDriver(abc.ABC):
 
         Successive calls go through all parts.
         """
+
+    def invalidate(self) -> None:
+        """Something else has driven the board, such as the guard: the next ``drive`` sets it up again."""
 
     def keep_alive(self) -> None:
         """Feed the board's own timer, which stops the motors when it is no longer fed. Without a timer: nothing."""

@@ -38,6 +38,8 @@ class JetBotPro(MotorDriver):
     limit = INT16_MAX / 1000  # the frame's numbers are int16, in mm/s and mrad/s
     resolution = 0.001
     closed_loop = True
+    ignores = ("wheel_separation", "max_speed", "left_motor_alpha", "right_motor_alpha", "min_duty", "max_duty",
+               "pwm_frequency", "publish_odom")
     keep_alive_interval = 0.04  # s; so a lost frame is soon repeated
 
     def __init__(self, link: SerialLink, pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
@@ -61,6 +63,9 @@ class JetBotPro(MotorDriver):
         wanted = velocity(left, right)
         if wanted != self._sent:
             self._send(wanted)
+
+    def invalidate(self) -> None:
+        self._sent = None
 
     def keep_alive(self) -> None:
         if self._sent is not None:

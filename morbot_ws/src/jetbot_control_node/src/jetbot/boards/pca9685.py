@@ -119,6 +119,10 @@ class PCA9685:
         else:
             self._differs = held
 
+    def invalidate(self) -> None:
+        """Something else has written to the chip: the next ``set_outputs`` sets it up again."""
+        self._sent = None
+
     def _set_prescale(self):
         for register, value in (MODE1, MODE1_AI | MODE1_SLEEP), (PRE_SCALE, self._prescale), (MODE1, MODE1_AI):
             self._link.write(register, [value])

@@ -89,3 +89,6 @@ class PwmMotors(MotorDriver):
 
     def verify(self) -> None:
         self._chip.verify()
+
+    def invalidate(self) -> None:
+        self._chip.invalidate()

@@ -27,6 +27,7 @@ class ScmdMotors(MotorDriver):
     """Drives the SCMD. Its timer is off until the first ``keep_alive``; from then on it must be fed within 1.0 s."""
 
     resolution = 1 / 0x80
+    ignores = ("pwm_frequency",)
 
     def __init__(self, link: I2CDevice, pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
         super().__init__(link, pwm_frequency)
@@ -72,6 +73,9 @@ class ScmdMotors(MotorDriver):
             self._sent = sent
         else:
             self._differs = True
+
+    def invalidate(self) -> None:
+        self._sent = None
 
     def keep_alive(self) -> None:
         sent, self._sent = self._sent, None  # until all of it went through
