@@ -4,9 +4,9 @@ from jetbot import host, i2c, supply
 from jetbot_tools import doctor
 
 
-def lines(bus=None, port=None, address=None):
+def lines(bus=None, port=None, address=None, board=""):
     """Return the doctor's lines."""
-    return [str(check) for check in doctor.run_checks(bus, port, address)]
+    return [str(check) for check in doctor.run_checks(bus, port, address, board)]
 
 
 def make_bare(monkeypatch, tmp_path):

@@ -9,8 +9,10 @@ import pytest
 
 from conftest import SOURCE
 from jetbot import JetbotError
+from jetbot.fake.bus import power_on
 from jetbot.lock import lock_board
 from jetbot_tools.motions import Step
+from jetbot_tools.probe import check_board
 from jetbot_tools.wizard import Wizard
 
 calibrate = runpy.run_path(str(SOURCE / "scripts/calibrate.py"))
@@ -68,6 +70,21 @@ def test_finds_a_board_at_another_address_and_calibrates_it_there(home, folder, 
     with pytest.raises(JetbotError, match="No wheel turned"):
         calibrate["calibrate"](["adafruit"], 0x61, **place)
     assert seen == [{"board": "adafruit", **place, "i2c_address": 0x61, "pwm_frequency": 50}]
+
+
+@pytest.mark.parametrize("boards, answers, driven", [
+    (["waveshare_hat"], ["yes"], ["waveshare_hat"]), (["waveshare_hat"], ["no"], []),
+    (["adafruit", "waveshare_hat"], [], ["adafruit"])])
+def test_what_may_be_a_servo_board_is_driven_only_if_a_person_says_it_is_none(folder, monkeypatch, boards, answers,
+                                                                              driven):
+    power_on(folder)
+    checks = {board: check_board(board, f"fake:{folder}", "") for board in boards}
+    questions = []
+    monkeypatch.setattr("builtins.input", lambda question: questions.append(question) or answers.pop())
+    assert calibrate["drivable"](checks) == driven
+    assert not answers
+    assert set(questions) <= {"Is it certain that the chip at 0x40 is Waveshare's Motor Driver HAT and no servo board? "
+                              "[yes/no] "}
 
 
 @pytest.mark.parametrize("board, frequency", [("jetbot", 50), ("waveshare_hat", 50), ("sparkfun", None)])

@@ -1,14 +1,12 @@
-"""What the doctor finds on a bus: motor boards, other chips and other programs."""
+"""What the doctor finds on a bus: motor boards and other chips."""
 
 import errno
-import os
-import subprocess
 
 import pytest
 from examined import lines, make_bare
 
 from jetbot import host, i2c
-from jetbot_tools import probe
+from jetbot_tools import doctor, probe
 
 PCA9685 = {0x00: 0x11, 0x01: 0x04, 0x02: 0xE2, 0x03: 0xE4, 0x04: 0xE8}
 SCMD = {0x01: 0xA9}
@@ -53,11 +51,9 @@ def plug_in(monkeypatch):
 @pytest.mark.parametrize("address, chip, boards, command", [
     (0x61, PCA9685, "jetbot or adafruit or waveshare", "i2c_address:=0x61"),
     (0x6F, PCA9685, "jetbot or adafruit or waveshare", "i2c_address:=0x6f"),
-    (0x41, PCA9685, "waveshare_hat", "board:=waveshare_hat i2c_address:=0x41"),
     (0x58, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x58"),
     (0x63, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x63"),
-    (0x60, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x60"),
-    (0x40, PCA9685, "waveshare_hat", "board:=waveshare_hat")])
+    (0x60, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x60")])
 def test_a_board_at_an_address_that_its_jumpers_select(plug_in, address, chip, boards, command):
     plug_in({address: chip})
     output = lines(1)
@@ -65,9 +61,49 @@ def test_a_board_at_an_address_that_its_jumpers_select(plug_in, address, chip, b
     assert output[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
 
 
-def test_a_servo_board_is_not_offered_without_a_warning(plug_in):
-    plug_in({0x40: PCA9685})
-    assert lines(1)[-2].endswith(" A servo board answers in the same way: do not drive that.")
+@pytest.mark.parametrize("address, command", [
+    (0x40, "board:=waveshare_hat"), (0x41, "board:=waveshare_hat i2c_address:=0x41")])
+def test_what_may_be_a_servo_board_is_offered_on_one_condition(plug_in, address, command):
+    plug_in({address: PCA9685})
+    *_, chip, robot = doctor.run_checks(1)
+    assert str(chip).endswith(" A servo board answers in the same way: do not drive that.")
+    condition = f"the chip at 0x{address:02x} is Waveshare's Motor Driver HAT and no servo board"
+    assert str(robot) == f"NOT robot: could drive if {condition}. Start it with: {LAUNCH} {command}"
+    assert robot.condition == chip.condition == condition
+    assert lines(1, address=address)[-1] == str(robot)
+    assert lines(1, board="waveshare_hat")[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
+
+
+@pytest.mark.parametrize("board, address, uncertain", [
+    ("waveshare_hat", 0x40, True), ("adafruit", 0x40, True), ("adafruit", 0x60, False), ("waveshare_hat", 0x61, False)])
+def test_what_may_be_a_servo_board_is_marked_whatever_board_is_tried_there(plug_in, board, address, uncertain):
+    plug_in({0x40: PCA9685, 0x60: PCA9685, 0x61: PCA9685})
+    check = probe.check_board(board, 1, "", address)
+    assert check.ok and bool(check.condition) == uncertain
+
+
+def test_a_board_that_is_certain_comes_before_one_that_may_be_a_servo_board(plug_in):
+    plug_in({0x40: PCA9685, 0x5D: SCMD})
+    assert lines(1)[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} board:=sparkfun"
+
+
+@pytest.mark.parametrize("board, address, command", [
+    ("adafruit", 0x60, "board:=adafruit"), ("waveshare", 0x61, "board:=waveshare i2c_address:=0x61"),
+    ("sparkfun", 0x58, "board:=sparkfun i2c_address:=0x58")])
+def test_a_board_that_is_named_is_looked_for_alone(plug_in, board, address, command):
+    plug_in({0x40: PCA9685, 0x5D: {}, address: SCMD if board == "sparkfun" else PCA9685})
+    output = lines(1, board=board)
+    assert not [line for line in output if "0x40 on" in line]
+    assert output[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
+
+
+@pytest.mark.parametrize("board, port", [("jetbot", None), ("jetbot", "/dev/nowhere"), ("jetbot_pro", None)])
+def test_a_board_that_is_named_is_looked_for_where_it_can_be(plug_in, monkeypatch, board, port):
+    plug_in({0x40: PCA9685, 0x5D: SCMD})
+    monkeypatch.setattr(host, "buses", lambda: [1])
+    output = "\n".join(lines(port=port, board=board))
+    assert ("0x60 on /dev/i2c-1" in output, "/dev/nowhere" in output) == (board == "jetbot", board == "jetbot_pro")
+    assert "NOT robot: no motor board found." in output
 
 
 @pytest.mark.parametrize("chips", [{0x68: {}}, {0x61: {}, 0x41: {0x00: 0x39, 0x01: 0x9F}}, {0x40: {}}])
@@ -142,43 +178,3 @@ def test_the_files_board_must_be_at_the_files_address(tmp_path, plug_in, board, 
     plug_in({0x60: PCA9685, 0x61: PCA9685, 0x5E: SCMD})
     (tmp_path / "jetbot.yaml").write_text(f"board: {board}\ni2c_address: {address}")
     assert f"{tmp_path}/jetbot.yaml: {finding}." in lines()[2]
-
-
-def test_who_else_has_a_device_open(tmp_path):
-    device = tmp_path / "i2c-1"
-    device.touch()
-    assert probe.check_users(str(tmp_path / "none")) == []
-    with device.open() as file:
-        assert str(probe.check_users(str(device))[0]).startswith(f"ok  {device}: no other program")
-        other = subprocess.Popen(["sleep", "60"], stdin=file)
-    checks = probe.check_users(str(device))
-    other.kill()
-    other.wait()
-    assert [str(check) for check in checks] == [
-        f"NOT {device}: also open in sleep ({other.pid}). Two programs on one motor board disturb each other: "
-        "end one of them."]
-
-
-@pytest.mark.parametrize("cgroup, cmdline", [
-    ("0::/system.slice/jetbot_stats.service", "python3"), ("0::/docker/1", "python3 -m jetbot.apps.stats"),
-    ("0::/user.slice", "/usr/bin/python3 /home/jetbot/jetbot/jetbot/apps/stats.py")])
-def test_the_service_of_the_jetbots_display_may_have_the_bus_open(tmp_path, monkeypatch, cgroup, cmdline):
-    monkeypatch.setattr(os, "geteuid", lambda: 0)
-    device = tmp_path / "i2c-1"
-    device.touch()
-    proc = tmp_path / "proc"
-    add_process(proc / "7", device, cgroup, cmdline)
-    assert [str(check) for check in probe.check_users(str(device), proc)] == [
-        f"ok  {device}: no other program has it open but the service of the JetBot's display, which is normal."]
-    add_process(proc / "8", device, "0::/user.slice", "python3 drive.py")
-    assert [str(check) for check in probe.check_users(str(device), proc)] == [
-        f"NOT {device}: also open in drive.py (8). Two programs on one motor board disturb each other: "
-        "end one of them."]
-
-
-def add_process(folder, device, cgroup, cmdline):
-    """Make a process's folder in a fake /proc. cmdline: words without spaces."""
-    (folder / "fd").mkdir(parents=True)
-    (folder / "fd/3").symlink_to(device)
-    (folder / "cgroup").write_text(cgroup + "\n")
-    (folder / "cmdline").write_text(cmdline.replace(" ", "\0") + "\0")

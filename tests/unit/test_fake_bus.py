@@ -14,6 +14,7 @@ from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.chips import PCA9685
 from jetbot.fake.motors import STOPPED, pwm_frequency, wheel_speeds
 from jetbot.fake.port import FakePort
+from jetbot.lock import lock_board
 
 FULL, HALF, OFF = bytes([0, 0x10, 0, 0]), bytes([0, 0, 0, 0x08]), bytes([0, 0, 0, 0x10])  # one output's registers
 
@@ -171,6 +172,13 @@ def test_a_new_bus_has_a_chip_at_the_address_that_is_asked_for(folder):
     assert FakeBus(folder, 0x61).read_byte_data(0x61, 0x00) == 0x11
 
 
+@pytest.mark.parametrize("plug_in", [FakeBus, power_on, lambda folder, address: lock_board(f"fake:{folder}", address)])
+@pytest.mark.parametrize("address, possible", [(0x3D, False), (0x3F, False), (0x40, True), (0x77, True)])
+def test_a_chip_has_the_address_of_a_pca9685(folder, plug_in, address, possible):
+    plug_in(folder, address)
+    assert (folder / f"0x{address:02x}").exists() == possible
+
+
 def power_on_by_hand(monkeypatch, *words):
     monkeypatch.setattr(sys, "argv", ["jetbot.fake", *map(str, words)])
     runpy.run_module("jetbot.fake", run_name="__main__")
@@ -184,10 +192,11 @@ def test_a_chip_is_plugged_in_by_hand_and_powered_on_with_the_others(bus, folder
     assert registers(folder, 0x61)[0x00] == 0x11
 
 
-def test_no_chip_can_be_at_any_address(folder, monkeypatch, capsys):
+@pytest.mark.parametrize("address", ["0x3f", "0x78", "0x161", "sixty"])
+def test_no_chip_can_be_at_any_address(folder, monkeypatch, capsys, address):
     with pytest.raises(SystemExit):
-        power_on_by_hand(monkeypatch, folder, "--i2c-address", "0x161")
-    assert "--i2c-address must be an address from 0x03 to 0x77" in capsys.readouterr().err
+        power_on_by_hand(monkeypatch, folder, "--i2c-address", address)
+    assert "--i2c-address must be an address from 0x40 to 0x77" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("restart, duty", [(0x20, 0), (0xA0, 0.5)])

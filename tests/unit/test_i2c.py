@@ -73,7 +73,7 @@ def test_a_lasting_failure_is_reported(folder):
 
 @pytest.mark.parametrize("address, advice", [
     (0x61, "To plug it in: python3 -m jetbot.fake {} --i2c-address 0x61"),
-    (61, "Do you mean 0x61? To plug it in: python3 -m jetbot.fake {} --i2c-address 0x3d")])
+    (61, "Do you mean 0x61? A fake motor board is at 0x40 to 0x77.")])
 def test_a_board_at_another_address_that_is_missing(folder, address, advice):
     I2CDevice(f"fake:{folder}", 0x60).read(0)
     with pytest.raises(BusError) as error:
@@ -81,7 +81,9 @@ def test_a_board_at_another_address_that_is_missing(folder, address, advice):
     assert str(error.value) == f"No answer from 0x{address:02x} on fake:{folder}. {advice.format(folder)}"
 
 
-def test_an_address_that_was_typed_without_0x():
+def test_an_address_that_was_typed_without_0x(folder):
+    with pytest.raises(BusError, match="No answer from 0x3d on .* Do you mean 0x61?"):
+        I2CDevice(f"fake:{folder}", 61).read(0)
     assert explain(OSError(errno.EREMOTEIO, ""), "/dev/i2c-1", 61).advice.startswith("Do you mean 0x61? Is the motor ")
 
 

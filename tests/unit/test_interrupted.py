@@ -136,6 +136,17 @@ def test_every_byte_of_the_set_up_and_the_first_command(chip, board, fault, freq
 
 
 @pytest.mark.parametrize("board", ROBOTS)
+@pytest.mark.parametrize("fault", [NACK_AND_STOP, BROWN_OUT, CUT])
+def test_every_byte_while_the_board_is_opened(chip, board, fault):
+    for byte in range(length(chip, find_board(board).open, BUS)):
+        chip.registers[:] = chip.POWER_ON
+        chip.interrupt(byte, fault)
+        driver = find_board(board).open(BUS)
+        driver.drive(0.5, -0.5)
+        assert {speeds(bytes(chip.registers), board)} == {(0.5, -0.5) * len(ROBOTS[board])}
+
+
+@pytest.mark.parametrize("board", ROBOTS)
 def test_after_a_failed_change_the_next_command_first_stops_the_wheels(chip, board):
     before, after, next_one = (1, 0.5), (0.5, -1), (-1, -0.5)
     driver = find_board(board).open(BUS)

@@ -30,6 +30,24 @@ def test_an_address_is_a_number(parser, argument):
     assert parse(parser, [argument]).i2c_address == 0x61
 
 
+@pytest.mark.parametrize("typed, value", [("max_speed:=0.5", "0.5"), ("_max_speed:=0.5", "0.5"),
+                                          ("--max-speed=0.5", "0.5"), ("max_speed", "VALUE")])
+def test_an_argument_of_the_controller_is_sent_there(parser, monkeypatch, typed, value):
+    monkeypatch.delenv("MORBOT", raising=False)
+    parser.prog = "doctor.py"
+    with pytest.raises(SystemExit) as end:
+        parse(parser, [typed])
+    assert str(end.value) == (
+        "max_speed is an argument of the controller, not of doctor.py. Leave it out here; it belongs to: "
+        f"roslaunch jetbot_control_node jetbot_controller.launch max_speed:={value}")
+
+
+def test_a_bad_board_is_refused(parser):
+    add_options(parser, board="any")
+    with pytest.raises(SystemExit, match="The parameter board must be one of jetbot, .*, not 'banana'"):
+        parse(parser, ["board:=banana"])
+
+
 @pytest.mark.parametrize("address", ["0x80", "2", "sixty"])
 def test_a_bad_address_is_refused(parser, address):
     with pytest.raises(SystemExit, match="The parameter i2c_address must be an address from 0x03 to 0x77, not "):

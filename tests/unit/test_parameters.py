@@ -202,11 +202,23 @@ def test_an_odd_value_in_the_file_gets_one_short_sentence(tmp_path, content):
     assert str(error.value).isprintable() and len(str(error.value)) < 2000
 
 
-@pytest.mark.parametrize("name", ["no.yaml", ".", "/dev/zero", "~nobody_here/robot.yaml", None])
+@pytest.mark.parametrize("name", [".", "/dev/zero"])
 def test_a_named_file_that_cannot_be_read(tmp_path, monkeypatch, name):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(InvalidValue, match="cannot be used: (No such file or directory|not a regular file). Fix it"):
+    with pytest.raises(InvalidValue, match="cannot be used: not a regular file. Fix it"):
         resolve({"config": name})
+
+
+@pytest.mark.parametrize("name, where, advice", [
+    ("si_unit.yaml", " in {}, the folder in which this program runs", "Did you mean config:=si_units.yaml? "),
+    ("/nowhere/SI_Unit.yaml", "", "Did you mean config:=si_units.yaml? "),
+    *((name, " in {}, the folder in which this program runs", "") for name in ("~nobody_here/robot.yaml", None))])
+def test_a_named_file_that_is_missing(tmp_path, monkeypatch, name, where, advice):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InvalidValue) as error:
+        resolve({"config": name})
+    assert str(error.value) == (f"There is no file {name}{where.format(tmp_path)}. {advice}"
+                                "Name a file of your own by its whole path.")
 
 
 def test_the_file_in_ros_home_is_never_passed_over(ros_home):

@@ -23,10 +23,13 @@ def driver_of(board):
      "right = x + z; settings from /home/pupil/.ros/jetbot.yaml"),
     ({"wheel_separation": 0.1125, "max_speed": 0.6}, "", driver("fake:/bus"), "board jetbot on fake:/bus; "
      "m/s and rad/s, with wheels 0.1125 m apart and 0.6 m/s at full power; no file of settings"),
+    ({}, "", driver(address=0x61), "board jetbot at 0x61 on /dev/i2c-1; workshop units: left = x - z, right = x + z; "
+     "no file of settings"),
     ({"board": "jetbot_pro"}, "", driver("/dev/ttyACM0", None, True),
      "board jetbot_pro on /dev/ttyACM0; m/s and rad/s; no file of settings"),
-    ({"board": "sparkfun"}, "/a b/\x1b[2J\udcff\n.yaml", driver(), "board sparkfun on /dev/i2c-1; workshop units: "
-     r"left = x - z, right = x + z; settings from /a b/\x1b[2J\udcff\n.yaml")])
+    ({"board": "sparkfun"}, "/a b/\x1b[2J\udcff\n.yaml", driver(address=0x5D),
+     r"board sparkfun on /dev/i2c-1; workshop units: left = x - z, right = x + z; "
+     r"settings from /a b/\x1b[2J\udcff\n.yaml")])
 def test_start_line(typed, config, robot, line):
     assert start_line(summary({**checked(typed), "config": config}, robot)) == line
 

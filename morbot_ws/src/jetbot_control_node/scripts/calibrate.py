@@ -20,7 +20,8 @@ from jetbot_ros.parameters import PARAMETERS, default_file, is_fake
 from jetbot_tools.calibration import as_yaml
 from jetbot_tools.commands import doctor, fake_advice, launch
 from jetbot_tools.options import add_options, parse
-from jetbot_tools.probe import check_board, check_users
+from jetbot_tools.probe import Check, check_board, check_users
+from jetbot_tools.terminal import choose
 from jetbot_tools.wizard import WIZARDS, Wizard
 
 
@@ -30,10 +31,19 @@ def find_boards(i2c_address: Optional[int], **place: Any) -> List[str]:
     for each in dict.fromkeys(places.values()):
         checks = {board: check_board(board, i2c_address=i2c_address, **place)
                   for board in places if places[board] == each}
-        if any(check.ok for check in checks.values()):
-            return [board for board, check in checks.items() if check.ok]
+        boards = drivable({board: check for board, check in checks.items() if check.ok})
+        if boards:
+            return boards
         print(*dict.fromkeys(map(str, checks.values())), sep="\n")
     raise JetbotError("no motor board found", "If you know which one it is, name it with --board.", "i2c_bus")
+
+
+def drivable(checks: Dict[str, Check]) -> List[str]:
+    """Return the boards that answer for certain; without any, those of which a person says so: a servo could move."""
+    conditions = dict.fromkeys(check.condition for check in checks.values())
+    met = {""} if "" in conditions else {
+        condition for condition in conditions if choose(f"Is it certain that {condition}?", {"yes": True, "no": False})}
+    return [board for board, check in checks.items() if check.condition in met]
 
 
 def calibrate(boards: List[str], i2c_address: Optional[int], **place: Any) -> Dict[str, Any]:

@@ -19,10 +19,10 @@ from jetbot_tools.options import add_options, parse
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--json", action="store_true", help="print the checks as a JSON list")
-    add_options(parser, i2c_bus="every bus", i2c_address="those of the boards", port="")
+    add_options(parser, board="any", i2c_bus="every bus", i2c_address="those of the boards", port="")
     options = parse(parser, sys.argv[1:])
     checks = []
-    for check in run_checks(options.i2c_bus, options.port, options.i2c_address):
+    for check in run_checks(options.i2c_bus, options.port, options.i2c_address, options.board or ""):
         checks.append(check)
         if not options.json:
             print(check, flush=True)

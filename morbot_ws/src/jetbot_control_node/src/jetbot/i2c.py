@@ -151,11 +151,13 @@ def explain_fake(error: OSError, bus: str, address: int) -> BusError:
     if error.errno in (errno.EROFS, errno.EACCES, errno.ENOTDIR, errno.ENOSPC):
         return PermissionDenied(f"the fake bus {bus} cannot be used: {error.strerror}",
                                 "Name another folder: fake:FOLDER", error.errno)
-    from .fake.motors import ROBOTS  # here: no real robot needs it
+    from .fake.chips import PCA9685  # here: no real robot needs them
+    from .fake.motors import ROBOTS
     extra = None if address in [robot.address for robot in ROBOTS.values()] else address
-    return NoAnswer(f"no answer from 0x{address:02x} on {bus}",
-                    f"{address_advice(address)}To plug it in: {fake.power_on_command(fake.folder_of(bus), extra)}",
-                    error.errno)
+    advice = f"To plug it in: {fake.power_on_command(fake.folder_of(bus), extra)}"
+    if address not in PCA9685.ADDRESSES:
+        advice = "A fake motor board is at 0x40 to 0x77."
+    return NoAnswer(f"no answer from 0x{address:02x} on {bus}", address_advice(address) + advice, error.errno)
 
 
 def address_advice(address: int) -> str:

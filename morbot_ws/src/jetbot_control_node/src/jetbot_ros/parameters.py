@@ -22,6 +22,8 @@ from jetbot.kinds import (  # noqa: F401  for nodes
     is_number,
 )
 
+from .launch_arguments import closest
+
 SHIPPED = Path(__file__).resolve().parents[2] / "config"
 MAX_BUS = 2**20 - 1  # Linux's minor numbers have 20 bits
 
@@ -45,7 +47,8 @@ PARAMETERS = {
     "board": Parameter("jetbot", BOARD, "motor board: jetbot (Adafruit's and Waveshare's layout at once), adafruit, "
                                         "waveshare, waveshare_hat, sparkfun or jetbot_pro"),
     "i2c_bus": Parameter(1, BUS, "I2C bus: N for /dev/i2c-N, fake (no robot needed), or fake:FOLDER"),
-    "i2c_address": Parameter(None, ADDRESS, "I2C address of the board, where its jumpers or switches change it"),
+    "i2c_address": Parameter(None, ADDRESS, "I2C address of the board with its 0x, as 0x61, where jumpers or "
+                                            "switches change it"),
     "port": Parameter(DEFAULT_PORT, SERIAL, "serial port of a jetbot_pro: a device, a socket:// URL, fake, or "
                                             "fake:FOLDER"),
     "cmd_vel_timeout": Parameter(1.0, SECONDS, "time without a command after which the robot stops; 0 holds the last "
@@ -110,13 +113,26 @@ def resolve(typed: Dict[str, object]) -> Dict[str, object]:
 def find_file(config: object, simulated: Collection[str]) -> str:
     """Return the absolute path of the file to read, or "". config: what is typed; simulated: what is typed as fake.
 
-    A name such as si_units.yaml, if there is no such file, is one of this package's.
+    A name such as si_units.yaml, if there is no such file, is one of this package's. Raise InvalidValue if it is not.
     """
     if config != "":
         file = os.path.abspath(os.path.expanduser(str(config)))
         shipped = SHIPPED / str(config)
-        return str(shipped) if shipped.is_file() and not os.path.exists(file) else file
+        if not files.is_missing(file):
+            return file
+        if shipped.is_file():
+            return str(shipped)
+        raise no_file(str(config))
     return "" if simulated or files.is_missing(default_file()) else os.path.abspath(default_file())
+
+
+def no_file(config: str) -> InvalidValue:
+    """Return the error of a typed ``config`` that is no file."""
+    relative = not os.path.isabs(os.path.expanduser(config))
+    where = f" in {os.getcwd()}, the folder in which this program runs" if relative else ""
+    meant = closest(os.path.basename(config), os.listdir(SHIPPED))
+    return InvalidValue(f"there is no file {config}{where}", (f"Did you mean config:={meant}? " if meant else "")
+                        + "Name a file of your own by its whole path.")
 
 
 def checked(values: Dict[str, object], parameters: Dict[str, Parameter] = PARAMETERS) -> Dict[str, object]:

@@ -1,9 +1,9 @@
 """What this start of the controller drives: board, bus or port, the units of a command, the file of settings."""
 
-from typing import Dict, List
+from typing import Dict, List, Optional
 
 from jetbot import fake
-from jetbot.boards import MotorDriver
+from jetbot.boards import BOARDS, MotorDriver
 from jetbot.text import enumeration, printable
 
 from .parameters import PARAMETERS
@@ -14,11 +14,15 @@ GEOMETRY = ("wheel_separation", "max_speed")
 def summary(parameters: Dict[str, object], driver: MotorDriver) -> Dict[str, str]:
     """Return a text for each of board, bus, address, units and settings. parameters: as ``resolve`` returns them."""
     config = parameters["config"]
-    address = driver.link.address
-    texts = {"board": parameters["board"], "bus": driver.link.name, "address": f"0x{address:02x}" if address else "",
+    texts = {"board": parameters["board"], "bus": driver.link.name, "address": address_text(driver.link.address),
              "units": units(parameters, driver.closed_loop),
              "settings": f"settings from {config}" if config else "no file of settings"}
     return {name: printable(text) for name, text in texts.items()}
+
+
+def address_text(address: Optional[int]) -> str:
+    """Return how an I2C address is printed; "" for None, of a board on a serial port."""
+    return f"0x{address:02x}" if address else ""
 
 
 def units(parameters: Dict[str, object], closed_loop: bool) -> str:
@@ -37,8 +41,10 @@ def in_workshop_units(parameters: Dict[str, object]) -> bool:
 
 
 def start_line(texts: Dict[str, str]) -> str:
-    """Return the ``summary`` as one line."""
-    return "board {board} on {bus}; {units}; {settings}".format(**texts)
+    """Return the ``summary`` as one line; it has the address where that is not the board's own."""
+    own = texts["address"] == address_text(BOARDS[texts["board"]].address)
+    return ("board {board} on {bus}; {units}; {settings}" if own else
+            "board {board} at {address} on {bus}; {units}; {settings}").format(**texts)
 
 
 def start_warnings(parameters: Dict[str, object], driver: MotorDriver) -> List[str]:

@@ -13,7 +13,7 @@ from jetbot.supply import find_supply
 from jetbot_ros.parameters import checked, default_file, load
 
 from .commands import in_shell, launch
-from .identify import JUMPER_ADDRESSES
+from .identify import jumper_addresses
 from .probe import Check, check_board, check_chips, check_serial, check_users
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial"]
@@ -21,43 +21,58 @@ NEEDED_BY_SOME = ["smbus2", "serial"]  # by boards on an I2C bus, on a serial po
 
 
 def run_checks(i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
-               i2c_address: Optional[int] = None) -> Iterator[Check]:
+               i2c_address: Optional[int] = None, board: str = "") -> Iterator[Check]:
     """Yield every Check, the verdict last.
 
     i2c_bus: N for /dev/i2c-N, fake, or fake:FOLDER; port: a serial port, or the same. A board is looked for there;
     without both, on every bus of this computer and on the default port. i2c_address: look there alone on each bus.
+    board: a name in BOARDS; look for this one alone.
     """
     checks = []
-    for check in all_checks(i2c_bus, port, i2c_address):
+    for check in all_checks(i2c_bus, port, i2c_address, board):
         checks.append(check)
         yield check
-    yield verdict(checks)
+    yield verdict(checks, board)
 
 
-def all_checks(i2c_bus: Union[int, str, None], port: Optional[str], i2c_address: Optional[int]) -> Iterator[Check]:
-    """Yield all checks but the verdict: of the buses until one has a board, of the port if none has."""
+def all_checks(i2c_bus: Union[int, str, None], port: Optional[str], i2c_address: Optional[int],
+               board: str) -> Iterator[Check]:
+    """Yield all checks but the verdict: of the computer, and of what its robot may be connected to."""
     yield from map(check_module, MODULES)
     yield check_host()
     file = default_file()
     simulated = any(fake.folder_of(fake.expand(str(place))) for place in (i2c_bus, port))
     if not files.is_missing(file) and not simulated:
         yield check_file(file)
+    on_bus = bool(BOARDS[board].address) if board else i2c_bus is not None or port is None
+    found = False
+    for check in check_buses(i2c_bus, i2c_address, board) if on_bus else ():
+        found = found or bool(check.command)
+        yield check
+    if not (found or board and on_bus):
+        yield from check_port(port or DEFAULT_PORT)
+
+
+def check_buses(i2c_bus: Union[int, str, None], i2c_address: Optional[int], board: str) -> Iterator[Check]:
+    """Yield the checks of the bus, or of every bus of this computer until one has a board; of its supply, too."""
     usual = host.robot_bus(host.model()) if i2c_bus is None else i2c_bus
-    buses = [] if i2c_bus is None else [i2c_bus]
-    if i2c_bus is None and port is None:
-        buses = sorted(host.buses(), key=lambda bus: bus != usual)
-        if not buses:
-            yield Check("I2C buses", False, "there is no /dev/i2c-*",
-                        "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.")
+    buses = sorted(host.buses(), key=lambda bus: bus != usual) if i2c_bus is None else [i2c_bus]
+    if not buses:
+        yield Check("I2C buses", False, "there is no /dev/i2c-*",
+                    "On a Raspberry Pi switch I2C on with: sudo raspi-config   A PC has none.")
     for bus in buses:
-        checks = check_bus(bus, i2c_address, other_addresses=bus == usual)
+        checks = check_bus(bus, i2c_address, board, other_addresses=bus == usual)
         yield from checks
         if any(check.command for check in checks):
             yield from check_supply(I2CDevice(bus, BOARDS["jetbot"].address))
             return
-    yield from check_users(port or DEFAULT_PORT)
-    yield check_serial(port or DEFAULT_PORT)
-    yield from check_supply(SerialLink(port or DEFAULT_PORT))
+
+
+def check_port(port: str) -> Iterator[Check]:
+    """Yield the checks of a serial port."""
+    yield from check_users(port)
+    yield check_serial(port)
+    yield from check_supply(SerialLink(port))
 
 
 def check_module(module: str) -> Check:
@@ -99,23 +114,26 @@ def check_file(file: Path) -> Check:
                  "Connect that board; or remove the file, and calibrate again.")
 
 
-def check_bus(bus: Union[int, str], i2c_address: Optional[int] = None, other_addresses: bool = False) -> List[Check]:
+def check_bus(bus: Union[int, str], i2c_address: Optional[int] = None, board: str = "",
+              other_addresses: bool = False) -> List[Check]:
     """Check that a board is on a bus, and that no other program uses it.
 
-    i2c_address: the only one to check; without it, those of the boards, and if none of them is there, and
-    ``other_addresses`` is true, those that their jumpers select: on another bus, chips of the computer itself may be.
+    board: the only one to look for. i2c_address: the only one to check; without it, those of the boards, and if none of
+    them is there, and ``other_addresses`` is true, those that their jumpers select: on another bus, chips of the
+    computer itself may be.
     """
     try:
         name = bus_name(bus)
     except JetbotError as error:
         return [Check(f"bus {bus}", False, error.reason, error.advice)]
-    addresses = list(dict.fromkeys(row.address for row in BOARDS.values() if row.address))
+    rows = [BOARDS[board]] if board else BOARDS.values()
+    addresses = list(dict.fromkeys(row.address for row in rows if row.address))
     if i2c_address is not None:
         addresses = [i2c_address]
-    chips = check_chips(bus, addresses)
+    chips = check_chips(bus, addresses, board)
     boards = [chip for chip in chips if chip.ok]
     if other_addresses and i2c_address is None and not boards:
-        boards = [chip for chip in check_chips(bus, JUMPER_ADDRESSES) if chip.ok]
+        boards = [chip for chip in check_chips(bus, jumper_addresses(board), board) if chip.ok]
     return check_users(name) + (boards or chips)
 
 
@@ -133,15 +151,18 @@ def check_supply(link: Union[I2CDevice, SerialLink]) -> List[Check]:
     return [Check("supply", not advice, f"{reading}, by the {supply.sensor}", advice)]
 
 
-def verdict(checks: List[Check]) -> Check:
-    """Return whether a robot could drive, and how."""
+def verdict(checks: List[Check], board: str = "") -> Check:
+    """Return whether a robot could drive, and how; not ok if only a person knows. board: the one that was named."""
     needed = {*MODULES, str(default_file())}.difference(NEEDED_BY_SOME)
     faults = [check.name for check in checks if not check.ok and check.name in needed]
     if faults:
         return Check("robot", False, f"cannot drive as long as {faults[0]} is not ok")
-    commands = [check.command for check in checks if check.command]
-    if not commands:
+    boards = [check for check in checks if check.command]
+    if not boards:
         return Check("robot", False, "no motor board found",
                      "Fix the items marked NOT. To try everything without one: "
                      + in_shell("roslaunch simulation simulation.launch"))
-    return Check("robot", True, "could drive", f"Start it with: {commands[0]}", commands[0])
+    best = min(boards, key=lambda check: bool(check.condition))
+    condition = "" if board else best.condition
+    return Check("robot", not condition, f"could drive{condition and f' if {condition}'}",
+                 f"Start it with: {best.command}", best.command, condition)

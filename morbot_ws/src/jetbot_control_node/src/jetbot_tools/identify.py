@@ -30,6 +30,13 @@ FAMILIES = (Family("PCA9685", range(0x60, 0x78), "jetbot"), Family("PCA9685", ra
 JUMPER_ADDRESSES = range(0x40, 0x70)
 
 
+def jumper_addresses(board: str = "") -> List[int]:
+    """Return the JUMPER_ADDRESSES that a board's jumpers select; all of them if none is named."""
+    return [address for address in JUMPER_ADDRESSES
+            if not board or any(address in row.addresses and BOARDS[row.board].address == BOARDS[board].address
+                                for row in FAMILIES)]
+
+
 def motor_chip(chip: I2CDevice) -> str:
     """Return "PCA9685" or "SCMD", "" for any other chip; raise JetbotError.
 

@@ -12,6 +12,10 @@ from jetbot.text import printable
 from jetbot_ros.launch_arguments import closest
 from jetbot_ros.parameters import PARAMETERS
 
+from .commands import launch
+
+LAUNCH_ARGUMENTS = {*PARAMETERS, "config", "robot_name"}
+
 
 def add_options(parser: ArgumentParser, **meaning: str) -> None:
     """Add an option for each parameter named; one that is not given is JETBOT_<NAME>, else None.
@@ -37,21 +41,28 @@ def parse(parser: ArgumentParser, arguments: List[str]) -> Namespace:
         typed = next(word for word in arguments if as_options([word])[0] in unknown)
         name, value = re.match(r"[-_]*([\w-]*)[\s:=]*(.*)", typed, re.S).groups()
         names = [option.strip("-").replace("-", "_") for option in parser._option_string_actions]
-        meant = closest(name.replace("-", "_"), names)
+        name = name.replace("-", "_")
+        if name in LAUNCH_ARGUMENTS and name not in names:
+            sys.exit(printable(f"{name} is an argument of the controller, not of {parser.prog}. Leave it out here; it "
+                               f"belongs to: {launch(**{name: value or 'VALUE'})}"))
+        meant = closest(name, names)
         advice = f"Did you mean {meant}:={value or 'VALUE'}?" if meant in PARAMETERS else f"See {parser.prog} --help"
         sys.exit(printable(f"There is no argument {typed}. {advice}"))
+    check_option("board", options)
+    check_option("i2c_address", options)
     if getattr(options, "i2c_address", None) is not None:
-        options.i2c_address = checked_address(options.i2c_address)
+        options.i2c_address = address_of(options.i2c_address)
     return options
 
 
-def checked_address(value: Union[int, str]) -> int:
-    """Return an I2C address as a number; another value ends the program with one sentence."""
+def check_option(name: str, options: Namespace) -> None:
+    """End the program with one sentence if an option has a value that its parameter cannot have."""
+    value = getattr(options, name, None)
     try:
-        PARAMETERS["i2c_address"].kind.check("the parameter i2c_address", value)
+        if value is not None:
+            PARAMETERS[name].kind.check(f"the parameter {name}", value)
     except InvalidValue as error:
         sys.exit(str(error))
-    return address_of(value)
 
 
 def place_name(text: str) -> Union[int, str]:

@@ -24,6 +24,7 @@ TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many frames in that time
 # https://github.com/dusty-nv/jetbot_ros/issues/31, https://github.com/NVIDIA-AI-IOT/jetbot/issues/314
 ADVICE = {0x60: "jetbot drives both layouts; Waveshare's boards from before August 2020 have Adafruit's.",
           0x40: "A servo board answers in the same way: do not drive that."}
+CONDITION = "the chip at 0x{:02x} is Waveshare's Motor Driver HAT and no servo board"
 CLOCK_STRETCHING = ("It stretches the clock, which a Raspberry Pi 4 or older mishandles. If transfers fail, write to "
                     "its config.txt dtparam=i2c_arm=off and dtoverlay=i2c-gpio,bus=3,i2c_gpio_sda=2,i2c_gpio_scl=3, "
                     "restart it, and use i2c_bus:=3")
@@ -37,6 +38,7 @@ class Check(NamedTuple):
     finding: str
     advice: str = ""
     command: str = ""  # starts the robot that the check has found
+    condition: str = ""  # what must be true of that robot, which no program can find out; else it must not be driven
 
     def __str__(self) -> str:
         return printable(f"{'ok' if self.ok else 'NOT':<4}{self.name}: {self.finding}. {self.advice}".rstrip())
@@ -84,12 +86,15 @@ def check_chip(bus: Union[int, str], address: int, board: str = "") -> Check:
         return failed(bus, address, error)
 
 
-def check_chips(bus: Union[int, str], addresses: Sequence[int]) -> List[Check]:
-    """Check the first address, and the others at which a chip answers; if the bus does not work, no further one."""
+def check_chips(bus: Union[int, str], addresses: Sequence[int], board: str = "") -> List[Check]:
+    """Check the first address, and the others at which a chip answers; if the bus does not work, no further one.
+
+    board: the one that must be there, if it is named.
+    """
     checks = []
     for address in addresses:
         try:
-            checks.append(identify_board(bus, address))
+            checks.append(identify_board(bus, address, board))
         except NoAnswer as error:
             if address == addresses[0]:
                 checks.append(failed(bus, address, error))
@@ -112,6 +117,7 @@ def identify_board(bus: Union[int, str], address: int, board: str = "") -> Check
         monitor = "" if chip else power_monitor(device)
     name = place_name(bus, address)
     boards = boards_with(chip, address)
+    condition = CONDITION.format(address) if boards == ["waveshare_hat"] else ""
     if board:
         boards = [board] if has_chip(board, chip) else []
     if not boards:
@@ -122,7 +128,7 @@ def identify_board(bus: Union[int, str], address: int, board: str = "") -> Check
     own = BOARDS[boards[0]].address
     command = launch(board=boards[0], i2c_bus=bus, i2c_address=None if address == own else f"0x{address:02x}")
     return Check(name, True, f"answers, and can be a board {' or '.join(boards)}", ADVICE.get(own) or clock_advice(own),
-                 command)
+                 command, condition)
 
 
 def clock_advice(address: int) -> str:

@@ -4,7 +4,8 @@ import contextlib
 from functools import partial
 from typing import Callable, NamedTuple, Optional, Union
 
-from ..errors import InvalidValue, JetbotError, NotReady
+from ..errors import InvalidValue, JetbotError, NoAnswer, NotReady
+from ..host import by_morbot
 from ..i2c import I2CDevice, bus_name
 from ..kinds import ADDRESS, address_of
 from ..serial_link import SerialLink
@@ -19,6 +20,7 @@ __all__ = ["BOARDS", "DEFAULT_PORT", "DEFAULT_PWM_FREQUENCY", "Board", "HBridge"
 
 DEFAULT_PORT = "/dev/ttyACM0"  # of a JetBot Pro
 READY_TIMEOUT = 2.0            # s that a board may take from power-on until it can be set up
+SET_UP_TRIES = 3               # of a board that loses its supply meanwhile
 TRANSFER_TIME_LIMIT = 0.15     # s, of a board that has been started; a transfer takes milliseconds
 
 
@@ -36,7 +38,7 @@ class Board(NamedTuple):
         """Return the driver of the board at this ``place``, started: both motors are off. Raise JetbotError."""
         driver = self._connect(place, pwm_frequency)
         try:
-            when_ready(driver.start)
+            set_up(driver)
         except JetbotError:
             driver.close()
             raise
@@ -75,6 +77,21 @@ def find_board(name: str, i2c_address: Union[int, str, None] = None) -> Board:
         return row
     ADDRESS.check("the I2C address", i2c_address)
     return row._replace(address=row.address and address_of(i2c_address))
+
+
+def set_up(driver: MotorDriver) -> None:
+    """Start the board and read a part of it back: it may be another chip, which keeps what it likes.
+
+    Raise JetbotError. A board that lost its supply meanwhile is set up again.
+    """
+    for _ in range(SET_UP_TRIES):
+        when_ready(driver.start)
+        driver.verify()
+        if driver.in_sync:
+            return
+    doctor = by_morbot("doctor", "rosrun jetbot_control_node doctor.py")
+    raise NoAnswer(f"the chip at 0x{driver.link.address:02x} on {driver.link.name} is not the motor board: it does not "
+                   "hold what it is sent", f"To find the board, run: {doctor}")
 
 
 def when_ready(action: Callable[[], None]) -> None:

@@ -32,11 +32,12 @@ CLOCK_RANGE = (10.0, 1e7)  # Hz
 def power_on(folder: Folder, address: Optional[int] = None) -> None:
     """Give every chip its power-on registers; make the folder, and plug in the chips that are missing.
 
-    address: of one more chip, a motor board's.
+    address: of one more chip, a motor board's; nothing is plugged in where a PCA9685 cannot be.
     """
     Path(folder).mkdir(parents=True, exist_ok=True)
     plugged = {int(file.name, 16) for file in Path(folder).glob("0x[0-7][0-9a-f]")}
-    for each in plugged | {*SENSORS, *(robot.address for robot in ROBOTS.values()), address}:
+    extra = {address}.intersection(PCA9685.ADDRESSES)
+    for each in plugged | {*SENSORS, *(robot.address for robot in ROBOTS.values())} | extra:
         file = chip_file(folder, each)
         chip = chip_at(each) if each == address else chip_in(file, each)
         new = file.with_suffix(f".{os.getpid()}")
@@ -48,7 +49,7 @@ class FakeBus:
     """Takes the place of ``smbus2.SMBus``: the methods that the drivers use, and the OSErrors of the kernel.
 
     folder: made, with every known chip in it, if it does not exist or holds only the buses of namespaces.
-    address: of one more chip in a folder that is made.
+    address: of one more chip in a folder that is made, as for ``power_on``.
     """
 
     def __init__(self, folder: Folder, address: Optional[int] = None):

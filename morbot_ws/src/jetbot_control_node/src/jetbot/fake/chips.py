@@ -13,6 +13,7 @@ from typing import List, Optional, Sequence, Tuple
 class PCA9685:
     """Sixteen PWM outputs of 12 bits: MODE1 0x00, outputs 0x06..0x45, all outputs 0xFA..0xFD, PRE_SCALE 0xFE."""
 
+    ADDRESSES = range(0x40, 0x78)  # 0x40 plus its pins A5 to A0; an I2C bus reserves those from 0x78 on
     POWER_ON = ((bytes([0x11, 0x04, 0xE2, 0xE4, 0xE8, 0xE0]) + bytes([0, 0, 0, 0x10]) * 16).ljust(0xFD, b"\0")
                 + b"\x10\x1E\0")
 
