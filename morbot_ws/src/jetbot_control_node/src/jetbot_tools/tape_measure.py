@@ -46,7 +46,8 @@ def obey_metres(parameters: Dict[str, Any], speed: float) -> None:
     max_speed = round(speed / duty(DRIVE_SPEED, min_duty), 4)
     alphas = proportional_alphas(*(parameters[name] for name in ALPHAS), min_duty)
     parameters.update(zip(ALPHAS, alphas), max_speed=max_speed)
-    print(f"For true speeds, min_duty is left out: below {min_duty * max_speed:.3f} m/s, a wheel may not turn.")
+    print(f"For true speeds, min_duty is left out: below {min_duty * max_speed:.3f} m/s, a wheel may not turn. "
+          f"With min_duty:={min_duty} it turns, but faster than commanded.")
 
 
 def ask(drive: Drive, offer: str, announcement: str, motion: List[Step], question: str,
