@@ -22,7 +22,7 @@ DISTURBANCES = {  # count: from how many on it is reported, and how
     "faults": (2, "its board keeps failing to answer ({} so far): check the wires"),  # each has its status, too
 }
 FULL_POWER, MAX_DUTY = "both wheels at full power", "both wheels at max_duty"
-TOO_SLOW = "the wheels get less than one step of its board, so they do not turn: "
+TOO_SLOW = "the wheels get less than one step of the board, so they do not turn: "
 
 
 class Commanders:
