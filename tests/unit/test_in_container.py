@@ -156,8 +156,7 @@ def test_an_attended_command_passes_on_its_exit_code(attend):
 
 @pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGHUP])
 def test_a_command_hangs_up_when_its_client_ends(attend, end):
-    client, attendant = attend("python3", "-u", "-c", "import signal, time; signal.signal(signal.SIGHUP, lambda *_: "
-                               "(print('hung up'), exit())); print('ready'); time.sleep(60)")
+    client, attendant = attend("sh", "-c", "trap 'echo hung up; exit' HUP; echo ready; sleep 60 >/dev/null & wait")
     assert attendant.stdout.readline() == "ready\n"
     client.send_signal(end)
     client.wait()
