@@ -36,6 +36,7 @@ def free_port() -> int:
         return probe.getsockname()[1]
 
 
+signal.signal(signal.SIGHUP, signal.SIG_DFL)  # for the programs that tests start, also below nohup, which ignores it
 CONTROLLER = program("jetbot_control_node", "jetbot_controller.py")
 
 

@@ -2,6 +2,7 @@
 
 import os
 import pty
+import signal
 import struct
 import sys
 import tty
@@ -13,6 +14,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 SOURCE = ROOT / "morbot_ws/src/jetbot_control_node"
 SIMULATION = SOURCE.parent / "simulation"
+signal.signal(signal.SIGHUP, signal.SIG_DFL)  # for the programs that tests start, also below nohup, which ignores it
 sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src"), str(ROOT / "setup")]
 
 from jetbot import fake, guard, i2c, open_robots, robot  # noqa: E402
