@@ -14,6 +14,7 @@ class StopAtShutdown(RobotTest):
         for each in SIGNALS:
             node = self.controller(cmd_vel_timeout=0)
             self.drive_at(0.5)
+            self.wait_for_status(texts, "driving")  # so that this node's statuses arrive
             node.send_signal(each)
             self.wait_for_stop(within=0.7)
             self.assertEqual(node.wait(START_TIMEOUT), 0)
