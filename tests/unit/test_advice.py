@@ -2,7 +2,7 @@
 
 import pytest
 
-from jetbot import fake
+from jetbot import fake, host
 from jetbot_tools import commands
 
 LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
@@ -23,7 +23,7 @@ def test_only_what_must_be_typed(monkeypatch, typed, words):
     ("/my robot/morbot", f"'/my robot/morbot' shell {LAUNCH}", "'/my robot/morbot' doctor")])
 def test_after_morbot_without_a_shell_that_knows_ros(monkeypatch, morbot, launch, doctor):
     monkeypatch.setenv("MORBOT", morbot)
-    assert (commands.launch(), commands.doctor()) == (launch, doctor)
+    assert (commands.launch(), host.doctor_command()) == (launch, doctor)
 
 
 def test_a_board_is_plugged_in_where_morbot_was_typed(monkeypatch):

@@ -76,7 +76,7 @@ def test_the_file_of_the_body_shows_each_default_with_its_unit_and_meaning():
 def test_the_controller_assumes_the_same_size():
     controller = load(SOURCE / "config/si_units.yaml")
     assert all(controller[name] == SIZE[name] for name in ("wheel_separation", "max_speed"))
-    assert calibration.WHEEL_SEPARATION == ramp.REAL_SEPARATION == SIZE["wheel_separation"]
+    assert calibration.WHEEL_SEPARATION == ramp.WHEEL_SEPARATION == SIZE["wheel_separation"]
     assert dead_reckoning.WHEEL_RADIUS == SIZE["wheel_diameter"] / 2
 
 

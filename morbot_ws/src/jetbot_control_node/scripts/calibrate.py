@@ -13,12 +13,12 @@ from typing import Any, Dict, List, Optional
 
 from jetbot import JetbotError, files
 from jetbot.boards import BOARDS, find_board
-from jetbot.host import model, robot_bus
+from jetbot.host import doctor_command, model, robot_bus
 from jetbot.lock import lock_board
 from jetbot.text import printable
 from jetbot_ros.parameters import PARAMETERS, default_file, is_fake
 from jetbot_tools.calibration import as_yaml
-from jetbot_tools.commands import doctor, fake_advice, launch
+from jetbot_tools.commands import fake_advice, launch
 from jetbot_tools.options import add_options, parse
 from jetbot_tools.probe import Check, check_board, check_users
 from jetbot_tools.terminal import choose
@@ -58,7 +58,7 @@ def calibrate(boards: List[str], i2c_address: Optional[int], **place: Any) -> Di
             if wizard.find_motors():
                 wizard.tune()
                 return wizard.parameters
-    raise JetbotError("no wheel turned", f"Is the motors' battery on? Run: {doctor()}")
+    raise JetbotError("no wheel turned", f"Is the motors' battery on? Run: {doctor_command()}")
 
 
 def output_file(file: Optional[Path], simulated: bool) -> Path:

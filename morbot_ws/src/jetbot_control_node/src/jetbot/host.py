@@ -54,6 +54,11 @@ def in_shell(command: str) -> str:
     return by_morbot(f"shell {command}", command)
 
 
+def doctor_command() -> str:
+    """Return the command that starts doctor.py."""
+    return by_morbot("doctor", "rosrun jetbot_control_node doctor.py")
+
+
 def ros_home() -> Path:
     """Return the folder where ROS keeps a user's files: ROS_HOME, else ~/.ros."""
     return Path(os.environ.get("ROS_HOME") or Path.home() / ".ros")

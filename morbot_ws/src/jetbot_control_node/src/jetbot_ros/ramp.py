@@ -4,14 +4,13 @@ import math
 from typing import Dict, Tuple
 
 from jetbot.boards import MotorDriver
-from jetbot.kinematics import clamp, mix
+from jetbot.kinematics import WHEEL_SEPARATION, clamp, mix
 
 from .safety import STOPPED
 
 STEP_INTERVAL = 0.008  # s between two steps of a ramp; 0.02 at most with the transfers on a bus of 100 kHz
 MAX_STEP = 0.02        # s that a step counts at most: one that is late makes the wheels no faster
 MAX_GAP = 0.5          # s between two steps; after more, the guard or the board's own timer may have stopped the wheels
-REAL_SEPARATION = 0.1125  # m between the wheels, by NVIDIA's model of the JetBot; of boards that take a Twist as it is
 
 
 class Ramp:
@@ -63,7 +62,7 @@ class Ramp:
 def make_ramp(parameters: Dict[str, object], driver: MotorDriver) -> Ramp:
     """Return the Ramp that the parameters describe, for this board."""
     if driver.closed_loop:
-        return Ramp(parameters["acceleration_limit"], REAL_SEPARATION, driver.limit)
+        return Ramp(parameters["acceleration_limit"], WHEEL_SEPARATION, driver.limit)  # it takes a Twist as it is
     alphas = (abs(parameters[f"{side}_motor_alpha"]) for side in ("left", "right"))
     weakest = min([1.0, *filter(None, alphas)])  # the wheel of this trim reaches full power last
     return Ramp(parameters["acceleration_limit"], parameters["wheel_separation"], parameters["max_speed"] / weakest)

@@ -4,11 +4,11 @@ import json
 from typing import Any, Dict, List, Mapping, Tuple
 
 from jetbot.errors import InvalidValue
+from jetbot.kinematics import WHEEL_SEPARATION
 from jetbot_ros.parameters import PARAMETERS
 
 from .motions import DRIVE_SPEED
 
-WHEEL_SEPARATION = 0.1125  # m; NVIDIA's model of the JetBot in Isaac Sim
 ALPHAS = ("left_motor_alpha", "right_motor_alpha")
 
 Turn = Tuple[str, int]  # which wheel turned, "left" or "right"; 1 forward, -1 backward

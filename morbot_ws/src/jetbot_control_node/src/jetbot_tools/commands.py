@@ -3,7 +3,7 @@
 import shlex
 
 from jetbot import fake
-from jetbot.host import by_morbot, in_shell
+from jetbot.host import in_shell
 from jetbot_ros.parameters import PARAMETERS
 
 
@@ -17,11 +17,6 @@ def launch(**typed: object) -> str:
 def short(value: object) -> object:
     """Return plain ``fake`` for the folder that it means, any other value unchanged."""
     return "fake" if value == fake.expand("fake") else value
-
-
-def doctor() -> str:
-    """Return the command that starts doctor.py."""
-    return by_morbot("doctor", "rosrun jetbot_control_node doctor.py")
 
 
 def fake_advice(name: str) -> str:

@@ -4,11 +4,12 @@ from typing import List, NamedTuple
 
 from jetbot.boards import BOARDS, scmd
 from jetbot.i2c import I2CDevice
+from jetbot.supply import CONFIGURATION, read_word
 
 # Register: value at power-on, of a PCA9685's SUBADR1 to SUBADR3 (NXP data sheet, rev. 4). Motor programs leave them.
 SUBADDRESSES = {0x02: 0xE2, 0x03: 0xE4, 0x04: 0xE8}
 
-# Register 0x00 of the power monitors, 16 bits, at power-on (Texas Instruments SBOS448, SBOS576).
+# CONFIGURATION of the power monitors, 16 bits, at power-on (Texas Instruments SBOS448, SBOS576).
 CONFIGURATIONS = {0x399F: "INA219", 0x7127: "INA3221"}
 MONITOR_ADDRESSES = range(0x40, 0x50)
 
@@ -52,7 +53,7 @@ def power_monitor(chip: I2CDevice) -> str:
     """Return "INA219" or "INA3221" for one as it is at power-on, "" for any other chip; raise JetbotError."""
     if chip.address not in MONITOR_ADDRESSES:
         return ""
-    return CONFIGURATIONS.get(int.from_bytes(chip.read_block(0x00, 2), "big"), "")
+    return CONFIGURATIONS.get(read_word(chip, CONFIGURATION), "")
 
 
 def boards_with(chip: str, address: int) -> List[str]:

@@ -4,8 +4,9 @@ import math
 from typing import Any, Callable, Dict, List, Optional
 
 from jetbot.errors import InvalidValue
+from jetbot.kinematics import WHEEL_SEPARATION
 
-from .calibration import ALPHAS, WHEEL_SEPARATION, proportional_alphas
+from .calibration import ALPHAS, proportional_alphas
 from .motions import DRIVE_SPEED, Step, duty, gentle, spin, square
 from .terminal import number, offset, wanted
 from .umbmark import corrected, find_errors

@@ -9,8 +9,9 @@ import math
 from typing import Any, Dict, List, Mapping, NamedTuple, Sequence
 
 from jetbot.errors import InvalidValue
+from jetbot.kinematics import WHEEL_SEPARATION
 
-from .calibration import ALPHAS, WHEEL_SEPARATION, trim
+from .calibration import ALPHAS, trim
 
 QUARTER = math.pi / 2                # rad
 STEPS = (0.1, 0.01, 0.001, 0.0001)   # rad; the search tries GRID of each, around the best so far

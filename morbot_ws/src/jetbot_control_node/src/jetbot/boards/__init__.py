@@ -5,7 +5,7 @@ from functools import partial
 from typing import Callable, NamedTuple, Optional, Union
 
 from ..errors import InvalidValue, JetbotError, NoAnswer, NotReady
-from ..host import by_morbot
+from ..host import doctor_command
 from ..i2c import I2CDevice, bus_name
 from ..kinds import ADDRESS, address_of
 from ..serial_link import SerialLink
@@ -89,9 +89,8 @@ def set_up(driver: MotorDriver) -> None:
         driver.verify()
         if driver.in_sync:
             return
-    doctor = by_morbot("doctor", "rosrun jetbot_control_node doctor.py")
     raise NoAnswer(f"the chip at 0x{driver.link.address:02x} on {driver.link.name} is not the motor board: it does not "
-                   "hold what it is sent", f"To find the board, run: {doctor}")
+                   "hold what it is sent", f"To find the board, run: {doctor_command()}")
 
 
 def when_ready(action: Callable[[], None]) -> None:
