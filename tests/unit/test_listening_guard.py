@@ -31,7 +31,7 @@ def listener(tmp_path, monkeypatch):
         process = subprocess.Popen(command, env={**os.environ, "PYTHONPATH": str(SOURCE / "src")},
                                    stderr=subprocess.PIPE, text=True)
         processes.append(process)
-        assert wait_until(lambda: process.poll() is not None or path.exists() and is_in_use(str(path)), TIMEOUT)
+        assert wait_until(lambda: process.poll() is not None or is_in_use(str(path)), TIMEOUT)
         return process
 
     yield listen
@@ -124,3 +124,7 @@ def test_a_listener_deletes_no_file(tmp_path, listener):
     (tmp_path / "guard").write_text("notes")
     assert listener().wait(TIMEOUT) == 1
     assert (tmp_path / "guard").read_text() == "notes"
+
+
+def test_nobody_listens_on_a_socket_that_is_gone(tmp_path):
+    assert not is_in_use(str(tmp_path / "guard"))

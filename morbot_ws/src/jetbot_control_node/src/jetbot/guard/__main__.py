@@ -21,7 +21,7 @@ from .process import RETRY_INTERVAL, guard
 def bind(path: str) -> socket.socket:
     """Return a socket that listens at this path, for this user only. Raise OSError, also if another guard does."""
     if Path(path).is_socket() and not is_in_use(path):
-        os.unlink(path)
+        Path(path).unlink(missing_ok=True)
     listener = socket.socket(socket.AF_UNIX)
     mask = os.umask(0o177)
     listener.bind(path)
@@ -35,7 +35,7 @@ def is_in_use(path: str) -> bool:
     with socket.socket(socket.AF_UNIX) as probe:
         try:
             probe.connect(path)
-        except ConnectionRefusedError:
+        except (ConnectionRefusedError, FileNotFoundError):
             return False
         return True
 
