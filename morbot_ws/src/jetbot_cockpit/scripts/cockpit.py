@@ -1,0 +1,2 @@
+#!/usr/bin/env python3
+"""ROS node: a web page that drives, watches and stops robots."""
