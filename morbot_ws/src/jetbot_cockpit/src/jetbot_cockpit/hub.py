@@ -80,7 +80,8 @@ class Hub:
         try:
             message = protocol.parse(text)
         except protocol.ProtocolError as error:
-            return self.end(viewer, REFUSED, str(error), now)
+            self.end(viewer, REFUSED, str(error), now)
+            return
         if in_time or isinstance(message, protocol.Stop):  # a stop always counts
             self._answer(viewer, message, now)
         if not in_time:

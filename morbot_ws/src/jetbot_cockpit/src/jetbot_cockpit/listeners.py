@@ -25,10 +25,12 @@ def listen(port: int, lan: bool) -> List[socket.socket]:
 
     port: 0 for any free one. Raise InvalidValue if it cannot be used.
     """
-    for tries_left in reversed(range(FREE_PORT_TRIES if port == 0 else 1)):
+    tries_left = FREE_PORT_TRIES if port == 0 else 1
+    while True:
         try:
             return _listen(port, *ADDRESSES[lan])
-        except OSError as error:
+        except OSError as error:  # of port 0, if IPv6 does not have the port that IPv4 has
+            tries_left -= 1
             if not tries_left:
                 raise refusal(port, error) from None
 

@@ -30,9 +30,10 @@ class Socket(Handler, WebSocketHandler):
     def open(self) -> None:
         grant = self.access.grant(self.get_cookie(self.access.cookie_name), self.request.remote_ip,
                                   self.request.headers["Host"])
-        if not grant:
-            return self.close(LOG_IN, "log in")
-        self.viewer = self.hub.join(self, grant, time.monotonic())
+        if grant:
+            self.viewer = self.hub.join(self, grant, time.monotonic())
+        else:
+            self.close(LOG_IN, "log in")
         if self.viewer:
             self.keep(self.ws_connection.stream)
 
