@@ -53,13 +53,13 @@ missing_packages() {
     done
 }
 
-# The same packages by their names in ROS Noetic on Ubuntu 20.04. It has no smbus2, which comes from PyPI.
+# The same packages by their names in ROS Noetic on Ubuntu 20.04. smbus2 and segno come from PyPI.
 noetic_packages() {
     for package in $packages; do
         case $package in
-            make | g++ | python3-serial | python3-yaml | python3-matplotlib | python3-setuptools | python3-pytest* | \
+            make | g++ | python3-serial | python3-yaml | python3-tornado | python3-matplotlib | python3-setuptools | python3-pytest* | \
                 python3-pexpect | iproute2 | git) echo "$package" ;;
-            python3-smbus2) echo python3-pip ;;
+            python3-smbus2 | python3-segno) echo python3-pip ;;
             ros-environment) echo ros-noetic-ros-environment ;;
             *) echo "$package" | sed 's/^python3-//; s/^lib//; s/^ros-//; s/-dev$//; s/^/ros-noetic-/' ;;
         esac
@@ -72,7 +72,7 @@ install_packages() {
         noetic)
             packages=$(noetic_packages)
             install_missing
-            python3 -c "import smbus2" 2>/dev/null || as_root pip3 install -q smbus2 ;;
+            python3 -c "import smbus2, segno" 2>/dev/null || as_root pip3 install -q smbus2 segno ;;
         *) fail "$(system_name) has no packages of ROS 1" ;;
     esac
 }
