@@ -4,19 +4,19 @@ import json
 import re
 
 import pytest
+from test_docs import rows
 
 from conftest import ROOT
 from jetbot_cockpit import protocol
-from test_docs import rows
 
 PAGE = (ROOT / "docs/cockpit.md").read_text()
-FROM_PAGE, FROM_COCKPIT = (PAGE.split(title)[1].split("\n## ")[0] for title in ("The page sends:", "The cockpit sends:"))
-FROM_PAGE = FROM_PAGE.split("The cockpit sends:")[0]
+FROM_PAGE, FROM_COCKPIT = PAGE.split("The page sends:")[1].split("The cockpit sends:")
 
 
 def table(text):
     """Return {type: fields} of a table of messages."""
-    return {row[0].strip("`"): re.findall(r"`(\w+)`", row[1]) for row in rows(text) if re.fullmatch(r"`\w+`", row[0])}
+    return {row[0].strip("`"): re.findall(r"`(\w+)`", row[1])
+            for row in rows(text) if re.fullmatch(r"`(?!type`)\w+`", row[0])}
 
 
 def examples(text):
