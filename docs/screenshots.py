@@ -35,7 +35,7 @@ def main() -> None:
         take(address, DESKTOP, "cockpit_desktop.png")
     with launched("simulation", "simulation.launch", "cockpit:=true", "cockpit_port:={}", "rviz:=false") as address:
         take(address, PHONE, "cockpit_phone.png")
-    with launched("jetbot_cockpit", "class.launch", f"robots:={CLASS}", "port:={}") as address, others_drive():
+    with launched("jetbot_cockpit", "class.launch", f"robots:={CLASS}", "cockpit_port:={}") as address, others_drive():
         take(address, DESKTOP, "cockpit_class.png")
 
 
