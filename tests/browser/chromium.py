@@ -39,12 +39,12 @@ class Chromium:
         service = Service(shutil.which("chromedriver"))
         self.driver = webdriver.Chrome(service=service, options=options)
         self._driver_process, self._service = service.process.pid, service
-        self._devtools("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
 
     def screen(self, width: int, height: int) -> None:
-        """Give it a phone's screen of this size in px."""
+        """Make the tab in front a phone's touch screen of this size in px."""
         self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=2,
                        mobile=True)
+        self._devtools("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
 
     def run(self, script: str):
         """Run JavaScript in the page, and return what it returns."""

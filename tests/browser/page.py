@@ -3,7 +3,7 @@
 from contextlib import suppress
 from typing import Callable, Dict, List
 
-from selenium.common.exceptions import StaleElementReferenceException
+from selenium.common.exceptions import InvalidArgumentException, StaleElementReferenceException
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.select import Select
 
@@ -29,8 +29,9 @@ class Page(Chromium):
             self.choose(robot)
 
     def leave(self) -> None:
-        """Show another page."""
+        """Show another page, and lift all fingers."""
         self.driver.get("about:blank")
+        self.lift()
 
     def wait_for_link(self) -> None:
         """Wait until the page knows the round trip to the cockpit, and shows a status."""
@@ -79,8 +80,9 @@ class Page(Chromium):
         self.touch_event("touchMove", self.on_pad(forward, left))
 
     def lift(self) -> None:
-        """Lift all fingers."""
-        self.touch_event("touchEnd")
+        """Lift all fingers, if any touches."""
+        with suppress(InvalidArgumentException):
+            self.touch_event("touchEnd")
 
     def on_pad(self, forward: float, left: float):
         """Return a place on the pad as (x, y) in px."""
