@@ -122,8 +122,8 @@ function currentStatus() {
   if (problem) return { text: problem, level: "warning" };
   if (world.robot(chosen())) return summarize(world, chosen());
   const own = world.me.robot ?? chosen();
-  const goes = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one, for example with ./morbot run.";
-  return { text: `${goes} This page shows it as soon as it runs.`, level: "waiting" };
+  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one.";
+  return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
 }
 
 function show() {
@@ -145,6 +145,7 @@ function show() {
 function showTeachersTools(robot, { driver }) {
   const several = world.teacher && world.robots.length > 1;
   element("fleet").hidden = element("show-fleet").hidden = !several;
+  element("fit").hidden = world.robots.length < 2;
   element("show-codes").hidden = !world.teacher;
   element("take").hidden = !(world.teacher && driver && driver.id !== world.me.id);
   element("reset").hidden = !(world.teacher && robot?.simulated);

@@ -20,7 +20,8 @@ export class Stops {
   }
 
   release() {
-    if (!this.send({ type: "release", robot: this.stoppedAlone() })) this.report("No connection: nothing was released.");
+    const sent = this.send({ type: "release", robot: this.stoppedAlone() });
+    if (!sent) this.report("No connection: nothing was released.");
   }
 
   // Returns the chosen robot if it alone is stopped, else null: all robots.
