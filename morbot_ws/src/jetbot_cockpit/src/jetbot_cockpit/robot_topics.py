@@ -66,10 +66,10 @@ class RobotTopics:
         values = {item.key: item.value for item in status.values}
         self._geometry = geometry(values.get("wheel_separation"), values.get("max_speed"))
 
-    def snapshot(self, now: float) -> Robot:
-        """Return what is known of the robot now."""
+    def snapshot(self, now: float, master: bool) -> Robot:
+        """Return what is known of the robot now. master: whether the ROS master answers; else diagnostics are late."""
         ended = self._status and not self.connected
-        answers = now - self._heard_at < ANSWER_TIMEOUT and not ended
+        answers = not (ended or master and now - self._heard_at > ANSWER_TIMEOUT)
         pose, speed = self._pose_and_speed(now)
         status = self._status if answers else f"{label(self.name)} does not answer. Restart it, or resume it with fg."
         robot = Robot(self.name, self._color, self._geometry, self.simulated, status, self._level > 0,
