@@ -6,7 +6,6 @@ import logging
 import time
 
 import pytest
-from web_client import UPGRADE, WebSocket, connect, head, request
 
 from jetbot.wait import wait_until
 from jetbot_cockpit import hub as hubs
@@ -17,6 +16,7 @@ from jetbot_cockpit.handout import make_card
 from jetbot_cockpit.hub import Hub
 from jetbot_cockpit.listeners import listen
 from jetbot_cockpit.server import Server
+from web_client import UPGRADE, WebSocket, connect, head, request
 
 WITHIN = 20.0  # s
 GRANTS = make_grants(2)
