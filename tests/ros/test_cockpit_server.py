@@ -16,9 +16,10 @@ from jetbot_cockpit.handout import make_card
 from jetbot_cockpit.hub import Hub
 from jetbot_cockpit.listeners import listen
 from jetbot_cockpit.server import Server
+from web_client import PING as PING_FRAME
 from web_client import UPGRADE, WebSocket, connect, head, request
 
-WITHIN = 20.0  # s
+WITHIN = 10.0  # s, less than hubs.GONE_AFTER
 GRANTS = make_grants(2)
 TEACHER, FIRST_PUPIL, _ = GRANTS
 PING = {"type": "ping", "sent": 1}
@@ -240,7 +241,7 @@ def test_too_many_messages_end_the_socket_but_a_stop_among_them_counts(cockpit):
         for _ in range(80):
             page.send({"type": "stop"})
     closed = page.wait_for_close()
-    assert (closed.code, closed.reason) == (4000, "more than 40 messages per second")
+    assert (closed.code, closed.reason) == (4000, hubs.TOO_MANY)
     stops = [message for client, message in cockpit.control.handled if client.id == number]
     assert stops == [protocol.Stop()] * len(stops) and len(stops) > protocol.MAX_BURST
 
@@ -258,8 +259,8 @@ def test_pings_of_the_protocol_are_no_way_around_the_limit(cockpit):
     page.receive("hello")
     with contextlib.suppress(ConnectionError):
         for _ in range(500):
-            page.send_frame(9)
-    assert page.wait_for_close().code == 4000
+            page.send_frame(PING_FRAME)
+    assert page.wait_for_close().reason == hubs.TOO_MANY
 
 
 def test_the_sixty_fifth_client_is_told_that_there_is_no_room(fresh):
@@ -296,12 +297,13 @@ def test_a_frozen_page_delays_nobody_and_is_disconnected(monkeypatch, fresh):
     fresh.control.state_size = 50_000
     frozen, other = fresh.page(), fresh.page()
     number = frozen.receive("hello")["id"]
-    longest, last = 0.0, time.monotonic()
-    while not fresh.control.left:
+    longest, start = 0.0, time.monotonic()
+    last = start
+    while not fresh.control.left and last < start + WITHIN:
         other.receive("state")
         longest, last = max(longest, time.monotonic() - last), time.monotonic()
     assert fresh.control.left == [number]
-    assert longest < 1
+    assert longest < 2
 
 
 def slow_requests(port):
@@ -324,7 +326,9 @@ def test_connections_that_send_nothing_or_half_a_request_end(monkeypatch):
 def test_many_idle_connections_leave_room_for_those_who_drive(fresh):
     page = fresh.page()
     idle = [connect(fresh.port) for _ in range(150)]
-    assert [connection.recv(1) for connection in idle[-30:]] == [b""] * 30
+    for connection in idle[-30:]:
+        connection.settimeout(servers.IDLE_TIMEOUT / 2)
+        assert connection.recv(1) == b""  # closed, and not because it says nothing for long
     page.send(PING)
     assert page.receive("pong")
 
