@@ -1,99 +1,14 @@
-"""The cockpit's server with real sockets: who gets in, and what it does with forged, endless and frozen clients."""
+"""Who gets into the cockpit, with real sockets and forged requests."""
 
-import contextlib
-import json
 import logging
-import time
 
 import pytest
-from web_client import UPGRADE, WebSocket, connect, head, request
 
-from jetbot.wait import wait_until
-from jetbot_cockpit import hub as hubs
+from cockpit_server import DRIVE, FIRST_PUPIL, GRANTS, TEACHER
 from jetbot_cockpit import protocol
-from jetbot_cockpit import server as servers
-from jetbot_cockpit.access import Access, make_grants
-from jetbot_cockpit.handout import make_card
-from jetbot_cockpit.hub import Hub
-from jetbot_cockpit.listeners import listen
-from jetbot_cockpit.server import Server
+from web_client import UPGRADE, request
 
-WITHIN = 20.0  # s
-GRANTS = make_grants(2)
-TEACHER, FIRST_PUPIL, _ = GRANTS
-PING = {"type": "ping", "sent": 1}
-DRIVE = {"type": "drive", "robot": "/", "forward": 1, "left": 0}
-
-
-class StandIn:
-    """A control that notes what it is asked for. state_size: characters of a status, which changes all the time."""
-
-    def __init__(self):
-        self.handled, self.left, self.state_size = [], [], 1
-
-    def handle(self, client, message, now):
-        self.handled.append((client, message))
-
-    def leave(self, client, now):
-        self.left.append(client)
-
-    def check(self, now):
-        return []
-
-    def robots(self):
-        return []
-
-    def trails(self):
-        return []
-
-    def state(self, now):
-        return {"type": "state", "emergency": False, "robots": {}, "status": f"{now} {'x' * self.state_size}"}
-
-
-class Cockpit:
-    """A server on a free port, and what its pages send."""
-
-    def __init__(self):
-        sockets = listen(0, lan=False)
-        self.port = sockets[0].getsockname()[1]
-        self.access = Access(self.port, ["class.test"], GRANTS)
-        self.control = StandIn()
-        self.server = Server(sockets, self.access, Hub(
-            self.control, [make_card(grant, "class.test", self.port) for grant in GRANTS]))
-        self.server.start()
-
-    def headers(self, name="localhost", **headers):
-        """Return the headers of a page that was opened by this name; None leaves one out."""
-        host = f"{name}:{self.port}"
-        given = {"Host": host, "Origin": f"http://{host}", **headers}
-        return {name.replace("_", "-"): value for name, value in given.items() if value is not None}
-
-    def log_in(self, code, **headers):
-        headers = {"Content_Type": "application/json", **headers}
-        return request(self.port, "POST", "/login", self.headers("class.test", **headers),
-                       json.dumps({"code": code}).encode())
-
-    def cookie(self, grant):
-        return self.log_in(grant.code).headers["set-cookie"].partition(";")[0]
-
-    def page(self, name="localhost", **headers):
-        """Return a new page's socket."""
-        return WebSocket(self.port, self.headers(name, **headers))
-
-
-@pytest.fixture(scope="module")
-def cockpit():
-    cockpit = Cockpit()
-    yield cockpit
-    cockpit.server.end()
-
-
-@pytest.fixture
-def fresh():
-    """A cockpit whose wrong codes and clients are this test's own."""
-    cockpit = Cockpit()
-    yield cockpit
-    cockpit.server.end()
+pytest_plugins = ["cockpit_server"]  # its fixtures
 
 
 def foreign_hosts(port):
@@ -178,7 +93,7 @@ def test_a_login_of_another_form_is_refused(cockpit, body, status):
     assert request(cockpit.port, "POST", "/login", headers, body).status == status
 
 
-@pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data; boundary=x", ""])
+@pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", "", "multipart/form-data; b=x"])
 def test_a_login_is_json_only(cockpit, kind):
     """A foreign page's form cannot send JSON."""
     assert cockpit.log_in(TEACHER.code, Content_Type=kind).status in (400, 415)
@@ -211,149 +126,6 @@ def test_a_teacher_gets_the_codes_and_a_pupil_does_not(cockpit):
         page.send({"type": "codes"})
     assert [card["code"] for card in teacher.receive("codes")["codes"]] == [grant.code for grant in GRANTS]
     assert pupil.receive("notice")["text"] == "Only a teacher sees the codes."
-
-
-@pytest.mark.parametrize("message", [
-    b"", b"x", b"[]", b"{}", b'{"type": "fly"}', b'{"type": "drive"}', b'{"type": "ping", "sent": NaN}',
-    b'{"type": "ping", "sent": 1%s}' % (b"0" * 400), b"x" * 1001, b"x" * 8000, b"x" * 100_000], ids=len)
-def test_a_message_of_another_form_ends_the_socket_and_stops_the_robot(cockpit, message):
-    page = cockpit.page()
-    number = page.receive("hello")["id"]
-    page.send(DRIVE)
-    with contextlib.suppress(ConnectionError):  # what is far too large is not even read
-        page.send(message)
-    closed = page.wait_for_close()
-    assert closed.code in ((4000,) if len(message) <= 8000 else (1009, None))
-    assert wait_until(lambda: number in cockpit.control.left, WITHIN)
-
-
-def test_a_binary_message_ends_the_socket(cockpit):
-    page = cockpit.page()
-    page.send_frame(2, json.dumps(PING).encode())
-    assert page.wait_for_close().code == 4000
-
-
-def test_too_many_messages_end_the_socket_but_a_stop_among_them_counts(cockpit):
-    page = cockpit.page()
-    number = page.receive("hello")["id"]
-    with contextlib.suppress(ConnectionError):
-        for _ in range(80):
-            page.send({"type": "stop"})
-    closed = page.wait_for_close()
-    assert (closed.code, closed.reason) == (4000, "more than 40 messages per second")
-    stops = [message for client, message in cockpit.control.handled if client.id == number]
-    assert stops == [protocol.Stop()] * len(stops) and len(stops) > protocol.MAX_BURST
-
-
-def test_the_pages_rate_after_a_pause_of_the_network_is_no_flood(cockpit):
-    page = cockpit.page()
-    for _ in range(45):
-        page.send(PING)
-    for _ in range(45):
-        assert page.receive("pong")
-
-
-def test_pings_of_the_protocol_are_no_way_around_the_limit(cockpit):
-    page = cockpit.page()
-    page.receive("hello")
-    with contextlib.suppress(ConnectionError):
-        for _ in range(500):
-            page.send_frame(9)
-    assert page.wait_for_close().code == 4000
-
-
-def test_the_sixty_fifth_client_is_told_that_there_is_no_room(fresh):
-    pages = [fresh.page() for _ in range(hubs.MAX_CLIENTS)]
-    for page in pages:
-        page.receive("hello")
-    assert fresh.page().wait_for_close().code == 4002
-    pages[0].close()
-    assert wait_until(lambda: fresh.control.left, WITHIN)
-    assert fresh.page().receive("hello")
-
-
-def test_a_killed_page_stops_its_robot_at_once(cockpit):
-    page = cockpit.page()
-    number = page.receive("hello")["id"]
-    page.close()
-    assert wait_until(lambda: number in cockpit.control.left, WITHIN)
-
-
-def test_frames_go_to_all_pages_twenty_times_a_second(fresh):
-    pages = [fresh.page() for _ in range(3)]
-    for page in pages:
-        page.receive("state")
-    start = time.monotonic()
-    for page in pages:
-        for _ in range(20):
-            page.receive("state")
-    assert 0.5 < time.monotonic() - start < 5
-
-
-def test_a_frozen_page_delays_nobody_and_is_disconnected(monkeypatch, fresh):
-    """Its browser is stopped by SIGSTOP: its socket takes what its buffer holds, and answers no ping."""
-    monkeypatch.setattr(hubs, "GONE_AFTER", 2.0)
-    fresh.control.state_size = 50_000
-    frozen, other = fresh.page(), fresh.page()
-    number = frozen.receive("hello")["id"]
-    longest, last = 0.0, time.monotonic()
-    while not fresh.control.left:
-        other.receive("state")
-        longest, last = max(longest, time.monotonic() - last), time.monotonic()
-    assert fresh.control.left == [number]
-    assert longest < 1
-
-
-def slow_requests(port):
-    """Return the beginnings of requests that are never sent to their ends, and one whose answer nobody reads."""
-    host = {"Host": f"localhost:{port}"}
-    login = {**host, "Origin": f"http://localhost:{port}", "Content-Type": "application/json", "Content-Length": "30"}
-    return [b"", b"GET / HT", head("GET", "/", host)[:-2], head("POST", "/login", login) + b"{"]
-
-
-def test_connections_that_send_nothing_or_half_a_request_end(monkeypatch):
-    monkeypatch.setattr(servers, "IDLE_TIMEOUT", 0.5)
-    cockpit = Cockpit()
-    connections = [connect(cockpit.port) for _ in slow_requests(cockpit.port)]
-    for connection, data in zip(connections, slow_requests(cockpit.port)):
-        connection.sendall(data)
-    assert [connection.recv(1) for connection in connections] == [b""] * len(connections)
-    cockpit.server.end()
-
-
-def test_many_idle_connections_leave_room_for_those_who_drive(fresh):
-    page = fresh.page()
-    idle = [connect(fresh.port) for _ in range(150)]
-    assert [connection.recv(1) for connection in idle[-30:]] == [b""] * 30
-    page.send(PING)
-    assert page.receive("pong")
-
-
-@pytest.mark.parametrize("request_head", [
-    b"GET / HTTP/1.1\r\nHost: {host}\r\nX: %s\r\n\r\n" % (b"x" * 20_000), b"\0" * 20_000, b"GET\r\n\r\n",
-    b"POST /login HTTP/1.1\r\nHost: {host}\r\nContent-Length: 99999999999\r\n\r\n",
-    b"POST /login HTTP/1.1\r\nHost: {host}\r\nTransfer-Encoding: chunked\r\n\r\n7d0\r\n" + b"x" * 2000],
-    ids=["headers", "zeros", "line", "body", "chunked"])
-def test_a_huge_or_malformed_request_ends_its_connection(cockpit, request_head):
-    with connect(cockpit.port) as connection:
-        with contextlib.suppress(ConnectionError):
-            connection.sendall(request_head.replace(b"{host}", b"localhost:%d" % cockpit.port))
-            assert connection.makefile("rb").read().split(b" ")[1:2] in ([], [b"400"])
-    assert request(cockpit.port, "GET", "/", cockpit.headers()).status == 200
-
-
-def test_the_end_disconnects_all_pages_and_logs_nothing(caplog):
-    cockpit = Cockpit()
-    pages = [cockpit.page() for _ in range(3)]
-    for page in pages:
-        page.receive("state")
-    with caplog.at_level(logging.DEBUG):
-        cockpit.server.end()
-    assert [page.wait_for_close().code for page in pages] == [1001] * 3
-    assert len(cockpit.control.left) == 3
-    assert not caplog.records
-    with pytest.raises(ConnectionError):
-        connect(cockpit.port)
 
 
 def test_nothing_is_logged_that_a_client_can_cause(caplog, cockpit):

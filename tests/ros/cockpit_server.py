@@ -1,0 +1,92 @@
+"""A cockpit's server on a free port, with a stand-in for the control: no ROS master is needed.
+
+PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
+"""
+
+import json
+
+import pytest
+
+from jetbot_cockpit.access import Access, make_grants
+from jetbot_cockpit.handout import make_card
+from jetbot_cockpit.hub import Hub
+from jetbot_cockpit.listeners import listen
+from jetbot_cockpit.server import Server
+from web_client import WebSocket, request
+
+WITHIN = 10.0  # s, less than hubs.GONE_AFTER
+GRANTS = make_grants(2)
+TEACHER, FIRST_PUPIL, _ = GRANTS
+PING = {"type": "ping", "sent": 1}
+DRIVE = {"type": "drive", "robot": "/", "forward": 1, "left": 0}
+
+
+class StandIn:
+    """A control that notes what it is asked for. state_size: characters of a status, which changes all the time."""
+
+    def __init__(self):
+        self.handled, self.left, self.state_size = [], [], 1
+
+    def handle(self, client, message, now):
+        self.handled.append((client, message))
+
+    def leave(self, client, now):
+        self.left.append(client)
+
+    def check(self, now):
+        return []
+
+    def robots(self):
+        return []
+
+    def trails(self):
+        return []
+
+    def state(self, now):
+        return {"type": "state", "emergency": False, "robots": {}, "status": f"{now} {'x' * self.state_size}"}
+
+
+class Cockpit:
+    """A server on a free port, and what its pages send."""
+
+    def __init__(self):
+        sockets = listen(0, lan=False)
+        self.port = sockets[0].getsockname()[1]
+        self.access = Access(self.port, ["class.test"], GRANTS)
+        self.control = StandIn()
+        self.server = Server(sockets, self.access, Hub(
+            self.control, [make_card(grant, "class.test", self.port) for grant in GRANTS]))
+        self.server.start()
+
+    def headers(self, name="localhost", **headers):
+        """Return the headers of a page that was opened by this name; None leaves one out."""
+        host = f"{name}:{self.port}"
+        given = {"Host": host, "Origin": f"http://{host}", **headers}
+        return {name.replace("_", "-"): value for name, value in given.items() if value is not None}
+
+    def log_in(self, code, **headers):
+        headers = {"Content_Type": "application/json", **headers}
+        return request(self.port, "POST", "/login", self.headers("class.test", **headers),
+                       json.dumps({"code": code}).encode())
+
+    def cookie(self, grant):
+        return self.log_in(grant.code).headers["set-cookie"].partition(";")[0]
+
+    def page(self, name="localhost", **headers):
+        """Return a new page's socket."""
+        return WebSocket(self.port, self.headers(name, **headers))
+
+
+@pytest.fixture(scope="module")
+def cockpit():
+    cockpit = Cockpit()
+    yield cockpit
+    cockpit.server.end()
+
+
+@pytest.fixture
+def fresh():
+    """A cockpit whose wrong codes and clients are this test's own."""
+    cockpit = Cockpit()
+    yield cockpit
+    cockpit.server.end()

@@ -1,0 +1,186 @@
+"""What the cockpit does with malformed, endless, frozen and half-open clients, with real sockets."""
+
+import contextlib
+import json
+import logging
+import threading
+import time
+
+import pytest
+
+from cockpit_server import DRIVE, PING, WITHIN, Cockpit
+from jetbot.wait import wait_until
+from jetbot_cockpit import hub as hubs
+from jetbot_cockpit import protocol
+from jetbot_cockpit import server as servers
+from web_client import PING as PING_FRAME
+from web_client import connect, head, request
+
+pytest_plugins = ["cockpit_server"]  # its fixtures
+
+
+@pytest.mark.parametrize("message", [
+    b"", b"x", b"[]", b"{}", b'{"type": "fly"}', b'{"type": "drive"}', b'{"type": "ping", "sent": NaN}',
+    b'{"type": "ping", "sent": 1%s}' % (b"0" * 400), b"x" * 1001, b"x" * 8000, b"x" * 100_000], ids=len)
+def test_a_message_of_another_form_ends_the_socket_and_stops_the_robot(cockpit, message):
+    page = cockpit.page()
+    number = page.receive("hello")["id"]
+    page.send(DRIVE)
+    with contextlib.suppress(ConnectionError):  # what is far too large is not even read
+        page.send(message)
+    closed = page.wait_for_close()
+    assert closed.code in ((4000,) if len(message) <= 8000 else (1009, None))
+    assert wait_until(lambda: number in cockpit.control.left, WITHIN)
+
+
+def test_a_binary_message_ends_the_socket(cockpit):
+    page = cockpit.page()
+    page.send_frame(2, json.dumps(PING).encode())
+    assert page.wait_for_close().code == 4000
+
+
+def test_too_many_messages_end_the_socket_but_a_stop_among_them_counts(cockpit):
+    page = cockpit.page()
+    number = page.receive("hello")["id"]
+    with contextlib.suppress(ConnectionError):
+        for _ in range(80):
+            page.send({"type": "stop"})
+    closed = page.wait_for_close()
+    assert (closed.code, closed.reason) == (4000, hubs.TOO_MANY)
+    stops = [message for client, message in cockpit.control.handled if client.id == number]
+    assert stops == [protocol.Stop()] * len(stops) and len(stops) > protocol.MAX_BURST
+
+
+def test_the_pages_rate_after_a_pause_of_the_network_is_no_flood(cockpit):
+    page = cockpit.page()
+    for _ in range(45):
+        page.send(PING)
+    for _ in range(45):
+        assert page.receive("pong")
+
+
+def test_pings_of_the_protocol_are_no_way_around_the_limit(cockpit):
+    page = cockpit.page()
+    page.receive("hello")
+    with contextlib.suppress(ConnectionError):
+        for _ in range(500):
+            page.send_frame(PING_FRAME)
+    assert page.wait_for_close().reason == hubs.TOO_MANY
+
+
+def test_the_sixty_fifth_client_is_told_that_there_is_no_room(fresh):
+    pages = [fresh.page() for _ in range(hubs.MAX_CLIENTS)]
+    for page in pages:
+        page.receive("hello")
+    assert fresh.page().wait_for_close().code == 4002
+    pages[0].close()
+    assert wait_until(lambda: fresh.control.left, WITHIN)
+    assert fresh.page().receive("hello")
+
+
+def test_a_killed_page_stops_its_robot_at_once(cockpit):
+    page = cockpit.page()
+    number = page.receive("hello")["id"]
+    page.close()
+    assert wait_until(lambda: number in cockpit.control.left, WITHIN)
+
+
+def test_frames_go_to_all_pages_twenty_times_a_second(fresh):
+    pages = [fresh.page() for _ in range(3)]
+    for page in pages:
+        page.receive("state")
+    start = time.monotonic()
+    for page in pages:
+        for _ in range(20):
+            page.receive("state")
+    assert 0.5 < time.monotonic() - start < 5
+
+
+def test_a_frozen_page_delays_nobody_and_is_disconnected(monkeypatch, fresh):
+    """Its browser is stopped by SIGSTOP: its socket takes what its buffer holds, and answers no ping."""
+    monkeypatch.setattr(hubs, "GONE_AFTER", 2.0)
+    fresh.control.state_size = 50_000
+    frozen, other = fresh.page(), fresh.page()
+    number = frozen.receive("hello")["id"]
+    longest, start = 0.0, time.monotonic()
+    last = start
+    while not fresh.control.left and last < start + WITHIN:
+        other.receive("state")
+        longest, last = max(longest, time.monotonic() - last), time.monotonic()
+    assert fresh.control.left == [number]
+    assert longest < 2
+
+
+def slow_requests(port):
+    """Return the beginnings of requests that are never sent to their ends, and one whose answer nobody reads."""
+    host = {"Host": f"localhost:{port}"}
+    login = {**host, "Origin": f"http://localhost:{port}", "Content-Type": "application/json", "Content-Length": "30"}
+    return [b"", b"GET / HT", head("GET", "/", host)[:-2], head("POST", "/login", login) + b"{"]
+
+
+def test_connections_that_send_nothing_or_half_a_request_end(monkeypatch):
+    monkeypatch.setattr(servers, "IDLE_TIMEOUT", 0.5)
+    cockpit = Cockpit()
+    connections = [connect(cockpit.port) for _ in slow_requests(cockpit.port)]
+    for connection, data in zip(connections, slow_requests(cockpit.port)):
+        connection.sendall(data)
+    assert [connection.recv(1) for connection in connections] == [b""] * len(connections)
+    cockpit.server.end()
+
+
+def test_idle_connections_shut_nobody_out(fresh):
+    page = fresh.page()
+    idle = [connect(fresh.port) for _ in range(150)]
+    assert request(fresh.port, "GET", "/", fresh.headers()).status == 200
+    page.send(PING)
+    assert page.receive("pong")
+    assert idle[0].recv(1) == b""
+
+
+@pytest.mark.parametrize("name", ["localhost", "class.test"])
+def test_a_client_that_sends_without_a_pause_is_not_the_only_one_that_is_served(cockpit, name):
+    """With and without access; its frames are pings without content."""
+    page, flooder = cockpit.page(), cockpit.page(name)
+    page.receive("state")
+
+    def flood():
+        with contextlib.suppress(OSError):
+            while True:
+                flooder.connection.sendall(b"\x89\x80\0\0\0\0" * 10_000)
+    thread = threading.Thread(target=flood, daemon=True)
+    thread.start()
+    start, longest = time.monotonic(), 0.0
+    while thread.is_alive() and time.monotonic() < start + WITHIN:
+        asked = time.monotonic()
+        page.send(PING)
+        page.receive("pong")
+        longest = max(longest, time.monotonic() - asked)
+        thread.join(1 / 20)
+    assert not thread.is_alive() and longest < 2
+
+
+@pytest.mark.parametrize("request_head", [
+    b"GET / HTTP/1.1\r\nHost: {host}\r\nX: %s\r\n\r\n" % (b"x" * 20_000), b"\0" * 20_000, b"GET\r\n\r\n",
+    b"POST /login HTTP/1.1\r\nHost: {host}\r\nContent-Length: 99999999999\r\n\r\n",
+    b"POST /login HTTP/1.1\r\nHost: {host}\r\nTransfer-Encoding: chunked\r\n\r\n7d0\r\n" + b"x" * 2000],
+    ids=["headers", "zeros", "line", "body", "chunked"])
+def test_a_huge_or_malformed_request_ends_its_connection(cockpit, request_head):
+    with connect(cockpit.port) as connection:
+        with contextlib.suppress(ConnectionError):
+            connection.sendall(request_head.replace(b"{host}", b"localhost:%d" % cockpit.port))
+            assert connection.makefile("rb").read().split(b" ")[1:2] in ([], [b"400"])
+    assert request(cockpit.port, "GET", "/", cockpit.headers()).status == 200
+
+
+def test_the_end_disconnects_all_pages_and_logs_nothing(caplog):
+    cockpit = Cockpit()
+    pages = [cockpit.page() for _ in range(3)]
+    for page in pages:
+        page.receive("state")
+    with caplog.at_level(logging.DEBUG):
+        cockpit.server.end()
+    assert [page.wait_for_close().code for page in pages] == [1001] * 3
+    assert len(cockpit.control.left) == 3
+    assert not caplog.records
+    with pytest.raises(ConnectionError):
+        connect(cockpit.port)
