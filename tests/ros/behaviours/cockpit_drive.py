@@ -82,6 +82,8 @@ class CockpitDrive(RobotTest):
     def test_a_pad_drives_until_it_is_released_and_then_nobody_publishes(self):
         self.started(cmd_vel_timeout=0)
         self.push(0.5)
+        self.wait_for(wait_for_page(lambda: self.hold() or self.robot()["wheels"] == (0.5, 0.5)), 5.0, "its wheels")
+        self.assertEqual(self.robot()["command"], (0.5, 0.0))
         self.lift()
         self.wait_for_stop(within=1.0)
         self.wait_for(lambda: not publishers("/cmd_vel"), 5.0, "the publisher to end")
@@ -112,7 +114,6 @@ class CockpitDrive(RobotTest):
         self.wait_for(lambda: self.robot()["status"].startswith("stopped: emergency stop"), 5.0, "its status")
         self.wait_for_refusal(STOPPED_FIRST)
         self.do(ADA, Release())
-        self.wait_for(lambda: not self.control.state(0.0)["emergency"], 5.0, "the release")
         self.wait_for_refusal(LET_GO)
         self.lift()
         self.push(0.5)
@@ -120,7 +121,19 @@ class CockpitDrive(RobotTest):
         self.wait_for_stop(within=1.0)
         self.wait_for_refusal(STOPPED_FIRST)
         self.emergency_stop(False)
-        self.wait_for(lambda: not self.control.state(0.0)["emergency"], 5.0, "the release from elsewhere")
+        self.wait_for(lambda: self.robot() and not self.control.state(0.0)["emergency"], 5.0, "the release")
+
+    def test_a_teacher_stops_one_robot(self):
+        self.started()
+        self.push(0.5)
+        self.do(TEACHER, Stop("/"))
+        self.wait_for_stop(within=1.0)
+        self.wait_for(lambda: self.robot()["status"].startswith("stopped: its own emergency stop"), 5.0, "its status")
+        self.wait_for_refusal("robot: its own emergency stop. Release it first.")
+        self.do(TEACHER, Release("/"))
+        self.wait_for_refusal(LET_GO)
+        self.lift()
+        self.push(0.5)
 
     def test_a_robot_that_freezes_or_is_killed_does_not_answer_and_does_not_jump_off_later(self):
         controller = self.started()
