@@ -104,14 +104,13 @@ class Control:
         return {"type": "lift", "robot": robot, "text": refusal}
 
     def _on_lifted(self, client, robot, now):
-        if now >= self._stale_until:
-            self._must_lift.discard(client.id)
+        self._must_lift.discard(client.id)
         if self._leases.driver(robot) == client.id:
             self._drive.release(robot)
             self._lease(client, robot, now, driving=False)
 
     def _note_interruption(self, now):
-        """Do not trust what had been waiting in the sockets, also lifted fingers, if this process was frozen."""
+        """Drive nothing for a moment if this process was frozen: old commands waited in the sockets."""
         if now - self._checked_at >= TIMEOUT:
             self._stale_until = now + TIMEOUT
 
