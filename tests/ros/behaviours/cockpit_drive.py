@@ -164,10 +164,13 @@ class CockpitDrive(RobotTest):
         odom = Odometry()
         odom.header.frame_id, odom.pose.pose.position.x, odom.pose.pose.orientation.w = "odom", 0.5, 1.0
         odom.twist.twist.linear.x = 0.3
-        poses.publish(odom)
-        self.wait_for(lambda: self.robot()["pose"] == (1.0, 0.5, 1.571), 5.0, "its pose on the map")
-        self.assertEqual(self.robot()["speed"], (0.3, 0.0))
-        self.wait_for(lambda: self.robot()["speed"] is None, 5.0, "a speed that nobody repeats to vanish")
+
+        def shown():
+            poses.publish(odom)
+            return self.robot()["pose"] == (1.0, 0.5, 1.571) and self.robot()["speed"] == (0.3, 0.0)
+
+        self.wait_for(wait_for_page(shown), START_TIMEOUT, "its pose on the map, and its speed")
+        self.wait_for(lambda: self.robot()["speed"] is None, START_TIMEOUT, "a speed that nobody repeats to vanish")
 
     def test_a_simulator_that_hangs_while_it_is_reset_holds_nobody_up(self):
         ended, calls = threading.Event(), []
