@@ -1,43 +1,37 @@
 """Who may drive which robot, and what it is given. No sockets, no ROS and no clock: times are monotonic seconds."""
 
+import math
 import threading
-from typing import TYPE_CHECKING, Callable, Dict, List, NamedTuple, Optional, Set
+from typing import TYPE_CHECKING, Callable, Dict, List, Optional, Set
 
 from . import protocol
+from .client import TEACHER, Client
+from .dead_man import TIMEOUT
 from .lease import Leases
+from .stops import Stops
 from .trail import Trails
-from .view import Snapshot, label
+from .view import label
 
 if TYPE_CHECKING:  # they need ROS
     from .drive import Drive
     from .robots import Robots
 
-TEACHER = "teacher"
 LET_GO = "Let go, then drive again."
 
 
-class Client(NamedTuple):
-    """Somebody at a page. role: "teacher" or "pupil"; robot: the only one that a pupil may drive, None: any."""
-
-    id: int
-    name: str
-    role: str
-    robot: Optional[str] = None
-
-    def commands(self, robot: Optional[str]) -> bool:
-        """Return whether this person may drive the robot."""
-        return self.role == TEACHER or self.robot in (None, robot)
-
-
 class Control:
-    """Does what the clients ask for; any thread may call it. drive: drives robots; robots: what they report."""
+    """Does what the clients ask for; any thread may call it. drive: drives robots; robots: what they report.
+
+    What the robots report is looked at by ``check``, once for all clients.
+    """
 
     def __init__(self, robots: "Robots", drive: "Drive"):
         self._robots, self._drive = robots, drive
-        self._leases, self._trails = Leases(), Trails()
+        self._snapshot = robots.snapshot()
+        self._leases, self._stops, self._trails = Leases(), Stops(), Trails()
         self._names: Dict[int, str] = {}
         self._must_lift: Set[int] = set()
-        self._teachers_stops: Set[Optional[str]] = set()
+        self._checked_at, self._stale_until = math.inf, -math.inf
         self._lock = threading.RLock()
         self._actions: Dict[type, Callable] = {
             protocol.Drive: self._on_drive, protocol.Take: self._on_take, protocol.Stop: self._on_stop,
@@ -47,6 +41,7 @@ class Control:
         """Do what a client asks for; return what its page should be told, a message of the socket, or None."""
         with self._lock:
             self._names.setdefault(client.id, client.name)
+            self._note_interruption(now)
             return self._actions[type(message)](client, message, now)
 
     def leave(self, client: int, now: float) -> None:
@@ -62,11 +57,13 @@ class Control:
         Return messages of the socket for all clients.
         """
         with self._lock:
-            snapshot = self._robots.snapshot()
+            self._note_interruption(now)
+            self._checked_at = now
+            snapshot = self._snapshot = self._robots.snapshot()
             for robot in self._leases.robots():
                 if snapshot.problem(robot) or self._leases.is_silent(robot, now):
                     self._free(robot)
-            self._teachers_stops = set(filter(snapshot.is_stopped, self._teachers_stops))
+            self._stops.update(snapshot)
             return self._trails.update({robot.id: robot.pose for robot in snapshot.robots.values()})
 
     def close(self) -> None:
@@ -76,12 +73,12 @@ class Control:
 
     def robots(self) -> List[dict]:
         """Return the robots of the message "robots"."""
-        return [robot.description() for robot in self._robots.snapshot().robots.values()]
+        return [robot.description() for robot in self._snapshot.robots.values()]
 
     def state(self, now: float) -> dict:
         """Return the message "state"."""
         with self._lock:
-            snapshot = self._robots.snapshot()
+            snapshot = self._snapshot
             states = {robot.id: robot.state(self._driver(robot.id)) for robot in snapshot.robots.values()}
         return {"type": "state", "emergency": snapshot.emergency, "robots": states}
 
@@ -94,12 +91,11 @@ class Control:
         robot, driving = message.robot, bool(message.forward or message.left)
         if not driving:
             return self._on_lifted(client, robot, now)
-        snapshot = self._robots.snapshot()
-        refusal = self._refusal(client, robot, snapshot)
+        refusal = self._refusal(client, robot, now)
         if not refusal:
             self._lease(client, robot, now, driving)
-            velocity = snapshot.robots[robot].velocity(message.forward, message.left)
-            refusal = "" if self._drive.command(robot, velocity, now) else f"No command for 0.3 s. {LET_GO}"
+            velocity = self._snapshot.robots[robot].velocity(message.forward, message.left)
+            refusal = "" if self._drive.command(robot, velocity, now) else f"No command for {TIMEOUT} s. {LET_GO}"
         if not refusal:
             return None
         self._must_lift.add(client.id)
@@ -113,21 +109,28 @@ class Control:
             self._drive.release(robot)
             self._lease(client, robot, now, driving=False)
 
-    def _refusal(self, client, robot, snapshot: Snapshot) -> str:
+    def _note_interruption(self, now):
+        """Drive nothing for a moment if this process was frozen: old commands waited in the sockets."""
+        if now - self._checked_at >= TIMEOUT:
+            self._stale_until = now + TIMEOUT
+
+    def _refusal(self, client, robot, now) -> str:
         """Return why the client may not drive this robot now, or ""."""
-        if not client.commands(robot):
+        if not client.may_drive(robot):
             return f"Your code drives {label(client.robot)} only."
+        if now < self._stale_until:
+            return f"The cockpit was interrupted. {LET_GO}"
         driver = self._leases.driver(robot)
         if driver not in (None, client.id):
             return f"{self._names[driver]} drives {label(robot)}."
-        return snapshot.problem(robot) or (LET_GO if client.id in self._must_lift else "")
+        return self._snapshot.problem(robot) or (LET_GO if client.id in self._must_lift else "")
 
     def _on_take(self, client, message, now):
         robot = message.robot
         if client.role != TEACHER:
             return notice("Only a teacher takes a robot.")
-        if robot not in self._robots.snapshot().robots:
-            return notice(f"{label(robot)} has ended.")
+        if self._ended(robot):
+            return notice(self._ended(robot))
         if self._leases.driver(robot) != client.id:
             self._free(robot)
             self._lease(client, robot, now, driving=False)
@@ -135,30 +138,28 @@ class Control:
 
     def _on_stop(self, client, message, now):
         robot = message.robot
-        if robot is not None and not self._may_stop(client, robot):
-            return notice("Only a teacher stops one robot. Stop all instead.")
+        refusal = self._ended(robot) or self._stops.stop(client, robot)
+        if refusal:
+            return notice(refusal)
         self._robots.stop(robot, True)
+        self._snapshot = self._robots.snapshot()
         for each in self._leases.robots() if robot is None else [robot]:
             self._free(each)
-        if client.role == TEACHER:
-            self._teachers_stops.add(robot)
         return None
 
     def _on_release(self, client, message, now):
-        robot = message.robot
-        if robot is not None and not self._may_stop(client, robot):
-            return notice("Only a teacher releases one robot.")
-        if client.role != TEACHER and robot in self._teachers_stops:
-            return notice("A teacher stopped this. A teacher releases it.")
-        self._teachers_stops.discard(robot)
-        self._robots.stop(robot, False)
+        refusal = self._stops.release(client, message.robot)
+        if refusal:
+            return notice(refusal)
+        self._robots.stop(message.robot, False)
+        self._snapshot = self._robots.snapshot()
         return None
 
     def _on_reset(self, client, message, now):
         if client.role != TEACHER:
             return notice("Only a teacher puts robots back.")
-        robots = self._robots.snapshot().robots.values()
-        chosen = [robot for robot in robots if robot.simulated and message.robot in (None, robot.id)]
+        chosen = [robot for robot in self._snapshot.robots.values()
+                  if robot.simulated and message.robot in (None, robot.id)]
         silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]
         if silent:
             return notice(f"{', '.join(silent)} has not answered yet.")
@@ -167,8 +168,8 @@ class Control:
     def _on_name(self, client, message, now):
         self._names[client.id] = message.name.strip() or client.name
 
-    def _may_stop(self, client, robot):
-        return client.role == TEACHER or client.robot == robot
+    def _ended(self, robot: Optional[str]) -> str:
+        return "" if robot is None or robot in self._snapshot.robots else f"{label(robot)} has ended."
 
     def _lease(self, client, robot, now, driving):
         """Give a free robot to the client, or go on; its other robot stops, and is free."""
