@@ -18,6 +18,11 @@ import { prepareViews, showView } from "./views.js";
 import { showWheels } from "./wheels.js";
 import { World, describeDriver, summarize } from "./world.js";
 
+let problem = "Connecting"; // why there is no connection
+let driven = null; // the robot that the commands go to
+let wasDriver = false;
+let frame = null; // the next one shows what has changed
+
 const world = new World();
 const notice = new Notice();
 const login = new LoginForm(() => link.open());
@@ -30,11 +35,8 @@ const driving = new Driving(command, () => link.connected && Boolean(world.robot
 const keys = new Keys((...deflection) => driving.deflect("keys", ...deflection), () => stops.stop());
 const stops = new Stops(world, chosen, send, (text) => notice.show(text));
 const fleet = new Fleet(world, chosen, choose, send);
-const map = new RobotMap(element("map"), world, chosen, choose);
+const map = new RobotMap(element("map"), world, { chosen, choose, redraw: show });
 const person = new Person(send);
-let problem = "Connecting";
-let driven = null; // the robot that the commands go to
-let wasDriver = false;
 
 const RECEIVERS = {
   hello(message) {
@@ -127,6 +129,11 @@ function currentStatus() {
 }
 
 function show() {
+  frame ??= requestAnimationFrame(showNow);
+}
+
+function showNow() {
+  frame = null;
   const robot = world.robot(chosen());
   const state = world.state(chosen());
   const { text, level } = currentStatus();
@@ -139,7 +146,7 @@ function show() {
   setClass(document.body, "offline", problem);
   showWheels(robot, state);
   stops.show();
-  map.redraw();
+  map.draw();
 }
 
 function showTeachersTools(robot, { driver }) {

@@ -11,9 +11,9 @@ const VISIBLE = 9; // pixels: smallest radius at which a robot is found
 const TAP_RADIUS = 28; // pixels
 
 export class RobotMap {
-  // chosen(): id of the robot to follow; choose(id): a robot was tapped
-  constructor(canvas, world, chosen, choose) {
-    Object.assign(this, { canvas, world, chosen, choose, following: true, pending: false });
+  // chosen(): id of the robot to follow; choose(id): a robot was tapped; redraw(): draw() is due
+  constructor(canvas, world, { chosen, choose, redraw }) {
+    Object.assign(this, { canvas, world, chosen, choose, redraw, following: true });
     this.view = new View(canvas, {
       changed: () => this.redraw(),
       tapped: (right, down) => this.tap(right, down),
@@ -51,15 +51,6 @@ export class RobotMap {
       return [Math.hypot(x - right, y - down), robot.id];
     }).sort(([one], [other]) => one - other)[0];
     if (near && near[0] < TAP_RADIUS) this.choose(near[1]);
-  }
-
-  redraw() {
-    if (this.pending) return;
-    this.pending = true;
-    requestAnimationFrame(() => {
-      this.pending = false;
-      this.draw();
-    });
   }
 
   draw() {
