@@ -1,6 +1,6 @@
 // The teacher's list: every robot with its status, and a button that stops it.
 
-import { button, create, element, setClass, setText } from "./dom.js";
+import { button, create, element, setText } from "./dom.js";
 import { describeDriver, summarize } from "./world.js";
 
 export class Fleet {
@@ -15,7 +15,7 @@ export class Fleet {
     this.rows.clear();
     for (const robot of this.world.robots) this.rows.set(robot.id, this.row(robot));
     element("fleet-list").replaceChildren(...[...this.rows.values()].map(({ item }) => item));
-    setClass(element("reset-all"), "absent", !this.world.robots.some((robot) => robot.simulated));
+    element("reset-all").hidden = !this.world.robots.some((robot) => robot.simulated);
   }
 
   row({ id, label, color }) {

@@ -33,7 +33,8 @@ const chosen = () => choice.id;
 const choose = (id) => choice.choose(id);
 const driving = new Driving(command, () => link.connected && Boolean(world.robot(chosen())));
 const keys = new Keys((...deflection) => driving.deflect("keys", ...deflection), () => stops.stop());
-const stops = new Stops(world, chosen, send, (text) => notice.show(text));
+const report = (text) => notice.show(text);
+const stops = new Stops(world, { chosen, send, report, stopped: () => driving.lift() });
 const fleet = new Fleet(world, chosen, choose, send);
 const map = new RobotMap(element("map"), world, { chosen, choose, redraw: show });
 const person = new Person(send);
@@ -58,10 +59,10 @@ const RECEIVERS = {
     fitOnce.due?.();
   },
   trail: (message) => world.trail(message),
-  notice: ({ text }) => notice.show(text),
+  notice: ({ text }) => report(text),
   lift({ robot, text }) {
     if (robot === driven) driving.lift();
-    notice.show(text);
+    report(text);
   },
   codes: ({ codes }) => showCodes(codes),
 };

@@ -58,14 +58,19 @@ export class RobotMap {
     const { pose } = this.world.state(this.chosen());
     if (this.following && pose) this.view.centre(...pose);
     drawGrid(context, this.view, this.colors);
-    context.save();
-    const [right, down] = this.view.toPixels(0, 0);
-    context.translate(right, down);
-    context.scale(this.view.scale, -this.view.scale);
-    this.drawRobots(context, 1 / this.view.scale);
-    context.restore();
+    this.inMetres(context, (pixel) => this.drawTrails(context, pixel));
     this.drawLabels(context);
+    this.inMetres(context, (pixel) => this.drawRobots(context, pixel));
     this.showSpeeds();
+  }
+
+  // Calls draw with the size of a pixel, while the context is in metres.
+  inMetres(context, draw) {
+    context.save();
+    context.translate(...this.view.toPixels(0, 0));
+    context.scale(this.view.scale, -this.view.scale);
+    draw(1 / this.view.scale);
+    context.restore();
   }
 
   fitCanvas() {
@@ -79,10 +84,13 @@ export class RobotMap {
     return context;
   }
 
-  drawRobots(context, pixel) {
+  drawTrails(context, pixel) {
     for (const { id, color } of this.world.robots) {
       drawTrail(context, this.world.trails.get(id) ?? [], color, 3 * pixel);
     }
+  }
+
+  drawRobots(context, pixel) {
     for (const { robot, state } of this.world.placed()) {
       const chosen = robot.id === this.chosen();
       drawRobot(context, state.pose, robot.color, this.colors, pixel);
