@@ -50,6 +50,7 @@ export class Fleet {
     if (status.title !== text) status.title = text;
     if (item.dataset.level !== level) item.dataset.level = level;
     pick.setAttribute("aria-pressed", id === this.chosen());
+    stop.dataset.action = stopped ? "release" : "stop";
     setText(stop, stopped ? "Release" : "Stop");
     stop.setAttribute("aria-label", `${stopped ? "Release" : "Stop"} ${label}`);
   }

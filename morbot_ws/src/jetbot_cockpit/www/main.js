@@ -83,8 +83,10 @@ function fitOnce() {
 
 function command(forward, left) {
   if (forward || left) driven = chosen();
+  if (driven === null) return;
   const message = { type: "drive", robot: driven, forward, left };
-  return forward || left ? link.sendFresh(message) : link.send(message);
+  if (forward || left) link.sendFresh(message);
+  else link.send(message);
 }
 
 function noticeLostLease() {
@@ -140,12 +142,13 @@ function showNow() {
   const { text, level } = currentStatus();
   setText(element("status"), text);
   element("status").dataset.level = level;
-  setText(element("driver"), robot ? describeDriver(world, chosen()) : "");
+  setText(element("driver"), robot && !problem ? describeDriver(world, chosen()) : "");
   if (robot) document.documentElement.style.setProperty("--robot", robot.color);
   showTeachersTools(robot, state);
   setClass(document.body, "driving", driving.active);
   setClass(document.body, "offline", problem);
   showWheels(robot, state);
+  pad.point(...driving.command);
   stops.show();
   map.draw();
 }
@@ -174,7 +177,7 @@ function setSpeed() {
   element("speed").setAttribute("aria-valuetext", `${percent} % of full speed`);
 }
 
-new Pad(element("pad"), element("thumb"), (...deflection) => driving.deflect("pad", ...deflection));
+const pad = new Pad(element("pad"), element("thumb"), (...deflection) => driving.deflect("pad", ...deflection));
 new Gamepads((...deflection) => driving.deflect("gamepad", ...deflection));
 driving.changed = show;
 prepareViews((view) => view === "codes" && send({ type: "codes" }));
@@ -183,6 +186,7 @@ element("take").addEventListener("click", () => send({ type: "take", robot: chos
 element("reset").addEventListener("click", () => send({ type: "reset", robot: chosen() }));
 addEventListener("blur", leave);
 addEventListener("pagehide", leave);
+matchMedia("(orientation: portrait)").addEventListener("change", leave); // the pad moves away below the finger
 document.addEventListener("visibilitychange", () => document.hidden && leave());
 
 async function start() {
