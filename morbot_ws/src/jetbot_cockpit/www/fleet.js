@@ -36,6 +36,7 @@ export class Fleet {
   }
 
   show() {
+    if (element("fleet").hidden) return;
     for (const [id, row] of this.rows) this.showRow(id, row);
     const counts = this.world.robots.map(({ id }) => summarize(this.world, id).level);
     const driving = counts.filter((level) => level === "driving").length;
