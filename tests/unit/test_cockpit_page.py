@@ -1,0 +1,39 @@
+"""The cockpit's page is complete, and needs nothing that its Content-Security-Policy forbids."""
+
+import re
+
+import pytest
+
+from conftest import ROOT
+
+WWW = ROOT / "morbot_ws/src/jetbot_cockpit/www"
+PAGE = (WWW / "index.html").read_text()
+SCRIPTS = sorted(WWW.glob("*.js"))
+
+
+@pytest.mark.parametrize("name", ["pad", "speed", "stop", "release", "status", "robot", "map", "wheels"])
+def test_the_page_has_its_binding_ids(name):
+    assert PAGE.count(f'id="{name}"') == 1
+
+
+def test_each_element_that_a_script_uses_is_in_the_page():
+    used = {name for script in SCRIPTS for name in re.findall(r'element\("([^"]+)"\)', script.read_text())}
+    assert {name for name in used if f'id="{name}"' not in PAGE} == set()
+
+
+def test_each_file_that_is_loaded_exists():
+    loaded = re.findall(r'(?:src|href)="([^"]+)"', PAGE)
+    imported = [name for script in SCRIPTS for name in re.findall(r'from "\./([^"]+)"', script.read_text())]
+    assert {name for name in [*loaded, *imported] if not (WWW / name).is_file()} == set()
+
+
+def test_nothing_stands_inline_or_comes_from_another_host():
+    for file in (*WWW.glob("*.html"), *SCRIPTS, *WWW.glob("*.css")):
+        text = file.read_text().replace("http://www.w3.org/2000/svg", "")
+        assert not re.search(r'https?://\w|<script(?![^>]*\bsrc=)|<style|\sstyle="|\son\w+="|url\(|data:', text), file
+
+
+def test_text_from_outside_stays_text():
+    for script in SCRIPTS:
+        assert not re.search(r"innerHTML|outerHTML|insertAdjacentHTML|document\.write|\beval\(|new Function",
+                             script.read_text()), script
