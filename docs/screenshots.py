@@ -87,6 +87,7 @@ def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -
         driver.get(address)
         WebDriverWait(driver, START_TIMEOUT).until(
             lambda page: len(page.find_elements("css selector", "#robot option")) == robots)
+        touch(driver, "touchStart", center_of(driver)[:2])
         for forward, left, seconds in EIGHT:
             drive(driver, forward, left, seconds)
         save(driver, DOCS / name)
@@ -95,16 +96,22 @@ def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -
 
 def drive(driver: webdriver.Chrome, forward: float, left: float, seconds: float) -> None:
     """Push the pad until the robot has driven for so long; on a busy computer, the dead man's switch may stop it."""
-    pad, status = driver.find_element("id", "pad").rect, driver.find_element("id", "status")
-    x, y, radius = pad["x"] + pad["width"] / 2, pad["y"] + pad["height"] / 2, pad["width"] / 2
-    driven = 0.0
+    status, driven = driver.find_element("id", "status"), 0.0
     while driven < seconds:
-        if not status.text.startswith("driving"):
-            touch(driver, "touchEnd")
-            touch(driver, "touchStart", (x, y))
+        x, y, radius = center_of(driver)
         touch(driver, "touchMove", (x - left * radius, y - forward * radius))
         time.sleep(STEP)
-        driven += STEP if status.text.startswith("driving") else 0.0
+        if status.text.startswith("driving"):
+            driven += STEP
+        else:
+            touch(driver, "touchEnd")
+            touch(driver, "touchStart", (x, y))
+
+
+def center_of(driver: webdriver.Chrome) -> Tuple[float, float, float]:
+    """Return x and y of the pad's center, and its radius."""
+    pad = driver.find_element("id", "pad").rect
+    return pad["x"] + pad["width"] / 2, pad["y"] + pad["height"] / 2, pad["width"] / 2
 
 
 @contextlib.contextmanager
