@@ -9,14 +9,14 @@ from pathlib import Path
 
 import pytest
 
-from conftest import SOURCE
+from conftest import COCKPIT, SOURCE
 from jetbot_ros import launch_arguments
 from jetbot_ros.launch_arguments import argument_problem
 from jetbot_ros.roslaunch_command import parse
 
 PACKAGES = SOURCE.parent
 FOLDERS = {"jetbot_control_node": SOURCE, "simulation": PACKAGES / "simulation",
-           "workshop": PACKAGES / "scenarios/workshop"}
+           "workshop": PACKAGES / "scenarios/workshop", "jetbot_cockpit": COCKPIT}
 INCLUDE = '<include file="$(find jetbot_control_node)/launch/jetbot_controller.launch" {}/>'
 PASS_ALL = INCLUDE.format('pass_all_args="true"')
 
@@ -48,6 +48,9 @@ def refusal(*words):
     ("jetbot_control_node jetbot_controller.launch _i2c_bus:=fake", "_i2c_bus. Did you mean i2c_bus:=fake?"),
     ("jetbot_control_node jetbot_controller.launch foo:=3", "foo. The arguments are acceleration_limit, board, "),
     ("-p 11411 --screen workshop workshop_jetbot_controller.launch bord:=", "bord. Did you mean board:=?"),
+    ("simulation simulation.launch cokpit:=true", "cokpit. Did you mean cockpit:=true?"),
+    ("jetbot_cockpit cockpit.launch lann:=true", "lann. Did you mean lan:=true?"),
+    ("jetbot_cockpit class.launch bord:=sparkfun", "bord. Did you mean board:=sparkfun?"),
     (f"{SOURCE}/launch/many_robots.launch {SOURCE}/launch/jetbot_controller.launch robts:=3",
      "robts. Did you mean robots:=3?")])
 def test_a_mistyped_argument_is_refused_with_what_was_meant(line, meant):
@@ -57,6 +60,7 @@ def test_a_mistyped_argument_is_refused_with_what_was_meant(line, meant):
 @pytest.mark.parametrize("line", [
     "simulation simulation.launch motion:=true linear:=0.2 board:=sparkfun required:=true __ns:=red _other:=1",
     "jetbot_control_node many_robots.launch robots:=3 max_speed:=0.5",
+    "jetbot_cockpit class.launch robots:=15 lan:=true config:=si_units.yaml cockpit_port:=8081",
     "simulation no_such.launch lineer:=1", "no_such_package x.launch lineer:=1", "- lineer:=1", "lineer:=1"])
 def test_what_is_known_or_cannot_be_known_is_not_refused(line):
     assert refusal(*line.split()) is None

@@ -1,2 +1,96 @@
 #!/usr/bin/env python3
-"""ROS node: a web page that drives, watches and stops robots."""
+"""ROS node: a web page that drives, watches and stops all robots of a ROS master."""
+
+# ruff: noqa: E402
+import signal
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
+
+from jetbot_ros.launcher import Launcher  # noqa: I001  first of all: it reads who has started this process
+
+import os
+import sys
+import threading
+
+import rospy
+
+from jetbot import JetbotError
+from jetbot_cockpit import address, handout
+from jetbot_cockpit.access import Access, make_grants
+from jetbot_cockpit.control import Control
+from jetbot_cockpit.desktop import open_browser
+from jetbot_cockpit.drive import Drive
+from jetbot_cockpit.hub import Hub
+from jetbot_cockpit.listeners import listen
+from jetbot_cockpit.parameters import PARAMETERS, resolve
+from jetbot_cockpit.robots import Robots
+from jetbot_cockpit.server import Server
+from jetbot_ros import node
+from jetbot_ros.command_line import fake_advice, private_parameters
+
+POLL_INTERVAL = 0.25    # s
+SHUTDOWN_TIMEOUT = 2.0  # s for the end of this node
+
+
+class Cockpit:
+    def __init__(self):
+        node.init_node("jetbot_cockpit")
+        given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), PARAMETERS))
+
+        # Listen first: a port that is taken ends the node before it does anything
+        sockets = listen(given["port"], given["lan"])
+        self.port = sockets[0].getsockname()[1]
+        self.browser = given["browser"]
+
+        # Who gets in, and what is handed out: other computers need a code
+        grants = make_grants(given["robots"]) if given["lan"] else []
+        names = [given["name"]] if given["name"] else address.lan_addresses()
+        access = Access(self.port, [*names, *address.host_names()] if given["lan"] else [], grants)
+        self.cards = [handout.make_card(grant, (names or ["localhost"])[0], self.port) for grant in grants]
+
+        # What clients ask for goes into the control, and what the robots report comes out
+        self.control = Control(Robots(), Drive())
+        self.server = Server(sockets, access, Hub(self.control, self.cards))
+
+    def run(self):
+        ended = threading.Event()
+        for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(signum, lambda *_: ended.set())
+        rospy.on_shutdown(ended.set)
+        self.server.start()
+        self.show()
+        launcher = Launcher()
+        while not ended.wait(POLL_INTERVAL) and not launcher.ended:
+            launcher.poll()
+        self.end()
+
+    def show(self):
+        # Printed, not logged: neither a log file nor /rosout holds a code
+        url = f"http://localhost:{self.port}/"
+        print(f"The cockpit, for a browser on this computer: {url}", flush=True)
+        if self.cards:
+            sys.stdout.reconfigure(errors="replace")  # a terminal may lack the blocks of the QR codes
+            print(f"For others:\n{handout.text(self.cards, sys.stdout.isatty())}", flush=True)
+        if self.browser == "auto":
+            open_browser(url)
+
+    def end(self):
+        # The clients first: each one's robot stops with it
+        limit = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # the master may hang
+        limit.daemon = True
+        limit.start()
+        self.server.end()
+        self.control.close()
+        rospy.signal_shutdown("the cockpit has ended")
+
+
+def main():
+    try:
+        Cockpit().run()
+    except JetbotError as error:
+        sys.exit(error.text(fake_advice))  # one sentence; not as a fatal error: the robots run on without a page
+    node.leave(0)
+
+
+if __name__ == "__main__":
+    main()

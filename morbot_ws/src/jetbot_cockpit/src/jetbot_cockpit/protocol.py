@@ -1,12 +1,13 @@
 """The messages of the cockpit's socket: JSON objects with a ``type``. docs/cockpit.md lists them."""
 
 import json
-import math
-from typing import Any, Dict, NamedTuple, Optional
+from typing import Any, Dict, NamedTuple, Optional, Union
+
+from jetbot.kinds import is_number
 
 MAX_MESSAGE = 1000      # bytes of a message of the page
-MAX_RATE = 40           # messages per second of a page
-DRIVE_RATE = 20         # Hz at which the page repeats what its pad commands
+MAX_RATE = 40           # messages per second of a page,
+MAX_BURST = 50          # and at once: what a pause of the network has held back
 MAX_NAME = 20           # characters of a person's name
 
 
@@ -62,51 +63,49 @@ class Codes(NamedTuple):
     """A teacher asks for the addresses and codes to hand out."""
 
 
-Message = NamedTuple  # one of the classes above
+Message = Union[Drive, Take, Stop, Release, Reset, Name, Ping, Codes]
 
 
 def is_deflection(value: Any) -> bool:
     return is_number(value) and abs(value) <= 1
 
 
-def is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
-
-
-def is_text(value: Any) -> bool:
+def is_robot(value: Any) -> bool:
     return isinstance(value, str)
 
 
+def is_robot_or_all(value: Any) -> bool:
+    return value is None or is_robot(value)
+
+
 def is_name(value: Any) -> bool:
-    return is_text(value) and len(value) <= MAX_NAME and value.isprintable()
-
-
-def is_text_or_none(value: Any) -> bool:
-    return value is None or is_text(value)
+    return isinstance(value, str) and len(value) <= MAX_NAME and value.isprintable()
 
 
 # type: (class, {field: check}); a field whose class has a default may be left out
 MESSAGES: Dict[str, tuple] = {
-    "drive": (Drive, {"robot": is_text, "forward": is_deflection, "left": is_deflection}),
-    "take": (Take, {"robot": is_text}),
-    "stop": (Stop, {"robot": is_text_or_none}),
-    "release": (Release, {"robot": is_text_or_none}),
-    "reset": (Reset, {"robot": is_text_or_none}),
+    "drive": (Drive, {"robot": is_robot, "forward": is_deflection, "left": is_deflection}),
+    "take": (Take, {"robot": is_robot}),
+    "stop": (Stop, {"robot": is_robot_or_all}),
+    "release": (Release, {"robot": is_robot_or_all}),
+    "reset": (Reset, {"robot": is_robot_or_all}),
     "name": (Name, {"name": is_name}),
     "ping": (Ping, {"sent": is_number}),
     "codes": (Codes, {}),
 }
 
 
-def parse(text: str) -> Message:
+def parse(text: Union[str, bytes]) -> Message:
     """Return the message; raise ProtocolError for one that is not of the documented form."""
+    if not isinstance(text, str) or len(text.encode(errors="replace")) > MAX_MESSAGE:
+        raise ProtocolError(f"a message is text, of {MAX_MESSAGE} bytes at most")
     try:
         fields = json.loads(text)
     except (ValueError, RecursionError):
-        raise ProtocolError("a message is a JSON object") from None
-    if not isinstance(fields, dict) or fields.get("type") not in list(MESSAGES):
+        fields = None
+    kind = fields.pop("type", None) if isinstance(fields, dict) else None
+    if kind not in list(MESSAGES):  # a list: what is not hashable may be there
         raise ProtocolError(f"a message is a JSON object with a type: {', '.join(MESSAGES)}")
-    kind = fields.pop("type")
     message, checks = MESSAGES[kind]
     missing = set(checks) - set(fields) - set(message._field_defaults)
     if missing or not all(name in checks and checks[name](value) for name, value in fields.items()):

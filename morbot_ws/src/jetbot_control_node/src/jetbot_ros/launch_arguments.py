@@ -15,7 +15,8 @@ UNREADABLE = (OSError, ValueError, LookupError, expat.ExpatError)  # of a file t
 class LaunchFile(NamedTuple):
     """What a launch file holds.
 
-    mentioned: the names in its substitutions; full_includes: the files that get all arguments.
+    mentioned: the names in its substitutions; full_includes: the files that get all arguments; other_includes: the
+    others, as they are written.
     """
 
     arguments: Set[str]
@@ -56,12 +57,19 @@ def closest(name: str, names: Iterable[str]) -> Optional[str]:
 
 def _explain(name, value, known, files):
     for file in files:
-        if any(name in each.arguments for each in receivers(read_launch_file(file).other_includes)):
+        if any(_takes(name, include, file) for include in read_launch_file(file).other_includes):
             return (f"{os.path.basename(file)} does not pass the argument {name} on. "
                     'Add pass_all_args="true" to its <include>.')
     meant = closest(name, known)
     advice = f"Did you mean {meant}:={value}?" if meant else f"The arguments are {', '.join(sorted(known))}."
     return f"there is no argument {name}. {advice}"
+
+
+def _takes(name, include, file):
+    try:
+        return any(name in each.arguments for each in receivers([substitute(include, file)]))
+    except UNREADABLE:
+        return False
 
 
 def launch_files(words: Sequence[str]) -> List[str]:
@@ -111,8 +119,11 @@ def read_launch_file(file: str) -> LaunchFile:
         if tag == "arg" and "include" not in inside:
             found.arguments.add(attributes["name"])
         elif tag == "include":
-            passes = substitute(attributes.get("pass_all_args", ""), file).lower() == "true"
-            (found.full_includes if passes else found.other_includes).append(substitute(attributes["file"], file))
+            passes = substitute(attributes.get("pass_all_args", ""), file).lower() in ("true", "1")
+            if passes:
+                found.full_includes.append(substitute(attributes["file"], file))
+            else:
+                found.other_includes.append(attributes["file"])
 
     parser = expat.ParserCreate()
     parser.StartElementHandler, parser.EndElementHandler = start, lambda tag: inside.pop()

@@ -8,6 +8,10 @@ from .addresses import is_reachable, master_uri
 from .xmlrpc import NO_ANSWER, proxy
 
 TIMEOUT = 5.0  # s for an answer
+SECOND_ONE = {  # by the last part of a node's name: what to do instead of starting a second one
+    "jetbot_cockpit": "Its page has all robots of this ROS master.",
+    "jetbot_controller": "A second robot is launched with robot_name:=NAME, in a <group ns> of yours with "
+                         "namespace:=NAME."}
 CALLER = "/jetbot_start"
 ALIVE, FROZEN = "is already running", "is already running, but frozen (Ctrl-Z?)"
 
@@ -30,8 +34,9 @@ def require_name(name: str) -> None:
     """
     condition = condition_of(name)
     if condition:
+        advice = SECOND_ONE.get(name.rpartition("/")[2], "")
         sys.exit(f"The node {name} {condition}. End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C. "
-                 "A second robot is launched with robot_name:=NAME, in a <group ns> of yours with namespace:=NAME.")
+                 f"{advice}".rstrip())
 
 
 def condition_of(name: str) -> Optional[str]:

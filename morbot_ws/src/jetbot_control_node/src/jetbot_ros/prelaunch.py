@@ -1,7 +1,7 @@
-"""Ends roslaunch before it touches anything, if an argument is mistyped, or the controller already runs.
+"""Ends roslaunch before it touches anything, if an argument is mistyped, or a node already runs.
 
-A launch file makes ``python3 -m jetbot_ros.prelaunch [NAMESPACE]`` the command of a parameter, so that roslaunch runs
-it while it loads the file. It prints nothing on stdout: the parameter is "", like one that is not given.
+A launch file makes ``python3 -m jetbot_ros.prelaunch [NAMESPACE [NODE]]`` the command of a parameter, so that roslaunch
+runs it while it loads the file. It prints nothing on stdout: the parameter is "", like one that is not given.
 """
 
 # ruff: noqa: E402
@@ -19,8 +19,8 @@ from .roslaunch_command import end_roslaunch, parent_words, parse
 READING_TIMEOUT = 5.0  # s for the launch files; then nothing is refused
 
 
-def main(namespace: str = "") -> None:
-    """Print one sentence and end roslaunch, if it must not go on. namespace: of the node ``jetbot_controller``."""
+def main(namespace: str = "", node: str = "jetbot_controller") -> None:
+    """Print one sentence and end roslaunch, if it must not go on. namespace: of the node; "/NAME" is the whole name."""
     words = parent_words()
     if not words:
         return
@@ -31,7 +31,7 @@ def main(namespace: str = "") -> None:
     if command.port:
         os.environ["ROS_MASTER_URI"] = f"http://localhost:{command.port}"
     if is_reachable(master_uri()):  # without a master, no node runs
-        check_not_running(namespace)
+        check_not_running(namespace, node)
 
 
 def argument_problem_in_time(files, typed):
@@ -46,10 +46,10 @@ def argument_problem_in_time(files, typed):
         signal.setitimer(signal.ITIMER_REAL, 0)
 
 
-def check_not_running(namespace: str) -> None:
-    """End roslaunch if the node ``jetbot_controller`` in this namespace runs, or the master does not answer."""
+def check_not_running(namespace: str, node: str) -> None:
+    """End roslaunch if the node in this namespace runs, or the master does not answer."""
     from .master import require_master, require_name  # here: they take longer to import than all the rest
-    parts = (os.environ.get("ROS_NAMESPACE", ""), namespace, "jetbot_controller")
+    parts = [node] if node.startswith("/") else [os.environ.get("ROS_NAMESPACE", ""), namespace, node]
     try:
         require_master()
         require_name("/" + "/".join(filter(None, (part.strip("/") for part in parts))))

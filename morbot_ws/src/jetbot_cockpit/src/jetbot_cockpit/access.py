@@ -1,0 +1,100 @@
+"""Who gets in: codes, cookies, wrong tries, and where a request may come from. No sockets and no clock here."""
+
+import hmac
+import secrets
+from collections import deque
+from typing import Deque, Iterable, List, NamedTuple, Optional, Sequence, Set, Tuple
+
+from jetbot.host import is_loopback
+
+PUPIL, TEACHER = "pupil", "teacher"
+ALPHABET = "ABCDEFGHJKMNPQRSTUVWXYZ23456789"  # none that looks like another
+CODE_LENGTH = {PUPIL: 6, TEACHER: 10}
+LOOPBACK = ("localhost", "127.0.0.1", "::1")
+MINUTE = 60.0              # s, in which wrong codes are counted
+MAX_WRONG = 5              # wrong codes from one address in that time
+MAX_WRONG_IN_ALL = 100     # from all addresses: many computers guess no faster
+
+
+class TooManyTries(Exception):
+    """So many codes were wrong that no code is looked at for now."""
+
+
+class Grant(NamedTuple):
+    """What a code gives: a role, and for a pupil perhaps the only robot to drive. cookie: what is kept instead."""
+
+    label: str
+    role: str
+    robot: Optional[str]
+    code: str
+    cookie: str
+
+
+def make_grant(label: str, role: str, robot: Optional[str] = None) -> Grant:
+    """Return a grant with a new code and a new cookie."""
+    code = "".join(secrets.choice(ALPHABET) for _ in range(CODE_LENGTH[role]))
+    return Grant(label, role, robot, code, secrets.token_urlsafe(32))
+
+
+def make_grants(robots: int) -> List[Grant]:
+    """Return the teacher's grant, and one for each of jetbot_01, jetbot_02 and so on; with 0, one for all pupils."""
+    names = [f"jetbot_{number:02d}" for number in range(1, robots + 1)]
+    return [make_grant("teacher", TEACHER), *([make_grant(name, PUPIL, f"/{name}") for name in names]
+                                              or [make_grant("pupils", PUPIL)])]
+
+
+def authority(host: str, port: int) -> str:
+    """Return HOST:PORT as a browser writes it in Host and Origin: without http's own port, 80."""
+    host = f"[{host}]" if ":" in host else host.lower()
+    return host if port == 80 else f"{host}:{port}"
+
+
+class Access:
+    """Decides who gets in. names: by which others reach this computer, beside the addresses that they connect to."""
+
+    def __init__(self, port: int, names: Iterable[str], grants: Sequence[Grant]):
+        self.cookie_name = f"jetbot_cockpit_{port}"  # a host's ports share their cookies
+        self._port, self._names, self._grants = port, (*LOOPBACK, *names), grants
+        self._this_computer = make_grant("this computer", TEACHER)
+        self._wrong: Deque[Tuple[float, str]] = deque()  # (when, from which address)
+
+    def accepts_host(self, host: Optional[str], address: str) -> bool:
+        """Return whether a Host header names this page. address: the one of this computer that the client reached.
+
+        Without that, a foreign page whose name is resolved to this address (DNS rebinding) would pass as this one.
+        """
+        return host is not None and host.lower() in self._authorities(address)
+
+    def accepts_origin(self, origin: Optional[str], address: str) -> bool:
+        """Return whether an Origin header names this page; also False without one, so that no foreign page acts."""
+        return origin in {f"http://{each}" for each in self._authorities(address)}
+
+    def grant(self, cookie: Optional[str], peer: str, host: Optional[str]) -> Optional[Grant]:
+        """Return what the sender of a request may do, or None for somebody without access.
+
+        This computer's own browser needs no cookie. peer: the sender's address; host: the accepted Host header.
+        """
+        if is_loopback(peer) and host in {authority(each, self._port) for each in LOOPBACK}:
+            return self._this_computer
+        return self._find("cookie", cookie or "")
+
+    def log_in(self, code: str, peer: str, now: float) -> Optional[Grant]:
+        """Return what a code gives, or None for a wrong one. now: in s, from any start. Raise TooManyTries."""
+        while self._wrong and now - self._wrong[0][0] >= MINUTE:
+            self._wrong.popleft()
+        tries = sum(address == peer for _, address in self._wrong)
+        if tries >= MAX_WRONG or len(self._wrong) >= MAX_WRONG_IN_ALL:
+            raise TooManyTries
+        grant = self._find("code", "".join(each for each in code.upper() if each in ALPHABET))
+        if not grant:
+            self._wrong.append((now, peer))
+        return grant
+
+    def _find(self, field: str, text: str) -> Optional[Grant]:
+        # All are compared, each in constant time: the duration says nothing about them
+        found = [each for each in self._grants if hmac.compare_digest(
+            getattr(each, field).encode(), text.encode(errors="replace"))]
+        return found[0] if found else None
+
+    def _authorities(self, address: str) -> Set[str]:
+        return {authority(each, self._port) for each in (*self._names, address.partition("%")[0])}

@@ -1,0 +1,194 @@
+"""Who may drive which robot, and what it is given. No sockets, no ROS and no clock: times are monotonic seconds."""
+
+import threading
+from typing import TYPE_CHECKING, Callable, Dict, List, NamedTuple, Optional, Set
+
+from . import protocol
+from .lease import Leases
+from .trail import Trails
+from .view import Snapshot, label
+
+if TYPE_CHECKING:  # they need ROS
+    from .drive import Drive
+    from .robots import Robots
+
+TEACHER = "teacher"
+LET_GO = "Let go, then drive again."
+
+
+class Client(NamedTuple):
+    """Somebody at a page. role: "teacher" or "pupil"; robot: the only one that a pupil may drive, None: any."""
+
+    id: int
+    name: str
+    role: str
+    robot: Optional[str] = None
+
+    def commands(self, robot: Optional[str]) -> bool:
+        """Return whether this person may drive the robot."""
+        return self.role == TEACHER or self.robot in (None, robot)
+
+
+class Control:
+    """Does what the clients ask for; any thread may call it. drive: drives robots; robots: what they report."""
+
+    def __init__(self, robots: "Robots", drive: "Drive"):
+        self._robots, self._drive = robots, drive
+        self._leases, self._trails = Leases(), Trails()
+        self._names: Dict[int, str] = {}
+        self._must_lift: Set[int] = set()
+        self._teachers_stops: Set[Optional[str]] = set()
+        self._lock = threading.RLock()
+        self._actions: Dict[type, Callable] = {
+            protocol.Drive: self._on_drive, protocol.Take: self._on_take, protocol.Stop: self._on_stop,
+            protocol.Release: self._on_release, protocol.Reset: self._on_reset, protocol.Name: self._on_name}
+
+    def handle(self, client: Client, message: protocol.Message, now: float) -> Optional[dict]:
+        """Do what a client asks for; return what its page should be told, a message of the socket, or None."""
+        with self._lock:
+            self._names.setdefault(client.id, client.name)
+            return self._actions[type(message)](client, message, now)
+
+    def leave(self, client: int, now: float) -> None:
+        """The client's socket is closed: its robot stops at once, and is free."""
+        with self._lock:
+            self._free(self._leases.robot_of(client))
+            self._names.pop(client, None)
+            self._must_lift.discard(client)
+
+    def check(self, now: float) -> List[dict]:
+        """End leases, of silent clients and of robots that cannot be driven; call it 20 times a second.
+
+        Return messages of the socket for all clients.
+        """
+        with self._lock:
+            snapshot = self._robots.snapshot()
+            for robot in self._leases.robots():
+                if snapshot.problem(robot) or self._leases.is_silent(robot, now):
+                    self._free(robot)
+            self._teachers_stops = set(filter(snapshot.is_stopped, self._teachers_stops))
+            return self._trails.update({robot.id: robot.pose for robot in snapshot.robots.values()})
+
+    def close(self) -> None:
+        """Stop all robots that are driven from here."""
+        with self._lock:
+            self._drive.close()
+
+    def robots(self) -> List[dict]:
+        """Return the robots of the message "robots"."""
+        return [robot.description() for robot in self._robots.snapshot().robots.values()]
+
+    def state(self, now: float) -> dict:
+        """Return the message "state"."""
+        with self._lock:
+            snapshot = self._robots.snapshot()
+            states = {robot.id: robot.state(self._driver(robot.id)) for robot in snapshot.robots.values()}
+        return {"type": "state", "emergency": snapshot.emergency, "robots": states}
+
+    def trails(self) -> List[dict]:
+        """Return a message "trail" for each robot."""
+        with self._lock:
+            return self._trails.messages()
+
+    def _on_drive(self, client, message, now):
+        robot, driving = message.robot, bool(message.forward or message.left)
+        if not driving:
+            return self._on_lifted(client, robot, now)
+        snapshot = self._robots.snapshot()
+        refusal = self._refusal(client, robot, snapshot)
+        if not refusal:
+            self._lease(client, robot, now, driving)
+            velocity = snapshot.robots[robot].velocity(message.forward, message.left)
+            refusal = "" if self._drive.command(robot, velocity, now) else f"No command for 0.3 s. {LET_GO}"
+        if not refusal:
+            return None
+        self._must_lift.add(client.id)
+        if self._leases.driver(robot) == client.id:
+            self._drive.release(robot)
+        return {"type": "lift", "robot": robot, "text": refusal}
+
+    def _on_lifted(self, client, robot, now):
+        self._must_lift.discard(client.id)
+        if self._leases.driver(robot) == client.id:
+            self._drive.release(robot)
+            self._lease(client, robot, now, driving=False)
+
+    def _refusal(self, client, robot, snapshot: Snapshot) -> str:
+        """Return why the client may not drive this robot now, or ""."""
+        if not client.commands(robot):
+            return f"Your code drives {label(client.robot)} only."
+        driver = self._leases.driver(robot)
+        if driver not in (None, client.id):
+            return f"{self._names[driver]} drives {label(robot)}."
+        return snapshot.problem(robot) or (LET_GO if client.id in self._must_lift else "")
+
+    def _on_take(self, client, message, now):
+        robot = message.robot
+        if client.role != TEACHER:
+            return notice("Only a teacher takes a robot.")
+        if robot not in self._robots.snapshot().robots:
+            return notice(f"{label(robot)} has ended.")
+        if self._leases.driver(robot) != client.id:
+            self._free(robot)
+            self._lease(client, robot, now, driving=False)
+        return None
+
+    def _on_stop(self, client, message, now):
+        robot = message.robot
+        if robot is not None and not self._may_stop(client, robot):
+            return notice("Only a teacher stops one robot. Stop all instead.")
+        self._robots.stop(robot, True)
+        for each in self._leases.robots() if robot is None else [robot]:
+            self._free(each)
+        if client.role == TEACHER:
+            self._teachers_stops.add(robot)
+        return None
+
+    def _on_release(self, client, message, now):
+        robot = message.robot
+        if robot is not None and not self._may_stop(client, robot):
+            return notice("Only a teacher releases one robot.")
+        if client.role != TEACHER and robot in self._teachers_stops:
+            return notice("A teacher stopped this. A teacher releases it.")
+        self._teachers_stops.discard(robot)
+        self._robots.stop(robot, False)
+        return None
+
+    def _on_reset(self, client, message, now):
+        if client.role != TEACHER:
+            return notice("Only a teacher puts robots back.")
+        robots = self._robots.snapshot().robots.values()
+        chosen = [robot for robot in robots if robot.simulated and message.robot in (None, robot.id)]
+        for robot in chosen:
+            self._robots.reset(robot.id)
+        return None if chosen else notice("Only simulated robots can be put back.")
+
+    def _on_name(self, client, message, now):
+        self._names[client.id] = message.name.strip() or client.name
+
+    def _may_stop(self, client, robot):
+        return client.role == TEACHER or client.robot == robot
+
+    def _lease(self, client, robot, now, driving):
+        """Give a free robot to the client, or go on; its other robot stops, and is free."""
+        other = self._leases.robot_of(client.id)
+        if other not in (None, robot):
+            self._free(other)
+            self._must_lift.discard(client.id)
+        self._leases.renew(robot, client.id, now, driving)
+
+    def _free(self, robot):
+        """Stop the robot and end its lease. Who drove it meanwhile must lift the finger before driving again."""
+        lease = self._leases.end(robot)
+        if lease:
+            self._drive.release(robot)
+            if lease.driving:
+                self._must_lift.add(lease.client)
+
+    def _driver(self, robot):
+        driver = self._leases.driver(robot)
+        return None if driver is None else {"id": driver, "name": self._names[driver]}
+
+
+def notice(text: str) -> dict:
+    return {"type": "notice", "text": text}

@@ -1,0 +1,126 @@
+"""Publishes the commands of the pads: a thread for each robot that is driven, which one that hangs does not delay."""
+
+import contextlib
+import threading
+import time
+import warnings
+from typing import Dict, Tuple
+
+import rospy
+from geometry_msgs.msg import Twist
+
+from .dead_man import DeadMan
+
+SEND_TIMEOUT = 0.1      # s until a subscriber that reads nothing is disconnected
+SHUTDOWN_TIMEOUT = 0.5  # s for the last zeros
+STOPPED = (0.0, 0.0)
+
+Velocity = Tuple[float, float]  # m/s forward, rad/s to the left
+
+# Without a queue, rospy sends in the thread that publishes: nothing is left unsent when the publisher ends.
+warnings.filterwarnings("ignore", "The publisher should be created", SyntaxWarning)
+
+
+class Drive:
+    """Drives robots, which it knows by their namespaces. No method blocks but ``close``. Needs an initialized node."""
+
+    def __init__(self):
+        self._drivers: Dict[str, Driver] = {}
+
+    def command(self, robot: str, velocity: Velocity, now: float) -> bool:
+        """Drive the robot. Return False, and do not, if its dead man's switch has fired since its last release."""
+        return self._drivers.setdefault(robot, Driver(robot)).command(velocity, now)
+
+    def release(self, robot: str) -> None:
+        """Stop the robot, and end the publisher."""
+        if robot in self._drivers:
+            self._drivers[robot].release()
+
+    def close(self) -> None:
+        """Stop all robots that are driven; wait until they are sent that, SHUTDOWN_TIMEOUT at most."""
+        for driver in self._drivers.values():
+            driver.release()
+        deadline = time.monotonic() + SHUTDOWN_TIMEOUT
+        for driver in self._drivers.values():
+            driver.stopped.wait(max(0.0, deadline - time.monotonic()))
+
+
+class Driver(rospy.SubscribeListener):
+    """Publishes what one robot is commanded, while it is driven, and one zero at the end.
+
+    stopped: set unless the robot was sent a command and not yet that zero.
+    """
+
+    def __init__(self, robot: str):
+        self._topic = f"{robot.rstrip('/')}/cmd_vel"
+        self._dead_man = DeadMan()
+        self._velocity = STOPPED
+        self._pending = False  # something is to be sent
+        self._running = False
+        self._condition = threading.Condition()
+        self.stopped = threading.Event()
+        self.stopped.set()
+
+    def command(self, velocity: Velocity, now: float) -> bool:
+        """Send this command; return False, and do not, if the switch has fired since the last release."""
+        with self._condition:
+            if not self._dead_man.feed(now):
+                return False
+            self._send(velocity)
+            if not self._running:
+                self._running = True
+                self.stopped.clear()
+                threading.Thread(target=self._run, name=self._topic, daemon=True).start()
+        return True
+
+    def release(self) -> None:
+        """Stop the robot."""
+        with self._condition:
+            self._dead_man.release()
+            self._send(STOPPED)
+
+    def peer_subscribe(self, *_) -> None:
+        """A controller has connected: send it what was commanded before."""
+        with self._condition:
+            self._send(self._velocity)
+
+    def _send(self, velocity):
+        self._velocity, self._pending = velocity, True
+        self._condition.notify()
+
+    def _run(self):
+        while self._running:
+            publisher = rospy.Publisher(self._topic, Twist, self, tcp_nodelay=True, queue_size=None)
+            try:
+                self._publish(publisher)
+            finally:
+                publisher.unregister()
+                with self._condition:
+                    self._running = self._velocity != STOPPED  # commanded again meanwhile
+
+    def _publish(self, publisher):
+        """Publish until the robot is stopped, that too."""
+        velocity = None
+        while velocity != STOPPED:
+            velocity = self._next()
+            limit_sending(publisher)
+            message = Twist()
+            message.linear.x, message.angular.z = velocity
+            publisher.publish(message)
+        self.stopped.set()
+
+    def _next(self) -> Velocity:
+        """Wait for a command, or until the switch fires; return what the robot is to do."""
+        with self._condition:
+            self._condition.wait_for(lambda: self._pending, self._dead_man.remaining(time.monotonic()))
+            self._pending = False
+            if self._dead_man.check(time.monotonic()):
+                self._velocity = STOPPED
+            return self._velocity
+
+
+def limit_sending(publisher: rospy.Publisher) -> None:
+    """Let a subscriber that hangs block the publisher for SEND_TIMEOUT once; rospy then closes its connection."""
+    for connection in publisher.impl.connections:
+        with contextlib.suppress(AttributeError, OSError):  # it is being closed
+            connection.socket.settimeout(SEND_TIMEOUT)

@@ -1,0 +1,76 @@
+"""What is handed out to a class: addresses with their codes, and QR codes of them, printed and for the page."""
+
+from itertools import zip_longest
+from typing import Dict, List, NamedTuple, Optional, Sequence
+
+from .access import Grant, authority
+
+WIDTH = 80            # columns of a terminal
+MARGIN = 2            # modules around a QR code; the standard asks for 4, phones do with 2
+HALF_BLOCKS = {"00": "█", "01": "▀", "10": "▄", "11": " "}  # upper and lower module, 1: dark; for a dark terminal
+BLACK_ON_WHITE = "\x1b[30;107m", "\x1b[0m"
+BLOCKS_ON_WHITE = str.maketrans("█▀▄ ", " ▄▀█")
+
+
+class Card(NamedTuple):
+    """An address to open, and who by its code drives what. rows: its QR code's modules, 1: dark; [] without segno."""
+
+    label: str
+    role: str
+    robot: Optional[str]
+    page: str
+    code: str
+    rows: List[str]
+
+    @property
+    def url(self) -> str:
+        """The address with the code after its #, which a browser sends to nobody."""
+        return f"{self.page}#{self.code}"
+
+
+def make_card(grant: Grant, host: str, port: int) -> Card:
+    """Return the card of a grant, for a page that is reached as this host."""
+    page = f"http://{authority(host, port)}/"
+    return Card(grant.label, grant.role, grant.robot, page, grant.code, qr_rows(f"{page}#{grant.code}"))
+
+
+def qr_rows(text: str) -> List[str]:
+    """Return the rows of a QR code, a character per module: 1 is dark; nothing where segno is not installed."""
+    try:
+        import segno  # here: not every distribution has it
+    except ImportError:
+        return []
+    return ["".join(map(str, row)) for row in segno.make(text, error="l", micro=False).matrix_iter(border=MARGIN)]
+
+
+def message(cards: Sequence[Card]) -> Dict[str, object]:
+    """Return the message "codes" of the socket."""
+    return {"type": "codes", "codes": [
+        {"label": card.label, "role": card.role, "robot": card.robot, "url": card.url, "code": card.code,
+         "rows": card.rows} for card in cards]}
+
+
+def text(cards: Sequence[Card], colors: bool = False) -> str:
+    """Return all cards side by side, to print. colors: print QR codes black on white, by a terminal's sequences."""
+    width = max(len(line) for card in cards for line in [*card.rows, *_words(card)])
+    across = max(1, (WIDTH + 2) // (width + 2))
+    groups = [[_lines(card, width, colors) for card in cards[start:start + across]]
+              for start in range(0, len(cards), across)]
+    return "\n".join("  ".join(line).rstrip() for group in groups
+                     for line in zip_longest(*group, fillvalue=" " * width))
+
+
+def _words(card: Card) -> List[str]:
+    return [f"{card.label}:", card.url]
+
+
+def _lines(card: Card, width: int, colors: bool) -> List[str]:
+    """Return the lines of a card, each of this width on the screen."""
+    lines = [line.ljust(width) for line in _words(card)]
+    for upper, lower in zip(card.rows[::2], [*card.rows[1::2], "0" * len(card.rows)]):
+        blocks = "".join(HALF_BLOCKS[modules] for modules in map("".join, zip(upper, lower)))
+        padding = " " * (width - len(blocks))
+        if colors:
+            blocks = blocks.translate(BLOCKS_ON_WHITE).join(BLACK_ON_WHITE)
+        lines.append(blocks + padding)
+    return [*lines, " " * width]

@@ -1,0 +1,141 @@
+"""Who watches, what each one is sent, and when. No sockets and no clock here: times are monotonic seconds."""
+
+import itertools
+import json
+from typing import Dict, Optional, Protocol, Sequence
+
+from . import handout, protocol
+from .access import TEACHER, Grant
+from .control import Client, Control
+from .limits import TokenBucket
+
+MAX_CLIENTS = 64
+REFUSED, LOG_IN, FULL, ENDED = 4000, 4001, 4002, 1001  # why a socket is closed
+FRAME_INTERVAL = 0.05   # s between two frames
+STILL_INTERVAL = 1.0    # s between two frames while nothing changes, and between two pings
+ABSENT_AFTER = 3.0      # s without a sign of life: frames would only queue up
+GONE_AFTER = 15.0       # s without a sign of life: the socket is closed
+
+
+class Connection(Protocol):
+    """The socket of a client. ``is_backlogged``: whether something that was sent is still in this process."""
+
+    def send(self, text: str) -> None: ...
+
+    def ping(self) -> None: ...
+
+    def close(self, code: int, reason: str) -> None: ...
+
+    def is_backlogged(self) -> bool: ...
+
+
+class Viewer:
+    """A client with a socket, and what its page shows. Each ping and message is a sign of life."""
+
+    def __init__(self, client: Client, connection: Connection, now: float):
+        self.client, self.connection = client, connection
+        self.bucket = TokenBucket(protocol.MAX_RATE, protocol.MAX_BURST, now)
+        self.heard = self.pinged = self.shown_at = now
+        self.state = self.robots = ""
+
+    def is_ready(self, now: float) -> bool:
+        """Return whether the page takes what it is sent; a frozen browser or a bad network does not."""
+        return now - self.heard < ABSENT_AFTER and not self.connection.is_backlogged()
+
+    def show(self, robots: str, trails: Sequence[str], resets: Sequence[str], state: str, now: float) -> None:
+        """Send what the page does not show yet."""
+        for text in resets if self.robots == robots else [robots, *(resets if self.robots else trails)]:
+            self.connection.send(text)
+        self.robots = robots
+        if state != self.state or now - self.shown_at >= STILL_INTERVAL:
+            self.connection.send(state)
+            self.state, self.shown_at = state, now
+
+
+class Hub:
+    """All clients. cards: the codes to hand out."""
+
+    def __init__(self, control: Control, cards: Sequence[handout.Card]):
+        self._control, self._cards = control, cards
+        self._numbers = itertools.count(1)
+        self._viewers: Dict[int, Viewer] = {}
+
+    def join(self, connection: Connection, grant: Grant, now: float) -> Optional[Viewer]:
+        """Return the new client; None if there is no room."""
+        if len(self._viewers) >= MAX_CLIENTS:
+            connection.close(FULL, f"{MAX_CLIENTS} pages are connected already")
+            return None
+        number = next(self._numbers)
+        client = Client(number, f"{grant.role} {number}", grant.role, grant.robot)
+        connection.send(dumps({"type": "hello", **client._asdict()}))
+        self._viewers[number] = Viewer(client, connection, now)
+        return self._viewers[number]
+
+    def receive(self, viewer: Viewer, text: object, now: float) -> None:
+        """Do what a page asks for. A page that sends too much or something else is disconnected."""
+        if viewer.client.id not in self._viewers:
+            return  # it was disconnected, but does not know it yet
+        viewer.heard = now
+        in_time = viewer.bucket.take(now)
+        try:
+            message = protocol.parse(text)
+        except protocol.ProtocolError as error:
+            self.end(viewer, REFUSED, str(error), now)
+            return
+        if in_time or isinstance(message, protocol.Stop):  # a stop always counts
+            self._answer(viewer, message, now)
+        if not in_time:
+            self.end(viewer, REFUSED, f"more than {protocol.MAX_RATE} messages per second", now)
+
+    def leave(self, viewer: Viewer, now: float) -> None:
+        """A client's socket is closed: its robot stops."""
+        if self._viewers.pop(viewer.client.id, None):
+            self._control.leave(viewer.client.id, now)
+
+    def end(self, viewer: Viewer, code: int, reason: str, now: float) -> None:
+        """Stop a client's robot, and close its socket for this reason."""
+        self.leave(viewer, now)
+        viewer.connection.close(code, reason)
+
+    def close(self, now: float) -> None:
+        """Disconnect all clients."""
+        for viewer in list(self._viewers.values()):
+            self.end(viewer, ENDED, "the cockpit has ended", now)
+
+    def tick(self, now: float) -> None:
+        """Send everybody what has changed; call it every FRAME_INTERVAL."""
+        resets = list(map(dumps, self._control.check(now)))
+        state, robots = dumps(self._control.state(now)), dumps({"type": "robots", "robots": self._control.robots()})
+        for viewer in list(self._viewers.values()):
+            if now - viewer.heard > GONE_AFTER:
+                self.end(viewer, REFUSED, "no sign of life", now)
+            elif viewer.is_ready(now):
+                trails = [] if viewer.robots else map(dumps, self._control.trails())
+                viewer.show(robots, list(trails), resets, state, now)
+            elif resets:
+                viewer.robots = ""  # it misses something, and gets all again
+            self._ping(viewer, now)
+
+    def _ping(self, viewer: Viewer, now: float) -> None:
+        if now - viewer.pinged >= STILL_INTERVAL:
+            viewer.pinged = now
+            viewer.connection.ping()
+
+    def _answer(self, viewer: Viewer, message: protocol.Message, now: float) -> None:
+        reply = self._reply(viewer, message, now)
+        if reply and not viewer.connection.is_backlogged():
+            viewer.connection.send(dumps(reply))
+
+    def _reply(self, viewer: Viewer, message: protocol.Message, now: float) -> Optional[dict]:
+        if isinstance(message, protocol.Ping):
+            return {"type": "pong", "sent": message.sent}
+        if not isinstance(message, protocol.Codes):
+            return self._control.handle(viewer.client, message, now)
+        if viewer.client.role != TEACHER:
+            return {"type": "notice", "text": "Only a teacher sees the codes."}
+        return handout.message(self._cards)
+
+
+def dumps(message: dict) -> str:
+    """Return a message as it is sent."""
+    return json.dumps(message, separators=(",", ":"))

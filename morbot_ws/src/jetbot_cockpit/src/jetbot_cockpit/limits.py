@@ -1,0 +1,18 @@
+"""How fast a client may send. No clock here."""
+
+
+class TokenBucket:
+    """Allows ``rate`` messages per second, and after a pause of the network ``burst`` at once."""
+
+    def __init__(self, rate: float, burst: int, now: float):
+        self._rate, self._burst = rate, burst
+        self._tokens, self._filled = float(burst), now
+
+    def take(self, now: float) -> bool:
+        """Count one message; return whether it is within the limit. now: in s, never less than before."""
+        self._tokens = min(self._burst, self._tokens + (now - self._filled) * self._rate)
+        self._filled = now
+        if self._tokens < 1:
+            return False
+        self._tokens -= 1
+        return True

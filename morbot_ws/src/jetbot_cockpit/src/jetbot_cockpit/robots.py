@@ -1,0 +1,94 @@
+"""Which robots there are, by the ROS master, and what they report."""
+
+import re
+import threading
+import time
+from typing import Dict, Optional, Set
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticArray
+
+from jetbot_ros.addresses import master_uri
+from jetbot_ros.registration import register
+from jetbot_ros.xmlrpc import NO_ANSWER, proxy
+
+from .emergency import EmergencySwitch
+from .frames import Frames
+from .robot_topics import CONTROLLER, SIMULATOR_RESET, RobotTopics
+from .view import Snapshot
+
+POLL_INTERVAL = 1.0   # s between two questions to the master
+TIMEOUT = 2.0         # s for its answer
+MASTER_TIMEOUT = 4.0  # s without an answer until the master counts as gone
+MAX_ROBOTS = 99
+STATUS = re.compile(rf"(?=.{{1,100}}$)((?:/[A-Za-z]\w*)*){CONTROLLER}/status", re.ASCII)
+EMERGENCY_STOP = "/emergency_stop"
+
+
+class Robots:
+    """All robots on the master. No method blocks: a thread of its own asks the master. Needs an initialized node."""
+
+    def __init__(self):
+        self._robots: Dict[str, RobotTopics] = {}  # replaced, never changed
+        self._frames = Frames()
+        self._emergency = EmergencySwitch(EMERGENCY_STOP)
+        self._answered_at = time.monotonic()
+        rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics)
+        threading.Thread(target=self._run, daemon=True).start()
+
+    def snapshot(self) -> Snapshot:
+        """Return what is known now."""
+        now, robots = time.monotonic(), self._robots
+        views = {name: robot.snapshot(now) for name, robot in robots.items()}
+        held = any(views[name].answers and robot.in_emergency_stop for name, robot in robots.items())
+        return Snapshot(views, now - self._answered_at < MASTER_TIMEOUT, self._emergency.engaged or held)
+
+    def stop(self, robot: Optional[str], engaged: bool) -> None:
+        """Engage or release the emergency stop of all robots (None), or of one."""
+        if robot is None:
+            self._emergency.set(engaged)
+        elif robot in self._robots:
+            self._robots[robot].stop.set(engaged)
+
+    def reset(self, robot: str) -> bool:
+        """Put a simulated robot back to its start; return False if it has not answered the last time yet."""
+        return robot in self._robots and self._robots[robot].reset()
+
+    def _run(self):
+        master = proxy(master_uri(), TIMEOUT)
+        while not rospy.is_shutdown():
+            try:
+                publishers, _, services = map(dict, master.getSystemState(rospy.get_name())[2])
+                self._answered_at = time.monotonic()
+                if rospy.get_name() not in publishers.get(EMERGENCY_STOP, ()):
+                    register()  # the master was restarted
+                self._update(publishers, services)
+            except NO_ANSWER:
+                pass  # snapshot reports it
+            time.sleep(POLL_INTERVAL)
+
+    def _update(self, publishers, services):
+        """Subscribe to the robots that have appeared, and drop those that have ended."""
+        found = sorted(names_of(publishers))[:MAX_ROBOTS]
+        robots = {name: robot for name, robot in self._robots.items() if name in found or robot.connected}
+        ended = [robot for name, robot in self._robots.items() if name not in robots]
+        for name in found:
+            robots[name] = robots.get(name) or RobotTopics(name, self._frames)
+        for name, robot in robots.items():
+            robot.simulated = name.rstrip("/") + SIMULATOR_RESET in services
+        self._robots = dict(sorted(robots.items()))
+        for robot in ended:
+            robot.close()
+
+    def _on_diagnostics(self, message):
+        name = message._connection_header.get("callerid", "")
+        robot = self._robots.get(name[:-len(CONTROLLER)] or "/") if name.endswith(CONTROLLER) else None
+        for status in message.status:
+            if robot and status.name == f"{name[1:]}: motors":
+                robot.diagnose(status)
+
+
+def names_of(publishers: Dict[str, list]) -> Set[str]:
+    """Return the namespaces of the nodes that publish a jetbot_controller's status."""
+    matches = filter(None, map(STATUS.fullmatch, publishers))
+    return {match[1] or "/" for match in matches if match[0].rpartition("/")[0] in publishers[match[0]]}

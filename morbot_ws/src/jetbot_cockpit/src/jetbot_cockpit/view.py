@@ -1,0 +1,105 @@
+"""What the cockpit knows of a robot: immutable values, and the messages of its socket that carry them. No ROS here."""
+
+import math
+from typing import Dict, NamedTuple, Optional, Sequence, Tuple
+
+WORKSHOP = 2.0, 1.0          # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
+CLOSED_LOOP = 0.1125, 0.6    # of a JetBot Pro, which limits its wheels itself
+MAX_LABEL = 40               # characters
+
+EMERGENCY_STOP = "Emergency stop. Release it first."
+NO_MASTER = "The ROS master does not answer."
+
+
+class Robot(NamedTuple):
+    """A robot at one moment; what is not known is None.
+
+    id: its namespace; geometry: (wheel_separation in m, max_speed in m/s) of its commands; simulated: whether it can
+    be put back to its start; status: in its controller's words; stopped: by its own emergency stop;
+    pose: (x, y in m, yaw in rad) on the map; speed: the measured one, and command: the driven one, each in m/s and
+    rad/s; wheels: the duties (left, right) in [-1, 1].
+    """
+
+    id: str
+    color: str = "#888888"
+    geometry: Optional[Tuple[float, float]] = None
+    simulated: bool = False
+    status: str = ""
+    warning: bool = False
+    answers: bool = True
+    stopped: bool = False
+    pose: Optional[Tuple[float, float, float]] = None
+    speed: Optional[Tuple[float, float]] = None
+    command: Optional[Tuple[float, float]] = None
+    wheels: Optional[Tuple[float, float]] = None
+
+    @property
+    def label(self) -> str:
+        """Its name on the page."""
+        return label(self.id)
+
+    @property
+    def problem(self) -> str:
+        """Why nobody can drive it, or ""."""
+        if not self.answers:
+            return f"{self.label} does not answer."
+        return f"{self.label}: its own emergency stop. Release it first." if self.stopped else ""
+
+    def velocity(self, forward: float, left: float) -> Tuple[float, float]:
+        """Return the command (m/s, rad/s) of a pad; full deflection turns the wheels at full power."""
+        wheel_separation, max_speed = self.geometry or WORKSHOP
+        return forward * max_speed, left * 2 * max_speed / wheel_separation
+
+    def description(self) -> dict:
+        """Return its entry of the message "robots"."""
+        wheel_separation, max_speed = self.geometry or WORKSHOP
+        return {"id": self.id, "label": self.label, "color": self.color,
+                "workshop": self.geometry and self.geometry == WORKSHOP,
+                "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated}
+
+    def state(self, driver: Optional[dict]) -> dict:
+        """Return its entry of the message "state"."""
+        fields = "status", "warning", "answers", "stopped", "pose", "speed", "command", "wheels"
+        return {**{name: getattr(self, name) for name in fields}, "driver": driver}
+
+
+class Snapshot(NamedTuple):
+    """All robots at one moment. master: whether the ROS master answers; emergency: the stop of all robots."""
+
+    robots: Dict[str, Robot] = {}
+    master: bool = True
+    emergency: bool = False
+
+    def problem(self, robot: str) -> str:
+        """Return why nobody can drive this robot, or ""."""
+        if not self.master:
+            return NO_MASTER
+        if robot not in self.robots:
+            return f"{label(robot)} has ended."
+        return EMERGENCY_STOP if self.emergency else self.robots[robot].problem
+
+    def is_stopped(self, robot: Optional[str]) -> bool:
+        """Return whether the emergency stop of this robot, or of all (None), may be engaged."""
+        return self.emergency if robot is None else robot not in self.robots or self.robots[robot].stopped
+
+
+def label(robot: str) -> str:
+    """Return a robot's name on the page, by its namespace."""
+    name = "".join(each if each.isprintable() else "?" for each in robot.strip("/")[:MAX_LABEL])
+    return name or "robot"
+
+
+def geometry(wheel_separation: Optional[str], max_speed: Optional[str]) -> Optional[Tuple[float, float]]:
+    """Return what a controller's diagnostics say, "" of a board that takes a Twist unchanged; None if they do not."""
+    if wheel_separation == max_speed == "":
+        return CLOSED_LOOP
+    try:
+        values = float(wheel_separation), float(max_speed)
+    except (TypeError, ValueError):
+        return None
+    return values if all(math.isfinite(value) and value > 0 for value in values) else None
+
+
+def rounded(values: Sequence[float]) -> Optional[Tuple[float, ...]]:
+    """Return the values with three decimals and without -0.0, or None if one is not finite."""
+    return tuple(round(value, 3) + 0.0 for value in values) if all(map(math.isfinite, values)) else None

@@ -1,0 +1,101 @@
+// The socket to the cockpit. It reconnects by itself, measures the round trip, and ends a connection that is cut off.
+
+const RETRY_INTERVALS = [500, 1000, 2000, 4000, 8000]; // ms; the last one repeats
+const PING_INTERVAL = 1000; // ms
+const SILENCE_TIMEOUT = 3000; // ms; the cockpit sends its state at least once per second
+const BACKLOG = 300; // bytes that have not left this device: newer commands do not queue behind them
+
+const NO_COOKIE = 4001;
+const FULL = 4002;
+const GOING_AWAY = 1001;
+
+// Returns the sentence for a connection that has ended.
+export function explain(code, reason) {
+  if (code === FULL) return "The cockpit is full: close a page that nobody needs.";
+  if (code === GOING_AWAY) return "The cockpit has ended: start it again.";
+  if (code >= 4000) return `The cockpit closed the connection: ${reason || "no reason given"}.`;
+  return "No connection to the cockpit: check the network, and that the cockpit runs.";
+}
+
+export class Link {
+  // receive(message); changed(sentence): what is wrong, "" once connected; refused(): a code is needed;
+  // measured(ms)
+  constructor({ receive, changed, refused, measured }) {
+    Object.assign(this, { receive, changed, refused, measured });
+    this.failures = 0;
+    this.retry = null;
+    setInterval(() => this.check(), PING_INTERVAL);
+    addEventListener("online", () => this.hurry());
+    document.addEventListener("visibilitychange", () => this.hurry());
+  }
+
+  open() {
+    clearTimeout(this.retry);
+    this.retry = null;
+    const scheme = location.protocol === "https:" ? "wss" : "ws";
+    const socket = new WebSocket(`${scheme}://${location.host}/socket`);
+    socket.onopen = () => this.opened(socket);
+    socket.onmessage = (event) => this.heard(socket, event.data);
+    socket.onclose = (event) => this.ended(socket, event.code, event.reason);
+    this.socket = socket;
+    this.lastHeard = performance.now();
+  }
+
+  get connected() {
+    return this.socket?.readyState === WebSocket.OPEN;
+  }
+
+  // Sends the message; returns whether there is a connection.
+  send(message) {
+    if (this.connected) this.socket.send(JSON.stringify(message));
+    return this.connected;
+  }
+
+  // Sends a command, or drops it if earlier ones are still on their way: an old command must not arrive late.
+  sendFresh(message) {
+    return this.connected && (this.socket.bufferedAmount > BACKLOG || this.send(message));
+  }
+
+  opened(socket) {
+    if (socket !== this.socket) return socket.close();
+    this.failures = 0;
+    this.changed("");
+    this.check();
+  }
+
+  heard(socket, text) {
+    if (socket !== this.socket) return;
+    this.lastHeard = performance.now();
+    const message = JSON.parse(text);
+    if (message.type === "pong") this.measured(performance.now() - message.sent);
+    else this.receive(message);
+  }
+
+  ended(socket, code, reason) {
+    if (socket !== this.socket) return;
+    this.socket = null;
+    if (code === NO_COOKIE) return this.refused();
+    const wait = RETRY_INTERVALS[Math.min(this.failures, RETRY_INTERVALS.length - 1)];
+    this.failures += 1;
+    this.retry = setTimeout(() => this.open(), wait * (0.75 + Math.random() / 2));
+    this.changed(`${explain(code, reason)} This page tries again by itself.`);
+  }
+
+  check() {
+    if (!this.socket) return;
+    const silence = performance.now() - this.lastHeard;
+    if (silence > SILENCE_TIMEOUT) this.abandon();
+    else this.send({ type: "ping", sent: performance.now() });
+  }
+
+  // A socket whose other end is cut off closes only after a long time: do not wait for it.
+  abandon() {
+    const socket = this.socket;
+    this.ended(socket, 0, "");
+    socket.close();
+  }
+
+  hurry() {
+    if (this.retry !== null && !document.hidden) this.open();
+  }
+}

@@ -1,0 +1,129 @@
+// The map from above: grid, trails, robots, and the chosen robot's commanded and actual speed.
+
+import { element, setText } from "./dom.js";
+import { drawGrid } from "./grid.js";
+import { signed } from "./numbers.js";
+import { drawArrow, drawRing, drawRobot, drawTrail } from "./shapes.js";
+import { View } from "./view.js";
+
+const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual"];
+const VISIBLE = 9; // pixels: smallest radius at which a robot is found
+const TAP_RADIUS = 28; // pixels
+
+export class RobotMap {
+  // chosen(): id of the robot to follow; choose(id): a robot was tapped
+  constructor(canvas, world, chosen, choose) {
+    Object.assign(this, { canvas, world, chosen, choose, following: true, pending: false });
+    this.view = new View(canvas, {
+      changed: () => this.redraw(),
+      tapped: (right, down) => this.tap(right, down),
+      dragged: () => this.follow(false),
+    });
+    this.readColors();
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readColors());
+    new ResizeObserver(() => this.redraw()).observe(canvas);
+    element("zoom-in").addEventListener("click", () => this.view.zoom(1.4));
+    element("zoom-out").addEventListener("click", () => this.view.zoom(1 / 1.4));
+    element("fit").addEventListener("click", () => this.fit());
+    element("follow").addEventListener("click", () => this.follow(!this.following));
+  }
+
+  readColors() {
+    const style = getComputedStyle(document.documentElement);
+    this.colors = Object.fromEntries(COLORS.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+    this.redraw();
+  }
+
+  follow(on) {
+    this.following = on;
+    element("follow").setAttribute("aria-pressed", on);
+    this.redraw();
+  }
+
+  fit() {
+    this.follow(false);
+    this.view.fit(this.world.placed().map(({ state }) => state.pose));
+  }
+
+  tap(right, down) {
+    const near = this.world.placed().map(({ robot, state }) => {
+      const [x, y] = this.view.toPixels(...state.pose);
+      return [Math.hypot(x - right, y - down), robot.id];
+    }).sort(([one], [other]) => one - other)[0];
+    if (near && near[0] < TAP_RADIUS) this.choose(near[1]);
+  }
+
+  redraw() {
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => {
+      this.pending = false;
+      this.draw();
+    });
+  }
+
+  draw() {
+    const context = this.fitCanvas();
+    const { pose } = this.world.state(this.chosen());
+    if (this.following && pose) this.view.centre(...pose);
+    drawGrid(context, this.view, this.colors);
+    context.save();
+    const [right, down] = this.view.toPixels(0, 0);
+    context.translate(right, down);
+    context.scale(this.view.scale, -this.view.scale);
+    this.drawRobots(context, 1 / this.view.scale);
+    context.restore();
+    this.drawLabels(context);
+    this.showSpeeds();
+  }
+
+  fitCanvas() {
+    const ratio = devicePixelRatio || 1;
+    const [width, height] = [Math.round(this.view.width * ratio), Math.round(this.view.height * ratio)];
+    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
+    const context = this.canvas.getContext("2d");
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.fillStyle = this.colors.ground;
+    context.fillRect(0, 0, this.view.width, this.view.height);
+    return context;
+  }
+
+  drawRobots(context, pixel) {
+    for (const { id, color } of this.world.robots) {
+      drawTrail(context, this.world.trails.get(id) ?? [], color, 3 * pixel);
+    }
+    for (const { robot, state } of this.world.placed()) {
+      const chosen = robot.id === this.chosen();
+      drawRobot(context, state.pose, robot.color, this.colors, pixel);
+      if (chosen) drawRing(context, state.pose, Math.max(0.13, (VISIBLE + 5) * pixel), robot.color, pixel);
+      else if (0.06 < VISIBLE * pixel) drawRing(context, state.pose, VISIBLE * pixel, robot.color, pixel);
+      if (chosen) this.drawArrows(context, state, pixel);
+    }
+  }
+
+  drawArrows(context, { pose, command, speed }, pixel) {
+    if (command) drawArrow(context, pose, command, { color: this.colors.commanded, dashed: true }, pixel);
+    if (speed) drawArrow(context, pose, speed, { color: this.colors.actual, dashed: false }, pixel);
+  }
+
+  drawLabels(context) {
+    Object.assign(context, { textAlign: "center", strokeStyle: this.colors.ground, lineWidth: 4, lineJoin: "round" });
+    for (const { robot, state } of this.world.placed()) {
+      const chosen = robot.id === this.chosen();
+      const [x, y] = this.view.toPixels(...state.pose);
+      const below = y + Math.max(0.13 * this.view.scale, VISIBLE + 5) + 16;
+      context.font = `${chosen ? "bold 13px" : "12px"} system-ui, sans-serif`;
+      context.fillStyle = chosen ? this.colors.text : this.colors.muted;
+      context.strokeText(robot.label, x, below);
+      context.fillText(robot.label, x, below);
+    }
+  }
+
+  showSpeeds() {
+    const { command, speed, pose } = this.world.state(this.chosen());
+    setText(element("commanded"), command ? `x ${signed(command[0])}, z ${signed(command[1])}` : "–");
+    setText(element("actual"), speed ? `${signed(speed[0])} m/s, ${signed(speed[1])} rad/s` : "–");
+    const place = pose ? `the robot is at x ${signed(pose[0])} m, y ${signed(pose[1])} m` : "its place is not known";
+    this.canvas.setAttribute("aria-label", `Map from above: ${place}`);
+  }
+}

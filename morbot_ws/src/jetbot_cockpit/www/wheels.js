@@ -1,0 +1,35 @@
+// What the wheels get, and the formula that leads there.
+
+import { element, setText } from "./dom.js";
+import { operand, signed } from "./numbers.js";
+
+const SIDES = [["left", "−", -1], ["right", "+", 1]];
+
+// Returns one side's formula with its numbers: sign is -1 for the left wheel.
+export function formula(name, operator, sign, [x, z], robot) {
+  const { wheel_separation: separation, max_speed: maxSpeed, workshop } = robot;
+  const value = workshop ? x + sign * z : (x + sign * z * separation / 2) / maxSpeed;
+  const limited = Math.abs(value) > 1.005 ? `, limited to ${signed(Math.sign(value))}` : "";
+  if (workshop) return `${name} = x ${operator} z = ${signed(x)} ${operator} ${operand(z)} = ${signed(value)}${limited}`;
+  const numbers = `(${signed(x)} ${operator} ${operand(z)} · ${separation} / 2) / ${maxSpeed}`;
+  return `${name} = (x ${operator} z · separation / 2) / max. speed = ${numbers} = ${signed(value)}${limited}`;
+}
+
+export function showWheels(robot, { command, wheels }) {
+  SIDES.forEach(([name, operator, sign], index) => {
+    showBar(name, wheels?.[index]);
+    const known = robot && command && robot.workshop !== null && robot.max_speed;
+    setText(element(`${name}-formula`), known ? formula(name, operator, sign, command, robot) : "");
+  });
+  const own = robot?.workshop === null && command;
+  if (own) setText(element("left-formula"), "This board turns x and z into wheel speeds itself.");
+}
+
+function showBar(name, value) {
+  const meter = element(`${name}-wheel`);
+  const bar = meter.nextElementSibling.firstElementChild;
+  meter.value = value ?? 0;
+  meter.setAttribute("aria-valuetext", value === undefined ? "not known" : `${Math.round(value * 100)} %`);
+  bar.style.transform = `scaleX(${Math.max(-1, Math.min(1, value ?? 0))})`;
+  setText(element(`${name}-value`), value === undefined ? "–" : signed(value));
+}

@@ -1,0 +1,82 @@
+// What the cockpit has sent: who this page is, which robots there are, and how each one is.
+
+const TRAIL_STEP = 0.02; // m between two points
+const TRAIL_LENGTH = 1000; // points
+
+const UNKNOWN = {
+  status: "", warning: false, answers: true, stopped: false,
+  pose: null, speed: null, command: null, wheels: null, driver: null,
+};
+
+export class World {
+  constructor() {
+    this.me = { id: null, name: "", role: "pupil", robot: null };
+    this.robots = []; // in the order of the cockpit
+    this.states = {};
+    this.trails = new Map();
+    this.emergency = false;
+  }
+
+  get teacher() {
+    return this.me.role === "teacher";
+  }
+
+  hello(message) {
+    this.me = message;
+    this.trails.clear();
+  }
+
+  list(message) {
+    this.robots = message.robots;
+    const ids = new Set(this.robots.map((robot) => robot.id));
+    for (const id of this.trails.keys()) if (!ids.has(id)) this.trails.delete(id);
+  }
+
+  update(message) {
+    this.emergency = message.emergency;
+    this.states = message.robots;
+    for (const [id, { pose }] of Object.entries(this.states)) if (pose) this.append(id, pose);
+  }
+
+  trail(message) {
+    this.trails.set(message.robot, message.points);
+  }
+
+  robot(id) {
+    return this.robots.find((robot) => robot.id === id);
+  }
+
+  state(id) {
+    return this.states[id] ?? UNKNOWN;
+  }
+
+  // The robots whose place is known, each with its state.
+  placed() {
+    return this.robots.map((robot) => ({ robot, state: this.state(robot.id) })).filter(({ state }) => state.pose);
+  }
+
+  append(id, [x, y]) {
+    const points = this.trails.get(id) ?? [];
+    const [lastX, lastY] = points[points.length - 1] ?? [Infinity, Infinity];
+    if (Math.hypot(x - lastX, y - lastY) < TRAIL_STEP) return;
+    points.push([x, y]);
+    if (points.length > TRAIL_LENGTH) points.shift();
+    this.trails.set(id, points);
+  }
+}
+
+// Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
+export function summarize(world, id) {
+  const { status, warning, answers, stopped, driver } = world.state(id);
+  const label = world.robot(id)?.label ?? "The robot";
+  if (!answers) return { text: status || `${label} does not answer: look after its node.`, level: "warning" };
+  if (world.emergency || stopped) return { text: status || "stopped: emergency stop", level: "stopped" };
+  const level = warning ? "warning" : status.startsWith("stopped") ? "waiting" : "driving";
+  return { text: status || "waiting for its status", level, driver };
+}
+
+export function describeDriver(world, id) {
+  const { driver } = world.state(id);
+  if (!driver) return "Nobody drives it";
+  return driver.id === world.me.id ? "You drive it" : `${driver.name} drives it`;
+}
