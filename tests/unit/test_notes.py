@@ -54,6 +54,18 @@ def test_of_many_programs_two_are_named():
     assert commanded_by(*names).note(names, now=0.1) == "200 programs command it: /pupil_000, /pupil_001 and 198 more"
 
 
+def test_who_is_ignored_while_a_person_drives():
+    commanders = commanded_by("/circle")
+    commanders.record(Sender("/jetbot_cockpit", manual=True), now=0.0)
+    everybody = {"/circle", "/jetbot_cockpit", "/square"}
+    assert commanders.ignored(everybody, now=0.1) == (
+        "/circle is ignored until nobody has driven from the cockpit for 5 s")
+    commanders.record(Sender("/square"), now=0.1)
+    assert commanders.ignored(everybody, now=0.2) == (
+        "/circle and /square are ignored until nobody has driven from the cockpit for 5 s")
+    assert commanders.ignored(everybody, now=RIVALS_WITHIN + 0.1) is None
+
+
 def test_what_costs_motion_is_reported_for_a_while():
     disturbances = Disturbances()
     assert disturbances.notes(NONE, now=0.0) == []

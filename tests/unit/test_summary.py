@@ -34,6 +34,12 @@ def test_start_line(typed, config, robot, line):
     assert start_line(summary({**checked(typed), "config": config}, robot)) == line
 
 
+@pytest.mark.parametrize("robot, numbers", [(driver(), ("0.1125", "0.6")), (driver(closed_loop=True), ("", ""))])
+def test_the_numbers_by_which_others_scale_their_commands(robot, numbers):
+    texts = summary({**checked({"wheel_separation": 0.1125, "max_speed": 0.6}), "config": ""}, robot)
+    assert (texts["wheel_separation"], texts["max_speed"]) == numbers
+
+
 @pytest.mark.parametrize("board, typed, warnings", [
     ("jetbot_pro", {"max_duty": 0.5, "pwm_frequency": 50}, ["the board jetbot_pro ignores max_duty and pwm_frequency"]),
     ("jetbot_pro", {"max_duty": 1, "publish_odom": True}, ["the board jetbot_pro ignores publish_odom"]),

@@ -1,11 +1,13 @@
-"""/diagnostics reports what the robot does and why it is stopped; ``battery`` and the status, what its supply does."""
+"""What the controller reports: why it is stopped, what its supply does, what its wheels get."""
 
 import math
 import os
+import time
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from sensor_msgs.msg import BatteryState
+from std_msgs.msg import Float32MultiArray
 
 from harness import RobotTest, read
 from jetbot.fake.bus import power_on
@@ -39,6 +41,7 @@ class Diagnostics(RobotTest):
         values = self.values()
         texts = [values[name] for name in ("board", "bus", "units", "settings")]
         self.assertEqual(texts, ["jetbot", f"fake:{self.bus}", UNITS, "no file of settings"])
+        self.assertEqual((values["wheel_separation"], values["max_speed"]), ("2.0", "1.0"))
         lines = read(controller).splitlines()
         self.assertIn(f"board jetbot on fake:{self.bus}; {UNITS}; no file of settings", lines[0])
         self.assertIn(": stopped: no command yet, on a fake bus", lines[1])
@@ -46,6 +49,20 @@ class Diagnostics(RobotTest):
         self.assertEqual(values["failed transfers"], "0")
         self.assertLess(float(values["age of the last command (s)"]), 3)
         self.wait_for(lambda: self.values()["commands per second"] != "0.0", 5.0, "a rate of commands")
+
+    def test_what_the_wheels_get_at_most_ten_times_a_second(self):
+        self.controller(cmd_vel_timeout=0, left_motor_alpha=0.5)
+        messages = self.record("/jetbot_controller/wheels", Float32MultiArray)
+        self.wait_for(lambda: len(messages) > 1, 5.0, "two messages")
+        self.assertEqual((list(messages[-1].data), messages[-1].layout.dim[0].label),
+                         ([0, 0, 0, 0], "x, z, left, right"))
+        del messages[:]
+        start = time.monotonic()
+        for step in range(100):
+            self.command(0.5, step / 1000)
+            rospy.sleep(0.01)
+        self.wait_for(lambda: close(messages[-1].data, (0.5, 0.099, 0.2005, 0.599)), 5.0, "the last command's wheels")
+        self.assertLessEqual(len(messages), 10 * (time.monotonic() - start) + 1)
 
     def test_alarm_and_fault(self):
         self.controller(cmd_vel_timeout=0.2)
@@ -86,3 +103,7 @@ class Diagnostics(RobotTest):
         with open(os.path.join(self.bus, "0x41"), "r+b") as chip:
             chip.seek(4)
             chip.write(bus_voltage.to_bytes(2, "big"))
+
+
+def close(values, wanted):
+    return all(abs(value - want) < 0.001 for value, want in zip(values, wanted))

@@ -43,6 +43,24 @@ class EmergencyStop(RobotTest):
         self.wait_for_stop(within=0.2)
         self.commands_are_ignored(for_seconds=0.2)
 
+    def test_its_own_emergency_stop_holds_it_beside_that_of_all(self):
+        self.controller(cmd_vel_timeout=0)
+        texts = self.status()
+        own = rospy.Publisher("/jetbot_controller/emergency_stop", Bool, queue_size=1, latch=True)
+        self.addCleanup(own.unregister)
+        self.drive_at(0.5)
+        own.publish(True)
+        self.wait_for_stop(within=1.0)
+        self.wait_for_status(texts, "stopped: its own emergency stop")
+        self.emergency_stop(True)
+        self.wait_for_status(texts, "stopped: emergency stop")
+        self.emergency_stop(False)
+        self.wait_for_status(texts, "stopped: its own emergency stop")
+        self.commands_are_ignored(for_seconds=0.3)
+        own.publish(False)
+        self.wait_for_status(texts, "stopped: no command since its own emergency stop was released")
+        self.drive_at(0.25)
+
     def test_stops_a_robot_started_later(self):
         self.emergency_stop(True)
         texts = self.status()

@@ -1,6 +1,8 @@
 """The workshop's scenario publishes its motion ten times a second, and its launch file passes its arguments on."""
 
+import os
 import runpy
+import signal
 import time
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -11,8 +13,10 @@ from geometry_msgs.msg import Twist
 from rospkg import RosPack
 
 from harness import START_TIMEOUT, RobotTest, program, read, wheel_speeds
+from jetbot_ros.safety import MANUAL_PRIORITY
 
 WORKSHOP = Path(RosPack().get_path("workshop"))
+SCENARIO = program("workshop", "jetbot_motion_control.py")
 LAUNCH = "workshop_jetbot_controller.launch"
 
 
@@ -28,8 +32,33 @@ class WorkshopScenario(RobotTest):
         self.assertAlmostEqual(30 / (last - first), 10, delta=0.5)
         self.assertEqual({(twist.linear.x, twist.angular.z) for _, twist in received}, {(0.5, 0.1)})
 
+    def drive_by_hand(self):
+        """Start a program that has the cockpit's name; return it when its command is driven."""
+        cockpit = self.start(SCENARIO, "__name:=jetbot_cockpit", "_linear:=-0.2", "_angular:=0.0")
+        self.wait_for_wheels(-0.2, -0.2, within=START_TIMEOUT)
+        return cockpit
+
+    def test_waits_for_5_s_after_a_person_has_driven_whatever_ended_that(self):
+        texts = self.status()
+        self.controller(cmd_vel_timeout=0)
+        self.start(SCENARIO)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
+        ignored = ", /jetbot_motion_control is ignored until nobody has driven from the cockpit for 5 s"
+        cockpit = self.drive_by_hand()
+        self.wait_for_status(texts, "driving" + ignored)
+        self.wheels_stay(-0.2, -0.2, for_seconds=1.0)
+        os.killpg(cockpit.pid, signal.SIGKILL)
+        self.wait_for_stop(within=0.5)
+        self.wait_for_status(texts, "stopped: /jetbot_cockpit has ended" + ignored)
+        self.wheels_stay(0, 0, for_seconds=MANUAL_PRIORITY - 1)
+        self.wait_for_wheels(0.4, 0.6)
+        self.wait_for_status(texts, "driving")
+        os.killpg(self.drive_by_hand().pid, signal.SIGSTOP)
+        self.wait_for_stop(within=2.0)
+        self.wait_for_status(texts, "stopped: /jetbot_cockpit does not answer" + ignored)
+
     def test_bad_parameter(self):
-        node = self.start(program("workshop", "jetbot_motion_control.py"), "_rate:=0")
+        node = self.start(SCENARIO, "_rate:=0")
         self.assertNotEqual(node.wait(START_TIMEOUT), 0)
         [line] = read(node).splitlines()
         self.assertIn("The parameter rate must be a number from 0.1 to 1000, not 0.", line)

@@ -10,13 +10,11 @@ from jetbot_ros import launcher  # noqa: F401, I001  first of all: it reads who 
 
 import rospy
 from geometry_msgs.msg import Twist
-from std_msgs.msg import Bool
 
 from jetbot.kinematics import mix
-from jetbot_ros import node
+from jetbot_ros import emergency_stops, node
 from jetbot_ros.publishers import Publishers
 from jetbot_ros.report import Report
-from jetbot_ros.safety import EMERGENCY_STOP
 
 
 class JetBotController:
@@ -38,22 +36,13 @@ class JetBotController:
                                                self.report.change, supply)
         self.commanders.keep_asking(self.supervisor)
 
-        # Subscribe to the topics and define the callback functions; an earlier emergency stop comes before any command
-        self.stops = Publishers("/emergency_stop")
-        rospy.Subscriber("/emergency_stop", Bool, self.emergency_stop_callback, queue_size=1, tcp_nodelay=True)
-        if any(msg.data for msg in self.stops.wait_for_latched()):
-            self.supervisor.hold(EMERGENCY_STOP, True)
+        # Subscribe to the topics and define the callback function; an earlier emergency stop comes before any command
+        emergency_stops.subscribe(self.supervisor)
         rospy.Subscriber("cmd_vel", Twist, self.cmd_vel_callback, queue_size=1, tcp_nodelay=True)
 
     def cmd_vel_callback(self, msg):
         # Extract linear and angular velocity from the message
         self.supervisor.command(msg.linear.x, msg.angular.z, self.commanders.sender(msg))
-
-    def emergency_stop_callback(self, msg):
-        # A release from before this node's start, which its publisher has latched, ends no emergency stop
-        old = self.stops.sender(msg).old
-        if msg.data or not old:
-            self.supervisor.hold(EMERGENCY_STOP, msg.data)
 
     def drive(self, linear_x, angular_z):
         # Calculate wheel speeds: left = x - z, right = x + z, unless the parameters give other units

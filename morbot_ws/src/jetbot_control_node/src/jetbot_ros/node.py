@@ -29,6 +29,7 @@ from .report import Report
 from .safety import State
 from .supervisor import Supervisor
 from .supply_watch import SupplyWatch
+from .wheels import WheelsPublisher
 
 SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
 
@@ -86,11 +87,13 @@ def watch_supply(robot: Robot, parameters: Dict[str, object]) -> SupplyWatch:
 def make_supervisor(robot: Robot, parameters: Dict[str, object], drive: Callable[[float, float], None],
                     senders: Callable[[], Collection[str]], on_change: Callable[[State], None],
                     *observers: Observer) -> Supervisor:
-    """Return the Supervisor, with the ramp and the odometry that the parameters ask for."""
+    """Return the Supervisor, with ``~wheels``, and with the ramp and the odometry that the parameters ask for."""
+    wheels = WheelsPublisher(robot.driver, drive)
+    observers += (wheels,)
     if parameters["publish_odom"] and not robot.driver.closed_loop:
         from .open_loop import OpenLoopOdometry  # here: most robots do without
         observers += (OpenLoopOdometry(robot, parameters),)
-    return Supervisor(robot, drive, parameters["cmd_vel_timeout"], senders, on_change, observers,
+    return Supervisor(robot, wheels.drive, parameters["cmd_vel_timeout"], senders, on_change, observers,
                       make_ramp(parameters, robot.driver))
 
 

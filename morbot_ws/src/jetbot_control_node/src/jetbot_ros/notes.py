@@ -1,12 +1,12 @@
 """What the status reports beside "driving": programs that contradict each other, and what costs motion."""
 
 import math
-from typing import Callable, Collection, Dict, List, Optional, Tuple
+from typing import Callable, Collection, Dict, List, Optional, Set, Tuple
 
 from jetbot import Robot
 from jetbot.text import enumeration
 
-from .safety import Sender
+from .safety import MANUAL_PRIORITY, Sender
 
 # Called after each step with what the wheels (left, right) are given, as ``Robot.duties``, and the time in s.
 Observer = Callable[[Tuple[float, float], float], Optional[str]]
@@ -21,6 +21,7 @@ DISTURBANCES = {  # count: from how many on it is reported, and how
     "overwritten": (1, "another program writes to its board ({} so far)"),
     "faults": (2, "its board keeps failing to answer ({} so far): check the wires"),  # each has its status, too
 }
+MANUAL_ENDS = f"nobody has driven from the cockpit for {MANUAL_PRIORITY:.0f} s"
 FULL_POWER, MAX_DUTY = "both wheels at full power", "both wheels at max_duty"
 TOO_SLOW = "the wheels get less than one step of the board, so they do not turn: "
 
@@ -30,19 +31,30 @@ class Commanders:
 
     def __init__(self):
         self._commanded_at: Dict[str, float] = {}
+        self._manual: Set[str] = set()
 
     def record(self, sender: Sender, now: float) -> None:
         """A program has sent a command; a latched one counts as long as the program runs."""
         self._commanded_at[sender.name] = math.inf if sender.latched else now
+        if sender.manual:
+            self._manual.add(sender.name)
 
     def note(self, senders: Collection[str], now: float) -> Optional[str]:
         """Return a sentence if more than one of these programs commands the robot, else None."""
+        rivals = self._recent(senders, now)
+        return f"{len(rivals)} programs command it: {listed(rivals)}" if len(rivals) > 1 else None
+
+    def ignored(self, senders: Collection[str], now: float) -> Optional[str]:
+        """Return a sentence if others of these programs send commands while only manual ones count, else None."""
+        others = [name for name in self._recent(senders, now) if name not in self._manual]
+        verb = "are" if len(others) > 1 else "is"
+        return f"{listed(others)} {verb} ignored until {MANUAL_ENDS}" if others else None
+
+    def _recent(self, senders, now):
         for name, commanded_at in list(self._commanded_at.items()):
             if now - commanded_at >= RIVALS_WITHIN or name not in senders:
                 self._commanded_at.pop(name)
-        if len(self._commanded_at) < 2:
-            return None
-        return f"{len(self._commanded_at)} programs command it: {listed(sorted(self._commanded_at))}"
+        return sorted(self._commanded_at)
 
 
 class Disturbances:

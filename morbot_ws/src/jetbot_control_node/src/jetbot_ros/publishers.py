@@ -22,6 +22,7 @@ ASK_INTERVAL = 0.25    # s between two questions whether a program still runs
 ANSWER_TIMEOUT = 0.6   # s for its answer; safety.ANSWER_TIMEOUT allows for one that is late
 LATCHED_TIMEOUT = 1.0  # s for a latched message to arrive at a node that has just started
 MAX_NAME = 80          # characters of a name that are shown
+MANUAL_NODE = "jetbot_cockpit"  # what a person drives with, in whatever namespace
 
 
 class Publishers:
@@ -88,7 +89,8 @@ class Publishers:
         """Return the sender of the first message on a connection."""
         address = next((each.endpoint_id for each in self._connections() if each.header is header), None)
         latched = header.get("latching") == "1"
-        sender = Sender(shown(header.get("callerid", "")), latched)
+        name = shown(header.get("callerid", ""))
+        sender = Sender(name, latched, manual=name.rpartition("/")[2] == MANUAL_NODE)
         old = latched and address in self._known
         self._known.add(address)
         # In place: other connections' threads do the same. Connections second: none is missing that has a sender.

@@ -7,6 +7,7 @@ from jetbot import JetbotError
 
 STOPPED = (0.0, 0.0)
 ANSWER_TIMEOUT = 1.0  # s that a program whose command is held may leave unanswered whether it still runs
+MANUAL_PRIORITY = 5.0  # s after a manual command in which those of other programs are ignored
 
 
 class Hold(NamedTuple):
@@ -17,9 +18,10 @@ class Hold(NamedTuple):
 
 
 EMERGENCY_STOP = Hold("emergency stop", "the emergency stop was released")
+OWN_EMERGENCY_STOP = Hold("its own emergency stop", "its own emergency stop was released")
 NO_MASTER = Hold("no ROS master, so no emergency stop could arrive", "the ROS master is back")
 SUSPENDED = Hold("its terminal is suspended (Ctrl-Z); fg resumes it", "its terminal was resumed")
-HOLDS = (EMERGENCY_STOP, NO_MASTER, SUSPENDED)  # in the order in which they are reported
+HOLDS = (EMERGENCY_STOP, OWN_EMERGENCY_STOP, NO_MASTER, SUSPENDED)  # in the order in which they are reported
 
 
 class Sender(NamedTuple):
@@ -27,11 +29,13 @@ class Sender(NamedTuple):
 
     latched: its command is a standing order, in force until the program ends, freezes or is cut off.
     old: ROS delivered a command again that is older than this node or than an interruption; it moves nothing.
+    manual: a person drives by this program; its commands have priority over those of others.
     """
 
     name: str
     latched: bool = False
     old: bool = False
+    manual: bool = False
 
 
 class State(NamedTuple):
@@ -40,11 +44,13 @@ class State(NamedTuple):
     timeout: seconds without a command after which the robot stops; 0 holds the last command.
     velocity: (linear in m/s, angular in rad/s), always finite; commands: how many arrived;
     sender: of the newest command; confirmed_at: when it was last known to run, if its command is held;
+    manual_at: when the newest manual command arrived, of zero too;
     fault: while the robot cannot be driven; alarm: whether something other than a command stopped the robot;
-    notes: what else the status reports.
+    notes: what else the status reports; remark: the same, where nothing is wrong.
 
     A hold takes precedence until it is released; then the newest command counts, until it is too old or its sender is
-    gone. Whatever stopped the robot, only a new command moves it again.
+    gone. For MANUAL_PRIORITY seconds after a manual command, only manual ones count. Whatever stopped the robot, only a
+    new command moves it again.
     """
 
     timeout: float
@@ -58,6 +64,8 @@ class State(NamedTuple):
     confirmed_at: Optional[float] = None
     fault: Optional[JetbotError] = None
     notes: Tuple[str, ...] = ()
+    remark: Optional[str] = None
+    manual_at: float = -math.inf
 
     @property
     def driving(self) -> bool:
@@ -69,7 +77,8 @@ class State(NamedTuple):
         """What the robot does and why, in one sentence."""
         if self.fault:
             return f"stopped: {self.fault.reason}, trying again"
-        return ", ".join([self.reason, *(() if self.alarm else self.notes)])
+        remarks = [self.remark] if self.remark and not self.holds else []
+        return ", ".join([self.reason, *(() if self.alarm else self.notes), *remarks])
 
     @property
     def warning(self) -> bool:
@@ -81,11 +90,18 @@ class State(NamedTuple):
         """The name of the sender whose command is driven without being repeated, or None."""
         return self.sender.name if self.driving and (self.sender.latched or not self.timeout) else None
 
+    def is_manual(self, now: float) -> bool:
+        """Return whether only manual commands count at the time ``now``."""
+        return now - self.manual_at < MANUAL_PRIORITY
+
     def command(self, linear: float, angular: float, sender: Sender, now: float) -> "State":
         """A command has arrived; one that is not finite stops the robot."""
         if sender.old:
             return self._refuse(sender)
-        state = self._replace(commanded_at=now, commands=self.commands + 1, sender=sender, confirmed_at=now)
+        if not sender.manual and self.is_manual(now):
+            return self._replace(commands=self.commands + 1)
+        state = self._replace(commanded_at=now, commands=self.commands + 1, sender=sender, confirmed_at=now,
+                              manual_at=now if sender.manual else self.manual_at)
         if self.holds:
             return state
         if not (math.isfinite(linear) and math.isfinite(angular)):
@@ -121,9 +137,11 @@ class State(NamedTuple):
             return self._stop(f"no command for {self.timeout:.1f} s (repeat it: rostopic pub -r 10)")
         return self
 
-    def driven(self, fault: Optional[JetbotError], notes: Tuple[str, ...]) -> "State":
+    def driven(self, fault: Optional[JetbotError], notes: Tuple[str, ...], remark: Optional[str] = None) -> "State":
         """The robot was driven; fault: None if that worked."""
-        return self if (fault, notes) == (self.fault, self.notes) else self._replace(fault=fault, notes=notes)
+        if (fault, notes, remark) == (self.fault, self.notes, self.remark):
+            return self
+        return self._replace(fault=fault, notes=notes, remark=remark)
 
     def _refuse(self, sender):
         if self.driving or self.holds:

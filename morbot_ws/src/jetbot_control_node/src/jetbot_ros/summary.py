@@ -12,11 +12,15 @@ GEOMETRY = ("wheel_separation", "max_speed")
 
 
 def summary(parameters: Dict[str, object], driver: MotorDriver) -> Dict[str, str]:
-    """Return a text for each of board, bus, address, units and settings. parameters: as ``resolve`` returns them."""
+    """Return a text for each of board, bus, address, units, settings and GEOMETRY.
+
+    Those of GEOMETRY are numbers, "" for a board that does not use them. parameters: as ``resolve`` returns them.
+    """
     config = parameters["config"]
     texts = {"board": parameters["board"], "bus": driver.link.name, "address": address_text(driver.link.address),
              "units": units(parameters, driver.closed_loop),
-             "settings": f"settings from {config}" if config else "no file of settings"}
+             "settings": f"settings from {config}" if config else "no file of settings",
+             **{name: "" if driver.closed_loop else str(parameters[name]) for name in GEOMETRY}}
     return {name: printable(text) for name, text in texts.items()}
 
 

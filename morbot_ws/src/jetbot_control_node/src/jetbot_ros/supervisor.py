@@ -124,7 +124,7 @@ class Supervisor:
         if self._ramp.acceleration_limit and not any(self._robot.duties):
             self._ramp.reset()  # whatever has stopped the wheels
         self._faults += isinstance(fault, BusError) and not state.fault
-        self._change(State.driven, fault, self._notes(senders, now))
+        self._change(State.driven, fault, *self._notes(senders, now, state.is_manual(now)))
         self._report()
         return min(self._pause(), self._fed_at + interval - now)
 
@@ -144,10 +144,12 @@ class Supervisor:
         self._drive(*self._ramp.limit(state.velocity, now))
         return None
 
-    def _notes(self, senders, now) -> Tuple[str, ...]:
-        notes = [self._commanders.note(senders, now), *self._observe(now),
-                 *self._disturbances.notes(self.disturbances, now)]
-        return tuple(note for note in notes if note)
+    def _notes(self, senders, now, manual) -> Tuple[Tuple[str, ...], Optional[str]]:
+        """Return the notes and the remark of the status. manual: whether only manual commands count."""
+        rivals, ignored = ((None, self._commanders.ignored(senders, now)) if manual else
+                           (self._commanders.note(senders, now), None))
+        notes = [rivals, *self._observe(now), *self._disturbances.notes(self.disturbances, now)]
+        return tuple(note for note in notes if note), ignored
 
     def _observe(self, now):
         duties = self._robot.duties

@@ -1,0 +1,47 @@
+"""A colour for each robot, by its name: in RViz, and on the cockpit's map, readable on white and on black."""
+
+import colorsys
+import re
+import zlib
+from typing import Tuple
+
+Color = Tuple[float, float, float]  # red, green, blue: 0 to 1
+
+COLORS = {"red": (0.95, 0.15, 0.12), "green": (0.15, 0.75, 0.25), "blue": (0.15, 0.40, 1.00),
+          "yellow": (1.00, 0.85, 0.10), "orange": (1.00, 0.50, 0.05), "purple": (0.60, 0.25, 0.75),
+          "white": (1.00, 1.00, 1.00), "black": (0.10, 0.10, 0.10)}
+# Of jetbot_01, jetbot_02 and so on: each differs as much as it can from those before it (distances in OKLab), and has a
+# contrast of 3 or more to white and to black (WCAG 2.1, 1.4.11).
+PALETTE = ("004bff", "ff4b0f", "00a500", "ff00ff", "875a00", "b400a5", "2d96ff", "b46987",
+           "5a5aa5", "8700ff", "ff1e96", "b469f0", "0fa5a5", "c30f1e", "00785a", "c38700")
+NUMBERED = re.compile(r"jetbot_(\d+)")
+GOLDEN_RATIO = (5 ** 0.5 - 1) / 2  # its multiples spread hues evenly, however many there are
+LUMINANCES = (0.27, 0.13)          # these two have that contrast, too
+SATURATION = 0.9
+
+
+def color_of(name: str) -> Color:
+    """Return the colour that the robot's name says; for any other name, one that is always the same."""
+    if name in COLORS:
+        return COLORS[name]
+    numbered = NUMBERED.fullmatch(name)
+    number = int(numbered.group(1)) if numbered else zlib.crc32(name.encode())
+    if 1 <= number <= len(PALETTE):
+        return tuple(part / 255 for part in bytes.fromhex(PALETTE[number - 1]))
+    return _color(number * GOLDEN_RATIO % 1, LUMINANCES[number % 2])
+
+
+def luminance(color: Color) -> float:
+    """Return the relative luminance of a colour in sRGB, 0 to 1, as WCAG 2.1 defines it."""
+    linear = (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in color)
+    return sum(weight * part for weight, part in zip((0.2126, 0.7152, 0.0722), linear))
+
+
+def _color(hue, wanted):
+    """Return the colour of this hue (0 to 1) and luminance, by bisection over its lightness."""
+    low, high = 0.0, 1.0
+    for _ in range(16):
+        lightness = (low + high) / 2
+        color = colorsys.hls_to_rgb(hue, lightness, SATURATION)
+        low, high = (lightness, high) if luminance(color) < wanted else (low, lightness)
+    return color

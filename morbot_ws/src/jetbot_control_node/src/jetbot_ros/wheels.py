@@ -1,0 +1,69 @@
+"""Publishes what is driven now, and what the wheels get, for those who watch."""
+
+import contextlib
+import threading
+import time
+from typing import Callable, Tuple
+
+import rospy
+from std_msgs.msg import Float32MultiArray, MultiArrayDimension, MultiArrayLayout
+
+from jetbot.boards import MotorDriver
+from jetbot.kinematics import WHEEL_SEPARATION, clamp, mix
+
+from .safety import STOPPED
+
+CHANGING_INTERVAL = 0.1  # s between two messages, at least
+STEADY_INTERVAL = 1.0    # s, while nothing changes
+CLOSED_LOOP_SPEED = 0.6  # m/s that count as full power of a board that controls its wheel speeds: a 5 V JetBot's
+LABEL = "x, z, left, right"
+
+Pair = Tuple[float, float]
+
+
+class WheelsPublisher:
+    """Publishes ``~wheels`` from a thread of its own while somebody subscribes. An observer of the Supervisor.
+
+    ``drive`` is what the Supervisor calls in place of the ``drive`` that is given.
+    """
+
+    def __init__(self, driver: MotorDriver, drive: Callable[[float, float], None]):
+        self._closed_loop, self._drive = driver.closed_loop, drive
+        self._velocity, self._driven = STOPPED, (STOPPED, STOPPED)
+        self._changed = threading.Event()
+        self._publisher = rospy.Publisher("~wheels", Float32MultiArray, queue_size=1)
+        threading.Thread(target=self._run, daemon=True).start()
+
+    def drive(self, linear: float, angular: float) -> None:
+        """Drive, and note the velocity."""
+        self._velocity = STOPPED  # if it fails
+        self._drive(linear, angular)
+        self._velocity = linear, angular
+
+    def __call__(self, duties: Pair, now: float) -> None:
+        driven = self._velocity, duties
+        if driven != self._driven:
+            self._driven = driven
+            if self._publisher.get_num_connections():
+                self._changed.set()
+
+    def _run(self):
+        with contextlib.suppress(rospy.ROSException):  # a shutdown closes the topic meanwhile
+            while not rospy.is_shutdown():
+                time.sleep(CHANGING_INTERVAL)
+                self._changed.wait(STEADY_INTERVAL - CHANGING_INTERVAL)
+                self._changed.clear()
+                if self._publisher.get_num_connections():
+                    self._publisher.publish(self._message())
+
+    def _message(self):
+        velocity, duties = self._driven
+        wheels = fractions_of_full_power(duties) if self._closed_loop else duties
+        return Float32MultiArray(MultiArrayLayout([MultiArrayDimension(LABEL, 4, 4)], 0), [*velocity, *wheels])
+
+
+def fractions_of_full_power(speeds: Pair) -> Pair:
+    """Return what the wheels (left, right) of a closed loop get, in [-1, 1]. speeds: of wheels that are 2 m apart."""
+    left, right = speeds
+    return tuple(clamp(speed, 1.0) for speed in
+                 mix((left + right) / 2, (right - left) / 2, WHEEL_SEPARATION, CLOSED_LOOP_SPEED))
