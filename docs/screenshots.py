@@ -90,6 +90,9 @@ def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -
         touch(driver, "touchStart", center_of(driver)[:2])
         for forward, left, seconds in EIGHT:
             drive(driver, forward, left, seconds)
+        if robots > 1:
+            driver.execute_script("document.getElementById('fit').click()")
+            time.sleep(STEP)
         save(driver, DOCS / name)
         touch(driver, "touchEnd")
 
