@@ -178,7 +178,7 @@ def test_a_login_of_another_form_is_refused(cockpit, body, status):
     assert request(cockpit.port, "POST", "/login", headers, body).status == status
 
 
-@pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data; boundary=x", ""])
+@pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", "", "multipart/form-data; b=x"])
 def test_a_login_is_json_only(cockpit, kind):
     """A foreign page's form cannot send JSON."""
     assert cockpit.log_in(TEACHER.code, Content_Type=kind).status in (400, 415)

@@ -4,6 +4,7 @@ import json
 import os
 import socket
 import struct
+import time
 from typing import Dict, NamedTuple, Optional, Tuple
 
 TIMEOUT = 20.0  # s
@@ -93,13 +94,15 @@ class WebSocket:
 
     def wait_for_close(self) -> Closed:
         """Return the code and the reason with which the server closes the socket."""
+        deadline = time.monotonic() + TIMEOUT
         try:
-            while True:
+            while time.monotonic() < deadline:
                 self.receive()
         except Closed as closed:
             return closed
         except ConnectionError:
             return Closed()
+        raise AssertionError(f"the server has not closed the socket within {TIMEOUT} s")
 
     def close(self) -> None:
         """Close the connection without a word, as a killed browser does."""

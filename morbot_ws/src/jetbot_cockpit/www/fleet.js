@@ -1,6 +1,6 @@
-// The teacher's list: every robot with its status, and a button for each thing that can be done with it.
+// The teacher's list: every robot with its status, and a button that stops it.
 
-import { button, create, element, setClass, setText } from "./dom.js";
+import { button, create, element, setText } from "./dom.js";
 import { describeDriver, summarize } from "./world.js";
 
 export class Fleet {
@@ -15,10 +15,10 @@ export class Fleet {
     this.rows.clear();
     for (const robot of this.world.robots) this.rows.set(robot.id, this.row(robot));
     element("fleet-list").replaceChildren(...[...this.rows.values()].map(({ item }) => item));
-    setClass(element("reset-all"), "absent", !this.world.robots.some((robot) => robot.simulated));
+    element("reset-all").hidden = !this.world.robots.some((robot) => robot.simulated);
   }
 
-  row({ id, label, color, simulated }) {
+  row({ id, label, color }) {
     const item = create("li");
     item.dataset.robot = id;
     item.style.setProperty("--robot", color);
@@ -26,17 +26,9 @@ export class Fleet {
     const [driver, status] = [create("span", "who"), create("span", "why")];
     const pick = button("", () => this.choose(id), "choose");
     pick.append(create("span", "swatch"), name, driver, status);
-    const take = button("Take", () => this.take(id), "take-one");
-    const reset = button("Put back", () => this.send({ type: "reset", robot: id }), "reset-one");
     const stop = button("Stop", () => this.toggleStop(id), "stop-one");
-    setClass(reset, "absent", !simulated);
-    item.append(pick, take, reset, stop);
-    return { item, pick, driver, status, take, stop, label };
-  }
-
-  take(id) {
-    this.choose(id);
-    this.send({ type: "take", robot: id });
+    item.append(pick, stop);
+    return { item, pick, driver, status, stop, label };
   }
 
   toggleStop(id) {
@@ -50,7 +42,7 @@ export class Fleet {
     setText(element("fleet-summary"), `${counts.length} robots, ${driving} driving`);
   }
 
-  showRow(id, { item, pick, driver, status, take, stop, label }) {
+  showRow(id, { item, pick, driver, status, stop, label }) {
     const { text, level } = summarize(this.world, id);
     const { driver: someone, stopped } = this.world.state(id);
     setText(driver, someone ? describeDriver(this.world, id) : "");
@@ -58,13 +50,7 @@ export class Fleet {
     if (status.title !== text) status.title = text;
     if (item.dataset.level !== level) item.dataset.level = level;
     pick.setAttribute("aria-pressed", id === this.chosen());
-    take.disabled = Boolean(someone && someone.id === this.world.me.id);
     setText(stop, stopped ? "Release" : "Stop");
-    setLabels({ take, stop }, label, stopped);
+    stop.setAttribute("aria-label", `${stopped ? "Release" : "Stop"} ${label}`);
   }
-}
-
-function setLabels({ take, stop }, label, stopped) {
-  take.setAttribute("aria-label", `Take ${label}`);
-  stop.setAttribute("aria-label", `${stopped ? "Release" : "Stop"} ${label}`);
 }

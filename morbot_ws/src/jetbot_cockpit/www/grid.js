@@ -26,14 +26,14 @@ export function drawGrid(context, view, colors) {
 }
 
 function drawScale(context, view, cell, colors) {
-  const [right, down, length] = [view.width - 14.5, view.height - 14.5, cell * view.scale];
+  const [left, down, length] = [14.5, view.height - 66.5, Math.round(cell * view.scale)]; // above the legend
   Object.assign(context, { strokeStyle: colors.text, lineWidth: 1.5, fillStyle: colors.text, textAlign: "center" });
   context.beginPath();
-  for (const [x, y] of [[right - length, down - 5], [right - length, down], [right, down], [right, down - 5]]) {
+  for (const [x, y] of [[left, down - 5], [left, down], [left + length, down], [left + length, down - 5]]) {
     context.lineTo(x, y);
   }
   context.stroke();
-  context.fillText(`${Number(cell.toPrecision(1))} m`, right - length / 2, down - 5);
+  context.fillText(`${Number(cell.toPrecision(1))} m`, left + length / 2, down - 5);
 }
 
 function line(context, from, to, color) {

@@ -18,6 +18,11 @@ import { prepareViews, showView } from "./views.js";
 import { showWheels } from "./wheels.js";
 import { World, describeDriver, summarize } from "./world.js";
 
+let problem = "Connecting"; // why there is no connection
+let driven = null; // the robot that the commands go to
+let wasDriver = false;
+let frame = null; // the next one shows what has changed
+
 const world = new World();
 const notice = new Notice();
 const login = new LoginForm(() => link.open());
@@ -28,13 +33,11 @@ const chosen = () => choice.id;
 const choose = (id) => choice.choose(id);
 const driving = new Driving(command, () => link.connected && Boolean(world.robot(chosen())));
 const keys = new Keys((...deflection) => driving.deflect("keys", ...deflection), () => stops.stop());
-const stops = new Stops(world, chosen, send, (text) => notice.show(text));
+const report = (text) => notice.show(text);
+const stops = new Stops(world, { chosen, send, report, stopped: () => driving.lift() });
 const fleet = new Fleet(world, chosen, choose, send);
-const map = new RobotMap(element("map"), world, chosen, choose);
+const map = new RobotMap(element("map"), world, { chosen, choose, redraw: show });
 const person = new Person(send);
-let problem = "Connecting";
-let driven = null; // the robot that the commands go to
-let wasDriver = false;
 
 const RECEIVERS = {
   hello(message) {
@@ -56,10 +59,10 @@ const RECEIVERS = {
     fitOnce.due?.();
   },
   trail: (message) => world.trail(message),
-  notice: ({ text }) => notice.show(text),
+  notice: ({ text }) => report(text),
   lift({ robot, text }) {
     if (robot === driven) driving.lift();
-    notice.show(text);
+    report(text);
   },
   codes: ({ codes }) => showCodes(codes),
 };
@@ -122,11 +125,16 @@ function currentStatus() {
   if (problem) return { text: problem, level: "warning" };
   if (world.robot(chosen())) return summarize(world, chosen());
   const own = world.me.robot ?? chosen();
-  const goes = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one, for example with ./morbot run.";
-  return { text: `${goes} This page shows it as soon as it runs.`, level: "waiting" };
+  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one.";
+  return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
 }
 
 function show() {
+  frame ??= requestAnimationFrame(showNow);
+}
+
+function showNow() {
+  frame = null;
   const robot = world.robot(chosen());
   const state = world.state(chosen());
   const { text, level } = currentStatus();
@@ -139,12 +147,13 @@ function show() {
   setClass(document.body, "offline", problem);
   showWheels(robot, state);
   stops.show();
-  map.redraw();
+  map.draw();
 }
 
 function showTeachersTools(robot, { driver }) {
   const several = world.teacher && world.robots.length > 1;
   element("fleet").hidden = element("show-fleet").hidden = !several;
+  element("fit").hidden = world.robots.length < 2;
   element("show-codes").hidden = !world.teacher;
   element("take").hidden = !(world.teacher && driver && driver.id !== world.me.id);
   element("reset").hidden = !(world.teacher && robot?.simulated);

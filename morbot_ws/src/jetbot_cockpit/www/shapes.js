@@ -12,7 +12,7 @@ export function drawTrail(context, points, color, width) {
   if (points.length < 2) return;
   context.beginPath();
   for (const [x, y] of points) context.lineTo(x, y);
-  Object.assign(context, { strokeStyle: color, lineWidth: width, lineJoin: "round", lineCap: "round", globalAlpha: 0.55 });
+  Object.assign(context, { strokeStyle: color, lineWidth: width, lineJoin: "round", globalAlpha: 0.55 });
   context.stroke();
   context.globalAlpha = 1;
 }

@@ -7,20 +7,22 @@ const NOT_CONNECTED = "No connection: this stop reached no robot. Use the robot'
 const NOT_CONFIRMED = "The stop is not confirmed yet. Press again, or use the robot's own switch.";
 
 export class Stops {
-  // send(message) returns whether it was sent; report(sentence)
-  constructor(world, chosen, send, report) {
-    Object.assign(this, { world, chosen, send, report });
+  // chosen(): id; send(message) returns whether it was sent; report(sentence); stopped(): a stop was sent
+  constructor(world, { chosen, send, report, stopped }) {
+    Object.assign(this, { world, chosen, send, report, stopped });
     element("stop").addEventListener("click", () => this.stop());
     element("release").addEventListener("click", () => this.release());
   }
 
   stop() {
     if (!this.send({ type: "stop", robot: null })) return this.report(NOT_CONNECTED);
+    this.stopped();
     setTimeout(() => this.world.emergency || this.report(NOT_CONFIRMED), CONFIRM_TIMEOUT);
   }
 
   release() {
-    if (!this.send({ type: "release", robot: this.stoppedAlone() })) this.report("No connection: nothing was released.");
+    const sent = this.send({ type: "release", robot: this.stoppedAlone() });
+    if (!sent) this.report("No connection: nothing was released.");
   }
 
   // Returns the chosen robot if it alone is stopped, else null: all robots.

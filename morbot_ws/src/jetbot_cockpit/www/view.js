@@ -47,13 +47,13 @@ export class View {
     this.changed();
   }
 
-  // Shows all these places, with a margin of half a metre.
+  // Shows all these places, with room for labels and tools.
   fit(places) {
     if (!places.length || !this.width) return;
     const [xs, ys] = [places.map(([x]) => x), places.map(([, y]) => y)];
     const [left, right, bottom, top] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     this.centre((left + right) / 2, (bottom + top) / 2);
-    const scale = Math.min(this.width / (right - left + 1), this.height / (top - bottom + 1));
+    const scale = Math.min((this.width - 90) / (right - left + 0.3), (this.height - 150) / (top - bottom + 0.3));
     this.scale = Math.min(300, Math.max(MIN_SCALE, scale));
     this.changed();
   }

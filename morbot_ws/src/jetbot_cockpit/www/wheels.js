@@ -10,9 +10,10 @@ export function formula(name, operator, sign, [x, z], robot) {
   const { wheel_separation: separation, max_speed: maxSpeed, workshop } = robot;
   const value = workshop ? x + sign * z : (x + sign * z * separation / 2) / maxSpeed;
   const limited = Math.abs(value) > 1.005 ? `, limited to ${signed(Math.sign(value))}` : "";
-  if (workshop) return `${name} = x ${operator} z = ${signed(x)} ${operator} ${operand(z)} = ${signed(value)}${limited}`;
-  const numbers = `(${signed(x)} ${operator} ${operand(z)} · ${separation} / 2) / ${maxSpeed}`;
-  return `${name} = (x ${operator} z · separation / 2) / max. speed = ${numbers} = ${signed(value)}${limited}`;
+  const sum = `${signed(x)} ${operator} ${operand(z)}`;
+  if (workshop) return `${name} = x ${operator} z = ${sum} = ${signed(value)}${limited}`;
+  const words = `(x ${operator} z · separation / 2) / max. speed`;
+  return `${name} = ${words} = (${sum} · ${separation} / 2) / ${maxSpeed} = ${signed(value)}${limited}`;
 }
 
 export function showWheels(robot, { command, wheels }) {

@@ -77,6 +77,6 @@ export function summarize(world, id) {
 
 export function describeDriver(world, id) {
   const { driver } = world.state(id);
-  if (!driver) return "Nobody drives it";
+  if (!driver) return "Free to drive";
   return driver.id === world.me.id ? "You drive it" : `${driver.name} drives it`;
 }

@@ -39,9 +39,10 @@ class Robots:
     def snapshot(self) -> Snapshot:
         """Return what is known now."""
         now, robots = time.monotonic(), self._robots
-        views = {name: robot.snapshot(now) for name, robot in robots.items()}
+        master = now - self._answered_at < MASTER_TIMEOUT
+        views = {name: robot.snapshot(now, master) for name, robot in robots.items()}
         held = any(views[name].answers and robot.in_emergency_stop for name, robot in robots.items())
-        return Snapshot(views, now - self._answered_at < MASTER_TIMEOUT, self._emergency.engaged or held)
+        return Snapshot(views, master, self._emergency.engaged or held)
 
     def stop(self, robot: Optional[str], engaged: bool) -> None:
         """Engage or release the emergency stop of all robots (None), or of one."""

@@ -1,0 +1,122 @@
+"""Headless Chromium as a phone: its screen, fingers, keys and tabs, and the signals that its processes get."""
+
+import os
+import shutil
+import signal
+from contextlib import suppress
+from pathlib import Path
+from typing import List, Tuple
+
+from selenium import webdriver
+from selenium.common.exceptions import WebDriverException
+from selenium.webdriver import ActionChains
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.keys import Keys
+
+from jetbot.wait import wait_until
+
+from .world import NAME
+
+# chromedriver's own switches, without which a hidden tab is slowed down as it is for everybody
+EXCLUDED = ["disable-background-timer-throttling", "disable-renderer-backgrounding",
+            "disable-backgrounding-occluded-windows"]
+KEYS = {"ArrowUp": Keys.ARROW_UP, "ArrowDown": Keys.ARROW_DOWN, "ArrowLeft": Keys.ARROW_LEFT,
+        "ArrowRight": Keys.ARROW_RIGHT, "Space": Keys.SPACE, "Escape": Keys.ESCAPE, "Tab": Keys.TAB}
+END_TIMEOUT = 20.0  # s
+
+
+class Chromium:
+    """profile: a folder of its own."""
+
+    def __init__(self, profile: Path):
+        options = webdriver.ChromeOptions()
+        options.binary_location = shutil.which("chromium")
+        for argument in ("headless=new", f"user-data-dir={profile}", f"host-resolver-rules=MAP {NAME} 127.0.0.1",
+                         *["no-sandbox"] * (os.geteuid() == 0)):
+            options.add_argument(f"--{argument}")
+        options.add_experimental_option("excludeSwitches", EXCLUDED)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        service = Service(shutil.which("chromedriver"))
+        self.driver = webdriver.Chrome(service=service, options=options)
+        self._driver_process, self._service = service.process.pid, service
+
+    def screen(self, width: int, height: int) -> None:
+        """Make the tab in front a phone's touch screen of this size in px."""
+        self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=2,
+                       mobile=True)
+        self._devtools("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
+
+    def run(self, script: str):
+        """Run JavaScript in the page, and return what it returns."""
+        return self.driver.execute_script(script)
+
+    def touch_event(self, kind: str, *points: Tuple[float, float]) -> None:
+        """Send touchStart, touchMove, touchEnd or touchCancel, with the fingers that touch at these (x, y) in px."""
+        self._devtools("Input.dispatchTouchEvent", type=kind,
+                       touchPoints=[{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(points)])
+
+    def press(self, key: str) -> None:
+        """Press a key, and hold it."""
+        ActionChains(self.driver, duration=0).key_down(KEYS.get(key, key)).perform()
+
+    def let_go(self, key: str) -> None:
+        """Let a key go."""
+        ActionChains(self.driver, duration=0).key_up(KEYS.get(key, key)).perform()
+
+    def new_tab(self) -> None:
+        """Open a tab in front of the page."""
+        self.driver.switch_to.new_window("tab")
+
+    def old_tab(self) -> None:
+        """Close the tab in front; the page is visible again."""
+        self.driver.close()
+        self.driver.switch_to.window(self.driver.window_handles[0])
+
+    def close_tab(self) -> None:
+        """Close the page's tab; another one is open then."""
+        page = self.driver.current_window_handle
+        self.driver.switch_to.new_window("tab")
+        other = self.driver.current_window_handle
+        self.driver.switch_to.window(page)
+        self.driver.close()
+        self.driver.switch_to.window(other)
+
+    def errors(self) -> List[str]:
+        """Return what the console has logged since the last call: errors and warnings, violations of the CSP too."""
+        return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] != "INFO"]
+
+    def signal(self, signum: int) -> None:
+        """Send a signal to all processes of the browser, not to chromedriver."""
+        for pid in descendants(self._driver_process):
+            with suppress(ProcessLookupError):
+                os.kill(pid, signum)
+
+    def close(self) -> None:
+        """End the browser and all its processes."""
+        processes = descendants(self._driver_process)
+        with suppress(WebDriverException, OSError):  # it was killed
+            self.driver.quit()
+        self._service.stop()
+        for pid in processes:
+            with suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
+        assert wait_until(lambda: not any(map(is_running, processes)), END_TIMEOUT), "Chromium does not end"
+
+    def _devtools(self, command, **parameters):
+        return self.driver.execute_cdp_cmd(command, parameters)
+
+
+def descendants(pid: int) -> List[int]:
+    """Return the ids of the processes that a process has started, and of those that these have."""
+    children = []
+    for file in Path(f"/proc/{pid}/task").glob("*/children"):
+        with suppress(OSError):  # it has just ended
+            children += map(int, file.read_text().split())
+    return [each for child in children for each in [child, *descendants(child)]]
+
+
+def is_running(pid: int) -> bool:
+    """Return whether a process runs; a zombie does not."""
+    with suppress(OSError):
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    return False

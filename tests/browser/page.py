@@ -1,0 +1,149 @@
+"""The cockpit's page, as a person with a phone uses it."""
+
+from contextlib import suppress
+from typing import Callable, Dict, List
+
+from selenium.common.exceptions import InvalidArgumentException, StaleElementReferenceException
+from selenium.webdriver.common.by import By
+
+from jetbot.wait import wait_until
+
+from .chromium import Chromium
+
+PHONE = (390, 844)  # px
+PAGE_TIMEOUT = 20.0  # s for what a page shows; other tests may run meanwhile
+CONTROLS = "a[href], button, input, select, [tabindex]:not([tabindex='-1'])"
+
+
+class Page(Chromium):
+    """A browser with the page of a cockpit."""
+
+    def open(self, url: str, robot: str = "") -> None:
+        """Open the page again on a phone, wait until it is connected, and choose a robot."""
+        self.leave()
+        self.screen(*PHONE)
+        self.driver.get(url)
+        self.wait_for_link()
+        if robot:
+            self.choose(robot)
+
+    def leave(self) -> None:
+        """Show another page, and lift all fingers."""
+        self.driver.get("about:blank")
+        self.lift()
+
+    def wait_for_link(self) -> None:
+        """Wait until the page knows the round trip to the cockpit, and shows a status."""
+        self.wait_for(lambda: "ms" in self.text("link") and self.text("status"), "the page to connect")
+
+    def choose(self, robot: str) -> None:
+        """Choose a robot by its name."""
+        self.wait_for(lambda: f"/{robot}" in self.robots(), f"{robot} in the list")
+        self.set("robot", f"/{robot}")
+
+    def robots(self) -> Dict[str, str]:
+        """Return the robots that can be chosen: {id: label}."""
+        return dict(self.run("return [...document.querySelectorAll('#robot option')]"
+                             ".map(option => [option.value, option.textContent])"))
+
+    def element(self, name: str):
+        """Return the element with this id."""
+        return self.driver.find_element(By.ID, name)
+
+    def text(self, name: str) -> str:
+        """Return the visible text of the element with this id."""
+        with suppress(StaleElementReferenceException):
+            return self.element(name).text
+        return ""
+
+    def everything(self) -> str:
+        """Return all visible text."""
+        return self.driver.find_element(By.TAG_NAME, "body").text
+
+    def wait_for(self, condition: Callable[[], object], what: str, within: float = PAGE_TIMEOUT) -> None:
+        """Fail unless the condition becomes true within this many seconds; what: its description."""
+        assert wait_until(condition, within, 0.03), \
+            f"waited {within} s for {what}; the page shows {self.everything()!r}, its console {self.errors()}"
+
+    def wait_for_text(self, name: str, text: str) -> None:
+        """Fail unless the element with this id soon shows this text."""
+        self.wait_for(lambda: text.lower() in self.text(name).lower(), f"{text!r} in #{name}")
+
+    def touch(self, forward: float = 1.0, left: float = 0.0) -> None:
+        """Put a finger on the middle of the pad, and move it; 1 is the edge."""
+        self.lift()
+        self.touch_event("touchStart", self.on_pad(0, 0))
+        self.move(forward, left)
+
+    def move(self, forward: float, left: float) -> None:
+        """Move the finger on the pad."""
+        self.touch_event("touchMove", self.on_pad(forward, left))
+
+    def lift(self) -> None:
+        """Lift all fingers, if any touches."""
+        with suppress(InvalidArgumentException):
+            self.touch_event("touchEnd")
+
+    def on_pad(self, forward: float, left: float):
+        """Return a place on the pad as (x, y) in px."""
+        box = self.run("return document.getElementById('pad').getBoundingClientRect().toJSON()")
+        radius = min(box["width"], box["height"]) / 2
+        return box["x"] + box["width"] / 2 - left * radius, box["y"] + box["height"] / 2 - forward * radius
+
+    def gamepad(self, x: float, y: float) -> None:
+        """Plug in a gamepad whose left stick is here: -1 is left, and forward."""
+        self.run("const pad = {index: 0, id: 'test', connected: true, mapping: 'standard', buttons: [],"
+                 f" timestamp: 1, axes: [{x}, {y}, 0, 0]}}; navigator.getGamepads = () => [pad, null, null, null];"
+                 "window.dispatchEvent(Object.assign(new Event('gamepadconnected'), {gamepad: pad}))")
+
+    def slide(self, percent: int) -> None:
+        """Set how fast full deflection is."""
+        self.set("speed", str(percent))
+
+    def set(self, name: str, value: str) -> None:
+        """Give a control this value, as a person does, but without giving it the focus."""
+        self.run(f"const control = document.getElementById('{name}'); control.value = '{value}';"
+                 "for (const type of ['input', 'change']) control.dispatchEvent(new Event(type, {bubbles: true}))")
+
+    def rename(self, name: str) -> None:
+        """Say what the person is called."""
+        field = self.element("name")
+        field.clear()
+        field.send_keys(name + "\n")
+
+    def log_in(self, code: str) -> None:
+        """Type a code, and send it."""
+        field = self.element("code")
+        field.clear()
+        field.send_keys(code + "\n")
+
+    def controls(self) -> List[str]:
+        """Return the ids of the visible controls that a person can use now."""
+        return [element.get_attribute("id") for element in self.driver.find_elements(By.CSS_SELECTOR, CONTROLS)
+                if element.is_displayed() and element.is_enabled() and element.get_attribute("id")]
+
+    def tab_through(self) -> List[str]:
+        """Return the ids of what has the focus in turn while the Tab key is pressed."""
+        reached = []
+        for _ in range(60):
+            self.press("Tab")
+            self.let_go("Tab")
+            reached.append(self.run("return document.activeElement.id"))
+        return reached
+
+    def is_on_screen(self, name: str) -> bool:
+        """Return whether the element with this id is wholly on the screen, and nothing else covers its middle."""
+        return self.run(f"""const element = document.getElementById('{name}'), box = element.getBoundingClientRect();
+            const top = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+            return box.x >= 0 && box.y >= 0 && box.right <= innerWidth && box.bottom <= innerHeight && box.width > 0
+                && element.contains(top);""")
+
+    def map(self) -> str:
+        """Return the picture on the map."""
+        return self.run("return document.querySelector('canvas#map, #map canvas').toDataURL()")
+
+    def colors(self) -> int:
+        """Return how many colours the map has."""
+        return self.run("""const map = document.querySelector('canvas#map, #map canvas');
+            const {data} = map.getContext('2d').getImageData(0, 0, map.width, map.height);
+            return new Set(new Uint32Array(data.buffer)).size;""")
