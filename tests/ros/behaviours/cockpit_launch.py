@@ -69,7 +69,8 @@ class CockpitLaunch(RobotTest):
             self.wait_for(lambda: f"port {self.port}" in read(launch).partition("started with pid")[2], START_TIMEOUT,
                           "a sentence about the port")
             self.wait_for_wheels(0.4, 0.6, START_TIMEOUT)
-            self.assertIsNone(launch.poll())
+            self.wait_for(lambda: "process has died" in read(launch), START_TIMEOUT, "the cockpit's end")
+            self.wheels_stay(0.4, 0.6, for_seconds=1.0)
 
     def test_a_class_of_more_robots_than_there_are_names_for_is_refused(self):
         launch = self.start("roslaunch", "--nodes", "jetbot_cockpit", "class.launch", "robots:=100")
