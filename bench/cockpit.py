@@ -49,8 +49,7 @@ def page_latencies(folder: Path) -> List[float]:
     try:
         page.open(world.address, ROBOT)
         page.run(KEEP_TIMES)
-        page.touch()
-        world.wait_for_motion(ROBOT)
+        world.drive(page, ROBOT)
         return [latency_of_a_move(world, page, 0.5 + 0.4 * (number % 2)) for number in range(MOVES)]
     finally:
         page.close()

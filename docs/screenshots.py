@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Takes the pictures of the cockpit in docs: real nodes, a real cockpit, and a headless Chromium that drives.
 
-Type: ./morbot shell docs/screenshots.py. It needs chromium, chromium-driver, python3-selenium and imagemagick.
+Type: ./morbot shell docs/screenshots.py [PICTURE ...]. It needs chromium, chromium-driver, python3-selenium and
+imagemagick.
 """
 
 import base64
@@ -10,6 +11,7 @@ import os
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -21,31 +23,39 @@ import rospy
 from geometry_msgs.msg import Twist
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.support.ui import WebDriverWait
 
 DOCS = Path(__file__).resolve().parent
 PHONE, DESKTOP = (390, 844, 2), (1280, 800, 1)  # width and height in CSS pixels; pixels per CSS pixel
 COLORS = 128            # of a PNG
 START_TIMEOUT = 120.0   # s
+STEP = 0.5              # s
 CLASS = 15
-SLALOM = [(0.5, 0.1, 3.5), (0.5, -0.12, 5.0), (0.6, 0.1, 5.0), (0.5, -0.05, 2.0)]  # forward, left, s
+EIGHT = [(0.9, 0.25, 9.5), (0.9, -0.25, 7.5)]  # what the pad is given: forward, left, s
+ONE = ["simulation", "simulation.launch", "cockpit:=true", "rviz:=false"]
 
 
 def main() -> None:
-    with launched("simulation", "simulation.launch", "cockpit:=true", "cockpit_port:={}", "rviz:=false") as address:
-        take(address, DESKTOP, "cockpit_desktop.png")
-    with launched("simulation", "simulation.launch", "cockpit:=true", "cockpit_port:={}", "rviz:=false") as address:
-        take(address, PHONE, "cockpit_phone.png")
-    with launched("jetbot_cockpit", "class.launch", f"robots:={CLASS}", "cockpit_port:={}") as address, others_drive():
-        take(address, DESKTOP, "cockpit_class.png")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # ends the nodes and the browser, too
+    wanted = sys.argv[1:] or ["cockpit_desktop.png", "cockpit_phone.png", "cockpit_class.png"]
+    if "cockpit_desktop.png" in wanted:
+        with launched(*ONE) as address:
+            take(address, DESKTOP, "cockpit_desktop.png")
+    if "cockpit_phone.png" in wanted:
+        with launched(*ONE) as address:
+            take(address, PHONE, "cockpit_phone.png")
+    if "cockpit_class.png" in wanted:
+        with launched("jetbot_cockpit", "class.launch", f"robots:={CLASS}") as address, others_drive():
+            take(address, DESKTOP, "cockpit_class.png", CLASS)
 
 
 @contextlib.contextmanager
 def launched(package: str, file: str, *arguments: str) -> Iterator[str]:
-    """Run a launch file, with a master of its own; {} stands for the cockpit's port. Return the page's address."""
+    """Run a launch file, with a master and a port of its own. Return the page's address."""
     port, ros_port = free_port(), free_port()
     os.environ.update(ROS_MASTER_URI=f"http://localhost:{ros_port}", ROS_HOSTNAME="localhost")
     with tempfile.TemporaryDirectory() as home:
-        command = ["roslaunch", "-p", str(ros_port), package, file, *(word.format(port) for word in arguments)]
+        command = ["roslaunch", "-p", str(ros_port), package, file, *arguments, f"cockpit_port:={port}"]
         process = subprocess.Popen(command, env={**os.environ, "HOME": home, "ROS_HOME": home}, start_new_session=True)
         try:
             wait_for_page(f"http://localhost:{port}")
@@ -71,19 +81,40 @@ def wait_for_page(address: str) -> None:
     raise TimeoutError(f"no cockpit at {address}: read what roslaunch prints")
 
 
-def take(address: str, size: Tuple[int, int, int], name: str) -> None:
-    """Open the page, drive the slalom with the pad, and save what the page shows meanwhile."""
+def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -> None:
+    """Open the page, drive an eight with the pad, and save what the page shows meanwhile."""
     with browser(size) as driver:
         driver.get(address)
-        time.sleep(3.0)  # the robots appear
-        pad = driver.find_element("id", "pad").rect
-        center, radius = (pad["x"] + pad["width"] / 2, pad["y"] + pad["height"] / 2), pad["width"] / 2
-        touch(driver, "touchStart", center)
-        for forward, left, seconds in SLALOM:
-            touch(driver, "touchMove", (center[0] - left * radius, center[1] - forward * radius))
-            time.sleep(seconds)
+        WebDriverWait(driver, START_TIMEOUT).until(
+            lambda page: len(page.find_elements("css selector", "#robot option")) == robots)
+        touch(driver, "touchStart", center_of(driver)[:2])
+        for forward, left, seconds in EIGHT:
+            drive(driver, forward, left, seconds)
+        if robots > 1:
+            driver.execute_script("document.getElementById('fit').click()")
+            time.sleep(STEP)
         save(driver, DOCS / name)
         touch(driver, "touchEnd")
+
+
+def drive(driver: webdriver.Chrome, forward: float, left: float, seconds: float) -> None:
+    """Push the pad until the robot has driven for so long; on a busy computer, the dead man's switch may stop it."""
+    status, driven = driver.find_element("id", "status"), 0.0
+    while driven < seconds:
+        x, y, radius = center_of(driver)
+        touch(driver, "touchMove", (x - left * radius, y - forward * radius))
+        time.sleep(STEP)
+        if status.text.startswith("driving"):
+            driven += STEP
+        else:
+            touch(driver, "touchEnd")
+            touch(driver, "touchStart", (x, y))
+
+
+def center_of(driver: webdriver.Chrome) -> Tuple[float, float, float]:
+    """Return x and y of the pad's center, and its radius."""
+    pad = driver.find_element("id", "pad").rect
+    return pad["x"] + pad["width"] / 2, pad["y"] + pad["height"] / 2, pad["width"] / 2
 
 
 @contextlib.contextmanager
@@ -120,7 +151,7 @@ def save(driver: webdriver.Chrome, path: Path) -> None:
 
 @contextlib.contextmanager
 def others_drive() -> Iterator[None]:
-    """All robots of the class but the first one drive arcs of their own, without the cockpit."""
+    """All robots of the class but the first one drive circles of their own, without the cockpit."""
     rospy.init_node("pupils", anonymous=True, disable_signals=True)
     publishers = [rospy.Publisher(f"/jetbot_{number:02}/cmd_vel", Twist, queue_size=1)
                   for number in range(2, CLASS + 1)]
@@ -130,7 +161,7 @@ def others_drive() -> Iterator[None]:
         while not ended.wait(0.1):
             for number, publisher in enumerate(publishers):
                 motion = Twist()
-                motion.linear.x, motion.angular.z = 0.3 + 0.02 * number, 0.15 - 0.02 * number
+                motion.linear.x, motion.angular.z = 0.4, (0.06 + 0.004 * number) * (-1) ** number
                 publisher.publish(motion)
 
     thread = threading.Thread(target=publish)

@@ -5,7 +5,6 @@ from typing import Callable, Dict, List
 
 from selenium.common.exceptions import InvalidArgumentException, StaleElementReferenceException
 from selenium.webdriver.common.by import By
-from selenium.webdriver.support.select import Select
 
 from jetbot.wait import wait_until
 
@@ -40,7 +39,7 @@ class Page(Chromium):
     def choose(self, robot: str) -> None:
         """Choose a robot by its name."""
         self.wait_for(lambda: f"/{robot}" in self.robots(), f"{robot} in the list")
-        Select(self.element("robot")).select_by_value(f"/{robot}")
+        self.set("robot", f"/{robot}")
 
     def robots(self) -> Dict[str, str]:
         """Return the robots that can be chosen: {id: label}."""
@@ -72,6 +71,7 @@ class Page(Chromium):
 
     def touch(self, forward: float = 1.0, left: float = 0.0) -> None:
         """Put a finger on the middle of the pad, and move it; 1 is the edge."""
+        self.lift()
         self.touch_event("touchStart", self.on_pad(0, 0))
         self.move(forward, left)
 
@@ -98,8 +98,12 @@ class Page(Chromium):
 
     def slide(self, percent: int) -> None:
         """Set how fast full deflection is."""
-        self.run(f"const speed = document.getElementById('speed'); speed.value = {percent};"
-                 "for (const type of ['input', 'change']) speed.dispatchEvent(new Event(type, {bubbles: true}))")
+        self.set("speed", str(percent))
+
+    def set(self, name: str, value: str) -> None:
+        """Give a control this value, as a person does, but without giving it the focus."""
+        self.run(f"const control = document.getElementById('{name}'); control.value = '{value}';"
+                 "for (const type of ['input', 'change']) control.dispatchEvent(new Event(type, {bubbles: true}))")
 
     def rename(self, name: str) -> None:
         """Say what the person is called."""

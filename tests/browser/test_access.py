@@ -18,8 +18,7 @@ def test_the_code_leaves_the_address_bar_and_the_cookie_outlives_a_reload(pupil,
     where = world.codes()["pupil"].partition("#")[0]
     assert pupil.run("return location.href") == where
     pupil.open(where, ROBOT)
-    pupil.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(pupil, ROBOT)
     pupil.lift()
     assert not pupil.run("return document.cookie"), "no script reads the cookie"
 

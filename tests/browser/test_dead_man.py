@@ -12,8 +12,7 @@ def victim(world, browsers):
     """A browser that may be killed, which drives."""
     victim = browsers("victim")
     victim.open(world.address, ROBOT)
-    victim.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(victim, ROBOT)
     return victim
 
 
@@ -24,10 +23,8 @@ def test_a_browser_that_freezes_and_continues_drives_only_after_the_finger_has_l
     world.stays_stopped(ROBOT, 1.0)
     victim.move(0.9, 0.1)
     world.stays_stopped(ROBOT)
-    victim.lift()
     victim.wait_for_link()
-    victim.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(victim, ROBOT)
     victim.lift()
     world.wait_for_stop(ROBOT)
 
@@ -36,9 +33,7 @@ def test_a_page_that_hangs(victim, world):
     victim.run("setTimeout(() => { for (const end = Date.now() + 1500; Date.now() < end;); })")
     world.wait_for_stop(ROBOT)
     world.stays_stopped(ROBOT, 2.0)
-    victim.lift()
-    victim.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(victim, ROBOT)
     victim.lift()
     world.wait_for_stop(ROBOT)
 
@@ -50,8 +45,7 @@ def test_a_browser_that_is_killed(victim, world):
 
 
 def test_a_cockpit_that_is_killed_and_restarted(page, world):
-    page.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(page, ROBOT)
     world.kill(world.cockpit)
     world.wait_for_stop(ROBOT)
     page.wait_for(lambda: "connect" in page.text("notice") + page.text("status"), "a sentence about the connection")
@@ -59,8 +53,6 @@ def test_a_cockpit_that_is_killed_and_restarted(page, world):
     page.wait_for_link()
     page.move(0.9, 0.1)
     world.stays_stopped(ROBOT)
-    page.lift()
-    page.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(page, ROBOT)
     page.lift()
     page.errors()  # refused connections

@@ -1,5 +1,7 @@
 """What moves a robot: a finger on the pad, keys, a gamepad; each of them stops it when it ends, however it ends."""
 
+import re
+
 import pytest
 
 from jetbot.fake.motors import STOPPED
@@ -7,30 +9,41 @@ from jetbot.fake.motors import STOPPED
 from .conftest import OTHER_ROBOT, ROBOT
 
 
-def near(left, right):
-    return abs(left - right) < 0.02
+def forward(left, right):
+    return abs(left - right) < 0.02 and left > 0
 
 
-def test_a_finger_drives_as_far_as_it_is_from_the_centre(page, world):
-    page.touch(forward=0.5)
-    world.wait_for_wheels(ROBOT, lambda left, right: near(left, right) and left > 0)
-    slow = world.wheels(ROBOT)[0]
-    page.move(1.0, 0.0)
-    world.wait_for_wheels(ROBOT, lambda left, right: near(left, right) and left > 1.5 * slow)
-    page.move(0.7, 0.3)
-    world.wait_for_wheels(ROBOT, lambda left, right: 0 <= left < right)
-    page.move(-0.7, 0.0)
-    world.wait_for_wheels(ROBOT, lambda left, right: near(left, right) and left < 0)
+def backward(left, right):
+    return abs(left - right) < 0.02 and left < 0
+
+
+def turn_left(left, right):
+    return left < 0 < right
+
+
+def turn_right(left, right):
+    return right < 0 < left
+
+
+@pytest.mark.parametrize("x, z, wanted", [
+    (1, 0, forward), (-1, 0, backward), (0, 1, turn_left), (0, -1, turn_right),
+    (0.9, 0.3, lambda left, right: 0 < left < right)])
+def test_a_finger_drives_to_where_it_is(x, z, wanted, page, world):
+    world.drive(page, ROBOT, x, z, wanted)
     assert world.wheels(OTHER_ROBOT) == STOPPED
 
 
+def test_a_finger_near_the_centre_drives_slowly(page, world):
+    world.drive(page, ROBOT, 1.0, wanted=lambda left, right: left > 0.4)
+    world.drive(page, ROBOT, 0.4, wanted=lambda left, right: 0 < left < 0.4)
+
+
 def test_a_finger_that_lifts_stops_the_robot_and_others_may_command_it(page, world):
-    page.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(page, ROBOT)
     assert world.publishers(ROBOT)
     page.lift()
     world.wait_for_stop(ROBOT)
-    world.wait_for(lambda: not world.publishers(ROBOT), 5.0, "the cockpit to unregister cmd_vel")
+    world.wait_for(lambda: not world.publishers(ROBOT), 10.0, "the cockpit to unregister cmd_vel")
 
 
 ENDS = {
@@ -44,75 +57,59 @@ ENDS = {
 
 @pytest.mark.parametrize("end", ENDS.values(), ids=ENDS)
 def test_the_robot_stops_when(end, page, world):
-    page.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(page, ROBOT)
     end(page)
     world.wait_for_stop(ROBOT)
     world.stays_stopped(ROBOT)
 
 
 def test_a_finger_that_stayed_on_the_pad_must_lift_after_another_tab_was_in_front(page, world):
-    page.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(page, ROBOT)
     page.new_tab()
     world.wait_for_stop(ROBOT)
     page.old_tab()
     page.move(0.8, 0.1)
     world.stays_stopped(ROBOT)
-    page.lift()
-    page.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(page, ROBOT)
 
 
 def test_a_second_finger_on_the_pad_changes_nothing(page, world):
-    page.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(page, ROBOT)
     page.touch_event("touchStart", page.on_pad(1, 0), page.on_pad(-1, 0))
-    world.stays(ROBOT, lambda left, right: left > 0 and right > 0)
+    world.stays(ROBOT, lambda left, right: left >= 0 and right >= 0)
 
 
-KEYS = {
-    "ArrowUp": lambda left, right: near(left, right) and left > 0,
-    "w": lambda left, right: near(left, right) and left > 0,
-    "ArrowDown": lambda left, right: near(left, right) and left < 0,
-    "s": lambda left, right: near(left, right) and left < 0,
-    "ArrowLeft": lambda left, right: left < 0 < right,
-    "a": lambda left, right: left < 0 < right,
-    "ArrowRight": lambda left, right: right < 0 < left,
-    "d": lambda left, right: right < 0 < left,
-}
+KEYS = {"ArrowUp": forward, "w": forward, "ArrowDown": backward, "s": backward,
+        "ArrowLeft": turn_left, "a": turn_left, "ArrowRight": turn_right, "d": turn_right}
 
 
 @pytest.mark.parametrize("key", KEYS)
 def test_a_key_drives_until_it_is_let_go(key, page, world):
-    page.press(key)
-    world.wait_for_wheels(ROBOT, KEYS[key])
+    hold(key, page, world, KEYS[key])
     page.let_go(key)
     world.wait_for_stop(ROBOT)
 
 
+def hold(key, page, world, wanted=forward):
+    world.hold(lambda: page.press(key), lambda: page.let_go(key), ROBOT, wanted)
+
+
 def test_a_key_whose_release_the_page_never_sees(page, world):
-    page.press("ArrowUp")
-    world.wait_for_motion(ROBOT)
+    hold("ArrowUp", page, world)
     page.new_tab()
     page.let_go("ArrowUp")
     world.wait_for_stop(ROBOT)
     page.old_tab()
     world.stays_stopped(ROBOT)
-    page.press("ArrowUp")
-    world.wait_for_motion(ROBOT)
+    hold("ArrowUp", page, world)
     page.let_go("ArrowUp")
 
 
 def test_the_slider_sets_how_fast_full_deflection_is(page, world):
-    page.slide(20)
-    page.touch()
-    world.wait_for_wheels(ROBOT, lambda left, right: near(left, right) and left > 0)
-    slow = world.wheels(ROBOT)[0]
-    page.lift()
-    page.slide(100)
-    page.touch()
-    world.wait_for_wheels(ROBOT, lambda left, right: near(left, right) and left > 2 * slow)
+    page.set("speed", "20")
+    world.drive(page, ROBOT, wanted=lambda left, right: 0.1 < left < 0.3)
+    page.set("speed", "100")
+    world.drive(page, ROBOT, wanted=lambda left, right: left > 0.9)
 
 
 def test_keys_in_a_text_field_are_text(page, world):
@@ -125,15 +122,12 @@ def test_keys_in_a_text_field_are_text(page, world):
 
 
 def test_a_gamepads_stick_drives(page, world):
-    page.gamepad(0, -1)
-    world.wait_for_wheels(ROBOT, lambda left, right: near(left, right) and left > 0)
+    world.hold(lambda: page.gamepad(0, -1), lambda: page.gamepad(0, 0), ROBOT, forward)
     page.gamepad(0, 0)
     world.wait_for_stop(ROBOT)
 
 
 def test_the_wheels_show_the_lessons_formula(page, world):
-    page.touch(forward=0.6, left=0.2)
-    world.wait_for_motion(ROBOT)
-    page.wait_for_text("wheels", "x - z")
-    page.wait_for(lambda: f"{world.wheels(ROBOT)[0]:.2f}" in page.text("wheels").replace("\u2212", "-"),
-                  "the left wheel's speed")
+    world.drive(page, ROBOT, 0.6, 0.2)
+    formula = r"left = x − z = 0\.\d\d − 0\.\d\d = 0\.\d\d"
+    page.wait_for(lambda: re.search(formula, page.text("wheels")), "the formula")

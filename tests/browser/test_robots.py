@@ -13,13 +13,11 @@ def test_a_robot_that_comes_and_goes(page, world):
     world.kill(stranger)
     page.wait_for(lambda: f"/{STRANGER}" not in page.robots() or "answer" in page.text("status"), "the robot to go")
     page.choose(ROBOT)
-    page.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(page, ROBOT)
 
 
 def test_the_map_shows_the_robot_and_moves_with_it(page, world):
     before = page.map()
     assert page.colors() > 2, "the map is empty"
-    page.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(page, ROBOT)
     page.wait_for(lambda: page.map() != before, "another picture")

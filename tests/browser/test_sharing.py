@@ -3,51 +3,46 @@
 from .conftest import ROBOT
 
 
-def drive(page, world):
-    page.touch()
-    world.wait_for_motion(ROBOT)
+def not_backward(left, right):
+    return left >= 0 and right >= 0
 
 
 def test_a_second_person_is_refused_and_sees_who_drives(page, pupil, world):
     page.rename("Ada")
-    drive(page, world)
+    world.drive(page, ROBOT)
     pupil.wait_for_text("driver", "Ada")
     pupil.touch(forward=-1.0)
     pupil.wait_for_text("notice", "Ada")
-    world.stays(ROBOT, lambda left, right: left > 0 and right > 0)
+    world.stays(ROBOT, not_backward)
     pupil.lift()
-    world.stays(ROBOT, lambda left, right: left > 0 and right > 0)
+    world.stays(ROBOT, not_backward)
 
 
 def test_a_robot_is_free_after_five_seconds_of_silence(page, pupil, world):
-    drive(page, world)
+    world.drive(page, ROBOT)
     page.lift()
     world.wait_for_stop(ROBOT)
     pupil.touch()
     world.stays_stopped(ROBOT, 3.0)
-    pupil.lift()
-    pupil.wait_for(lambda: pupil.touch() or world.moves(ROBOT) or pupil.lift(), "the robot to be free", 5.0)
-    pupil.lift()
+    world.drive(pupil, ROBOT)
 
 
 def test_a_robot_is_free_as_soon_as_its_driver_leaves(page, pupil, world):
-    drive(page, world)
+    world.drive(page, ROBOT)
     page.leave()
     world.wait_for_stop(ROBOT)
-    drive(pupil, world)
-    pupil.lift()
+    world.drive(pupil, ROBOT)
 
 
 def test_a_teacher_takes_a_robot_from_a_pupil(page, pupil, world):
     pupil.rename("Ben")
-    drive(pupil, world)
+    world.drive(pupil, ROBOT)
     page.wait_for_text("driver", "Ben")
     page.element("take").click()
     world.wait_for_stop(ROBOT)
     pupil.move(0.9, 0.1)
     world.stays_stopped(ROBOT)
-    drive(page, world)
-    pupil.lift()
+    world.drive(page, ROBOT)
 
 
 def test_a_pupil_has_no_fleet_to_command(pupil):
@@ -56,6 +51,6 @@ def test_a_pupil_has_no_fleet_to_command(pupil):
 
 def test_a_name_with_html_stays_text(page, pupil, world):
     page.rename("<b>Eve</b>")
-    drive(page, world)
+    world.drive(page, ROBOT)
     pupil.wait_for_text("driver", "<b>Eve</b>")
     assert not pupil.run("return document.querySelectorAll('b').length")

@@ -9,16 +9,14 @@ from jetbot.fake.motors import STOPPED
 from .conftest import OTHER_ROBOT, ROBOT
 
 
-@pytest.fixture
-def both_drive(page, pupil, world):
+def wait_for_release(page):
+    page.wait_for(lambda: "emergency stop" not in page.text("status"), "the release")
+
+
+def test_the_button_stops_all_robots_and_release_lets_none_start_by_itself(page, pupil, world):
     pupil.choose(OTHER_ROBOT)
-    page.touch()
-    pupil.touch()
-    for robot in world.robots:
-        world.wait_for_motion(robot)
-
-
-def test_the_button_stops_all_robots_and_release_lets_none_start_by_itself(both_drive, page, pupil, world):
+    world.drive(page, ROBOT)
+    world.drive(pupil, OTHER_ROBOT)
     start = time.monotonic()
     pupil.element("stop").click()
     world.wait_for(lambda: all(world.wheels(robot) == STOPPED for robot in world.robots), 1.0, "all wheels to stop")
@@ -26,24 +24,21 @@ def test_the_button_stops_all_robots_and_release_lets_none_start_by_itself(both_
     for each in page, pupil:
         each.wait_for_text("status", "emergency stop")
     page.element("release").click()
-    page.wait_for(lambda: "emergency stop" not in page.text("status"), "the release")
+    wait_for_release(page)
     for robot in world.robots:
         world.stays_stopped(robot)
-    page.lift()
-    page.touch()
-    world.wait_for_motion(ROBOT)
+    world.drive(page, ROBOT)
 
 
 @pytest.mark.parametrize("key", ["Escape", "Space"])
 def test_a_key_stops_and_what_is_still_held_does_not_drive_after_the_release(key, page, world):
-    page.press("ArrowUp")
-    world.wait_for_motion(ROBOT)
+    world.hold(lambda: page.press("ArrowUp"), lambda: page.let_go("ArrowUp"), ROBOT)
     page.press(key)
     world.wait_for_stop(ROBOT)
     page.let_go(key)
     page.wait_for_text("status", "emergency stop")
     page.element("release").click()
-    page.wait_for(lambda: "emergency stop" not in page.text("status"), "the release")
+    wait_for_release(page)
     world.stays_stopped(ROBOT)
     page.let_go("ArrowUp")
 
@@ -55,4 +50,4 @@ def test_an_emergency_stop_from_ros(page, world):
     world.stays_stopped(ROBOT)
     page.lift()
     world.emergency_stop("--release")
-    page.wait_for(lambda: "emergency stop" not in page.text("status"), "the release")
+    wait_for_release(page)

@@ -14,8 +14,15 @@ from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
 
 NAME = "class.test"  # a name of this computer that needs a code; the browsers of the tests resolve it to 127.0.0.1
-DRIVE_TIMEOUT = 10.0  # s until what a person does turns a wheel
-STOP_TIMEOUT = 1.0  # s; the switch fires after 0.3 s, and nothing else stops a robot whose cmd_vel_timeout is 0
+DRIVE_TIMEOUT = 30.0  # s until what a person does turns a wheel
+STOP_TIMEOUT = 1.5  # s; the switch fires after 0.3 s, and nothing else stops a robot whose cmd_vel_timeout is 0
+RETRY_AFTER = 1.5  # s
+
+Wheels = Callable[[float, float], bool]  # a condition for the speeds left, right
+
+
+def moving(left: float, right: float) -> bool:
+    return (left, right) != STOPPED
 
 
 class World:
@@ -69,10 +76,6 @@ class World:
         """Return the names of the nodes that publish commands for a robot."""
         return self._nodes(0, f"/{robot}/cmd_vel")
 
-    def moves(self, robot: str) -> bool:
-        """Return whether a wheel of a robot turns."""
-        return self.wheels(robot) != STOPPED
-
     def wait_for(self, condition: Callable[[], object], within: float, what: str) -> None:
         """Fail unless the condition becomes true within this many seconds; what: its description."""
         assert wait_until(condition, within), f"waited {within} s for {what}; wheels " \
@@ -82,17 +85,24 @@ class World:
         """Fail unless both wheels of a robot stop within this many seconds."""
         self.wait_for(lambda: self.wheels(robot) == STOPPED, within, f"{robot} to stop")
 
-    def wait_for_wheels(self, robot: str, condition: Callable[[float, float], object]) -> None:
-        """Fail unless the speeds (left, right) of a robot's wheels soon meet a condition."""
-        self.wait_for(lambda: condition(*self.wheels(robot)), DRIVE_TIMEOUT, f"the wheels of {robot}")
+    def drive(self, page, robot: str, forward: float = 1.0, left: float = 0.0, wanted: Wheels = moving) -> None:
+        """Put a finger on the pad of a page, and leave it there once the wheels turn as wanted."""
+        self.hold(lambda: page.touch(forward, left), page.lift, robot, wanted)
 
-    def wait_for_motion(self, robot: str) -> None:
-        """Fail unless a wheel of a robot soon turns."""
-        self.wait_for(lambda: self.moves(robot), DRIVE_TIMEOUT, f"{robot} to move")
+    def hold(self, press: Callable, let_go: Callable, robot: str, wanted: Wheels = moving) -> None:
+        """Press, and let go and press again until the wheels turn as wanted.
 
-    def stays(self, robot: str, condition: Callable[[float, float], object], for_seconds: float = 0.5) -> None:
-        """Fail if the speeds (left, right) of a robot's wheels do not meet a condition for this many seconds."""
-        assert not wait_until(lambda: not condition(*self.wheels(robot)), for_seconds), \
+        The pages and processes of a busy computer pause for longer than the switch allows.
+        """
+        def obeys():
+            press()
+            return wait_until(lambda: wanted(*self.wheels(robot)), RETRY_AFTER) or let_go()
+
+        self.wait_for(obeys, DRIVE_TIMEOUT, f"the wheels of {robot}")
+
+    def stays(self, robot: str, wanted: Wheels, for_seconds: float = 0.5) -> None:
+        """Fail if the speeds (left, right) of a robot's wheels are not as wanted for this many seconds."""
+        assert not wait_until(lambda: not wanted(*self.wheels(robot)), for_seconds), \
             f"{robot} turns its wheels at {self.wheels(robot)}{self._logs()}"
 
     def stays_stopped(self, robot: str, for_seconds: float = 0.5) -> None:

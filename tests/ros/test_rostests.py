@@ -10,8 +10,8 @@ import pytest
 from harness import free_port
 
 FOLDER = Path(__file__).parent
-LONGEST = ("calibration_squares", "start_errors", "stop_at_shutdown", "many_robots", "check_lesson",
-           "master_lost", "simulator", "workshop_scenario", "simulation_launch", "standing_order")  # they start first
+LONGEST = ("calibration_squares", "start_errors", "stop_at_shutdown", "many_robots", "check_lesson", "master_lost",
+           "simulator", "workshop_scenario", "simulation_launch", "standing_order", "cockpit_launch")  # they are first
 BEHAVIOURS = sorted((path.stem for path in FOLDER.glob("behaviours/*.py")), key=lambda name: name not in LONGEST)
 PROGRAMS = {"show_in_rviz": ("rviz", "Xvfb", "convert")}  # that ./morbot setup does not install
 BY_HAND = "bad_commands"  # the others do without rostest's 1.5 s of CPU time

@@ -7,7 +7,8 @@ import pytest
 from test_docs import rows
 
 from conftest import ROOT
-from jetbot_cockpit import protocol
+from jetbot_cockpit import access, dead_man, hub, lease, protocol
+from jetbot_cockpit.parameters import PARAMETERS
 
 PAGE = (ROOT / "docs/cockpit.md").read_text()
 FROM_PAGE, FROM_COCKPIT = PAGE.split("The page sends:")[1].split("The cockpit sends:")
@@ -42,9 +43,26 @@ def test_the_examples_of_the_cockpit_have_the_fields_of_the_table():
     assert {example.pop("type"): list(example) for example in examples(FROM_COCKPIT)} == table(FROM_COCKPIT)
 
 
-@pytest.mark.parametrize("line", [
-    f"| size of a message | {protocol.MAX_MESSAGE} bytes |", f"| messages per second | {protocol.MAX_RATE} |",
+def test_why_a_socket_is_closed():
+    codes = {int(row[0]) for row in rows(FROM_COCKPIT) if row[0].isdigit()}
+    assert codes == {hub.REFUSED, hub.LOG_IN, hub.FULL, hub.ENDED}
+
+
+@pytest.mark.parametrize("text", [
+    f"larger than {protocol.MAX_MESSAGE} bytes",
+    f"more than {protocol.MAX_RATE} messages a second (after a pause, {protocol.MAX_BURST} at once)",
+    f"{hub.GONE_AFTER:.0f} s without a message", f"{hub.MAX_CLIENTS} pages are connected",
     f"what the person is called, {protocol.MAX_NAME} characters at most",
-    f"in [-1, 1], forward and to the left, {protocol.DRIVE_RATE} times a second"])
-def test_the_limits(line):
-    assert line in PAGE
+    f"the pupil's code, {access.CODE_LENGTH['pupil']} characters",
+    f"the teacher's code, {access.CODE_LENGTH['teacher']} characters",
+    f"after {access.MAX_WRONG_IN_ALL} from all",
+    f"nothing came from the page for {dead_man.TIMEOUT} s", f"free {lease.SILENCE:.0f} s after its driver's last"])
+def test_the_figures(text):
+    assert text in PAGE
+
+
+def test_the_launch_arguments():
+    reference = {row[0].strip("`"): row[1].strip("`") for row in rows((ROOT / "docs/reference.md").read_text())}
+    for name, parameter in PARAMETERS.items():
+        default = reference["cockpit_port:=" if name == "port" else f"{name}:="]
+        assert default == ("false" if parameter.default is False else str(parameter.default))

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from conftest import SOURCE
+from conftest import COCKPIT, SOURCE
 
 LAYERS = [f"jetbot/{module}" for module in (
     "text", "errors", "kinds", "files", "wait", "kinematics", "host", "fake/__init__", "fake/files", "fake/chips",
@@ -36,3 +36,17 @@ def test_the_driver_library_imports_downward_and_no_ros(module):
 @pytest.mark.parametrize("module", [module for module in FILES if module.startswith("jetbot_ros/")])
 def test_the_node_knows_no_tools(module):
     assert not [path for path in imports(module) if path.startswith("jetbot_tools")]
+
+
+PURE = ["protocol", "limits", "access", "handout", "view", "trail", "lease", "dead_man", "control", "hub"]
+COCKPIT_LAYERS = [*PURE, "desktop", "address", "parameters", "frames", "emergency", "robot_topics", "robots", "drive",
+                  "listeners", "connections", "pages", "sockets", "server"]
+
+
+@pytest.mark.parametrize("module", [file.stem for file in (COCKPIT / "src/jetbot_cockpit").glob("[!_]*.py")])
+def test_the_cockpit_imports_downward(module):
+    text = (COCKPIT / f"src/jetbot_cockpit/{module}.py").read_text()
+    imported = re.findall(r"^from \.(\w+) import", text, re.M) + [
+        name for names in re.findall(r"^from \. import ([^#\n]*)", text, re.M) for name in re.findall(r"\w+", names)]
+    assert not set(imported) - set(COCKPIT_LAYERS[:COCKPIT_LAYERS.index(module)])
+    assert module not in PURE or not re.search(r"^(?:import|from) (?:ros|tornado|\w+_msgs|socket|time)", text, re.M)
