@@ -36,6 +36,7 @@ export class Fleet {
   }
 
   show() {
+    if (element("fleet").hidden) return;
     for (const [id, row] of this.rows) this.showRow(id, row);
     const counts = this.world.robots.map(({ id }) => summarize(this.world, id).level);
     const driving = counts.filter((level) => level === "driving").length;
@@ -50,6 +51,7 @@ export class Fleet {
     if (status.title !== text) status.title = text;
     if (item.dataset.level !== level) item.dataset.level = level;
     pick.setAttribute("aria-pressed", id === this.chosen());
+    stop.dataset.action = stopped ? "release" : "stop";
     setText(stop, stopped ? "Release" : "Stop");
     stop.setAttribute("aria-label", `${stopped ? "Release" : "Stop"} ${label}`);
   }
