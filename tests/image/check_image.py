@@ -9,6 +9,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+import urllib.request
 from pathlib import Path
 
 from jetbot.fake.motors import STOPPED, wheel_speeds
@@ -62,9 +63,16 @@ class Image(unittest.TestCase):
         self.assertTrue(addresses)
         self.assertLessEqual(set(addresses), set(LOOPBACK))
 
-    def launch(self, package, file, **environment):
+    def test_serves_the_cockpits_page_to_this_computer_alone(self):
+        port = free_port()
+        launch = self.launch("jetbot_control_node", "jetbot_controller.launch", "cockpit:=true",
+                             f"cockpit_port:={port}")
+        self.wait_for(lambda: b'id="pad"' in page(port))
+        self.assertLessEqual(set(listening([launch.pid, *descendants(launch.pid)])), set(LOOPBACK))
+
+    def launch(self, package, file, *arguments, **environment):
         """Start roslaunch on a fake bus by the image's entrypoint."""
-        process = subprocess.Popen(["/entrypoint", "roslaunch", package, file, f"i2c_bus:=fake:{self.bus}"],
+        process = subprocess.Popen(["/entrypoint", "roslaunch", package, file, f"i2c_bus:=fake:{self.bus}", *arguments],
                                    env={**self.environment, **environment}, stdout=subprocess.DEVNULL)
         self.addCleanup(process.wait)
         self.addCleanup(process.terminate)
@@ -86,6 +94,15 @@ def free_port():
     with socket.socket() as probe:
         probe.bind(("localhost", 0))
         return probe.getsockname()[1]
+
+
+def page(port):
+    """Return the page on this port of this computer, b"" while there is none."""
+    try:
+        with urllib.request.urlopen(f"http://localhost:{port}/", timeout=START_TIMEOUT) as answer:
+            return answer.read()
+    except OSError:
+        return b""
 
 
 def descendants(pid, program=""):
