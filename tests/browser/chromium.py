@@ -42,7 +42,7 @@ class Chromium:
 
     def screen(self, width: int, height: int) -> None:
         """Make the tab in front a phone's touch screen of this size in px."""
-        self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=2,
+        self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
                        mobile=True)
         self._devtools("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
 
