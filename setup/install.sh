@@ -3,9 +3,9 @@
 # Packages to drive a robot, real or simulated; and all packages, to build, test and draw too.
 run_packages="ros-environment rosbash python3-rospy python3-roslaunch python3-rostopic python3-rosnode python3-rosmsg
     python3-rosservice python3-rosparam python3-geometry-msgs python3-std-msgs python3-diagnostic-msgs
-    python3-diagnostic-updater python3-nav-msgs python3-sensor-msgs python3-std-srvs python3-tf2-ros python3-rosbag
-    ros-robot-state-publisher python3-smbus2 python3-serial python3-yaml python3-tornado python3-segno
-    python3-rosgraph python3-rospkg python3-catkin-pkg"
+    python3-diagnostic-updater python3-nav-msgs python3-sensor-msgs python3-std-srvs python3-tf2-ros python3-tf2-msgs
+    python3-rosbag ros-robot-state-publisher python3-smbus2 python3-serial python3-yaml python3-tornado
+    python3-segno python3-rosgraph python3-rospkg python3-catkin-pkg"
 packages="$run_packages catkin make g++ librostest-dev libgeometry-msgs-dev ros-geometry-msgs ros-std-msgs
     python3-rostest python3-matplotlib python3-setuptools python3-pytest python3-pytest-xdist python3-pexpect iproute2
     git"
@@ -53,13 +53,13 @@ missing_packages() {
     done
 }
 
-# The same packages by their names in ROS Noetic on Ubuntu 20.04. It has no smbus2, which comes from PyPI.
+# The same packages by their names in ROS Noetic on Ubuntu 20.04. smbus2 and segno come from PyPI.
 noetic_packages() {
     for package in $packages; do
         case $package in
-            make | g++ | python3-serial | python3-yaml | python3-matplotlib | python3-setuptools | python3-pytest* | \
-                python3-pexpect | iproute2 | git) echo "$package" ;;
-            python3-smbus2) echo python3-pip ;;
+            make | g++ | python3-serial | python3-yaml | python3-tornado | python3-matplotlib | python3-setuptools | \
+                python3-pytest* | python3-pexpect | iproute2 | git) echo "$package" ;;
+            python3-smbus2 | python3-segno) echo python3-pip ;;
             ros-environment) echo ros-noetic-ros-environment ;;
             *) echo "$package" | sed 's/^python3-//; s/^lib//; s/^ros-//; s/-dev$//; s/^/ros-noetic-/' ;;
         esac
@@ -72,7 +72,7 @@ install_packages() {
         noetic)
             packages=$(noetic_packages)
             install_missing
-            python3 -c "import smbus2" 2>/dev/null || as_root pip3 install -q smbus2 ;;
+            python3 -c "import smbus2, segno" 2>/dev/null || as_root pip3 install -q smbus2 segno ;;
         *) fail "$(system_name) has no packages of ROS 1" ;;
     esac
 }

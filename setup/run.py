@@ -9,18 +9,20 @@ import os
 import re
 import socket
 import sys
-from typing import List, Optional
+from typing import List, Optional, Sequence, Tuple
 from urllib.parse import urlsplit
 
 from jetbot.text import printable
 from jetbot.wait import wait_until
 from jetbot_ros.addresses import is_reachable, master_uri
 from jetbot_ros.launch_arguments import UNREADABLE, argument_problem, closest, launch_files, receivers
+from jetbot_ros.ports import COCKPIT_PORT, is_free
 from jetbot_ros.roslaunch_command import parse
 from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 MASTER_TIMEOUT = 5.0  # s for an answer
 ENDING_TIMEOUT = 3.0  # s in which a master that was just interrupted has ended
+PORTS = range(COCKPIT_PORT, COCKPIT_PORT + 100)  # for the cockpit's page: the first one that no program has
 
 
 def word_problem(words: List[str]) -> Optional[str]:
@@ -85,6 +87,13 @@ def with_whole_path(word: str) -> str:
     return f"{name}:={os.path.abspath(value)}" if name in ("config", "body") and os.path.isfile(value) else word
 
 
+def cockpit_port(typed: Sequence[Tuple[str, str]]) -> List[str]:
+    """Return the argument that gives the cockpit's page a free port; none if a port was typed."""
+    if any(name == "cockpit_port" and value for name, value in typed):
+        return []
+    return [f"cockpit_port:={next(filter(is_free, PORTS), COCKPIT_PORT)}"]
+
+
 def main(words: List[str]) -> int:
     words = list(map(with_whole_path, words))
     command = parse(words)
@@ -96,7 +105,7 @@ def main(words: List[str]) -> int:
     if problem:
         sys.exit(printable(problem))
     from launch import launch  # here: it takes longer to import than all the rest
-    return launch(words)
+    return launch([*words, *cockpit_port(command.typed)])
 
 
 if __name__ == "__main__":

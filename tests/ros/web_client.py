@@ -4,7 +4,8 @@ import json
 import os
 import socket
 import struct
-from typing import Dict, NamedTuple, Optional, Tuple
+import time
+from typing import Callable, Dict, NamedTuple, Optional, Tuple
 
 TIMEOUT = 20.0  # s
 UPGRADE = {"Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Version": "13",
@@ -91,11 +92,19 @@ class WebSocket:
             elif opcode == TEXT and kind in ("", json.loads(payload)["type"]):
                 return json.loads(payload)
 
+    def receive_until(self, condition: Callable[[dict], object]) -> dict:
+        """Return the first message for which the condition is true. Raise Closed."""
+        deadline = time.monotonic() + TIMEOUT
+        while time.monotonic() < deadline:
+            message = self.receive()
+            if condition(message):
+                return message
+        raise AssertionError(f"no such message within {TIMEOUT} s")
+
     def wait_for_close(self) -> Closed:
         """Return the code and the reason with which the server closes the socket."""
         try:
-            while True:
-                self.receive()
+            self.receive_until(lambda message: False)
         except Closed as closed:
             return closed
         except ConnectionError:

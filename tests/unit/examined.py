@@ -1,7 +1,7 @@
 """What the tests of the doctor share: a bare computer, and its lines."""
 
 from jetbot import host, i2c, supply
-from jetbot_tools import doctor
+from jetbot_tools import doctor, probe
 
 
 def lines(bus=None, port=None, address=None, board=""):
@@ -14,6 +14,7 @@ def make_bare(monkeypatch, tmp_path):
     monkeypatch.setattr(doctor, "MODULES", ["json"])
     monkeypatch.setattr(doctor, "DEFAULT_PORT", "/dev/nowhere")
     monkeypatch.setattr(host, "buses", lambda: [])
+    monkeypatch.setattr(probe, "is_free", lambda port: True)
     monkeypatch.setattr(host, "model", lambda: "")
     monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
     monkeypatch.setattr(supply, "on_computer", lambda sysfs: [])

@@ -34,6 +34,7 @@ class FakeRobots:
 
     def reset(self, robot):
         self.were_reset.append(robot)
+        return self.were_reset.count(robot) == 1
 
 
 class FakeDrive:
@@ -282,6 +283,7 @@ def test_a_teacher_puts_back_simulated_robots(cockpit):
     assert cockpit.do(TEACHER, Reset()) is None
     assert cockpit.robots.were_reset == ["/red"]
     assert cockpit.do(TEACHER, Reset("/blue"))["type"] == "notice"
+    assert cockpit.do(TEACHER, Reset("/red"))["text"] == "red has not answered yet."
 
 
 def test_a_robot_that_was_put_back_starts_its_trail_again(cockpit):

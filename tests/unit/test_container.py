@@ -30,6 +30,14 @@ def test_service_listens_on_the_loopback_interface_by_default(name):
     assert SERVICES[name]["network_mode"] == "none" or hostname == "${JETBOT_HOSTNAME:-localhost}"
 
 
+def test_the_cockpit_waits_for_the_robots_master_and_lets_others_in_only_where_asked():
+    cockpit = SERVICES["cockpit"]
+    assert cockpit["command"][-1] == "exec roslaunch --wait jetbot_cockpit cockpit.launch $$COCKPIT_ARGUMENTS"
+    assert cockpit["environment"]["COCKPIT_ARGUMENTS"] == "${COCKPIT_ARGUMENTS:-}" and "volumes" not in cockpit
+    assert all(cockpit["environment"][name] == SERVICES["robot"]["environment"][name]
+               for name in ("ROS_HOSTNAME", "ROS_MASTER_URI"))
+
+
 def test_the_guard_of_the_robot_is_a_container_of_its_own_that_starts_first():
     robot, guard = SERVICES["robot"], SERVICES["guard"]
     socket = robot["environment"]["JETBOT_GUARD"]

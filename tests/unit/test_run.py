@@ -112,3 +112,13 @@ def test_a_start_that_fails_by_itself_is_reported():
     launch = pytest.importorskip("launch")
     with pytest.raises(RuntimeError), launch.quiet_end(lambda: False):
         raise RuntimeError
+
+
+def test_the_page_of_the_cockpit_gets_the_first_port_that_is_free(monkeypatch):
+    with socket.create_server(("localhost", 0)) as other:
+        taken = other.getsockname()[1]
+        monkeypatch.setattr(run, "PORTS", range(taken, taken + 100))
+        chosen, = run.cockpit_port([("linear", "0.2"), ("cockpit_port", "")])
+        assert taken < int(chosen.partition(":=")[2]) < taken + 100
+    assert run.cockpit_port([]) == [f"cockpit_port:={taken}"]
+    assert run.cockpit_port([("cockpit_port", "9000")]) == []

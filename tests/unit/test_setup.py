@@ -75,12 +75,13 @@ def test_systems_that_package_ros_themselves_and_their_derivatives(install, os_r
 def test_noetic(install, os_release):
     code, _, commands = install(os_release)
     assert code == 0
-    assert commands.endswith("pip3 install -q smbus2\n")
+    assert commands.endswith("pip3 install -q smbus2 segno\n")
     installed = set(re.findall(r"no-install-recommends (.*)", commands)[0].split())
     assert {"ros-noetic-rospy", "ros-noetic-catkin", "ros-noetic-ros-environment", "ros-noetic-geometry-msgs",
             "ros-noetic-rostest", "ros-noetic-tf2-ros", "ros-noetic-robot-state-publisher", "python3-serial",
-            "python3-pip", "g++"} <= installed
-    assert not {name for name in installed if re.match("python3-(ros|tf2|.*-msgs|smbus2)|lib|ros-(?!noetic)", name)}
+            "python3-tornado", "python3-pip", "g++"} <= installed
+    assert not [name for name in installed if re.match(
+        "python3-(ros|tf2|.*-msgs|smbus2|segno)|lib|ros-noetic-(tornado|segno)|ros-(?!noetic)", name)]
 
 
 @pytest.mark.parametrize("os_release", [

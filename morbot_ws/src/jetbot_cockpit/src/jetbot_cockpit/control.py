@@ -159,8 +159,9 @@ class Control:
             return notice("Only a teacher puts robots back.")
         robots = self._robots.snapshot().robots.values()
         chosen = [robot for robot in robots if robot.simulated and message.robot in (None, robot.id)]
-        for robot in chosen:
-            self._robots.reset(robot.id)
+        silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]
+        if silent:
+            return notice(f"{', '.join(silent)} has not answered yet.")
         return None if chosen else notice("Only simulated robots can be put back.")
 
     def _on_name(self, client, message, now):

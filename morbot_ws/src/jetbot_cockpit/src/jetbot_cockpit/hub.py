@@ -11,6 +11,7 @@ from .limits import TokenBucket
 
 MAX_CLIENTS = 64
 REFUSED, LOG_IN, FULL, ENDED = 4000, 4001, 4002, 1001  # why a socket is closed
+TOO_MANY = f"more than {protocol.MAX_RATE} messages per second"
 FRAME_INTERVAL = 0.05   # s between two frames
 STILL_INTERVAL = 1.0    # s between two frames while nothing changes, and between two pings
 ABSENT_AFTER = 3.0      # s without a sign of life: frames would only queue up
@@ -30,13 +31,18 @@ class Connection(Protocol):
 
 
 class Viewer:
-    """A client with a socket, and what its page shows. Each ping and message is a sign of life."""
+    """A client with a socket, and what its page shows."""
 
     def __init__(self, client: Client, connection: Connection, now: float):
         self.client, self.connection = client, connection
         self.bucket = TokenBucket(protocol.MAX_RATE, protocol.MAX_BURST, now)
         self.heard = self.pinged = self.shown_at = now
         self.state = self.robots = ""
+
+    def hear(self, now: float) -> bool:
+        """Note a sign of life; return whether there are not too many."""
+        self.heard = now
+        return self.bucket.take(now)
 
     def is_ready(self, now: float) -> bool:
         """Return whether the page takes what it is sent; a frozen browser or a bad network does not."""
@@ -75,8 +81,7 @@ class Hub:
         """Do what a page asks for. A page that sends too much or something else is disconnected."""
         if viewer.client.id not in self._viewers:
             return  # it was disconnected, but does not know it yet
-        viewer.heard = now
-        in_time = viewer.bucket.take(now)
+        in_time = viewer.hear(now)
         try:
             message = protocol.parse(text)
         except protocol.ProtocolError as error:
@@ -85,7 +90,12 @@ class Hub:
         if in_time or isinstance(message, protocol.Stop):  # a stop always counts
             self._answer(viewer, message, now)
         if not in_time:
-            self.end(viewer, REFUSED, f"more than {protocol.MAX_RATE} messages per second", now)
+            self.end(viewer, REFUSED, TOO_MANY, now)
+
+    def hear(self, viewer: Viewer, now: float) -> None:
+        """A browser has sent a ping or a pong by itself."""
+        if not viewer.hear(now):
+            self.end(viewer, REFUSED, TOO_MANY, now)
 
     def leave(self, viewer: Viewer, now: float) -> None:
         """A client's socket is closed: its robot stops."""

@@ -1,22 +1,20 @@
 """The sockets on which the page is served, and which program has their port."""
 
-import contextlib
 import errno
 import os
-import re
 import socket
-from pathlib import Path
-from typing import List, Set
+from typing import List
 
 from tornado.netutil import bind_sockets
 
 from jetbot import InvalidValue
 from jetbot.host import program_name
+from jetbot.text import enumeration
 from jetbot_ros.launcher import LAUNCHED
+from jetbot_ros.ports import COCKPIT_PORT, listeners
 
 ADDRESSES = {False: ("127.0.0.1", "::1"), True: ("0.0.0.0", "::")}
 NO_IPV6 = (errno.EADDRNOTAVAIL, errno.EAFNOSUPPORT)
-LISTENS = "0A"       # a state in /proc/net/tcp
 FREE_PORT_TRIES = 10
 
 
@@ -48,29 +46,17 @@ def _listen(port: int, ipv4: str, ipv6: str) -> List[socket.socket]:
 
 def refusal(port: int, error: OSError) -> InvalidValue:
     """Return what the user is told of a port that cannot be used."""
-    reason = os.strerror(error.errno)
+    reason, other = os.strerror(error.errno), port + 1
     if error.errno == errno.EADDRINUSE:
-        holder = holder_of(port)
-        reason = f"{holder} has it" if holder else "another program has it"
-    option = "port" if LAUNCHED else "_port"
-    return InvalidValue(f"the cockpit cannot use port {port}: {reason}",
-                        f"End that program, or choose another port: {option}:={port + 1 if port >= 1024 else 8080}")
+        holders = [f"{program_name(pid) or 'a program'} (process {pid})" for pid in listeners(port)]
+        reason = f"{enumeration(holders) if holders else 'another program'} uses it"
+    elif error.errno == errno.EACCES:  # below 1024
+        other = COCKPIT_PORT
+    return InvalidValue(f"the cockpit cannot use port {port}: {reason}", f"Choose another port: {advice(other)}")
 
 
-def holder_of(port: int, proc: Path = Path("/proc")) -> str:
-    """Return the name and the id of the program that listens on a TCP port; "" where /proc does not show it."""
-    inodes = {f"socket:[{inode}]" for table in ("tcp", "tcp6") for inode in listening(proc / "net" / table, port)}
-    for link in proc.glob("[0-9]*/fd/*"):
-        with contextlib.suppress(OSError):  # it has just ended, or is another user's
-            if os.readlink(link) in inodes:
-                pid = int(link.parts[-3])
-                return f"{program_name(pid, proc)} (process {pid})"
-    return ""
-
-
-def listening(table: Path, port: int) -> Set[str]:
-    """Return the inodes of the sockets in a table of /proc/net that listen on a port."""
-    with contextlib.suppress(OSError):
-        rows = [line.split() for line in table.read_text().splitlines()[1:]]
-        return {row[9] for row in rows if row[3] == LISTENS and re.search(f":{port:04X}$", row[1])}
-    return set()
+def advice(port: int) -> str:
+    """Return how to choose a port, where this program was started."""
+    if LAUNCHED:
+        return f"cockpit_port:={port} (of cockpit.launch: port:={port})"
+    return f"_port:={port}"

@@ -7,6 +7,7 @@ from typing import Dict
 from jetbot import InvalidValue
 from jetbot.kinds import BOOLEAN, Kind
 from jetbot_ros.parameters import Parameter, checked
+from jetbot_ros.ports import COCKPIT_PORT
 
 MAX_ROBOTS = 99
 MAX_PORT = 65535
@@ -28,7 +29,7 @@ def integer_to(limit: int) -> Kind:
 
 PARAMETERS = {
     "lan": Parameter(False, BOOLEAN, "true: phones and other computers in the network may use it, with a code"),
-    "port": Parameter(8080, integer_to(MAX_PORT), "TCP port of the page; 0 takes a free one"),
+    "port": Parameter(COCKPIT_PORT, integer_to(MAX_PORT), "TCP port of the page; 0 takes a free one"),
     "name": Parameter("", Kind(is_host, "a host's name or address, as in http://NAME:8080"),
                       "name or address of this computer that phones can reach it by, where it is not what the computer "
                       "itself finds out"),

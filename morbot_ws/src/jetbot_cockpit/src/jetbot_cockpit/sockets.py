@@ -41,9 +41,11 @@ class Socket(Handler, WebSocketHandler):
         if self.viewer:
             self.hub.receive(self.viewer, message, time.monotonic())
 
-    def on_pong(self, data: bytes) -> None:
+    def on_ping(self, data: bytes) -> None:
         if self.viewer:
-            self.viewer.heard = time.monotonic()
+            self.hub.hear(self.viewer, time.monotonic())
+
+    on_pong = on_ping
 
     def on_close(self) -> None:
         if self.viewer:

@@ -14,10 +14,10 @@ from jetbot_ros.parameters import checked, default_file, load
 
 from .commands import in_shell, launch
 from .identify import jumper_addresses
-from .probe import Check, check_board, check_chips, check_serial, check_users
+from .probe import Check, check_board, check_chips, check_cockpit_port, check_serial, check_users
 
-MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial"]
-NEEDED_BY_SOME = ["smbus2", "serial"]  # by boards on an I2C bus, on a serial port
+MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial", "tornado"]
+NEEDED_BY_SOME = ["smbus2", "serial", "tornado"]  # by boards on an I2C bus, on a serial port; by the cockpit
 
 
 def run_checks(i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
@@ -40,6 +40,7 @@ def all_checks(i2c_bus: Union[int, str, None], port: Optional[str], i2c_address:
     """Yield all checks but the verdict: of the computer, and of what its robot may be connected to."""
     yield from map(check_module, MODULES)
     yield check_host()
+    yield from check_cockpit_port()
     file = default_file()
     simulated = any(fake.folder_of(fake.expand(str(place))) for place in (i2c_bus, port))
     if not files.is_missing(file) and not simulated:
@@ -85,7 +86,7 @@ def check_module(module: str) -> Check:
 def install_advice(module: str, noetic: Path = Path("/opt/ros/noetic")) -> str:
     """Return how to install a Python module, on Ubuntu 20.04 with Noetic or on a system that has ROS itself."""
     package = module.replace("_", "-")
-    if not noetic.exists() or module in ("serial", "yaml"):
+    if not noetic.exists() or module in ("serial", "yaml", "tornado"):
         return f"Install it with: sudo apt install python3-{package}"
     if module == "smbus2":
         return "Install it with: pip3 install smbus2"

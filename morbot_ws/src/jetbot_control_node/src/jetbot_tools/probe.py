@@ -14,6 +14,7 @@ from jetbot.errors import BusError, JetbotError, NoAnswer
 from jetbot.i2c import I2CDevice, bus_name
 from jetbot.serial_link import SerialLink
 from jetbot.text import printable
+from jetbot_ros.ports import COCKPIT_PORT, is_free, listeners
 
 from .commands import launch
 from .identify import boards_with, has_chip, motor_chip, power_monitor
@@ -69,6 +70,18 @@ def processes_with(device: str, proc: Path) -> Iterable[int]:
         with contextlib.suppress(OSError):  # another user's, or ended meanwhile
             if target in map(os.readlink, (process / "fd").iterdir()):
                 yield int(process.name)
+
+
+def check_cockpit_port(port: int = COCKPIT_PORT) -> List[Check]:
+    """Check that no other program has the TCP port of the cockpit's page; [] if it is free, or a cockpit has it."""
+    if is_free(port):
+        return []
+    names = {pid: host.program_name(pid) for pid in listeners(port)}
+    if "cockpit.py" in names.values():
+        return []
+    users = ", ".join(f"{name} ({pid})" for pid, name in names.items()) or "a program of another user"
+    return [Check(f"port {port}", False, f"in use by {users}",
+                  f"The cockpit needs another one: cockpit_port:={port + 1}")]
 
 
 def check_board(board: str, i2c_bus: Union[int, str], port: str, i2c_address: Union[int, str, None] = None) -> Check:

@@ -1,0 +1,174 @@
+"""What the cockpit drives, stops and shows of a real controller, whose process may freeze or be killed."""
+
+import math
+import signal
+import threading
+import time
+
+import rospy
+from geometry_msgs.msg import TransformStamped
+from nav_msgs.msg import Odometry
+from std_srvs.srv import Empty, EmptyResponse
+from tf2_msgs.msg import TFMessage
+
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, near, publishers
+from jetbot_cockpit.control import Client, Control
+from jetbot_cockpit.drive import Drive
+from jetbot_cockpit.protocol import Drive as Pad
+from jetbot_cockpit.protocol import Release, Reset, Stop
+from jetbot_cockpit.robots import Robots
+
+ADA, TEACHER = Client(1, "Ada", "pupil"), Client(2, "teacher", "teacher")
+SWITCH_FIRED, LET_GO = "No command for 0.3 s. Let go, then drive again.", "Let go, then drive again."
+STOPPED_FIRST, NO_ANSWER = "Emergency stop. Release it first.", "robot does not answer."
+
+
+def wait_for_page(condition):
+    """Return the condition, which is then looked at 20 times a second, as a page sends its commands."""
+    def look():
+        time.sleep(0.05)
+        return condition()
+    return look
+
+
+class CockpitDrive(RobotTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.drive, cls.robots = Drive(), Robots()
+
+    def setUp(self):
+        super().setUp()
+        self.control = Control(self.robots, self.drive)
+        self.addCleanup(self.control.close)
+
+    def do(self, client, message):
+        return self.control.handle(client, message, time.monotonic())
+
+    def lift(self):
+        self.do(ADA, Pad("/", 0.0, 0.0))
+
+    def robot(self):
+        """Check as the server does 20 times a second; return the robot's state, {} if there is none."""
+        self.control.check(time.monotonic())
+        return self.control.state(time.monotonic())["robots"].get("/", {})
+
+    def hold(self, forward=0.5):
+        """Hold the pad down for one message of the page; return why that is refused, or ""."""
+        self.robot()
+        reply = self.do(ADA, Pad("/", forward, 0.0))
+        return reply["text"] if reply else ""
+
+    def push(self, forward):
+        """Hold the pad down until the wheels turn at this speed; this computer may be slower than the switch."""
+        def reached():
+            if self.hold(forward) == SWITCH_FIRED:
+                self.lift()
+            return near(self.wheels(), (forward, forward))
+
+        self.wait_for(wait_for_page(reached), START_TIMEOUT, f"the pad to drive at {forward}")
+
+    def wait_for_refusal(self, text):
+        """Hold the pad down until that is refused, for this reason."""
+        self.wait_for(wait_for_page(lambda: self.hold() == text), START_TIMEOUT, f"the refusal {text!r}")
+
+    def started(self, **parameters):
+        """Start a controller, and wait until the cockpit knows it."""
+        controller = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}",
+                                *(f"_{name}:={value}" for name, value in parameters.items()))
+        self.wait_for(lambda: self.robot().get("status", "").startswith("stopped: no command yet"), START_TIMEOUT,
+                      "the cockpit to know the robot")
+        return controller
+
+    def test_a_pad_drives_until_it_is_released_and_then_nobody_publishes(self):
+        self.started(cmd_vel_timeout=0)
+        self.push(0.5)
+        self.lift()
+        self.wait_for_stop(within=1.0)
+        self.wait_for(lambda: not publishers("/cmd_vel"), 5.0, "the publisher to end")
+        self.push(0.25)
+        self.lift()
+        self.push(-0.25)
+        self.control.leave(ADA.id, time.monotonic())
+        self.wait_for_stop(within=1.0)
+        self.push(0.5)
+        self.control.close()
+        self.wait_for_stop(within=1.0)
+
+    def test_a_pad_that_falls_silent_stops_the_robot_and_must_be_released(self):
+        self.started(cmd_vel_timeout=0)
+        self.push(0.5)
+        self.wait_for_stop(within=1.0)
+        self.wait_for_refusal(SWITCH_FIRED)
+        self.wait_for_refusal(LET_GO)
+        self.wheels_stay(0, 0, for_seconds=0.3)
+        self.lift()
+        self.push(0.5)
+
+    def test_an_emergency_stop_that_anybody_releases(self):
+        self.started()
+        self.push(0.5)
+        self.do(ADA, Stop())
+        self.wait_for_stop(within=1.0)
+        self.wait_for(lambda: self.robot()["status"].startswith("stopped: emergency stop"), 5.0, "its status")
+        self.wait_for_refusal(STOPPED_FIRST)
+        self.do(ADA, Release())
+        self.wait_for(lambda: not self.control.state(0.0)["emergency"], 5.0, "the release")
+        self.wait_for_refusal(LET_GO)
+        self.lift()
+        self.push(0.5)
+        self.emergency_stop(True)
+        self.wait_for_stop(within=1.0)
+        self.wait_for_refusal(STOPPED_FIRST)
+        self.emergency_stop(False)
+        self.wait_for(lambda: not self.control.state(0.0)["emergency"], 5.0, "the release from elsewhere")
+
+    def test_a_robot_that_freezes_or_is_killed_does_not_answer_and_does_not_jump_off_later(self):
+        controller = self.started()
+        self.push(0.5)
+        controller.send_signal(signal.SIGSTOP)
+        self.wait_for_refusal(NO_ANSWER)
+        self.assertIs(self.robot()["answers"], False)
+        controller.send_signal(signal.SIGCONT)
+        self.wait_for_refusal(LET_GO)
+        self.wait_for_stop(within=1.0)
+        self.lift()
+        self.push(0.5)
+        controller.kill()
+        self.wait_for(lambda: not self.robot()["answers"], 5.0, "the loss of the robot")
+        self.wait_for_refusal(NO_ANSWER)
+        self.started()
+        self.wait_for_refusal(LET_GO)
+        self.wheels_stay(0, 0, for_seconds=0.3)
+
+    def test_a_robot_is_shown_where_its_odometry_is_on_the_map(self):
+        self.started()
+        origins = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
+        poses = rospy.Publisher("/odom", Odometry, queue_size=1, latch=True)
+        self.addCleanup(origins.unregister)
+        self.addCleanup(poses.unregister)
+        origin = TransformStamped(child_frame_id="odom")
+        origin.header.frame_id, origin.transform.translation.x = "map", 1.0
+        origin.transform.rotation.z = origin.transform.rotation.w = math.sqrt(0.5)
+        origins.publish([origin])
+        odom = Odometry()
+        odom.header.frame_id, odom.pose.pose.position.x, odom.pose.pose.orientation.w = "odom", 0.5, 1.0
+        odom.twist.twist.linear.x = 0.3
+        poses.publish(odom)
+        self.wait_for(lambda: self.robot()["pose"] == (1.0, 0.5, 1.571), 5.0, "its pose on the map")
+        self.assertEqual(self.robot()["speed"], (0.3, 0.0))
+        self.wait_for(lambda: self.robot()["speed"] is None, 5.0, "a speed that nobody repeats to vanish")
+
+    def test_a_simulator_that_hangs_while_it_is_reset_holds_nobody_up(self):
+        ended, calls = threading.Event(), []
+        self.addCleanup(ended.set)
+        service = rospy.Service("/jetbot_simulator/reset", Empty,
+                                lambda _: calls.append(ended.wait(START_TIMEOUT)) or EmptyResponse())
+        self.addCleanup(service.shutdown)
+        self.started()
+        self.wait_for(lambda: self.control.robots()[0]["simulated"], 5.0, "the simulator")
+        start = time.monotonic()
+        self.assertIsNone(self.do(TEACHER, Reset()))
+        self.push(0.5)
+        self.assertEqual(self.do(TEACHER, Reset())["text"], "robot has not answered yet.")
+        self.assertEqual(calls, [])
+        self.assertLess(time.monotonic() - start, START_TIMEOUT / 2)

@@ -1,0 +1,84 @@
+"""The cockpit's node: a page drives, the robot stops with the page and with the node, and bad starts are refused."""
+
+import re
+import signal
+import time
+from pathlib import Path
+
+import rospkg
+
+from harness import START_TIMEOUT, RobotTest, program, read
+from jetbot.wait import wait_until
+from web_client import WebSocket
+
+COCKPIT = program("jetbot_cockpit", "cockpit.py")
+FULL, RELEASED = ({"type": "drive", "robot": "/", "forward": forward, "left": 0} for forward in (1, 0))
+PAGES_RATE = 20  # Hz
+
+
+class CockpitNode(RobotTest):
+    def cockpit(self, *arguments):
+        """Start the node on a free port; return its process, once it serves the page, and the port."""
+        process = self.start(COCKPIT, "_port:=0", *arguments)
+        self.wait_for(lambda: "http://localhost:" in read(process), START_TIMEOUT, "the cockpit's address")
+        return process, int(re.search(r"localhost:(\d+)", read(process))[1])
+
+    def page(self, port, name="localhost"):
+        return WebSocket(port, {"Host": f"{name}:{port}", "Origin": f"http://{name}:{port}"})
+
+    def drive(self, page):
+        """Put a finger on the pad, and hold it at full deflection until the wheels turn."""
+        page.receive_until(lambda message: message.get("robots", {}) and "/" in message["robots"])
+        page.send(RELEASED)
+
+        def is_driving():
+            page.send(FULL)
+            return wait_until(lambda: self.wheels() == (1.0, 1.0), 1 / PAGES_RATE)
+        self.wait_for(is_driving, 10.0, "the wheels to turn")
+
+    def refused(self, *arguments):
+        """Return what a cockpit prints that cannot start."""
+        process = self.start(COCKPIT, *arguments)
+        self.assertEqual(process.wait(START_TIMEOUT), 1)
+        return read(process)
+
+    def test_a_page_drives_and_the_robot_stops_with_it_and_with_the_node(self):
+        self.controller(cmd_vel_timeout=0)  # nothing but the cockpit stops it
+        cockpit, port = self.cockpit()
+
+        page = self.page(port)
+        self.drive(page)
+        self.wait_for_stop(1.0)  # the browser is frozen: its socket is open, and silent
+        self.drive(page)
+        page.close()             # the browser is killed
+        self.wait_for_stop(1.0)
+
+        page = self.page(port)
+        self.drive(page)
+        start = time.monotonic()
+        cockpit.send_signal(signal.SIGTERM)
+        self.wait_for_stop(1.0)
+        self.assertEqual(page.wait_for_close().code, 1001)
+        self.assertEqual(cockpit.wait(5.0), 0)
+        self.assertLess(time.monotonic() - start, 2.0)
+        self.assertNotIn("Traceback", read(cockpit))
+
+    def test_codes_are_printed_and_not_logged(self):
+        cockpit, port = self.cockpit("_lan:=true", "_name:=class.test", "_robots:=2")
+        self.wait_for(lambda: "jetbot_02:" in read(cockpit), 5.0, "the codes")
+        codes = re.findall(rf"http://class\.test:{port}/#(\w+)", read(cockpit))
+        self.assertEqual(list(map(len, codes)), [10, 6, 6])
+        self.assertEqual(self.page(port, "class.test").wait_for_close().code, 4001)
+        logs = [path.read_text(errors="replace") for path in Path(rospkg.get_log_dir()).rglob("*.log")]
+        self.assertTrue(any("jetbot_cockpit" in log for log in logs))
+        self.assertFalse([code for code in codes for log in logs if code in log])
+
+    def test_a_second_one_and_a_taken_port_are_refused_in_one_sentence(self):
+        cockpit, port = self.cockpit()
+        self.assertIn("The node /jetbot_cockpit is already running", self.refused("_port:=0"))
+        self.assertEqual(self.refused("__name:=other", f"_port:={port}"),
+                         f"The cockpit cannot use port {port}: cockpit.py (process {cockpit.pid}) uses it. "
+                         f"Choose another port: _port:={port + 1}\n")
+        self.assertIsNone(cockpit.poll())
+        self.assertEqual(self.refused("__name:=other", "_port:=70000"),
+                         "The parameter port must be a whole number from 0 to 65535, not 70000.\n")

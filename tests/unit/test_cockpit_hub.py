@@ -1,0 +1,211 @@
+"""What the pages of the cockpit are sent, and when one is disconnected; with a clock turned by hand."""
+
+import json
+
+import pytest
+
+from jetbot_cockpit import hub as hubs
+from jetbot_cockpit import protocol
+from jetbot_cockpit.access import PUPIL, TEACHER, make_grant
+from jetbot_cockpit.hub import FRAME_INTERVAL, Hub
+
+STOP = '{"type": "stop"}'
+PING = '{"type": "ping", "sent": 7}'
+TRAIL = {"type": "trail", "robot": "/", "points": [[0, 0]]}
+
+
+class Page:
+    """A socket that notes what it is sent. backlogged: nothing more fits in."""
+
+    def __init__(self):
+        self.sent, self.pings, self.closed, self.backlogged = [], 0, None, False
+
+    def send(self, text):
+        self.sent.append(json.loads(text))
+
+    def ping(self):
+        self.pings += 1
+
+    def close(self, code, reason):
+        self.closed = code, reason
+
+    def is_backlogged(self):
+        return self.backlogged
+
+    def types(self):
+        """Return the types of the messages since the last call."""
+        types, self.sent = [message["type"] for message in self.sent], []
+        return types
+
+
+class Control:
+    """Notes what it is asked for, and reports what the test sets."""
+
+    def __init__(self):
+        self.asked, self.left, self.messages, self.names, self.speed, self.reply = [], [], [], ["/"], 0, None
+
+    def handle(self, client, message, now):
+        self.asked.append((client.id, message))
+        return self.reply
+
+    def leave(self, client, now):
+        self.left.append(client)
+
+    def check(self, now):
+        messages, self.messages = self.messages, []
+        return messages
+
+    def robots(self):
+        return [{"id": name} for name in self.names]
+
+    def trails(self):
+        return [TRAIL]
+
+    def state(self, now):
+        return {"type": "state", "speed": self.speed}
+
+
+@pytest.fixture
+def control():
+    return Control()
+
+
+@pytest.fixture
+def hub(control):
+    return Hub(control, [])
+
+
+def join(hub, role=TEACHER, now=0.0):
+    page = Page()
+    return page, hub.join(page, make_grant("", role), now)
+
+
+def run(hub, viewers, since, until):
+    """Let the time pass; the browsers of these viewers answer pings."""
+    for number in range(int(since / FRAME_INTERVAL) + 1, int(until / FRAME_INTERVAL) + 1):
+        hub.tick(number * FRAME_INTERVAL)
+        for viewer in viewers if number % 20 == 0 else ():
+            hub.hear(viewer, number * FRAME_INTERVAL)
+
+
+def test_a_new_page_is_sent_all_that_it_shows(hub):
+    page, _ = join(hub, PUPIL)
+    hub.tick(0.0)
+    assert page.sent[0] == {"type": "hello", "id": 1, "name": "pupil 1", "role": "pupil", "robot": None}
+    assert page.types() == ["hello", "robots", "trail", "state"]
+
+
+def test_frames_are_sent_only_while_something_changes_and_once_a_second(hub, control):
+    page, viewer = join(hub)
+    run(hub, [viewer], 0, 1)
+    page.types()
+    run(hub, [viewer], 1, 5)
+    assert 3 <= len(page.types()) <= 5
+    for number in range(20):
+        control.speed += 1
+        hub.tick(5 + number * FRAME_INTERVAL)
+    assert page.types() == ["state"] * 20
+
+
+def test_a_robot_that_comes_and_one_that_is_put_back_are_sent_to_all(hub, control):
+    pages = [join(hub)[0] for _ in range(2)]
+    hub.tick(0.0)
+    for page in pages:
+        page.types()
+    control.names = ["/", "/jetbot_01"]
+    hub.tick(0.05)
+    control.messages = [{**TRAIL, "points": []}]
+    hub.tick(0.1)
+    assert [page.types() for page in pages] == [["robots", "trail"]] * 2
+
+
+def test_a_page_that_takes_nothing_is_skipped_and_then_gets_all_again(hub, control):
+    page, _ = join(hub)
+    hub.tick(0.0)
+    page.types()
+    page.backlogged = True
+    control.speed, control.messages = 1, [{**TRAIL, "points": []}]
+    hub.tick(0.05)
+    assert page.types() == []
+    page.backlogged = False
+    hub.tick(0.1)
+    assert page.types() == ["robots", "trail", "state"]
+
+
+def test_a_page_that_says_nothing_is_sent_nothing_that_would_be_old_when_it_arrives(hub, control):
+    page, viewer = join(hub)
+    run(hub, [], 0, hubs.ABSENT_AFTER)
+    page.types()
+    control.speed = 1
+    run(hub, [], hubs.ABSENT_AFTER, 10)
+    assert page.types() == [] and page.pings >= 5
+    hub.hear(viewer, 10.0)
+    hub.tick(10.05)
+    assert page.types() == ["state"]
+
+
+def test_a_page_that_says_nothing_for_long_is_disconnected(hub, control):
+    (gone, _), (here, viewer) = join(hub), join(hub)
+    run(hub, [viewer], 0, hubs.GONE_AFTER + 1)
+    assert gone.closed == (4000, "no sign of life") and here.closed is None
+    assert control.left == [1]
+
+
+def test_a_ping_is_answered_at_once(hub, control):
+    page, viewer = join(hub)
+    hub.receive(viewer, PING, 0.0)
+    assert page.sent[-1] == {"type": "pong", "sent": 7} and not control.asked
+
+
+def test_the_controls_reply_goes_to_the_page_that_asked(hub, control):
+    (page, viewer), (other, _) = join(hub), join(hub)
+    control.reply = {"type": "notice", "text": "no"}
+    hub.receive(viewer, STOP, 0.0)
+    assert page.types() == ["hello", "notice"] and other.types() == ["hello"]
+
+
+def test_replies_do_not_pile_up_for_a_page_that_takes_nothing(hub):
+    page, viewer = join(hub)
+    page.backlogged = True
+    hub.receive(viewer, PING, 0.0)
+    assert page.types() == ["hello"]
+
+
+def test_a_pupil_gets_no_codes(hub):
+    for role, answer in (PUPIL, "notice"), (TEACHER, "codes"):
+        page, viewer = join(hub, role)
+        hub.receive(viewer, '{"type": "codes"}', 0.0)
+        assert page.types() == ["hello", answer]
+
+
+def test_after_its_disconnection_nothing_that_a_page_sends_counts(hub, control):
+    page, viewer = join(hub)
+    hub.receive(viewer, "x", 0.0)
+    assert page.closed[0] == 4000 and control.left == [1]
+    hub.receive(viewer, STOP, 0.0)
+    hub.leave(viewer, 0.0)
+    assert not control.asked and control.left == [1]
+
+
+def test_a_flood_ends_the_socket_but_each_stop_in_it_counts(hub, control):
+    page, viewer = join(hub)
+    for _ in range(protocol.MAX_BURST):
+        hub.receive(viewer, PING, 0.0)
+    assert page.closed is None
+    hub.receive(viewer, STOP, 0.0)
+    assert control.asked == [(1, protocol.Stop())]
+    assert page.closed == (4000, "more than 40 messages per second") and control.left == [1]
+
+
+def test_there_is_room_for_64_pages(hub):
+    viewers = [join(hub)[1] for _ in range(64)]
+    page, viewer = join(hub)
+    assert viewer is None and page.closed[0] == 4002
+    hub.leave(viewers[0], 0.0)
+    assert join(hub)[1]
+
+
+def test_at_the_end_all_pages_are_disconnected_and_their_robots_stop(hub, control):
+    pages = [join(hub)[0] for _ in range(3)]
+    hub.close(0.0)
+    assert [page.closed[0] for page in pages] == [1001] * 3 and control.left == [1, 2, 3]
