@@ -110,6 +110,7 @@ def driven(cockpit):
 def test_full_deflection_is_full_power_in_the_units_of_each_robot(cockpit):
     for geometry, (forward, turn) in {(2.0, 1.0): (1.0, 1.0), (0.1, 0.6): (0.6, 12.0), None: (1.0, 1.0)}.items():
         cockpit.robots.change("/red", geometry=geometry)
+        cockpit.wait(0.05)
         cockpit.push(ADA, forward=1.0, left=0.0)
         assert cockpit.drives() == pytest.approx((forward, 0))
         cockpit.push(ADA, forward=0.0, left=1.0)
@@ -280,6 +281,7 @@ def test_a_robot_that_there_never_was_is_not_driven(cockpit):
 
 def test_a_teacher_puts_back_simulated_robots(cockpit):
     cockpit.robots.change("/blue", simulated=False)
+    cockpit.wait(0.05)
     assert cockpit.do(TEACHER, Reset()) is None
     assert cockpit.robots.were_reset == ["/red"]
     assert cockpit.do(TEACHER, Reset("/blue"))["type"] == "notice"

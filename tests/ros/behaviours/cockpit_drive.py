@@ -34,12 +34,25 @@ def wait_for_page(condition):
 class CockpitDrive(RobotTest):
     @classmethod
     def setUpClass(cls):
+        """Start one controller, and one cockpit, for all tests."""
         cls.drive, cls.robots = Drive(), Robots()
+        cls.host = RobotTest("setUp")
+        cls.host.setUp()
+        cls.addClassCleanup(cls.host.doCleanups)
+        cls.addClassCleanup(cls.host.tearDown)
+        cls.start_controller()
+
+    @classmethod
+    def start_controller(cls):
+        cls.controller = cls.host.start(CONTROLLER, f"_i2c_bus:=fake:{cls.host.bus}", "_cmd_vel_timeout:=0")
 
     def setUp(self):
         super().setUp()
+        self.bus, self.processes = self.host.bus, []
         self.control = Control(self.robots, self.drive)
         self.addCleanup(self.control.close)
+        self.wait_for(lambda: self.robot().get("answers") and self.robot()["status"].startswith("stopped: "),
+                      START_TIMEOUT, "the cockpit to know the robot")
 
     def do(self, client, message):
         return self.control.handle(client, message, time.monotonic())
@@ -71,17 +84,10 @@ class CockpitDrive(RobotTest):
         """Hold the pad down until that is refused, for this reason."""
         self.wait_for(wait_for_page(lambda: self.hold() == text), START_TIMEOUT, f"the refusal {text!r}")
 
-    def started(self, **parameters):
-        """Start a controller, and wait until the cockpit knows it."""
-        controller = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}",
-                                *(f"_{name}:={value}" for name, value in parameters.items()))
-        self.wait_for(lambda: self.robot().get("status", "").startswith("stopped: no command yet"), START_TIMEOUT,
-                      "the cockpit to know the robot")
-        return controller
-
     def test_a_pad_drives_until_it_is_released_and_then_nobody_publishes(self):
-        self.started(cmd_vel_timeout=0)
         self.push(0.5)
+        self.wait_for(wait_for_page(lambda: self.hold() or self.robot()["wheels"] == (0.5, 0.5)), 5.0, "its wheels")
+        self.assertEqual(self.robot()["command"], (0.5, 0.0))
         self.lift()
         self.wait_for_stop(within=1.0)
         self.wait_for(lambda: not publishers("/cmd_vel"), 5.0, "the publisher to end")
@@ -95,7 +101,6 @@ class CockpitDrive(RobotTest):
         self.wait_for_stop(within=1.0)
 
     def test_a_pad_that_falls_silent_stops_the_robot_and_must_be_released(self):
-        self.started(cmd_vel_timeout=0)
         self.push(0.5)
         self.wait_for_stop(within=1.0)
         self.wait_for_refusal(SWITCH_FIRED)
@@ -105,14 +110,12 @@ class CockpitDrive(RobotTest):
         self.push(0.5)
 
     def test_an_emergency_stop_that_anybody_releases(self):
-        self.started()
         self.push(0.5)
         self.do(ADA, Stop())
         self.wait_for_stop(within=1.0)
         self.wait_for(lambda: self.robot()["status"].startswith("stopped: emergency stop"), 5.0, "its status")
         self.wait_for_refusal(STOPPED_FIRST)
         self.do(ADA, Release())
-        self.wait_for(lambda: not self.control.state(0.0)["emergency"], 5.0, "the release")
         self.wait_for_refusal(LET_GO)
         self.lift()
         self.push(0.5)
@@ -120,28 +123,37 @@ class CockpitDrive(RobotTest):
         self.wait_for_stop(within=1.0)
         self.wait_for_refusal(STOPPED_FIRST)
         self.emergency_stop(False)
-        self.wait_for(lambda: not self.control.state(0.0)["emergency"], 5.0, "the release from elsewhere")
+        self.wait_for(lambda: self.robot() and not self.control.state(0.0)["emergency"], 5.0, "the release")
+
+    def test_a_teacher_stops_one_robot(self):
+        self.push(0.5)
+        self.do(TEACHER, Stop("/"))
+        self.wait_for_stop(within=1.0)
+        self.wait_for(lambda: self.robot()["status"].startswith("stopped: its own emergency stop"), 5.0, "its status")
+        self.wait_for_refusal("robot: its own emergency stop. Release it first.")
+        self.do(TEACHER, Release("/"))
+        self.wait_for_refusal(LET_GO)
+        self.lift()
+        self.push(0.5)
 
     def test_a_robot_that_freezes_or_is_killed_does_not_answer_and_does_not_jump_off_later(self):
-        controller = self.started()
         self.push(0.5)
-        controller.send_signal(signal.SIGSTOP)
+        self.controller.send_signal(signal.SIGSTOP)
         self.wait_for_refusal(NO_ANSWER)
         self.assertIs(self.robot()["answers"], False)
-        controller.send_signal(signal.SIGCONT)
+        self.controller.send_signal(signal.SIGCONT)
         self.wait_for_refusal(LET_GO)
         self.wait_for_stop(within=1.0)
         self.lift()
         self.push(0.5)
-        controller.kill()
+        self.controller.kill()
         self.wait_for(lambda: not self.robot()["answers"], 5.0, "the loss of the robot")
         self.wait_for_refusal(NO_ANSWER)
-        self.started()
+        self.start_controller()
         self.wait_for_refusal(LET_GO)
         self.wheels_stay(0, 0, for_seconds=0.3)
 
     def test_a_robot_is_shown_where_its_odometry_is_on_the_map(self):
-        self.started()
         origins = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
         poses = rospy.Publisher("/odom", Odometry, queue_size=1, latch=True)
         self.addCleanup(origins.unregister)
@@ -164,8 +176,7 @@ class CockpitDrive(RobotTest):
         service = rospy.Service("/jetbot_simulator/reset", Empty,
                                 lambda _: calls.append(ended.wait(START_TIMEOUT)) or EmptyResponse())
         self.addCleanup(service.shutdown)
-        self.started()
-        self.wait_for(lambda: self.control.robots()[0]["simulated"], 5.0, "the simulator")
+        self.wait_for(lambda: self.robot() and self.control.robots()[0]["simulated"], 5.0, "the simulator")
         start = time.monotonic()
         self.assertIsNone(self.do(TEACHER, Reset()))
         self.push(0.5)

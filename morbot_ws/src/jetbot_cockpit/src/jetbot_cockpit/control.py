@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Callable, Dict, List, NamedTuple, Optional, Se
 from . import protocol
 from .lease import Leases
 from .trail import Trails
-from .view import Snapshot, label
+from .view import label
 
 if TYPE_CHECKING:  # they need ROS
     from .drive import Drive
@@ -30,10 +30,14 @@ class Client(NamedTuple):
 
 
 class Control:
-    """Does what the clients ask for; any thread may call it. drive: drives robots; robots: what they report."""
+    """Does what the clients ask for; any thread may call it. drive: drives robots; robots: what they report.
+
+    What the robots report is looked at by ``check``, once for all clients.
+    """
 
     def __init__(self, robots: "Robots", drive: "Drive"):
         self._robots, self._drive = robots, drive
+        self._snapshot = robots.snapshot()
         self._leases, self._trails = Leases(), Trails()
         self._names: Dict[int, str] = {}
         self._must_lift: Set[int] = set()
@@ -62,7 +66,7 @@ class Control:
         Return messages of the socket for all clients.
         """
         with self._lock:
-            snapshot = self._robots.snapshot()
+            snapshot = self._snapshot = self._robots.snapshot()
             for robot in self._leases.robots():
                 if snapshot.problem(robot) or self._leases.is_silent(robot, now):
                     self._free(robot)
@@ -76,12 +80,12 @@ class Control:
 
     def robots(self) -> List[dict]:
         """Return the robots of the message "robots"."""
-        return [robot.description() for robot in self._robots.snapshot().robots.values()]
+        return [robot.description() for robot in self._snapshot.robots.values()]
 
     def state(self, now: float) -> dict:
         """Return the message "state"."""
         with self._lock:
-            snapshot = self._robots.snapshot()
+            snapshot = self._snapshot
             states = {robot.id: robot.state(self._driver(robot.id)) for robot in snapshot.robots.values()}
         return {"type": "state", "emergency": snapshot.emergency, "robots": states}
 
@@ -94,11 +98,10 @@ class Control:
         robot, driving = message.robot, bool(message.forward or message.left)
         if not driving:
             return self._on_lifted(client, robot, now)
-        snapshot = self._robots.snapshot()
-        refusal = self._refusal(client, robot, snapshot)
+        refusal = self._refusal(client, robot)
         if not refusal:
             self._lease(client, robot, now, driving)
-            velocity = snapshot.robots[robot].velocity(message.forward, message.left)
+            velocity = self._snapshot.robots[robot].velocity(message.forward, message.left)
             refusal = "" if self._drive.command(robot, velocity, now) else f"No command for 0.3 s. {LET_GO}"
         if not refusal:
             return None
@@ -113,20 +116,20 @@ class Control:
             self._drive.release(robot)
             self._lease(client, robot, now, driving=False)
 
-    def _refusal(self, client, robot, snapshot: Snapshot) -> str:
+    def _refusal(self, client, robot) -> str:
         """Return why the client may not drive this robot now, or ""."""
         if not client.commands(robot):
             return f"Your code drives {label(client.robot)} only."
         driver = self._leases.driver(robot)
         if driver not in (None, client.id):
             return f"{self._names[driver]} drives {label(robot)}."
-        return snapshot.problem(robot) or (LET_GO if client.id in self._must_lift else "")
+        return self._snapshot.problem(robot) or (LET_GO if client.id in self._must_lift else "")
 
     def _on_take(self, client, message, now):
         robot = message.robot
         if client.role != TEACHER:
             return notice("Only a teacher takes a robot.")
-        if robot not in self._robots.snapshot().robots:
+        if robot not in self._snapshot.robots:
             return notice(f"{label(robot)} has ended.")
         if self._leases.driver(robot) != client.id:
             self._free(robot)
@@ -138,6 +141,7 @@ class Control:
         if robot is not None and not self._may_stop(client, robot):
             return notice("Only a teacher stops one robot. Stop all instead.")
         self._robots.stop(robot, True)
+        self._snapshot = self._robots.snapshot()
         for each in self._leases.robots() if robot is None else [robot]:
             self._free(each)
         if client.role == TEACHER:
@@ -152,13 +156,14 @@ class Control:
             return notice("A teacher stopped this. A teacher releases it.")
         self._teachers_stops.discard(robot)
         self._robots.stop(robot, False)
+        self._snapshot = self._robots.snapshot()
         return None
 
     def _on_reset(self, client, message, now):
         if client.role != TEACHER:
             return notice("Only a teacher puts robots back.")
-        robots = self._robots.snapshot().robots.values()
-        chosen = [robot for robot in robots if robot.simulated and message.robot in (None, robot.id)]
+        chosen = [robot for robot in self._snapshot.robots.values()
+                  if robot.simulated and message.robot in (None, robot.id)]
         silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]
         if silent:
             return notice(f"{', '.join(silent)} has not answered yet.")

@@ -12,8 +12,8 @@ from std_msgs.msg import Float32MultiArray, String
 from std_srvs.srv import Empty
 
 from jetbot.text import printable
-from jetbot_ros.safety import EMERGENCY_STOP
-from simulation.description import color_of
+from jetbot_ros.colors import color_of
+from jetbot_ros.safety import EMERGENCY_STOP, OWN_EMERGENCY_STOP, Hold
 
 from .emergency import EmergencySwitch
 from .frames import Frames, yaw_of
@@ -34,7 +34,8 @@ class RobotTopics:
         self._base, self._frames = name.rstrip("/"), frames
         self._color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name.rpartition("/")[2]))
         self._heard_at, self._status, self._level, self._geometry = time.monotonic(), "", 0, None
-        self._odom = self._wheels = None  # (the newest message, still encoded, when it arrived in s)
+        self._wheels = None, None  # command, duties
+        self._odom = None  # (the newest message, still encoded, when it arrived in s)
         self._motion = (None, None, None)  # the decoded message, pose, speed
         self._resetting: Optional[threading.Thread] = None
         self.stop = EmergencySwitch(f"{self._base}{CONTROLLER}/emergency_stop")
@@ -58,7 +59,7 @@ class RobotTopics:
     @property
     def in_emergency_stop(self) -> bool:
         """Whether its controller says that the emergency stop of all robots holds it."""
-        return self._status.startswith(f"stopped: {EMERGENCY_STOP.reason}")
+        return self._is_held_by(EMERGENCY_STOP)
 
     def diagnose(self, status: DiagnosticStatus) -> None:
         """Take what the controller publishes on /diagnostics."""
@@ -71,13 +72,12 @@ class RobotTopics:
         ended = self._status and not self.connected
         answers = not (ended or master and now - self._heard_at > ANSWER_TIMEOUT)
         pose, speed = self._pose_and_speed(now)
-        status = self._status if answers else f"{label(self.name)} does not answer. Restart it, or resume it with fg."
-        robot = Robot(self.name, self._color, self._geometry, self.simulated, status, self._level > 0,
-                      answers, self.stop.engaged, pose, speed)
-        if not (answers and self._wheels):
-            return robot
-        data = self._wheels[0]
-        return robot._replace(command=rounded(data[:2]), wheels=rounded(data[2:4]))
+        command, wheels = self._wheels if answers else (None, None)
+        return Robot(
+            self.name, self._color, self._geometry, self.simulated,
+            self._status if answers else f"{label(self.name)} does not answer. Restart it, or resume it with fg.",
+            self._level > 0, answers, self.stop.engaged or self._is_held_by(OWN_EMERGENCY_STOP), pose, speed, command,
+            wheels)
 
     def reset(self) -> bool:
         """Put the simulated robot back to its start, in a thread; return False while the last time still hangs."""
@@ -86,6 +86,9 @@ class RobotTopics:
         self._resetting = threading.Thread(target=self._call_reset, daemon=True)
         self._resetting.start()
         return True
+
+    def _is_held_by(self, hold: Hold):
+        return self._status.startswith(f"stopped: {hold.reason}")
 
     def _call_reset(self):
         try:
@@ -98,7 +101,8 @@ class RobotTopics:
 
     def _on_wheels(self, message):
         self._heard_at = time.monotonic()
-        self._wheels = message.data, self._heard_at
+        if len(message.data) == 4:  # x, z, left, right
+            self._wheels = rounded(message.data[:2]), rounded(message.data[2:])
 
     def _on_odom(self, message):
         self._odom = message, time.monotonic()
