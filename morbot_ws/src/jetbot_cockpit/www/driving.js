@@ -19,6 +19,7 @@ export class Driving {
     this.ready = ready;
     this.speed = 0.5;
     this.source = null; // which input drives
+    this.command = [0, 0];
     this.blocked = new Set(); // inputs that must return to the centre first
     this.timer = null;
     this.lastSent = -Infinity;
@@ -53,9 +54,11 @@ export class Driving {
     this.send(forward * this.speed, left * this.speed * TURN);
   }
 
+  // Each release is sent, also one after a break: the cockpit obeys this page again only from then on.
   centre(source) {
-    this.blocked.delete(source);
+    const wasBlocked = this.blocked.delete(source);
     if (source === this.source) this.end(true);
+    else if (wasBlocked && !this.active) this.send(0, 0);
   }
 
   // The page cannot see the input any more (hidden, another window): one zero, and the input must return first.
@@ -74,6 +77,7 @@ export class Driving {
     clearInterval(this.timer);
     this.timer = null;
     this.source = null;
+    this.command = [0, 0];
     this.lastSent = performance.now();
     if (zero) this.send(0, 0);
     this.changed();

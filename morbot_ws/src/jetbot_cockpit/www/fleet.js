@@ -1,6 +1,6 @@
 // The teacher's list: every robot with its status, and a button that stops it.
 
-import { button, create, element, setClass, setText } from "./dom.js";
+import { button, create, element, setText } from "./dom.js";
 import { describeDriver, summarize } from "./world.js";
 
 export class Fleet {
@@ -15,7 +15,7 @@ export class Fleet {
     this.rows.clear();
     for (const robot of this.world.robots) this.rows.set(robot.id, this.row(robot));
     element("fleet-list").replaceChildren(...[...this.rows.values()].map(({ item }) => item));
-    setClass(element("reset-all"), "absent", !this.world.robots.some((robot) => robot.simulated));
+    element("reset-all").hidden = !this.world.robots.some((robot) => robot.simulated);
   }
 
   row({ id, label, color }) {
@@ -36,6 +36,7 @@ export class Fleet {
   }
 
   show() {
+    if (element("fleet").hidden) return;
     for (const [id, row] of this.rows) this.showRow(id, row);
     const counts = this.world.robots.map(({ id }) => summarize(this.world, id).level);
     const driving = counts.filter((level) => level === "driving").length;
@@ -50,6 +51,7 @@ export class Fleet {
     if (status.title !== text) status.title = text;
     if (item.dataset.level !== level) item.dataset.level = level;
     pick.setAttribute("aria-pressed", id === this.chosen());
+    stop.dataset.action = stopped ? "release" : "stop";
     setText(stop, stopped ? "Release" : "Stop");
     stop.setAttribute("aria-label", `${stopped ? "Release" : "Stop"} ${label}`);
   }

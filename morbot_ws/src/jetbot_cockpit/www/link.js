@@ -24,6 +24,7 @@ export class Link {
     Object.assign(this, { receive, changed, refused, measured });
     this.failures = 0;
     this.retry = null;
+    this.socket = null;
     setInterval(() => this.check(), PING_INTERVAL);
     addEventListener("online", () => this.hurry());
     document.addEventListener("visibilitychange", () => this.hurry());
@@ -32,6 +33,7 @@ export class Link {
   open() {
     clearTimeout(this.retry);
     this.retry = null;
+    const previous = this.socket;
     const scheme = location.protocol === "https:" ? "wss" : "ws";
     const socket = new WebSocket(`${scheme}://${location.host}/socket`);
     socket.onopen = () => this.opened(socket);
@@ -39,6 +41,7 @@ export class Link {
     socket.onclose = (event) => this.ended(socket, event.code, event.reason);
     this.socket = socket;
     this.lastHeard = performance.now();
+    previous?.close();
   }
 
   get connected() {

@@ -53,9 +53,13 @@ export class LoginForm {
   async submit() {
     const error = await logIn(element("code").value.trim());
     if (error) return this.ask(error);
+    this.close();
+    this.entered();
+  }
+
+  close() {
     element("login").hidden = true;
     element("cockpit").inert = false;
     element("code").value = "";
-    this.entered();
   }
 }

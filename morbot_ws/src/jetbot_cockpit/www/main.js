@@ -12,11 +12,18 @@ import { LoginForm, logIn, takeCodeFromAddress } from "./login.js";
 import { RobotMap } from "./map.js";
 import { Notice } from "./notice.js";
 import { Pad } from "./pad.js";
+import { showPanel, showRoundTrip } from "./panel.js";
 import { Person } from "./person.js";
 import { Stops } from "./stop.js";
-import { prepareViews, showView } from "./views.js";
-import { showWheels } from "./wheels.js";
-import { World, describeDriver, summarize } from "./world.js";
+import { prepareViews } from "./views.js";
+import { World } from "./world.js";
+
+let problem = "Connecting"; // why there is no connection
+let driven = null; // the robot that the commands go to
+let wasDriver = false;
+let fitDue = false; // a teacher sees a class as a whole first, as soon as the places are known
+let codeError = ""; // why the code in the address was refused
+let frame = null; // the next one shows what has changed
 
 const world = new World();
 const notice = new Notice();
@@ -28,13 +35,11 @@ const chosen = () => choice.id;
 const choose = (id) => choice.choose(id);
 const driving = new Driving(command, () => link.connected && Boolean(world.robot(chosen())));
 const keys = new Keys((...deflection) => driving.deflect("keys", ...deflection), () => stops.stop());
-const stops = new Stops(world, chosen, send, (text) => notice.show(text));
+const report = (text) => notice.show(text);
+const stops = new Stops(world, { chosen, send, report, stopped: () => driving.lift() });
 const fleet = new Fleet(world, chosen, choose, send);
-const map = new RobotMap(element("map"), world, chosen, choose);
+const map = new RobotMap(element("map"), world, { chosen, choose, redraw: show });
 const person = new Person(send);
-let problem = "Connecting";
-let driven = null; // the robot that the commands go to
-let wasDriver = false;
 
 const RECEIVERS = {
   hello(message) {
@@ -43,23 +48,22 @@ const RECEIVERS = {
     person.announce();
   },
   robots(message) {
-    const known = world.robots.length;
+    fitDue ||= world.robots.length < 2 && message.robots.length > 1 && world.teacher;
     world.list(message);
     if (driving.active && !world.robot(driven)) driving.lift();
     choice.begin();
     fleet.list();
-    if (!known && world.teacher && world.robots.length > 1) fitOnce();
   },
   state(message) {
     world.update(message);
     noticeLostLease();
-    fitOnce.due?.();
+    fitWhenPlaced();
   },
   trail: (message) => world.trail(message),
-  notice: ({ text }) => notice.show(text),
+  notice: ({ text }) => report(text),
   lift({ robot, text }) {
     if (robot === driven) driving.lift();
-    notice.show(text);
+    report(text);
   },
   codes: ({ codes }) => showCodes(codes),
 };
@@ -69,19 +73,18 @@ function receive(message) {
   show();
 }
 
-// A class is seen as a whole first, as soon as the places are known.
-function fitOnce() {
-  fitOnce.due = () => {
-    if (!world.placed().length) return;
-    fitOnce.due = null;
-    map.fit();
-  };
-}
-
 function command(forward, left) {
   if (forward || left) driven = chosen();
+  if (driven === null) return;
   const message = { type: "drive", robot: driven, forward, left };
-  return forward || left ? link.sendFresh(message) : link.send(message);
+  if (forward || left) link.sendFresh(message);
+  else link.send(message);
+}
+
+function fitWhenPlaced() {
+  if (!fitDue || !world.placed().length) return;
+  fitDue = false;
+  map.fit();
 }
 
 function noticeLostLease() {
@@ -107,51 +110,21 @@ function connectionChanged(sentence) {
 
 function askForCode() {
   driving.lift();
-  login.ask();
-}
-
-function showRoundTrip(milliseconds) {
-  const text = `${Math.max(1, Math.round(milliseconds))} ms`;
-  setText(element("link"), text);
-  element("link").dataset.quality = milliseconds < 60 ? "good" : milliseconds < 200 ? "fair" : "poor";
-  element("link").setAttribute("aria-label", `Connection: ${text} to the cockpit and back`);
-}
-
-// Returns the sentence of #status and how urgent it is.
-function currentStatus() {
-  if (problem) return { text: problem, level: "warning" };
-  if (world.robot(chosen())) return summarize(world, chosen());
-  const own = world.me.robot ?? chosen();
-  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one.";
-  return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
+  login.ask(codeError || (world.me.id === null ? "" : "The cockpit was started again: its codes are new."));
 }
 
 function show() {
-  const robot = world.robot(chosen());
-  const state = world.state(chosen());
-  const { text, level } = currentStatus();
-  setText(element("status"), text);
-  element("status").dataset.level = level;
-  setText(element("driver"), robot ? describeDriver(world, chosen()) : "");
-  if (robot) document.documentElement.style.setProperty("--robot", robot.color);
-  showTeachersTools(robot, state);
-  setClass(document.body, "driving", driving.active);
-  setClass(document.body, "offline", problem);
-  showWheels(robot, state);
-  stops.show();
-  map.redraw();
+  frame ??= requestAnimationFrame(showNow);
 }
 
-function showTeachersTools(robot, { driver }) {
-  const several = world.teacher && world.robots.length > 1;
-  element("fleet").hidden = element("show-fleet").hidden = !several;
-  element("fit").hidden = world.robots.length < 2;
-  element("show-codes").hidden = !world.teacher;
-  element("take").hidden = !(world.teacher && driver && driver.id !== world.me.id);
-  element("reset").hidden = !(world.teacher && robot?.simulated);
-  setClass(document.body, "several", several);
-  if (several) fleet.show();
-  else if (document.body.dataset.view === "fleet") showView("drive");
+function showNow() {
+  frame = null;
+  showPanel(world, chosen(), problem);
+  setClass(document.body, "driving", driving.active);
+  pad.point(...driving.command);
+  stops.show();
+  fleet.show();
+  map.draw();
 }
 
 function leave() {
@@ -166,7 +139,7 @@ function setSpeed() {
   element("speed").setAttribute("aria-valuetext", `${percent} % of full speed`);
 }
 
-new Pad(element("pad"), element("thumb"), (...deflection) => driving.deflect("pad", ...deflection));
+const pad = new Pad(element("pad"), element("thumb"), (...deflection) => driving.deflect("pad", ...deflection));
 new Gamepads((...deflection) => driving.deflect("gamepad", ...deflection));
 driving.changed = show;
 prepareViews((view) => view === "codes" && send({ type: "codes" }));
@@ -175,16 +148,17 @@ element("take").addEventListener("click", () => send({ type: "take", robot: chos
 element("reset").addEventListener("click", () => send({ type: "reset", robot: chosen() }));
 addEventListener("blur", leave);
 addEventListener("pagehide", leave);
+matchMedia("(orientation: portrait)").addEventListener("change", leave); // the pad moves away below the finger
 document.addEventListener("visibilitychange", () => document.hidden && leave());
 
 async function start() {
   setSpeed();
   show();
   const code = takeCodeFromAddress();
-  const error = code && await logIn(code);
-  if (error) login.ask(error);
-  else link.open();
+  codeError = code && await logIn(code);
+  login.close();
+  link.open(); // after a wrong code, too: an earlier one may still hold
 }
 
-addEventListener("hashchange", start);
+addEventListener("hashchange", () => location.hash && start());
 start();

@@ -11,9 +11,9 @@ const VISIBLE = 9; // pixels: smallest radius at which a robot is found
 const TAP_RADIUS = 28; // pixels
 
 export class RobotMap {
-  // chosen(): id of the robot to follow; choose(id): a robot was tapped
-  constructor(canvas, world, chosen, choose) {
-    Object.assign(this, { canvas, world, chosen, choose, following: true, pending: false });
+  // chosen(): id of the robot to follow; choose(id): a robot was tapped; redraw(): draw() is due
+  constructor(canvas, world, { chosen, choose, redraw }) {
+    Object.assign(this, { canvas, world, chosen, choose, redraw, following: true });
     this.view = new View(canvas, {
       changed: () => this.redraw(),
       tapped: (right, down) => this.tap(right, down),
@@ -53,28 +53,24 @@ export class RobotMap {
     if (near && near[0] < TAP_RADIUS) this.choose(near[1]);
   }
 
-  redraw() {
-    if (this.pending) return;
-    this.pending = true;
-    requestAnimationFrame(() => {
-      this.pending = false;
-      this.draw();
-    });
-  }
-
   draw() {
     const context = this.fitCanvas();
     const { pose } = this.world.state(this.chosen());
     if (this.following && pose) this.view.centre(...pose);
     drawGrid(context, this.view, this.colors);
-    context.save();
-    const [right, down] = this.view.toPixels(0, 0);
-    context.translate(right, down);
-    context.scale(this.view.scale, -this.view.scale);
-    this.drawRobots(context, 1 / this.view.scale);
-    context.restore();
+    this.inMetres(context, (pixel) => this.drawTrails(context, pixel));
     this.drawLabels(context);
+    this.inMetres(context, (pixel) => this.drawRobots(context, pixel));
     this.showSpeeds();
+  }
+
+  // Calls draw with the size of a pixel, while the context is in metres.
+  inMetres(context, draw) {
+    context.save();
+    context.translate(...this.view.toPixels(0, 0));
+    context.scale(this.view.scale, -this.view.scale);
+    draw(1 / this.view.scale);
+    context.restore();
   }
 
   fitCanvas() {
@@ -88,10 +84,13 @@ export class RobotMap {
     return context;
   }
 
-  drawRobots(context, pixel) {
+  drawTrails(context, pixel) {
     for (const { id, color } of this.world.robots) {
       drawTrail(context, this.world.trails.get(id) ?? [], color, 3 * pixel);
     }
+  }
+
+  drawRobots(context, pixel) {
     for (const { robot, state } of this.world.placed()) {
       const chosen = robot.id === this.chosen();
       drawRobot(context, state.pose, robot.color, this.colors, pixel);

@@ -1,5 +1,7 @@
 // The joystick: one pointer, from the centre of a ring.
 
+const RADIUS = 0.36; // how far the thumb goes, as a share of the ring's width
+
 export class Pad {
   // deflect(forward, left): each in [-1, 1]
   constructor(ring, thumb, deflect) {
@@ -24,22 +26,28 @@ export class Pad {
   move(event) {
     if (event.pointerId !== this.pointer) return;
     const box = this.ring.getBoundingClientRect();
-    const radius = box.width * 0.36; // the thumb stays inside the ring
+    const radius = box.width * RADIUS;
     const right = (event.clientX - box.left - box.width / 2) / radius;
     const down = (event.clientY - box.top - box.height / 2) / radius;
     const length = Math.max(1, Math.hypot(right, down));
-    this.show(right / length, down / length, radius);
+    this.show(right / length, down / length);
     this.deflect(-down / length, -right / length);
   }
 
   lift(event) {
     if (event.pointerId !== this.pointer) return;
     this.pointer = null;
-    this.show(0, 0, 0);
+    this.show(0, 0);
     this.deflect(0, 0);
   }
 
-  show(right, down, radius) {
+  // Shows what another input commands.
+  point(forward, left) {
+    if (this.pointer === null) this.show(-left, -forward);
+  }
+
+  show(right, down) {
+    const radius = this.ring.clientWidth * RADIUS;
     this.thumb.style.transform = `translate(${right * radius}px, ${down * radius}px)`;
   }
 }

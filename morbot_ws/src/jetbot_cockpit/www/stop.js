@@ -7,15 +7,16 @@ const NOT_CONNECTED = "No connection: this stop reached no robot. Use the robot'
 const NOT_CONFIRMED = "The stop is not confirmed yet. Press again, or use the robot's own switch.";
 
 export class Stops {
-  // send(message) returns whether it was sent; report(sentence)
-  constructor(world, chosen, send, report) {
-    Object.assign(this, { world, chosen, send, report });
+  // chosen(): id; send(message) returns whether it was sent; report(sentence); stopped(): a stop was sent
+  constructor(world, { chosen, send, report, stopped }) {
+    Object.assign(this, { world, chosen, send, report, stopped });
     element("stop").addEventListener("click", () => this.stop());
     element("release").addEventListener("click", () => this.release());
   }
 
   stop() {
     if (!this.send({ type: "stop", robot: null })) return this.report(NOT_CONNECTED);
+    this.stopped();
     setTimeout(() => this.world.emergency || this.report(NOT_CONFIRMED), CONFIRM_TIMEOUT);
   }
 

@@ -5,8 +5,9 @@ import { operand, signed } from "./numbers.js";
 
 const SIDES = [["left", "−", -1], ["right", "+", 1]];
 
-// Returns one side's formula with its numbers: sign is -1 for the left wheel.
-export function formula(name, operator, sign, [x, z], robot) {
+// Returns one side's formula with its numbers as they are shown: sign is -1 for the left wheel.
+export function formula(name, operator, sign, command, robot) {
+  const [x, z] = command.map((value) => Number(value.toFixed(2)));
   const { wheel_separation: separation, max_speed: maxSpeed, workshop } = robot;
   const value = workshop ? x + sign * z : (x + sign * z * separation / 2) / maxSpeed;
   const limited = Math.abs(value) > 1.005 ? `, limited to ${signed(Math.sign(value))}` : "";

@@ -67,16 +67,16 @@ export class World {
 
 // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
 export function summarize(world, id) {
-  const { status, warning, answers, stopped, driver } = world.state(id);
+  const { status, warning, answers, stopped } = world.state(id);
   const label = world.robot(id)?.label ?? "The robot";
   if (!answers) return { text: status || `${label} does not answer: look after its node.`, level: "warning" };
   if (world.emergency || stopped) return { text: status || "stopped: emergency stop", level: "stopped" };
   const level = warning ? "warning" : status.startsWith("stopped") ? "waiting" : "driving";
-  return { text: status || "waiting for its status", level, driver };
+  return { text: status || "waiting for its status", level };
 }
 
 export function describeDriver(world, id) {
   const { driver } = world.state(id);
-  if (!driver) return "Nobody drives it";
+  if (!driver) return "Free to drive";
   return driver.id === world.me.id ? "You drive it" : `${driver.name} drives it`;
 }
