@@ -1,0 +1,88 @@
+"""The cockpit beside a robot, as ./morbot run starts it, and with a class: one page, which no robot needs to drive."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import urllib.request
+from pathlib import Path
+
+import rospy
+from std_msgs.msg import String
+
+from harness import START_TIMEOUT, RobotTest, find_processes, free_port, read
+from jetbot_lessons.graph import pid
+
+RUN = Path(__file__).parents[3] / "setup/run.py"  # ./morbot run
+CLASS = ("/jetbot_01", "/jetbot_02")
+BROWSER = '#!/bin/sh\necho "$@" >>{}\n'
+
+
+class CockpitLaunch(RobotTest):
+    def setUp(self):
+        super().setUp()
+        self.port = free_port()
+        self.environment = {**os.environ, "ROS_HOME": os.path.join(self.folder, "home")}
+
+    def address(self):
+        return f"http://localhost:{self.port}/"
+
+    def is_served(self):
+        """Return whether this computer's browser gets the page."""
+        try:
+            with urllib.request.urlopen(self.address(), timeout=10) as answer:
+                return b'id="pad"' in answer.read()
+        except OSError:
+            return False
+
+    def open_ports(self):
+        """Return the ports at which other computers reach this test's nodes."""
+        nodes = [f"pid={process}," for process in find_processes(self.folder)]
+        rows = [row.split() for row in subprocess.check_output(["ss", "-Hltnp"], text=True).splitlines()]
+        return {int(row[3].rpartition(":")[2]) for row in rows if any(node in row[-1] for node in nodes)
+                and not row[3].startswith(("127.", "[::1]", "[::ffff:127."))}
+
+    def test_run_prints_the_address_of_the_page_and_opens_it_where_there_is_a_desktop(self):
+        opened = Path(self.folder, "opened")
+        browser = Path(self.folder, "xdg-open")
+        browser.write_text(BROWSER.format(opened))
+        browser.chmod(0o755)
+        environment = {**self.environment, "DISPLAY": ":99", "PATH": f"{self.folder}:{os.environ['PATH']}"}
+        environment.pop("SSH_CONNECTION", None)
+        run = self.start(sys.executable, str(RUN), "simulation", "simulation.launch", "motion:=true", "cockpit:=true",
+                         "browser:=auto", "rviz:=false", f"i2c_bus:=fake:{self.bus}", f"cockpit_port:={self.port}",
+                         env=environment)
+        self.wait_for(self.is_served, START_TIMEOUT, "the page")
+        self.wait_for(opened.exists, START_TIMEOUT, "the browser")
+        self.assertEqual(opened.read_text().split(), [self.address()])
+        self.assertIn(f" {self.address()}\n", read(run))
+        self.wait_for_wheels(0.4, 0.6, START_TIMEOUT)
+        os.killpg(run.pid, signal.SIGINT)
+        run.wait(START_TIMEOUT)
+        self.assertFalse(self.is_served())
+
+    def test_a_robot_drives_without_its_page_if_the_port_is_taken(self):
+        with socket.create_server(("localhost", self.port)):
+            launch = self.launch("simulation", "simulation.launch", "motion:=true", "cockpit:=true", "rviz:=false",
+                                 f"cockpit_port:={self.port}", env=self.environment)
+            self.wait_for(lambda: f"port {self.port}" in read(launch).partition("started with pid")[2], START_TIMEOUT,
+                          "a sentence about the port")
+            self.wait_for_wheels(0.4, 0.6, START_TIMEOUT)
+            self.assertIsNone(launch.poll())
+
+    def test_a_class_has_a_code_for_each_robot_and_goes_on_without_one(self):
+        statuses = {name: self.record(f"{name}/jetbot_controller/status", String) for name in CLASS}
+        launch = self.start("roslaunch", "jetbot_cockpit", "class.launch", "robots:=2", "lan:=true",
+                            f"cockpit_port:={self.port}", env=self.environment)
+        self.wait_for(self.is_served, START_TIMEOUT, "the page")
+        self.wait_for(lambda: all(statuses.values()), START_TIMEOUT, "both robots")
+        self.wait_for(lambda: read(launch).count(f":{self.port}/#") == 1 + len(CLASS), 10.0, "a code for each")
+        self.assertEqual(self.open_ports(), {self.port})
+        starts = [rospy.get_param(f"{name}/jetbot_simulator/y") for name in CLASS]
+        self.assertEqual(abs(starts[0] - starts[1]), 1)
+        for node in ("jetbot_controller", "jetbot_simulator"):
+            os.kill(pid(f"{CLASS[0]}/{node}"), signal.SIGKILL)
+        self.wait_for(lambda: read(launch).count("process has died") == 2, START_TIMEOUT, "roslaunch to see it")
+        self.assertIsNone(launch.poll())
+        self.assertTrue(self.is_served() and pid(f"{CLASS[1]}/jetbot_controller"))
