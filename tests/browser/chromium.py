@@ -81,6 +81,14 @@ class Chromium:
         self.driver.close()
         self.driver.switch_to.window(other)
 
+    def close_other_tabs(self) -> None:
+        """Close all tabs but the one in front."""
+        front = self.driver.current_window_handle
+        for other in set(self.driver.window_handles) - {front}:
+            self.driver.switch_to.window(other)
+            self.driver.close()
+        self.driver.switch_to.window(front)
+
     def errors(self) -> List[str]:
         """Return what the console has logged since the last call: errors and warnings, violations of the CSP too."""
         return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] != "INFO"]
