@@ -42,7 +42,7 @@ class Chromium:
 
     def screen(self, width: int, height: int) -> None:
         """Make the tab in front a phone's touch screen of this size in px."""
-        self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=2,
+        self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
                        mobile=True)
         self._devtools("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
 
@@ -80,6 +80,14 @@ class Chromium:
         self.driver.switch_to.window(page)
         self.driver.close()
         self.driver.switch_to.window(other)
+
+    def close_other_tabs(self) -> None:
+        """Close all tabs but the one in front."""
+        front = self.driver.current_window_handle
+        for other in set(self.driver.window_handles) - {front}:
+            self.driver.switch_to.window(other)
+            self.driver.close()
+        self.driver.switch_to.window(front)
 
     def errors(self) -> List[str]:
         """Return what the console has logged since the last call: errors and warnings, violations of the CSP too."""

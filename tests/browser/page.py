@@ -28,7 +28,8 @@ class Page(Chromium):
             self.choose(robot)
 
     def leave(self) -> None:
-        """Show another page, and lift all fingers."""
+        """Show another page in the only tab, and lift all fingers."""
+        self.close_other_tabs()
         self.driver.get("about:blank")
         self.lift()
 
