@@ -23,17 +23,21 @@ def connections():
     return Connections()
 
 
-def test_one_address_leaves_room_for_the_others(connections):
-    streams = [Stream() for _ in range(MAX_PER_ADDRESS + 1)]
-    assert [connections.admit(stream, "a", 0.0) for stream in streams] == [True] * MAX_PER_ADDRESS + [False]
-    assert streams[-1].closed() and connections.admit(Stream(), "b", 0.0)
-    streams[0].close()
-    assert connections.admit(Stream(), "a", 0.0)
+def test_too_many_from_one_address_close_its_oldest_and_nobody_elses(connections):
+    other, *streams = [Stream() for _ in range(MAX_PER_ADDRESS + 3)]
+    connections.admit(other, "b", 0.0)
+    for stream in streams:
+        connections.admit(stream, "a", 0.0)
+    assert [stream for stream in streams if stream.closed()] == streams[:2] and not other.closed()
 
 
-def test_there_is_a_limit_for_all_addresses(connections):
-    admitted = [connections.admit(Stream(), str(number), 0.0) for number in range(MAX_CONNECTIONS + 1)]
-    assert admitted == [True] * MAX_CONNECTIONS + [False]
+def test_too_many_in_all_close_the_oldest_that_is_no_clients_socket(connections):
+    streams = [Stream() for _ in range(MAX_CONNECTIONS + 1)]
+    for number, stream in enumerate(streams):
+        connections.admit(stream, str(number), 0.0)
+        if number == 0:
+            connections.keep(stream)
+    assert [stream for stream in streams if stream.closed()] == [streams[1]]
 
 
 def test_only_a_clients_socket_stays_open(connections):

@@ -205,6 +205,13 @@ def test_there_is_room_for_64_pages(hub):
     assert join(hub)[1]
 
 
+def test_pupils_cannot_take_all_places_from_a_teacher(hub, control):
+    pages = [join(hub, PUPIL)[0] for _ in range(64)]
+    page, viewer = join(hub, TEACHER)
+    assert viewer and page.closed is None
+    assert [number for number, each in enumerate(pages) if each.closed] == [63] and control.left == [64]
+
+
 def test_at_the_end_all_pages_are_disconnected_and_their_robots_stop(hub, control):
     pages = [join(hub)[0] for _ in range(3)]
     hub.close(0.0)

@@ -11,6 +11,7 @@ from .limits import TokenBucket
 
 MAX_CLIENTS = 64
 REFUSED, LOG_IN, FULL, ENDED = 4000, 4001, 4002, 1001  # why a socket is closed
+NO_ROOM = f"{MAX_CLIENTS} pages are connected already"
 TOO_MANY = f"more than {protocol.MAX_RATE} messages per second"
 FRAME_INTERVAL = 0.05   # s between two frames
 STILL_INTERVAL = 1.0    # s between two frames while nothing changes, and between two pings
@@ -67,9 +68,13 @@ class Hub:
         self._viewers: Dict[int, Viewer] = {}
 
     def join(self, connection: Connection, grant: Grant, now: float) -> Optional[Viewer]:
-        """Return the new client; None if there is no room."""
+        """Return the new client; None if there is no room. A teacher gets the place of the pupil who came last."""
+        if len(self._viewers) >= MAX_CLIENTS and grant.role == TEACHER:
+            pupils = [viewer for viewer in self._viewers.values() if viewer.client.role != TEACHER]
+            for viewer in pupils[-1:]:
+                self.end(viewer, FULL, NO_ROOM, now)
         if len(self._viewers) >= MAX_CLIENTS:
-            connection.close(FULL, f"{MAX_CLIENTS} pages are connected already")
+            connection.close(FULL, NO_ROOM)
             return None
         number = next(self._numbers)
         client = Client(number, f"{grant.role} {number}", grant.role, grant.robot)

@@ -15,7 +15,6 @@ WWW = next((folder for folder in (ROOT / "www", ROOT.parents[1] / "share/jetbot_
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
 HEADERS = {"Content-Security-Policy": "default-src 'self'; frame-ancestors 'none'", "X-Frame-Options": "DENY",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cache-Control": "no-store"}
-COOKIE_DAYS = 30  # longer than the node runs, with which it ends
 
 
 def reached_address(request: HTTPServerRequest) -> str:
@@ -90,8 +89,7 @@ class Login(Handler):
             raise HTTPError(429) from None
         if not grant:
             raise HTTPError(403)
-        self.set_cookie(self.access.cookie_name, grant.cookie, expires_days=COOKIE_DAYS, httponly=True,
-                        samesite="Strict")
+        self.set_cookie(self.access.cookie_name, grant.cookie, expires_days=None, httponly=True, samesite="Strict")
         self.set_status(204)
 
     def _code(self) -> str:

@@ -1,6 +1,7 @@
 """The web server: a thread of its own, which nothing of ROS blocks."""
 
 import asyncio
+import itertools
 import logging
 import socket
 import threading
@@ -15,6 +16,7 @@ from tornado.web import Application
 from .access import Access
 from .connections import Connections
 from .hub import FRAME_INTERVAL, Hub
+from .limits import TokenBucket
 from .pages import Login, Missing, Page, read_files
 from .sockets import Socket
 
@@ -22,6 +24,8 @@ MAX_BODY = 1000            # bytes of a request's body
 MAX_HEADERS = 16384        # bytes; all programs on a computer's ports share their cookies
 MAX_FRAME = 8192           # bytes of a message that is read at all, to be refused with a reason
 IDLE_TIMEOUT = 10.0        # s for the headers of a request, and for its body
+CHUNK = 4096               # bytes that are read at once
+MAX_BYTE_RATE = 65536      # bytes per second of a connection
 SEND_BUFFER = 65536        # bytes in the kernel: more would be old when it arrives
 EXPIRE_INTERVAL = 1.0      # s
 CLOSE_TIMEOUT = 0.1        # s for the clients to answer a close
@@ -29,17 +33,35 @@ SHUTDOWN_TIMEOUT = 1.0     # s
 
 
 class LimitedServer(HTTPServer):
-    """Counts the connections, and sends at once."""
+    """Limits the connections, and how fast each may send."""
 
     def initialize(self, *arguments, connections: Connections, **options) -> None:
         super().initialize(*arguments, **options)
         self._admitted = connections
 
     def handle_stream(self, stream: IOStream, address: tuple) -> None:
-        if self._admitted.admit(stream, address[0], time.monotonic()):
-            stream.set_nodelay(True)
-            stream.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
-            super().handle_stream(stream, address)
+        self._admitted.admit(stream, address[0], time.monotonic())
+        stream.set_nodelay(True)
+        stream.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
+        limit_reading(stream)
+        super().handle_stream(stream, address)
+
+
+def limit_reading(stream: IOStream) -> None:
+    """Read one chunk of a stream each time it is its turn; end it if it sends more than MAX_BYTE_RATE.
+
+    Tornado handles frames for as long as there are more: one client without pause would be the only one that is served.
+    """
+    read, bucket = stream.read_from_fd, TokenBucket(MAX_BYTE_RATE, MAX_BYTE_RATE, time.monotonic())
+    turn = itertools.cycle((True, False))
+
+    def read_in_turn(buffer):
+        if not next(turn):
+            return None  # as if nothing more had arrived
+        count = read(buffer)
+        return count if not count or bucket.take(time.monotonic(), count) else 0  # 0: as if it had ended
+
+    stream.read_from_fd = read_in_turn
 
 
 class Server:
@@ -73,7 +95,8 @@ class Server:
         self._loop, self._ended = asyncio.get_running_loop(), asyncio.Event()
         server = LimitedServer(
             self._application, connections=self._connections, max_body_size=MAX_BODY, max_header_size=MAX_HEADERS,
-            max_buffer_size=2 * MAX_HEADERS, idle_connection_timeout=IDLE_TIMEOUT, body_timeout=IDLE_TIMEOUT)
+            max_buffer_size=2 * MAX_HEADERS, chunk_size=CHUNK, idle_connection_timeout=IDLE_TIMEOUT,
+            body_timeout=IDLE_TIMEOUT)
         server.add_sockets(self._sockets)
         tasks = [PeriodicCallback(lambda: self._hub.tick(time.monotonic()), 1000 * FRAME_INTERVAL),
                  PeriodicCallback(lambda: self._connections.expire(time.monotonic()), 1000 * EXPIRE_INTERVAL)]

@@ -4,6 +4,7 @@ import contextlib
 import time
 from typing import Callable, Optional
 
+from tornado.ioloop import IOLoop
 from tornado.iostream import IOStream, StreamClosedError
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
@@ -11,6 +12,7 @@ from .access import Access
 from .hub import LOG_IN, Hub, Viewer
 from .pages import Handler
 
+CLOSE_TIMEOUT = 1.0  # s for the page to answer a close
 CLOSED = WebSocketClosedError, StreamClosedError
 
 
@@ -58,6 +60,12 @@ class Socket(Handler, WebSocketHandler):
     def ping(self, data: bytes = b"") -> None:
         with contextlib.suppress(*CLOSED):
             super().ping(data)
+
+    def close(self, code: Optional[int] = None, reason: Optional[str] = None) -> None:
+        stream = self.ws_connection and self.ws_connection.stream
+        super().close(code, reason)
+        if stream:
+            IOLoop.current().call_later(CLOSE_TIMEOUT, stream.close)
 
     def is_backlogged(self) -> bool:
         return self.ws_connection is None or self.ws_connection.stream.writing()
