@@ -100,3 +100,13 @@ def test_a_smaller_right_wheel_turns_as_fast_and_drives_less_far(closed_loop, sp
     angles, rates = robot.joints
     assert angles[0] == pytest.approx(angles[1])
     assert rates[0] == pytest.approx(rates[1])
+
+
+def test_a_wheel_that_slows_down_is_at_rest_soon():
+    robot = DiffDriveModel(SEPARATION, 0.06, MAX_SPEED, 0.1, 0.05, Pose())
+    robot.step((0.5, 0.5), 1.0)
+    assert robot.moving
+    for _ in range(100):
+        robot.step((0.0, 0.0), 0.02)
+    assert not robot.moving
+    assert robot.velocity == (0, 0)

@@ -11,7 +11,7 @@ import sys
 import rospy
 
 from jetbot import InvalidValue
-from jetbot.fake.motors import ROBOTS, pwm_frequency, wheel_speeds
+from jetbot.fake.motors import ROBOTS, Motors
 from jetbot.text import printable
 from jetbot_ros.command_line import private_parameters, public_words
 from jetbot_ros.master import require_master
@@ -24,14 +24,14 @@ def main() -> None:
     require_master()
     rospy.init_node("jetbot_simulator", argv=public_words())
     given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config", "body"]))
-    robot = fake_folder(given, rospy.get_namespace()), given["board"], given["i2c_address"]
+    motors = Motors(fake_folder(given, rospy.get_namespace()), given["board"], given["i2c_address"])
     closed_loop = ROBOTS[given["board"]].closed_loop
     model = DiffDriveModel(
         given["wheel_separation"], given["wheel_diameter"], given["max_speed"], given["motor_lag"], given["dead_band"],
         Pose(given["x"], given["y"], given["yaw"]), closed_loop, given["wheel_ratio"])
     # A board with a closed loop measures its motion, but not the angles of its wheels.
     others = ["odom"] if closed_loop else ["odom", "joint_states"] if given["publish_odom"] else []
-    Simulator(model, lambda: wheel_speeds(*robot), lambda: pwm_frequency(*robot), others).spin()
+    Simulator(model, motors, others).spin()
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ from jetbot.kinematics import Pose, mix
 Pair = Tuple[float, float]  # left, right
 
 PWM_FREQUENCY = 1526.0  # Hz, at which a dead band is given
+STOPPED_BELOW = 1e-5    # m/s; a wheel that slows down would never be at 0
 # Adafruit, "Improve Low-Speed Performance of Brushed DC Motors": a gear motor (product 4416) starts at 1.4 V of 5 V at
 # 1600 Hz, and at 0.1 V at 25 Hz.
 STARTING_EXPONENT = math.log(1.4 / 0.1) / math.log(1600 / 25)
@@ -36,6 +37,8 @@ class Motor:
         decay = math.exp(-seconds / self._lag) if self._lag else 0.0
         rolled = target * seconds + error * self._lag * (1 - decay)  # the integral of the speed over the time
         self.speed = target + error * decay
+        if not target and abs(self.speed) < STOPPED_BELOW:
+            self.speed = 0.0
         self.distance += rolled
         return rolled
 
@@ -66,6 +69,11 @@ class DiffDriveModel:
             left, right = mix((left + right) / 2, (right - left) / 2, *self._geometry)
         distances = self.left.step(left, seconds, pwm_frequency), self.right.step(right, seconds, pwm_frequency)
         self.pose = self.pose.integrate_arc(*distances, self._geometry[0])
+
+    @property
+    def moving(self) -> bool:
+        """Whether a wheel turns."""
+        return bool(self.left.speed or self.right.speed)
 
     @property
     def velocity(self) -> Tuple[float, float]:
