@@ -1,10 +1,14 @@
 """Who may drive which robot, and what it is given. No sockets, no ROS and no clock: times are monotonic seconds."""
 
+import math
 import threading
-from typing import TYPE_CHECKING, Callable, Dict, List, NamedTuple, Optional, Set
+from typing import TYPE_CHECKING, Callable, Dict, List, Optional, Set
 
 from . import protocol
+from .client import TEACHER, Client
+from .dead_man import TIMEOUT
 from .lease import Leases
+from .stops import Stops
 from .trail import Trails
 from .view import label
 
@@ -12,21 +16,7 @@ if TYPE_CHECKING:  # they need ROS
     from .drive import Drive
     from .robots import Robots
 
-TEACHER = "teacher"
 LET_GO = "Let go, then drive again."
-
-
-class Client(NamedTuple):
-    """Somebody at a page. role: "teacher" or "pupil"; robot: the only one that a pupil may drive, None: any."""
-
-    id: int
-    name: str
-    role: str
-    robot: Optional[str] = None
-
-    def commands(self, robot: Optional[str]) -> bool:
-        """Return whether this person may drive the robot."""
-        return self.role == TEACHER or self.robot in (None, robot)
 
 
 class Control:
@@ -38,10 +28,10 @@ class Control:
     def __init__(self, robots: "Robots", drive: "Drive"):
         self._robots, self._drive = robots, drive
         self._snapshot = robots.snapshot()
-        self._leases, self._trails = Leases(), Trails()
+        self._leases, self._stops, self._trails = Leases(), Stops(), Trails()
         self._names: Dict[int, str] = {}
         self._must_lift: Set[int] = set()
-        self._teachers_stops: Set[Optional[str]] = set()
+        self._checked_at, self._stale_until = math.inf, -math.inf
         self._lock = threading.RLock()
         self._actions: Dict[type, Callable] = {
             protocol.Drive: self._on_drive, protocol.Take: self._on_take, protocol.Stop: self._on_stop,
@@ -51,6 +41,7 @@ class Control:
         """Do what a client asks for; return what its page should be told, a message of the socket, or None."""
         with self._lock:
             self._names.setdefault(client.id, client.name)
+            self._note_interruption(now)
             return self._actions[type(message)](client, message, now)
 
     def leave(self, client: int, now: float) -> None:
@@ -66,11 +57,13 @@ class Control:
         Return messages of the socket for all clients.
         """
         with self._lock:
+            self._note_interruption(now)
+            self._checked_at = now
             snapshot = self._snapshot = self._robots.snapshot()
             for robot in self._leases.robots():
                 if snapshot.problem(robot) or self._leases.is_silent(robot, now):
                     self._free(robot)
-            self._teachers_stops = set(filter(snapshot.is_stopped, self._teachers_stops))
+            self._stops.update(snapshot)
             return self._trails.update({robot.id: robot.pose for robot in snapshot.robots.values()})
 
     def close(self) -> None:
@@ -98,11 +91,11 @@ class Control:
         robot, driving = message.robot, bool(message.forward or message.left)
         if not driving:
             return self._on_lifted(client, robot, now)
-        refusal = self._refusal(client, robot)
+        refusal = self._refusal(client, robot, now)
         if not refusal:
             self._lease(client, robot, now, driving)
             velocity = self._snapshot.robots[robot].velocity(message.forward, message.left)
-            refusal = "" if self._drive.command(robot, velocity, now) else f"No command for 0.3 s. {LET_GO}"
+            refusal = "" if self._drive.command(robot, velocity, now) else f"No command for {TIMEOUT} s. {LET_GO}"
         if not refusal:
             return None
         self._must_lift.add(client.id)
@@ -116,10 +109,17 @@ class Control:
             self._drive.release(robot)
             self._lease(client, robot, now, driving=False)
 
-    def _refusal(self, client, robot) -> str:
+    def _note_interruption(self, now):
+        """Drive nothing for a moment if this process was frozen: old commands waited in the sockets."""
+        if now - self._checked_at >= TIMEOUT:
+            self._stale_until = now + TIMEOUT
+
+    def _refusal(self, client, robot, now) -> str:
         """Return why the client may not drive this robot now, or ""."""
-        if not client.commands(robot):
+        if not client.may_drive(robot):
             return f"Your code drives {label(client.robot)} only."
+        if now < self._stale_until:
+            return f"The cockpit was interrupted. {LET_GO}"
         driver = self._leases.driver(robot)
         if driver not in (None, client.id):
             return f"{self._names[driver]} drives {label(robot)}."
@@ -129,8 +129,8 @@ class Control:
         robot = message.robot
         if client.role != TEACHER:
             return notice("Only a teacher takes a robot.")
-        if robot not in self._snapshot.robots:
-            return notice(f"{label(robot)} has ended.")
+        if self._ended(robot):
+            return notice(self._ended(robot))
         if self._leases.driver(robot) != client.id:
             self._free(robot)
             self._lease(client, robot, now, driving=False)
@@ -138,24 +138,20 @@ class Control:
 
     def _on_stop(self, client, message, now):
         robot = message.robot
-        if robot is not None and not self._may_stop(client, robot):
-            return notice("Only a teacher stops one robot. Stop all instead.")
+        refusal = self._ended(robot) or self._stops.stop(client, robot)
+        if refusal:
+            return notice(refusal)
         self._robots.stop(robot, True)
         self._snapshot = self._robots.snapshot()
         for each in self._leases.robots() if robot is None else [robot]:
             self._free(each)
-        if client.role == TEACHER:
-            self._teachers_stops.add(robot)
         return None
 
     def _on_release(self, client, message, now):
-        robot = message.robot
-        if robot is not None and not self._may_stop(client, robot):
-            return notice("Only a teacher releases one robot.")
-        if client.role != TEACHER and robot in self._teachers_stops:
-            return notice("A teacher stopped this. A teacher releases it.")
-        self._teachers_stops.discard(robot)
-        self._robots.stop(robot, False)
+        refusal = self._stops.release(client, message.robot)
+        if refusal:
+            return notice(refusal)
+        self._robots.stop(message.robot, False)
         self._snapshot = self._robots.snapshot()
         return None
 
@@ -172,8 +168,8 @@ class Control:
     def _on_name(self, client, message, now):
         self._names[client.id] = message.name.strip() or client.name
 
-    def _may_stop(self, client, robot):
-        return client.role == TEACHER or client.robot == robot
+    def _ended(self, robot: Optional[str]) -> str:
+        return "" if robot is None or robot in self._snapshot.robots else f"{label(robot)} has ended."
 
     def _lease(self, client, robot, now, driving):
         """Give a free robot to the client, or go on; its other robot stops, and is free."""
