@@ -10,7 +10,7 @@ from .conftest import OTHER_ROBOT, ROBOT
 
 
 def wait_for_release(page):
-    page.wait_for(lambda: "emergency stop" not in page.text("status"), "the release")
+    page.wait_for_text("status", "emergency stop was released")
 
 
 def test_the_button_stops_all_robots_and_release_lets_none_start_by_itself(page, pupil, world):
