@@ -82,13 +82,13 @@ def wait_for_page(address: str) -> None:
 
 
 def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -> None:
-    """Open the page, drive an eight with the pad, and save what the page shows meanwhile."""
+    """Open the page, drive an eight with the pad, a circle in a class, and save what the page shows meanwhile."""
     with browser(size) as driver:
         driver.get(address)
         WebDriverWait(driver, START_TIMEOUT).until(
             lambda page: len(page.find_elements("css selector", "#robot option")) == robots)
         touch(driver, "touchStart", center_of(driver)[:2])
-        for forward, left, seconds in EIGHT:
+        for forward, left, seconds in EIGHT if robots == 1 else EIGHT[:1]:
             drive(driver, forward, left, seconds)
         if robots > 1:
             driver.execute_script("document.getElementById('fit').click()")
@@ -99,8 +99,8 @@ def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -
 
 def drive(driver: webdriver.Chrome, forward: float, left: float, seconds: float) -> None:
     """Push the pad until the robot has driven for so long; on a busy computer, the dead man's switch may stop it."""
-    status, driven = driver.find_element("id", "status"), 0.0
-    while driven < seconds:
+    status, notice, driven = *(driver.find_element("id", name) for name in ("status", "notice")), 0.0
+    while driven < seconds or notice.is_displayed():
         x, y, radius = center_of(driver)
         touch(driver, "touchMove", (x - left * radius, y - forward * radius))
         time.sleep(STEP)
@@ -161,7 +161,7 @@ def others_drive() -> Iterator[None]:
         while not ended.wait(0.1):
             for number, publisher in enumerate(publishers):
                 motion = Twist()
-                motion.linear.x, motion.angular.z = 0.4, (0.06 + 0.004 * number) * (-1) ** number
+                motion.linear.x, motion.angular.z = 0.4, 0.06 + 0.004 * number
                 publisher.publish(motion)
 
     thread = threading.Thread(target=publish)
