@@ -5,7 +5,6 @@ import json
 import mmap
 import os
 import re
-import subprocess
 import threading
 import time
 from collections import Counter
@@ -16,9 +15,9 @@ from browser.chromium import descendants
 from tornado.httpclient import HTTPRequest
 from tornado.websocket import websocket_connect
 
-from harness import end, free_port
 from jetbot.fake import chip_file, default_folder
 from jetbot.fake.motors import STOPPED, wheel_speeds
+from processes import end, free_port, start
 
 RATE = 20  # Hz of each client
 START_TIMEOUT, STOP_TIMEOUT = 180.0, 5.0  # s
@@ -104,10 +103,8 @@ class SchoolClass:
 
     def __enter__(self):
         port = free_port()
-        with self._log.open("w") as log:
-            self._roslaunch = subprocess.Popen(
-                ["roslaunch", "jetbot_cockpit", "class.launch", f"robots:={len(self._clients)}",
-                 f"cockpit_port:={port}"], stdout=log, stderr=log, start_new_session=True)
+        self._roslaunch = start(["roslaunch", "jetbot_cockpit", "class.launch", f"robots:={len(self._clients)}",
+                                 f"cockpit_port:={port}"], self._log)
         try:
             self._run(asyncio.wait_for(self._all(lambda client: client.join(f"localhost:{port}")), START_TIMEOUT))
         except BaseException:
