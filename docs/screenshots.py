@@ -118,9 +118,11 @@ def center_of(driver: webdriver.Chrome) -> Tuple[float, float, float]:
 def browser(size: Tuple[int, int, int]) -> Iterator[webdriver.Chrome]:
     """Run a headless Chromium with a screen of this size, and touch."""
     options = webdriver.ChromeOptions()
-    for argument in ("--headless=new", "--hide-scrollbars", "--remote-debugging-pipe", *(["--no-sandbox"] if os.geteuid() == 0 else [])):
+    for argument in ("--headless=new", "--hide-scrollbars", "--remote-debugging-pipe",  # it ends with chromedriver
+                     *(["--no-sandbox"] if os.geteuid() == 0 else [])):
         options.add_argument(argument)
-    driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver", popen_kw={"preexec_fn": end_with_parent}), options=options)
+    service = Service("/usr/bin/chromedriver", popen_kw={"preexec_fn": end_with_parent})
+    driver = webdriver.Chrome(service=service, options=options)
     try:
         width, height, scale = size
         driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {

@@ -25,11 +25,13 @@ EXCLUDED = ["disable-background-timer-throttling", "disable-renderer-backgroundi
 KEYS = {"ArrowUp": Keys.ARROW_UP, "ArrowDown": Keys.ARROW_DOWN, "ArrowLeft": Keys.ARROW_LEFT,
         "ArrowRight": Keys.ARROW_RIGHT, "Space": Keys.SPACE, "Escape": Keys.ESCAPE, "Tab": Keys.TAB,
         "Enter": Keys.ENTER}
+CAUSED_BY_TESTS = "/favicon.ico", "willReadFrequently"  # a picture in a tab of its own; the map's pixels that are read
 END_TIMEOUT = 20.0  # s
 FOREIGN = "evil.test"  # a name that leads to this computer, but not one of its names
 HOSTS = f"MAP {NAME} 127.0.0.1, MAP {FOREIGN} 127.0.0.1"
-# Keeps the newest commands that the page sends, for other pages of this origin too.
-KEEP_SENT = """{ const send = WebSocket.prototype.send, sent = [];
+# Keeps the newest commands that the page sends, and when it has met the newest event; other pages of this origin can
+# read that, too.
+KEEP_SENT = """if (location.protocol === "http:") { const send = WebSocket.prototype.send, sent = [];
     WebSocket.prototype.send = function (text) {
         const {type, forward, left} = JSON.parse(text);
         if (type === "drive") {
@@ -37,7 +39,11 @@ KEEP_SENT = """{ const send = WebSocket.prototype.send, sent = [];
             localStorage.setItem("sent", JSON.stringify(sent.slice(-100)));
         }
         send.call(this, text);
-    }; }"""
+    };
+    for (const type of ["click", "keydown", "keyup", "pointerup", "pointercancel", "visibilitychange", "pagehide"]) {
+        addEventListener(type, () => localStorage.setItem("met", (performance.timeOrigin + performance.now()) / 1000),
+                         true);
+    } }"""
 
 
 class Command(NamedTuple):
@@ -66,14 +72,14 @@ class Chromium:
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         service = Service(shutil.which("chromedriver"), popen_kw={"preexec_fn": end_with_parent})
         self.driver = webdriver.Chrome(service=service, options=options)
-        self._devtools("Page.addScriptToEvaluateOnNewDocument", source=KEEP_SENT)
+        self._watch_tab()
         self._driver_process, self._service = service.process.pid, service
 
-    def screen(self, width: int, height: int) -> None:
-        """Make the tab in front a phone's touch screen of this size in px."""
+    def screen(self, width: int, height: int, touch: bool = True) -> None:
+        """Make the tab in front a phone's touch screen of this size in px, or a desktop's."""
         self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
-                       mobile=True)
-        self._devtools("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
+                       mobile=touch)
+        self._devtools("Emulation.setTouchEmulationEnabled", enabled=touch, maxTouchPoints=5)
 
     def run(self, script: str):
         """Run JavaScript in the page, and return what it returns."""
@@ -105,9 +111,14 @@ class Chromium:
         """Return the newest commands that the page in the first tab sent; the tab in front may show another page."""
         return [Command(*each) for each in json.loads(self.run("return localStorage.getItem('sent')") or "[]")]
 
+    def met_at(self) -> float:
+        """Return when that page has met the newest click, key, end of a touch, or its own end."""
+        return float(self.run("return localStorage.getItem('met')"))
+
     def new_tab(self, url: str = "about:blank") -> None:
         """Open a tab in front of the page."""
         self.driver.switch_to.new_window("tab")
+        self._watch_tab()
         self.driver.get(url)
 
     def show_tab(self, number: int) -> None:
@@ -129,17 +140,14 @@ class Chromium:
         self.driver.switch_to.window(first)
 
     def errors(self) -> List[str]:
-        """Return what the console has logged since the last call: errors and warnings, violations of the CSP too.
-
-        Not a missing favicon.ico, which a browser asks for when it shows a picture.
-        """
+        """Return what the console has logged since the last call: errors and warnings, violations of the CSP too."""
         return [entry["message"] for entry in self.driver.get_log("browser")
-                if entry["level"] != "INFO" and "/favicon.ico" not in entry["message"]]
+                if entry["level"] != "INFO" and not any(each in entry["message"] for each in CAUSED_BY_TESTS)]
 
     @property
     def runs(self) -> bool:
         """Return whether the browser was not killed."""
-        return bool(descendants(self._driver_process))
+        return any(map(is_running, descendants(self._driver_process)))
 
     def signal(self, signum: int) -> None:
         """Send a signal to all processes of the browser, not to chromedriver."""
@@ -157,6 +165,9 @@ class Chromium:
             with suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
         assert wait_until(lambda: not any(map(is_running, processes)), END_TIMEOUT), "Chromium does not end"
+
+    def _watch_tab(self):
+        self._devtools("Page.addScriptToEvaluateOnNewDocument", source=KEEP_SENT)
 
     def _devtools(self, command, **parameters):
         return self.driver.execute_cdp_cmd(command, parameters)

@@ -46,7 +46,7 @@ def page(world, browsers):
     page.errors()
     yield page
     errors = page.errors()
-    page.run("document.getElementById('release')?.click()")
+    page.run("document.querySelectorAll('#release, .stop-one[data-action=release]').forEach(each => each.click())")
     page.leave()
     for robot in world.robots:
         world.wait_for_stop(robot)
@@ -68,4 +68,6 @@ def victim(world, browsers):
     victim = browsers(2)
     victim.open(world.address, ROBOT)
     world.drive(victim, ROBOT)
-    return victim
+    yield victim
+    if victim.runs:
+        victim.leave()

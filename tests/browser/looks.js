@@ -66,19 +66,17 @@ function paleTexts() {
   });
 }
 
-// Returns [how far the chosen robot's pixels reach, how far their middle is from the map's], in pixels, or null.
+// Returns [how large the chosen robot is, how far its middle is from the map's], in pixels, or null.
 function robotOnMap() {
   const map = document.getElementById("map");
   const [red, green, blue] = channels(getComputedStyle(document.documentElement).getPropertyValue("--robot"));
   const { data } = map.getContext("2d").getImageData(0, 0, map.width, map.height);
-  const [xs, ys] = [[], []];
+  let [number, x, y] = [0, 0, 0];
   for (let index = 0; index < data.length; index += 4) {
     if (data[index] !== red || data[index + 1] !== green || data[index + 2] !== blue) continue;
-    xs.push(index / 4 % map.width);
-    ys.push(Math.floor(index / 4 / map.width));
+    number += 1;
+    x += index / 4 % map.width;
+    y += Math.floor(index / 4 / map.width);
   }
-  if (!xs.length) return null;
-  const [left, right] = [Math.min(...xs), Math.max(...xs)];
-  const [top, bottom] = [ys[0], ys[ys.length - 1]];
-  return [right - left, Math.hypot((left + right - map.width) / 2, (top + bottom - map.height) / 2)];
+  return number ? [Math.sqrt(number), Math.hypot(x / number - map.width / 2, y / number - map.height / 2)] : null;
 }

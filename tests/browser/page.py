@@ -18,7 +18,7 @@ CONTROLS = "a[href], button, input, select, [tabindex]:not([tabindex='-1'])"
 
 
 class OnMap(NamedTuple):
-    """The chosen robot on the map. size: how far its pixels reach; offset: from the middle of the map; in px."""
+    """The chosen robot on the map. size: of the square of as many pixels; offset: from the middle of the map; in px."""
 
     size: float
     offset: float
@@ -165,9 +165,9 @@ class Page(Chromium):
         return tuple(self.run(f"const box = document.querySelector(\"{selector}\").getBoundingClientRect();"
                               "return [box.x + box.width / 2, box.y + box.height / 2]"))
 
-    def resize(self, width: int, height: int) -> None:
-        """Show the page on a screen of this size in px."""
-        self.screen(width, height)
+    def resize(self, width: int, height: int, touch: bool = True) -> None:
+        """Show the page on a screen of this size in px; touch: whether it is a touch screen."""
+        self.screen(width, height, touch)
         self.wait_for(lambda: self.run("return [innerWidth, innerHeight]") == [width, height], "this screen")
 
     def fits(self, *names: str) -> bool:

@@ -2,32 +2,37 @@
 
 import time
 
-import pytest
-
 from .conftest import OTHER_ROBOT, ROBOT
 from .test_driving import forward, hold
 
-SCREENS = [(360, 640), (390, 844), (844, 390), (820, 1180), (1180, 820), (1280, 800)]  # px
-FINGER = 44  # px
+TOUCH_SCREENS = [(360, 640), (390, 844), (844, 390), (820, 1180), (1180, 820)]  # px
+DESKTOP = (1280, 800)
+FINGER, MOUSE = 44, 24  # px that each control has at least
 LONG = "stopped: " + "a reason that nobody has ever shortened, " * 7
 NAME = "a_robot_with_a_name_of_forty_characters__"[:40]
 HIDDEN = 5.0  # s; the cockpit no longer sends to pages without a sign of life for 3 s
 LEVELS = "driving", "waiting", "warning", "stopped"
 
 
-@pytest.mark.parametrize("screen", SCREENS, ids=lambda screen: "x".join(map(str, screen)))
-def test_everything_fits_the_screen_and_the_finger(screen, page, pupil):
+def test_everything_fits_the_screen_and_the_finger(page, pupil):
+    page.rename("W" * 20)
     for each in page, pupil:
-        each.resize(*screen)
-        each.wait_for(lambda each=each: each.fits("pad", "stop", "status", "map"), "all on the screen")
-        assert each.small_controls(FINGER) == []
-        each.run(f"document.getElementById('status').textContent = {LONG!r};"
-                 f"document.getElementById('notice').textContent = {LONG!r};"
-                 "document.getElementById('notice').hidden = false;"
-                 f"document.getElementById('driver').textContent = 'WWWWWWWWWWWWWWWWWWWW drives it';"
-                 f"for (const label of document.querySelectorAll('#robot option, #fleet .label'))"
-                 f"    label.textContent = {NAME!r};")
-        assert each.misplaced("pad", "stop", "release") == [], "with long texts"
+        for screen in [*TOUCH_SCREENS, DESKTOP]:
+            check_screen(each, screen)
+
+
+def check_screen(page, screen):
+    page.resize(*screen, touch=screen != DESKTOP)
+    page.run("document.getElementById('notice').hidden = true")
+    page.wait_for(lambda: page.fits("pad", "stop", "status", "map"), f"all on the screen of {screen}")
+    assert page.small_controls(MOUSE if screen == DESKTOP else FINGER) == [], screen
+    page.run(f"""document.getElementById('status').textContent = {LONG!r};
+        document.getElementById('notice').textContent = {LONG!r};
+        document.getElementById('notice').hidden = false;
+        document.getElementById('driver').textContent = 'WWWWWWWWWWWWWWWWWWWW drives it';
+        for (const each of document.querySelectorAll('#robot option, #fleet .label')) each.textContent = {NAME!r};""")
+    assert page.misplaced("pad", "stop", "release") == [], f"with long texts on {screen}"
+    assert page.fits(), f"with long texts on {screen}"
 
 
 def test_the_tab_key_reaches_every_control_and_the_keyboard_alone_drives_and_stops(page, world):
@@ -66,26 +71,31 @@ def test_each_control_has_a_name_for_a_screen_reader(page):
     assert page.element("status").aria_role == "status"
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_texts_can_be_read(scheme, page):
-    page.media(prefers_color_scheme=scheme, prefers_reduced_motion="reduce")
+def test_texts_can_be_read_and_nothing_moves_for_those_who_prefer_that(page):
     try:
-        page.resize(1280, 800)
-        for level in LEVELS:
-            page.run(f"document.getElementById('status').dataset.level = '{level}';"
-                     f"for (const row of document.querySelectorAll('#fleet li')) row.dataset.level = '{level}';"
-                     "document.getElementById('notice').textContent = 'a notice';"
-                     "document.getElementById('notice').hidden = false;")
-            assert page.pale_texts() == [], f"contrast below WCAG's AA while {level}"
-        assert page.run("return matchMedia('(prefers-reduced-motion: reduce)').matches")
-        assert page.run("""return [...document.querySelectorAll('*')].filter(each => {
-            const style = getComputedStyle(each);
-            return style.animationName !== 'none' || style.transitionDuration.split(', ').some(time => time !== '0s');
-        }).length""") == 0, "nothing moves for those who prefer that"
-        page.run("document.getElementById('login').hidden = false")
-        assert page.pale_texts() == []
+        check_looks(page, "light")
+        check_looks(page, "dark")
     finally:
         page.media()
+
+
+def check_looks(page, scheme):
+    page.media(prefers_color_scheme=scheme, prefers_reduced_motion="reduce")
+    page.resize(*DESKTOP)
+    for level in LEVELS:
+        page.run(f"document.getElementById('status').dataset.level = '{level}';"
+                 f"for (const row of document.querySelectorAll('#fleet li')) row.dataset.level = '{level}';"
+                 "document.getElementById('notice').textContent = 'a notice';"
+                 "document.getElementById('notice').hidden = false;")
+        assert page.pale_texts() == [], f"contrast below WCAG's AA while {level} in {scheme}"
+    assert page.run("return matchMedia('(prefers-reduced-motion: reduce)').matches")
+    assert page.run("""return [...document.querySelectorAll('*')].filter(each => {
+        const style = getComputedStyle(each);
+        return style.animationName !== 'none' || style.transitionDuration.split(', ').some(time => time !== '0s');
+    }).length""") == 0, "nothing moves for those who prefer that"
+    page.run("document.getElementById('login').hidden = false")
+    assert page.pale_texts() == []
+    page.run("document.getElementById('login').hidden = true")
 
 
 def test_a_page_that_was_hidden_for_a_while_is_up_to_date_at_once(page, world):

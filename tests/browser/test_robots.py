@@ -3,7 +3,6 @@
 import math
 
 from .conftest import OTHER_ROBOT, ROBOT
-from .world import moving
 
 STRANGER = "stranger"
 ROW = f"#fleet li[data-robot='/{OTHER_ROBOT}']"
@@ -24,7 +23,7 @@ def test_a_teacher_stops_and_releases_one_robot(page, pupil, world):
     pupil.choose(OTHER_ROBOT)
     world.drive(pupil, OTHER_ROBOT)
     page.element("show-fleet").click()
-    with world.stops(OTHER_ROBOT, what="WebDriver's click on the robot's Stop began"):
+    with world.stops(OTHER_ROBOT, what="a click on its Stop in the list", page=page):
         page.click(f"{ROW} .stop-one")
     pupil.wait_for_text("status", "its own emergency stop")
     page.wait_for(lambda: page.text_of(f"{ROW} .stop-one") == "Release", "the button to offer a release")
@@ -45,8 +44,7 @@ def test_a_teacher_chooses_a_robot_in_the_list_and_puts_it_or_all_back(page, wor
     assert page.run("return document.getElementById('robot').value") == f"/{OTHER_ROBOT}"
     for robot in OTHER_ROBOT, ROBOT:
         page.choose(robot)
-        world.drive(page, robot)
-        page.wait_for(lambda: distance(page) > 0.3, "the robot to drive away")
+        world.drive_until(lambda: distance(page) > 0.3, "the robot to drive away", page, robot)
         page.lift()
         world.wait_for_stop(robot)
         if robot == OTHER_ROBOT:
@@ -68,12 +66,11 @@ def test_the_map_follows_the_robot_or_not_and_zooms(page, world):
     page.wait_for(lambda: page.robot_on_map(), "the robot on the map")
     small = page.robot_on_map().size
     page.element("zoom-in").click()
-    page.wait_for(lambda: page.robot_on_map().size > 1.2 * small, "a larger robot")
+    page.wait_for(lambda: page.robot_on_map().size > 1.1 * small, "a larger robot")
     page.element("zoom-out").click()
-    page.wait_for(lambda: page.robot_on_map().size < 1.1 * small, "a smaller robot")
-    world.drive(page, ROBOT)
+    page.wait_for(lambda: page.robot_on_map().size < 1.05 * small, "a smaller robot")
     start = distance(page)
-    page.wait_for(lambda: abs(distance(page) - start) > 0.2, "the robot to drive")
+    world.drive_until(lambda: abs(distance(page) - start) > 0.2, "the robot to drive", page, ROBOT)
     assert page.robot_on_map().offset < 30, "the robot is in the middle"
     page.lift()
     x, y = page.place_of("#map")
@@ -84,8 +81,6 @@ def test_the_map_follows_the_robot_or_not_and_zooms(page, world):
     assert page.element("follow").get_attribute("aria-pressed") == "false"
     page.wait_for(lambda: page.robot_on_map().offset > 30, "the map to be moved by the finger")
     before = page.robot_on_map().offset
-    world.drive(page, ROBOT, wanted=moving)
-    page.wait_for(lambda: abs(page.robot_on_map().offset - before) > 10, "the robot to move on the map")
+    world.drive_until(lambda: abs(page.robot_on_map().offset - before) > 10, "it to move on the map", page, ROBOT)
     page.element("follow").click()
     page.wait_for(lambda: page.robot_on_map().offset < 30, "the map to follow")
-    world.hold(page, lambda: None, lambda: page.touch(), ROBOT)

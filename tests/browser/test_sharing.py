@@ -19,9 +19,12 @@ def test_a_second_person_is_refused_and_sees_who_drives(page, pupil, world):
 
 
 def test_a_robot_is_free_as_soon_as_its_driver_leaves(page, pupil, world):
+    page.new_tab(f"{world.address}icon.svg")
+    page.show_tab(0)
     world.drive(page, ROBOT)
     with world.stops(ROBOT, what="the page's end"):
-        page.leave()
+        page.driver.close()
+    page.show_tab(0)
     world.drive(pupil, ROBOT)
 
 
@@ -29,7 +32,7 @@ def test_a_teacher_takes_a_robot_from_a_pupil(page, pupil, world):
     pupil.rename("Ben")
     world.drive(pupil, ROBOT)
     page.wait_for_text("driver", "Ben drives it")
-    with world.stops(ROBOT, what="the teacher's click on Take over"):
+    with world.stops(ROBOT, what="the teacher's click on Take over", page=page):
         page.element("take").click()
     pupil.move(0.9, 0.1)
     world.stay_stopped(ROBOT)

@@ -14,7 +14,7 @@ def test_a_pupils_button_stops_all_robots_and_release_lets_none_start_by_itself(
     world.drive(page, ROBOT)
     world.drive(pupil, OTHER_ROBOT)
     stop = pupil.element("stop")
-    with world.stops(ROBOT, OTHER_ROBOT, what="WebDriver's click on STOP began"):
+    with world.stops(ROBOT, OTHER_ROBOT, what="a pupil's click on STOP", page=pupil):
         stop.click()
     for each in page, pupil:
         each.wait_for_text("status", "emergency stop")
@@ -41,7 +41,7 @@ def test_a_teachers_stop_is_released_by_a_teacher_only(page, pupil, world):
 @pytest.mark.parametrize("key", ["Escape", "Space"])
 def test_a_key_stops_and_what_is_still_held_does_not_drive_after_the_release(key, page, world):
     world.hold(page, lambda: page.press("ArrowUp"), lambda: page.let_go("ArrowUp"), ROBOT)
-    with world.stops(ROBOT, what=f"WebDriver began to press {key}"):
+    with world.stops(ROBOT, what=key, page=page):
         page.press(key)
     page.let_go(key)
     page.wait_for_text("status", "emergency stop")

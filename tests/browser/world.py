@@ -92,16 +92,17 @@ class World:
             f"{[self.wheels(robot) for robot in self.robots]}{self._logs()}"
 
     @contextmanager
-    def stops(self, *robots: str, what: str = "it") -> Iterator[None]:
+    def stops(self, *robots: str, what: str, page=None) -> Iterator[None]:
         """Fail unless what is done in this context stops these robots in time, and they stay stopped a while.
 
-        The time counts from the beginning of this context. Print it.
+        The time counts from the event that the page meets, without a page from the beginning of this context. Print it.
         """
         start = time.time()
         yield
         for robot in robots:
             self.wait_for(lambda robot=robot: self.wheels(robot) == STOPPED, STOP_TIMEOUT, f"{robot} to stop")
         self.stay_stopped(*robots, for_seconds=0.2)
+        start = page.met_at() if page else start
         elapsed = max(self.record.stopped_at(robot) for robot in robots) - start
         print(f"{', '.join(robots)}: stopped {1000 * elapsed:.0f} ms after {what}")
         assert elapsed <= STOP_TIMEOUT, f"{robots} stopped {elapsed:.2f} s after {what}{self._logs()}"
@@ -127,8 +128,22 @@ class World:
             if not self.paused(page, start):
                 break
             let_go()
-        assert False, f"{robot} turns its wheels at {self.wheels(robot)}, the page shows {page.everything()!r}, it " \
-            f"sent {page.sent()[-5:]}{self._logs()}"
+        raise AssertionError(
+            f"{robot} turns its wheels at {self.wheels(robot)}, the page shows {page.everything()!r}, it "
+            f"sent {page.sent()[-5:]}{self._logs()}")
+
+    def drive_until(self, condition: Callable[[], object], what: str, page, robot: str) -> None:
+        """Drive ahead until the condition is true, and longer; what: its description."""
+        for _ in range(TRIES):
+            start = time.time()
+            self.drive(page, robot)
+            wait_until(lambda: condition() or self.wheels(robot) == STOPPED, START_TIMEOUT, 0.05)
+            if condition():
+                return
+            if not self.paused(page, start):
+                break
+            page.lift()
+        raise AssertionError(f"waited for {what}; the page shows {page.everything()!r}{self._logs()}")
 
     def paused(self, page, start: float) -> bool:
         """Return whether the page or this process paused since then for so long that the switch may rightly fire."""
