@@ -64,6 +64,8 @@ def distance(page):
 
 def test_the_map_follows_the_robot_or_not_and_zooms(page, world):
     page.wait_for(lambda: page.robot_on_map(), "the robot on the map")
+    if page.element("follow").get_attribute("aria-pressed") == "false":  # it shows all robots first
+        page.element("follow").click()
     small = page.robot_on_map().size
     page.element("zoom-in").click()
     page.wait_for(lambda: page.robot_on_map().size > 1.1 * small, "a larger robot")
