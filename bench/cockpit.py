@@ -44,6 +44,7 @@ def page_latencies(folder: Path) -> List[float]:
     folder.mkdir()
     with closing(World(folder, ROBOT)) as world, closing(Page(folder / "profile")) as page:
         page.open(world.address, ROBOT)
+        world.drive(page, ROBOT)
         latencies, missed = [], 0
         while len(latencies) < MOVES:
             latency = latency_of_a_move(world, page, 0.5 + 0.4 * (len(latencies) % 2))
