@@ -20,6 +20,7 @@ class Pose(NamedTuple):
         return Pose(self.x + chord * math.cos(heading), self.y + chord * math.sin(heading),
                     math.remainder(self.yaw + rotation, math.tau))
 
+
 WHEEL_SEPARATION = 0.1125  # m; NVIDIA's model of the JetBot in Isaac Sim
 
 
