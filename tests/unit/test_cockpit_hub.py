@@ -6,7 +6,8 @@ import pytest
 
 from jetbot_cockpit import hub as hubs
 from jetbot_cockpit import protocol
-from jetbot_cockpit.access import PUPIL, TEACHER, make_grant
+from jetbot_cockpit.access import make_grant
+from jetbot_cockpit.client import PUPIL, TEACHER
 from jetbot_cockpit.hub import FRAME_INTERVAL, Hub
 
 STOP = '{"type": "stop"}'
@@ -85,7 +86,7 @@ def run(hub, viewers, since, until):
     for number in range(int(since / FRAME_INTERVAL) + 1, int(until / FRAME_INTERVAL) + 1):
         hub.tick(number * FRAME_INTERVAL)
         for viewer in viewers if number % 20 == 0 else ():
-            hub.hear(viewer, number * FRAME_INTERVAL)
+            hub.record_activity(viewer, number * FRAME_INTERVAL)
 
 
 def test_a_new_page_is_sent_all_that_it_shows(hub):
@@ -139,7 +140,7 @@ def test_a_page_that_says_nothing_is_sent_nothing_that_would_be_old_when_it_arri
     control.speed = 1
     run(hub, [], hubs.ABSENT_AFTER, 10)
     assert page.types() == [] and page.pings >= 5
-    hub.hear(viewer, 10.0)
+    hub.record_activity(viewer, 10.0)
     hub.tick(10.05)
     assert page.types() == ["state"]
 

@@ -7,7 +7,8 @@ from typing import Deque, Iterable, List, NamedTuple, Optional, Sequence, Set, T
 
 from jetbot.host import is_loopback
 
-PUPIL, TEACHER = "pupil", "teacher"
+from .client import PUPIL, TEACHER
+
 ALPHABET = "ABCDEFGHJKMNPQRSTUVWXYZ23456789"  # none that looks like another
 CODE_LENGTH = {PUPIL: 6, TEACHER: 10}
 LOOPBACK = ("localhost", "127.0.0.1", "::1")
@@ -17,7 +18,7 @@ MAX_WRONG_IN_ALL = 100     # from all addresses: many computers guess no faster
 
 
 class TooManyTries(Exception):
-    """So many codes were wrong that no code is looked at for now."""
+    """So many codes were wrong that no code is accepted for now."""
 
 
 class Grant(NamedTuple):

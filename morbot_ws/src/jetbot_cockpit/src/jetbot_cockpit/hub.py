@@ -5,8 +5,9 @@ import json
 from typing import Dict, Optional, Protocol, Sequence
 
 from . import handout, protocol
-from .access import TEACHER, Grant
-from .control import Client, Control
+from .access import Grant
+from .client import TEACHER, Client
+from .control import Control
 from .limits import TokenBucket
 
 MAX_CLIENTS = 64
@@ -37,17 +38,17 @@ class Viewer:
     def __init__(self, client: Client, connection: Connection, now: float):
         self.client, self.connection = client, connection
         self.bucket = TokenBucket(protocol.MAX_RATE, protocol.MAX_BURST, now)
-        self.heard = self.pinged = self.shown_at = now
+        self.active_at = self.pinged_at = self.shown_at = now
         self.state = self.robots = ""
 
-    def hear(self, now: float) -> bool:
-        """Note a sign of life; return whether there are not too many."""
-        self.heard = now
+    def record_activity(self, now: float) -> bool:
+        """Record a sign of life; return whether there are not too many."""
+        self.active_at = now
         return self.bucket.take(now)
 
     def is_ready(self, now: float) -> bool:
         """Return whether the page takes what it is sent; a frozen browser or a bad network does not."""
-        return now - self.heard < ABSENT_AFTER and not self.connection.is_backlogged()
+        return now - self.active_at < ABSENT_AFTER and not self.connection.is_backlogged()
 
     def show(self, robots: str, trails: Sequence[str], resets: Sequence[str], state: str, now: float) -> None:
         """Send what the page does not show yet."""
@@ -86,20 +87,20 @@ class Hub:
         """Do what a page asks for. A page that sends too much or something else is disconnected."""
         if viewer.client.id not in self._viewers:
             return  # it was disconnected, but does not know it yet
-        in_time = viewer.hear(now)
+        within_limit = viewer.record_activity(now)
         try:
             message = protocol.parse(text)
         except protocol.ProtocolError as error:
             self.end(viewer, REFUSED, str(error), now)
             return
-        if in_time or isinstance(message, protocol.Stop):  # a stop always counts
+        if within_limit or isinstance(message, protocol.Stop):  # a stop always counts
             self._answer(viewer, message, now)
-        if not in_time:
+        if not within_limit:
             self.end(viewer, REFUSED, TOO_MANY, now)
 
-    def hear(self, viewer: Viewer, now: float) -> None:
+    def record_activity(self, viewer: Viewer, now: float) -> None:
         """A browser has sent a ping or a pong by itself."""
-        if not viewer.hear(now):
+        if not viewer.record_activity(now):
             self.end(viewer, REFUSED, TOO_MANY, now)
 
     def leave(self, viewer: Viewer, now: float) -> None:
@@ -122,7 +123,7 @@ class Hub:
         resets = list(map(dumps, self._control.check(now)))
         state, robots = dumps(self._control.state(now)), dumps({"type": "robots", "robots": self._control.robots()})
         for viewer in list(self._viewers.values()):
-            if now - viewer.heard > GONE_AFTER:
+            if now - viewer.active_at > GONE_AFTER:
                 self.end(viewer, REFUSED, "no sign of life", now)
             elif viewer.is_ready(now):
                 trails = [] if viewer.robots else map(dumps, self._control.trails())
@@ -132,8 +133,8 @@ class Hub:
             self._ping(viewer, now)
 
     def _ping(self, viewer: Viewer, now: float) -> None:
-        if now - viewer.pinged >= STILL_INTERVAL:
-            viewer.pinged = now
+        if now - viewer.pinged_at >= STILL_INTERVAL:
+            viewer.pinged_at = now
             viewer.connection.ping()
 
     def _answer(self, viewer: Viewer, message: protocol.Message, now: float) -> None:

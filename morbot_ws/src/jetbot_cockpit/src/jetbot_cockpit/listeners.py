@@ -45,7 +45,7 @@ def _listen(port: int, ipv4: str, ipv6: str) -> List[socket.socket]:
 
 
 def refusal(port: int, error: OSError) -> InvalidValue:
-    """Return what the user is told of a port that cannot be used."""
+    """Return the error for a port that cannot be used."""
     reason, other = os.strerror(error.errno), port + 1
     if error.errno == errno.EADDRINUSE:
         holders = [f"{program_name(pid) or 'a program'} (process {pid})" for pid in listeners(port)]

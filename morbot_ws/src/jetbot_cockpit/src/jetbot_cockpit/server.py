@@ -82,7 +82,7 @@ class Server:
 
     def start(self) -> None:
         """Serve from now on."""
-        logging.getLogger("tornado.general").setLevel(logging.ERROR)  # what clients do wrong is no news
+        logging.getLogger("tornado.general").setLevel(logging.ERROR)  # not what clients do wrong
         self._thread.start()
         self._started.wait()
 

@@ -45,7 +45,7 @@ class Socket(Handler, WebSocketHandler):
 
     def on_ping(self, data: bytes) -> None:
         if self.viewer:
-            self.hub.hear(self.viewer, time.monotonic())
+            self.hub.record_activity(self.viewer, time.monotonic())
 
     on_pong = on_ping
 

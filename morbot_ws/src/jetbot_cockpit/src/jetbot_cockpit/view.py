@@ -3,11 +3,13 @@
 import math
 from typing import Dict, NamedTuple, Optional, Sequence, Tuple
 
-WORKSHOP = 2.0, 1.0          # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
-CLOSED_LOOP = 0.1125, 0.6    # of a JetBot Pro, which limits its wheels itself
-MAX_LABEL = 40               # characters
+from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION
 
-EMERGENCY_STOP = "Emergency stop. Release it first."
+WORKSHOP = 2.0, 1.0  # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
+CLOSED_LOOP = WHEEL_SEPARATION, FULL_SPEED  # of a JetBot Pro, which limits its wheels itself
+MAX_LABEL = 40  # characters
+
+ALL_STOPPED = "Emergency stop. Release it first."
 NO_MASTER = "The ROS master does not answer."
 
 
@@ -76,7 +78,7 @@ class Snapshot(NamedTuple):
             return NO_MASTER
         if robot not in self.robots:
             return f"{label(robot)} has ended."
-        return EMERGENCY_STOP if self.emergency else self.robots[robot].problem
+        return ALL_STOPPED if self.emergency else self.robots[robot].problem
 
     def is_stopped(self, robot: Optional[str]) -> bool:
         """Return whether the emergency stop of this robot, or of all (None), may be engaged."""
