@@ -4,13 +4,10 @@ import { element } from "./dom.js";
 
 const VIEWS = { "show-fleet": "fleet", "show-codes": "codes" };
 
-// opened(view) is called when a person has opened one
-export function prepareViews(opened) {
+export function prepareViews() {
   for (const [id, view] of Object.entries(VIEWS)) {
     element(id).addEventListener("click", () => {
-      const next = document.body.dataset.view === view ? "drive" : view;
-      showView(next);
-      opened(next);
+      showView(document.body.dataset.view === view ? "drive" : view);
     });
   }
   element("close-codes").addEventListener("click", () => showView("drive"));

@@ -1,7 +1,7 @@
 // What the cockpit has sent: who this page is, which robots there are, and how each one is.
 
-const TRAIL_STEP = 0.02; // m between two points
-const TRAIL_LENGTH = 1000; // points
+const TRAIL_STEP = 0.03; // m between two points, as in trail.py
+const TRAIL_LENGTH = 500; // points
 
 const UNKNOWN = {
   status: "", warning: false, answers: true, stopped: false,
@@ -65,14 +65,18 @@ export class World {
   }
 }
 
+// Returns the name of a robot that is not running, as the cockpit would label it.
+export function labelOf(id) {
+  return id.slice(1) || "robot";
+}
+
 // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
 export function summarize(world, id) {
   const { status, warning, answers, stopped } = world.state(id);
-  const label = world.robot(id)?.label ?? "The robot";
-  if (!answers) return { text: status || `${label} does not answer: look after its node.`, level: "warning" };
-  if (world.emergency || stopped) return { text: status || "stopped: emergency stop", level: "stopped" };
-  const level = warning ? "warning" : status.startsWith("stopped") ? "waiting" : "driving";
-  return { text: status || "waiting for its status", level };
+  if (!status) return { text: "waiting for its status", level: "waiting" };
+  const held = answers && (world.emergency || stopped);
+  if (held || warning || !answers) return { text: status, level: held ? "stopped" : "warning" };
+  return { text: status, level: status.startsWith("stopped") ? "waiting" : "driving" };
 }
 
 export function describeDriver(world, id) {
