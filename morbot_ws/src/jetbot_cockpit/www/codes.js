@@ -1,12 +1,13 @@
 // The addresses and codes that a teacher hands out, with their QR codes; can be printed.
 
-import { create, element } from "./dom.js";
+import { create, element, setText } from "./dom.js";
 
 const MARGIN = 2; // modules around a QR code, beside the two in its rows: the standard asks for four
+const NONE = "Only this computer can open this page now. Start the cockpit with lan:=true to get codes for others.";
+const HOW = "Scan a code, or open the address and type the code.";
 
-// Lists the codes; without any, nobody sees a button that leads there.
 export function showCodes(codes) {
-  element("show-codes").hidden = !codes.length;
+  setText(element("codes-text"), codes.length ? HOW : NONE);
   element("codes-list").replaceChildren(...codes.map(card));
 }
 

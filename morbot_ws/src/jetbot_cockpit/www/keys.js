@@ -19,7 +19,7 @@ export class Keys {
   }
 
   press(event) {
-    if (isTextField(event.target) && event.code !== "Escape") return;
+    if (isTextField(event.target)) return;
     if (STOPS.includes(event.code)) return this.pressStop(event);
     const shortcut = event.ctrlKey || event.altKey || event.metaKey;
     if (!(event.code in DIRECTIONS) || shortcut || this.belongsTo(event.target)) return;

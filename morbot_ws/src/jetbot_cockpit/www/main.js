@@ -46,8 +46,6 @@ const RECEIVERS = {
     world.hello(message);
     choice.begin();
     person.announce();
-    if (world.teacher) send({ type: "codes" });
-    else showCodes([]);
   },
   robots(message) {
     fitDue ||= world.robots.length < 2 && message.robots.length > 1 && world.teacher;
@@ -144,7 +142,7 @@ function setSpeed() {
 const pad = new Pad(element("pad"), element("thumb"), (...deflection) => driving.deflect("pad", ...deflection));
 new Gamepads((...deflection) => driving.deflect("gamepad", ...deflection));
 driving.changed = show;
-prepareViews();
+prepareViews((view) => view === "codes" && send({ type: "codes" }));
 element("speed").addEventListener("input", setSpeed);
 element("take").addEventListener("click", () => send({ type: "take", robot: chosen() }));
 element("reset").addEventListener("click", () => send({ type: "reset", robot: chosen() }));

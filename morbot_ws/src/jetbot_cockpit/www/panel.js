@@ -31,11 +31,11 @@ function showTeachersTools(world, robot, { driver }) {
   const fleet = world.teacher && several;
   element("fit").hidden = !several;
   element("fleet").hidden = element("show-fleet").hidden = !fleet;
+  element("show-codes").hidden = !world.teacher;
   element("take").hidden = !(world.teacher && driver && driver.id !== world.me.id);
   element("reset").hidden = !(world.teacher && robot?.simulated);
   setClass(document.body, "several", fleet);
-  const { view } = document.body.dataset;
-  if (view === "fleet" && !fleet || view === "codes" && element("show-codes").hidden) showView("drive");
+  if (!fleet && document.body.dataset.view === "fleet") showView("drive");
 }
 
 export function showRoundTrip(milliseconds) {

@@ -4,10 +4,13 @@ import { element } from "./dom.js";
 
 const VIEWS = { "show-fleet": "fleet", "show-codes": "codes" };
 
-export function prepareViews() {
+// opened(view) is called when a person has opened one
+export function prepareViews(opened) {
   for (const [id, view] of Object.entries(VIEWS)) {
     element(id).addEventListener("click", () => {
-      showView(document.body.dataset.view === view ? "drive" : view);
+      const next = document.body.dataset.view === view ? "drive" : view;
+      showView(next);
+      opened(next);
     });
   }
   element("close-codes").addEventListener("click", () => showView("drive"));

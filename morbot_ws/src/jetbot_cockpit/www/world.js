@@ -73,10 +73,11 @@ export function labelOf(id) {
 // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
 export function summarize(world, id) {
   const { status, warning, answers, stopped } = world.state(id);
-  if (!status) return { text: "waiting for its status", level: "waiting" };
-  const held = answers && (world.emergency || stopped);
-  if (held || warning || !answers) return { text: status, level: held ? "stopped" : "warning" };
-  return { text: status, level: status.startsWith("stopped") ? "waiting" : "driving" };
+  const label = world.robot(id)?.label ?? "The robot";
+  if (!answers) return { text: status || `${label} does not answer: look after its node.`, level: "warning" };
+  if (world.emergency || stopped) return { text: status || "stopped: emergency stop", level: "stopped" };
+  const level = warning ? "warning" : status.startsWith("stopped") ? "waiting" : "driving";
+  return { text: status || "waiting for its status", level };
 }
 
 export function describeDriver(world, id) {
