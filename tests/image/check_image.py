@@ -46,6 +46,10 @@ class Image(unittest.TestCase):
         os.kill(controller, signal.SIGCONT)
         self.wait_for(self.is_healthy)
 
+    def test_reads_the_settings_that_it_ships(self):
+        self.launch("jetbot_control_node", "jetbot_controller.launch", "config:=si_units.yaml")
+        self.wait_for(self.is_healthy)
+
     def test_stops_the_wheels_when_it_is_asked_to_end(self):
         launch = self.launch("workshop", "workshop_jetbot_controller.launch")
         self.wait_for(self.drives)

@@ -139,3 +139,12 @@ def test_a_file_is_missing_only_if_that_is_certain(file, tmp_path):
     (tmp_path / "gone").symlink_to("not/mounted")
     for present in (file, file / "x", tmp_path / "gone", tmp_path / "gone/jetbot.yaml"):
         assert not files.is_missing(present)
+
+
+@pytest.mark.parametrize("module, folder", [
+    ("src/mine/src/mine/parameters.py", "src/mine/config"),
+    ("install/lib/python3/dist-packages/mine/parameters.py", "install/share/mine/config"),
+])
+def test_what_a_package_ships_is_found_in_its_source_and_where_it_is_installed(tmp_path, module, folder):
+    (tmp_path / folder).mkdir(parents=True)
+    assert files.shipped(tmp_path / module, "mine", "config") == tmp_path / folder

@@ -8,10 +8,11 @@ from typing import Dict
 from tornado.httputil import HTTPServerRequest
 from tornado.web import HTTPError, RequestHandler
 
+from jetbot import files
+
 from .access import Access, TooManyTries
 
-ROOT = Path(__file__).resolve().parents[2]  # the package's folder; where it is installed, lib/python3
-WWW = next((folder for folder in (ROOT / "www", ROOT.parents[1] / "share/jetbot_cockpit/www") if folder.is_dir()), ROOT)
+WWW = files.shipped(__file__, "jetbot_cockpit", "www")
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
 HEADERS = {"Content-Security-Policy": "default-src 'self'; frame-ancestors 'none'", "X-Frame-Options": "DENY",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cache-Control": "no-store"}

@@ -32,6 +32,13 @@ def check_regular(file: Name) -> None:
         raise OSError(errno.EINVAL, "not a regular file", str(file))
 
 
+def shipped(module: Name, package: str, folder: str) -> Path:
+    """Return a folder of a catkin package, in the source or where it is installed. module: a module of the package."""
+    root = Path(module).resolve().parents[2]  # the package; where it is installed, lib/python3
+    installed = root.parents[1] / "share" / package / folder
+    return installed if installed.is_dir() else root / folder
+
+
 def is_missing(file: Name) -> bool:
     """Return whether there is certainly no such file: False where a link leads nowhere or a folder is closed."""
     try:

@@ -24,7 +24,7 @@ from jetbot.kinds import (  # noqa: F401  for nodes
 
 from .launch_arguments import closest
 
-SHIPPED = Path(__file__).resolve().parents[2] / "config"
+SHIPPED = files.shipped(__file__, "jetbot_control_node", "config")
 MAX_BUS = 2**20 - 1  # Linux's minor numbers have 20 bits
 
 
