@@ -33,7 +33,7 @@ class RobotTopics:
         self.name, self.simulated = name, False
         self._base, self._frames = name.rstrip("/"), frames
         self._color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name.rpartition("/")[2]))
-        self._answered_at, self._status, self._level, self._geometry = time.monotonic(), "", 0, None
+        self._heard_at, self._status, self._level, self._geometry = time.monotonic(), "", 0, None
         self._wheels = None, None  # command, duties
         self._odom = None  # (the newest message, still encoded, when it arrived in s)
         self._motion = (None, None, None)  # the decoded message, pose, speed
@@ -63,14 +63,14 @@ class RobotTopics:
 
     def diagnose(self, status: DiagnosticStatus) -> None:
         """Take what the controller publishes on /diagnostics."""
-        self._answered_at, self._level = time.monotonic(), status.level
+        self._heard_at, self._level = time.monotonic(), status.level
         values = {item.key: item.value for item in status.values}
         self._geometry = geometry(values.get("wheel_separation"), values.get("max_speed"))
 
     def snapshot(self, now: float, master: bool) -> Robot:
         """Return what is known of the robot now. master: whether the ROS master answers; else diagnostics are late."""
         ended = self._status and not self.connected
-        answers = not (ended or master and now - self._answered_at > ANSWER_TIMEOUT)
+        answers = not (ended or master and now - self._heard_at > ANSWER_TIMEOUT)
         pose, speed = self._pose_and_speed(now)
         command, wheels = self._wheels if answers else (None, None)
         return Robot(
@@ -97,10 +97,10 @@ class RobotTopics:
             rospy.logwarn(f"{label(self.name)} was not put back: {printable(error)}")
 
     def _on_status(self, message):
-        self._answered_at, self._status = time.monotonic(), printable(message.data)[:MAX_STATUS]
+        self._heard_at, self._status = time.monotonic(), printable(message.data)[:MAX_STATUS]
 
     def _on_wheels(self, message):
-        self._answered_at = time.monotonic()
+        self._heard_at = time.monotonic()
         if len(message.data) == 4:  # x, z, left, right
             self._wheels = rounded(message.data[:2]), rounded(message.data[2:])
 
