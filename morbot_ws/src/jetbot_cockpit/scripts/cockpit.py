@@ -33,6 +33,8 @@ SHUTDOWN_TIMEOUT = 2.0  # s for the end of this node
 
 
 class Cockpit:
+    """The page's server, and what connects it to the robots. Raise JetbotError if it cannot start."""
+
     def __init__(self):
         node.init_node("jetbot_cockpit")
         given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), PARAMETERS))
@@ -53,6 +55,7 @@ class Cockpit:
         self.server = Server(sockets, access, Hub(self.control, self.cards))
 
     def run(self):
+        """Serve until a signal, the end of rospy or of roslaunch."""
         ended = threading.Event()
         for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             signal.signal(signum, lambda *_: ended.set())
@@ -65,6 +68,7 @@ class Cockpit:
         self.end()
 
     def show(self):
+        """Print the addresses, and open the page if that is wanted."""
         # Printed, not logged: neither a log file nor /rosout holds a code
         url = f"http://localhost:{self.port}/"
         print(f"The cockpit, for a browser on this computer: {url}", flush=True)
@@ -75,7 +79,7 @@ class Cockpit:
             open_browser(url)
 
     def end(self):
-        # The clients first: each one's robot stops with it
+        """Disconnect the clients, whose robots stop, and leave ROS; within SHUTDOWN_TIMEOUT."""
         limit = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # the master may hang
         limit.daemon = True
         limit.start()

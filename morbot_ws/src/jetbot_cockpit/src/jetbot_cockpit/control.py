@@ -119,7 +119,7 @@ class Control:
     def _refusal(self, client, robot, now) -> str:
         """Return why the client may not drive this robot now, or ""."""
         if not client.may_drive(robot):
-            return f"Your code drives {label(client.robot)} only."
+            return f"With your code, you can drive only {label(client.robot)}."
         if now < self._stale_until:
             return f"The cockpit was interrupted. {LET_GO}"
         driver = self._leases.driver(robot)
@@ -130,7 +130,7 @@ class Control:
     def _on_take(self, client, message, now):
         robot = message.robot
         if client.role != TEACHER:
-            return notice("Only a teacher takes a robot.")
+            return notice("Only a teacher can take a robot.")
         if self._ended(robot):
             return notice(self._ended(robot))
         if self._leases.driver(robot) != client.id:
@@ -159,7 +159,7 @@ class Control:
 
     def _on_reset(self, client, message, now):
         if client.role != TEACHER:
-            return notice("Only a teacher puts robots back.")
+            return notice("Only a teacher can put robots back.")
         chosen = [robot for robot in self._snapshot.robots.values()
                   if robot.simulated and message.robot in (None, robot.id)]
         silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]

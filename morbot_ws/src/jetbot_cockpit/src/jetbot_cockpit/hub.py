@@ -148,7 +148,7 @@ class Hub:
         if not isinstance(message, protocol.Codes):
             return self._control.handle(viewer.client, message, now)
         if viewer.client.role != TEACHER:
-            return {"type": "notice", "text": "Only a teacher sees the codes."}
+            return {"type": "notice", "text": "Only a teacher can see the codes."}
         return handout.message(self._cards)
 
 

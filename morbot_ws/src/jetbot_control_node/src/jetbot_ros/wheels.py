@@ -40,6 +40,7 @@ class WheelsPublisher:
         self._velocity = linear, angular
 
     def __call__(self, duties: Pair, now: float) -> None:
+        """Take what the wheels (left, right) are given; publish it if it has changed."""
         driven = self._velocity, duties
         if driven != self._driven:
             self._driven = driven
