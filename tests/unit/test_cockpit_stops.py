@@ -29,7 +29,8 @@ def test_a_pupil_takes_and_puts_back_nothing(driven):
 
 
 def test_a_pupil_with_a_robot_drives_and_stops_that_one_only(cockpit):
-    assert cockpit.push(OWN, "/red") == {"type": "lift", "robot": "/red", "text": "With your code, you can drive only blue."}
+    assert cockpit.push(OWN, "/red") == {
+        "type": "lift", "robot": "/red", "text": "With your code, you can drive only blue."}
     assert cockpit.do(OWN, Stop("/red"))["type"] == "notice"
     assert cockpit.do(OWN, Release("/red"))["type"] == "notice"
     assert cockpit.do(OWN, Stop("/blue")) is None

@@ -1,7 +1,6 @@
 // The list from which a person chooses the robot.
 
 import { create, element } from "./dom.js";
-import { labelOf } from "./world.js";
 
 const REMEMBERED = "robot";
 
@@ -31,7 +30,7 @@ export class Choice {
     const robots = this.allowed();
     const gone = this.id !== null && !this.world.robot(this.id);
     const options = robots.map(({ id, label }) => new Option(label, id, false, id === this.id));
-    if (gone) options.unshift(new Option(`${labelOf(this.id)} (gone)`, this.id, true, true));
+    if (gone) options.unshift(new Option(`${this.id.slice(1) || "robot"} (gone)`, this.id, true, true));
     if (!options.length) options.push(create("option", "", "no robot"));
     element("robot").replaceChildren(...options);
     element("robot").disabled = robots.length + gone < 2;

@@ -3,7 +3,7 @@
 import { element, setClass, setText } from "./dom.js";
 import { showView } from "./views.js";
 import { showWheels } from "./wheels.js";
-import { describeDriver, labelOf, summarize } from "./world.js";
+import { describeDriver, summarize } from "./world.js";
 
 // problem: why there is no connection, or ""
 export function showPanel(world, id, problem) {
@@ -22,7 +22,7 @@ export function showPanel(world, id, problem) {
 function currentStatus(world, id) {
   if (world.robot(id)) return summarize(world, id);
   const own = world.me.robot ?? id;
-  const missing = own ? `${labelOf(own)} is not running.` : "No robot is running: start one.";
+  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one.";
   return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
 }
 

@@ -65,11 +65,6 @@ export class World {
   }
 }
 
-// Returns the name of a robot that is not running, as the cockpit would label it.
-export function labelOf(id) {
-  return id.slice(1) || "robot";
-}
-
 // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
 export function summarize(world, id) {
   const { status, warning, answers, stopped } = world.state(id);

@@ -82,7 +82,6 @@ def is_robot_or_all(value: Any) -> bool:
 
 
 def is_name(value: Any) -> bool:
-    """Return whether this is a printable text of MAX_NAME characters at most."""
     return isinstance(value, str) and len(value) <= MAX_NAME and value.isprintable()
 
 
