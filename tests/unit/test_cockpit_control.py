@@ -1,8 +1,8 @@
 """Who may drive which robot, with robots and a clock that are turned by hand."""
 
 import pytest
-
 from cockpit_control import ADA, BOB, STOPPED, TEACHER
+
 from jetbot_cockpit.protocol import Name, Stop, Take
 from jetbot_cockpit.view import Robot
 

@@ -1,8 +1,8 @@
 """Who stops, takes and puts back which robot, with robots and a clock that are turned by hand."""
 
 import pytest
-
 from cockpit_control import ADA, BOB, OWN, STOPPED, TEACHER, FakeRobots
+
 from jetbot_cockpit.protocol import Release, Reset, Stop, Take
 
 pytest_plugins = ["cockpit_control"]  # its fixtures

@@ -2,7 +2,7 @@
 
 import { create, element, setText } from "./dom.js";
 
-const MARGIN = 2; // modules around a QR code, beside the two in its rows: the standard asks for four
+const QUIET_ZONE = 4; // modules around a QR code
 const NONE = "Only this computer can open this page now. Start the cockpit with lan:=true to get codes for others.";
 const HOW = "Scan a code, or open the address and type the code.";
 
@@ -22,7 +22,7 @@ function card({ label, url, code, rows }) {
 // Returns a canvas of black and white modules; rows are texts of 0 and 1.
 function drawQr(rows, label) {
   const canvas = create("canvas");
-  canvas.width = canvas.height = rows.length + 2 * MARGIN;
+  canvas.width = canvas.height = rows.length + 2 * QUIET_ZONE;
   canvas.setAttribute("role", "img");
   canvas.setAttribute("aria-label", label);
   const context = canvas.getContext("2d");
@@ -30,7 +30,7 @@ function drawQr(rows, label) {
   context.fillRect(0, 0, canvas.width, canvas.height);
   context.fillStyle = "black";
   rows.forEach((row, y) => [...row].forEach((module, x) => {
-    if (module === "1") context.fillRect(x + MARGIN, y + MARGIN, 1, 1);
+    if (module === "1") context.fillRect(x + QUIET_ZONE, y + QUIET_ZONE, 1, 1);
   }));
   return canvas;
 }

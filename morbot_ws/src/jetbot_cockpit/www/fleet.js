@@ -38,9 +38,9 @@ export class Fleet {
   show() {
     if (element("fleet").hidden) return;
     for (const [id, row] of this.rows) this.showRow(id, row);
-    const levels = this.world.robots.map(({ id }) => summarize(this.world, id).level);
-    const driving = levels.filter((level) => level === "driving").length;
-    setText(element("fleet-summary"), `${levels.length} robots, ${driving} driving`);
+    const counts = this.world.robots.map(({ id }) => summarize(this.world, id).level);
+    const driving = counts.filter((level) => level === "driving").length;
+    setText(element("fleet-summary"), `${counts.length} robots, ${driving} driving`);
   }
 
   showRow(id, { item, pick, driver, status, stop, label }) {

@@ -4,7 +4,7 @@ import { element, setText } from "./dom.js";
 import { drawGrid } from "./grid.js";
 import { signed } from "./numbers.js";
 import { drawArrow, drawRing, drawRobot, drawTrail } from "./shapes.js";
-import { Viewport } from "./viewport.js";
+import { View } from "./view.js";
 
 const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual"];
 const VISIBLE = 9; // pixels: smallest radius at which a robot is found
@@ -14,7 +14,7 @@ export class RobotMap {
   // chosen(): id of the robot to follow; choose(id): a robot was tapped; redraw(): draw() is due
   constructor(canvas, world, { chosen, choose, redraw }) {
     Object.assign(this, { canvas, world, chosen, choose, redraw, following: true });
-    this.viewport = new Viewport(canvas, {
+    this.view = new View(canvas, {
       changed: () => this.redraw(),
       tapped: (right, down) => this.tap(right, down),
       dragged: () => this.follow(false),
@@ -22,8 +22,8 @@ export class RobotMap {
     this.readColors();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readColors());
     new ResizeObserver(() => this.redraw()).observe(canvas);
-    element("zoom-in").addEventListener("click", () => this.viewport.zoom(1.4));
-    element("zoom-out").addEventListener("click", () => this.viewport.zoom(1 / 1.4));
+    element("zoom-in").addEventListener("click", () => this.view.zoom(1.4));
+    element("zoom-out").addEventListener("click", () => this.view.zoom(1 / 1.4));
     element("fit").addEventListener("click", () => this.fit());
     element("follow").addEventListener("click", () => this.follow(!this.following));
   }
@@ -42,12 +42,12 @@ export class RobotMap {
 
   fit() {
     this.follow(false);
-    this.viewport.fit(this.world.placed().map(({ state }) => state.pose));
+    this.view.fit(this.world.placed().map(({ state }) => state.pose));
   }
 
   tap(right, down) {
     const near = this.world.placed().map(({ robot, state }) => {
-      const [x, y] = this.viewport.toPixels(...state.pose);
+      const [x, y] = this.view.toPixels(...state.pose);
       return [Math.hypot(x - right, y - down), robot.id];
     }).sort(([one], [other]) => one - other)[0];
     if (near && near[0] < TAP_RADIUS) this.choose(near[1]);
@@ -56,8 +56,8 @@ export class RobotMap {
   draw() {
     const context = this.fitCanvas();
     const { pose } = this.world.state(this.chosen());
-    if (this.following && pose) this.viewport.centre(...pose);
-    drawGrid(context, this.viewport, this.colors);
+    if (this.following && pose) this.view.centre(...pose);
+    drawGrid(context, this.view, this.colors);
     this.inMetres(context, (pixel) => this.drawTrails(context, pixel));
     this.drawLabels(context);
     this.inMetres(context, (pixel) => this.drawRobots(context, pixel));
@@ -67,20 +67,20 @@ export class RobotMap {
   // Calls draw with the size of a pixel, while the context is in metres.
   inMetres(context, draw) {
     context.save();
-    context.translate(...this.viewport.toPixels(0, 0));
-    context.scale(this.viewport.scale, -this.viewport.scale);
-    draw(1 / this.viewport.scale);
+    context.translate(...this.view.toPixels(0, 0));
+    context.scale(this.view.scale, -this.view.scale);
+    draw(1 / this.view.scale);
     context.restore();
   }
 
   fitCanvas() {
     const ratio = devicePixelRatio || 1;
-    const [width, height] = [Math.round(this.viewport.width * ratio), Math.round(this.viewport.height * ratio)];
+    const [width, height] = [Math.round(this.view.width * ratio), Math.round(this.view.height * ratio)];
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
     const context = this.canvas.getContext("2d");
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.fillStyle = this.colors.ground;
-    context.fillRect(0, 0, this.viewport.width, this.viewport.height);
+    context.fillRect(0, 0, this.view.width, this.view.height);
     return context;
   }
 
@@ -109,8 +109,8 @@ export class RobotMap {
     Object.assign(context, { textAlign: "center", strokeStyle: this.colors.ground, lineWidth: 4, lineJoin: "round" });
     for (const { robot, state } of this.world.placed()) {
       const chosen = robot.id === this.chosen();
-      const [x, y] = this.viewport.toPixels(...state.pose);
-      const below = y + Math.max(0.13 * this.viewport.scale, VISIBLE + 5) + 16;
+      const [x, y] = this.view.toPixels(...state.pose);
+      const below = y + Math.max(0.13 * this.view.scale, VISIBLE + 5) + 16;
       context.font = `${chosen ? "bold 13px" : "12px"} system-ui, sans-serif`;
       context.fillStyle = chosen ? this.colors.text : this.colors.muted;
       context.strokeText(robot.label, x, below);

@@ -20,9 +20,11 @@ export function formula(name, operator, sign, command, robot) {
 export function showWheels(robot, { command, wheels }) {
   SIDES.forEach(([name, operator, sign], index) => {
     showBar(name, wheels?.[index]);
-    const known = robot && command && robot.workshop !== null;
+    const known = robot && command && robot.workshop !== null && robot.max_speed;
     setText(element(`${name}-formula`), known ? formula(name, operator, sign, command, robot) : "");
   });
+  const own = robot?.workshop === null && command;
+  if (own) setText(element("left-formula"), "This board turns x and z into wheel speeds itself.");
 }
 
 function showBar(name, value) {
