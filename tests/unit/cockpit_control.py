@@ -90,7 +90,7 @@ class Cockpit:
         return self.drive.velocities.get(robot, STOPPED)
 
     def driver(self, robot="/red"):
-        return self.control.state(self.time)["robots"][robot]["driver"]
+        return self.control.state()["robots"][robot]["driver"]
 
     def must_lift(self, client, robot="/red"):
         """Fail if the robot moves before the finger of this client, which is down, has been lifted."""

@@ -93,7 +93,7 @@ def test_a_switch_that_fired_does_not_hinder_the_next_driver(driven):
 
 
 def test_a_closed_socket_stops_its_robot_at_once_and_frees_it(driven):
-    driven.control.leave(ADA.id, driven.time)
+    driven.control.leave(ADA.id)
     assert (driven.drives(), driven.driver()) == (STOPPED, None)
     assert driven.push(BOB) is None
 

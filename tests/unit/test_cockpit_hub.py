@@ -49,7 +49,7 @@ class Control:
         self.asked.append((client.id, message))
         return self.reply
 
-    def leave(self, client, now):
+    def leave(self, client):
         self.left.append(client)
 
     def check(self, now):
@@ -62,7 +62,7 @@ class Control:
     def trails(self):
         return [TRAIL]
 
-    def state(self, now):
+    def state(self):
         return {"type": "state", "speed": self.speed}
 
 
@@ -184,7 +184,7 @@ def test_after_its_disconnection_nothing_that_a_page_sends_counts(hub, control):
     hub.receive(viewer, "x", 0.0)
     assert page.closed[0] == 4000 and control.left == [1]
     hub.receive(viewer, STOP, 0.0)
-    hub.leave(viewer, 0.0)
+    hub.leave(viewer)
     assert not control.asked and control.left == [1]
 
 
@@ -202,7 +202,7 @@ def test_there_is_room_for_64_pages(hub):
     viewers = [join(hub)[1] for _ in range(64)]
     page, viewer = join(hub)
     assert viewer is None and page.closed[0] == 4002
-    hub.leave(viewers[0], 0.0)
+    hub.leave(viewers[0])
     assert join(hub)[1]
 
 
@@ -215,5 +215,5 @@ def test_pupils_cannot_take_all_places_from_a_teacher(hub, control):
 
 def test_at_the_end_all_pages_are_disconnected_and_their_robots_stop(hub, control):
     pages = [join(hub)[0] for _ in range(3)]
-    hub.close(0.0)
+    hub.close()
     assert [page.closed[0] for page in pages] == [1001] * 3 and control.left == [1, 2, 3]

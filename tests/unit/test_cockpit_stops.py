@@ -11,14 +11,14 @@ pytest_plugins = ["cockpit_control"]  # its fixtures
 def test_a_teacher_takes_a_robot_and_the_finger_must_lift(driven):
     assert driven.do(TEACHER, Take("/red")) is None
     assert (driven.drives(), driven.driver()["id"]) == (STOPPED, TEACHER.id)
-    driven.control.leave(TEACHER.id, driven.time)
+    driven.control.leave(TEACHER.id)
     driven.must_lift(ADA)
 
 
 def test_a_finger_that_was_up_when_the_teacher_took_drives_at_once_later(driven):
     driven.lift(ADA)
     driven.do(TEACHER, Take("/red"))
-    driven.control.leave(TEACHER.id, driven.time)
+    driven.control.leave(TEACHER.id)
     assert driven.push(ADA) is None
 
 
@@ -51,9 +51,9 @@ def test_a_stop_ends_the_lease_and_the_finger_must_lift_after_its_release(driven
 
 def test_anybody_stops_all_and_releases_that(driven):
     assert driven.do(BOB, Stop()) is None
-    assert driven.control.state(driven.time)["emergency"]
+    assert driven.control.state()["emergency"]
     assert driven.do(ADA, Release()) is None
-    assert not driven.control.state(driven.time)["emergency"]
+    assert not driven.control.state()["emergency"]
 
 
 def test_a_stop_by_a_teacher_is_released_by_a_teacher(driven):

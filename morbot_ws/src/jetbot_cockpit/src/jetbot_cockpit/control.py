@@ -46,7 +46,7 @@ class Control:
             self._note_interruption(now)
             return self._actions[type(message)](client, message, now)
 
-    def leave(self, client: int, now: float) -> None:
+    def leave(self, client: int) -> None:
         """The client's socket is closed: its robot stops at once, and is free."""
         with self._lock:
             self._free(self._leases.robot_of(client))
@@ -77,7 +77,7 @@ class Control:
         """Return the robots of the message "robots"."""
         return [robot.description() for robot in self._snapshot.robots.values()]
 
-    def state(self, now: float) -> dict:
+    def state(self) -> dict:
         """Return the message "state"."""
         with self._lock:
             snapshot = self._snapshot

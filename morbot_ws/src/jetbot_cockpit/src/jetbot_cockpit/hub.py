@@ -73,7 +73,7 @@ class Hub:
         if len(self._viewers) >= MAX_CLIENTS and grant.role == TEACHER:
             pupils = [viewer for viewer in self._viewers.values() if viewer.client.role != TEACHER]
             for viewer in pupils[-1:]:
-                self.end(viewer, FULL, NO_ROOM, now)
+                self.end(viewer, FULL, NO_ROOM)
         if len(self._viewers) >= MAX_CLIENTS:
             connection.close(FULL, NO_ROOM)
             return None
@@ -91,40 +91,40 @@ class Hub:
         try:
             message = protocol.parse(text)
         except protocol.ProtocolError as error:
-            self.end(viewer, REFUSED, str(error), now)
+            self.end(viewer, REFUSED, str(error))
             return
         if within_limit or isinstance(message, protocol.Stop):  # a stop always counts
             self._answer(viewer, message, now)
         if not within_limit:
-            self.end(viewer, REFUSED, TOO_MANY, now)
+            self.end(viewer, REFUSED, TOO_MANY)
 
     def record_activity(self, viewer: Viewer, now: float) -> None:
         """A browser has sent a ping or a pong by itself."""
         if not viewer.record_activity(now):
-            self.end(viewer, REFUSED, TOO_MANY, now)
+            self.end(viewer, REFUSED, TOO_MANY)
 
-    def leave(self, viewer: Viewer, now: float) -> None:
+    def leave(self, viewer: Viewer) -> None:
         """A client's socket is closed: its robot stops."""
         if self._viewers.pop(viewer.client.id, None):
-            self._control.leave(viewer.client.id, now)
+            self._control.leave(viewer.client.id)
 
-    def end(self, viewer: Viewer, code: int, reason: str, now: float) -> None:
+    def end(self, viewer: Viewer, code: int, reason: str) -> None:
         """Stop a client's robot, and close its socket for this reason."""
-        self.leave(viewer, now)
+        self.leave(viewer)
         viewer.connection.close(code, reason)
 
-    def close(self, now: float) -> None:
+    def close(self) -> None:
         """Disconnect all clients."""
         for viewer in list(self._viewers.values()):
-            self.end(viewer, ENDED, "the cockpit has ended", now)
+            self.end(viewer, ENDED, "the cockpit has ended")
 
     def tick(self, now: float) -> None:
         """Send everybody what has changed; call it every FRAME_INTERVAL."""
         resets = list(map(dumps, self._control.check(now)))
-        state, robots = dumps(self._control.state(now)), dumps({"type": "robots", "robots": self._control.robots()})
+        state, robots = dumps(self._control.state()), dumps({"type": "robots", "robots": self._control.robots()})
         for viewer in list(self._viewers.values()):
             if now - viewer.active_at > GONE_AFTER:
-                self.end(viewer, REFUSED, "no sign of life", now)
+                self.end(viewer, REFUSED, "no sign of life")
             elif viewer.is_ready(now):
                 trails = [] if viewer.robots else map(dumps, self._control.trails())
                 viewer.show(robots, list(trails), resets, state, now)

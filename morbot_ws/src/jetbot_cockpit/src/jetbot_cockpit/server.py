@@ -107,7 +107,7 @@ class Server:
         for task in tasks:
             task.stop()
         server.stop()
-        self._hub.close(time.monotonic())
+        self._hub.close()
         await asyncio.sleep(CLOSE_TIMEOUT)
         self._connections.close()
         await asyncio.sleep(0)

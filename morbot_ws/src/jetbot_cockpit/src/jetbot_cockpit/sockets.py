@@ -51,7 +51,7 @@ class Socket(Handler, WebSocketHandler):
 
     def on_close(self) -> None:
         if self.viewer:
-            self.hub.leave(self.viewer, time.monotonic())
+            self.hub.leave(self.viewer)
 
     def send(self, text: str) -> None:
         with contextlib.suppress(*CLOSED):
