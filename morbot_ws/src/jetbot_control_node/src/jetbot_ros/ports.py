@@ -27,7 +27,7 @@ def is_free(port: int) -> bool:
     return True
 
 
-def listeners(port: int, proc: Path = Path("/proc")) -> List[int]:
+def processes_on(port: int, proc: Path = Path("/proc")) -> List[int]:
     """Return the ids of the processes that listen on a TCP port, as far as this user may see."""
     sockets = listening_sockets(port, proc)
     return processes_with(sockets, proc) if sockets else []

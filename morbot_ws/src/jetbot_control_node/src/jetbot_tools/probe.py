@@ -14,7 +14,7 @@ from jetbot.errors import BusError, JetbotError, NoAnswer
 from jetbot.i2c import I2CDevice, bus_name
 from jetbot.serial_link import SerialLink
 from jetbot.text import printable
-from jetbot_ros.ports import COCKPIT_PORT, is_free, listeners
+from jetbot_ros.ports import COCKPIT_PORT, is_free, processes_on
 
 from .commands import launch
 from .identify import boards_with, has_chip, motor_chip, power_monitor
@@ -67,7 +67,7 @@ def check_cockpit_port(port: int = COCKPIT_PORT) -> List[Check]:
     """Check that no other program has the TCP port of the cockpit's page; [] if it is free, or a cockpit has it."""
     if is_free(port):
         return []
-    names = {pid: host.program_name(pid) for pid in listeners(port)}
+    names = {pid: host.program_name(pid) for pid in processes_on(port)}
     if "cockpit.py" in names.values():
         return []
     users = ", ".join(f"{name} ({pid})" for pid, name in names.items()) or "a program of another user"

@@ -11,7 +11,7 @@ from xmlrpc.client import ServerProxy
 
 import rosgraph
 
-from jetbot_ros.ports import listeners
+from jetbot_ros.ports import processes_on
 from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 CALLER = "/check_lesson"
@@ -64,4 +64,4 @@ def _listener(uri: str) -> Optional[Path]:
     address = urlparse(uri)
     if not rosgraph.network.is_local_address(address.hostname):
         return None
-    return next((Path("/proc", str(process)) for process in listeners(address.port)), None)
+    return next((Path("/proc", str(process)) for process in processes_on(address.port)), None)
