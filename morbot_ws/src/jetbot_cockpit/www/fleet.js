@@ -1,7 +1,8 @@
 // The teacher's list: every robot with its status, and a button that stops it.
 
 import { button, create, element, setText } from "./dom.js";
-import { describeDriver, summarize } from "./world.js";
+import { onPress } from "./press.js";
+import { nameDriver, summarize } from "./world.js";
 
 export class Fleet {
   // chosen(): id; choose(id); send(message)
@@ -26,7 +27,8 @@ export class Fleet {
     const [driver, status] = [create("span", "who"), create("span", "why")];
     const pick = button("", () => this.choose(id), "choose");
     pick.append(create("span", "swatch"), name, driver, status);
-    const stop = button("Stop", () => this.toggleStop(id), "stop-one");
+    const stop = button("Stop", null, "stop-one");
+    onPress(stop, () => this.toggleStop(id), () => !this.world.state(id).stopped);
     item.append(pick, stop);
     return { item, pick, driver, status, stop, label };
   }
@@ -45,8 +47,8 @@ export class Fleet {
 
   showRow(id, { item, pick, driver, status, stop, label }) {
     const { text, level } = summarize(this.world, id);
-    const { driver: someone, stopped } = this.world.state(id);
-    setText(driver, someone ? describeDriver(this.world, id) : "");
+    const { stopped } = this.world.state(id);
+    setText(driver, nameDriver(this.world, id));
     setText(status, text);
     if (status.title !== text) status.title = text;
     if (item.dataset.level !== level) item.dataset.level = level;
