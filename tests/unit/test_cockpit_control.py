@@ -5,7 +5,7 @@ import pytest
 from jetbot_cockpit.control import Client, Control
 from jetbot_cockpit.dead_man import DeadMan
 from jetbot_cockpit.protocol import Drive, Name, Release, Reset, Stop, Take
-from jetbot_cockpit.view import Robot, Snapshot
+from jetbot_cockpit.view import Robot, Snapshot, program
 
 ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")
 OWN = Client(4, "pupil 4", "pupil", "/blue")
@@ -311,6 +311,21 @@ def test_a_robot_that_was_put_back_starts_its_trail_again(cockpit):
     assert cockpit.wait(0.05) == []
     cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
     assert cockpit.wait(0.05) == [{"type": "trail", "robot": "/red", "points": []}]
+
+
+def test_a_robot_that_was_put_back_by_a_teacher_starts_its_trail_again_however_near_its_start_is(cockpit):
+    cockpit.robots.change("/red", pose=(0.1, 0.0, 0.0))
+    cockpit.wait(0.05)
+    cockpit.do(TEACHER, Reset("/red"))
+    cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
+    assert [message for _ in range(12) for message in cockpit.wait(0.05)] == [
+        {"type": "trail", "robot": "/red", "points": []}]
+
+
+@pytest.mark.parametrize("commanded_by, name", [
+    ("/jetbot_motion_control", "jetbot_motion_control"), ("/jetbot_cockpit", ""), ("nobody yet", ""), (None, "")])
+def test_the_program_that_drives_a_robot_has_its_name(commanded_by, name):
+    assert program(commanded_by, "/jetbot_cockpit") == name
 
 
 def test_ids_of_robots_become_short_printable_labels():

@@ -35,7 +35,7 @@ const chosen = () => choice.id;
 const choose = (id) => choice.choose(id);
 const driving = new Driving(command, () => link.connected && Boolean(world.robot(chosen())));
 const keys = new Keys((...deflection) => driving.deflect("keys", ...deflection), () => stops.stop());
-const report = (text) => notice.show(text);
+const report = (...sentence) => notice.show(...sentence);
 const stops = new Stops(world, { chosen, send, report, stopped: () => driving.lift() });
 const fleet = new Fleet(world, chosen, choose, send);
 const map = new RobotMap(element("map"), world, { chosen, choose, redraw: show });
@@ -56,6 +56,7 @@ const RECEIVERS = {
   },
   state(message) {
     world.update(message);
+    stops.update();
     noticeLostLease();
     fitWhenPlaced();
   },
@@ -88,9 +89,8 @@ function fitWhenPlaced() {
 }
 
 function noticeLostLease() {
-  const isDriver = world.state(driven).driver?.id === world.me.id;
-  if (driving.active && wasDriver && !isDriver) driving.lift();
-  wasDriver = driving.active && isDriver;
+  if (driving.active && wasDriver && !world.isMine(driven)) driving.lift();
+  wasDriver = driving.active && world.isMine(driven);
 }
 
 function changeRobot() {
@@ -120,6 +120,7 @@ function show() {
 function showNow() {
   frame = null;
   showPanel(world, chosen(), problem);
+  notice.update(world.isBlocked(chosen()), driving.active && world.isMine(driven));
   setClass(document.body, "driving", driving.active);
   pad.point(...driving.command);
   stops.show();

@@ -5,7 +5,7 @@ const TRAIL_LENGTH = 1000; // points
 
 const UNKNOWN = {
   status: "", warning: false, answers: true, stopped: false,
-  pose: null, speed: null, command: null, wheels: null, driver: null,
+  pose: null, speed: null, command: null, wheels: null, driver: null, program: "",
 };
 
 export class World {
@@ -50,6 +50,17 @@ export class World {
     return this.states[id] ?? UNKNOWN;
   }
 
+  // Whether this page's person drives the robot.
+  isMine(id) {
+    return this.state(id).driver?.id === this.me.id;
+  }
+
+  // Whether this page's person cannot drive the robot now.
+  isBlocked(id) {
+    const { answers, stopped, driver } = this.state(id);
+    return this.emergency || stopped || !answers || Boolean(driver) && !this.isMine(id);
+  }
+
   // The robots whose place is known, each with its state.
   placed() {
     return this.robots.map((robot) => ({ robot, state: this.state(robot.id) })).filter(({ state }) => state.pose);
@@ -75,8 +86,17 @@ export function summarize(world, id) {
   return { text: status || "waiting for its status", level };
 }
 
+// Returns who drives the robot, or "" if nobody does.
+export function nameDriver(world, id) {
+  const { driver, program, status, answers } = world.state(id);
+  if (driver) return world.isMine(id) ? "You drive it" : `${driver.name} drives it`;
+  return answers && status.startsWith("driving") ? `${program || "A program"} drives` : "";
+}
+
+// Returns who drives the robot, and what this page's person can do.
 export function describeDriver(world, id) {
-  const { driver } = world.state(id);
-  if (!driver) return "Free to drive";
-  return driver.id === world.me.id ? "You drive it" : `${driver.name} drives it`;
+  const name = nameDriver(world, id);
+  if (world.isBlocked(id)) return name || "Nobody drives it";
+  if (!name) return "Free to drive";
+  return world.isMine(id) ? name : `${name}. Take the pad to drive.`;
 }
