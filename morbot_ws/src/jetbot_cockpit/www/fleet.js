@@ -15,7 +15,8 @@ export class Fleet {
   list() {
     this.rows.clear();
     for (const robot of this.world.robots) this.rows.set(robot.id, this.row(robot));
-    element("fleet-list").replaceChildren(...[...this.rows.values()].map(({ item }) => item));
+    const missing = [...this.world.missing.values()].map((robot) => this.missingRow(robot));
+    element("fleet-list").replaceChildren(...missing, ...[...this.rows.values()].map(({ item }) => item));
     element("reset-all").hidden = !this.world.robots.some((robot) => robot.simulated);
   }
 
@@ -31,6 +32,12 @@ export class Fleet {
     onPress(stop, () => this.toggleStop(id), () => !this.world.state(id).stopped);
     item.append(pick, stop);
     return { item, pick, driver, status, stop, label };
+  }
+
+  missingRow({ label }) {
+    const item = create("li", "missing");
+    item.append(create("span", "label", label), create("span", "why", "not running any more"));
+    return item;
   }
 
   toggleStop(id) {

@@ -1,7 +1,7 @@
 // The cockpit's page: connects what the person does, what the cockpit sends, and what is shown.
 
 import { Choice } from "./choice.js";
-import { showCodes } from "./codes.js";
+import { prepareCodes, showCodes } from "./codes.js";
 import { element, setClass, setText } from "./dom.js";
 import { Driving } from "./driving.js";
 import { Fleet } from "./fleet.js";
@@ -49,7 +49,8 @@ const RECEIVERS = {
   },
   robots(message) {
     fitDue ||= world.robots.length < 2 && message.robots.length > 1 && world.teacher;
-    world.list(message);
+    const changes = world.list(message);
+    if (changes) report(changes);
     if (driving.active && !world.robot(driven)) driving.lift();
     choice.begin();
     fleet.list();
@@ -89,8 +90,12 @@ function fitWhenPlaced() {
 }
 
 function noticeLostLease() {
-  if (driving.active && wasDriver && !world.isMine(driven)) driving.lift();
-  wasDriver = driving.active && world.isMine(driven);
+  if (wasDriver && !world.isMine(driven)) {
+    driving.lift();
+    const { driver } = world.state(driven);
+    if (driver) report(`${driver.name} has taken ${world.robot(driven)?.label ?? "the robot"}.`);
+  }
+  wasDriver = world.isMine(driven);
 }
 
 function changeRobot() {
@@ -143,6 +148,7 @@ function setSpeed() {
 const pad = new Pad(element("pad"), element("thumb"), (...deflection) => driving.deflect("pad", ...deflection));
 new Gamepads((...deflection) => driving.deflect("gamepad", ...deflection));
 driving.changed = show;
+prepareCodes();
 prepareViews((view) => view === "codes" && send({ type: "codes" }));
 element("speed").addEventListener("input", setSpeed);
 element("take").addEventListener("click", () => send({ type: "take", robot: chosen() }));
