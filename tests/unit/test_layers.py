@@ -39,7 +39,7 @@ def test_the_node_knows_no_tools(module):
 
 
 PURE = ["protocol", "limits", "client", "access", "handout", "view", "trail", "lease", "dead_man", "stops", "control",
-        "hub"]
+        "attendance", "hub"]
 COCKPIT_LAYERS = [*PURE, "desktop", "address", "parameters", "frames", "emergency", "robot_topics", "robots", "drive",
                   "listeners", "connections", "pages", "sockets", "server"]
 

@@ -11,12 +11,14 @@ from jetbot_ros.launcher import Launcher  # noqa: I001  first of all: it reads w
 import os
 import sys
 import threading
+import time
 
 import rospy
 
 from jetbot import JetbotError
 from jetbot_cockpit import address, handout
 from jetbot_cockpit.access import Access, make_grants
+from jetbot_cockpit.attendance import Attendance
 from jetbot_cockpit.control import Control
 from jetbot_cockpit.desktop import open_browser
 from jetbot_cockpit.drive import Drive
@@ -51,7 +53,7 @@ class Cockpit:
         self.cards = [handout.make_card(grant, (names or ["localhost"])[0], self.port) for grant in grants]
 
         # What clients ask for goes into the control, and what the robots report comes out
-        self.control = Control(Robots(), Drive())
+        self.access, self.control = access, Control(Robots(), Drive())
         self.server = Server(sockets, access, Hub(self.control, self.cards))
 
     def run(self):
@@ -62,9 +64,12 @@ class Cockpit:
         rospy.on_shutdown(ended.set)
         self.server.start()
         self.show()
-        launcher = Launcher()
+        launcher, attendance = Launcher(), Attendance(time.monotonic())
         while not ended.wait(POLL_INTERVAL) and not launcher.ended:
             launcher.poll()
+            # In this thread: a terminal that blocks holds up no client
+            for line in [*attendance.update(self.control.snapshot().robots, time.monotonic()), *self.access.take_log()]:
+                rospy.loginfo(line)
         self.end()
 
     def show(self):

@@ -73,6 +73,10 @@ class Control:
         with self._lock:
             self._drive.close()
 
+    def snapshot(self) -> Snapshot:
+        """Return the robots as of the last check."""
+        return self._snapshot
+
     def robots(self) -> List[dict]:
         """Return the robots of the message "robots"."""
         return [robot.description() for robot in self._snapshot.robots.values()]
