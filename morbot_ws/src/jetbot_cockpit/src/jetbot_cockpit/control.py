@@ -11,7 +11,7 @@ from .client import TEACHER, Client
 from .lease import Leases
 from .stops import Stops
 from .trail import Trails
-from .view import label
+from .view import Snapshot, label
 
 if TYPE_CHECKING:  # they need ROS
     from .drive import Drive
