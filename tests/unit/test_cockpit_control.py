@@ -4,7 +4,7 @@ import pytest
 from cockpit_control import ADA, BOB, STOPPED, TEACHER
 
 from jetbot_cockpit.protocol import Name, Stop, Take
-from jetbot_cockpit.view import Robot
+from jetbot_cockpit.view import Robot, program
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
 
@@ -109,6 +109,12 @@ def test_a_robot_that_there_never_was_is_not_driven(cockpit):
     assert cockpit.do(TEACHER, Take("/nobody"))["text"] == "nobody has ended."
     assert cockpit.do(TEACHER, Stop("/nobody"))["text"] == "nobody has ended."
     assert cockpit.drive.velocities == {}
+
+
+@pytest.mark.parametrize("commanded_by, name", [
+    ("/jetbot_motion_control", "jetbot_motion_control"), ("/jetbot_cockpit", ""), ("nobody yet", ""), (None, "")])
+def test_the_program_that_drives_a_robot_has_its_name(commanded_by, name):
+    assert program(commanded_by, "/jetbot_cockpit") == name
 
 
 def test_ids_of_robots_become_short_printable_labels():

@@ -92,8 +92,16 @@ def run(hub, viewers, since, until):
 def test_a_new_page_is_sent_all_that_it_shows(hub):
     page, _ = join(hub, PUPIL)
     hub.tick(0.0)
-    assert page.sent[0] == {"type": "hello", "id": 1, "name": "pupil 1", "role": "pupil", "robot": None}
+    assert page.sent[0] == {"type": "hello", "id": 1, "name": "pupil 1", "role": "pupil", "robot": None,
+                            "codes": False}
     assert page.types() == ["hello", "robots", "trail", "state"]
+
+
+@pytest.mark.parametrize("role, cards, codes", [
+    (TEACHER, ["card"], True), (TEACHER, [], False), (PUPIL, ["card"], False)])
+def test_a_page_knows_whether_it_can_see_codes(control, role, cards, codes):
+    page, _ = join(Hub(control, cards), role)
+    assert page.sent[0]["codes"] is codes
 
 
 def test_frames_are_sent_only_while_something_changes_and_once_a_second(hub, control):

@@ -107,3 +107,12 @@ def test_a_robot_that_was_put_back_starts_its_trail_again(cockpit):
     assert cockpit.wait(0.05) == []
     cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
     assert cockpit.wait(0.05) == [{"type": "trail", "robot": "/red", "points": []}]
+
+
+def test_a_robot_that_was_put_back_by_a_teacher_starts_its_trail_again_however_near_its_start_is(cockpit):
+    cockpit.robots.change("/red", pose=(0.1, 0.0, 0.0))
+    cockpit.wait(0.05)
+    cockpit.do(TEACHER, Reset("/red"))
+    cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
+    assert [message for _ in range(12) for message in cockpit.wait(0.05)] == [
+        {"type": "trail", "robot": "/red", "points": []}]

@@ -66,7 +66,7 @@ class Control:
                 if snapshot.problem(robot) or self._leases.has_expired(robot, now):
                     self._free(robot)
             self._stops.update(snapshot)
-            return self._trails.update({robot.id: robot.pose for robot in snapshot.robots.values()})
+            return self._trails.update({robot.id: robot.pose for robot in snapshot.robots.values()}, now)
 
     def close(self) -> None:
         """Stop all robots that are driven from here."""
@@ -162,6 +162,8 @@ class Control:
             return notice("Only a teacher can put robots back.")
         chosen = [robot for robot in self._snapshot.robots.values()
                   if robot.simulated and message.robot in (None, robot.id)]
+        for robot in chosen:
+            self._trails.reset(robot.id, now)
         silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]
         if silent:
             return notice(f"{enumeration(silent)} {'has' if len(silent) == 1 else 'have'} not answered yet.")

@@ -79,7 +79,8 @@ class Hub:
             return None
         number = next(self._numbers)
         client = Client(number, f"{grant.role} {number}", grant.role, grant.robot)
-        connection.send(dumps({"type": "hello", **client._asdict()}))
+        codes = grant.role == TEACHER and bool(self._cards)
+        connection.send(dumps({"type": "hello", **client._asdict(), "codes": codes}))
         self._viewers[number] = Viewer(client, connection, now)
         return self._viewers[number]
 

@@ -17,7 +17,7 @@ from jetbot_ros.safety import EMERGENCY_STOP, OWN_EMERGENCY_STOP, Hold
 
 from .emergency import EmergencySwitch
 from .frames import Frames, yaw_of
-from .view import Robot, geometry, label, rounded
+from .view import Robot, geometry, label, program, rounded
 
 CONTROLLER = "/jetbot_controller"
 SIMULATOR_RESET = "/jetbot_simulator/reset"
@@ -34,6 +34,7 @@ class RobotTopics:
         self._base, self._frames = name.rstrip("/"), frames
         self._color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name.rpartition("/")[2]))
         self._heard_at, self._status, self._level, self._geometry = time.monotonic(), "", 0, None
+        self._program = ""
         self._wheels = None, None  # command, duties
         self._odom = None  # (the newest message, still encoded, when it arrived in s)
         self._motion = (None, None, None)  # the decoded message, pose, speed
@@ -66,6 +67,7 @@ class RobotTopics:
         self._heard_at, self._level = time.monotonic(), status.level
         values = {item.key: item.value for item in status.values}
         self._geometry = geometry(values.get("wheel_separation"), values.get("max_speed"))
+        self._program = program(values.get("commanded by"), rospy.get_name())
 
     def snapshot(self, now: float, master: bool) -> Robot:
         """Return what is known of the robot now. master: whether the ROS master answers; else diagnostics are late."""
@@ -77,7 +79,7 @@ class RobotTopics:
             self.name, self._color, self._geometry, self.simulated,
             self._status if answers else f"{label(self.name)} does not answer. Restart it, or resume it with fg.",
             self._level > 0, answers, self.stop.engaged or self._is_held_by(OWN_EMERGENCY_STOP), pose, speed, command,
-            wheels)
+            wheels, self._program)
 
     def reset(self) -> bool:
         """Put the simulated robot back to its start, in a thread; return False while the last time still hangs."""
