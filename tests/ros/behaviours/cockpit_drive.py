@@ -24,11 +24,11 @@ RELEASE_FIRST = "Emergency stop. Release it first."
 
 
 def wait_for_page(condition):
-    """Return the condition, which is then looked at 20 times a second, as a page sends its commands."""
-    def look():
+    """Return the condition, which is then evaluated 20 times a second, as a page sends its commands."""
+    def evaluate():
         time.sleep(0.05)
         return condition()
-    return look
+    return evaluate
 
 
 class CockpitDrive(RobotTest):

@@ -1,4 +1,4 @@
-"""Publishes the commands of the pads: a thread for each robot that is driven, which one that hangs does not delay."""
+"""Publishes the commands of the pads: one thread per driven robot, so that a robot that hangs delays no other."""
 
 import contextlib
 import threading
@@ -22,7 +22,7 @@ warnings.filterwarnings("ignore", "The publisher should be created", SyntaxWarni
 
 
 class Drive:
-    """Drives robots, which it knows by their namespaces. No method blocks but ``close``. Needs an initialized node."""
+    """Drives robots, by their namespaces. Only ``close`` blocks. Needs an initialized node."""
 
     def __init__(self):
         self._drivers: Dict[str, Driver] = {}
