@@ -105,7 +105,7 @@ class SchoolClass:
     def __enter__(self):
         port = free_port()
         self._roslaunch = start(["roslaunch", "jetbot_cockpit", "class.launch", f"robots:={len(self._clients)}",
-                                 f"cockpit_port:={port}"], self._log)
+                                 f"port:={port}"], self._log)
         try:
             self._run(asyncio.wait_for(self._all(lambda client: client.join(f"localhost:{port}", self._check)),
                                        START_TIMEOUT))

@@ -8,9 +8,11 @@ from .world import LONGEST_GAP
 
 
 def test_a_browser_that_freezes_and_continues_drives_only_after_the_finger_has_lifted(victim, world):
-    with world.stops(ROBOT, what="SIGSTOP of the browser"):
-        victim.signal(signal.SIGSTOP)
-    victim.signal(signal.SIGCONT)
+    try:
+        with world.stops(ROBOT, what="SIGSTOP of the browser"):
+            victim.signal(signal.SIGSTOP)
+    finally:
+        victim.signal(signal.SIGCONT)
     world.stay_stopped(ROBOT, for_seconds=0.6)
     victim.move(0.9, 0.1)
     world.stay_stopped(ROBOT)

@@ -25,7 +25,8 @@ def test_each_code_stands_behind_its_label_in_an_address_that_can_be_opened(card
 def test_two_stand_side_by_side_within_80_columns(cards):
     lines = handout.text(cards).splitlines()
     assert max(map(len, lines)) <= 80
-    assert [line for line in lines if "teacher" in line] == [line for line in lines if "jetbot_01" in line]
+    assert [line for line in lines if "jetbot_01" in line] == [line for line in lines if "jetbot_02" in line]
+    assert not [line for line in lines if "teacher" in line and "jetbot_01" in line], "what pupils scan stands apart"
 
 
 def test_a_long_name_has_a_row_of_its_own(monkeypatch):

@@ -9,7 +9,7 @@ from jetbot_ros.colors import color_of, luminance
 CLASS = [f"jetbot_{number:02}" for number in range(1, 100)]
 
 
-@pytest.mark.parametrize("name", [*CLASS, "kit_7", "Ada"])
+@pytest.mark.parametrize("name", [*CLASS, "kit_7", "Ada", ""])
 def test_a_colour_is_readable_on_white_and_on_black(name):
     brightness = luminance(color_of(name))
     assert 1.05 / (brightness + 0.05) >= 3
@@ -27,3 +27,8 @@ def test_the_first_robots_differ_most():
 
 def test_a_name_has_always_the_same_colour():
     assert color_of("Ada") == color_of("Ada") != color_of("Bob")
+
+
+def test_a_robot_without_a_name_is_not_as_red_as_the_cockpits_stop():
+    red, green, blue = color_of("")
+    assert blue > max(red, green)

@@ -58,11 +58,9 @@ def test_who_is_ignored_while_a_person_drives():
     commanders = commanded_by("/circle")
     commanders.record(Sender("/jetbot_cockpit", manual=True), now=0.0)
     everybody = {"/circle", "/jetbot_cockpit", "/square"}
-    assert commanders.ignored(everybody, now=0.1) == (
-        "/circle is ignored until nobody has driven from the cockpit for 5 s")
+    assert commanders.ignored(everybody, now=0.1) == "/circle waits for the cockpit"
     commanders.record(Sender("/square"), now=0.1)
-    assert commanders.ignored(everybody, now=0.2) == (
-        "/circle and /square are ignored until nobody has driven from the cockpit for 5 s")
+    assert commanders.ignored(everybody, now=0.2) == "/circle and /square wait for the cockpit"
     assert commanders.ignored(everybody, now=RIVALS_WITHIN + 0.1) is None
 
 

@@ -43,7 +43,7 @@ class WorkshopScenario(RobotTest):
         self.controller(cmd_vel_timeout=0)
         self.start(SCENARIO)
         self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
-        ignored = ", /jetbot_motion_control is ignored until nobody has driven from the cockpit for 5 s"
+        ignored = ", /jetbot_motion_control waits for the cockpit"
         cockpit = self.drive_by_hand()
         self.wait_for_status(texts, "driving" + ignored)
         self.wheels_stay(-0.2, -0.2, for_seconds=1.0)

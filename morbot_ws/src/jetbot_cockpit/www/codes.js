@@ -1,4 +1,5 @@
-// The addresses and codes that a teacher hands out, with their QR codes; can be printed.
+// The addresses and codes that a teacher hands out, with their QR codes; can be printed. The teacher's own is shown only
+// when asked for, and is never printed: a class sees this page on a projector.
 
 import { create, element, setText } from "./dom.js";
 
@@ -6,9 +7,21 @@ const QUIET_ZONE = 4; // modules around a QR code
 const NONE = "Only this computer can open this page now. Start the cockpit with lan:=true to get codes for others.";
 const HOW = "Scan a code, or open the address and type the code.";
 
+export function prepareCodes() {
+  element("show-teacher").addEventListener("click", () => showTeacher(element("teacher-codes").hidden));
+}
+
 export function showCodes(codes) {
   setText(element("codes-text"), codes.length ? HOW : NONE);
-  element("codes-list").replaceChildren(...codes.map(card));
+  const teachers = codes.filter(({ role }) => role === "teacher");
+  element("teacher-codes").replaceChildren(...teachers.map(card));
+  element("codes-list").replaceChildren(...codes.filter((code) => !teachers.includes(code)).map(card));
+  showTeacher(false);
+}
+
+function showTeacher(shown) {
+  element("teacher-codes").hidden = !shown;
+  setText(element("show-teacher"), shown ? "Hide the teacher's code" : "Show the teacher's code");
 }
 
 function card({ label, url, code, rows }) {

@@ -20,10 +20,11 @@ export function create(tag, className = "", text = "") {
   return made;
 }
 
+// Returns a new button; action(): it was pressed, or null.
 export function button(text, action, className = "") {
   const made = create("button", className, text);
   made.type = "button";
-  made.addEventListener("click", action);
+  if (action) made.addEventListener("click", action);
   return made;
 }
 

@@ -1,7 +1,8 @@
 // The teacher's list: every robot with its status, and a button that stops it.
 
 import { button, create, element, setText } from "./dom.js";
-import { describeDriver, summarize } from "./world.js";
+import { onPress } from "./press.js";
+import { nameDriver, summarize } from "./world.js";
 
 export class Fleet {
   // chosen(): id; choose(id); send(message)
@@ -14,7 +15,8 @@ export class Fleet {
   list() {
     this.rows.clear();
     for (const robot of this.world.robots) this.rows.set(robot.id, this.row(robot));
-    element("fleet-list").replaceChildren(...[...this.rows.values()].map(({ item }) => item));
+    const missing = [...this.world.missing.values()].map((robot) => this.missingRow(robot));
+    element("fleet-list").replaceChildren(...missing, ...[...this.rows.values()].map(({ item }) => item));
     element("reset-all").hidden = !this.world.robots.some((robot) => robot.simulated);
   }
 
@@ -26,9 +28,16 @@ export class Fleet {
     const [driver, status] = [create("span", "who"), create("span", "why")];
     const pick = button("", () => this.choose(id), "choose");
     pick.append(create("span", "swatch"), name, driver, status);
-    const stop = button("Stop", () => this.toggleStop(id), "stop-one");
+    const stop = button("Stop", null, "stop-one");
+    onPress(stop, () => this.toggleStop(id), () => !this.world.state(id).stopped);
     item.append(pick, stop);
     return { item, pick, driver, status, stop, label };
+  }
+
+  missingRow({ label }) {
+    const item = create("li", "missing");
+    item.append(create("span", "label", label), create("span", "why", "not running any more"));
+    return item;
   }
 
   toggleStop(id) {
@@ -45,8 +54,8 @@ export class Fleet {
 
   showRow(id, { item, pick, driver, status, stop, label }) {
     const { text, level } = summarize(this.world, id);
-    const { driver: someone, stopped } = this.world.state(id);
-    setText(driver, someone ? describeDriver(this.world, id) : "");
+    const { stopped } = this.world.state(id);
+    setText(driver, nameDriver(this.world, id));
     setText(status, text);
     if (status.title !== text) status.title = text;
     if (item.dataset.level !== level) item.dataset.level = level;

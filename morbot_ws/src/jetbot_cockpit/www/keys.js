@@ -1,4 +1,4 @@
-// The keyboard: arrows and WASD drive while they are held; Escape and Space stop.
+// The keyboard: arrows and WASD drive while they are held; Escape and Space stop, Escape also while typing.
 
 import { isTextField } from "./dom.js";
 
@@ -6,7 +6,6 @@ const DIRECTIONS = {
   ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowLeft: [0, 1], ArrowRight: [0, -1],
   KeyW: [1, 0], KeyS: [-1, 0], KeyA: [0, 1], KeyD: [0, -1],
 };
-const STOPS = ["Escape", "Space"];
 
 export class Keys {
   // deflect(forward, left): each in [-1, 1]; stop()
@@ -19,10 +18,10 @@ export class Keys {
   }
 
   press(event) {
-    if (isTextField(event.target)) return;
-    if (STOPS.includes(event.code)) return this.pressStop(event);
+    const typing = isTextField(event.target);
+    if (event.key === "Escape" || event.code === "Space" && !typing) return this.pressStop(event);
     const shortcut = event.ctrlKey || event.altKey || event.metaKey;
-    if (!(event.code in DIRECTIONS) || shortcut || this.belongsTo(event.target)) return;
+    if (!(event.code in DIRECTIONS) || typing || shortcut || this.belongsTo(event)) return;
     event.preventDefault();
     if (event.repeat) return; // a key that was held before a break must be lifted first
     this.held.add(event.code);
@@ -35,9 +34,10 @@ export class Keys {
     if (!event.repeat) this.stop();
   }
 
-  // The slider and the lists use the arrow keys themselves.
-  belongsTo(target) {
-    return target instanceof HTMLInputElement || target instanceof HTMLSelectElement;
+  // The slider uses the arrow keys itself, a list letters, too.
+  belongsTo({ target, code }) {
+    const slider = target instanceof HTMLInputElement && code.startsWith("Arrow");
+    return slider || target instanceof HTMLSelectElement;
   }
 
   lift(event) {

@@ -1,7 +1,7 @@
 // The cockpit's page: connects what the person does, what the cockpit sends, and what is shown.
 
 import { Choice } from "./choice.js";
-import { showCodes } from "./codes.js";
+import { prepareCodes, showCodes } from "./codes.js";
 import { element, setClass, setText } from "./dom.js";
 import { Driving } from "./driving.js";
 import { Fleet } from "./fleet.js";
@@ -35,7 +35,7 @@ const chosen = () => choice.id;
 const choose = (id) => choice.choose(id);
 const driving = new Driving(command, () => link.connected && Boolean(world.robot(chosen())));
 const keys = new Keys((...deflection) => driving.deflect("keys", ...deflection), () => stops.stop());
-const report = (text) => notice.show(text);
+const report = (...sentence) => notice.show(...sentence);
 const stops = new Stops(world, { chosen, send, report, stopped: () => driving.lift() });
 const fleet = new Fleet(world, chosen, choose, send);
 const map = new RobotMap(element("map"), world, { chosen, choose, redraw: show });
@@ -49,13 +49,15 @@ const RECEIVERS = {
   },
   robots(message) {
     fitDue ||= world.robots.length < 2 && message.robots.length > 1 && world.teacher;
-    world.list(message);
+    const changes = world.list(message);
+    if (changes) report(changes);
     if (driving.active && !world.robot(driven)) driving.lift();
     choice.begin();
     fleet.list();
   },
   state(message) {
     world.update(message);
+    stops.update();
     noticeLostLease();
     fitWhenPlaced();
   },
@@ -88,9 +90,12 @@ function fitWhenPlaced() {
 }
 
 function noticeLostLease() {
-  const isDriver = world.state(driven).driver?.id === world.me.id;
-  if (driving.active && wasDriver && !isDriver) driving.lift();
-  wasDriver = driving.active && isDriver;
+  if (wasDriver && !world.isMine(driven)) {
+    driving.lift();
+    const { driver } = world.state(driven);
+    if (driver) report(`${driver.name} has taken ${world.robot(driven)?.label ?? "the robot"}.`);
+  }
+  wasDriver = world.isMine(driven);
 }
 
 function changeRobot() {
@@ -120,6 +125,7 @@ function show() {
 function showNow() {
   frame = null;
   showPanel(world, chosen(), problem);
+  notice.update(world.isBlocked(chosen()), driving.active && world.isMine(driven));
   setClass(document.body, "driving", driving.active);
   pad.point(...driving.command);
   stops.show();
@@ -142,6 +148,7 @@ function setSpeed() {
 const pad = new Pad(element("pad"), element("thumb"), (...deflection) => driving.deflect("pad", ...deflection));
 new Gamepads((...deflection) => driving.deflect("gamepad", ...deflection));
 driving.changed = show;
+prepareCodes();
 prepareViews((view) => view === "codes" && send({ type: "codes" }));
 element("speed").addEventListener("input", setSpeed);
 element("take").addEventListener("click", () => send({ type: "take", robot: chosen() }));

@@ -21,11 +21,18 @@ export class RobotMap {
     });
     this.readColors();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readColors());
-    new ResizeObserver(() => this.redraw()).observe(canvas);
+    const sizes = new ResizeObserver(() => this.measure());
+    for (const each of [canvas, element("tools"), element("legend")]) sizes.observe(each);
     element("zoom-in").addEventListener("click", () => this.view.zoom(1.4));
     element("zoom-out").addEventListener("click", () => this.view.zoom(1 / 1.4));
     element("fit").addEventListener("click", () => this.fit());
     element("follow").addEventListener("click", () => this.follow(!this.following));
+  }
+
+  measure() {
+    const height = (id) => element(id).offsetHeight;
+    this.view.covered = { above: height("tools") + 6, below: height("legend") + 6 };
+    this.redraw();
   }
 
   readColors() {

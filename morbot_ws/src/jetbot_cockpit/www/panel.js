@@ -10,7 +10,7 @@ export function showPanel(world, id, problem) {
   const robot = world.robot(id);
   const state = world.state(id);
   const { text, level } = problem ? { text: problem, level: "warning" } : currentStatus(world, id);
-  setText(element("status"), text);
+  setText(element("sentence"), text);
   element("status").dataset.level = level;
   setText(element("driver"), robot && !problem ? describeDriver(world, id) : "");
   if (robot) document.documentElement.style.setProperty("--robot", robot.color);
@@ -31,7 +31,7 @@ function showTeachersTools(world, robot, { driver }) {
   const fleet = world.teacher && several;
   element("fit").hidden = !several;
   element("fleet").hidden = element("show-fleet").hidden = !fleet;
-  element("show-codes").hidden = !world.teacher;
+  element("show-codes").hidden = !world.me.codes;
   element("take").hidden = !(world.teacher && driver && driver.id !== world.me.id);
   element("reset").hidden = !(world.teacher && robot?.simulated);
   setClass(document.body, "several", fleet);

@@ -1,26 +1,35 @@
-// The emergency stop and its release. A stop that no robot confirms is reported.
+// The emergency stop and its release. A stop that the cockpit does not confirm is reported.
 
 import { element, setClass, setText } from "./dom.js";
+import { onPress } from "./press.js";
 
 const CONFIRM_TIMEOUT = 1000; // ms
 const NOT_CONNECTED = "No connection: this stop reached no robot. Use the robot's own switch.";
 const NOT_CONFIRMED = "The stop is not confirmed yet. Press again, or use the robot's own switch.";
 
 export class Stops {
-  // chosen(): id; send(message) returns whether it was sent; report(sentence); stopped(): a stop was sent
+  // chosen(): id; send(message) returns whether it was sent; report(sentence, over): until over()
+  // returns true; stopped(): a stop was sent
   constructor(world, { chosen, send, report, stopped }) {
-    Object.assign(this, { world, chosen, send, report, stopped });
-    element("stop").addEventListener("click", () => this.stop());
-    element("release").addEventListener("click", () => this.release());
+    Object.assign(this, { world, chosen, send, report, stopped, unconfirmed: null });
+    onPress(element("stop"), () => this.stop());
+    onPress(element("release"), () => this.release(), () => false);
   }
 
   stop() {
     if (!this.send({ type: "stop", robot: null })) return this.report(NOT_CONNECTED);
     this.stopped();
-    setTimeout(() => this.world.emergency || this.report(NOT_CONFIRMED), CONFIRM_TIMEOUT);
+    clearTimeout(this.unconfirmed);
+    this.unconfirmed = setTimeout(() => this.report(NOT_CONFIRMED, () => this.world.emergency), CONFIRM_TIMEOUT);
+  }
+
+  // A state has arrived: it confirms the stop, even if somebody releases it at once.
+  update() {
+    if (this.world.emergency) clearTimeout(this.unconfirmed);
   }
 
   release() {
+    clearTimeout(this.unconfirmed);
     const sent = this.send({ type: "release", robot: this.stoppedAlone() });
     if (!sent) this.report("No connection: nothing was released.");
   }

@@ -10,6 +10,7 @@ export class View {
     this.x = 0;
     this.y = 0;
     this.scale = 220;
+    this.covered = { above: 0, below: 0 }; // pixels of the map below its tools and its legend
     this.pointers = new Map();
     canvas.addEventListener("pointerdown", (event) => this.press(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
@@ -25,12 +26,17 @@ export class View {
     return this.canvas.clientHeight;
   }
 
+  // The height of the centre: the middle of what is free.
+  get middle() {
+    return (this.height + this.covered.above - this.covered.below) / 2;
+  }
+
   toPixels(x, y) {
-    return [this.width / 2 + (x - this.x) * this.scale, this.height / 2 - (y - this.y) * this.scale];
+    return [this.width / 2 + (x - this.x) * this.scale, this.middle - (y - this.y) * this.scale];
   }
 
   toMetres(right, down) {
-    return [this.x + (right - this.width / 2) / this.scale, this.y - (down - this.height / 2) / this.scale];
+    return [this.x + (right - this.width / 2) / this.scale, this.y - (down - this.middle) / this.scale];
   }
 
   centre(x, y) {
@@ -39,7 +45,7 @@ export class View {
   }
 
   // Zooms so that this place stays where it is.
-  zoom(factor, right = this.width / 2, down = this.height / 2) {
+  zoom(factor, right = this.width / 2, down = this.middle) {
     const [x, y] = this.toMetres(right, down);
     this.scale = Math.min(MAX_SCALE, Math.max(MIN_SCALE, this.scale * factor));
     const [newX, newY] = this.toMetres(right, down);
@@ -53,7 +59,8 @@ export class View {
     const [xs, ys] = [places.map(([x]) => x), places.map(([, y]) => y)];
     const [left, right, bottom, top] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     this.centre((left + right) / 2, (bottom + top) / 2);
-    const scale = Math.min((this.width - 90) / (right - left + 0.3), (this.height - 150) / (top - bottom + 0.3));
+    const height = this.height - this.covered.above - this.covered.below - 50;
+    const scale = Math.min((this.width - 90) / (right - left + 0.3), height / (top - bottom + 0.3));
     this.scale = Math.min(300, Math.max(MIN_SCALE, scale));
     this.changed();
   }

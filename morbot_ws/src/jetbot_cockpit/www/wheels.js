@@ -5,11 +5,17 @@ import { operand, signed } from "./numbers.js";
 
 const SIDES = [["left", "−", -1], ["right", "+", 1]];
 
+// Returns what the formula gives for the numbers as they are shown.
+function result(sign, command, { wheel_separation: separation, max_speed: maxSpeed, workshop }) {
+  const [x, z] = command.map((value) => Number(value.toFixed(2)));
+  return workshop ? x + sign * z : (x + sign * z * separation / 2) / maxSpeed;
+}
+
 // Returns one side's formula with its numbers as they are shown: sign is -1 for the left wheel.
 export function formula(name, operator, sign, command, robot) {
   const [x, z] = command.map((value) => Number(value.toFixed(2)));
   const { wheel_separation: separation, max_speed: maxSpeed, workshop } = robot;
-  const value = workshop ? x + sign * z : (x + sign * z * separation / 2) / maxSpeed;
+  const value = result(sign, command, robot);
   const limited = Math.abs(value) > 1.005 ? `, limited to ${signed(Math.sign(value))}` : "";
   const sum = `${signed(x)} ${operator} ${operand(z)}`;
   if (workshop) return `${name} = x ${operator} z = ${sum} = ${signed(value)}${limited}`;
@@ -19,19 +25,20 @@ export function formula(name, operator, sign, command, robot) {
 
 export function showWheels(robot, { command, wheels }) {
   SIDES.forEach(([name, operator, sign], index) => {
-    showBar(name, wheels?.[index]);
     const known = robot && command && robot.workshop !== null && robot.max_speed;
+    showBar(name, wheels?.[index], known ? result(sign, command, robot) : undefined);
     setText(element(`${name}-formula`), known ? formula(name, operator, sign, command, robot) : "");
   });
   const own = robot?.workshop === null && command;
   if (own) setText(element("left-formula"), "This board turns x and z into wheel speeds itself.");
 }
 
-function showBar(name, value) {
+// expected: the formula's result; where the two differ by rounding alone, the number is the formula's
+function showBar(name, value, expected) {
   const meter = element(`${name}-wheel`);
   const bar = meter.nextElementSibling.firstElementChild;
   meter.value = value ?? 0;
   meter.setAttribute("aria-valuetext", value === undefined ? "not known" : `${Math.round(value * 100)} %`);
   bar.style.transform = `scaleX(${Math.max(-1, Math.min(1, value ?? 0))})`;
-  setText(element(`${name}-value`), value === undefined ? "–" : signed(value));
+  setText(element(`${name}-value`), value === undefined ? "–" : signed(Math.abs(value - expected) < 0.011 ? expected : value));
 }

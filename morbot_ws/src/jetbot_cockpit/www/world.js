@@ -1,17 +1,19 @@
 // What the cockpit has sent: who this page is, which robots there are, and how each one is.
 
-const TRAIL_STEP = 0.02; // m between two points
-const TRAIL_LENGTH = 1000; // points
+const TRAIL_STEP = 0.03; // m between two points, as in trail.py
+const TRAIL_LENGTH = 500; // points
 
 const UNKNOWN = {
   status: "", warning: false, answers: true, stopped: false,
-  pose: null, speed: null, command: null, wheels: null, driver: null,
+  pose: null, speed: null, command: null, wheels: null, driver: null, program: "",
 };
 
 export class World {
   constructor() {
     this.me = { id: null, name: "", role: "pupil", robot: null };
     this.robots = []; // in the order of the cockpit
+    this.missing = new Map(); // robots that have gone, by id
+    this.listed = false; // whether the robots are known
     this.states = {};
     this.trails = new Map();
     this.emergency = false;
@@ -23,13 +25,22 @@ export class World {
 
   hello(message) {
     this.me = message;
+    this.missing = new Map();
+    this.listed = false;
     this.trails.clear();
   }
 
+  // Takes the list of robots; returns which have come and gone since the last one, in a sentence, or "".
   list(message) {
+    const [before, now] = [this.robots, message.robots].map((robots) => new Map(robots.map((each) => [each.id, each])));
+    const gone = this.listed ? this.robots.filter(({ id }) => !now.has(id)) : [];
+    const come = this.listed ? message.robots.filter(({ id }) => !before.has(id)) : [];
+    for (const robot of gone) this.missing.set(robot.id, robot);
+    for (const id of now.keys()) this.missing.delete(id);
+    for (const id of this.trails.keys()) if (!now.has(id)) this.trails.delete(id);
     this.robots = message.robots;
-    const ids = new Set(this.robots.map((robot) => robot.id));
-    for (const id of this.trails.keys()) if (!ids.has(id)) this.trails.delete(id);
+    this.listed = true;
+    return [sentence(gone, "not running any more"), sentence(come, "running")].filter(Boolean).join(" ");
   }
 
   update(message) {
@@ -50,6 +61,17 @@ export class World {
     return this.states[id] ?? UNKNOWN;
   }
 
+  // Whether this page's person drives the robot.
+  isMine(id) {
+    return this.state(id).driver?.id === this.me.id;
+  }
+
+  // Whether this page's person cannot drive the robot now.
+  isBlocked(id) {
+    const { answers, stopped, driver } = this.state(id);
+    return this.emergency || stopped || !answers || Boolean(driver) && !this.isMine(id);
+  }
+
   // The robots whose place is known, each with its state.
   placed() {
     return this.robots.map((robot) => ({ robot, state: this.state(robot.id) })).filter(({ state }) => state.pose);
@@ -65,6 +87,11 @@ export class World {
   }
 }
 
+function sentence(robots, what) {
+  if (!robots.length) return "";
+  return robots.length === 1 ? `${robots[0].label} is ${what}.` : `${robots.length} robots are ${what}.`;
+}
+
 // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
 export function summarize(world, id) {
   const { status, warning, answers, stopped } = world.state(id);
@@ -75,8 +102,17 @@ export function summarize(world, id) {
   return { text: status || "waiting for its status", level };
 }
 
+// Returns who drives the robot, or "" if nobody does.
+export function nameDriver(world, id) {
+  const { driver, program, status, answers } = world.state(id);
+  if (driver) return world.isMine(id) ? "You drive it" : `${driver.name} drives it`;
+  return answers && status.startsWith("driving") ? `${program || "A program"} drives` : "";
+}
+
+// Returns who drives the robot, and what this page's person can do.
 export function describeDriver(world, id) {
-  const { driver } = world.state(id);
-  if (!driver) return "Free to drive";
-  return driver.id === world.me.id ? "You drive it" : `${driver.name} drives it`;
+  const name = nameDriver(world, id);
+  if (world.isBlocked(id)) return name || "Nobody drives it";
+  if (!name) return "Free to drive: drag the pad";
+  return world.isMine(id) ? name : `${name}. Take the pad to drive.`;
 }

@@ -3,7 +3,7 @@
 from itertools import zip_longest
 from typing import Dict, List, NamedTuple, Optional, Sequence
 
-from .access import Grant, authority
+from .access import TEACHER, Grant, authority
 
 WIDTH = 80            # columns of a terminal
 MARGIN = 2            # modules around a QR code; the standard asks for 4, phones do with 2
@@ -51,11 +51,15 @@ def message(cards: Sequence[Card]) -> Dict[str, object]:
 
 
 def text(cards: Sequence[Card], colors: bool = False) -> str:
-    """Return all cards side by side, to print. colors: print QR codes black on white, by a terminal's sequences."""
+    """Return the teacher's card, and below it all others side by side, to print.
+
+    colors: print QR codes black on white, by a terminal's sequences.
+    """
     width = max(len(line) for card in cards for line in [*card.rows, *_words(card)])
     across = max(1, (WIDTH + 2) // (width + 2))
-    groups = [[_lines(card, width, colors) for card in cards[start:start + across]]
-              for start in range(0, len(cards), across)]
+    parts = [[card for card in cards if (card.role == TEACHER) == teachers] for teachers in (True, False)]
+    groups = [[_lines(card, width, colors) for card in part[start:start + across]]
+              for part in parts for start in range(0, len(part), across)]
     return "\n".join("  ".join(line).rstrip() for group in groups
                      for line in zip_longest(*group, fillvalue=" " * width))
 

@@ -17,7 +17,7 @@ from jetbot_ros.safety import EMERGENCY_STOP, OWN_EMERGENCY_STOP, Hold
 
 from .emergency import EmergencySwitch
 from .frames import Frames, yaw_of
-from .view import Robot, geometry, label, rounded
+from .view import Robot, geometry, label, program, rounded
 
 CONTROLLER = "/jetbot_controller"
 SIMULATOR_RESET = "/jetbot_simulator/reset"
@@ -33,7 +33,9 @@ class RobotTopics:
         self.name, self.simulated = name, False
         self._base, self._frames = name.rstrip("/"), frames
         self._color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name.rpartition("/")[2]))
-        self._heard_at, self._status, self._level, self._geometry = time.monotonic(), "", 0, None
+        self._active_at, self._status, self._level, self._geometry = time.monotonic(), "", 0, None
+        self._repeats = False  # whether it publishes something every second; an unknown controller may not
+        self._program = ""
         self._wheels = None, None  # command, duties
         self._odom = None  # (the newest message, still encoded, when it arrived in s)
         self._motion = (None, None, None)  # the decoded message, pose, speed
@@ -53,7 +55,7 @@ class RobotTopics:
 
     @property
     def connected(self) -> bool:
-        """Whether its controller's process lives, as far as the connection tells."""
+        """Whether its controller's process lives, as far as the connection shows."""
         return self._status_subscriber.get_num_connections() > 0
 
     @property
@@ -63,21 +65,23 @@ class RobotTopics:
 
     def diagnose(self, status: DiagnosticStatus) -> None:
         """Take what the controller publishes on /diagnostics."""
-        self._heard_at, self._level = time.monotonic(), status.level
+        self._active_at, self._repeats, self._level = time.monotonic(), True, status.level
         values = {item.key: item.value for item in status.values}
         self._geometry = geometry(values.get("wheel_separation"), values.get("max_speed"))
+        self._program = program(values.get("commanded by"), rospy.get_name())
 
     def snapshot(self, now: float, master: bool) -> Robot:
         """Return what is known of the robot now. master: whether the ROS master answers; else diagnostics are late."""
         ended = self._status and not self.connected
-        answers = not (ended or master and now - self._heard_at > ANSWER_TIMEOUT)
+        silent = now - self._active_at > ANSWER_TIMEOUT and (self._repeats or not self._status)
+        answers = not (ended or master and silent)
         pose, speed = self._pose_and_speed(now)
         command, wheels = self._wheels if answers else (None, None)
         return Robot(
             self.name, self._color, self._geometry, self.simulated,
             self._status if answers else f"{label(self.name)} does not answer. Restart it, or resume it with fg.",
             self._level > 0, answers, self.stop.engaged or self._is_held_by(OWN_EMERGENCY_STOP), pose, speed, command,
-            wheels)
+            wheels, self._program)
 
     def reset(self) -> bool:
         """Put the simulated robot back to its start, in a thread; return False while the last time still hangs."""
@@ -97,10 +101,10 @@ class RobotTopics:
             rospy.logwarn(f"{label(self.name)} was not put back: {printable(error)}")
 
     def _on_status(self, message):
-        self._heard_at, self._status = time.monotonic(), printable(message.data)[:MAX_STATUS]
+        self._active_at, self._status = time.monotonic(), printable(message.data)[:MAX_STATUS]
 
     def _on_wheels(self, message):
-        self._heard_at = time.monotonic()
+        self._active_at, self._repeats = time.monotonic(), True
         if len(message.data) == 4:  # x, z, left, right
             self._wheels = rounded(message.data[:2]), rounded(message.data[2:])
 

@@ -3,11 +3,13 @@
 import math
 from typing import Dict, NamedTuple, Optional, Sequence, Tuple
 
-WORKSHOP = 2.0, 1.0          # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
-CLOSED_LOOP = 0.1125, 0.6    # of a JetBot Pro, which limits its wheels itself
-MAX_LABEL = 40               # characters
+from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION
 
-EMERGENCY_STOP = "Emergency stop. Release it first."
+WORKSHOP = 2.0, 1.0  # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
+CLOSED_LOOP = WHEEL_SEPARATION, FULL_SPEED  # of a JetBot Pro, which limits its wheels itself
+MAX_LABEL = 40  # characters
+
+ALL_STOPPED = "Emergency stop. Release it first."
 NO_MASTER = "The ROS master does not answer."
 
 
@@ -17,7 +19,7 @@ class Robot(NamedTuple):
     id: its namespace; geometry: (wheel_separation in m, max_speed in m/s) of its commands; simulated: whether it can
     be put back to its start; status: in its controller's words; stopped: by its own emergency stop;
     pose: (x, y in m, yaw in rad) on the map; speed: the measured one, and command: the driven one, each in m/s and
-    rad/s; wheels: the duties (left, right) in [-1, 1].
+    rad/s; wheels: the duties (left, right) in [-1, 1]; program: whose command it drives, "" if that is the cockpit's.
     """
 
     id: str
@@ -32,6 +34,7 @@ class Robot(NamedTuple):
     speed: Optional[Tuple[float, float]] = None
     command: Optional[Tuple[float, float]] = None
     wheels: Optional[Tuple[float, float]] = None
+    program: str = ""
 
     @property
     def label(self) -> str:
@@ -59,7 +62,7 @@ class Robot(NamedTuple):
 
     def state(self, driver: Optional[dict]) -> dict:
         """Return its entry of the message "state"."""
-        fields = "status", "warning", "answers", "stopped", "pose", "speed", "command", "wheels"
+        fields = "status", "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
         return {**{name: getattr(self, name) for name in fields}, "driver": driver}
 
 
@@ -76,7 +79,7 @@ class Snapshot(NamedTuple):
             return NO_MASTER
         if robot not in self.robots:
             return f"{label(robot)} has ended."
-        return EMERGENCY_STOP if self.emergency else self.robots[robot].problem
+        return ALL_STOPPED if self.emergency else self.robots[robot].problem
 
     def is_stopped(self, robot: Optional[str]) -> bool:
         """Return whether the emergency stop of this robot, or of all (None), may be engaged."""
@@ -87,6 +90,12 @@ def label(robot: str) -> str:
     """Return a robot's name on the page, by its namespace."""
     name = "".join(each if each.isprintable() else "?" for each in robot.strip("/")[:MAX_LABEL])
     return name or "robot"
+
+
+def program(commanded_by: Optional[str], cockpit: str) -> str:
+    """Return the name of the program whose command a robot drives, by its diagnostics; "" if it is the cockpit."""
+    named = commanded_by and commanded_by.startswith("/") and commanded_by != cockpit
+    return label(commanded_by) if named else ""
 
 
 def geometry(wheel_separation: Optional[str], max_speed: Optional[str]) -> Optional[Tuple[float, float]]:

@@ -21,7 +21,12 @@ SATURATION = 0.9
 
 
 def color_of(name: str) -> Color:
-    """Return the colour that the robot's name says; for any other name, one that is always the same."""
+    """Return the colour that the robot's name says; for any other name, one that is always the same.
+
+    A robot without a name is blue: red is the colour of the cockpit's stop.
+    """
+    if not name:
+        return COLORS["blue"]
     if name in COLORS:
         return COLORS[name]
     numbered = NUMBERED.fullmatch(name)

@@ -6,7 +6,7 @@ from typing import Callable, Collection, Dict, List, Optional, Set, Tuple
 from jetbot import Robot
 from jetbot.text import enumeration
 
-from .safety import MANUAL_PRIORITY, Sender
+from .safety import Sender
 
 # Called after each step with what the wheels (left, right) are given, as ``Robot.duties``, and the time in s.
 Observer = Callable[[Tuple[float, float], float], Optional[str]]
@@ -21,7 +21,6 @@ DISTURBANCES = {  # count: from how many on it is reported, and how
     "overwritten": (1, "another program writes to its board ({} so far)"),
     "faults": (2, "its board keeps failing to answer ({} so far): check the wires"),  # each has its status, too
 }
-MANUAL_ENDS = f"nobody has driven from the cockpit for {MANUAL_PRIORITY:.0f} s"
 FULL_POWER, MAX_DUTY = "both wheels at full power", "both wheels at max_duty"
 TOO_SLOW = "the wheels get less than one step of the board, so they do not turn: "
 
@@ -47,8 +46,7 @@ class Commanders:
     def ignored(self, senders: Collection[str], now: float) -> Optional[str]:
         """Return a sentence if others of these programs send commands while only manual ones count, else None."""
         others = [name for name in self._recent(senders, now) if name not in self._manual]
-        verb = "are" if len(others) > 1 else "is"
-        return f"{listed(others)} {verb} ignored until {MANUAL_ENDS}" if others else None
+        return f"{listed(others)} {'wait' if len(others) > 1 else 'waits'} for the cockpit" if others else None
 
     def _recent(self, senders, now):
         for name, commanded_at in list(self._commanded_at.items()):
