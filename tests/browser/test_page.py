@@ -26,7 +26,7 @@ def check_screen(page, screen):
     page.run("document.getElementById('notice').hidden = true")
     page.wait_for(lambda: page.fits("pad", "stop", "status", "map"), f"all on the screen of {screen}")
     assert page.small_controls(MOUSE if screen == DESKTOP else FINGER) == [], screen
-    page.run(f"""document.getElementById('status').textContent = {LONG!r};
+    page.run(f"""document.getElementById('sentence').textContent = {LONG!r};
         document.getElementById('notice').textContent = {LONG!r};
         document.getElementById('notice').hidden = false;
         document.getElementById('driver').textContent = 'WWWWWWWWWWWWWWWWWWWW drives it';
