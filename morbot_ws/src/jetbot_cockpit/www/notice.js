@@ -5,6 +5,8 @@ import { element } from "./dom.js";
 const SHOWN = 6000; // ms
 
 export class Notice {
+  over = () => false;
+
   // over(): whether it is no longer true; more than what update() knows
   show(text, over = () => false) {
     Object.assign(this, { over, wasBlocked: false, rested: false });
