@@ -50,7 +50,7 @@ const RECEIVERS = {
   robots(message) {
     fitDue ||= world.robots.length < 2 && message.robots.length > 1 && world.teacher;
     const changes = world.list(message);
-    if (changes) report(changes);
+    if (changes) report(changes, () => false);
     if (driving.active && !world.robot(driven)) driving.lift();
     choice.begin();
     fleet.list();
