@@ -16,19 +16,29 @@ def centre_of(page, selector):
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
+def touch_with_second_finger(page, selector):
+    """Touch an element while the first finger stays on the pad."""
+    page.touch_event("touchStart", page.on_pad(*HELD), centre_of(page, selector))
+
+
+def lift_second_finger(page, selector):
+    """The browser makes no click of this."""
+    x, y = centre_of(page, selector)
+    page.driver.execute_cdp_cmd("Input.dispatchTouchEvent",
+                                {"type": "touchEnd", "touchPoints": [{"x": x, "y": y, "id": 1}]})
+
+
 def tap_with_second_finger(page, selector):
-    """Tap an element while the first finger stays on the pad: the browser makes no click of this."""
-    where = page.on_pad(*HELD)
-    page.touch_event("touchStart", where, centre_of(page, selector))
-    page.touch_event("touchEnd", where)
+    touch_with_second_finger(page, selector)
+    lift_second_finger(page, selector)
 
 
 def test_a_second_finger_stops_and_releases(page, world):
     world.drive(page, ROBOT, *HELD)
-    page.touch_event("touchStart", page.on_pad(*HELD), centre_of(page, "#stop"))
+    touch_with_second_finger(page, "#stop")
     world.wait_for_stop(ROBOT, within=1.0)
     page.wait_for_text("status", "emergency stop")
-    page.touch_event("touchEnd", page.on_pad(*HELD))
+    lift_second_finger(page, "#stop")
     tap_with_second_finger(page, "#release")
     page.wait_for_text("status", "emergency stop was released")
     world.stays_stopped(ROBOT)

@@ -5,7 +5,7 @@ import pytest
 from jetbot_cockpit.control import Client, Control
 from jetbot_cockpit.dead_man import DeadMan
 from jetbot_cockpit.protocol import Drive, Name, Release, Reset, Stop, Take
-from jetbot_cockpit.view import Robot, Snapshot, program
+from jetbot_cockpit.view import Robot, Snapshot, changes, program
 
 ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")
 OWN = Client(4, "pupil 4", "pupil", "/blue")
@@ -326,6 +326,11 @@ def test_a_robot_that_was_put_back_by_a_teacher_starts_its_trail_again_however_n
     ("/jetbot_motion_control", "jetbot_motion_control"), ("/jetbot_cockpit", ""), ("nobody yet", ""), (None, "")])
 def test_the_program_that_drives_a_robot_has_its_name(commanded_by, name):
     assert program(commanded_by, "/jetbot_cockpit") == name
+
+
+def test_the_terminal_has_a_sentence_for_robots_that_come_and_go():
+    assert changes([], []) == []
+    assert changes(["jetbot_01"], ["red", "blue"]) == ["jetbot_01 is running.", "red, blue are not running any more."]
 
 
 def test_ids_of_robots_become_short_printable_labels():

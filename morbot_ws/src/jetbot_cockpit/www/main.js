@@ -64,8 +64,9 @@ const RECEIVERS = {
   trail: (message) => world.trail(message),
   notice: ({ text }) => report(text),
   lift({ robot, text }) {
+    const late = !driving.active && notice.visible; // a command was on its way: the first reason counts
     if (robot === driven) driving.lift();
-    report(text);
+    if (!late) report(text);
   },
   codes: ({ codes }) => showCodes(codes),
 };

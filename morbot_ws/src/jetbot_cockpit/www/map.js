@@ -8,6 +8,7 @@ import { View } from "./view.js";
 
 const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual"];
 const VISIBLE = 9; // pixels: smallest radius at which a robot is found
+const NO_ODOMETRY = "no odometry: not on the map";
 const TAP_RADIUS = 28; // pixels
 
 export class RobotMap {
@@ -128,7 +129,8 @@ export class RobotMap {
   showSpeeds() {
     const { command, speed, pose } = this.world.state(this.chosen());
     setText(element("commanded"), command ? `x ${signed(command[0])}, z ${signed(command[1])}` : "–");
-    setText(element("actual"), speed ? `${signed(speed[0])} m/s, ${signed(speed[1])} rad/s` : "–");
+    const unknown = this.world.robot(this.chosen()) && !pose ? NO_ODOMETRY : "–";
+    setText(element("actual"), speed ? `${signed(speed[0])} m/s, ${signed(speed[1])} rad/s` : unknown);
     const place = pose ? `the robot is at x ${signed(pose[0])} m, y ${signed(pose[1])} m` : "its place is not known";
     this.canvas.setAttribute("aria-label", `Map from above: ${place}`);
   }

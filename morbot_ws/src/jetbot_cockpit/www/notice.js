@@ -14,9 +14,13 @@ export class Notice {
     this.timer = setTimeout(() => this.hide(), SHOWN);
   }
 
+  get visible() {
+    return !element("notice").hidden;
+  }
+
   // blocked: whether this person cannot drive the robot now; driving: whether this page drives it
   update(blocked, driving) {
-    if (element("notice").hidden) return;
+    if (!this.visible) return;
     const over = this.over ? this.over() : this.wasBlocked && !blocked;
     const drivesAgain = this.rested && driving;
     this.wasBlocked ||= blocked;

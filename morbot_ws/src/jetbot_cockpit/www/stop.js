@@ -4,6 +4,7 @@ import { element, setClass, setText } from "./dom.js";
 import { onPress } from "./press.js";
 
 const CONFIRM_TIMEOUT = 1000; // ms
+const MAX_NAME = 16; // characters that fit on the button
 const NOT_CONNECTED = "No connection: this stop reached no robot. Use the robot's own switch.";
 const NOT_CONFIRMED = "The stop is not confirmed yet. Press again, or use the robot's own switch.";
 
@@ -39,9 +40,14 @@ export class Stops {
     return !this.world.emergency && this.world.state(this.chosen()).stopped ? this.chosen() : null;
   }
 
+  shortName(id) {
+    const label = this.world.robot(id)?.label ?? "";
+    return label && label.length <= MAX_NAME ? label : "it";
+  }
+
   show() {
     const alone = this.stoppedAlone();
-    setText(element("release"), alone ? `Release ${this.world.robot(alone)?.label ?? "it"}` : "Release");
+    setText(element("release"), alone ? `Release ${this.shortName(alone)}` : "Release");
     setClass(element("release"), "needed", alone || this.world.emergency);
     setClass(document.body, "emergency", this.world.emergency);
   }

@@ -40,5 +40,6 @@ function showBar(name, value, expected) {
   meter.value = value ?? 0;
   meter.setAttribute("aria-valuetext", value === undefined ? "not known" : `${Math.round(value * 100)} %`);
   bar.style.transform = `scaleX(${Math.max(-1, Math.min(1, value ?? 0))})`;
-  setText(element(`${name}-value`), value === undefined ? "–" : signed(Math.abs(value - expected) < 0.011 ? expected : value));
+  const shown = Math.abs(value - expected) < 0.011 ? expected : value;
+  setText(element(`${name}-value`), value === undefined ? "–" : signed(shown));
 }

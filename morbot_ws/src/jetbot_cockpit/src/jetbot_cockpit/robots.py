@@ -15,7 +15,7 @@ from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 from .emergency import EmergencySwitch
 from .frames import Frames
 from .robot_topics import CONTROLLER, SIMULATOR_RESET, RobotTopics
-from .view import Snapshot
+from .view import Snapshot, changes, label
 
 POLL_INTERVAL = 1.0   # s between two questions to the master
 TIMEOUT = 2.0         # s for its answer
@@ -71,13 +71,17 @@ class Robots:
     def _update(self, publishers, services):
         """Subscribe to the robots that have appeared, and drop those that have ended."""
         found = sorted(names_of(publishers))[:MAX_ROBOTS]
-        robots = {name: robot for name, robot in self._robots.items() if name in found or robot.connected}
-        ended = [robot for name, robot in self._robots.items() if name not in robots]
+        before = self._robots
+        robots = {name: robot for name, robot in before.items() if name in found or robot.connected}
+        ended = [robot for name, robot in before.items() if name not in robots]
         for name in found:
             robots[name] = robots.get(name) or RobotTopics(name, self._frames)
         for name, robot in robots.items():
             robot.simulated = name.rstrip("/") + SIMULATOR_RESET in services
         self._robots = dict(sorted(robots.items()))
+        for sentence in changes([label(name) for name in robots if name not in before],
+                                [label(robot.name) for robot in ended]):
+            rospy.loginfo(sentence)
         for robot in ended:
             robot.close()
 
