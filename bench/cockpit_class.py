@@ -107,7 +107,7 @@ class SchoolClass:
         with self._log.open("w") as log:
             self._roslaunch = subprocess.Popen(
                 ["roslaunch", "jetbot_cockpit", "class.launch", f"robots:={len(self._clients)}",
-                 f"cockpit_port:={port}"], stdout=log, stderr=log, start_new_session=True)
+                 f"port:={port}"], stdout=log, stderr=log, start_new_session=True)
         try:
             self._run(asyncio.wait_for(self._all(lambda client: client.join(f"localhost:{port}")), START_TIMEOUT))
         except BaseException:

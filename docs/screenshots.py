@@ -55,7 +55,8 @@ def launched(package: str, file: str, *arguments: str) -> Iterator[str]:
     port, ros_port = free_port(), free_port()
     os.environ.update(ROS_MASTER_URI=f"http://localhost:{ros_port}", ROS_HOSTNAME="localhost")
     with tempfile.TemporaryDirectory() as home:
-        command = ["roslaunch", "-p", str(ros_port), package, file, *arguments, f"cockpit_port:={port}"]
+        option = "port" if package == "jetbot_cockpit" else "cockpit_port"
+        command = ["roslaunch", "-p", str(ros_port), package, file, *arguments, f"{option}:={port}"]
         process = subprocess.Popen(command, env={**os.environ, "HOME": home, "ROS_HOME": home}, start_new_session=True)
         try:
             wait_for_page(f"http://localhost:{port}")

@@ -4,6 +4,7 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 """
 
 import json
+import time
 
 import pytest
 
@@ -30,7 +31,7 @@ class StandIn:
     def handle(self, client, message, now):
         self.handled.append((client, message))
 
-    def leave(self, client, now):
+    def leave(self, client):
         self.left.append(client)
 
     def check(self, now):
@@ -42,8 +43,9 @@ class StandIn:
     def trails(self):
         return []
 
-    def state(self, now):
-        return {"type": "state", "emergency": False, "robots": {}, "status": f"{now} {'x' * self.state_size}"}
+    def state(self):
+        status = f"{time.monotonic()} {'x' * self.state_size}"
+        return {"type": "state", "emergency": False, "robots": {}, "status": status}
 
 
 class Cockpit:

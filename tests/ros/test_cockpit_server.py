@@ -125,7 +125,7 @@ def test_a_teacher_gets_the_codes_and_a_pupil_does_not(cockpit):
     for page in teacher, pupil:
         page.send({"type": "codes"})
     assert [card["code"] for card in teacher.receive("codes")["codes"]] == [grant.code for grant in GRANTS]
-    assert pupil.receive("notice")["text"] == "Only a teacher sees the codes."
+    assert pupil.receive("notice")["text"] == "Only a teacher can see the codes."
 
 
 def test_nothing_is_logged_that_a_client_can_cause(caplog, cockpit):

@@ -49,6 +49,7 @@ def test_five_wrong_codes_a_minute_from_one_address(access):
         access.log_in(code, PUPILS_ADDRESS, now=59.9)
     assert access.log_in(code, OTHER_ADDRESS, now=59.9)
     assert access.log_in(code, PUPILS_ADDRESS, now=60.0)
+    assert access.take_log() == [f"5 wrong codes from {PUPILS_ADDRESS}: none from there is looked at for a minute"]
 
 
 def test_many_addresses_try_no_more_than_a_hundred_codes_a_minute(access):

@@ -1,114 +1,12 @@
 """Who may drive which robot, with robots and a clock that are turned by hand."""
 
 import pytest
+from cockpit_control import ADA, BOB, STOPPED, TEACHER
 
-from jetbot_cockpit.control import Client, Control
-from jetbot_cockpit.dead_man import DeadMan
-from jetbot_cockpit.protocol import Drive, Name, Release, Reset, Stop, Take
-from jetbot_cockpit.view import Robot, Snapshot, changes, program
+from jetbot_cockpit.protocol import Name, Stop, Take
+from jetbot_cockpit.view import Robot, program
 
-ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")
-OWN = Client(4, "pupil 4", "pupil", "/blue")
-STOPPED = (0, 0)
-WORKSHOP = (2.0, 1.0)
-
-
-class FakeRobots:
-    """Robots as their snapshot says, which a test replaces."""
-
-    def __init__(self):
-        self.now = Snapshot({name: Robot(name, geometry=WORKSHOP, simulated=True) for name in ("/red", "/blue")})
-        self.were_reset = []
-
-    def snapshot(self):
-        return self.now
-
-    def change(self, name, **fields):
-        self.now = self.now._replace(robots={**self.now.robots, name: self.now.robots[name]._replace(**fields)})
-
-    def stop(self, robot, engaged):
-        if robot is None:
-            self.now = self.now._replace(emergency=engaged)
-        else:
-            self.change(robot, stopped=engaged)
-
-    def reset(self, robot):
-        self.were_reset.append(robot)
-        return self.were_reset.count(robot) == 1
-
-
-class FakeDrive:
-    """What each robot is driven at, with the real switch."""
-
-    def __init__(self):
-        self.velocities, self._switches = {}, {}
-
-    def command(self, robot, velocity, now):
-        accepted = self._switches.setdefault(robot, DeadMan()).feed(now)
-        self.velocities[robot] = velocity if accepted else STOPPED
-        return accepted
-
-    def release(self, robot):
-        self._switches.setdefault(robot, DeadMan()).release()
-        self.velocities[robot] = STOPPED
-
-
-class Cockpit:
-    """Control, and pads that are held down as the pages hold them."""
-
-    def __init__(self):
-        self.robots, self.drive, self.time = FakeRobots(), FakeDrive(), 100.0
-        self.control = Control(self.robots, self.drive)
-        self.control.check(self.time)
-
-    def do(self, client, message):
-        return self.control.handle(client, message, self.time)
-
-    def push(self, client, robot="/red", forward=0.5, left=0.0, seconds=0.0):
-        """Hold a pad off centre for so long; return the last reply."""
-        end = self.time + seconds
-        reply = self.do(client, Drive(robot, forward, left))
-        while self.time < end:
-            self.wait(0.05)
-            reply = self.do(client, Drive(robot, forward, left))
-        return reply
-
-    def lift(self, client, robot="/red"):
-        return self.do(client, Drive(robot, 0.0, 0.0))
-
-    def wait(self, seconds):
-        """Let this time pass; return what the last check reports."""
-        for _ in range(round(seconds / 0.05)):
-            self.time += 0.05
-            messages = self.control.check(self.time)
-        return messages
-
-    def drives(self, robot="/red"):
-        return self.drive.velocities.get(robot, STOPPED)
-
-    def driver(self, robot="/red"):
-        return self.control.state(self.time)["robots"][robot]["driver"]
-
-    def must_lift(self, client, robot="/red"):
-        """Fail if the robot moves before the finger of this client, which is down, has been lifted."""
-        assert self.drives(robot) == STOPPED
-        assert self.push(client, robot, seconds=1)["type"] == "lift"
-        assert self.drives(robot) == STOPPED
-        assert self.lift(client, robot) is None
-        assert self.push(client, robot) is None
-        assert self.drives(robot) != STOPPED
-
-
-@pytest.fixture
-def cockpit():
-    return Cockpit()
-
-
-@pytest.fixture
-def driven(cockpit):
-    """Ada's finger is down, and drives red."""
-    assert cockpit.push(ADA, seconds=1) is None
-    return cockpit
+pytest_plugins = ["cockpit_control"]  # its fixtures
 
 
 def test_full_deflection_is_full_power_in_the_units_of_each_robot(cockpit):
@@ -195,99 +93,15 @@ def test_a_switch_that_fired_does_not_hinder_the_next_driver(driven):
 
 
 def test_a_closed_socket_stops_its_robot_at_once_and_frees_it(driven):
-    driven.control.leave(ADA.id, driven.time)
+    driven.control.leave(ADA.id)
     assert (driven.drives(), driven.driver()) == (STOPPED, None)
     assert driven.push(BOB) is None
-
-
-def test_a_teacher_takes_a_robot_and_the_finger_must_lift(driven):
-    assert driven.do(TEACHER, Take("/red")) is None
-    assert (driven.drives(), driven.driver()["id"]) == (STOPPED, TEACHER.id)
-    driven.control.leave(TEACHER.id, driven.time)
-    driven.must_lift(ADA)
-
-
-def test_a_finger_that_was_up_when_the_teacher_took_drives_at_once_later(driven):
-    driven.lift(ADA)
-    driven.do(TEACHER, Take("/red"))
-    driven.control.leave(TEACHER.id, driven.time)
-    assert driven.push(ADA) is None
-
-
-def test_a_pupil_takes_and_puts_back_nothing(driven):
-    assert driven.do(BOB, Take("/red"))["type"] == "notice"
-    assert driven.do(BOB, Reset())["type"] == "notice"
-    assert (driven.driver()["id"], driven.robots.were_reset) == (ADA.id, [])
-
-
-def test_a_pupil_with_a_robot_drives_and_stops_that_one_only(cockpit):
-    assert cockpit.push(OWN, "/red") == {"type": "lift", "robot": "/red", "text": "Your code drives blue only."}
-    assert cockpit.do(OWN, Stop("/red"))["type"] == "notice"
-    assert cockpit.do(OWN, Release("/red"))["type"] == "notice"
-    assert cockpit.do(OWN, Stop("/blue")) is None
-    assert [robot.stopped for robot in cockpit.robots.now.robots.values()] == [False, True]
-    assert cockpit.do(OWN, Release("/blue")) is None
-    cockpit.lift(OWN, "/blue")
-    assert cockpit.push(OWN, "/blue") is None
 
 
 def test_who_drives_another_robot_stops_the_first(driven):
     assert driven.push(ADA, "/blue") is None
     assert (driven.drives("/red"), driven.driver("/red")) == (STOPPED, None)
     assert driven.drives("/blue") == (0.5, 0)
-
-
-@pytest.mark.parametrize("robot", [None, "/red"])
-def test_a_stop_ends_the_lease_and_the_finger_must_lift_after_its_release(driven, robot):
-    driven.do(TEACHER, Stop(robot))
-    assert (driven.drives(), driven.driver()) == (STOPPED, None)
-    assert "top" in driven.push(ADA, seconds=1)["text"]
-    driven.do(TEACHER, Release(robot))
-    driven.must_lift(ADA)
-
-
-def test_anybody_stops_all_and_releases_that(driven):
-    assert driven.do(BOB, Stop()) is None
-    assert driven.control.state(driven.time)["emergency"]
-    assert driven.do(ADA, Release()) is None
-    assert not driven.control.state(driven.time)["emergency"]
-
-
-def test_a_stop_by_a_teacher_is_released_by_a_teacher(driven):
-    driven.do(TEACHER, Stop())
-    driven.do(ADA, Stop())
-    driven.wait(1)
-    assert driven.do(ADA, Release())["type"] == "notice"
-    assert driven.robots.now.emergency
-    assert driven.do(TEACHER, Release()) is None
-    driven.do(ADA, Stop())
-    assert driven.do(ADA, Release()) is None
-
-
-def test_a_stop_by_a_teacher_that_ros_has_released_is_forgotten(driven):
-    driven.do(TEACHER, Stop())
-    driven.robots.stop(None, False)
-    driven.wait(0.05)
-    driven.do(ADA, Stop())
-    assert driven.do(ADA, Release()) is None
-
-
-def change(fake, **fields):
-    fake.now = fake.now._replace(**fields)
-
-
-@pytest.mark.parametrize("break_it, mend_it", [
-    (lambda robots: change(robots, emergency=True), lambda robots: change(robots, emergency=False)),
-    (lambda robots: change(robots, master=False), lambda robots: change(robots, master=True)),
-    (lambda robots: change(robots, robots={}), lambda robots: change(robots, robots=FakeRobots().now.robots)),
-    (lambda robots: robots.change("/red", answers=False), lambda robots: robots.change("/red", answers=True)),
-], ids=["emergency stop", "master", "robot gone", "robot does not answer"])
-def test_what_comes_back_while_a_finger_is_down_does_not_jump_off(driven, break_it, mend_it):
-    break_it(driven.robots)
-    driven.wait(0.05)
-    assert driven.drives() == STOPPED
-    mend_it(driven.robots)
-    driven.must_lift(ADA)
 
 
 def test_a_robot_that_there_never_was_is_not_driven(cockpit):
@@ -297,40 +111,10 @@ def test_a_robot_that_there_never_was_is_not_driven(cockpit):
     assert cockpit.drive.velocities == {}
 
 
-def test_a_teacher_puts_back_simulated_robots(cockpit):
-    cockpit.robots.change("/blue", simulated=False)
-    cockpit.wait(0.05)
-    assert cockpit.do(TEACHER, Reset()) is None
-    assert cockpit.robots.were_reset == ["/red"]
-    assert cockpit.do(TEACHER, Reset("/blue"))["type"] == "notice"
-    assert cockpit.do(TEACHER, Reset("/red"))["text"] == "red has not answered yet."
-
-
-def test_a_robot_that_was_put_back_starts_its_trail_again(cockpit):
-    cockpit.robots.change("/red", pose=(1.0, 0.0, 0.0))
-    assert cockpit.wait(0.05) == []
-    cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
-    assert cockpit.wait(0.05) == [{"type": "trail", "robot": "/red", "points": []}]
-
-
-def test_a_robot_that_was_put_back_by_a_teacher_starts_its_trail_again_however_near_its_start_is(cockpit):
-    cockpit.robots.change("/red", pose=(0.1, 0.0, 0.0))
-    cockpit.wait(0.05)
-    cockpit.do(TEACHER, Reset("/red"))
-    cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
-    assert [message for _ in range(12) for message in cockpit.wait(0.05)] == [
-        {"type": "trail", "robot": "/red", "points": []}]
-
-
 @pytest.mark.parametrize("commanded_by, name", [
     ("/jetbot_motion_control", "jetbot_motion_control"), ("/jetbot_cockpit", ""), ("nobody yet", ""), (None, "")])
 def test_the_program_that_drives_a_robot_has_its_name(commanded_by, name):
     assert program(commanded_by, "/jetbot_cockpit") == name
-
-
-def test_the_terminal_has_a_sentence_for_robots_that_come_and_go():
-    assert changes([], []) == []
-    assert changes(["jetbot_01"], ["red", "blue"]) == ["jetbot_01 is running.", "red, blue are not running any more."]
 
 
 def test_ids_of_robots_become_short_printable_labels():

@@ -56,7 +56,7 @@ def test_why_a_socket_is_closed():
     f"the pupil's code, {access.CODE_LENGTH['pupil']} characters",
     f"the teacher's code, {access.CODE_LENGTH['teacher']} characters",
     f"after {access.MAX_WRONG_IN_ALL} from all",
-    f"nothing came from the page for {dead_man.TIMEOUT} s", f"free {lease.SILENCE:.0f} s after its driver's last"])
+    f"nothing came from the page for {dead_man.TIMEOUT} s", f"free {lease.TIMEOUT:.0f} s after its driver's last"])
 def test_the_figures(text):
     assert text in PAGE
 

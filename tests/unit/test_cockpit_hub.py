@@ -6,7 +6,8 @@ import pytest
 
 from jetbot_cockpit import hub as hubs
 from jetbot_cockpit import protocol
-from jetbot_cockpit.access import PUPIL, TEACHER, make_grant
+from jetbot_cockpit.access import make_grant
+from jetbot_cockpit.client import PUPIL, TEACHER
 from jetbot_cockpit.hub import FRAME_INTERVAL, Hub
 
 STOP = '{"type": "stop"}'
@@ -48,7 +49,7 @@ class Control:
         self.asked.append((client.id, message))
         return self.reply
 
-    def leave(self, client, now):
+    def leave(self, client):
         self.left.append(client)
 
     def check(self, now):
@@ -61,7 +62,7 @@ class Control:
     def trails(self):
         return [TRAIL]
 
-    def state(self, now):
+    def state(self):
         return {"type": "state", "speed": self.speed}
 
 
@@ -85,7 +86,7 @@ def run(hub, viewers, since, until):
     for number in range(int(since / FRAME_INTERVAL) + 1, int(until / FRAME_INTERVAL) + 1):
         hub.tick(number * FRAME_INTERVAL)
         for viewer in viewers if number % 20 == 0 else ():
-            hub.hear(viewer, number * FRAME_INTERVAL)
+            hub.record_activity(viewer, number * FRAME_INTERVAL)
 
 
 def test_a_new_page_is_sent_all_that_it_shows(hub):
@@ -147,7 +148,7 @@ def test_a_page_that_says_nothing_is_sent_nothing_that_would_be_old_when_it_arri
     control.speed = 1
     run(hub, [], hubs.ABSENT_AFTER, 10)
     assert page.types() == [] and page.pings >= 5
-    hub.hear(viewer, 10.0)
+    hub.record_activity(viewer, 10.0)
     hub.tick(10.05)
     assert page.types() == ["state"]
 
@@ -191,7 +192,7 @@ def test_after_its_disconnection_nothing_that_a_page_sends_counts(hub, control):
     hub.receive(viewer, "x", 0.0)
     assert page.closed[0] == 4000 and control.left == [1]
     hub.receive(viewer, STOP, 0.0)
-    hub.leave(viewer, 0.0)
+    hub.leave(viewer)
     assert not control.asked and control.left == [1]
 
 
@@ -209,7 +210,7 @@ def test_there_is_room_for_64_pages(hub):
     viewers = [join(hub)[1] for _ in range(64)]
     page, viewer = join(hub)
     assert viewer is None and page.closed[0] == 4002
-    hub.leave(viewers[0], 0.0)
+    hub.leave(viewers[0])
     assert join(hub)[1]
 
 
@@ -222,5 +223,5 @@ def test_pupils_cannot_take_all_places_from_a_teacher(hub, control):
 
 def test_at_the_end_all_pages_are_disconnected_and_their_robots_stop(hub, control):
     pages = [join(hub)[0] for _ in range(3)]
-    hub.close(0.0)
+    hub.close()
     assert [page.closed[0] for page in pages] == [1001] * 3 and control.left == [1, 2, 3]

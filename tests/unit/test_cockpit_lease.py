@@ -2,7 +2,7 @@
 
 import pytest
 
-from jetbot_cockpit.lease import SILENCE, Lease, Leases
+from jetbot_cockpit.lease import TIMEOUT, Lease, Leases
 
 ADA, BOB = 1, 2
 
@@ -25,12 +25,12 @@ def test_nobody_gets_a_robot_that_another_drives(leases):
     assert leases.driver("/red") == ADA
 
 
-def test_it_is_silent_after_five_seconds_without_a_command(leases):
-    assert SILENCE == 5
-    assert not leases.is_silent("/red", 14.9)
-    assert leases.is_silent("/red", 15)
+def test_it_has_expired_after_five_seconds_without_a_command(leases):
+    assert TIMEOUT == 5
+    assert not leases.has_expired("/red", 14.9)
+    assert leases.has_expired("/red", 15)
     leases.renew("/red", ADA, 14.9, driving=False)
-    assert not leases.is_silent("/red", 19)
+    assert not leases.has_expired("/red", 19)
 
 
 def test_who_drives_another_robot_leaves_the_first(leases):

@@ -10,7 +10,7 @@ def test_by_default_only_this_computer_gets_in():
     assert resolve({}) == {"lan": False, "port": 8080, "name": "", "robots": 0, "browser": False}
 
 
-@pytest.mark.parametrize("name", ["", "class.test", "192.168.1.42", "fd00::7", "robot-7.local", "7"])
+@pytest.mark.parametrize("name", ["", "class.test", "192.168.1.42", "fd00::7", "robot-7.local"])
 def test_a_name_is_a_host(name):
     assert resolve({"lan": True, "name": name})["name"] == name
 
@@ -18,8 +18,8 @@ def test_a_name_is_a_host(name):
 @pytest.mark.parametrize("typed", [
     {"port": -1}, {"port": 65536}, {"port": "8080x"}, {"port": 80.5}, {"port": True}, {"port": None},
     {"robots": -1}, {"robots": 100}, {"lan": "yes, please"}, {"lan": 1}, {"browser": True},
-    *({"lan": True, "name": name} for name in ("a b", "-a", "a-", "a..b", "http://a", "a/b", "a:80", "x" * 254, 7, "ä",
-                                               "a\n")),
+    *({"lan": True, "name": name} for name in ("a b", "-a", "a-", "a..b", "http://a", "a/b", "a:80", "8", "10.0.7",
+                                               "x" * 254, 7, "ä", "a\n")),
     {"name": "class.test"}, {"prot": 8080}], ids=str)
 def test_what_cannot_be_used_is_refused(typed):
     with pytest.raises(InvalidValue):

@@ -60,7 +60,7 @@ def test_a_mistyped_argument_is_refused_with_what_was_meant(line, meant):
 @pytest.mark.parametrize("line", [
     "simulation simulation.launch motion:=true linear:=0.2 board:=sparkfun required:=true __ns:=red _other:=1",
     "jetbot_control_node many_robots.launch robots:=3 max_speed:=0.5",
-    "jetbot_cockpit class.launch robots:=15 lan:=true config:=si_units.yaml cockpit_port:=8081",
+    "jetbot_cockpit class.launch robots:=15 lan:=true config:=si_units.yaml port:=8081",
     "simulation no_such.launch lineer:=1", "no_such_package x.launch lineer:=1", "- lineer:=1", "lineer:=1"])
 def test_what_is_known_or_cannot_be_known_is_not_refused(line):
     assert refusal(*line.split()) is None

@@ -38,8 +38,8 @@ def test_the_node_knows_no_tools(module):
     assert not [path for path in imports(module) if path.startswith("jetbot_tools")]
 
 
-PURE = ["protocol", "limits", "access", "client", "handout", "view", "trail", "lease", "dead_man", "stops", "control",
-        "hub"]
+PURE = ["protocol", "limits", "client", "access", "handout", "view", "trail", "lease", "dead_man", "stops", "control",
+        "attendance", "hub"]
 COCKPIT_LAYERS = [*PURE, "desktop", "address", "parameters", "frames", "emergency", "robot_topics", "robots", "drive",
                   "listeners", "connections", "pages", "sockets", "server"]
 

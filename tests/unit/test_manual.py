@@ -62,7 +62,7 @@ def test_the_status_has_who_is_ignored_but_not_during_an_emergency_stop_and_does
     state = DRIVING.driven(None, (), "/circle waits for the cockpit")
     assert (state.status, state.warning) == ("driving, /circle waits for the cockpit", False)
     assert state.hold(EMERGENCY_STOP, True).status == "stopped: emergency stop"
-    assert state.check_timeout(BOTH, now=1.0).status.endswith("(repeat it: rostopic pub -r 10), /circle waits for the cockpit")
+    assert state.check_timeout(BOTH, now=1.0).status.endswith("-r 10), /circle waits for the cockpit")
 
 
 def test_the_two_emergency_stops_hold_the_robot_each():

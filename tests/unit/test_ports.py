@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from jetbot_ros.ports import is_free, listeners
+from jetbot_ros.ports import is_free, processes_on
 from jetbot_tools import probe
 
 LISTENER = "import socket, sys; server = socket.create_server(('localhost', int(sys.argv[1]))); print(); input()"
@@ -26,7 +26,7 @@ def taken(request):
 
 def test_a_port_is_taken_while_a_process_listens_there(taken):
     assert not is_free(taken)
-    assert listeners(taken) == [os.getpid()]
+    assert processes_on(taken) == [os.getpid()]
 
 
 def test_a_port_is_free_again_at_once():
@@ -35,7 +35,7 @@ def test_a_port_is_free_again_at_once():
         with socket.create_connection(("localhost", port)):
             server.accept()[0].close()  # the kernel keeps such a connection for a minute
     assert is_free(port)
-    assert listeners(port) == []
+    assert processes_on(port) == []
     assert probe.check_cockpit_port(port) == []
 
 
@@ -66,7 +66,7 @@ def test_the_doctor_names_the_program_that_has_the_port(listener):
 
 def test_the_doctor_names_no_program_that_it_may_not_see(listener, monkeypatch):
     port, _ = listener("other.py")
-    monkeypatch.setattr(probe, "listeners", lambda port: [])
+    monkeypatch.setattr(probe, "processes_on", lambda port: [])
     assert "in use by a program of another user." in str(probe.check_cockpit_port(port)[0])
 
 

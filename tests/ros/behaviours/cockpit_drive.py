@@ -24,11 +24,11 @@ RELEASE_FIRST = "Emergency stop. Release it first."
 
 
 def wait_for_page(condition):
-    """Return the condition, which is then looked at 20 times a second, as a page sends its commands."""
-    def look():
+    """Return the condition, which is then evaluated 20 times a second, as a page sends its commands."""
+    def evaluate():
         time.sleep(0.05)
         return condition()
-    return look
+    return evaluate
 
 
 class CockpitDrive(RobotTest):
@@ -64,7 +64,7 @@ class CockpitDrive(RobotTest):
 
     def robot(self):
         """Return the robot's state, {} if there is none."""
-        return self.control.state(time.monotonic())["robots"].get("/", {})
+        return self.control.state()["robots"].get("/", {})
 
     def hold(self, forward=0.5):
         """Hold the pad down for one message of the page; return why that is refused, or ""."""
@@ -94,7 +94,7 @@ class CockpitDrive(RobotTest):
         self.push(0.25)
         self.lift()
         self.push(-0.25)
-        self.control.leave(ADA.id, time.monotonic())
+        self.control.leave(ADA.id)
         self.wait_for_stop(within=1.0)
         self.push(0.5)
         self.control.close()
@@ -122,7 +122,7 @@ class CockpitDrive(RobotTest):
         self.wait_for_stop(within=1.0)
         self.wait_for_refusal(RELEASE_FIRST)
         self.emergency_stop(False)
-        self.wait_for(lambda: not self.control.state(0.0)["emergency"], 5.0, "the release")
+        self.wait_for(lambda: not self.control.state()["emergency"], 5.0, "the release")
 
     def test_a_teacher_stops_one_robot(self):
         self.push(0.5)

@@ -80,7 +80,7 @@ class CockpitLaunch(RobotTest):
     def test_a_class_has_a_code_for_each_robot_and_goes_on_without_one(self):
         statuses = {name: self.record(f"{name}/jetbot_controller/status", String) for name in CLASS}
         launch = self.start("roslaunch", "jetbot_cockpit", "class.launch", "robots:=2", "lan:=true",
-                            f"cockpit_port:={self.port}", env=self.environment)
+                            f"port:={self.port}", env=self.environment)
         self.wait_for(self.is_served, START_TIMEOUT, "the page")
         self.wait_for(lambda: all(statuses.values()), START_TIMEOUT, "both robots")
         self.wait_for(lambda: read(launch).count(f":{self.port}/#") == 1 + len(CLASS), 10.0, "a code for each")

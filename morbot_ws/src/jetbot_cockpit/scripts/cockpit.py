@@ -11,12 +11,14 @@ from jetbot_ros.launcher import Launcher  # noqa: I001  first of all: it reads w
 import os
 import sys
 import threading
+import time
 
 import rospy
 
 from jetbot import JetbotError
 from jetbot_cockpit import address, handout
 from jetbot_cockpit.access import Access, make_grants
+from jetbot_cockpit.attendance import Attendance
 from jetbot_cockpit.control import Control
 from jetbot_cockpit.desktop import open_browser
 from jetbot_cockpit.drive import Drive
@@ -33,6 +35,8 @@ SHUTDOWN_TIMEOUT = 2.0  # s for the end of this node
 
 
 class Cockpit:
+    """The page's server, and what connects it to the robots. Raise JetbotError if it cannot start."""
+
     def __init__(self):
         node.init_node("jetbot_cockpit")
         given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), PARAMETERS))
@@ -49,22 +53,27 @@ class Cockpit:
         self.cards = [handout.make_card(grant, (names or ["localhost"])[0], self.port) for grant in grants]
 
         # What clients ask for goes into the control, and what the robots report comes out
-        self.control = Control(Robots(), Drive())
+        self.access, self.control = access, Control(Robots(), Drive())
         self.server = Server(sockets, access, Hub(self.control, self.cards))
 
     def run(self):
+        """Serve until a signal, the end of rospy or of roslaunch."""
         ended = threading.Event()
         for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             signal.signal(signum, lambda *_: ended.set())
         rospy.on_shutdown(ended.set)
         self.server.start()
         self.show()
-        launcher = Launcher()
+        launcher, attendance = Launcher(), Attendance(time.monotonic())
         while not ended.wait(POLL_INTERVAL) and not launcher.ended:
             launcher.poll()
+            # In this thread: a terminal that blocks holds up no client
+            for line in [*attendance.update(self.control.snapshot().robots, time.monotonic()), *self.access.take_log()]:
+                rospy.loginfo(line)
         self.end()
 
     def show(self):
+        """Print the addresses, and open the page if that is wanted."""
         # Printed, not logged: neither a log file nor /rosout holds a code
         url = f"http://localhost:{self.port}/"
         print(f"The cockpit, for a browser on this computer: {url}", flush=True)
@@ -75,7 +84,7 @@ class Cockpit:
             open_browser(url)
 
     def end(self):
-        # The clients first: each one's robot stops with it
+        """Disconnect the clients, whose robots stop, and leave ROS; within SHUTDOWN_TIMEOUT."""
         limit = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # the master may hang
         limit.daemon = True
         limit.start()

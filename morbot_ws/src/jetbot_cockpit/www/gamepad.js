@@ -1,6 +1,7 @@
 // The left stick of a gamepad, only while this page has the focus.
 
 const INTERVAL = 50; // ms
+const IN_USE = 0.2; // share of the way to the edge
 
 export class Gamepads {
   // deflect(forward, left): each in [-1, 1]
@@ -21,7 +22,7 @@ export class Gamepads {
   }
 
   report(sticks) {
-    const used = sticks.find(({ axes }) => Math.hypot(axes[0], axes[1]) > 0.2) ?? sticks[0];
+    const used = sticks.find(({ axes }) => Math.hypot(axes[0], axes[1]) > IN_USE) ?? sticks[0];
     const [right, down] = used.axes;
     this.deflect(-down, -right);
   }

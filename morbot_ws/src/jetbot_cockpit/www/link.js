@@ -37,10 +37,10 @@ export class Link {
     const scheme = location.protocol === "https:" ? "wss" : "ws";
     const socket = new WebSocket(`${scheme}://${location.host}/socket`);
     socket.onopen = () => this.opened(socket);
-    socket.onmessage = (event) => this.heard(socket, event.data);
+    socket.onmessage = (event) => this.received(socket, event.data);
     socket.onclose = (event) => this.ended(socket, event.code, event.reason);
     this.socket = socket;
-    this.lastHeard = performance.now();
+    this.receivedAt = performance.now();
     previous?.close();
   }
 
@@ -66,9 +66,9 @@ export class Link {
     this.check();
   }
 
-  heard(socket, text) {
+  received(socket, text) {
     if (socket !== this.socket) return;
-    this.lastHeard = performance.now();
+    this.receivedAt = performance.now();
     const message = JSON.parse(text);
     if (message.type === "pong") this.measured(performance.now() - message.sent);
     else this.receive(message);
@@ -86,7 +86,7 @@ export class Link {
 
   check() {
     if (!this.socket) return;
-    const silence = performance.now() - this.lastHeard;
+    const silence = performance.now() - this.receivedAt;
     if (silence > SILENCE_TIMEOUT) this.abandon();
     else this.send({ type: "ping", sent: performance.now() });
   }

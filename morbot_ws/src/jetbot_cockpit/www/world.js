@@ -1,7 +1,7 @@
 // What the cockpit has sent: who this page is, which robots there are, and how each one is.
 
-const TRAIL_STEP = 0.02; // m between two points
-const TRAIL_LENGTH = 1000; // points
+const TRAIL_STEP = 0.03; // m between two points, as in trail.py
+const TRAIL_LENGTH = 500; // points
 
 const UNKNOWN = {
   status: "", warning: false, answers: true, stopped: false,

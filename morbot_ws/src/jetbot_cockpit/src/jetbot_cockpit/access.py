@@ -7,7 +7,8 @@ from typing import Deque, Iterable, List, NamedTuple, Optional, Sequence, Set, T
 
 from jetbot.host import is_loopback
 
-PUPIL, TEACHER = "pupil", "teacher"
+from .client import PUPIL, TEACHER
+
 ALPHABET = "ABCDEFGHJKMNPQRSTUVWXYZ23456789"  # none that looks like another
 CODE_LENGTH = {PUPIL: 6, TEACHER: 10}
 LOOPBACK = ("localhost", "127.0.0.1", "::1")
@@ -17,7 +18,7 @@ MAX_WRONG_IN_ALL = 100     # from all addresses: many computers guess no faster
 
 
 class TooManyTries(Exception):
-    """So many codes were wrong that no code is looked at for now."""
+    """So many codes were wrong that no code is accepted for now."""
 
 
 class Grant(NamedTuple):
@@ -57,6 +58,7 @@ class Access:
         self._port, self._names, self._grants = port, (*LOOPBACK, *names), grants
         self._this_computer = make_grant("this computer", TEACHER)
         self._wrong: Deque[Tuple[float, str]] = deque()  # (when, from which address)
+        self._log: Deque[str] = deque()
 
     def accepts_host(self, host: Optional[str], address: str) -> bool:
         """Return whether a Host header names this page. address: the one of this computer that the client reached.
@@ -88,7 +90,13 @@ class Access:
         grant = self._find("code", "".join(each for each in code.upper() if each in ALPHABET))
         if not grant:
             self._wrong.append((now, peer))
+            if tries + 1 == MAX_WRONG:
+                self._log.append(f"{MAX_WRONG} wrong codes from {peer}: none from there is looked at for a minute")
         return grant
+
+    def take_log(self) -> List[str]:
+        """Return what the terminal should report since the last call."""
+        return [self._log.popleft() for _ in range(len(self._log))]
 
     def _find(self, field: str, text: str) -> Optional[Grant]:
         # All are compared, each in constant time: the duration says nothing about them

@@ -2,11 +2,11 @@
 
 from typing import NamedTuple, Optional
 
-TEACHER = "teacher"
+PUPIL, TEACHER = "pupil", "teacher"
 
 
 class Client(NamedTuple):
-    """Somebody at a page. role: "teacher" or "pupil"; robot: the only one that a pupil may drive, None: any."""
+    """Somebody at a page. role: PUPIL or TEACHER; robot: the only one that a pupil may drive, None: any."""
 
     id: int
     name: str

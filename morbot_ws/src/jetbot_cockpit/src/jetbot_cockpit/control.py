@@ -4,25 +4,27 @@ import math
 import threading
 from typing import TYPE_CHECKING, Callable, Dict, List, Optional, Set
 
-from . import protocol
+from jetbot.text import enumeration
+
+from . import dead_man, protocol
 from .client import TEACHER, Client
-from .dead_man import TIMEOUT
 from .lease import Leases
 from .stops import Stops
 from .trail import Trails
-from .view import label
+from .view import Snapshot, label
 
 if TYPE_CHECKING:  # they need ROS
     from .drive import Drive
     from .robots import Robots
 
 LET_GO = "Let go, then drive again."
+NO_COMMAND = f"No command for {dead_man.TIMEOUT} s. {LET_GO}"
 
 
 class Control:
     """Does what the clients ask for; any thread may call it. drive: drives robots; robots: what they report.
 
-    What the robots report is looked at by ``check``, once for all clients.
+    ``check`` reads what the robots report, once for all clients.
     """
 
     def __init__(self, robots: "Robots", drive: "Drive"):
@@ -38,13 +40,13 @@ class Control:
             protocol.Release: self._on_release, protocol.Reset: self._on_reset, protocol.Name: self._on_name}
 
     def handle(self, client: Client, message: protocol.Message, now: float) -> Optional[dict]:
-        """Do what a client asks for; return what its page should be told, a message of the socket, or None."""
+        """Do what a client asks for; return the answer to its page, a message of the socket, or None."""
         with self._lock:
             self._names.setdefault(client.id, client.name)
             self._note_interruption(now)
             return self._actions[type(message)](client, message, now)
 
-    def leave(self, client: int, now: float) -> None:
+    def leave(self, client: int) -> None:
         """The client's socket is closed: its robot stops at once, and is free."""
         with self._lock:
             self._free(self._leases.robot_of(client))
@@ -52,7 +54,7 @@ class Control:
             self._must_lift.discard(client)
 
     def check(self, now: float) -> List[dict]:
-        """End leases, of silent clients and of robots that cannot be driven; call it 20 times a second.
+        """End the leases of silent clients and of robots that cannot be driven; call it 20 times a second.
 
         Return messages of the socket for all clients.
         """
@@ -61,7 +63,7 @@ class Control:
             self._checked_at = now
             snapshot = self._snapshot = self._robots.snapshot()
             for robot in self._leases.robots():
-                if snapshot.problem(robot) or self._leases.is_silent(robot, now):
+                if snapshot.problem(robot) or self._leases.has_expired(robot, now):
                     self._free(robot)
             self._stops.update(snapshot)
             return self._trails.update({robot.id: robot.pose for robot in snapshot.robots.values()}, now)
@@ -71,11 +73,15 @@ class Control:
         with self._lock:
             self._drive.close()
 
+    def snapshot(self) -> Snapshot:
+        """Return the robots as of the last check."""
+        return self._snapshot
+
     def robots(self) -> List[dict]:
         """Return the robots of the message "robots"."""
         return [robot.description() for robot in self._snapshot.robots.values()]
 
-    def state(self, now: float) -> dict:
+    def state(self) -> dict:
         """Return the message "state"."""
         with self._lock:
             snapshot = self._snapshot
@@ -95,7 +101,7 @@ class Control:
         if not refusal:
             self._lease(client, robot, now, driving)
             velocity = self._snapshot.robots[robot].velocity(message.forward, message.left)
-            refusal = "" if self._drive.command(robot, velocity, now) else f"No command for {TIMEOUT} s. {LET_GO}"
+            refusal = "" if self._drive.command(robot, velocity, now) else NO_COMMAND
         if not refusal:
             return None
         self._must_lift.add(client.id)
@@ -111,13 +117,13 @@ class Control:
 
     def _note_interruption(self, now):
         """Drive nothing for a moment if this process was frozen: old commands waited in the sockets."""
-        if now - self._checked_at >= TIMEOUT:
-            self._stale_until = now + TIMEOUT
+        if now - self._checked_at >= dead_man.TIMEOUT:
+            self._stale_until = now + dead_man.TIMEOUT
 
     def _refusal(self, client, robot, now) -> str:
         """Return why the client may not drive this robot now, or ""."""
         if not client.may_drive(robot):
-            return f"Your code drives {label(client.robot)} only."
+            return f"With your code, you can drive only {label(client.robot)}."
         if now < self._stale_until:
             return f"The cockpit was interrupted. {LET_GO}"
         driver = self._leases.driver(robot)
@@ -128,7 +134,7 @@ class Control:
     def _on_take(self, client, message, now):
         robot = message.robot
         if client.role != TEACHER:
-            return notice("Only a teacher takes a robot.")
+            return notice("Only a teacher can take a robot.")
         if self._ended(robot):
             return notice(self._ended(robot))
         if self._leases.driver(robot) != client.id:
@@ -157,14 +163,14 @@ class Control:
 
     def _on_reset(self, client, message, now):
         if client.role != TEACHER:
-            return notice("Only a teacher puts robots back.")
+            return notice("Only a teacher can put robots back.")
         chosen = [robot for robot in self._snapshot.robots.values()
                   if robot.simulated and message.robot in (None, robot.id)]
         for robot in chosen:
             self._trails.reset(robot.id, now)
         silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]
         if silent:
-            return notice(f"{', '.join(silent)} has not answered yet.")
+            return notice(f"{enumeration(silent)} {'has' if len(silent) == 1 else 'have'} not answered yet.")
         return None if chosen else notice("Only simulated robots can be put back.")
 
     def _on_name(self, client, message, now):

@@ -1,4 +1,4 @@
-"""Publishes the commands of the pads: a thread for each robot that is driven, which one that hangs does not delay."""
+"""Publishes the commands of the pads: one thread per driven robot, so that a robot that hangs delays no other."""
 
 import contextlib
 import threading
@@ -22,14 +22,16 @@ warnings.filterwarnings("ignore", "The publisher should be created", SyntaxWarni
 
 
 class Drive:
-    """Drives robots, which it knows by their namespaces. No method blocks but ``close``. Needs an initialized node."""
+    """Drives robots, by their namespaces. Only ``close`` blocks. Needs an initialized node."""
 
     def __init__(self):
         self._drivers: Dict[str, Driver] = {}
 
     def command(self, robot: str, velocity: Velocity, now: float) -> bool:
         """Drive the robot. Return False, and do not, if its dead man's switch has fired since its last release."""
-        return self._drivers.setdefault(robot, Driver(robot)).command(velocity, now)
+        if robot not in self._drivers:
+            self._drivers[robot] = Driver(robot)
+        return self._drivers[robot].command(velocity, now)
 
     def release(self, robot: str) -> None:
         """Stop the robot, and end the publisher."""
@@ -48,7 +50,7 @@ class Drive:
 class Driver(rospy.SubscribeListener):
     """Publishes what one robot is commanded, while it is driven, and one zero at the end.
 
-    stopped: set unless the robot was sent a command and not yet that zero.
+    stopped: set unless the robot is commanded, or its last zero is still to be sent.
     """
 
     def __init__(self, robot: str):
@@ -89,25 +91,28 @@ class Driver(rospy.SubscribeListener):
         self._condition.notify()
 
     def _run(self):
-        while self._running:
-            publisher = rospy.Publisher(self._topic, Twist, self, tcp_nodelay=True, queue_size=None)
-            try:
-                self._publish(publisher)
-            finally:
-                publisher.unregister()
+        with contextlib.suppress(rospy.ROSException):  # a shutdown closes the topic meanwhile
+            while True:
+                self._publish()
                 with self._condition:
-                    self._running = self._velocity != STOPPED  # commanded again meanwhile
+                    if self._velocity == STOPPED:  # not commanded again meanwhile
+                        self._running = False
+                        self.stopped.set()
+                        return
 
-    def _publish(self, publisher):
-        """Publish until the robot is stopped, that too."""
-        velocity = None
-        while velocity != STOPPED:
-            velocity = self._next()
-            limit_sending(publisher)
-            message = Twist()
-            message.linear.x, message.angular.z = velocity
-            publisher.publish(message)
-        self.stopped.set()
+    def _publish(self):
+        """Publish until the robot is stopped, that too; then end the publisher."""
+        publisher = rospy.Publisher(self._topic, Twist, self, tcp_nodelay=True, queue_size=None)
+        try:
+            velocity = None
+            while velocity != STOPPED:
+                velocity = self._next()
+                limit_sending(publisher)
+                message = Twist()
+                message.linear.x, message.angular.z = velocity
+                publisher.publish(message)
+        finally:
+            publisher.unregister()
 
     def _next(self) -> Velocity:
         """Wait for a command, or until the switch fires; return what the robot is to do."""

@@ -1,11 +1,13 @@
 """The emergency stops: of all robots, and of one."""
 
+import contextlib
+
 import rospy
 from std_msgs.msg import Bool
 
 
 class EmergencySwitch:
-    """An emergency stop: a latched topic, which this node and others publish. engaged: its newest value."""
+    """An emergency stop: a latched topic, published by this node and others. engaged: its newest value."""
 
     def __init__(self, topic: str):
         self.engaged = False
@@ -16,7 +18,8 @@ class EmergencySwitch:
     def set(self, engaged: bool) -> None:
         """Publish it; robots that start later obey it too."""
         self.engaged = self._latched = engaged
-        self._publisher.publish(engaged)
+        with contextlib.suppress(rospy.ROSException):  # closed: the robot has ended meanwhile, or this node
+            self._publisher.publish(engaged)
 
     def close(self) -> None:
         """End the publisher and the subscriber."""

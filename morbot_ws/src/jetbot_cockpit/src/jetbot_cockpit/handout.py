@@ -51,7 +51,10 @@ def message(cards: Sequence[Card]) -> Dict[str, object]:
 
 
 def text(cards: Sequence[Card], colors: bool = False) -> str:
-    """Return the teacher's card, and below it all others side by side, to print. colors: print QR codes black on white, by a terminal's sequences."""
+    """Return the teacher's card, and below it all others side by side, to print.
+
+    colors: print QR codes black on white, by a terminal's sequences.
+    """
     width = max(len(line) for card in cards for line in [*card.rows, *_words(card)])
     across = max(1, (WIDTH + 2) // (width + 2))
     parts = [[card for card in cards if (card.role == TEACHER) == teachers] for teachers in (True, False)]

@@ -5,8 +5,9 @@ import json
 from typing import Dict, Optional, Protocol, Sequence
 
 from . import handout, protocol
-from .access import TEACHER, Grant
-from .control import Client, Control
+from .access import Grant
+from .client import TEACHER, Client
+from .control import Control
 from .limits import TokenBucket
 
 MAX_CLIENTS = 64
@@ -37,17 +38,17 @@ class Viewer:
     def __init__(self, client: Client, connection: Connection, now: float):
         self.client, self.connection = client, connection
         self.bucket = TokenBucket(protocol.MAX_RATE, protocol.MAX_BURST, now)
-        self.heard = self.pinged = self.shown_at = now
+        self.active_at = self.pinged_at = self.shown_at = now
         self.state = self.robots = ""
 
-    def hear(self, now: float) -> bool:
-        """Note a sign of life; return whether there are not too many."""
-        self.heard = now
+    def record_activity(self, now: float) -> bool:
+        """Record a sign of life; return whether there are not too many."""
+        self.active_at = now
         return self.bucket.take(now)
 
     def is_ready(self, now: float) -> bool:
         """Return whether the page takes what it is sent; a frozen browser or a bad network does not."""
-        return now - self.heard < ABSENT_AFTER and not self.connection.is_backlogged()
+        return now - self.active_at < ABSENT_AFTER and not self.connection.is_backlogged()
 
     def show(self, robots: str, trails: Sequence[str], resets: Sequence[str], state: str, now: float) -> None:
         """Send what the page does not show yet."""
@@ -72,7 +73,7 @@ class Hub:
         if len(self._viewers) >= MAX_CLIENTS and grant.role == TEACHER:
             pupils = [viewer for viewer in self._viewers.values() if viewer.client.role != TEACHER]
             for viewer in pupils[-1:]:
-                self.end(viewer, FULL, NO_ROOM, now)
+                self.end(viewer, FULL, NO_ROOM)
         if len(self._viewers) >= MAX_CLIENTS:
             connection.close(FULL, NO_ROOM)
             return None
@@ -87,44 +88,44 @@ class Hub:
         """Do what a page asks for. A page that sends too much or something else is disconnected."""
         if viewer.client.id not in self._viewers:
             return  # it was disconnected, but does not know it yet
-        in_time = viewer.hear(now)
+        within_limit = viewer.record_activity(now)
         try:
             message = protocol.parse(text)
         except protocol.ProtocolError as error:
-            self.end(viewer, REFUSED, str(error), now)
+            self.end(viewer, REFUSED, str(error))
             return
-        if in_time or isinstance(message, protocol.Stop):  # a stop always counts
+        if within_limit or isinstance(message, protocol.Stop):  # a stop always counts
             self._answer(viewer, message, now)
-        if not in_time:
-            self.end(viewer, REFUSED, TOO_MANY, now)
+        if not within_limit:
+            self.end(viewer, REFUSED, TOO_MANY)
 
-    def hear(self, viewer: Viewer, now: float) -> None:
+    def record_activity(self, viewer: Viewer, now: float) -> None:
         """A browser has sent a ping or a pong by itself."""
-        if not viewer.hear(now):
-            self.end(viewer, REFUSED, TOO_MANY, now)
+        if not viewer.record_activity(now):
+            self.end(viewer, REFUSED, TOO_MANY)
 
-    def leave(self, viewer: Viewer, now: float) -> None:
+    def leave(self, viewer: Viewer) -> None:
         """A client's socket is closed: its robot stops."""
         if self._viewers.pop(viewer.client.id, None):
-            self._control.leave(viewer.client.id, now)
+            self._control.leave(viewer.client.id)
 
-    def end(self, viewer: Viewer, code: int, reason: str, now: float) -> None:
+    def end(self, viewer: Viewer, code: int, reason: str) -> None:
         """Stop a client's robot, and close its socket for this reason."""
-        self.leave(viewer, now)
+        self.leave(viewer)
         viewer.connection.close(code, reason)
 
-    def close(self, now: float) -> None:
+    def close(self) -> None:
         """Disconnect all clients."""
         for viewer in list(self._viewers.values()):
-            self.end(viewer, ENDED, "the cockpit has ended", now)
+            self.end(viewer, ENDED, "the cockpit has ended")
 
     def tick(self, now: float) -> None:
         """Send everybody what has changed; call it every FRAME_INTERVAL."""
         resets = list(map(dumps, self._control.check(now)))
-        state, robots = dumps(self._control.state(now)), dumps({"type": "robots", "robots": self._control.robots()})
+        state, robots = dumps(self._control.state()), dumps({"type": "robots", "robots": self._control.robots()})
         for viewer in list(self._viewers.values()):
-            if now - viewer.heard > GONE_AFTER:
-                self.end(viewer, REFUSED, "no sign of life", now)
+            if now - viewer.active_at > GONE_AFTER:
+                self.end(viewer, REFUSED, "no sign of life")
             elif viewer.is_ready(now):
                 trails = [] if viewer.robots else map(dumps, self._control.trails())
                 viewer.show(robots, list(trails), resets, state, now)
@@ -133,8 +134,8 @@ class Hub:
             self._ping(viewer, now)
 
     def _ping(self, viewer: Viewer, now: float) -> None:
-        if now - viewer.pinged >= STILL_INTERVAL:
-            viewer.pinged = now
+        if now - viewer.pinged_at >= STILL_INTERVAL:
+            viewer.pinged_at = now
             viewer.connection.ping()
 
     def _answer(self, viewer: Viewer, message: protocol.Message, now: float) -> None:
@@ -148,7 +149,7 @@ class Hub:
         if not isinstance(message, protocol.Codes):
             return self._control.handle(viewer.client, message, now)
         if viewer.client.role != TEACHER:
-            return {"type": "notice", "text": "Only a teacher sees the codes."}
+            return {"type": "notice", "text": "Only a teacher can see the codes."}
         return handout.message(self._cards)
 
 

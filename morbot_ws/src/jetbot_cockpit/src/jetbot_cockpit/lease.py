@@ -2,14 +2,14 @@
 
 from typing import Dict, List, NamedTuple, Optional
 
-SILENCE = 5.0  # s without a command after which a robot is free again
+TIMEOUT = 5.0  # s without a command after which a robot is free again
 
 
 class Lease(NamedTuple):
     """A client's right to drive a robot. driving: whether its newest command moves the robot."""
 
     client: int
-    heard_at: float
+    commanded_at: float
     driving: bool = False
 
 
@@ -45,6 +45,6 @@ class Leases:
         """Make the robot free; return the lease that has ended, or None."""
         return self._leases.pop(robot, None)
 
-    def is_silent(self, robot: str, now: float) -> bool:
-        """Return whether the robot's driver has not commanded it for SILENCE."""
-        return now - self._leases[robot].heard_at >= SILENCE
+    def has_expired(self, robot: str, now: float) -> bool:
+        """Return whether the robot's driver has not commanded it for TIMEOUT."""
+        return now - self._leases[robot].commanded_at >= TIMEOUT

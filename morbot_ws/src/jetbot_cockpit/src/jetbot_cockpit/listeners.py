@@ -11,7 +11,7 @@ from jetbot import InvalidValue
 from jetbot.host import program_name
 from jetbot.text import enumeration
 from jetbot_ros.launcher import LAUNCHED
-from jetbot_ros.ports import COCKPIT_PORT, listeners
+from jetbot_ros.ports import COCKPIT_PORT, processes_on
 
 ADDRESSES = {False: ("127.0.0.1", "::1"), True: ("0.0.0.0", "::")}
 NO_IPV6 = (errno.EADDRNOTAVAIL, errno.EAFNOSUPPORT)
@@ -45,10 +45,10 @@ def _listen(port: int, ipv4: str, ipv6: str) -> List[socket.socket]:
 
 
 def refusal(port: int, error: OSError) -> InvalidValue:
-    """Return what the user is told of a port that cannot be used."""
+    """Return the error for a port that cannot be used."""
     reason, other = os.strerror(error.errno), port + 1
     if error.errno == errno.EADDRINUSE:
-        holders = [f"{program_name(pid) or 'a program'} (process {pid})" for pid in listeners(port)]
+        holders = [f"{program_name(pid) or 'a program'} (process {pid})" for pid in processes_on(port)]
         reason = f"{enumeration(holders) if holders else 'another program'} uses it"
     elif error.errno == errno.EACCES:  # below 1024
         other = COCKPIT_PORT

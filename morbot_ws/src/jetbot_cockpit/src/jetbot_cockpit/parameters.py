@@ -19,7 +19,7 @@ def is_host(value: object) -> bool:
     try:
         return value == "" or bool(ipaddress.ip_address(value if isinstance(value, str) else ""))
     except ValueError:
-        return isinstance(value, str) and bool(HOST_NAME.fullmatch(value))
+        return isinstance(value, str) and bool(HOST_NAME.fullmatch(value)) and not value.replace(".", "").isdigit()
 
 
 def integer_to(limit: int) -> Kind:

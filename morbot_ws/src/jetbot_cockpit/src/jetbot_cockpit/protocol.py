@@ -67,14 +67,17 @@ Message = Union[Drive, Take, Stop, Release, Reset, Name, Ping, Codes]
 
 
 def is_deflection(value: Any) -> bool:
+    """Return whether this is a number in [-1, 1]."""
     return is_number(value) and abs(value) <= 1
 
 
 def is_robot(value: Any) -> bool:
+    """Return whether this may be a robot's namespace; Control knows which there are."""
     return isinstance(value, str)
 
 
 def is_robot_or_all(value: Any) -> bool:
+    """Return whether this may be a robot's namespace, or None for all."""
     return value is None or is_robot(value)
 
 

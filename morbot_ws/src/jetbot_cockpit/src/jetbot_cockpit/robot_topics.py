@@ -54,7 +54,7 @@ class RobotTopics:
 
     @property
     def connected(self) -> bool:
-        """Whether its controller's process lives, as far as the connection tells."""
+        """Whether its controller's process lives, as far as the connection shows."""
         return self._status_subscriber.get_num_connections() > 0
 
     @property

@@ -14,15 +14,15 @@ from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 from .emergency import EmergencySwitch
 from .frames import Frames
+from .parameters import MAX_ROBOTS
 from .robot_topics import CONTROLLER, SIMULATOR_RESET, RobotTopics
-from .view import Snapshot, changes, label
+from .view import Snapshot
 
 POLL_INTERVAL = 1.0   # s between two questions to the master
 TIMEOUT = 2.0         # s for its answer
 MASTER_TIMEOUT = 4.0  # s without an answer until the master counts as gone
-MAX_ROBOTS = 99
 STATUS = re.compile(rf"(?=.{{1,100}}$)((?:/[A-Za-z]\w*)*){CONTROLLER}/status", re.ASCII)
-EMERGENCY_STOP = "/emergency_stop"
+STOP_TOPIC = "/emergency_stop"  # of all robots
 
 
 class Robots:
@@ -31,7 +31,7 @@ class Robots:
     def __init__(self):
         self._robots: Dict[str, RobotTopics] = {}  # replaced, never changed
         self._frames = Frames()
-        self._emergency = EmergencySwitch(EMERGENCY_STOP)
+        self._emergency = EmergencySwitch(STOP_TOPIC)
         self._answered_at = time.monotonic()
         rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics)
         threading.Thread(target=self._run, daemon=True).start()
@@ -61,7 +61,7 @@ class Robots:
             try:
                 publishers, _, services = map(dict, master.getSystemState(rospy.get_name())[2])
                 self._answered_at = time.monotonic()
-                if rospy.get_name() not in publishers.get(EMERGENCY_STOP, ()):
+                if rospy.get_name() not in publishers.get(STOP_TOPIC, ()):
                     register()  # the master was restarted
                 self._update(publishers, services)
             except NO_ANSWER:
@@ -71,17 +71,13 @@ class Robots:
     def _update(self, publishers, services):
         """Subscribe to the robots that have appeared, and drop those that have ended."""
         found = sorted(names_of(publishers))[:MAX_ROBOTS]
-        before = self._robots
-        robots = {name: robot for name, robot in before.items() if name in found or robot.connected}
-        ended = [robot for name, robot in before.items() if name not in robots]
+        robots = {name: robot for name, robot in self._robots.items() if name in found or robot.connected}
+        ended = [robot for name, robot in self._robots.items() if name not in robots]
         for name in found:
             robots[name] = robots.get(name) or RobotTopics(name, self._frames)
         for name, robot in robots.items():
             robot.simulated = name.rstrip("/") + SIMULATOR_RESET in services
         self._robots = dict(sorted(robots.items()))
-        for sentence in changes([label(name) for name in robots if name not in before],
-                                [label(robot.name) for robot in ended]):
-            rospy.loginfo(sentence)
         for robot in ended:
             robot.close()
 

@@ -82,7 +82,7 @@ class Server:
 
     def start(self) -> None:
         """Serve from now on."""
-        logging.getLogger("tornado.general").setLevel(logging.ERROR)  # what clients do wrong is no news
+        logging.getLogger("tornado.general").setLevel(logging.ERROR)  # not what clients do wrong
         self._thread.start()
         self._started.wait()
 
@@ -107,7 +107,7 @@ class Server:
         for task in tasks:
             task.stop()
         server.stop()
-        self._hub.close(time.monotonic())
+        self._hub.close()
         await asyncio.sleep(CLOSE_TIMEOUT)
         self._connections.close()
         await asyncio.sleep(0)

@@ -45,13 +45,13 @@ class Socket(Handler, WebSocketHandler):
 
     def on_ping(self, data: bytes) -> None:
         if self.viewer:
-            self.hub.hear(self.viewer, time.monotonic())
+            self.hub.record_activity(self.viewer, time.monotonic())
 
     on_pong = on_ping
 
     def on_close(self) -> None:
         if self.viewer:
-            self.hub.leave(self.viewer, time.monotonic())
+            self.hub.leave(self.viewer)
 
     def send(self, text: str) -> None:
         with contextlib.suppress(*CLOSED):

@@ -15,7 +15,7 @@ class Stops:
     def stop(self, client: Client, robot: Optional[str]) -> str:
         """Return why the client may not stop this robot, or ""."""
         if not client.may_stop(robot):
-            return "Only a teacher stops one robot. Stop all instead."
+            return "Only a teacher can stop a single robot. You can stop all."
         if client.role == TEACHER:
             self._teachers.add(robot)
         return ""
@@ -23,9 +23,9 @@ class Stops:
     def release(self, client: Client, robot: Optional[str]) -> str:
         """Return why the client may not release this robot, or ""."""
         if not client.may_stop(robot):
-            return "Only a teacher releases one robot."
+            return "Only a teacher can release a single robot."
         if client.role != TEACHER and robot in self._teachers:
-            return "A teacher stopped this. A teacher releases it."
+            return "A teacher stopped this. Only a teacher can release it."
         self._teachers.discard(robot)
         return ""
 

@@ -1,13 +1,15 @@
 """What the cockpit knows of a robot: immutable values, and the messages of its socket that carry them. No ROS here."""
 
 import math
-from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Dict, NamedTuple, Optional, Sequence, Tuple
 
-WORKSHOP = 2.0, 1.0          # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
-CLOSED_LOOP = 0.1125, 0.6    # of a JetBot Pro, which limits its wheels itself
-MAX_LABEL = 40               # characters
+from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION
 
-EMERGENCY_STOP = "Emergency stop. Release it first."
+WORKSHOP = 2.0, 1.0  # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
+CLOSED_LOOP = WHEEL_SEPARATION, FULL_SPEED  # of a JetBot Pro, which limits its wheels itself
+MAX_LABEL = 40  # characters
+
+ALL_STOPPED = "Emergency stop. Release it first."
 NO_MASTER = "The ROS master does not answer."
 
 
@@ -77,7 +79,7 @@ class Snapshot(NamedTuple):
             return NO_MASTER
         if robot not in self.robots:
             return f"{label(robot)} has ended."
-        return EMERGENCY_STOP if self.emergency else self.robots[robot].problem
+        return ALL_STOPPED if self.emergency else self.robots[robot].problem
 
     def is_stopped(self, robot: Optional[str]) -> bool:
         """Return whether the emergency stop of this robot, or of all (None), may be engaged."""
@@ -88,12 +90,6 @@ def label(robot: str) -> str:
     """Return a robot's name on the page, by its namespace."""
     name = "".join(each if each.isprintable() else "?" for each in robot.strip("/")[:MAX_LABEL])
     return name or "robot"
-
-
-def changes(come: List[str], gone: List[str]) -> List[str]:
-    """Return a sentence for the robots that run since the last look, and one for those that do not run any more."""
-    return [f"{', '.join(labels)} {'is' if len(labels) == 1 else 'are'} {what}."
-            for labels, what in ((come, "running"), (gone, "not running any more")) if labels]
 
 
 def program(commanded_by: Optional[str], cockpit: str) -> str:

@@ -8,7 +8,7 @@ import re
 import shlex
 import socket
 from pathlib import Path
-from typing import List, Optional, Union
+from typing import List, Optional, Set, Union
 
 from .text import printable
 
@@ -32,6 +32,19 @@ def program_name(pid: int, proc: Path = Path("/proc")) -> str:
     if len(names) > 1 and names[0].startswith("python") and not names[1].startswith("-"):
         return printable(names[1])
     return printable(names[0]) if names else ""
+
+
+def processes_with(files: Set[str], proc: Path = Path("/proc")) -> List[int]:
+    """Return the ids of the processes that have one of these open, as far as this user may see.
+
+    files: as the links in /proc/PID/fd show them, such as /dev/i2c-1 and socket:[12345].
+    """
+    pids = []
+    for process in proc.glob("[0-9]*"):
+        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
+            if files.intersection(map(os.readlink, (process / "fd").iterdir())):
+                pids.append(int(process.name))
+    return pids
 
 
 def is_display_service(pid: int, proc: Path = Path("/proc")) -> bool:

@@ -11,7 +11,7 @@ TOPICS = {"/emergency_stop": EMERGENCY_STOP, "~emergency_stop": OWN_EMERGENCY_ST
 
 
 class EmergencyStop:
-    """Holds the robot from true to false on a topic."""
+    """Holds the robot from a true on the topic until the next false."""
 
     def __init__(self, topic: str, hold: Hold, supervisor: Supervisor):
         self._hold, self._supervisor = hold, supervisor
@@ -25,12 +25,12 @@ class EmergencyStop:
             self._supervisor.hold(self._hold, msg.data)
 
     def wait_for_latched(self) -> None:
-        """Wait for what was published, and latched, before; a second at most. A stop is then in force."""
+        """Wait for what was latched before this node started, a second at most; a stop is then in force."""
         if any(msg.data for msg in self._publishers.wait_for_latched()):
             self._supervisor.hold(self._hold, True)
 
 
 def subscribe(supervisor: Supervisor) -> None:
-    """Subscribe to TOPICS. From the return on, an earlier emergency stop is in force."""
+    """Subscribe to TOPICS; on return, an earlier emergency stop is in force."""
     for stop in [EmergencyStop(topic, hold, supervisor) for topic, hold in TOPICS.items()]:
         stop.wait_for_latched()

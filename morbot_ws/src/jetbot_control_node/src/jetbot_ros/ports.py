@@ -2,10 +2,11 @@
 
 import contextlib
 import errno
-import os
 import socket
 from pathlib import Path
 from typing import List, Set
+
+from jetbot.host import processes_with
 
 COCKPIT_PORT = 8080  # the default one of its page
 LISTEN = "0A"  # a state in /proc/net/tcp, whose columns are: number, local address, remote one, state ... 9: inode
@@ -26,15 +27,10 @@ def is_free(port: int) -> bool:
     return True
 
 
-def listeners(port: int, proc: Path = Path("/proc")) -> List[int]:
+def processes_on(port: int, proc: Path = Path("/proc")) -> List[int]:
     """Return the ids of the processes that listen on a TCP port, as far as this user may see."""
     sockets = listening_sockets(port, proc)
-    pids = []
-    for process in proc.glob("[0-9]*") if sockets else ():
-        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
-            if sockets.intersection(map(os.readlink, (process / "fd").iterdir())):
-                pids.append(int(process.name))
-    return pids
+    return processes_with(sockets, proc) if sockets else []
 
 
 def listening_sockets(port: int, proc: Path) -> Set[str]:

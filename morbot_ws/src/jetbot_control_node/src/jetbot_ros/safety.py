@@ -46,7 +46,7 @@ class State(NamedTuple):
     sender: of the newest command; confirmed_at: when it was last known to run, if its command is held;
     manual_at: when the newest manual command arrived, of zero too;
     fault: while the robot cannot be driven; alarm: whether something other than a command stopped the robot;
-    notes: what else the status reports; remark: the same, where nothing is wrong.
+    notes: what else the status reports, with a warning; remark: the same, without one.
 
     A hold takes precedence until it is released; then the newest command counts, until it is too old or its sender is
     gone. For MANUAL_PRIORITY seconds after a manual command, only manual ones count. Whatever stopped the robot, only a

@@ -9,13 +9,12 @@ import rospy
 from std_msgs.msg import Float32MultiArray, MultiArrayDimension, MultiArrayLayout
 
 from jetbot.boards import MotorDriver
-from jetbot.kinematics import WHEEL_SEPARATION, clamp, mix
+from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, clamp, mix
 
 from .safety import STOPPED
 
 CHANGING_INTERVAL = 0.1  # s between two messages, at least
 STEADY_INTERVAL = 1.0    # s, while nothing changes
-CLOSED_LOOP_SPEED = 0.6  # m/s that count as full power of a board that controls its wheel speeds: a 5 V JetBot's
 LABEL = "x, z, left, right"
 
 Pair = Tuple[float, float]
@@ -41,6 +40,7 @@ class WheelsPublisher:
         self._velocity = linear, angular
 
     def __call__(self, duties: Pair, now: float) -> None:
+        """Take what the wheels (left, right) are given; publish it if it has changed."""
         driven = self._velocity, duties
         if driven != self._driven:
             self._driven = driven
@@ -66,4 +66,4 @@ def fractions_of_full_power(speeds: Pair) -> Pair:
     """Return what the wheels (left, right) of a closed loop get, in [-1, 1]. speeds: of wheels that are 2 m apart."""
     left, right = speeds
     return tuple(clamp(speed, 1.0) for speed in
-                 mix((left + right) / 2, (right - left) / 2, WHEEL_SEPARATION, CLOSED_LOOP_SPEED))
+                 mix((left + right) / 2, (right - left) / 2, WHEEL_SEPARATION, FULL_SPEED))

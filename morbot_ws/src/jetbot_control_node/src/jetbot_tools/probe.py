@@ -5,7 +5,7 @@ import errno
 import os
 import threading
 from pathlib import Path
-from typing import Iterable, List, NamedTuple, Sequence, Union
+from typing import List, NamedTuple, Sequence, Union
 
 from jetbot import host
 from jetbot.boards import BOARDS, find_board
@@ -14,7 +14,7 @@ from jetbot.errors import BusError, JetbotError, NoAnswer
 from jetbot.i2c import I2CDevice, bus_name
 from jetbot.serial_link import SerialLink
 from jetbot.text import printable
-from jetbot_ros.ports import COCKPIT_PORT, is_free, listeners
+from jetbot_ros.ports import COCKPIT_PORT, is_free, processes_on
 
 from .commands import launch
 from .identify import boards_with, has_chip, motor_chip, power_monitor
@@ -52,7 +52,7 @@ def check_users(device: str, proc: Path = Path("/proc")) -> List[Check]:
     """
     if not os.path.exists(device):
         return []
-    users = [pid for pid in processes_with(device, proc) if pid != os.getpid()]
+    users = [pid for pid in host.processes_with({os.path.realpath(device)}, proc) if pid != os.getpid()]
     others = [pid for pid in users if not host.is_display_service(pid, proc)]
     if others:
         names = ", ".join(f"{host.program_name(pid, proc)} ({pid})" for pid in others)
@@ -63,20 +63,11 @@ def check_users(device: str, proc: Path = Path("/proc")) -> List[Check]:
     return [Check(device, True, f"no other program{whose} has it open{display}")]
 
 
-def processes_with(device: str, proc: Path) -> Iterable[int]:
-    """Yield the ids of the processes that have a device open, as far as this user may see."""
-    target = os.path.realpath(device)
-    for process in proc.glob("[0-9]*"):
-        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
-            if target in map(os.readlink, (process / "fd").iterdir()):
-                yield int(process.name)
-
-
 def check_cockpit_port(port: int = COCKPIT_PORT) -> List[Check]:
     """Check that no other program has the TCP port of the cockpit's page; [] if it is free, or a cockpit has it."""
     if is_free(port):
         return []
-    names = {pid: host.program_name(pid) for pid in listeners(port)}
+    names = {pid: host.program_name(pid) for pid in processes_on(port)}
     if "cockpit.py" in names.values():
         return []
     users = ", ".join(f"{name} ({pid})" for pid, name in names.items()) or "a program of another user"

@@ -11,11 +11,11 @@ from xmlrpc.client import ServerProxy
 
 import rosgraph
 
+from jetbot_ros.ports import processes_on
 from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 CALLER = "/check_lesson"
 TIMEOUT = 2.0  # s for a node to answer
-LISTEN = "0A"  # state of a socket in /proc/net/tcp, Linux's TCP_LISTEN
 
 
 def connect(uri: str) -> ServerProxy:
@@ -64,11 +64,4 @@ def _listener(uri: str) -> Optional[Path]:
     address = urlparse(uri)
     if not rosgraph.network.is_local_address(address.hostname):
         return None
-    rows = [line.split() for file in Path("/proc/net").glob("tcp*") for line in file.read_text().splitlines()[1:]]
-    sockets = {f"socket:[{row[9]}]" for row in rows
-               if row[3] == LISTEN and int(row[1].rpartition(":")[2], 16) == address.port}
-    for process in Path("/proc").glob("[0-9]*"):
-        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
-            if sockets.intersection(map(os.readlink, (process / "fd").iterdir())):
-                return process
-    return None
+    return next((Path("/proc", str(process)) for process in processes_on(address.port)), None)

@@ -1,0 +1,80 @@
+"""The thread that drives a robot, with a stand-in for its publisher."""
+
+import threading
+import time
+
+import pytest
+import rospy
+
+from jetbot.wait import wait_until
+from jetbot_cockpit.drive import Drive
+
+TIMEOUT = 5.0  # s
+
+
+class Publisher:
+    """Notes what is published. at_end: what is called while the first one ends."""
+
+    impl = type("Impl", (), {"connections": ()})
+
+    def __init__(self, topic, *_, **__):
+        self.opened.append(topic)
+
+    def publish(self, message):
+        self.published.append((message.linear.x, message.angular.z))
+
+    def unregister(self):
+        while self.at_end:
+            self.at_end.pop()()
+        self.ended.append(1)
+
+
+@pytest.fixture
+def publisher(monkeypatch):
+    Publisher.opened, Publisher.published, Publisher.ended, Publisher.at_end = [], [], [], []
+    monkeypatch.setattr(rospy, "Publisher", Publisher)
+    return Publisher
+
+
+def threads():
+    return [thread for thread in threading.enumerate() if thread.name == "/red/cmd_vel"]
+
+
+def test_a_release_is_one_zero_and_then_the_publisher_has_ended(publisher):
+    drive = Drive()
+    assert drive.command("/red", (0.5, 0.1), time.monotonic())
+    wait_until(lambda: publisher.published, TIMEOUT)
+    drive.release("/red")
+    drive.close()
+    assert publisher.published == [(0.5, 0.1), (0.0, 0.0)]
+    assert (publisher.opened, publisher.ended) == (["/red/cmd_vel"], [1])
+    assert wait_until(lambda: not threads(), TIMEOUT)
+
+
+def test_silence_is_one_zero_too(publisher):
+    drive = Drive()
+    assert drive.command("/red", (0.5, 0.1), time.monotonic())
+    assert wait_until(lambda: publisher.ended, TIMEOUT)
+    assert publisher.published[-1] == (0.0, 0.0)
+    assert not drive.command("/red", (0.5, 0.1), time.monotonic())
+
+
+def test_a_command_while_the_publisher_ends_is_driven_and_waited_for(publisher):
+    drive = Drive()
+    publisher.at_end.append(lambda: drive.command("/red", (0.2, 0.0), time.monotonic()))
+    drive.command("/red", (0.5, 0.0), time.monotonic())
+    drive.release("/red")
+    assert wait_until(lambda: (0.2, 0.0) in publisher.published, TIMEOUT)
+    assert len(threads()) == 1
+    drive.close()
+    assert publisher.published[-1] == (0.0, 0.0)
+    assert len(publisher.ended) == 2
+
+
+def test_a_shutdown_of_the_node_ends_the_thread(publisher, monkeypatch):
+    def closed(*_):
+        raise rospy.ROSException("publish() to a closed topic")
+
+    monkeypatch.setattr(publisher, "publish", closed)
+    Drive().command("/red", (0.5, 0.0), time.monotonic())
+    assert wait_until(lambda: publisher.ended and not threads(), TIMEOUT)

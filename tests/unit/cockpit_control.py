@@ -1,0 +1,114 @@
+"""The cockpit's control with robots, pads and a clock that are turned by hand.
+
+PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
+"""
+
+import pytest
+
+from jetbot_cockpit.control import Client, Control
+from jetbot_cockpit.dead_man import DeadMan
+from jetbot_cockpit.protocol import Drive
+from jetbot_cockpit.view import Robot, Snapshot
+
+ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")
+OWN = Client(4, "pupil 4", "pupil", "/blue")
+STOPPED = (0, 0)
+WORKSHOP = (2.0, 1.0)
+
+
+class FakeRobots:
+    """Robots as their snapshot says, which a test replaces."""
+
+    def __init__(self):
+        self.now = Snapshot({name: Robot(name, geometry=WORKSHOP, simulated=True) for name in ("/red", "/blue")})
+        self.were_reset = []
+
+    def snapshot(self):
+        return self.now
+
+    def change(self, name, **fields):
+        self.now = self.now._replace(robots={**self.now.robots, name: self.now.robots[name]._replace(**fields)})
+
+    def stop(self, robot, engaged):
+        if robot is None:
+            self.now = self.now._replace(emergency=engaged)
+        else:
+            self.change(robot, stopped=engaged)
+
+    def reset(self, robot):
+        self.were_reset.append(robot)
+        return self.were_reset.count(robot) == 1
+
+
+class FakeDrive:
+    """What each robot is driven at, with the real switch."""
+
+    def __init__(self):
+        self.velocities, self._switches = {}, {}
+
+    def command(self, robot, velocity, now):
+        accepted = self._switches.setdefault(robot, DeadMan()).feed(now)
+        self.velocities[robot] = velocity if accepted else STOPPED
+        return accepted
+
+    def release(self, robot):
+        self._switches.setdefault(robot, DeadMan()).release()
+        self.velocities[robot] = STOPPED
+
+
+class Cockpit:
+    """Control, and pads that are held down as the pages hold them."""
+
+    def __init__(self):
+        self.robots, self.drive, self.time = FakeRobots(), FakeDrive(), 100.0
+        self.control = Control(self.robots, self.drive)
+        self.control.check(self.time)
+
+    def do(self, client, message):
+        return self.control.handle(client, message, self.time)
+
+    def push(self, client, robot="/red", forward=0.5, left=0.0, seconds=0.0):
+        """Hold a pad off centre for so long; return the last reply."""
+        end = self.time + seconds
+        reply = self.do(client, Drive(robot, forward, left))
+        while self.time < end:
+            self.wait(0.05)
+            reply = self.do(client, Drive(robot, forward, left))
+        return reply
+
+    def lift(self, client, robot="/red"):
+        return self.do(client, Drive(robot, 0.0, 0.0))
+
+    def wait(self, seconds):
+        """Let this time pass; return what the last check reports."""
+        for _ in range(round(seconds / 0.05)):
+            self.time += 0.05
+            messages = self.control.check(self.time)
+        return messages
+
+    def drives(self, robot="/red"):
+        return self.drive.velocities.get(robot, STOPPED)
+
+    def driver(self, robot="/red"):
+        return self.control.state()["robots"][robot]["driver"]
+
+    def must_lift(self, client, robot="/red"):
+        """Fail if the robot moves before the finger of this client, which is down, has been lifted."""
+        assert self.drives(robot) == STOPPED
+        assert self.push(client, robot, seconds=1)["type"] == "lift"
+        assert self.drives(robot) == STOPPED
+        assert self.lift(client, robot) is None
+        assert self.push(client, robot) is None
+        assert self.drives(robot) != STOPPED
+
+
+@pytest.fixture
+def cockpit():
+    return Cockpit()
+
+
+@pytest.fixture
+def driven(cockpit):
+    """Ada's finger is down, and drives red."""
+    assert cockpit.push(ADA, seconds=1) is None
+    return cockpit
