@@ -131,3 +131,13 @@ def test_the_teachers_code_is_shown_only_when_asked_for(page, world):
     assert teachers not in page.text("codes")
     page.element("show-teacher").click()
     page.wait_for_text("codes", teachers)
+
+
+def test_a_stop_that_was_pressed_without_a_connection_is_sent_when_it_is_back(page, world):
+    page.run("const Socket = window.WebSocket, send = Socket.prototype.send; let socket;"
+             "Socket.prototype.send = function (text) { socket = this; send.call(this, text); };"
+             "window.cut = () => socket.close()")
+    page.wait_for(lambda: page.run("try { cut(); return true } catch { return false }"), "a message", within=3.0)
+    page.wait_for_text("status", "No connection")
+    page.element("stop").click()
+    page.wait_for_text("status", "emergency stop")

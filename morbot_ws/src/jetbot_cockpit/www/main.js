@@ -110,6 +110,8 @@ function connectionChanged(sentence) {
   if (sentence) {
     driving.lift();
     setText(element("link"), "–");
+  } else {
+    stops.resend();
   }
   show();
 }

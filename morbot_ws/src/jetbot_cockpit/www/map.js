@@ -5,6 +5,7 @@ import { drawGrid } from "./grid.js";
 import { signed } from "./numbers.js";
 import { drawArrow, drawRing, drawRobot, drawTrail } from "./shapes.js";
 import { View } from "./view.js";
+import { nominalSpeed } from "./wheels.js";
 
 const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual"];
 const VISIBLE = 9; // pixels: smallest radius at which a robot is found
@@ -104,13 +105,14 @@ export class RobotMap {
       drawRobot(context, state.pose, robot.color, this.colors, pixel);
       if (chosen) drawRing(context, state.pose, Math.max(0.13, (VISIBLE + 5) * pixel), robot.color, pixel);
       else if (0.06 < VISIBLE * pixel) drawRing(context, state.pose, VISIBLE * pixel, robot.color, pixel);
-      if (chosen) this.drawArrows(context, state, pixel);
+      if (chosen) this.drawArrows(context, robot, state, pixel);
     }
   }
 
-  drawArrows(context, { pose, command, speed }, pixel) {
-    if (command) drawArrow(context, pose, command, { color: this.colors.commanded, dashed: true }, pixel);
+  drawArrows(context, robot, { pose, command, speed }, pixel) {
     if (speed) drawArrow(context, pose, speed, { color: this.colors.actual, dashed: false }, pixel);
+    const commanded = command && nominalSpeed(command, robot);
+    if (commanded) drawArrow(context, pose, commanded, { color: this.colors.commanded, dashed: true }, pixel);
   }
 
   drawLabels(context) {
