@@ -33,7 +33,8 @@ class RobotTopics:
         self.name, self.simulated = name, False
         self._base, self._frames = name.rstrip("/"), frames
         self._color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name.rpartition("/")[2]))
-        self._heard_at, self._status, self._level, self._geometry = time.monotonic(), "", 0, None
+        self._active_at, self._status, self._level, self._geometry = time.monotonic(), "", 0, None
+        self._repeats = False  # whether it publishes something every second; an unknown controller may not
         self._program = ""
         self._wheels = None, None  # command, duties
         self._odom = None  # (the newest message, still encoded, when it arrived in s)
@@ -64,7 +65,7 @@ class RobotTopics:
 
     def diagnose(self, status: DiagnosticStatus) -> None:
         """Take what the controller publishes on /diagnostics."""
-        self._heard_at, self._level = time.monotonic(), status.level
+        self._active_at, self._repeats, self._level = time.monotonic(), True, status.level
         values = {item.key: item.value for item in status.values}
         self._geometry = geometry(values.get("wheel_separation"), values.get("max_speed"))
         self._program = program(values.get("commanded by"), rospy.get_name())
@@ -72,7 +73,8 @@ class RobotTopics:
     def snapshot(self, now: float, master: bool) -> Robot:
         """Return what is known of the robot now. master: whether the ROS master answers; else diagnostics are late."""
         ended = self._status and not self.connected
-        answers = not (ended or master and now - self._heard_at > ANSWER_TIMEOUT)
+        silent = now - self._active_at > ANSWER_TIMEOUT and (self._repeats or not self._status)
+        answers = not (ended or master and silent)
         pose, speed = self._pose_and_speed(now)
         command, wheels = self._wheels if answers else (None, None)
         return Robot(
@@ -99,10 +101,10 @@ class RobotTopics:
             rospy.logwarn(f"{label(self.name)} was not put back: {printable(error)}")
 
     def _on_status(self, message):
-        self._heard_at, self._status = time.monotonic(), printable(message.data)[:MAX_STATUS]
+        self._active_at, self._status = time.monotonic(), printable(message.data)[:MAX_STATUS]
 
     def _on_wheels(self, message):
-        self._heard_at = time.monotonic()
+        self._active_at, self._repeats = time.monotonic(), True
         if len(message.data) == 4:  # x, z, left, right
             self._wheels = rounded(message.data[:2]), rounded(message.data[2:])
 

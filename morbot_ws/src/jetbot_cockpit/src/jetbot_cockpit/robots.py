@@ -90,6 +90,5 @@ class Robots:
 
 
 def names_of(publishers: Dict[str, list]) -> Set[str]:
-    """Return the namespaces of the nodes that publish a jetbot_controller's status."""
-    matches = filter(None, map(STATUS.fullmatch, publishers))
-    return {match[1] or "/" for match in matches if match[0].rpartition("/")[0] in publishers[match[0]]}
+    """Return the namespaces in which a jetbot_controller's status is published. publishers: by topic."""
+    return {match[1] or "/" for match in filter(None, map(STATUS.fullmatch, publishers))}
