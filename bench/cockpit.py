@@ -11,11 +11,11 @@ import argparse
 import random
 import sys
 import tempfile
-import threading
 import time
+from contextlib import closing
 from pathlib import Path
 from statistics import median
-from typing import List, Sequence
+from typing import List, Optional, Sequence
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path += [str(ROOT / "tests"), str(ROOT / "tests/ros")]
@@ -24,16 +24,13 @@ from browser.page import Page  # noqa: E402
 from browser.world import World  # noqa: E402
 from cockpit_class import SchoolClass  # noqa: E402
 
+from jetbot.fake.motors import STOPPED  # noqa: E402
 from jetbot.wait import wait_until  # noqa: E402
+from processes import end_on_sigterm  # noqa: E402
 
 ROBOT, MOVES, STOPS = "jetbot_01", 200, 10
-POLL_INTERVAL = 0.0005  # s
-# Keeps the times, in s since the epoch, at which the page sends a command.
-KEEP_TIMES = """window.times = []; const send = WebSocket.prototype.send;
-    WebSocket.prototype.send = function (text) {
-        if (JSON.parse(text).type === "drive") window.times.push((performance.timeOrigin + performance.now()) / 1000);
-        send.call(this, text);
-    };"""
+MOVE_TIMEOUT = 1.0  # s until a command is in the chip
+MISSED = 10  # moves at most, because the dead man's switch stopped the robot of a page that paused
 
 
 def row(what: str, milliseconds: Sequence[float]) -> str:
@@ -45,31 +42,32 @@ def row(what: str, milliseconds: Sequence[float]) -> str:
 def page_latencies(folder: Path) -> List[float]:
     """Return the ms from when a page sends a new command until the chip holds it."""
     folder.mkdir()
-    world, page = World(folder, ROBOT), Page(folder / "profile")
-    try:
+    with closing(World(folder, ROBOT)) as world, closing(Page(folder / "profile")) as page:
         page.open(world.address, ROBOT)
-        page.run(KEEP_TIMES)
         world.drive(page, ROBOT)
-        return [latency_of_a_move(world, page, 0.5 + 0.4 * (number % 2)) for number in range(MOVES)]
-    finally:
-        page.close()
-        world.close()
+        latencies, missed = [], 0
+        while len(latencies) < MOVES:
+            latency = latency_of_a_move(world, page, 0.5 + 0.4 * (len(latencies) % 2))
+            latencies += [] if latency is None else [latency]
+            missed += latency is None
+            if missed > MISSED:
+                raise RuntimeError(f"the robot does not obey the page, which shows {page.everything()!r}")
+    return latencies
 
 
-def latency_of_a_move(world: World, page: Page, forward: float) -> float:
-    """Move the finger; return the ms from the last command that was sent before the chip changed."""
+def latency_of_a_move(world: World, page: Page, forward: float) -> Optional[float]:
+    """Move the finger; return the ms from the last command that was sent before the chip changed.
+
+    None: it did not change. Then the finger is put on the pad again.
+    """
     time.sleep(random.uniform(0.1, 0.2))
-    before, changed = world.wheels(ROBOT), []
-
-    def watch():
-        wait_until(lambda: world.wheels(ROBOT) != before, 5.0, POLL_INTERVAL)
-        changed.append(time.time())
-
-    watcher = threading.Thread(target=watch)
-    watcher.start()
+    start = time.time()
     page.move(forward, 0.0)
-    watcher.join()
-    return 1000 * (changed[0] - max(sent for sent in page.run("return window.times") if sent < changed[0]))
+    if world.wheels(ROBOT) == STOPPED or not wait_until(lambda: world.record.since(ROBOT, start), MOVE_TIMEOUT):
+        world.drive(page, ROBOT)
+        return None
+    changed = world.record.since(ROBOT, start)[0].time
+    return 1000 * (changed - max(command.time for command in page.sent() if command.time < changed))
 
 
 def measure_class(folder: Path, robots: int, seconds: float) -> None:
@@ -91,6 +89,7 @@ def main() -> None:
     parser.add_argument("--robots", type=int, default=15)
     parser.add_argument("--seconds", type=float, default=30.0)
     options = parser.parse_args()
+    end_on_sigterm()
     with tempfile.TemporaryDirectory(prefix="jetbot_") as home:
         print("| | median | 99 % | samples |\n|---|---|---|---|")
         print(row("1 page: the page sends, the chip changes (ms)", page_latencies(Path(home, "page"))))

@@ -5,20 +5,19 @@ import json
 import mmap
 import os
 import re
-import subprocess
 import threading
 import time
 from collections import Counter
 from pathlib import Path
-from typing import Dict, List, NamedTuple, Tuple
+from typing import Callable, Dict, List, NamedTuple, Tuple
 
 from browser.chromium import descendants
 from tornado.httpclient import HTTPRequest
 from tornado.websocket import websocket_connect
 
-from harness import end, free_port
 from jetbot.fake import chip_file, default_folder
 from jetbot.fake.motors import STOPPED, wheel_speeds
+from processes import end, free_port, start
 
 RATE = 20  # Hz of each client
 START_TIMEOUT, STOP_TIMEOUT = 180.0, 5.0  # s
@@ -48,14 +47,15 @@ class Client:
         self.name, self.sent, self.received, self.pose = name, 0.0, Counter(), None
         self.folder = default_folder(name)
 
-    async def join(self, host: str) -> None:
-        """Connect, once the cockpit listens, and drive until the wheels turn."""
+    async def join(self, host: str, check: Callable[[], None]) -> None:
+        """Connect, once the cockpit listens, and drive until the wheels turn. check: called before each new try."""
         request = HTTPRequest(f"ws://{host}/socket", headers={"Origin": f"http://{host}"})
         while True:
             try:
                 self.socket = await websocket_connect(request)
                 break
             except OSError:
+                check()
                 await asyncio.sleep(0.5)
         self.listener = asyncio.ensure_future(self._listen())
         while wheel_speeds(self.folder) == STOPPED:
@@ -104,12 +104,11 @@ class SchoolClass:
 
     def __enter__(self):
         port = free_port()
-        with self._log.open("w") as log:
-            self._roslaunch = subprocess.Popen(
-                ["roslaunch", "jetbot_cockpit", "class.launch", f"robots:={len(self._clients)}",
-                 f"port:={port}"], stdout=log, stderr=log, start_new_session=True)
+        self._roslaunch = start(["roslaunch", "jetbot_cockpit", "class.launch", f"robots:={len(self._clients)}",
+                                 f"port:={port}"], self._log)
         try:
-            self._run(asyncio.wait_for(self._all(lambda client: client.join(f"localhost:{port}")), START_TIMEOUT))
+            self._run(asyncio.wait_for(self._all(lambda client: client.join(f"localhost:{port}", self._check)),
+                                       START_TIMEOUT))
         except BaseException:
             self.__exit__()
             raise RuntimeError(f"the class does not start: {self._log.read_text()}") from None
@@ -117,6 +116,11 @@ class SchoolClass:
 
     def __exit__(self, *_):
         end([self._roslaunch])
+
+    def _check(self):
+        """Raise ChildProcessError if roslaunch has ended."""
+        if self._roslaunch.poll() is not None:
+            raise ChildProcessError("roslaunch has ended")
 
     def drive(self, seconds: float) -> Figures:
         """Let all clients drive their robots, and measure."""

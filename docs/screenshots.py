@@ -8,8 +8,6 @@ imagemagick.
 import base64
 import contextlib
 import os
-import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -26,6 +24,9 @@ from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.support.ui import WebDriverWait
 
 DOCS = Path(__file__).resolve().parent
+sys.path.append(str(DOCS.parent / "tests/ros"))
+from processes import end, end_on_sigterm, end_with_parent, free_port, start  # noqa: E402
+
 PHONE, DESKTOP = (390, 844, 2), (1280, 800, 1)  # width and height in CSS pixels; pixels per CSS pixel
 COLORS = 128            # of a PNG
 START_TIMEOUT = 120.0   # s
@@ -36,7 +37,7 @@ ONE = ["simulation", "simulation.launch", "cockpit:=true", "rviz:=false"]
 
 
 def main() -> None:
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # ends the nodes and the browser, too
+    end_on_sigterm()  # the nodes and the browser, too
     wanted = sys.argv[1:] or ["cockpit_desktop.png", "cockpit_phone.png", "cockpit_class.png"]
     if "cockpit_desktop.png" in wanted:
         with launched(*ONE) as address:
@@ -57,19 +58,15 @@ def launched(package: str, file: str, *arguments: str) -> Iterator[str]:
     with tempfile.TemporaryDirectory() as home:
         option = "port" if package == "jetbot_cockpit" else "cockpit_port"
         command = ["roslaunch", "-p", str(ros_port), package, file, *arguments, f"{option}:={port}"]
-        process = subprocess.Popen(command, env={**os.environ, "HOME": home, "ROS_HOME": home}, start_new_session=True)
+        process = start(command, Path(home, "log"), env={**os.environ, "HOME": home, "ROS_HOME": home})
         try:
             wait_for_page(f"http://localhost:{port}")
             yield f"http://localhost:{port}"
+        except TimeoutError:
+            print(process.log.read_text())
+            raise
         finally:
-            process.send_signal(signal.SIGINT)
-            process.wait(timeout=60)
-
-
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
+            end([process])
 
 
 def wait_for_page(address: str) -> None:
@@ -79,7 +76,7 @@ def wait_for_page(address: str) -> None:
         with contextlib.suppress(OSError), urllib.request.urlopen(address):
             return
         time.sleep(0.2)
-    raise TimeoutError(f"no cockpit at {address}: read what roslaunch prints")
+    raise TimeoutError(f"no cockpit at {address}")
 
 
 def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -> None:
@@ -122,9 +119,11 @@ def center_of(driver: webdriver.Chrome) -> Tuple[float, float, float]:
 def browser(size: Tuple[int, int, int]) -> Iterator[webdriver.Chrome]:
     """Run a headless Chromium with a screen of this size, and touch."""
     options = webdriver.ChromeOptions()
-    for argument in ("--headless=new", "--hide-scrollbars", *(["--no-sandbox"] if os.geteuid() == 0 else [])):
+    for argument in ("--headless=new", "--hide-scrollbars", "--remote-debugging-pipe",  # it ends with chromedriver
+                     *(["--no-sandbox"] if os.geteuid() == 0 else [])):
         options.add_argument(argument)
-    driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    service = Service("/usr/bin/chromedriver", popen_kw={"preexec_fn": end_with_parent})
+    driver = webdriver.Chrome(service=service, options=options)
     try:
         width, height, scale = size
         driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {

@@ -1,11 +1,12 @@
 """Headless Chromium as a phone: its screen, fingers, keys and tabs, and the signals that its processes get."""
 
+import json
 import os
 import shutil
 import signal
 from contextlib import suppress
 from pathlib import Path
-from typing import List, Tuple
+from typing import List, NamedTuple, Tuple
 
 from selenium import webdriver
 from selenium.common.exceptions import WebDriverException
@@ -14,6 +15,7 @@ from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.keys import Keys
 
 from jetbot.wait import wait_until
+from processes import end_with_parent
 
 from .world import NAME
 
@@ -21,8 +23,39 @@ from .world import NAME
 EXCLUDED = ["disable-background-timer-throttling", "disable-renderer-backgrounding",
             "disable-backgrounding-occluded-windows"]
 KEYS = {"ArrowUp": Keys.ARROW_UP, "ArrowDown": Keys.ARROW_DOWN, "ArrowLeft": Keys.ARROW_LEFT,
-        "ArrowRight": Keys.ARROW_RIGHT, "Space": Keys.SPACE, "Escape": Keys.ESCAPE, "Tab": Keys.TAB}
+        "ArrowRight": Keys.ARROW_RIGHT, "Space": Keys.SPACE, "Escape": Keys.ESCAPE, "Tab": Keys.TAB,
+        "Enter": Keys.ENTER}
+CAUSED_BY_TESTS = "/favicon.ico", "willReadFrequently"  # a picture in a tab of its own; the map's pixels that are read
 END_TIMEOUT = 20.0  # s
+FOREIGN = "evil.test"  # a name that leads to this computer, but not one of its names
+HOSTS = f"MAP {NAME} 127.0.0.1, MAP {FOREIGN} 127.0.0.1"
+# Keeps the newest commands that the page sends, and when it has met the newest event; other pages of this origin can
+# read that, too.
+KEEP_SENT = """if (location.protocol === "http:") { const send = WebSocket.prototype.send, sent = [];
+    WebSocket.prototype.send = function (text) {
+        const {type, forward, left} = JSON.parse(text);
+        if (type === "drive") {
+            sent.push([(performance.timeOrigin + performance.now()) / 1000, forward, left]);
+            localStorage.setItem("sent", JSON.stringify(sent.slice(-100)));
+        }
+        send.call(this, text);
+    };
+    for (const type of ["click", "keydown", "keyup", "pointerup", "pointercancel", "visibilitychange", "pagehide"]) {
+        addEventListener(type, () => localStorage.setItem("met", (performance.timeOrigin + performance.now()) / 1000),
+                         true);
+    } }"""
+
+
+class Command(NamedTuple):
+    """What a page sent. time: in s since the epoch; forward, left: deflections."""
+
+    time: float
+    forward: float
+    left: float
+
+    @property
+    def is_zero(self) -> bool:
+        return self.forward == self.left == 0
 
 
 class Chromium:
@@ -31,29 +64,40 @@ class Chromium:
     def __init__(self, profile: Path):
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")
-        for argument in ("headless=new", f"user-data-dir={profile}", f"host-resolver-rules=MAP {NAME} 127.0.0.1",
+        for argument in ("headless=new", f"user-data-dir={profile}", f"host-resolver-rules={HOSTS}",
+                         "remote-debugging-pipe",  # the browser ends with chromedriver
                          *["no-sandbox"] * (os.geteuid() == 0)):
             options.add_argument(f"--{argument}")
         options.add_experimental_option("excludeSwitches", EXCLUDED)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        service = Service(shutil.which("chromedriver"))
+        service = Service(shutil.which("chromedriver"), popen_kw={"preexec_fn": end_with_parent})
         self.driver = webdriver.Chrome(service=service, options=options)
+        self._watch_tab()
         self._driver_process, self._service = service.process.pid, service
 
-    def screen(self, width: int, height: int) -> None:
-        """Make the tab in front a phone's touch screen of this size in px."""
+    def screen(self, width: int, height: int, touch: bool = True) -> None:
+        """Make the tab in front a phone's touch screen of this size in px, or a desktop's."""
         self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
-                       mobile=True)
-        self._devtools("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
+                       mobile=touch)
+        self._devtools("Emulation.setTouchEmulationEnabled", enabled=touch, maxTouchPoints=5)
 
     def run(self, script: str):
         """Run JavaScript in the page, and return what it returns."""
         return self.driver.execute_script(script)
 
+    def run_async(self, script: str, *arguments):
+        """Run JavaScript in the page; return what it hands to its last argument, a function."""
+        return self.driver.execute_async_script(script, *arguments)
+
     def touch_event(self, kind: str, *points: Tuple[float, float]) -> None:
         """Send touchStart, touchMove, touchEnd or touchCancel, with the fingers that touch at these (x, y) in px."""
         self._devtools("Input.dispatchTouchEvent", type=kind,
                        touchPoints=[{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(points)])
+
+    def media(self, **features: str) -> None:
+        """Let the page believe that a person prefers this: prefers_color_scheme="dark"."""
+        self._devtools("Emulation.setEmulatedMedia", features=[
+            {"name": name.replace("_", "-"), "value": value} for name, value in features.items()])
 
     def press(self, key: str) -> None:
         """Press a key, and hold it."""
@@ -63,35 +107,47 @@ class Chromium:
         """Let a key go."""
         ActionChains(self.driver, duration=0).key_up(KEYS.get(key, key)).perform()
 
-    def new_tab(self) -> None:
+    def sent(self) -> List[Command]:
+        """Return the newest commands that the page in the first tab sent; the tab in front may show another page."""
+        return [Command(*each) for each in json.loads(self.run("return localStorage.getItem('sent')") or "[]")]
+
+    def met_at(self) -> float:
+        """Return when that page has met the newest click, key, end of a touch, or its own end."""
+        return float(self.run("return localStorage.getItem('met')"))
+
+    def new_tab(self, url: str = "about:blank") -> None:
         """Open a tab in front of the page."""
         self.driver.switch_to.new_window("tab")
+        self._watch_tab()
+        self.driver.get(url)
+
+    def show_tab(self, number: int) -> None:
+        """Show the tab with this number, from 0 on, in front of the others."""
+        self.driver.switch_to.window(self.driver.window_handles[number])
+        self._devtools("Page.bringToFront")
 
     def old_tab(self) -> None:
         """Close the tab in front; the page is visible again."""
         self.driver.close()
-        self.driver.switch_to.window(self.driver.window_handles[0])
-
-    def close_tab(self) -> None:
-        """Close the page's tab; another one is open then."""
-        page = self.driver.current_window_handle
-        self.driver.switch_to.new_window("tab")
-        other = self.driver.current_window_handle
-        self.driver.switch_to.window(page)
-        self.driver.close()
-        self.driver.switch_to.window(other)
+        self.show_tab(0)
 
     def close_other_tabs(self) -> None:
-        """Close all tabs but the one in front."""
-        front = self.driver.current_window_handle
-        for other in set(self.driver.window_handles) - {front}:
+        """Close all tabs but the first one."""
+        first, *others = self.driver.window_handles
+        for other in others:
             self.driver.switch_to.window(other)
             self.driver.close()
-        self.driver.switch_to.window(front)
+        self.driver.switch_to.window(first)
 
     def errors(self) -> List[str]:
         """Return what the console has logged since the last call: errors and warnings, violations of the CSP too."""
-        return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] != "INFO"]
+        return [entry["message"] for entry in self.driver.get_log("browser")
+                if entry["level"] != "INFO" and not any(each in entry["message"] for each in CAUSED_BY_TESTS)]
+
+    @property
+    def runs(self) -> bool:
+        """Return whether the browser was not killed."""
+        return any(map(is_running, descendants(self._driver_process)))
 
     def signal(self, signum: int) -> None:
         """Send a signal to all processes of the browser, not to chromedriver."""
@@ -109,6 +165,9 @@ class Chromium:
             with suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
         assert wait_until(lambda: not any(map(is_running, processes)), END_TIMEOUT), "Chromium does not end"
+
+    def _watch_tab(self):
+        self._devtools("Page.addScriptToEvaluateOnNewDocument", source=KEEP_SENT)
 
     def _devtools(self, command, **parameters):
         return self.driver.execute_cdp_cmd(command, parameters)

@@ -1,27 +1,17 @@
 """Fixtures: one world with two robots, and two browsers, for all tests; each test opens the page again."""
 
 import shutil
-import sys
-from pathlib import Path
 
 import pytest
 
-sys.path.append(str(Path(__file__).parents[1] / "ros"))  # harness
-from .world import World  # noqa: E402
+from .world import World
 
 ROBOT, OTHER_ROBOT = "jetbot_01", "jetbot_02"
 
 
-def pytest_collection_modifyitems(items):
-    """Let one process of pytest-xdist run them all, with --dist loadgroup."""
-    for item in items:
-        if Path(__file__).parent in item.path.parents:
-            item.add_marker(pytest.mark.xdist_group("browser"))
-
-
 @pytest.fixture(scope="session")
 def browsers(tmp_path_factory):
-    """A function that returns a browser by its number, started when first needed."""
+    """A function that returns a browser by its number, started when first needed, or again if it was killed."""
     pytest.importorskip("selenium", reason="selenium is not installed: sudo apt install python3-selenium")
     for program in "chromium", "chromedriver":
         if not shutil.which(program):
@@ -30,6 +20,8 @@ def browsers(tmp_path_factory):
     started = {}
 
     def browser(number):
+        if number in started and not started[number].runs:
+            started.pop(number).close()
         if number not in started:
             started[number] = Page(tmp_path_factory.mktemp("profile"))
         return started[number]
@@ -54,7 +46,7 @@ def page(world, browsers):
     page.errors()
     yield page
     errors = page.errors()
-    page.run("document.getElementById('release')?.click()")
+    page.run("document.querySelectorAll('#release, .stop-one[data-action=release]').forEach(each => each.click())")
     page.leave()
     for robot in world.robots:
         world.wait_for_stop(robot)
@@ -68,3 +60,14 @@ def pupil(world, browsers):
     pupil.open(world.codes()["pupil"], ROBOT)
     yield pupil
     pupil.leave()
+
+
+@pytest.fixture
+def victim(world, browsers):
+    """That other browser, which may be frozen or killed, with a finger that drives ROBOT."""
+    victim = browsers(2)
+    victim.open(world.address, ROBOT)
+    world.drive(victim, ROBOT)
+    yield victim
+    if victim.runs:
+        victim.leave()

@@ -1,7 +1,8 @@
 """The cockpit's page, as a person with a phone uses it."""
 
 from contextlib import suppress
-from typing import Callable, Dict, List
+from pathlib import Path
+from typing import Callable, Dict, List, NamedTuple, Optional
 
 from selenium.common.exceptions import InvalidArgumentException, StaleElementReferenceException
 from selenium.webdriver.common.by import By
@@ -12,7 +13,15 @@ from .chromium import Chromium
 
 PHONE = (390, 844)  # px
 PAGE_TIMEOUT = 20.0  # s for what a page shows; other tests may run meanwhile
+LOOKS = Path(__file__).with_name("looks.js")
 CONTROLS = "a[href], button, input, select, [tabindex]:not([tabindex='-1'])"
+
+
+class OnMap(NamedTuple):
+    """The chosen robot on the map. size: of the square of as many pixels; offset: from the middle of the map; in px."""
+
+    size: float
+    offset: float
 
 
 class Page(Chromium):
@@ -97,9 +106,10 @@ class Page(Chromium):
                  f" timestamp: 1, axes: [{x}, {y}, 0, 0]}}; navigator.getGamepads = () => [pad, null, null, null];"
                  "window.dispatchEvent(Object.assign(new Event('gamepadconnected'), {gamepad: pad}))")
 
-    def slide(self, percent: int) -> None:
-        """Set how fast full deflection is."""
-        self.set("speed", str(percent))
+    def unplug_gamepad(self) -> None:
+        """Unplug the gamepad, wherever its stick is."""
+        self.run("navigator.getGamepads = () => [null, null, null, null];"
+                 "window.dispatchEvent(new Event('gamepaddisconnected'))")
 
     def set(self, name: str, value: str) -> None:
         """Give a control this value, as a person does, but without giving it the focus."""
@@ -124,27 +134,62 @@ class Page(Chromium):
                 if element.is_displayed() and element.is_enabled() and element.get_attribute("id")]
 
     def tab_through(self) -> List[str]:
-        """Return the ids of what has the focus in turn while the Tab key is pressed."""
+        """Return the ids of what has the focus in turn while the Tab key is pressed, until it begins again."""
         reached = []
-        for _ in range(60):
-            self.press("Tab")
-            self.let_go("Tab")
-            reached.append(self.run("return document.activeElement.id"))
+        while len(reached) < 60 and reached.count("stop") < 2:
+            reached.append(self.tab())
         return reached
 
-    def is_on_screen(self, name: str) -> bool:
-        """Return whether the element with this id is wholly on the screen, and nothing else covers its middle."""
-        return self.run(f"""const element = document.getElementById('{name}'), box = element.getBoundingClientRect();
-            const top = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
-            return box.x >= 0 && box.y >= 0 && box.right <= innerWidth && box.bottom <= innerHeight && box.width > 0
-                && element.contains(top);""")
+    def tab(self) -> str:
+        """Press the Tab key; return the id of what has the focus then."""
+        self.press("Tab")
+        self.let_go("Tab")
+        return self.run("return document.activeElement.id")
 
-    def map(self) -> str:
-        """Return the picture on the map."""
-        return self.run("return document.querySelector('canvas#map, #map canvas').toDataURL()")
+    def tab_to(self, name: str) -> None:
+        """Press the Tab key until the element with this id has the focus."""
+        assert any(self.tab() == name for _ in range(60)), f"the Tab key does not reach #{name}"
 
-    def colors(self) -> int:
-        """Return how many colours the map has."""
-        return self.run("""const map = document.querySelector('canvas#map, #map canvas');
-            const {data} = map.getContext('2d').getImageData(0, 0, map.width, map.height);
-            return new Set(new Uint32Array(data.buffer)).size;""")
+    def click(self, selector: str) -> None:
+        """Click on the element that this CSS selector finds."""
+        self.driver.find_element(By.CSS_SELECTOR, selector).click()
+
+    def text_of(self, selector: str) -> str:
+        """Return the visible text of the element that this CSS selector finds."""
+        with suppress(StaleElementReferenceException):
+            return self.driver.find_element(By.CSS_SELECTOR, selector).text
+        return ""
+
+    def place_of(self, selector: str):
+        """Return the middle of the element that this CSS selector finds, as (x, y) in px."""
+        return tuple(self.run(f"const box = document.querySelector(\"{selector}\").getBoundingClientRect();"
+                              "return [box.x + box.width / 2, box.y + box.height / 2]"))
+
+    def resize(self, width: int, height: int, touch: bool = True) -> None:
+        """Show the page on a screen of this size in px; touch: whether it is a touch screen."""
+        self.screen(width, height, touch)
+        self.wait_for(lambda: self.run("return [innerWidth, innerHeight]") == [width, height], "this screen")
+
+    def fits(self, *names: str) -> bool:
+        """Return whether nothing scrolls sideways, and the elements with these ids are on the screen."""
+        return self.run("return document.documentElement.scrollWidth <= innerWidth") and not self.misplaced(*names)
+
+    def misplaced(self, *names: str) -> List[str]:
+        """Return the elements that are not wholly on the screen, or whose middle something else covers."""
+        return self._looks("misplaced", list(names))
+
+    def small_controls(self, least: int) -> List[str]:
+        """Return the visible controls that are smaller than this, in px."""
+        return self._looks("smallControls", least)
+
+    def pale_texts(self) -> List[str]:
+        """Return the visible texts whose contrast is below WCAG's AA: 4.5, of large texts 3."""
+        return self._looks("paleTexts")
+
+    def robot_on_map(self) -> Optional["OnMap"]:
+        """Return where the chosen robot is on the map, by its colour's pixels."""
+        found = self._looks("robotOnMap")
+        return OnMap(*found) if found else None
+
+    def _looks(self, function, *arguments):
+        return self.driver.execute_script(f"{LOOKS.read_text()}\nreturn {function}(...arguments)", *arguments)

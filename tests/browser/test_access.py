@@ -1,9 +1,20 @@
-"""Who comes from another computer needs a code."""
+"""Who comes from another computer needs a code; no other web site gets in."""
+
+import functools
+import threading
+from http.server import HTTPServer, SimpleHTTPRequestHandler
 
 import pytest
 
+from .chromium import FOREIGN
 from .conftest import ROBOT
 from .world import World
+
+SOCKET = """const [url, done] = arguments, socket = new WebSocket(url);
+    socket.onopen = () => done("open"); socket.onclose = ({code}) => done(code);"""
+LOGIN = """const [url, code, done] = arguments;
+    fetch(url, {method: "POST", mode: "no-cors", credentials: "include", body: JSON.stringify({code})})
+        .then(() => done("sent"), () => done("failed"));"""
 
 
 @pytest.fixture(scope="module")
@@ -14,6 +25,26 @@ def empty_world(browsers, tmp_path_factory):
     world.close()
 
 
+@pytest.fixture
+def foreign_site(tmp_path):
+    """The address of a web site on another port of this computer."""
+    (tmp_path / "index.html").write_text("<p>another site</p>")
+    server = HTTPServer(("127.0.0.1", 0), functools.partial(QuietHandler, directory=str(tmp_path)))
+    thread = threading.Thread(target=server.serve_forever)
+    thread.start()
+    yield f"http://localhost:{server.server_port}/"
+    server.shutdown()
+    thread.join()
+    server.server_close()
+
+
+class QuietHandler(SimpleHTTPRequestHandler):
+    """Logs nothing."""
+
+    def log_message(self, *_):
+        pass
+
+
 def test_the_code_leaves_the_address_bar_and_the_cookie_outlives_a_reload(pupil, world):
     where = world.codes()["pupil"].partition("#")[0]
     assert pupil.run("return location.href") == where
@@ -21,6 +52,35 @@ def test_the_code_leaves_the_address_bar_and_the_cookie_outlives_a_reload(pupil,
     world.drive(pupil, ROBOT)
     pupil.lift()
     assert not pupil.run("return document.cookie"), "no script reads the cookie"
+
+
+def test_without_a_cookie_the_page_asks_for_the_code_and_shows_nothing_else(pupil, world):
+    pupil.driver.delete_all_cookies()
+    pupil.driver.get("about:blank")
+    pupil.driver.get(world.codes()["pupil"].partition("#")[0])
+    pupil.wait_for(lambda: pupil.element("login").is_displayed() and pupil.text("login"), "the login form")
+    assert not pupil.robots() or ROBOT not in str(pupil.robots())
+    assert pupil.run("return document.getElementById('cockpit').inert")
+    pupil.log_in(world.codes()["pupil"].partition("#")[2].lower())
+    pupil.wait_for(lambda: not pupil.element("login").is_displayed(), "the login form to go")
+    pupil.wait_for_link()
+
+
+def test_another_site_in_the_same_browser_gets_no_socket_and_no_cookie(page, world, foreign_site):
+    cockpit = world.address.partition("//")[2]
+    assert page.run_async(SOCKET, f"ws://{cockpit}socket") == "open", "the page itself does"
+    page.driver.get(foreign_site)
+    page.driver.delete_all_cookies()
+    assert page.run_async(SOCKET, f"ws://{cockpit}socket") == 1006
+    page.run_async(LOGIN, f"{world.address}login", world.codes()["teacher"].partition("#")[2])
+    assert page.driver.get_cookies() == []
+    page.errors()
+
+
+def test_a_foreign_name_that_leads_here_shows_nothing(page, world):
+    page.driver.get(f"http://{FOREIGN}:{world.port}/")
+    assert not page.run("return document.getElementById('cockpit')")
+    page.errors()
 
 
 def test_without_a_robot_the_page_says_so(empty_world, browsers):

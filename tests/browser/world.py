@@ -4,21 +4,27 @@ import os
 import re
 import signal
 import subprocess
+import time
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Callable, List, Tuple
+from typing import Callable, Iterator, List
 
 import rosgraph
 
-from harness import CONTROLLER, START_TIMEOUT, end, free_port, program
-from jetbot.fake.motors import STOPPED, wheel_speeds
+from harness import CONTROLLER, START_TIMEOUT, program
+from jetbot.fake.motors import STOPPED
 from jetbot.wait import wait_until
+from processes import end, free_port, start
 
-NAME = "class.test"  # a name of this computer that needs a code; the browsers of the tests resolve it to 127.0.0.1
-DRIVE_TIMEOUT = 30.0  # s until what a person does turns a wheel
-STOP_TIMEOUT = 1.5  # s; the switch fires after 0.3 s, and nothing else stops a robot whose cmd_vel_timeout is 0
-RETRY_AFTER = 1.5  # s
+from .wheels import Speeds, WheelRecord
 
-Wheels = Callable[[float, float], bool]  # a condition for the speeds left, right
+NAME = "class.test"     # a name of this computer that needs a code; the browsers of the tests resolve it to 127.0.0.1
+OBEY_TIMEOUT = 2.0      # s until what a person does turns a wheel
+STOP_TIMEOUT = 0.7      # s; the cockpit's switch fires after 0.3 s; the rest is for a busy computer
+LONGEST_GAP = 0.2       # s between two commands of a page, above which the switch may rightly fire
+TRIES = 5               # on a busy computer
+
+Condition = Callable[[float, float], bool]  # for the speeds left, right
 
 
 def moving(left: float, right: float) -> bool:
@@ -33,24 +39,28 @@ class World:
         master, self.port = free_port(), free_port()
         self._uri = f"http://localhost:{master}"
         self._environment = {**os.environ, "ROS_MASTER_URI": self._uri, "ROS_HOME": str(folder), "HOME": str(folder)}
+        self.record = WheelRecord({robot: folder / robot for robot in robots})
+        try:
+            self._start(master)
+        except BaseException:
+            self.close()
+            raise
+
+    def _start(self, master):
         self.start("rosmaster", "--core", "-p", str(master))
         self.wait_for(lambda: rosgraph.is_master_online(self._uri), START_TIMEOUT, "the ROS master")
-        for robot in robots:
-            bus = f"_i2c_bus:=fake:{folder / robot}"
+        for robot in self.robots:
+            bus = f"_i2c_bus:=fake:{self._folder / robot}"
             self.start(CONTROLLER, f"__ns:=/{robot}", bus, "_cmd_vel_timeout:=0")
             self.start(program("simulation", "simulator.py"), f"__ns:=/{robot}", bus)
         self.start_cockpit()
-        for robot in robots:
+        for robot in self.robots:
             self.wait_for(lambda robot=robot: self._nodes(1, f"/{robot}/cmd_vel"), START_TIMEOUT, f"{robot}")
 
     def start(self, *command: str) -> subprocess.Popen:
         """Start a process of this world."""
-        log = self._folder / f"log_{len(self._processes)}"
-        with log.open("w") as file:
-            process = subprocess.Popen(command, stdout=file, stderr=file, env=self._environment, start_new_session=True)
-        process.log = log
-        self._processes.append(process)
-        return process
+        self._processes.append(start(command, self._folder / f"log_{len(self._processes)}", env=self._environment))
+        return self._processes[-1]
 
     def start_cockpit(self) -> None:
         """Start the cockpit, and wait until it prints the addresses with the codes of a class."""
@@ -68,9 +78,9 @@ class World:
         """The cockpit's address for whoever sits at this computer: a teacher without a code."""
         return f"http://localhost:{self.port}/"
 
-    def wheels(self, robot: str) -> Tuple[float, float]:
+    def wheels(self, robot: str) -> Speeds:
         """Return the speeds (left, right) of a robot's wheels, from the registers of its fake chip."""
-        return wheel_speeds(self._folder / robot)
+        return self.record.speeds(robot)
 
     def publishers(self, robot: str) -> List[str]:
         """Return the names of the nodes that publish commands for a robot."""
@@ -81,41 +91,86 @@ class World:
         assert wait_until(condition, within), f"waited {within} s for {what}; wheels " \
             f"{[self.wheels(robot) for robot in self.robots]}{self._logs()}"
 
+    @contextmanager
+    def stops(self, *robots: str, what: str, page=None) -> Iterator[None]:
+        """Fail unless what is done in this context stops these robots in time, and they stay stopped a while.
+
+        The time counts from the event that the page meets, without a page from the beginning of this context. Print it.
+        """
+        start = time.time()
+        yield
+        for robot in robots:
+            self.wait_for(lambda robot=robot: self.wheels(robot) == STOPPED, STOP_TIMEOUT, f"{robot} to stop")
+        self.stay_stopped(*robots, for_seconds=0.2)
+        start = page.met_at() if page else start
+        elapsed = max(self.record.stopped_at(robot) for robot in robots) - start
+        print(f"{', '.join(robots)}: stopped {1000 * elapsed:.0f} ms after {what}")
+        assert elapsed <= STOP_TIMEOUT, f"{robots} stopped {elapsed:.2f} s after {what}{self._logs()}"
+
     def wait_for_stop(self, robot: str, within: float = STOP_TIMEOUT) -> None:
         """Fail unless both wheels of a robot stop within this many seconds."""
         self.wait_for(lambda: self.wheels(robot) == STOPPED, within, f"{robot} to stop")
 
-    def drive(self, page, robot: str, forward: float = 1.0, left: float = 0.0, wanted: Wheels = moving) -> None:
+    def drive(self, page, robot: str, forward: float = 1.0, left: float = 0.0, wanted: Condition = moving) -> None:
         """Put a finger on the pad of a page, and leave it there once the wheels turn as wanted."""
-        self.hold(lambda: page.touch(forward, left), page.lift, robot, wanted)
+        self.hold(page, lambda: page.touch(forward, left), page.lift, robot, wanted)
 
-    def hold(self, press: Callable, let_go: Callable, robot: str, wanted: Wheels = moving) -> None:
-        """Press, and let go and press again until the wheels turn as wanted.
+    def hold(self, page, press: Callable, let_go: Callable, robot: str, wanted: Condition = moving) -> None:
+        """Press, and fail unless the wheels turn as wanted soon.
 
-        The pages and processes of a busy computer pause for longer than the switch allows.
+        Only if the page or this process paused meanwhile, which lets the switch fire, let go, and press again.
         """
-        def obeys():
+        for _ in range(TRIES):
+            start = time.time()
             press()
-            return wait_until(lambda: wanted(*self.wheels(robot)), RETRY_AFTER) or let_go()
+            if wait_until(lambda: wanted(*self.wheels(robot)), OBEY_TIMEOUT):
+                return
+            if not self.paused(page, start):
+                break
+            let_go()
+        raise AssertionError(
+            f"{robot} turns its wheels at {self.wheels(robot)}, the page shows {page.everything()!r}, it "
+            f"sent {page.sent()[-5:]}{self._logs()}")
 
-        self.wait_for(obeys, DRIVE_TIMEOUT, f"the wheels of {robot}")
+    def drive_until(self, condition: Callable[[], object], what: str, page, robot: str) -> None:
+        """Drive ahead until the condition is true, and longer; what: its description."""
+        for _ in range(TRIES):
+            start = time.time()
+            self.drive(page, robot)
+            wait_until(lambda: condition() or self.wheels(robot) == STOPPED, START_TIMEOUT, 0.05)
+            if condition():
+                return
+            if not self.paused(page, start):
+                break
+            page.lift()
+        raise AssertionError(f"waited for {what}; the page shows {page.everything()!r}{self._logs()}")
 
-    def stays(self, robot: str, wanted: Wheels, for_seconds: float = 0.5) -> None:
-        """Fail if the speeds (left, right) of a robot's wheels are not as wanted for this many seconds."""
-        assert not wait_until(lambda: not wanted(*self.wheels(robot)), for_seconds), \
-            f"{robot} turns its wheels at {self.wheels(robot)}{self._logs()}"
+    def paused(self, page, start: float) -> bool:
+        """Return whether the page or this process paused since then for so long that the switch may rightly fire."""
+        times = [command.time for command in page.sent() if command.time > start]
+        return self.record.paused_at > start or any(later - earlier > LONGEST_GAP
+                                                    for earlier, later in zip(times, times[1:]))
 
-    def stays_stopped(self, robot: str, for_seconds: float = 0.5) -> None:
+    def stay(self, wanted: Condition, *robots: str, for_seconds: float = 0.4) -> None:
+        """Fail if the speeds (left, right) of the robots' wheels are not as wanted for this many seconds."""
+        start = time.time()
+        time.sleep(for_seconds)
+        for robot in robots:
+            seen = [self.wheels(robot), *(change.speeds for change in self.record.since(robot, start))]
+            assert all(wanted(*speeds) for speeds in seen), f"{robot} turned its wheels at {seen}{self._logs()}"
+
+    def stay_stopped(self, *robots: str, for_seconds: float = 0.4) -> None:
         """Fail if a wheel of a robot turns within this many seconds."""
-        self.stays(robot, lambda *wheels: wheels == STOPPED, for_seconds)
+        self.stay(lambda *wheels: wheels == STOPPED, *robots, for_seconds=for_seconds)
 
     def emergency_stop(self, *options: str) -> None:
         """Stop all robots as ./morbot stop does."""
         assert self.start(program("jetbot_control_node", "emergency_stop.py"), *options).wait(START_TIMEOUT) == 0
 
     def start_stranger(self, name: str, status: str) -> subprocess.Popen:
-        """Start a node that publishes a controller's status in this namespace, and nothing else."""
-        return self.start("rostopic", "pub", "-l", f"/{name}/jetbot_controller/status", "std_msgs/String", status)
+        """Start a node that publishes a controller's status in this namespace, as a controller, and nothing else."""
+        return self.start("rostopic", "pub", "-l", f"/{name}/jetbot_controller/status", "std_msgs/String", status,
+                          f"__ns:=/{name}", "__name:=jetbot_controller")
 
     def kill(self, process: subprocess.Popen) -> None:
         """Kill a process, and wait for its end."""
@@ -124,6 +179,7 @@ class World:
 
     def close(self) -> None:
         """End all processes."""
+        self.record.close()
         end(self._processes[1:])
         end(self._processes[:1])  # the master, which the others still need
 

@@ -4,7 +4,6 @@ import contextlib
 import os
 import shutil
 import signal
-import socket
 import subprocess
 import tempfile
 import unittest
@@ -19,21 +18,14 @@ from std_msgs.msg import Bool, String
 
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
+from processes import SHUTDOWN_TIMEOUT, end, free_port, start  # noqa: F401 (tests import them from here)
 
 START_TIMEOUT = 60  # s for processes to start and to end; thirty controllers of another test may start meanwhile
-SHUTDOWN_TIMEOUT = 45.0  # s, until a process has ended: roslaunch ends its nodes one after the other
 
 
 def program(package: str, name: str) -> str:
     """Return the path of a package's program, as rosrun finds it, without rosrun's 0.5 s of CPU time."""
     return find_node(package, name)[0]
-
-
-def free_port() -> int:
-    """Return a TCP port of this computer that no program uses."""
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
 
 
 signal.signal(signal.SIGHUP, signal.SIG_DFL)  # for the programs that tests start, also below nohup, which ignores it
@@ -62,12 +54,8 @@ class RobotTest(unittest.TestCase):
 
     def start(self, *command: str, **options) -> subprocess.Popen:
         """Start a process in a group of its own; ``read`` returns what it prints. options: of subprocess.Popen."""
-        log = Path(self.folder, f"log_{len(self.processes)}")
-        with log.open("w") as file:
-            process = subprocess.Popen(command, stdout=file, stderr=file, start_new_session=True, **options)
-        process.log = log
-        self.processes.append(process)
-        return process
+        self.processes.append(start(command, Path(self.folder, f"log_{len(self.processes)}"), **options))
+        return self.processes[-1]
 
     def controller(self, **parameters) -> subprocess.Popen:
         """Start the controller on the fake bus with these parameters; wait until it subscribes."""
@@ -168,20 +156,6 @@ def publishers(topic: str) -> List[str]:
 def read(process: subprocess.Popen) -> str:
     """Return what the process has printed so far."""
     return process.log.read_text()
-
-
-def end(processes: List[subprocess.Popen]) -> None:
-    """End the processes by SIGINT to their groups, after SHUTDOWN_TIMEOUT by SIGKILL."""
-    running = [process for process in processes if process.poll() is None]
-    for process in running:
-        for signum in (signal.SIGCONT, signal.SIGINT):
-            os.killpg(process.pid, signum)
-    for process in running:
-        try:
-            process.wait(SHUTDOWN_TIMEOUT)
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
 
 
 def twist(linear: float, angular: float = 0.0) -> Twist:

@@ -18,6 +18,8 @@ from jetbot_cockpit.protocol import ProtocolError, parse
     ({"type": "release", "robot": "/"}, protocol.Release("/")),
     ({"type": "reset"}, protocol.Reset()),
     ({"type": "name", "name": "Ada Łovelace"}, protocol.Name("Ada Łovelace")),
+    ({"type": "name", "name": "<b>Eve</b> + 🙂"}, protocol.Name("<b>Eve</b> + 🙂")),
+    ({"type": "name", "name": "\U0001fadf"}, protocol.Name("\U0001fadf")),  # newer than Unicode 15
     ({"type": "ping", "sent": 12.5}, protocol.Ping(12.5)),
     ({"type": "codes"}, protocol.Codes())])
 def test_what_a_page_sends(fields, message):

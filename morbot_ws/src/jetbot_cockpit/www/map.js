@@ -100,8 +100,10 @@ export class RobotMap {
   }
 
   drawRobots(context, pixel) {
-    for (const { robot, state } of this.world.placed()) {
-      const chosen = robot.id === this.chosen();
+    const isChosen = ({ robot }) => robot.id === this.chosen();
+    const placed = this.world.placed().sort((one, other) => isChosen(one) - isChosen(other)); // it is on top
+    for (const { robot, state } of placed) {
+      const chosen = isChosen({ robot });
       drawRobot(context, state.pose, robot.color, this.colors, pixel);
       if (chosen) drawRing(context, state.pose, Math.max(0.13, (VISIBLE + 5) * pixel), robot.color, pixel);
       else if (0.06 < VISIBLE * pixel) drawRing(context, state.pose, VISIBLE * pixel, robot.color, pixel);

@@ -3,7 +3,7 @@
 import { element } from "./dom.js";
 
 const STORED = "name";
-const UNWANTED = /[^\p{L}\p{M}\p{N}\p{P} ]/gu; // control characters and the like, which the cockpit refuses
+const UNWANTED = /(?! )[\p{C}\p{Z}]/gu; // control characters and the like, which the cockpit refuses
 
 export class Person {
   // send(message)

@@ -1,6 +1,7 @@
 """The messages of the cockpit's socket: JSON objects with a ``type``. docs/cockpit.md lists them."""
 
 import json
+import unicodedata
 from typing import Any, Dict, NamedTuple, Optional, Union
 
 from jetbot.kinds import is_number
@@ -82,7 +83,12 @@ def is_robot_or_all(value: Any) -> bool:
 
 
 def is_name(value: Any) -> bool:
-    return isinstance(value, str) and len(value) <= MAX_NAME and value.isprintable()
+    return isinstance(value, str) and len(value) <= MAX_NAME and all(map(is_shown, value))
+
+
+def is_shown(character: str) -> bool:
+    """Return whether a character may be part of a name: browsers know newer ones than this Python, such as emoji."""
+    return character.isprintable() or unicodedata.category(character) == "Cn"
 
 
 # type: (class, {field: check}); a field whose class has a default may be left out

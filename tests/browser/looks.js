@@ -1,0 +1,82 @@
+// How the page looks, measured in the browser. The tests run each of these functions in the page.
+
+const visible = (element) => element.checkVisibility({ opacityProperty: true, visibilityProperty: true })
+  && element.getClientRects().length > 0;
+const nameOf = (element) => element.id ? `#${element.id}` : `${element.tagName}.${element.className}`;
+
+function misplaced(names) {
+  return names.filter((name) => {
+    const element = document.getElementById(name);
+    const box = element.getBoundingClientRect();
+    const top = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+    const inside = box.x >= 0 && box.y >= 0 && box.right <= innerWidth && box.bottom <= innerHeight;
+    return !(inside && box.width > 0 && box.height > 0 && element.contains(top));
+  });
+}
+
+function smallControls(least) {
+  return [...document.querySelectorAll("button, input, select, a[href]")].filter(visible).filter((element) => {
+    const { width, height } = element.getBoundingClientRect();
+    return width < least - 0.1 || height < least - 0.1;
+  }).map(nameOf);
+}
+
+// Returns [red, green, blue, alpha] of a computed colour; a canvas converts every notation.
+function channels(color) {
+  const context = new OffscreenCanvas(1, 1).getContext("2d");
+  context.fillStyle = color;
+  context.fillRect(0, 0, 1, 1);
+  const [red, green, blue, alpha] = context.getImageData(0, 0, 1, 1).data;
+  return [red, green, blue, alpha / 255];
+}
+
+function over([red, green, blue, alpha], ground) {
+  return [red, green, blue].map((value, index) => alpha * value + (1 - alpha) * ground[index]);
+}
+
+function groundOf(element) {
+  if (!element) return [255, 255, 255];
+  const own = channels(getComputedStyle(element).backgroundColor);
+  return own[3] === 1 ? own.slice(0, 3) : over(own, groundOf(element.parentElement));
+}
+
+function luminance(color) {
+  const [red, green, blue] = color.map((value) => value / 255)
+    .map((value) => value <= 0.03928 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+}
+
+function contrast(one, other) {
+  const [dark, light] = [luminance(one), luminance(other)].sort((a, b) => a - b);
+  return (light + 0.05) / (dark + 0.05);
+}
+
+function paleTexts() {
+  const own = (element) => [...element.childNodes].some(({ nodeType, data }) => nodeType === 3 && data.trim());
+  const texts = [...document.querySelectorAll("body *")].filter((element) => visible(element) && !element.disabled
+    && (own(element) || element.value || element.placeholder) && !element.closest("svg, option"));
+  return texts.flatMap((element) => {
+    const pseudo = element.placeholder && !element.value ? "::placeholder" : undefined;
+    const { color, fontSize, fontWeight } = getComputedStyle(element, pseudo);
+    const size = parseFloat(fontSize);
+    const least = size >= 24 || size >= 18.66 && fontWeight >= 700 ? 3 : 4.5;
+    const ground = groundOf(element);
+    const ratio = contrast(over(channels(color), ground), ground);
+    return ratio < least ? [`${nameOf(element)}: ${ratio.toFixed(2)}`] : [];
+  });
+}
+
+// Returns [how large the chosen robot is, how far its middle is from the map's], in pixels, or null.
+function robotOnMap() {
+  const map = document.getElementById("map");
+  const [red, green, blue] = channels(getComputedStyle(document.documentElement).getPropertyValue("--robot"));
+  const { data } = map.getContext("2d").getImageData(0, 0, map.width, map.height);
+  let [number, x, y] = [0, 0, 0];
+  for (let index = 0; index < data.length; index += 4) {
+    if (data[index] !== red || data[index + 1] !== green || data[index + 2] !== blue) continue;
+    number += 1;
+    x += index / 4 % map.width;
+    y += Math.floor(index / 4 / map.width);
+  }
+  return number ? [Math.sqrt(number), Math.hypot(x / number - map.width / 2, y / number - map.height / 2)] : null;
+}

@@ -1,0 +1,63 @@
+"""An independent record of what the wheels do: a thread polls the registers of the chips on the fake buses."""
+
+import threading
+import time
+from pathlib import Path
+from typing import Dict, List, NamedTuple, Tuple
+
+from jetbot.fake.motors import STOPPED, Motors
+
+POLL_INTERVAL = 0.002  # s
+PAUSE = 0.1  # s; a thread that was not scheduled for so long shows that the computer is too busy
+
+Speeds = Tuple[float, float]  # left, right
+
+
+class Change(NamedTuple):
+    """At this time, in s since the epoch, the wheels were seen to turn at other speeds than before."""
+
+    time: float
+    speeds: Speeds
+
+
+class WheelRecord:
+    """Polls the chips until ``close``. folders: of the fake buses, by robot."""
+
+    def __init__(self, folders: Dict[str, Path]):
+        self._changes: Dict[str, List[Change]] = {robot: [Change(time.time(), STOPPED)] for robot in folders}
+        self._motors = {robot: Motors(folder) for robot, folder in folders.items()}
+        self.paused_at = 0.0
+        self._over = threading.Event()
+        self._thread = threading.Thread(target=self._poll, daemon=True)
+        self._thread.start()
+
+    def speeds(self, robot: str) -> Speeds:
+        """Return the speeds of a robot's wheels."""
+        return self._changes[robot][-1].speeds
+
+    def since(self, robot: str, start: float) -> List[Change]:
+        """Return the robot's changes after this time."""
+        return [change for change in self._changes[robot] if change.time > start]
+
+    def stopped_at(self, robot: str) -> float:
+        """Return when the wheels, which are at zero now, came there."""
+        change = self._changes[robot][-1]
+        assert change.speeds == STOPPED, f"{robot} turns its wheels at {change.speeds}"
+        return change.time
+
+    def close(self) -> None:
+        """End the thread."""
+        self._over.set()
+        self._thread.join()
+
+    def _poll(self):
+        last = time.time()
+        while not self._over.wait(POLL_INTERVAL):
+            now = time.time()
+            if now - last > PAUSE:
+                self.paused_at = now
+            last = now
+            for robot, motors in self._motors.items():
+                speeds = motors.speeds()
+                if speeds != self._changes[robot][-1].speeds:
+                    self._changes[robot].append(Change(time.time(), speeds))

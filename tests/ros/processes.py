@@ -1,0 +1,53 @@
+"""Processes that end with the program that starts them, also if that one is killed. Without ROS."""
+
+import ctypes
+import os
+import signal
+import socket
+import subprocess
+from pathlib import Path
+from typing import List
+
+SHUTDOWN_TIMEOUT = 45.0  # s, until a process has ended: roslaunch ends its nodes one after the other
+PR_SET_PDEATHSIG = 1     # of prctl(2)
+_prctl = ctypes.CDLL(None).prctl
+
+
+def end_with_parent() -> None:
+    """Let the kernel send this process a SIGTERM when the thread that started it ends: a preexec_fn of Popen."""
+    _prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+
+
+def end_on_sigterm() -> None:
+    """Let SIGTERM raise KeyboardInterrupt, as Ctrl-C does, so that contexts and fixtures end what they started."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+
+
+def start(command: List[str], log: Path, **options) -> subprocess.Popen:
+    """Start a process in a group of its own, which writes into this file. options: of subprocess.Popen."""
+    with log.open("w") as file:
+        process = subprocess.Popen(command, stdout=file, stderr=file, start_new_session=True,
+                                   preexec_fn=end_with_parent, **options)
+    process.log = log
+    return process
+
+
+def end(processes: List[subprocess.Popen]) -> None:
+    """End the processes by SIGINT to their groups, after SHUTDOWN_TIMEOUT by SIGKILL."""
+    running = [process for process in processes if process.poll() is None]
+    for process in running:
+        for signum in (signal.SIGCONT, signal.SIGINT):
+            os.killpg(process.pid, signum)
+    for process in running:
+        try:
+            process.wait(SHUTDOWN_TIMEOUT)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+
+
+def free_port() -> int:
+    """Return a TCP port of this computer that no program uses."""
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        return probe.getsockname()[1]
