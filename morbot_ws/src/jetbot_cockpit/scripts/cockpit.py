@@ -65,7 +65,7 @@ class Cockpit:
         self.server.start()
         self.show()
         launcher, attendance = Launcher(), Attendance(time.monotonic())
-        while not ended.wait(POLL_INTERVAL) and not launcher.ended:
+        while not ended.wait(POLL_INTERVAL) and not launcher.ended and self.server.is_alive():
             launcher.poll()
             # In this thread: a terminal that blocks holds up no client
             for line in [*attendance.update(self.control.snapshot().robots, time.monotonic()), *self.access.take_log()]:

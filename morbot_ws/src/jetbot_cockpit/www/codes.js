@@ -1,5 +1,5 @@
-// The addresses and codes that a teacher hands out, with their QR codes; can be printed. The teacher's own is shown only
-// when asked for, and is never printed: a class sees this page on a projector.
+// The addresses and codes that a teacher hands out, with their QR codes; can be printed. The teacher's own is shown
+// only when asked for, and is never printed: a class sees this page on a projector.
 
 import { create, element, setText } from "./dom.js";
 

@@ -26,7 +26,8 @@ export function drawGrid(context, view, colors) {
 }
 
 function drawScale(context, view, cell, colors) {
-  const [left, down, length] = [14.5, Math.round(view.height - view.covered.below) - 9.5, Math.round(cell * view.scale)]; // above the legend
+  const [left, length] = [14.5, Math.round(cell * view.scale)];
+  const down = Math.round(view.height - view.covered.below) - 9.5; // above the legend
   Object.assign(context, { strokeStyle: colors.text, lineWidth: 1.5, fillStyle: colors.text, textAlign: "center" });
   context.beginPath();
   for (const [x, y] of [[left, down - 5], [left, down], [left + length, down], [left + length, down - 5]]) {

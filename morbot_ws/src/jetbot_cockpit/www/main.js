@@ -50,7 +50,7 @@ const RECEIVERS = {
   robots(message) {
     fitDue ||= world.robots.length < 2 && message.robots.length > 1 && world.teacher;
     const changes = world.list(message);
-    if (changes) report(changes);
+    if (changes) report(changes, () => false);
     if (driving.active && !world.robot(driven)) driving.lift();
     choice.begin();
     fleet.list();
@@ -64,8 +64,9 @@ const RECEIVERS = {
   trail: (message) => world.trail(message),
   notice: ({ text }) => report(text),
   lift({ robot, text }) {
+    const late = !driving.active && notice.visible; // a command was on its way: the first reason counts
     if (robot === driven) driving.lift();
-    report(text);
+    if (!late) report(text);
   },
   codes: ({ codes }) => showCodes(codes),
 };
@@ -109,6 +110,8 @@ function connectionChanged(sentence) {
   if (sentence) {
     driving.lift();
     setText(element("link"), "–");
+  } else {
+    stops.resend();
   }
   show();
 }

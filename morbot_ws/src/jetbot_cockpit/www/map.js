@@ -5,9 +5,11 @@ import { drawGrid } from "./grid.js";
 import { signed } from "./numbers.js";
 import { drawArrow, drawRing, drawRobot, drawTrail } from "./shapes.js";
 import { View } from "./view.js";
+import { nominalSpeed } from "./wheels.js";
 
 const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual"];
 const VISIBLE = 9; // pixels: smallest radius at which a robot is found
+const NO_ODOMETRY = "no odometry: not on the map";
 const TAP_RADIUS = 28; // pixels
 
 export class RobotMap {
@@ -105,13 +107,14 @@ export class RobotMap {
       drawRobot(context, state.pose, robot.color, this.colors, pixel);
       if (chosen) drawRing(context, state.pose, Math.max(0.13, (VISIBLE + 5) * pixel), robot.color, pixel);
       else if (0.06 < VISIBLE * pixel) drawRing(context, state.pose, VISIBLE * pixel, robot.color, pixel);
-      if (chosen) this.drawArrows(context, state, pixel);
+      if (chosen) this.drawArrows(context, robot, state, pixel);
     }
   }
 
-  drawArrows(context, { pose, command, speed }, pixel) {
-    if (command) drawArrow(context, pose, command, { color: this.colors.commanded, dashed: true }, pixel);
+  drawArrows(context, robot, { pose, command, speed }, pixel) {
     if (speed) drawArrow(context, pose, speed, { color: this.colors.actual, dashed: false }, pixel);
+    const commanded = command && nominalSpeed(command, robot);
+    if (commanded) drawArrow(context, pose, commanded, { color: this.colors.commanded, dashed: true }, pixel);
   }
 
   drawLabels(context) {
@@ -130,7 +133,8 @@ export class RobotMap {
   showSpeeds() {
     const { command, speed, pose } = this.world.state(this.chosen());
     setText(element("commanded"), command ? `x ${signed(command[0])}, z ${signed(command[1])}` : "–");
-    setText(element("actual"), speed ? `${signed(speed[0])} m/s, ${signed(speed[1])} rad/s` : "–");
+    const unknown = this.world.robot(this.chosen()) && !pose ? NO_ODOMETRY : "–";
+    setText(element("actual"), speed ? `${signed(speed[0])} m/s, ${signed(speed[1])} rad/s` : unknown);
     const place = pose ? `the robot is at x ${signed(pose[0])} m, y ${signed(pose[1])} m` : "its place is not known";
     this.canvas.setAttribute("aria-label", `Map from above: ${place}`);
   }

@@ -5,10 +5,8 @@ import { element } from "./dom.js";
 const SHOWN = 6000; // ms
 
 export class Notice {
-  over = () => false;
-
-  // over(): whether it is no longer true; more than what update() knows
-  show(text, over = () => false) {
+  // over(): whether it is no longer true; without it, it is over once nothing keeps this person from driving
+  show(text, over = null) {
     Object.assign(this, { over, wasBlocked: false, rested: false });
     element("notice").textContent = text;
     element("notice").hidden = false;
@@ -16,14 +14,18 @@ export class Notice {
     this.timer = setTimeout(() => this.hide(), SHOWN);
   }
 
+  get visible() {
+    return !element("notice").hidden;
+  }
+
   // blocked: whether this person cannot drive the robot now; driving: whether this page drives it
   update(blocked, driving) {
-    if (element("notice").hidden) return;
-    const unblocked = this.wasBlocked && !blocked;
+    if (!this.visible) return;
+    const over = this.over ? this.over() : this.wasBlocked && !blocked;
     const drivesAgain = this.rested && driving;
     this.wasBlocked ||= blocked;
     this.rested ||= !driving;
-    if (unblocked || drivesAgain || this.over()) this.hide();
+    if (over || drivesAgain) this.hide();
   }
 
   hide() {

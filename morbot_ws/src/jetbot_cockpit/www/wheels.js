@@ -3,6 +3,8 @@
 import { element, setText } from "./dom.js";
 import { operand, signed } from "./numbers.js";
 
+const FULL_SPEED = 0.6; // m/s of a JetBot's wheel at full power, as the simulation has it
+const WHEEL_SEPARATION = 0.1125; // m
 const SIDES = [["left", "−", -1], ["right", "+", 1]];
 
 // Returns what the formula gives for the numbers as they are shown.
@@ -23,6 +25,13 @@ export function formula(name, operator, sign, command, robot) {
   return `${name} = ${words} = (${sum} · ${separation} / 2) / ${maxSpeed} = ${signed(value)}${limited}`;
 }
 
+// Returns the speed [m/s, rad/s] that a command asks for: in the workshop's units it is one of power.
+export function nominalSpeed([x, z], { workshop }) {
+  if (!workshop) return [x, z];
+  const [left, right] = [x - z, x + z].map((power) => FULL_SPEED * Math.max(-1, Math.min(1, power)));
+  return [(left + right) / 2, (right - left) / WHEEL_SEPARATION];
+}
+
 export function showWheels(robot, { command, wheels }) {
   SIDES.forEach(([name, operator, sign], index) => {
     const known = robot && command && robot.workshop !== null && robot.max_speed;
@@ -40,5 +49,6 @@ function showBar(name, value, expected) {
   meter.value = value ?? 0;
   meter.setAttribute("aria-valuetext", value === undefined ? "not known" : `${Math.round(value * 100)} %`);
   bar.style.transform = `scaleX(${Math.max(-1, Math.min(1, value ?? 0))})`;
-  setText(element(`${name}-value`), value === undefined ? "–" : signed(Math.abs(value - expected) < 0.011 ? expected : value));
+  const shown = Math.abs(value - expected) < 0.011 ? expected : value;
+  setText(element(`${name}-value`), value === undefined ? "–" : signed(shown));
 }

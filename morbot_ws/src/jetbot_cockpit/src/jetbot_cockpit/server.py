@@ -13,6 +13,8 @@ from tornado.ioloop import PeriodicCallback
 from tornado.iostream import IOStream
 from tornado.web import Application
 
+from jetbot.wait import wait_until
+
 from .access import Access
 from .connections import Connections
 from .hub import FRAME_INTERVAL, Hub
@@ -29,6 +31,7 @@ MAX_BYTE_RATE = 65536      # bytes per second of a connection
 SEND_BUFFER = 65536        # bytes in the kernel: more would be old when it arrives
 EXPIRE_INTERVAL = 1.0      # s
 CLOSE_TIMEOUT = 0.1        # s for the clients to answer a close
+START_TIMEOUT = 5.0        # s
 SHUTDOWN_TIMEOUT = 1.0     # s
 
 
@@ -84,12 +87,17 @@ class Server:
         """Serve from now on."""
         logging.getLogger("tornado.general").setLevel(logging.ERROR)  # not what clients do wrong
         self._thread.start()
-        self._started.wait()
+        wait_until(lambda: self._started.is_set() or not self.is_alive(), START_TIMEOUT)
+
+    def is_alive(self) -> bool:
+        """Return whether the page is served."""
+        return self._thread.is_alive()
 
     def end(self) -> None:
         """Disconnect all clients and serve no more."""
-        self._loop.call_soon_threadsafe(self._ended.set)
-        self._thread.join(SHUTDOWN_TIMEOUT)
+        if self.is_alive():
+            self._loop.call_soon_threadsafe(self._ended.set)
+            self._thread.join(SHUTDOWN_TIMEOUT)
 
     async def _serve(self) -> None:
         self._loop, self._ended = asyncio.get_running_loop(), asyncio.Event()
