@@ -58,8 +58,10 @@ class Client:
                 check()
                 await asyncio.sleep(0.5)
         self.listener = asyncio.ensure_future(self._listen())
-        while wheel_speeds(self.folder) == STOPPED:
+        turned = False
+        while not turned:
             await self.drive(0.5)
+            turned = wheel_speeds(self.folder) != STOPPED
             await self.release()
             await asyncio.sleep(1.0)
         with chip_file(self.folder, 0x60).open("rb") as chip:
@@ -99,7 +101,7 @@ class SchoolClass:
 
     def __init__(self, folder: Path, robots: int):
         os.environ.update(ROS_MASTER_URI=f"http://localhost:{free_port()}", ROS_HOME=str(folder))
-        self._log, self._loop = folder / "log", asyncio.new_event_loop()
+        self._log, self._loop = folder / "roslaunch.log", asyncio.new_event_loop()
         self._clients = [Client(f"/jetbot_{number:02d}") for number in range(1, robots + 1)]
 
     def __enter__(self):

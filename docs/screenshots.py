@@ -58,7 +58,7 @@ def launched(package: str, file: str, *arguments: str) -> Iterator[str]:
     with tempfile.TemporaryDirectory() as home:
         option = "port" if package == "jetbot_cockpit" else "cockpit_port"
         command = ["roslaunch", "-p", str(ros_port), package, file, *arguments, f"{option}:={port}"]
-        process = start(command, Path(home, "log"), env={**os.environ, "HOME": home, "ROS_HOME": home})
+        process = start(command, Path(home, "roslaunch.log"), env={**os.environ, "HOME": home, "ROS_HOME": home})
         try:
             wait_for_page(f"http://localhost:{port}")
             yield f"http://localhost:{port}"
