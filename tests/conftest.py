@@ -1,4 +1,4 @@
-"""What all tests share: which process of pytest-xdist runs them, and that they leave no process behind."""
+"""What all tests share: their order, which process of pytest-xdist runs them, and that they leave none behind."""
 
 import sys
 from pathlib import Path
@@ -8,12 +8,18 @@ import pytest
 sys.path.append(str(Path(__file__).parent / "ros"))
 from processes import end_on_sigterm  # noqa: E402
 
+BEHAVIOURS = "tests/ros/test_rostests.py"
 IN_ONE_PROCESS = "tests/browser/"  # they share a world and its browsers
 
 
 def pytest_configure():
     """End the fixtures also if the tests are ended by SIGTERM."""
     end_on_sigterm()
+
+
+def pytest_collection_modifyitems(items):
+    """Start with the behaviours, which take longest, the longest first: no process is left with them at the end."""
+    items.sort(key=lambda item: not item.nodeid.startswith(BEHAVIOURS))
 
 
 @pytest.hookimpl(optionalhook=True)  # pytest-xdist may be missing
