@@ -4,16 +4,16 @@ import math
 
 from .conftest import OTHER_ROBOT, ROBOT
 
-STRANGER = "stranger"
+VISITOR = "visitor"
 ROW = f"#fleet li[data-robot='/{OTHER_ROBOT}']"
 
 
 def test_a_robot_that_comes_and_goes(page, world):
-    stranger = world.start_stranger(STRANGER, "<img src=x>")
-    page.choose(STRANGER)
+    visitor = world.publish_status(VISITOR, "<img src=x>")
+    page.choose(VISITOR)
     page.wait_for_text("status", "<img src=x>")
     assert not page.run("return document.querySelectorAll('img').length"), "a status is text"
-    world.kill(stranger)
+    world.kill(visitor)
     page.wait_for_text("status", "does not answer")
     page.choose(ROBOT)
     world.drive(page, ROBOT)

@@ -167,7 +167,7 @@ class World:
         """Stop all robots as ./morbot stop does."""
         assert self.start(program("jetbot_control_node", "emergency_stop.py"), *options).wait(START_TIMEOUT) == 0
 
-    def start_stranger(self, name: str, status: str) -> subprocess.Popen:
+    def publish_status(self, name: str, status: str) -> subprocess.Popen:
         """Start a node that publishes a controller's status in this namespace, as a controller, and nothing else."""
         return self.start("rostopic", "pub", "-l", f"/{name}/jetbot_controller/status", "std_msgs/String", status,
                           f"__ns:=/{name}", "__name:=jetbot_controller")

@@ -39,12 +39,17 @@ def processes_with(files: Set[str], proc: Path = Path("/proc")) -> List[int]:
 
     files: as the links in /proc/PID/fd show them, such as /dev/i2c-1 and socket:[12345].
     """
-    pids = []
-    for process in proc.glob("[0-9]*"):
-        with contextlib.suppress(OSError):  # another user's, or ended meanwhile
-            if files.intersection(map(os.readlink, (process / "fd").iterdir())):
-                pids.append(int(process.name))
-    return pids
+    return [int(process.name) for process in proc.glob("[0-9]*") if files & open_files(process)]
+
+
+def open_files(process: Path) -> Set[str]:
+    """Return what a process has open; nothing of another user's. process: its folder in /proc."""
+    links = set()
+    with contextlib.suppress(OSError):  # another user's, or ended meanwhile
+        for link in (process / "fd").iterdir():
+            with contextlib.suppress(OSError):  # closed meanwhile, as the folder itself is in this process
+                links.add(os.readlink(link))
+    return links
 
 
 def is_display_service(pid: int, proc: Path = Path("/proc")) -> bool:
