@@ -17,7 +17,7 @@ from selenium.webdriver.common.keys import Keys
 from jetbot.wait import wait_until
 from processes import end_with_parent
 
-from .world import NAME
+from .world import FOREIGN, NAME
 
 # chromedriver's own switches, without which a hidden tab is slowed down as it is for everybody
 EXCLUDED = ["disable-background-timer-throttling", "disable-renderer-backgrounding",
@@ -27,7 +27,6 @@ KEYS = {"ArrowUp": Keys.ARROW_UP, "ArrowDown": Keys.ARROW_DOWN, "ArrowLeft": Key
         "Enter": Keys.ENTER}
 CAUSED_BY_TESTS = "/favicon.ico", "willReadFrequently"  # a picture in a tab of its own; the map's pixels that are read
 END_TIMEOUT = 20.0  # s
-FOREIGN = "evil.test"  # a name that leads to this computer, but not one of its names
 HOSTS = f"MAP {NAME} 127.0.0.1, MAP {FOREIGN} 127.0.0.1"
 # Keeps the newest commands that the page sends, and when it has met the newest event; other pages of this origin can
 # read that, too.

@@ -6,9 +6,8 @@ from http.server import HTTPServer, SimpleHTTPRequestHandler
 
 import pytest
 
-from .chromium import FOREIGN
 from .conftest import ROBOT
-from .world import World
+from .world import FOREIGN, World
 
 SOCKET = """const [url, done] = arguments, socket = new WebSocket(url);
     socket.onopen = () => done("open"); socket.onclose = ({code}) => done(code);"""

@@ -1,8 +1,6 @@
 """A person stops and releases with one hand while the other one drives or types."""
 
 import pytest
-from selenium.webdriver.common.action_chains import ActionChains
-from selenium.webdriver.common.by import By
 
 from .conftest import OTHER_ROBOT, ROBOT
 
@@ -52,20 +50,20 @@ def test_a_second_finger_stops_one_robot_of_the_list_once(page, world):
     tap_with_second_finger(page, stop)
     page.wait_for(lambda: page.run(f"return document.querySelector(`{stop}`).textContent") == "Release", "the stop")
     page.lift()
-    page.driver.find_element(By.CSS_SELECTOR, stop).click()  # pointer events and a click: one release
+    page.click(stop)  # pointer events and a click: one release
     page.wait_for(lambda: page.run(f"return document.querySelector(`{stop}`).textContent") == "Stop", "the release")
 
 
 @pytest.mark.parametrize("press", [
     lambda page: page.element("stop").send_keys("\n"), lambda page: page.run("document.getElementById('stop').click()"),
-    lambda page: ActionChains(page.driver).click(page.element("stop")).perform()], ids=["Enter", "click", "mouse"])
+    lambda page: page.click("#stop")], ids=["Enter", "click", "mouse"])
 def test_each_press_is_sent_once(press, page, world):
     page.run("const send = WebSocket.prototype.send; window.sent = [];"
              "WebSocket.prototype.send = function (text) { sent.push(JSON.parse(text).type); send.call(this, text); }")
     press(page)
     page.wait_for_text("status", "emergency stop")
     assert page.run("return sent.filter(type => type === 'stop').length") == 1
-    ActionChains(page.driver).click(page.element("release")).perform()
+    page.click("#release")
     page.wait_for_text("status", "emergency stop was released")
     assert page.run("return sent.filter(type => type === 'release').length") == 1
 

@@ -19,6 +19,7 @@ from processes import end, free_port, start
 from .wheels import Speeds, WheelRecord
 
 NAME = "class.test"     # a name of this computer that needs a code; the browsers of the tests resolve it to 127.0.0.1
+FOREIGN = "evil.test"   # another one, which the cockpit does not know
 OBEY_TIMEOUT = 2.0      # s until what a person does turns a wheel
 STOP_TIMEOUT = 0.7      # s; the cockpit's switch fires after 0.3 s; the rest is for a busy computer
 LONGEST_GAP = 0.2       # s between two commands of a page, above which the switch may rightly fire

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from conftest import COCKPIT, SOURCE
+from conftest import COCKPIT, ROOT, SOURCE
 
 LAYERS = [f"jetbot/{module}" for module in (
     "text", "errors", "kinds", "files", "wait", "kinematics", "host", "fake/__init__", "fake/files", "fake/chips",
@@ -51,3 +51,10 @@ def test_the_cockpit_imports_downward(module):
         name for names in re.findall(r"^from \. import ([^#\n]*)", text, re.M) for name in re.findall(r"\w+", names)]
     assert not set(imported) - set(COCKPIT_LAYERS[:COCKPIT_LAYERS.index(module)])
     assert module not in PURE or not re.search(r"^(?:import|from) (?:ros|tornado|\w+_msgs|socket|time)", text, re.M)
+
+
+@pytest.mark.parametrize("file", sorted((ROOT / "tests/browser").glob("*.py")), ids=lambda file: file.stem)
+def test_without_selenium_the_tests_in_a_browser_can_be_read_and_are_skipped(file):
+    imports = re.findall(r"^(?:from|import) (\.?\w+)", file.read_text(), re.M)
+    needs_selenium = file.stem in ("chromium", "page")
+    assert needs_selenium or not {"selenium", ".chromium", ".page"} & set(imports)
