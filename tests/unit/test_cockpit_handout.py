@@ -18,7 +18,7 @@ def cards(monkeypatch):
 def test_each_code_stands_behind_its_label_in_an_address_that_can_be_opened(cards):
     text = handout.text(cards)
     assert [text.count(card.url) for card in cards] == [1] * 4
-    assert cards[0].url == f"http://192.168.100.200:8080/#{cards[0].code}"
+    assert cards[0].url == f"http://192.168.100.200:8080/#{cards[0].grant.code}"
     assert text.index("teacher") < text.index("jetbot_01") < text.index("jetbot_03")
 
 

@@ -4,7 +4,7 @@ import { element, setText } from "./dom.js";
 import { drawGrid } from "./grid.js";
 import { signed } from "./numbers.js";
 import { drawArrow, drawRing, drawRobot, drawTrail } from "./shapes.js";
-import { View } from "./view.js";
+import { Viewport } from "./viewport.js";
 import { nominalSpeed } from "./wheels.js";
 
 const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual"];
@@ -16,7 +16,7 @@ export class RobotMap {
   // chosen(): id of the robot to follow; choose(id): a robot was tapped; redraw(): draw() is due
   constructor(canvas, world, { chosen, choose, redraw }) {
     Object.assign(this, { canvas, world, chosen, choose, redraw, following: true });
-    this.view = new View(canvas, {
+    this.view = new Viewport(canvas, {
       changed: () => this.redraw(),
       tapped: (right, down) => this.tap(right, down),
       dragged: () => this.follow(false),

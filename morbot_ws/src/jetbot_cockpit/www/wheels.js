@@ -7,17 +7,13 @@ const FULL_SPEED = 0.6; // m/s of a JetBot's wheel at full power, as the simulat
 const WHEEL_SEPARATION = 0.1125; // m
 const SIDES = [["left", "−", -1], ["right", "+", 1]];
 
-// Returns what the formula gives for the numbers as they are shown.
-function result(sign, command, { wheel_separation: separation, max_speed: maxSpeed, workshop }) {
-  const [x, z] = command.map((value) => Number(value.toFixed(2)));
+// Returns what the formula gives for x and z.
+function result(sign, [x, z], { wheel_separation: separation, max_speed: maxSpeed, workshop }) {
   return workshop ? x + sign * z : (x + sign * z * separation / 2) / maxSpeed;
 }
 
-// Returns one side's formula with its numbers as they are shown: sign is -1 for the left wheel.
-export function formula(name, operator, sign, command, robot) {
-  const [x, z] = command.map((value) => Number(value.toFixed(2)));
-  const { wheel_separation: separation, max_speed: maxSpeed, workshop } = robot;
-  const value = result(sign, command, robot);
+// Returns one side's formula with its numbers: value is its result.
+function formula(name, operator, [x, z], value, { wheel_separation: separation, max_speed: maxSpeed, workshop }) {
   const limited = Math.abs(value) > 1.005 ? `, limited to ${signed(Math.sign(value))}` : "";
   const sum = `${signed(x)} ${operator} ${operand(z)}`;
   if (workshop) return `${name} = x ${operator} z = ${sum} = ${signed(value)}${limited}`;
@@ -33,13 +29,13 @@ export function nominalSpeed([x, z], { workshop }) {
 }
 
 export function showWheels(robot, { command, wheels }) {
+  const known = robot && command && robot.workshop !== null; // null: its units are not known yet
+  const shown = known && command.map((value) => Number(value.toFixed(2)));
   SIDES.forEach(([name, operator, sign], index) => {
-    const known = robot && command && robot.workshop !== null && robot.max_speed;
-    showBar(name, wheels?.[index], known ? result(sign, command, robot) : undefined);
-    setText(element(`${name}-formula`), known ? formula(name, operator, sign, command, robot) : "");
+    const value = known ? result(sign, shown, robot) : undefined;
+    showBar(name, wheels?.[index], value);
+    setText(element(`${name}-formula`), known ? formula(name, operator, shown, value, robot) : "");
   });
-  const own = robot?.workshop === null && command;
-  if (own) setText(element("left-formula"), "This board turns x and z into wheel speeds itself.");
 }
 
 // expected: the formula's result; where the two differ by rounding alone, the number is the formula's

@@ -9,6 +9,7 @@ from jetbot.text import enumeration
 from . import dead_man, protocol
 from .client import TEACHER, Client
 from .lease import Leases
+from .protocol import notice
 from .stops import Stops
 from .trail import Trails
 from .view import Snapshot, label
@@ -135,8 +136,9 @@ class Control:
         robot = message.robot
         if client.role != TEACHER:
             return notice("Only a teacher can take a robot.")
-        if self._ended(robot):
-            return notice(self._ended(robot))
+        ended = self._snapshot.ended(robot)
+        if ended:
+            return notice(ended)
         if self._leases.driver(robot) != client.id:
             self._free(robot)
             self._lease(client, robot, now, driving=False)
@@ -144,7 +146,7 @@ class Control:
 
     def _on_stop(self, client, message, now):
         robot = message.robot
-        refusal = self._ended(robot) or self._stops.stop(client, robot)
+        refusal = self._snapshot.ended(robot) or self._stops.stop(client, robot)
         if refusal:
             return notice(refusal)
         self._robots.stop(robot, True)
@@ -176,9 +178,6 @@ class Control:
     def _on_name(self, client, message, now):
         self._names[client.id] = message.name.strip() or client.name
 
-    def _ended(self, robot: Optional[str]) -> str:
-        return "" if robot is None or robot in self._snapshot.robots else f"{label(robot)} has ended."
-
     def _lease(self, client, robot, now, driving):
         """Give a free robot to the client, or go on; its other robot stops, and is free."""
         other = self._leases.robot_of(client.id)
@@ -198,7 +197,3 @@ class Control:
     def _driver(self, robot):
         driver = self._leases.driver(robot)
         return None if driver is None else {"id": driver, "name": self._names[driver]}
-
-
-def notice(text: str) -> dict:
-    return {"type": "notice", "text": text}

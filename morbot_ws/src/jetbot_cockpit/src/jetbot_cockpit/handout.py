@@ -1,7 +1,7 @@
 """What is handed out to a class: addresses with their codes, and QR codes of them, printed and for the page."""
 
 from itertools import zip_longest
-from typing import Dict, List, NamedTuple, Optional, Sequence
+from typing import Dict, List, NamedTuple, Sequence
 
 from .access import TEACHER, Grant, authority
 
@@ -13,25 +13,23 @@ BLOCKS_ON_WHITE = str.maketrans("█▀▄ ", " ▄▀█")
 
 
 class Card(NamedTuple):
-    """An address to open, and who by its code drives what. rows: its QR code's modules, 1: dark; [] without segno."""
+    """What somebody needs to use a grant. page: the address; rows: a QR code's modules, 1: dark; [] without segno."""
 
-    label: str
-    role: str
-    robot: Optional[str]
+    grant: Grant
     page: str
-    code: str
     rows: List[str]
 
     @property
     def url(self) -> str:
         """The address with the code after its #, which a browser sends to nobody."""
-        return f"{self.page}#{self.code}"
+        return f"{self.page}#{self.grant.code}"
 
 
 def make_card(grant: Grant, host: str, port: int) -> Card:
     """Return the card of a grant, for a page that is reached as this host."""
     page = f"http://{authority(host, port)}/"
-    return Card(grant.label, grant.role, grant.robot, page, grant.code, qr_rows(f"{page}#{grant.code}"))
+    card = Card(grant, page, [])
+    return card._replace(rows=qr_rows(card.url))
 
 
 def qr_rows(text: str) -> List[str]:
@@ -45,9 +43,9 @@ def qr_rows(text: str) -> List[str]:
 
 def message(cards: Sequence[Card]) -> Dict[str, object]:
     """Return the message "codes" of the socket."""
-    return {"type": "codes", "codes": [
-        {"label": card.label, "role": card.role, "robot": card.robot, "url": card.url, "code": card.code,
-         "rows": card.rows} for card in cards]}
+    shown = "label", "role", "robot", "code"  # never the cookie
+    return {"type": "codes", "codes": [{**{name: getattr(card.grant, name) for name in shown},
+                                        "url": card.url, "rows": card.rows} for card in cards]}
 
 
 def text(cards: Sequence[Card], colors: bool = False) -> str:
@@ -57,7 +55,7 @@ def text(cards: Sequence[Card], colors: bool = False) -> str:
     """
     width = max(len(line) for card in cards for line in [*card.rows, *_words(card)])
     across = max(1, (WIDTH + 2) // (width + 2))
-    parts = [[card for card in cards if (card.role == TEACHER) == teachers] for teachers in (True, False)]
+    parts = [[card for card in cards if (card.grant.role == TEACHER) == teachers] for teachers in (True, False)]
     groups = [[_lines(card, width, colors) for card in part[start:start + across]]
               for part in parts for start in range(0, len(part), across)]
     return "\n".join("  ".join(line).rstrip() for group in groups
@@ -65,7 +63,7 @@ def text(cards: Sequence[Card], colors: bool = False) -> str:
 
 
 def _words(card: Card) -> List[str]:
-    return [f"{card.label}:", card.url]
+    return [f"{card.grant.label}:", card.url]
 
 
 def _lines(card: Card, width: int, colors: bool) -> List[str]:

@@ -122,6 +122,8 @@ class Hub:
     def tick(self, now: float) -> None:
         """Send everybody what has changed; call it every FRAME_INTERVAL."""
         resets = list(map(dumps, self._control.check(now)))
+        if not self._viewers:
+            return
         state, robots = dumps(self._control.state()), dumps({"type": "robots", "robots": self._control.robots()})
         for viewer in list(self._viewers.values()):
             if now - viewer.active_at > GONE_AFTER:
@@ -149,7 +151,7 @@ class Hub:
         if not isinstance(message, protocol.Codes):
             return self._control.handle(viewer.client, message, now)
         if viewer.client.role != TEACHER:
-            return {"type": "notice", "text": "Only a teacher can see the codes."}
+            return protocol.notice("Only a teacher can see the codes.")
         return handout.message(self._cards)
 
 

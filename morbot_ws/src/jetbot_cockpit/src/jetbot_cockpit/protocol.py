@@ -120,3 +120,8 @@ def parse(text: Union[str, bytes]) -> Message:
     if missing or not all(name in checks and checks[name](value) for name, value in fields.items()):
         raise ProtocolError(f"the fields of {kind} are: {', '.join(checks) or 'none'}")
     return message(**fields)
+
+
+def notice(text: str) -> dict:
+    """Return a message of the cockpit: one sentence for the person."""
+    return {"type": "notice", "text": text}

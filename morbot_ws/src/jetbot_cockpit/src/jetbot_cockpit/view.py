@@ -73,13 +73,15 @@ class Snapshot(NamedTuple):
     master: bool = True
     emergency: bool = False
 
+    def ended(self, robot: Optional[str]) -> str:
+        """Return that this robot has ended, or ""; None stands for all."""
+        return "" if robot is None or robot in self.robots else f"{label(robot)} has ended."
+
     def problem(self, robot: str) -> str:
         """Return why nobody can drive this robot, or ""."""
         if not self.master:
             return NO_MASTER
-        if robot not in self.robots:
-            return f"{label(robot)} has ended."
-        return ALL_STOPPED if self.emergency else self.robots[robot].problem
+        return self.ended(robot) or (ALL_STOPPED if self.emergency else self.robots[robot].problem)
 
     def is_stopped(self, robot: Optional[str]) -> bool:
         """Return whether the emergency stop of this robot, or of all (None), may be engaged."""

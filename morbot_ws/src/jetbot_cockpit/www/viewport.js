@@ -3,8 +3,8 @@
 const MIN_SCALE = 15, MAX_SCALE = 1500; // pixels per metre
 const TAP = 6; // pixels that a tap may move
 
-export class View {
-  // changed(): the view has moved; tapped(x, y): in pixels; dragged(): a person has moved it
+export class Viewport {
+  // changed(): it shows another part; tapped(x, y): in pixels; dragged(): a person has moved it
   constructor(canvas, { changed, tapped, dragged }) {
     Object.assign(this, { canvas, changed, tapped, dragged });
     this.x = 0;
