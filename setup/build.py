@@ -20,7 +20,8 @@ from jetbot_tools.packages import find_packages, ignore_marker
 from stand_ins import keep
 from state import STAMP, Stamp, read_stamp, search_path, write_search_path, write_stamp
 
-MORBOT_PACKAGES = ("jetbot_cockpit", "jetbot_control_node", "jetbot_lessons", "jetbot_tests", "simulation", "workshop")
+MORBOT_PACKAGES = ("driving_tasks", "jetbot_cockpit", "jetbot_control_node", "jetbot_lessons", "jetbot_tests",
+                   "simulation", "workshop")
 MAX_ATTEMPTS = 10  # a repository of a hundred packages that lack one library must not take an hour
 READ_BY_CATKIN = "( -type d -o -name package.xml -o -name CMakeLists.txt -o -name setup.py )".split()
 

@@ -1,0 +1,1 @@
+"""Driving tasks with a score."""
