@@ -1,0 +1,57 @@
+"""What a simulated robot drives among: walls that stop it, and dark lines on the light floor. No ROS."""
+
+import math
+from itertools import chain
+from typing import Iterator, NamedTuple, Tuple
+
+from jetbot.kinematics import Pose
+
+from .geometry import Point, Rectangle, distance_to_segment, from_frame, to_frame
+
+Polyline = Tuple[Point, ...]
+
+FOOTPRINT = Rectangle(-0.095, -0.0625, 0.035, 0.0625)  # of the robot in its own frame, m; case and tyres of the URDF
+RADIUS = max(math.hypot(*corner) for corner in FOOTPRINT.corners)  # of the circle around the axle that holds it, m
+LINE_WIDTH = 0.025   # m; common tape is 19 to 25 mm wide
+SPOT_RADIUS = 0.005  # m, of the floor that a reflectance sensor lights
+
+
+class World(NamedTuple):
+    """walls, lines: polylines, each of two points (x, y) or more, in m; line_width: m.
+
+    A wall is thin: the robot touches the line that is written.
+    """
+
+    walls: Tuple[Polyline, ...] = ()
+    lines: Tuple[Polyline, ...] = ()
+    line_width: float = LINE_WIDTH
+
+    def placed(self, pose: Pose) -> "World":
+        """Return this world with its origin at a pose."""
+        walls, lines = (tuple(tuple(from_frame(pose, point) for point in polyline) for polyline in polylines)
+                        for polylines in (self.walls, self.lines))
+        return World(walls, lines, self.line_width)
+
+    def clearance(self, pose: Pose) -> float:
+        """Return the distance in m from the robot at this pose to the nearest wall.
+
+        0.0 where it touches or stands on one, ``math.inf`` without walls.
+        """
+        centre, nearest = (pose.x, pose.y), math.inf
+        for start, end in segments(self.walls):
+            if distance_to_segment(centre, start, end) - RADIUS < nearest:
+                nearest = min(nearest, FOOTPRINT.distance(to_frame(pose, start), to_frame(pose, end)))
+        return nearest
+
+    def reflectance(self, x: float, y: float) -> float:
+        """Return what a sensor above this point sees: 0 is a dark line, 1 the light floor, 0.5 a line's edge."""
+        distance = min((distance_to_segment((x, y), *segment) for segment in segments(self.lines)), default=math.inf)
+        return max(0.0, min(1.0, 0.5 + (distance - self.line_width / 2) / (2 * SPOT_RADIUS)))
+
+
+def segments(polylines: Tuple[Polyline, ...]) -> Iterator[Tuple[Point, Point]]:
+    """Return the segments of all polylines, each as its two ends."""
+    return chain.from_iterable(zip(polyline, polyline[1:]) for polyline in polylines)
+
+
+EMPTY = World()
