@@ -17,7 +17,6 @@ from simulation.world import EMPTY
 SEPARATION, FULL_SPEED = 0.1125, 0.6
 LAG = 0.1       # s, of the motors: the robot rolls on for so long at the speed that it has
 TICK = 0.05     # s between two commands
-SLOWEST = 0.15  # of the top speed: what is slower may be too slow to turn a wheel
 
 
 class Robot:
@@ -64,8 +63,8 @@ def final_speed(remaining, now, top):
 
     remaining: m or rad; now: the speed by odometry. None: it rolls far enough.
     """
-    rest = remaining - LAG * now
-    return min(top, rest / TICK) if rest > TICK * SLOWEST * top else None
+    rest = (remaining - LAG * now) / TICK
+    return top if rest > 2 * top else rest / 2 if rest > top else rest if rest > top / 10 else None
 
 
 def straight(length, speed=0.4, stop=True):
@@ -132,10 +131,10 @@ def advanced(start, length, degrees):
 
 
 def one_after_the_other(*programs):
-    """Drive one program after the other, each from where the one before should have ended."""
+    """Drive one program after the other, each from where the one before says that it ends, or ended."""
     def program(robot, start):
         for each in programs:
-            start = yield from each(robot, start)
+            start = (yield from each(robot, start)) or robot.pose
         return start
     return program
 
@@ -166,7 +165,7 @@ def follow(robot, start):
     while min(robot.eyes) < 0.9:
         left, _, right = robot.eyes
         yield 0.22, 2.0 * (right - left)
-    yield from straight(0.05)(robot, robot.pose)
+    yield from straight(0.028)(robot, robot.pose)  # the eyes are 0.05 m ahead, and see a little beyond the end
     if abs(robot.pose.yaw) > math.radians(2):
         yield from turn(math.degrees(-robot.pose.yaw))(robot, robot.pose)
 
