@@ -1,0 +1,117 @@
+"""The ideal line of a task: straights, arcs and turns, each with a closed form."""
+
+import math
+from typing import List, NamedTuple, Tuple, Union
+
+from jetbot.kinematics import Pose
+
+Point = Tuple[float, float]
+
+SPACING = 0.01  # m between two points of a line
+TURN_SPEED = 90.0  # degrees per second, of a turn on the spot
+
+
+class Straight(NamedTuple):
+    """Drive straight ahead for ``length`` metres."""
+
+    length: float
+    degrees: float = 0.0
+
+
+class Turn(NamedTuple):
+    """Turn on the spot, counterclockwise if ``degrees`` is positive."""
+
+    degrees: float
+    length: float = 0.0
+
+
+class Arc(NamedTuple):
+    """Drive forward on a circle of ``radius`` metres, to the left if ``degrees`` is positive."""
+
+    radius: float
+    degrees: float
+
+    @property
+    def length(self) -> float:
+        """How far the robot drives, in m."""
+        return self.radius * math.radians(abs(self.degrees))
+
+
+Step = Union[Straight, Turn, Arc]
+
+
+def s_bend(length: float, offset: float) -> Tuple[Arc, Arc]:
+    """Return the two equal arcs that lead to (length, offset, 0) in m."""
+    angle = 2 * math.atan(offset / length)
+    radius = length / (2 * math.sin(abs(angle)))
+    return Arc(radius, math.degrees(angle)), Arc(radius, -math.degrees(angle))
+
+
+def advance(pose: Pose, step: Step, share: float = 1.0) -> Pose:
+    """Return where a robot at ``pose`` is after a share, in [0, 1], of a step. The heading is not normalized."""
+    angle = math.radians(step.degrees) * share
+    chord = step.length * share * (math.sin(angle / 2) / (angle / 2) if angle else 1.0)
+    direction = pose.yaw + angle / 2
+    return Pose(pose.x + chord * math.cos(direction), pose.y + chord * math.sin(direction), pose.yaw + angle)
+
+
+class Course(NamedTuple):
+    """Steps that start at (0, 0, 0)."""
+
+    steps: Tuple[Step, ...]
+
+    @property
+    def poses(self) -> List[Pose]:
+        """Where each step starts, and last the goal."""
+        poses = [Pose()]
+        for step in self.steps:
+            poses.append(advance(poses[-1], step))
+        return poses
+
+    @property
+    def goal(self) -> Pose:
+        """Where the course ends. The heading is not normalized: after a full circle it is 2 pi."""
+        return self.poses[-1]
+
+    @property
+    def points(self) -> Tuple[Point, ...]:
+        """Return the line as points that are at most 1 cm apart."""
+        points = [(0.0, 0.0)]
+        for pose, step in zip(self.poses, self.steps):
+            count = math.ceil(round(step.length / SPACING, 6))
+            points += [advance(pose, step, number / count)[:2] for number in range(1, count + 1)]
+        return tuple(points)
+
+    def seconds(self, speed: float) -> float:
+        """Return how long the course takes at ``speed`` in m/s, with turns at TURN_SPEED."""
+        return sum(step.length / speed if step.length else abs(step.degrees) / TURN_SPEED for step in self.steps)
+
+    def offset(self, x: float, y: float) -> float:
+        """Return how far a point is from the nearest point of the line, in m; positive if it is left of the line."""
+        return min((_offset(pose, step, x, y) for pose, step in zip(self.poses, self.steps)), key=abs)
+
+
+def relative(point: Pose, frame: Pose) -> Pose:
+    """Return where a pose is as seen from ``frame``: x ahead, y to the left. The heading is not normalized."""
+    x, y = point.x - frame.x, point.y - frame.y
+    cos, sin = math.cos(frame.yaw), math.sin(frame.yaw)
+    return Pose(cos * x + sin * y, cos * y - sin * x, point.yaw - frame.yaw)
+
+
+def _offset(pose, step, x, y):
+    x, y, _ = relative(Pose(x, y), pose)  # as seen from the start of the step
+    if isinstance(step, Arc):
+        return _offset_from_arc(step, x, y)
+    return math.copysign(math.hypot(x - max(0.0, min(step.length, x)), y), y)
+
+
+def _offset_from_arc(arc, x, y):
+    side = math.copysign(1.0, arc.degrees)  # the centre is at (0, side * radius)
+    y *= side                               # as if the arc went to the left
+    angle = math.degrees(math.atan2(x, arc.radius - y)) % 360  # how far along the arc the point is
+    if angle <= abs(arc.degrees):
+        return side * (arc.radius - math.hypot(x, arc.radius - y))
+    end = advance(Pose(), Arc(arc.radius, abs(arc.degrees)))
+    nearest = min(Pose(), end, key=lambda pose: math.hypot(x - pose.x, y - pose.y))
+    beside = relative(Pose(x, y), nearest)
+    return side * math.copysign(math.hypot(beside.x, beside.y), beside.y)

@@ -1,0 +1,150 @@
+"""What a robot did from its first motion to its stop."""
+
+import math
+from typing import List, NamedTuple, Optional, Tuple
+
+from jetbot.kinematics import Pose
+
+from .course import relative
+from .samples import Sample
+
+WAITING, DRIVING, DONE = "waiting", "driving", "done"
+
+STILL, STILL_DEGREES = 0.001, 0.5  # m, degrees: within both of them of a pose, a robot is still there
+TWITCH = 10                        # times as much; a motion that goes no farther is no drive
+PAUSE = 3.0                        # s without motion that end a drive
+MARGIN = 0.3                       # s before the first motion and after the stop that belong to a drive's path
+MIN_INTERVAL = 0.005               # s between two samples; what comes sooner is left out
+MAX_SPEED, MAX_TURN = 2.0, 12.0    # m/s, rad/s; what seems faster is a robot that was put elsewhere
+FARTHEST, LATEST = 1e4, 1e12       # m, s; what is beyond is no measurement
+
+
+class NoDrive(ValueError):
+    """One sentence: why there is nothing to judge."""
+
+
+class Drive(NamedTuple):
+    """A drive in the task's frame, where the robot starts at (0, 0, 0).
+
+    path: a little more than the drive; its times count from the first motion, its headings are not normalized.
+    seconds: from the first motion to the last stop. frame: the task's frame on the map.
+    """
+
+    path: Tuple[Sample, ...]
+    seconds: float
+    frame: Pose
+
+    @property
+    def end(self) -> Pose:
+        """Where the robot stopped."""
+        return self.path[-1].pose
+
+
+class Recorder:
+    """Finds the drive in a robot's samples, which are fed one by one. time_limit: s that a drive may take."""
+
+    def __init__(self, time_limit: float):
+        self._time_limit = time_limit
+        self._samples: List[Sample] = []     # headings not normalized; before the first motion only the last MARGIN
+        self._start: Optional[Sample] = None  # where the robot was before its first motion
+        self._rest: Optional[Sample] = None   # since when, and where, the robot has been still
+        self._departed = 0.0                 # the time of the first motion
+        self._problem = "There is nothing to judge: no position of the robot was recorded."
+        self.state = WAITING
+
+    @property
+    def frame(self) -> Optional[Pose]:
+        """The task's frame on the map: the robot's pose before its first motion; None before the first sample."""
+        return self._start and self._start.pose
+
+    @property
+    def seconds(self) -> float:
+        """How long the robot has been driving, in s; after the drive, about how long it drove."""
+        last = self._rest if self.state == DONE else self._samples and self._samples[-1]
+        return last.time - self._departed if self.state != WAITING else 0.0
+
+    def feed(self, sample: Sample) -> str:
+        """Take the next sample; return the state: waiting, driving or done. What cannot be a measurement is ignored."""
+        if self.state == DONE or not _is_measurement(sample):
+            return self.state
+        if not self._samples:
+            self._wait("The robot did not drive.", sample)
+        elif self._was_put_elsewhere(sample):
+            self._wait("The robot was put elsewhere before it had stopped for 3 s, and did not drive from there."
+                       if self.state == DRIVING else self._problem, sample)
+        elif sample.time - self._samples[-1].time >= MIN_INTERVAL:
+            self._append(sample)
+        return self.state
+
+    def finish(self) -> Drive:
+        """End the drive, and return it. Raises NoDrive if there was none."""
+        if self.state == WAITING or self._is_twitch():
+            raise NoDrive(self._problem)
+        self.state = DONE
+        return _cut(self._samples, self._start.pose, self._departed)
+
+    def _wait(self, problem, sample):
+        self.state, self._problem = WAITING, problem
+        self._samples, self._start, self._rest = [sample], sample, sample
+
+    def _was_put_elsewhere(self, sample):
+        last = self._samples[-1]
+        interval = max(sample.time - last.time, 2 * MIN_INTERVAL)
+        jump = relative(sample.pose, last.pose)
+        back_at_start = sample.pose == self._start.pose and _excursion(last.pose, sample.pose) > TWITCH
+        return (sample.time < last.time - 1.0 or back_at_start  # the clock started again, or the robot
+                or math.hypot(jump.x, jump.y) > MAX_SPEED * interval
+                or abs(math.remainder(jump.yaw, math.tau)) > MAX_TURN * interval)
+
+    def _append(self, sample):
+        last = self._samples[-1]
+        yaw = last.pose.yaw + math.remainder(sample.pose.yaw - last.pose.yaw, math.tau)
+        sample = sample._replace(pose=sample.pose._replace(yaw=yaw))
+        self._samples.append(sample)
+        if _excursion(sample.pose, self._rest.pose) > 1:
+            if self.state == WAITING:
+                self.state, self._departed = DRIVING, _crossing(last, sample, self._start.pose)
+            self._rest = sample
+        if self.state == WAITING:
+            while self._samples[0].time < sample.time - MARGIN:
+                del self._samples[0]
+        elif sample.time - self._rest.time >= PAUSE or sample.time - self._departed > self._time_limit:
+            self._end(sample)
+
+    def _end(self, sample):
+        if self._is_twitch():
+            self._wait(self._problem, sample)
+        else:
+            self.state = DONE
+
+    def _is_twitch(self):
+        return all(_excursion(sample.pose, self._start.pose) <= TWITCH for sample in self._samples)
+
+
+def _is_measurement(sample):
+    time, pose, speed = sample
+    return (all(map(math.isfinite, (time, *pose, speed)))
+            and abs(time) < LATEST and max(map(abs, (*pose, speed))) < FARTHEST)
+
+
+def _excursion(pose, rest):
+    """Return how far a pose is from another; up to 1, a robot is still there."""
+    return max(math.hypot(pose.x - rest.x, pose.y - rest.y) / STILL,
+               math.degrees(abs(pose.yaw - rest.yaw)) / STILL_DEGREES)
+
+
+def _crossing(inside, outside, rest):
+    """Return when, between two samples, the robot was just still at ``rest``."""
+    near, far = _excursion(inside.pose, rest), _excursion(outside.pose, rest)
+    return inside.time + (outside.time - inside.time) * (1 - near) / (far - near)
+
+
+def _cut(samples, frame, departed):
+    """Return the Drive that these samples hold, the last of which is where the robot stopped."""
+    last = samples[-1]
+    index = next(index for index in reversed(range(len(samples))) if _excursion(samples[index].pose, last.pose) > 1)
+    stopped = _crossing(samples[index + 1], samples[index], last.pose)
+    kept = [sample for sample in samples if departed - MARGIN <= sample.time < min(last.time, stopped + MARGIN)]
+    kept.append(last._replace(time=min(last.time, stopped + MARGIN)))
+    path = tuple(Sample(sample.time - departed, relative(sample.pose, frame), sample.speed) for sample in kept)
+    return Drive(path, stopped - departed, frame)

@@ -1,0 +1,86 @@
+"""The score of a drive, and where it lost points."""
+
+import math
+from typing import NamedTuple, Sequence, Tuple
+
+from jetbot.kinematics import Pose
+from simulation.world import World
+
+from .course import Point
+from .drive import Drive, NoDrive, Recorder  # noqa: F401  for those who judge
+from .penalties import Loss
+from .samples import Sample
+from .tasks import Task
+
+TOLERANCE = 10.0    # cm or degrees of error that leave 1/e of the points
+TIME_SHARE = 0.2    # of the points depend on the time
+NEGLIGIBLE = 0.5    # points that are not worth a sentence
+
+
+class Result(NamedTuple):
+    """A judged drive. Points, lines and poses are in the task's frame, where the robot starts at (0, 0, 0).
+
+    task: its name; score: 0 to 100; seconds: from the first motion to the stop; losses: the largest first;
+    path: what the robot drove, headings not normalized; frame: the task's frame on the map;
+    course: the ideal line; goal: its end; world: walls and lines.
+    """
+
+    task: str
+    title: str
+    score: float
+    seconds: float
+    losses: Tuple[Loss, ...]
+    path: Tuple[Pose, ...]
+    frame: Pose
+    course: Tuple[Point, ...]
+    goal: Pose
+    world: World
+
+    @property
+    def largest_loss(self) -> str:
+        """What lost most points, without a full stop; "" if nothing lost half a point."""
+        return self.losses[0].sentence if self.losses and self.losses[0].points >= NEGLIGIBLE else ""
+
+    @property
+    def sentence(self) -> str:
+        """The largest loss as a sentence."""
+        if not self.largest_loss:
+            return "Nothing lost half a point."
+        return f"Largest loss: {self.largest_loss} ({self.losses[0].points:.1f} points)."
+
+
+def judge(task: Task, samples: Sequence[Sample]) -> Result:
+    """Return the result of the first drive in some samples. Raises NoDrive if there is none."""
+    recorder = Recorder(task.time_limit)
+    for sample in samples:
+        if recorder.feed(sample) == "done":
+            break
+    return rate(task, recorder.finish())
+
+
+def rate(task: Task, drive: Drive) -> Result:
+    """Return the result of a drive."""
+    course, world = task.course, task.load_world()
+    errors = [measure(course, drive) for measure in task.measures]
+    means = [sum(error.size for error in each) / len(each) for each in errors]
+    used = min(1.0, task.ideal_seconds / drive.seconds)
+    penalties = [loss for penalty in task.penalties for loss in penalty(drive, world)]
+    score = 100 * _remaining(sum(means)) * (1 - TIME_SHARE + TIME_SHARE * used) - sum(loss.points for loss in penalties)
+    losses = [_loss(mean, each) for mean, each in zip(means, errors)] + penalties + [_time_loss(task, drive, used)]
+    return Result(task.name, task.title, max(0.0, score), drive.seconds,
+                  tuple(sorted(losses, key=lambda loss: -loss.points)),
+                  tuple(sample.pose for sample in drive.path), drive.frame, course.points, course.goal, world)
+
+
+def _remaining(error):
+    return math.exp(-error / TOLERANCE)
+
+
+def _loss(mean, errors):
+    worst = max(errors, key=lambda error: error.size)
+    return Loss(100 * (1 - _remaining(mean)), worst.sentence, worst.place)
+
+
+def _time_loss(task, drive, used):
+    return Loss(100 * TIME_SHARE * (1 - used), f"took {drive.seconds:.1f} s; {task.ideal_seconds:.1f} s are enough",
+                drive.end[:2])

@@ -1,0 +1,64 @@
+"""The tasks: a row each."""
+
+import math
+from typing import NamedTuple, Tuple
+
+from simulation.world import EMPTY, World
+from simulation.worlds import load
+
+from .course import Arc, Course, Step, Straight, Turn, s_bend
+from .measures import Measure, end
+from .penalties import Penalty
+
+SPEED = 0.3         # m/s, of the ideal drive
+ACCELERATION = 0.3  # m/s^2, allowed in the task smooth
+SQUARE = [(Straight(1.0), Turn(90))] * 4 + [(Straight(1.0), Turn(-90))] * 4
+
+
+class Task(NamedTuple):
+    """A task: its name, its title for people, the steps of its course, what it measures.
+
+    world: a file of the package simulation, "" for none; speed: m/s of the ideal drive, which reaches it with
+    ``acceleration`` in m/s^2.
+    """
+
+    name: str
+    title: str
+    steps: Tuple[Step, ...]
+    measures: Tuple[Measure, ...]
+    penalties: Tuple[Penalty, ...] = ()
+    world: str = ""
+    speed: float = SPEED
+    acceleration: float = math.inf
+
+    @property
+    def course(self) -> Course:
+        """The ideal line, in the task's frame."""
+        return Course(self.steps)
+
+    @property
+    def ideal_seconds(self) -> float:
+        """How long the ideal drive takes."""
+        return self.course.seconds(self.speed) + self.speed / self.acceleration
+
+    @property
+    def time_limit(self) -> float:
+        """How many seconds a drive may take; then it is judged as it is."""
+        return max(60.0, 10 * self.ideal_seconds)
+
+    def load_world(self) -> World:
+        """Return the walls and lines, in the task's frame. Raises InvalidValue."""
+        return load(self.world) if self.world else EMPTY
+
+
+TASKS = {task.name: task for task in (
+    Task("metre", "One metre", (Straight(1.0),), (end,)),
+    Task("quarter", "A quarter turn", (Turn(90),), (end,)),
+    Task("square", "A square, both ways round", tuple(step for side in SQUARE for step in side), (end,)),
+    Task("circle", "A circle", (Arc(0.5, 360),), (end,)),
+    Task("s_bend", "An S-bend", s_bend(1.0, 0.5), (end,)),
+    Task("smooth", "A smooth metre", (Straight(1.0),), (end,), acceleration=ACCELERATION),
+    Task("park", "Park between walls", (*s_bend(0.8, 0.4), Straight(0.3)), (end,), world="parking.yaml"),
+    Task("follow", "Follow the line", (Straight(0.4), Arc(0.4, 90), Arc(0.4, -90), Straight(0.3)), (end,),
+         world="line.yaml", speed=0.2),
+)}
