@@ -15,13 +15,10 @@ from visualization_msgs.msg import MarkerArray
 from jetbot import InvalidValue
 from jetbot.kinematics import Pose
 from jetbot.text import enumeration, printable
-from jetbot.wait import wait_until
 from jetbot_ros.addresses import master_uri
 from jetbot_ros.master import condition_of
 from jetbot_ros.safety import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
 from jetbot_ros.xmlrpc import proxy
-from simulation.world import World
-from simulation.worlds import dump
 
 from .bags import sample_of
 
@@ -30,7 +27,6 @@ MASTER_TIMEOUT = 5.0  # s
 STILL = 0.5           # s without motion after which the robot stands
 MOTION = 1e-4         # m or rad; less is none
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
-RESTORE_TIMEOUT = 1.0  # s
 MAX_STATUS = 200      # characters of the controller's status that are shown
 EMERGENCY = tuple(f"stopped: {hold.reason}" for hold in (EMERGENCY_STOP, OWN_EMERGENCY_STOP))
 HELD = tuple(f"stopped: {reason}" for reason in (*(hold.reason for hold in HOLDS), "the controller has ended"))
@@ -50,7 +46,7 @@ def find_robots(names: Sequence[str]) -> List[str]:
                            f"Name one: --robot {list(there)[0]}")
     for name in names:
         if label(name) not in there:
-            raise InvalidValue(f"there is no simulated robot {printable(name)}", f"There is {enumeration(list(there))}.")
+            raise InvalidValue(f"there is no simulated robot {name}", f"The robots are: {enumeration(list(there))}")
     return list(dict.fromkeys(there[label(name)] for name in names)) or list(there.values())
 
 
@@ -78,8 +74,8 @@ class SimulatedRobot:
         self.truth: List[Odometry] = []  # what the last poll has read: the newest ground truth, oldest first
         self.pose: Optional[Pose] = None
         self.time = 0.0  # s, stamp of the pose
-        self._arrived, self._silent_polls, self._moved_at = deque(), 0, 0.0
-        self._status, self._worlds = "", 0
+        self._arrived, self._silent_polls, self._moved_at, self._has_moved = deque(), 0, 0.0, False
+        self._status, self._worlds, self._known_worlds = "", 0, 0
         simulator = f"{namespace}/jetbot_simulator"
         self.truth_topic, self.command_topic = f"{simulator}/ground_truth", f"{namespace}/cmd_vel"
         self._world = rospy.Publisher(f"{simulator}/world", String, queue_size=1, latch=True)
@@ -100,13 +96,18 @@ class SimulatedRobot:
         self._silent_polls = 0 if self.truth else self._silent_polls + 1
         for sample in map(sample_of, self.truth):
             if self.pose is None or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.pose)):
-                self._moved_at = sample.time
+                self._moved_at, self._has_moved = sample.time, self.pose is not None
             self.pose, self.time = sample.pose, sample.time
 
     @property
     def stands(self) -> bool:
         """Whether the robot has not moved for STILL seconds."""
         return self.pose is not None and self.time - self._moved_at >= STILL
+
+    @property
+    def drives(self) -> bool:
+        """Whether the robot moves."""
+        return self._has_moved and not self.stands
 
     @property
     def obstacle(self) -> str:
@@ -138,15 +139,12 @@ class SimulatedRobot:
         with contextlib.suppress(rospy.ServiceException):  # ground truth shows it
             self._reset()
 
-    def surround(self, world: World) -> Iterator[None]:
-        """Put a world around the robot; yield until the simulator has it."""
-        known = self._worlds
-        self._world.publish(dump(world))
-        while self._worlds == known and not self.obstacle:
-            yield
+    def set_world(self, text: str) -> None:
+        """Put the world that is written in YAML around the robot; "" is the one that it started in."""
+        self._known_worlds = self._worlds
+        self._world.publish(text)
 
-    def restore_world(self) -> None:
-        """Put the world of the start around the robot again; wait a little until the simulator has it."""
-        known = self._worlds
-        self._world.publish("")
-        wait_until(lambda: self._worlds > known, RESTORE_TIMEOUT)
+    @property
+    def has_world(self) -> bool:
+        """Whether the simulator has the world of the last ``set_world``."""
+        return self._worlds > self._known_worlds
