@@ -118,7 +118,7 @@ class Attempt:
             raise Interrupted(f"{gap:.1f} s of the drive were not measured, because the simulator or the judge paused.")
         if self._recorder.feed(sample) == WAITING:
             if not is_near(self._recorder.frame, self._start):
-                raise Interrupted("The robot was moved away from its start.")
+                raise Interrupted("The robot was put elsewhere. It starts again.")
             if was_driving:
                 self._report("The robot was put back to its start.")
                 self._invite()
