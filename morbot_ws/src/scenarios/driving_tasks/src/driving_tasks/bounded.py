@@ -24,6 +24,9 @@ class Limits(NamedTuple):
     wall_time: int = 60
 
 
+LIMITS = Limits()
+
+
 class Outcome(NamedTuple):
     """What the function returned, or None and a problem in one sentence."""
 
@@ -31,7 +34,7 @@ class Outcome(NamedTuple):
     problem: str = ""
 
 
-def run(function: Callable, *arguments: object, limits: Limits = Limits()) -> Outcome:  # noqa: B008: it is immutable
+def run(function: Callable, *arguments: object, limits: Limits = LIMITS) -> Outcome:
     """Return the outcome of function(*arguments) in a child; what it returns must pickle.
 
     The child writes no file. It ends with this process, however that ends.
@@ -39,7 +42,7 @@ def run(function: Callable, *arguments: object, limits: Limits = Limits()) -> Ou
     return next(run_each(function, [arguments], limits))
 
 
-def run_each(function: Callable, calls: Iterable[Tuple], limits: Limits = Limits(),  # noqa: B008: it is immutable
+def run_each(function: Callable, calls: Iterable[Tuple], limits: Limits = LIMITS,
              at_once: int = 2) -> Iterator[Outcome]:
     """Yield the outcome of function(*arguments) for each call's arguments, in their order."""
     children = deque()
