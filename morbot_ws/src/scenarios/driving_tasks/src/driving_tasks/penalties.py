@@ -7,6 +7,12 @@ from simulation.world import World
 from .course import Point
 from .drive import Drive
 
+TOUCHES, CLEAR = 0.001, 0.01      # m to the nearest wall: a contact begins, and is over
+CONTACT = 20.0                    # points per contact
+WINDOW = 0.2                      # s over which an acceleration is a mean
+ALLOWANCE = 1.1                   # times the limit cost nothing yet
+EXCESS, MAX_EXCESS = 20.0, 40.0   # points per 100 % above the limit, and at most
+
 
 class Loss(NamedTuple):
     """points: how many are lost; sentence: what the robot did, without a full stop; place: (x, y), task's frame."""
@@ -17,3 +23,42 @@ class Loss(NamedTuple):
 
 
 Penalty = Callable[[Drive, World], List[Loss]]
+
+
+def contacts(drive: Drive, world: World) -> List[Loss]:
+    """Return the loss for touching walls: 20 points each time."""
+    places, clear = [], True
+    for sample in drive.path:
+        clearance = world.clearance(sample.pose)
+        if clear and clearance < TOUCHES:
+            places.append(sample.pose[:2])
+        clear = clearance > CLEAR or (clear and clearance >= TOUCHES)
+    times = {1: "", 2: " twice"}.get(len(places), f" {len(places)} times")
+    return [Loss(CONTACT * len(places), f"touched a wall{times}", places[0])] if places else []
+
+
+def acceleration(drive: Drive, world: World, limit: float) -> List[Loss]:
+    """Return the loss for speeding up or braking harder than ``limit`` in m/s^2."""
+    rates = [((speed - abs(sample.speed)) / WINDOW, sample.pose[:2])
+             for sample, speed in zip(drive.path, _speeds_after(drive.path))]
+    peak, place = max(rates, key=lambda each: abs(each[0]), default=(0.0, (0.0, 0.0)))
+    if abs(peak) <= ALLOWANCE * limit:
+        return []
+    what = "sped up" if peak > 0 else "braked"
+    return [Loss(min(MAX_EXCESS, EXCESS * (abs(peak) / limit - 1)),
+                 f"{what} at {abs(peak):.1f} m/s^2, and {limit:g} are allowed", place)]
+
+
+def _speeds_after(path):
+    """Return the absolute speed, in m/s, WINDOW after each sample, as long as there are samples."""
+    speeds, index = [], 0
+    for sample in path:
+        due = sample.time + WINDOW
+        while path[index].time < due:
+            index += 1
+            if index == len(path):
+                return speeds
+        before, after = path[index - 1], path[index]
+        share = (due - before.time) / (after.time - before.time)
+        speeds.append(abs(before.speed) + share * (abs(after.speed) - abs(before.speed)))
+    return speeds

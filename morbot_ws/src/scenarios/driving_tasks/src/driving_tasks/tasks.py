@@ -1,18 +1,18 @@
 """The tasks: a row each."""
 
 import math
+from functools import partial
 from typing import NamedTuple, Tuple
 
 from simulation.world import EMPTY, World
 from simulation.worlds import load
 
 from .course import Arc, Course, Step, Straight, Turn, s_bend
-from .measures import Measure, end
-from .penalties import Penalty
+from .measures import Measure, corners, end, line, sides
+from .penalties import Penalty, acceleration, contacts
 
 SPEED = 0.3         # m/s, of the ideal drive
 ACCELERATION = 0.3  # m/s^2, allowed in the task smooth
-SQUARE = [(Straight(1.0), Turn(90))] * 4 + [(Straight(1.0), Turn(-90))] * 4
 
 
 class Task(NamedTuple):
@@ -54,11 +54,13 @@ class Task(NamedTuple):
 TASKS = {task.name: task for task in (
     Task("metre", "One metre", (Straight(1.0),), (end,)),
     Task("quarter", "A quarter turn", (Turn(90),), (end,)),
-    Task("square", "A square, both ways round", tuple(step for side in SQUARE for step in side), (end,)),
-    Task("circle", "A circle", (Arc(0.5, 360),), (end,)),
-    Task("s_bend", "An S-bend", s_bend(1.0, 0.5), (end,)),
-    Task("smooth", "A smooth metre", (Straight(1.0),), (end,), acceleration=ACCELERATION),
-    Task("park", "Park between walls", (*s_bend(0.8, 0.4), Straight(0.3)), (end,), world="parking.yaml"),
-    Task("follow", "Follow the line", (Straight(0.4), Arc(0.4, 90), Arc(0.4, -90), Straight(0.3)), (end,),
+    Task("square", "A square, both ways round", (Straight(1.0), Turn(90)) * 4 + (Straight(1.0), Turn(-90)) * 4,
+         (sides, corners)),
+    Task("circle", "A circle", (Arc(0.5, 360),), (end, line)),
+    Task("s_bend", "An S-bend", s_bend(1.0, 0.5), (end, line)),
+    Task("smooth", "A smooth metre", (Straight(1.0),), (end,), (partial(acceleration, limit=ACCELERATION),),
+         acceleration=ACCELERATION),
+    Task("park", "Park between two walls", (*s_bend(0.8, 0.4), Straight(0.3)), (end,), (contacts,), "parking.yaml"),
+    Task("follow", "Follow the line", (Straight(0.4), Arc(0.4, 90), Arc(0.4, -90), Straight(0.3)), (end, line),
          world="line.yaml", speed=0.2),
 )}
