@@ -45,10 +45,11 @@ class Mark(NamedTuple):
 
 
 def to_csv(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    """Return a table as CSV, one line per row. A spreadsheet takes no cell as a formula."""
+    """Return a table as CSV, one line per row; without columns, its rows alone. No cell is a spreadsheet's formula."""
     table = io.StringIO()
     writer = csv.writer(table, lineterminator="\n")
-    writer.writerow(columns)
+    if columns:
+        writer.writerow(columns)
     writer.writerows([_cell(value) for value in row] for row in rows)
     return table.getvalue()
 
