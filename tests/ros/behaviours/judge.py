@@ -50,8 +50,8 @@ class Judge(RobotTest):
         self.assertAlmostEqual(courses[-1][2].pose.position.x, 2.54, places=2)
         self.drive(SECONDS)
         self.assertEqual(judge.wait(START_TIMEOUT), 0)
-        score, loss = re.fullmatch(rf"{READY}\nmetre: (\d+\.\d) of 100 points in \d\.\d s\.\n(Largest loss: stopped .*)\n"
-                                   r"Drew metre\.png\.\n", read(judge)).groups()
+        score, loss = re.fullmatch(rf"{READY}\nmetre: (\d+\.\d) of 100 points in \d\.\d s\.\n"
+                                   r"(Largest loss: stopped .*)\nDrew metre\.png\.\n", read(judge)).groups()
         values = [{pair.key: pair.value for pair in each.values} for each in states]
         self.assertEqual(list(dict.fromkeys(each["state"] for each in values)), ["ready", "driving", "done"])
         self.assertEqual((values[-1]["score"], states[-1].message), (score, loss))

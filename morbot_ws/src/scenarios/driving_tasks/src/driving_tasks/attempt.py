@@ -44,9 +44,9 @@ class Attempt:
         self.ready = False
 
     @property
-    def driving(self) -> bool:
-        """Whether a drive is being measured."""
-        return self._recorder.state == DRIVING
+    def has_driven(self) -> bool:
+        """Whether there is a drive, which may be over."""
+        return self._recorder.state != WAITING
 
     def steps(self) -> Iterator[None]:
         """Put the robot at its start, then measure; a step takes no time. Poll the robot before each."""
@@ -117,7 +117,7 @@ class Attempt:
             self._report(f"{self._task.time_limit:.0f} s are over. The robot still drives: end its program.")
 
     def _feed(self, sample: Sample):
-        was_driving, gap = self.driving, sample.time - self._fed_at
+        was_driving, gap = self.has_driven, sample.time - self._fed_at
         self._fed_at = sample.time
         if was_driving and gap > MAX_GAP:
             raise Interrupted(f"{gap:.1f} s of the drive were not measured, because the simulator or the judge paused.")
@@ -138,7 +138,7 @@ class Attempt:
 
     def _announce_time(self):
         seconds = self._recorder.seconds
-        if self.driving and seconds - self._announced_at >= ANNOUNCE_INTERVAL:
+        if self._recorder.state == DRIVING and seconds - self._announced_at >= ANNOUNCE_INTERVAL:
             self._announced_at = seconds
             self._announcement.driving(seconds)
 

@@ -102,7 +102,7 @@ class Trial:
     def _problem(self):
         """Return why there will be no drive, or "" while there may be one."""
         now = time.monotonic()
-        if self._attempt.driving:
+        if self._attempt.has_driven:
             return ""
         if now - self._started_at > DRIVE_TIMEOUT:
             interruption = f" {self._said[-1]}" if self._said[-1] != READY else elsewhere()
