@@ -62,8 +62,9 @@ def report(mark: Mark, given: Namespace, is_first: bool) -> None:
     """Print the mark: sentences if there is only this one, else a row of the table; and draw it."""
     single = is_single(given)
     if single:
+        prefix = f"{mark.name}: " if mark.problem and (given.bag or given.program) else ""
         for sentence in mark.sentences:
-            show(sentence)
+            show(prefix + sentence)
     else:
         print(marks.to_csv(marks.COLUMNS if is_first else (), [mark.row]), end="", flush=True)
     if mark.result and (single or given.pictures):
