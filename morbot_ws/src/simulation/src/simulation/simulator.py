@@ -23,8 +23,8 @@ from .topics import SharedTopics
 from .world import World
 from .world_topics import WorldTopics
 
-CYCLE = 0.02            # s between two looks at the motors, and between two messages while a wheel turns
-STOPPED_STEPS = 10      # between two messages while none does
+CYCLE = 2               # steps between two looks at the motors, and between two messages while a wheel turns
+STOPPED_CYCLE = 10      # steps between two messages while none does
 PATH_STEP = 0.05        # metres between two poses of the path
 PATH_LENGTH = 1000      # poses; the oldest are dropped
 
@@ -40,7 +40,7 @@ class Simulator:
         self._model, self._motors = model, motors
         self._start = model.pose
         self._new_pose = deque(maxlen=1)
-        self._clock, self._published_at = StepClock(time.monotonic_ns(), rospy.Time.now().to_nsec()), -STOPPED_STEPS
+        self._clock, self._published_at = StepClock(time.monotonic_ns(), rospy.Time.now().to_nsec()), -STOPPED_CYCLE
         self._printed, self._touching = "", False
         self._prefix = f"{rospy.get_namespace().strip('/')} ".lstrip()
         self._stall_report = StallReport()
@@ -68,9 +68,9 @@ class Simulator:
             was_moving = self._model.moving
             self._place()
             self._step()
-            if was_moving or self._model.moving or self._clock.steps - self._published_at >= STOPPED_STEPS:
+            if was_moving or self._model.moving or self._clock.steps - self._published_at >= STOPPED_CYCLE:
                 self._publish()
-            time.sleep(CYCLE - time.monotonic() % CYCLE)  # rospy.Rate would take more than the step
+            time.sleep(self._clock.remaining(time.monotonic_ns(), CYCLE))  # rospy.Rate would take more than the step
 
     def _place(self):
         """Take the pose and the world that were asked for."""
