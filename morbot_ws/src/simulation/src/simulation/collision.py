@@ -27,7 +27,7 @@ class Collision:
         That is 1.0 unless a wall stops it. A robot that stands on a wall drives on. left, right, wheel_separation: m.
         """
         reach = abs(left + right) / 2 + RADIUS * abs(right - left) / wheel_separation  # of each point, at most
-        if pose == self._pose and reach < self._margin:
+        if pose == self._pose and reach < self._margin and not self.touching:
             self._pose, self._margin = pose.integrate_arc(left, right, wheel_separation), self._margin - reach
             return self._pose, 1.0
         self._pose, driven, self._margin = self._advance(pose, left, right, wheel_separation, reach)

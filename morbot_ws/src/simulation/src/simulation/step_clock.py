@@ -13,7 +13,7 @@ class StepClock:
     """
 
     def __init__(self, now: int, stamp: int):
-        self._started, self._first_stamp = now - now % NANOSECONDS, stamp
+        self._started, self._first_stamp = now - now % NANOSECONDS, stamp - now % NANOSECONDS
         self.steps = 0
 
     @property
