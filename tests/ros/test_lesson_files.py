@@ -1,11 +1,11 @@
-"""check_lesson.py reports each problem of a pupil's package in one sentence."""
+"""check_lesson.py reports each problem of a pupil's files in one sentence."""
 
 import os
 import re
 
 import pytest
 
-from jetbot_lessons import files, packages
+from jetbot_lessons import answers, files, marking, packages
 
 PACKAGE_XML = """<package format="3"><name>mine</name><version>0.0.1</version><description>Mine.</description>
 <maintainer email="me@example.com">Me</maintainer><license>MIT</license>
@@ -200,3 +200,91 @@ def test_what_is_not_a_small_file_is_not_read(mine, file, make, reasons):
     make(mine / file)
     problem = exists("mine") or files.check_launch_files("mine") or files.check_scripts("mine")
     assert problem.startswith(tuple(f"{mine / file}{reason}" for reason in reasons))
+
+
+@pytest.mark.parametrize("text, problem", [
+    ("rospy geometry_msgs", None), ("geometry_msgs,\r\nrospy\r\n", None),
+    ("rospy", "{0} names 1 of the 2 packages that mine needs when it runs: add each exec_depend of {1}"),
+    ("", "{0} is empty: write into it which packages mine needs when it runs, one per line, and save it"),
+    ("<depend>rospy</depend>", "{0} has lines of package.xml: write the names alone, without <exec_depend>"),
+    ("rospi geometry_msgs", "{0} names rospi, and {1} does not: do you mean rospy?"),
+    ("rospy simulation", "{0} names simulation, and {1} does not: remove it"),
+    ("mine", "{0} names mine itself: write only the packages that it needs"),
+    ("catkin", "mine needs catkin to be built, not when it runs: remove catkin from {0}"),
+    ("roslaunch", "mine needs roslaunch to be tested, not when it runs: remove roslaunch from {0}")])
+def test_answer_of_lesson_1(mine, monkeypatch, text, problem):
+    monkeypatch.chdir(mine)
+    manifest, answer = mine / "package.xml", mine / "lesson_1.txt"
+    manifest.write_text(PACKAGE_XML.replace("</package>", "<buildtool_depend>catkin</buildtool_depend>"
+                                                          "<test_depend>roslaunch</test_depend></package>"))
+    answer.write_text(text)
+    assert answers.check_needed("mine") == (problem and problem.format(answer, manifest))
+
+
+def test_answer_of_lesson_1_is_missing_has_another_name_or_lies_in_the_projects_folder(mine, monkeypatch):
+    monkeypatch.chdir(mine)
+    assert answers.check_needed("mine").startswith(f"There is no file lesson_1.txt in {mine}: make it, and write ")
+    (mine / "Lesson1.txt").touch()
+    assert answers.check_needed("mine") == (f"{mine}/Lesson1.txt has another name: "
+                                            f"mv {mine}/Lesson1.txt {mine}/lesson_1.txt")
+    monkeypatch.setattr(answers, "workspace", lambda: mine.parent / "morbot_ws/src")
+    (mine.parent / "lesson_1.txt").write_text("rospy geometry_msgs")
+    assert answers.check_needed("mine") is None
+
+
+def mark(lesson, folder):
+    """Return the problem in the row of a folder, without its path."""
+    [row] = marking.mark_folders(lesson, [str(folder)])
+    assert row.name.isprintable() and row.problem.isprintable() and row.done == ("no" if row.problem else "yes")
+    return row.problem.replace(f"{folder}/", "")
+
+
+def test_package_that_was_handed_in(mine, tmp_path):
+    assert mark(7, mine.parent).endswith("has 2 packages: give the folder of one")
+    (tmp_path / "ann").mkdir()
+    package = mine.rename(tmp_path / "ann/mine")
+    assert (mark(7, package), mark(7, package.parent)) == ("", "")
+    assert mark(8, package) == ("package.xml does not name jetbot_control_node: "
+                                "add <exec_depend>jetbot_control_node</exec_depend> before </package>")
+    assert mark(9, package) == ("There is no file metre.bag: record your drive with "
+                                "rosrun driving_tasks judge.py metre --record metre.bag")
+
+
+ENTITIES = "".join(f'<!ENTITY l{n} "{10 * f"&l{n - 1};"}">' for n in range(1, 12))
+BOMB = f'<!DOCTYPE l [<!ENTITY l0 "lol">{ENTITIES}]><launch>&l11;</launch>'
+
+
+@pytest.mark.parametrize("file, content, problem", [
+    (DRIVE, SCRIPT + "-" * 900_000 + "1", "Python cannot read drive.py: it is nested too deeply"),
+    (DRIVE, SCRIPT + "a" + ".b" * 400_000, "Python cannot read drive.py: "),
+    (DRIVE, SCRIPT + "open('executed', 'w')", ""),
+    ("package.xml", BOMB, "package.xml cannot be read: it defines the entity l0: remove <!ENTITY ...>"),
+    ("package.xml", PACKAGE_XML.replace("Mine.", "<b>" * 7000 + "</b>" * 7000), "package.xml cannot be read: "),
+    (DRIVE, os.mkfifo, "scripts/drive.py is not a file"),
+    (DRIVE, lambda file: file.symlink_to("/etc/passwd"), "scripts/drive.py is a link that leads out of the package"),
+    ("package.xml", lambda file: file.symlink_to("/dev/zero"), "package.xml is a link that leads out of the package"),
+    ("\033[2J\n", lambda folder: folder.symlink_to("/"), r"\x1b[2J\n is a link that leads out of the package"),
+    ("CMakeLists.txt", lambda file: None, "There is no CMakeLists.txt in "),
+    ("many", lambda folder: [(folder / str(n)).mkdir(parents=True) for n in range(1000)],
+     "mine has more than 1,000 files")])
+def test_hostile_folder_gets_a_row_and_is_not_executed(mine, monkeypatch, file, content, problem):
+    monkeypatch.chdir(mine)
+    place = mine / file
+    if place.exists():
+        place.unlink()
+    content(place) if callable(content) else place.write_text(content)
+    (mine / DRIVE).exists() and (mine / DRIVE).chmod(0o755)
+    found = mark(7, mine).replace(f"{mine.parent}/", "")
+    assert found[:len(problem)] == problem and not (mine / "executed").exists()
+    assert problem or not found
+
+
+def test_launch_file_that_is_an_xml_bomb(mine):
+    (mine / LAUNCH).write_text(BOMB)
+    assert files.check_launch_files("mine") == f"{mine / LAUNCH} is not XML: it defines the entity l0: " \
+                                               "remove <!ENTITY ...>"
+
+
+def test_package_xml_bomb_in_the_workspace(mine):
+    (mine / "package.xml").write_text(BOMB)
+    assert exists("jetbot_lessons").startswith(f"{mine}/package.xml, line 1: it defines the entity l0: ")

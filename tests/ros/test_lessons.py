@@ -20,14 +20,14 @@ FROZEN = "does not answer: continue it (after Ctrl-Z: fg), or stop it and start 
 STOP_IT = "stop it with Ctrl-C in its terminal"
 
 
-@pytest.mark.parametrize("arguments", [[], ["0"], ["9"], ["one"], ["-1"], ["\u00b2"], ["1", "mine", "yours"]])
+@pytest.mark.parametrize("arguments", [[], ["0"], ["10"], ["one"], ["-1"], ["\u00b2"], ["1", "mine", "yours"]])
 def test_no_such_lesson(arguments):
-    with pytest.raises(SystemExit, match=r"^Which lesson, 1 to 8\? Type: rosrun jetbot_lessons check_lesson\.py N, and "
+    with pytest.raises(SystemExit, match=r"^Which lesson, 1 to 9\? Type: rosrun jetbot_lessons check_lesson\.py N, and "
                                          "from lesson 7 on the name of your package$"):
         parse_arguments(arguments)
 
 
-@pytest.mark.parametrize("number", ["7", "8"])
+@pytest.mark.parametrize("number", ["7", "9"])
 def test_lesson_needs_a_package(number):
     with pytest.raises(SystemExit, match=rf"^Lesson {number} is about your own package\. "
                                          rf"Type: rosrun jetbot_lessons check_lesson\.py {number} ITS_NAME$"):
@@ -47,9 +47,10 @@ def check(**options):
 
 @pytest.mark.parametrize("open_output, reason", [
     (lambda: open("/dev/full", "w"), "No space left on device"), (lambda: closed_pipe(), "Broken pipe")])
-def test_result_that_cannot_be_printed(open_output, reason):
+def test_result_that_cannot_be_printed(open_output, reason, tmp_path):
     with open_output() as output:
-        result = check(stdout=output, env={**os.environ, "PYTHONUNBUFFERED": ""})
+        (tmp_path / "lesson_1.txt").write_text("rospy geometry_msgs jetbot_control_node")
+        result = check(stdout=output, env={**os.environ, "PYTHONUNBUFFERED": ""}, cwd=tmp_path)
         assert result == (1, f"Lesson 1: the result cannot be printed: {reason}\n")
 
 
@@ -106,7 +107,7 @@ def running(mine, monkeypatch):
     monkeypatch.setattr(graph, "pid", lambda node: 1 if node in now.nodes and node != "/dead" else None)
     monkeypatch.setattr(graph, "command_of", lambda node: [Path(f"/devel/lib{node}")])
     monkeypatch.setattr(graph, "ask", lambda node, method: [["/speed", "std_msgs/String"]])
-    monkeypatch.setattr(graph, "launched", lambda: [{"robot", "mine"}, {"other"}])
+    monkeypatch.setattr(graph, "launched", lambda namespace: [{"robot", "mine"}, {"other"}])
     return monkeypatch
 
 
@@ -118,6 +119,11 @@ def running(mine, monkeypatch):
     (graph.check_no_other_publisher, ("/cmd_vel", "mine"), f"/other publishes on /cmd_vel: {STOP_IT}, then try again"),
     (graph.check_no_other_publisher, ("/speed", "mine"), f"/mine/again publishes on /speed: {STOP_IT}, then try again"),
     (graph.check_no_other_publisher, ("/map",), None),
+    (graph.check_commanded, ("/speed", "do it"),
+     "/mine/drive and /mine/again publish on /speed: stop all but one of them with Ctrl-C in their terminals"),
+    (graph.check_commanded, ("/map", "do it"), "Nobody publishes on /map, but /dead was killed or hangs "
+     "(fg, then Ctrl-C, stops it): do it"),
+    (graph.check_commanded, ("/odom", "do it"), "Nobody publishes on /odom: do it"),
     (graph.check_publishes, ("mine", "/cmd_vel", "rosrun it"), None),
     (graph.check_publishes, ("mine", "/map", "rosrun it"),
      "/mine/again publishes on /speed, not on /map: use that in rospy.Publisher"),

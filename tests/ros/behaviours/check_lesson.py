@@ -1,20 +1,21 @@
 """check_lesson.py reports the first problem of the running system, and tests the wheels."""
 
+import csv
 import os
 import signal
 from pathlib import Path
 
 import pexpect
-import rosgraph
 
 from behaviours.jetbot_pro import Board
-from harness import CONTROLLER, START_TIMEOUT, RobotTest, program, read
-from jetbot.fake.motors import STOPPED
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, end, program, publishers, read
 from jetbot_lessons.motion import check_wheels_turn
 from jetbot_lessons.table import first_problem
 
 RELEASE = "; release it with rostopic pub -1 /emergency_stop std_msgs/Bool false"
-OBEY = r"The wheels do not follow the command: at x 0\.3 and z 0\.1"
+OBEY = r"The wheels do not follow your command: at x 0 and z -0\.05"
+START = "in another terminal, start the exercise's rostopic pub -r 10, and leave it running"
+TURN = "{angular: {z: -0.05}}"
 CHECK = program("jetbot_lessons", "check_lesson.py")
 
 
@@ -33,14 +34,27 @@ class CheckLesson(RobotTest):
         self.assert_problem(2, "There is no node /jetbot_controller: start it in another terminal with "
                                "rosrun jetbot_control_node jetbot_controller.py _i2c_bus:=fake")
 
-    def test_wheels_obey_no_other_publisher(self):
+    def pupil(self, command, *options):
+        """Start the pupil's rostopic pub, and wait until the controller receives it. command: as it is typed."""
+        process = self.start("rostopic", "pub", *options, "/cmd_vel", "geometry_msgs/Twist", command)
+        self.wait_for(lambda: publishers("/cmd_vel"), START_TIMEOUT, "the command")
+        return process
+
+    def test_what_the_pupil_commands(self):
         self.idle_controller()
+        self.assert_problem(3, f"Nobody publishes on /cmd_vel: {START}")
+        for command, problem in (
+                ("{linear: {x: 0.5}}", "Your command has linear.x 0.5, so the robot drives forward: "),
+                ("{angular: {z: 0.05}}", "Your command has angular.z 0.05, which turns the robot to the left: "),
+                (TURN, "Your command arrives only once: stop it with Ctrl-C, and repeat your command ")):
+            pupil = self.pupil(command)
+            self.assertEqual(first_problem(3)[:len(problem)], problem)
+            end([pupil])
+        pupil = self.pupil(TURN, "-r", "10")
         self.assert_problem(3, None)
-        self.assertEqual(self.wheels(), STOPPED)
         self.publisher()
-        self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
-        [node] = dict(rosgraph.Master("/test").getSystemState()[0])["/cmd_vel"]
-        self.assert_problem(3, f"{node} publishes on /cmd_vel: stop it with Ctrl-C in its terminal, then try again")
+        self.wait_for(lambda: len(publishers("/cmd_vel")) == 2, START_TIMEOUT, "a second command")
+        self.assertRegex(first_problem(3), r"^/rostopic_\w+ and /rostopic_\w+ publish on /cmd_vel: stop all but one ")
 
     def test_no_master(self):
         process = self.start(CHECK, "2", env={**os.environ, "ROS_MASTER_URI": "http://localhost:1"})
@@ -51,23 +65,25 @@ class CheckLesson(RobotTest):
     def test_wheels_do_not_obey(self):
         self.idle_controller()
         self.emergency_stop(True)
+        self.pupil(TURN, "-r", "10")
         reported = rf", and the controller reports 'stopped: emergency stop, on a fake bus'{RELEASE}$"
-        self.assertRegex(first_problem(3), rf"^{OBEY} they turn at 0\.00 and 0\.00, not 0\.20 and 0\.40{reported}")
+        self.assertRegex(first_problem(3), rf"^{OBEY} they turn at 0\.00 and 0\.00, not 0\.05 and -0\.05{reported}")
         self.assertRegex(check_wheels_turn(), f"^The wheels do not turn{reported}")
         self.emergency_stop(False)
 
     def test_wheels_turn_the_wrong_way(self):
         self.idle_controller(invert_left="true")
-        self.assertRegex(first_problem(3), rf"^{OBEY} they turn at -0\.20 and 0\.40, not 0\.20 and 0\.40, "
+        self.pupil(TURN, "-r", "10")
+        self.assertRegex(first_problem(3), rf"^{OBEY} they turn at -0\.05 and -0\.05, not 0\.05 and -0\.05, "
                                            "and the controller reports 'driving, on a fake bus'; "
                                            r"was it started with a parameter such as invert_left\?$")
-        self.wait_for_stop(within=1.0)
 
     def test_file_of_settings_that_changes_the_motion(self):
         file = Path(self.folder, "settings.yaml")
         file.write_text("swap_motors: true\n")
         self.idle_controller(config=file)
-        self.assertRegex(first_problem(3), rf"^{OBEY} they turn at 0\.40 and 0\.20, not 0\.20 and 0\.40, and the "
+        self.pupil(TURN, "-r", "10")
+        self.assertRegex(first_problem(3), rf"^{OBEY} they turn at -0\.05 and 0\.05, not 0\.05 and -0\.05, and the "
                                            "controller reports 'driving, on a fake bus'; it has settings from "
                                            f"{file}: start it without that file$")
 
@@ -97,14 +113,23 @@ class CheckLesson(RobotTest):
         self.addCleanup(board.unplug)
         self.start(CONTROLLER, "_board:=jetbot_pro", f"_port:={self.folder}/tty", "_cmd_vel_timeout:=0")
         self.wait_for(lambda: first_problem(2) is None, START_TIMEOUT, "the controller")
-        for answer, result in (("y", "Lesson 3: done."), ("n", "Lesson 3: The wheels do not follow the command: run ")):
+        self.pupil(TURN, "-r", "10")
+        for answer, result in (("y", "Lesson 3: done."), ("n", "Lesson 3: The wheels do not follow your command: ")):
             terminal = pexpect.spawn(CHECK, ["3"], timeout=START_TIMEOUT, encoding="utf-8")
             self.addCleanup(terminal.close)
-            terminal.expect("Put the robot on a box, wheels in the air")
-            self.assertIn(board.velocity, (None, (0, 0)))
-            terminal.sendline()
-            self.wait_for(lambda: board.velocity == (300, 0), START_TIMEOUT, "the robot to drive")
-            terminal.expect("Did both wheels turn forward, and stop?")
-            self.wait_for(lambda: board.velocity == (0, 0), START_TIMEOUT, "the robot to stop before its user answers")
+            terminal.expect("Does the robot turn on the spot, to the right")
             terminal.sendline(answer)
             terminal.expect_exact(result)
+
+    def test_table_of_a_class(self):
+        self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "__ns:=/red")
+        self.start("rostopic", "pub", "-r", "10", "/red/cmd_vel", "geometry_msgs/Twist", TURN)
+        self.wait_for(lambda: first_problem(3, namespace="/red") is None, START_TIMEOUT, "red to turn")
+        table = self.start(CHECK, "3", "--robots", "red", "blue", "=1")
+        self.assertEqual(table.wait(START_TIMEOUT), 1)
+        header, red, blue, formula = csv.reader(read(table).splitlines())
+        self.assertEqual((header, red), (["name", "lesson", "done", "problem"], ["red", "3", "yes", ""]))
+        self.assertEqual(blue, ["blue", "3", "no", "There is no node /blue/jetbot_controller: start it in another "
+                                "terminal with rosrun jetbot_control_node "
+                                "jetbot_controller.py _i2c_bus:=fake __ns:=/blue"])
+        self.assertEqual(formula, ["'=1", "3", "no", "A robot's name has letters, digits and _, such as jetbot_07"])

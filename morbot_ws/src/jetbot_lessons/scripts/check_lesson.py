@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Report what is missing after a lesson: rosrun jetbot_lessons check_lesson.py N [YOUR_PACKAGE]."""
+"""Report what is missing after a lesson: rosrun jetbot_lessons check_lesson.py N [YOUR_PACKAGE].
+
+For a teacher: check_lesson.py N --robots NAME ..., or N --folders FOLDER ..., reports it of a class as CSV.
+"""
 
 import signal
 import sys
@@ -9,14 +12,14 @@ if __name__ == "__main__":
 
 try:
     import os
-    from typing import List, NoReturn, Tuple, Union
+    from typing import Callable, List, NoReturn, Optional, Tuple, TypeVar, Union
 
-    import rosgraph
     import rospy
-    from catkin_pkg.package import InvalidPackage
 
     from jetbot.host import by_morbot
     from jetbot.text import printable
+    from jetbot_lessons.class_options import is_class, parse_class
+    from jetbot_lessons.marking import DONE, as_csv, describe, mark_class, write_rows
     from jetbot_lessons.master import report_loss
     from jetbot_lessons.table import FIRST_OWN, LAST, first_problem
 except ImportError as error:
@@ -25,6 +28,7 @@ except ImportError as error:
 COMMAND = by_morbot("check", "rosrun jetbot_lessons check_lesson.py")
 USAGE = (f"Which lesson, 1 to {LAST}? Type: {COMMAND} N, "
          f"and from lesson {FIRST_OWN} on the name of your package")
+T = TypeVar("T")
 CANCELLED = 128 + signal.SIGINT  # exit code, as shells have it
 
 
@@ -39,44 +43,59 @@ def parse_arguments(arguments: List[str]) -> Tuple[Union[int, str], ...]:
     return int(number), *names
 
 
-def find_problem(number: int, *own: str) -> Union[str, Exception, None]:
-    """Return the first problem of a lesson, or None if it is done; raise KeyboardInterrupt at Ctrl-C."""
-    signal.signal(signal.SIGINT, signal.default_int_handler)
-    try:
-        return first_problem(number, *own)
-    except EOFError:
-        return "this lesson asks what you see: run the check in a terminal"
-    except InvalidPackage as error:
-        return error
-    except (OSError, rosgraph.MasterException, rospy.ROSException) as error:
-        return f"the check ended early: {error}; try again"
-    finally:
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
-
-
 def give_up(number: int, problem: str) -> NoReturn:
     """Report a problem from any thread, and end the program without rospy's last words to the master."""
     print(printable(f"Lesson {number}: {problem}"), file=sys.stderr, flush=True)
     os._exit(1)
 
 
-def main() -> None:
-    number, *own = parse_arguments(rospy.myargv()[1:])
+def check_pupil(arguments: List[str]) -> Optional[str]:
+    """Check one pupil's work, and print "done"; return the message if it is not. Raise KeyboardInterrupt at Ctrl-C."""
+    number, *own = parse_arguments(arguments)
     report_loss(lambda problem: give_up(number, problem))
+    problem = cancellable(lambda: describe(lambda: first_problem(number, *own)))
+    problem = problem or write(f"Lesson {number}: done.\n")
+    return problem and f"Lesson {number}: {problem}"
+
+
+def check_class(arguments: List[str]) -> Optional[str]:
+    """Check a class's work, and print or write a table; return the message of a failure, "" if not all have done it."""
+    options = parse_class(arguments, COMMAND)
+    if options.robots:
+        report_loss(lambda problem: give_up(options.lesson, problem))
+    rows = cancellable(lambda: list(mark_class(options)))
+    problem = write_rows(rows, options.csv) if options.csv else write(as_csv(rows))
+    return problem or (None if all(row.done == DONE for row in rows) else "")
+
+
+def cancellable(function: Callable[[], T]) -> T:
+    """Return what a function returns; raise KeyboardInterrupt at Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
-        problem = find_problem(number, *own)
+        return function()
+    finally:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def write(text: str) -> Optional[str]:
+    """Print the result; return the problem if it cannot be printed."""
+    try:
+        print(end=text, flush=True)
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # else Python complains at its end
+        return f"the result cannot be printed: {error.strerror}"
+    return None
+
+
+def main() -> None:
+    arguments = rospy.myargv()[1:]
+    try:
+        problem = (check_class if is_class(arguments) else check_pupil)(arguments)
     except KeyboardInterrupt:
         print("Cancelled.", file=sys.stderr)
         sys.exit(CANCELLED)
-    try:
-        if not problem:
-            print(f"Lesson {number}: done.")
-        print(end="", flush=True)
-    except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # else Python complains at its end
-        problem = problem or f"the result cannot be printed: {error.strerror}"
-    if problem:
-        sys.exit(printable(f"Lesson {number}: {problem}"))
+    if problem is not None:
+        sys.exit(printable(problem) or 1)
 
 
 if __name__ == "__main__":

@@ -15,9 +15,11 @@ from jetbot.fake.motors import ROBOTS, Motors
 from jetbot.text import printable
 from jetbot_ros.command_line import private_parameters, public_words
 from jetbot_ros.master import require_master
+from simulation import worlds
 from simulation.diff_drive import DiffDriveModel, Pose
 from simulation.parameters import PARAMETERS, fake_folder, resolve
 from simulation.simulator import Simulator
+from simulation.world import EMPTY
 
 
 def main() -> None:
@@ -31,7 +33,7 @@ def main() -> None:
         Pose(given["x"], given["y"], given["yaw"]), closed_loop, given["wheel_ratio"])
     # A board with a closed loop measures its motion, but not the angles of its wheels.
     others = ["odom"] if closed_loop else ["odom", "joint_states"] if given["publish_odom"] else []
-    Simulator(model, motors, others).spin()
+    Simulator(model, motors, others, worlds.load(given["world"]) if given["world"] else EMPTY).spin()
 
 
 if __name__ == "__main__":

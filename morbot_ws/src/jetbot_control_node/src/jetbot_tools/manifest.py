@@ -69,6 +69,7 @@ def _check_xml(content):
     parser, opened = expat.ParserCreate(), []
     parser.StartElementHandler = lambda name, _: opened.append((name, parser.CurrentLineNumber))
     parser.EndElementHandler = lambda _: opened.pop()
+    parser.EntityDeclHandler = lambda name, *_: _refuse_entity(name, parser.CurrentLineNumber)
     try:
         parser.Parse(content.encode(), True)
     except expat.ExpatError as error:
@@ -79,6 +80,11 @@ def _check_xml(content):
         raise Problem(f", line {error.lineno}: {reason}: add a missing quote, < or >; write &amp; for &") from None
     except (LookupError, ValueError) as error:
         raise Problem(f', line 1: {error}: write encoding="utf-8"') from None
+
+
+def _refuse_entity(name, line):
+    """Raise Problem: entities may expand to more than the memory holds, and no package needs them."""
+    raise Problem(f", line {line}: it defines the entity {name}: remove <!ENTITY ...>")
 
 
 def _parse(content, folder):

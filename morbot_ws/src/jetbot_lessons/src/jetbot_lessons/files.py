@@ -4,10 +4,10 @@ import ast
 import os
 import re
 import shutil
-import xml.etree.ElementTree as ET
 from difflib import get_close_matches
 from pathlib import Path
 from shlex import quote
+from typing import Union
 
 from jetbot.files import read
 from jetbot_tools.packages import ignore_marker
@@ -22,12 +22,14 @@ from .packages import (
     manifests,
     name_in,
     parse,
+    read_xml,
     workspace,
 )
 
 CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch"
 SHEBANG = "#!/usr/bin/env python3"
 MAX_SCRIPT = 1024 * 1024  # bytes
+Package = Union[str, Path]  # its name, or its folder
 NAME = re.compile(r"[A-Za-z][\w-]{,254}", re.ASCII)  # also of a folder
 
 
@@ -92,7 +94,7 @@ def check_built(package: str) -> Problem:
     return f"{package} is not built: ./morbot setup"
 
 
-def check_depends(package: str, *names: str) -> Problem:
+def check_depends(package: Package, *names: str) -> Problem:
     """Return the problem, or None if package.xml names these packages as dependencies."""
     file = folder(package) / "package.xml"
     known = {dependency.name for dependency in parse(file).exec_depends}
@@ -100,7 +102,7 @@ def check_depends(package: str, *names: str) -> Problem:
                  for name in names if name not in known), None)
 
 
-def check_scripts(package: str) -> Problem:
+def check_scripts(package: Package) -> Problem:
     """Return the problem, or None if the package has scripts and the system can start each."""
     scripts = folder(package) / "scripts"
     files = sorted(scripts.glob("[!.]*.py"))
@@ -137,7 +139,7 @@ def _check_program(name: str, source: bytes) -> Problem:
     try:
         program = ast.parse(source, name)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:  # ValueError: a zero byte, before 3.12
-        return f"Python cannot read {name}: {error}"
+        return f"Python cannot read {name}: {str(error) or 'it is nested too deeply'}"
     return None if program.body else f"{name} holds no command yet: write your program into it, and save it"
 
 
@@ -148,7 +150,7 @@ def _starts_ros_python(first: str) -> bool:
     return Path(shutil.which(program) or "").resolve().match("/usr/bin/python3*")
 
 
-def check_launch_files(package: str) -> Problem:
+def check_launch_files(package: Package) -> Problem:
     """Return the problem, or None if a launch file includes the controller's and passes its arguments on."""
     launch = folder(package) / "launch"
     problems = [_check_launch_file(file) for file in sorted(launch.glob("*.launch"))]
@@ -159,7 +161,7 @@ def check_launch_files(package: str) -> Problem:
 
 def _check_launch_file(file: Path) -> Problem:
     try:
-        passing = [include.get("pass_all_args") for include in ET.fromstring(read(file)).iter("include")
+        passing = [include.get("pass_all_args") for include in read_xml(file).iter("include")
                    if include.get("file") == CONTROLLER_LAUNCH]
     except OSError as error:
         return f"{file} cannot be read: {error.strerror}"

@@ -7,6 +7,8 @@ from xmlrpc.client import Fault
 
 import rosgraph
 
+from jetbot.text import enumeration
+
 from . import Problem
 from .files import folder
 from .nodes import CALLER, NO_ANSWER, ask, command_of, connect, pid
@@ -78,6 +80,18 @@ def check_no_other_publisher(topic: str, package: Optional[str] = None) -> Probl
     return None
 
 
+def check_commanded(topic: str, fix: str) -> Problem:
+    """Return the problem, or None if exactly one running node publishes on the topic; ``fix`` is how to start it."""
+    registered = snapshot().publishers.get(topic, ())
+    nodes = [node for node in registered if pid(node) is not None]
+    if not nodes:
+        hanging = "".join(f", but {node} was killed or hangs (fg, then Ctrl-C, stops it)" for node in registered)
+        return f"Nobody publishes on {topic}{hanging}: {fix}"
+    if len(nodes) > 1:
+        return f"{enumeration(nodes)} publish on {topic}: stop all but one of them with Ctrl-C in their terminals"
+    return None
+
+
 def check_publishes(package: str, topic: str, start: str) -> Problem:
     """Return the problem, or None if a node of the package publishes on the topic; ``start`` is how to start it."""
     graph = snapshot()
@@ -95,28 +109,30 @@ def check_publishes(package: str, topic: str, start: str) -> Problem:
     return f"{own[0]} publishes on {' and '.join(others)}, not on {topic}: use that in rospy.Publisher"
 
 
-def check_launched_together(*packages: str) -> Problem:
-    """Return the problem, or None if one roslaunch runs nodes of all these packages."""
-    if any(set(packages) <= running for running in launched()):
+def check_launched_together(*packages: str, namespace: str = "") -> Problem:
+    """Return the problem, or None if one roslaunch runs nodes of all these packages in the namespace."""
+    if any(set(packages) <= running for running in launched(namespace)):
         return None
     return (f"No launch file runs {' and '.join(packages)}: stop what runs, and start it with roslaunch; "
             "if you did so, read its output, and check pkg and type of each <node>")
 
 
-def launched() -> List[Set[str]]:
-    """Return for each roslaunch of this master the packages whose nodes it runs."""
+def launched(namespace: str = "") -> List[Set[str]]:
+    """Return for each roslaunch of this master the packages whose nodes it runs in the namespace, or below it."""
     try:
         uris = rosgraph.Master(CALLER).getParam("/roslaunch/uris").values()
     except (rosgraph.MasterError, AttributeError):  # none, or something else of this name
         return []
-    return [set(_packages_of(uri)) for uri in uris]
+    return [set(_packages_of(uri, namespace)) for uri in uris]
 
 
-def _packages_of(uri: str) -> Iterator[str]:
+def _packages_of(uri: str, namespace: str) -> Iterator[str]:
     """Yield the packages whose nodes the roslaunch at this address runs; nothing once it has ended."""
     with contextlib.suppress(*NO_ANSWER):
         launch = connect(uri)
         for name, _ in launch.list_processes()[2][0]:
+            if not f"/{name}".startswith(f"{namespace}/"):
+                continue
             with contextlib.suppress(Fault):  # of the master itself, which is in no package
                 yield str(launch.process_info(name)[2]["package"])
 

@@ -3,7 +3,7 @@
 import sys
 import time
 from functools import partial
-from typing import Callable, Dict, Optional, Tuple
+from typing import Callable, Dict, List, Optional, Tuple
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
@@ -17,17 +17,15 @@ from jetbot.wait import wait_until
 from jetbot_tools.terminal import choose
 
 from . import Problem
+from .turn import check_command
 
-TOPIC = "/cmd_vel"
 RATE_WINDOW = 1.5        # s in which the rate is measured
 RATE_TOLERANCE = 0.1     # fraction of the rate
 KEY_TIMEOUT = 20.0       # s for the user to press a key
-SPEED, TURN = 0.3, 0.1   # m/s and rad/s, of the command that tests the wheels
 SPEED_TOLERANCE = 0.005  # of full power; less than a step of any board
-COMMAND_INTERVAL = 0.05  # s
 RESPONSE_TIMEOUT = 1.5   # s for the wheels to respond, or a publisher to connect
-SHOW_TIME = 1.0          # s that a real robot's wheels turn
 REPORT_TIMEOUT = 5.0     # s for the controller to report
+REPEAT = "repeat your command ten times per second with rostopic pub -r 10"
 
 Wheels = Callable[[], Tuple[float, float]]  # returns the speeds of the left and the right wheel
 
@@ -38,25 +36,31 @@ def init_node() -> None:
         rospy.init_node("check_lesson", anonymous=True, disable_signals=True)
 
 
-def check_rate(package: str, rate: float, fix: str) -> Problem:
-    """Return the problem, or None if the package, the only publisher, sends ``rate`` commands a second."""
-    init_node()
-    times = []
-    subscriber = rospy.Subscriber(TOPIC, Twist, lambda twist: times.append(time.monotonic()))
-    time.sleep(RATE_WINDOW)
-    subscriber.unregister()
+def check_rate(sender: str, rate: float, fix: str, topic: str) -> Problem:
+    """Return the problem, or None if the only publisher of the topic sends ``rate`` commands a second."""
+    times = [moment for moment, _ in record_commands(topic)]
     measured = (len(times) - 1) / (times[-1] - times[0]) if len(times) > 1 else 0
     if abs(measured - rate) <= RATE_TOLERANCE * rate:
         return None
-    return f"{package} publishes {measured:.1f} times a second, not {rate}: {fix}"
+    return f"{sender} publishes {measured:.1f} times a second, not {rate}: {fix}"
 
 
-def check_key(node: str) -> Problem:
+def record_commands(topic: str) -> List[Tuple[float, Twist]]:
+    """Return the commands of RATE_WINDOW seconds, each with its time in s; among them one that is latched."""
+    init_node()
+    commands = []
+    subscriber = rospy.Subscriber(topic, Twist, lambda twist: commands.append((time.monotonic(), twist)))
+    time.sleep(RATE_WINDOW)
+    subscriber.unregister()
+    return commands
+
+
+def check_key(node: str, topic: str) -> Problem:
     """Return the problem, or None if the keyboard's node sends a forward command once its user is asked for one."""
     init_node()
     senders = set()
     subscriber = rospy.Subscriber(
-        TOPIC, Twist, lambda twist: twist.linear.x > 0 and senders.add(twist._connection_header["callerid"]))
+        topic, Twist, lambda twist: twist.linear.x > 0 and senders.add(twist._connection_header["callerid"]))
     wait_until(subscriber.get_num_connections, RESPONSE_TIMEOUT)
     print(f"Click into the terminal of {node}, and keep i pressed.", flush=True)
     if wait_until(lambda: node in senders, KEY_TIMEOUT):
@@ -64,68 +68,55 @@ def check_key(node: str) -> Problem:
     return f"No forward command came from {node}: click into its terminal, then press i"
 
 
-def check_wheels_obey() -> Problem:
-    """Return the problem, or None if the wheels turn at a command and stop at the next; ask a real robot's user."""
-    init_node()
-    motors = motor_diagnostics()
-    wheels = fake_wheels(motors)
-    publisher = rospy.Publisher(TOPIC, Twist, queue_size=1)
-    try:
-        problem = _check_fake_wheels(publisher, wheels) if wheels else _check_real_wheels(publisher)
-        return problem and f"The wheels do not follow the command: {problem}{_reason(motors)}"
-    finally:
-        publisher.publish(Twist())
-        publisher.unregister()
+def check_turn(namespace: str = "") -> Problem:
+    """Return the problem, or None if the one program that publishes sends lesson 3's command, and the wheels obey."""
+    commands = [twist for _, twist in record_commands(f"{namespace}/cmd_vel")]
+    if not commands:
+        return f"The program that publishes on {namespace}/cmd_vel sends nothing: stop it with Ctrl-C, and {REPEAT}"
+    command = commands[-1]
+    problem = check_command(command.linear.x, command.angular.z)
+    if not problem and len(commands) == 1:
+        problem = f"Your command arrives only once: stop it with Ctrl-C, and {REPEAT}"
+    return problem or _check_wheels_obey(namespace, command.linear.x, command.angular.z)
 
 
-def _check_fake_wheels(publisher: rospy.Publisher, wheels: Wheels) -> Problem:
-    return _check_command(publisher, wheels, SPEED, TURN) or _check_command(publisher, wheels, 0, 0)
-
-
-def _check_command(publisher: rospy.Publisher, wheels: Wheels, x: float, z: float) -> Problem:
-    wanted = x - z, x + z  # the workshop's mix
-
-    def obeyed():
-        return all(abs(speed - want) < SPEED_TOLERANCE for speed, want in zip(wheels(), wanted))
-
-    if _drive(publisher, x, z, obeyed):
+def _check_wheels_obey(namespace: str, x: float, z: float) -> Problem:
+    """Return the problem, or None if the wheels turn as commanded at this moment; ask a real robot's user."""
+    motors = motor_diagnostics(namespace)
+    wheels, wanted = fake_wheels(motors), (x - z, x + z)  # the workshop's mix
+    if not wheels:
+        return _ask_what_it_does()
+    if wait_until(lambda: all(abs(speed - want) < SPEED_TOLERANCE for speed, want in zip(wheels(), wanted)),
+                  RESPONSE_TIMEOUT):
         return None
-    return "at x {} and z {} they turn at {:.2f} and {:.2f}, not {:.2f} and {:.2f}".format(x, z, *wheels(), *wanted)
+    return ("The wheels do not follow your command: at x {:g} and z {:g} they turn at {:.2f} and {:.2f}, "
+            "not {:.2f} and {:.2f}{}".format(x, z, *wheels(), *wanted, _reason(namespace, motors)))
 
 
-def _check_real_wheels(publisher: rospy.Publisher) -> Problem:
+def _ask_what_it_does() -> Problem:
     if not (sys.stdin and sys.stdout):  # closed
         raise EOFError
-    input(f"Put the robot on a box, wheels in the air. They turn for {SHOW_TIME:.0f} s. Enter starts, Ctrl-C cancels. ")
-    _drive(publisher, SPEED, 0, lambda: False, SHOW_TIME)
-    _drive(publisher, 0, 0, lambda: True)
-    if choose("Did both wheels turn forward, and stop?", {"yes": True, "no": False}):
+    if choose("Does the robot turn on the spot, to the right (the left wheel forward)?", {"yes": True, "no": False}):
         return None
-    return "run rosrun jetbot_control_node doctor.py, then calibrate.py"
+    return "The wheels do not follow your command: run rosrun jetbot_control_node doctor.py, then calibrate.py"
 
 
-def _drive(publisher, x, z, condition, timeout=RESPONSE_TIMEOUT) -> bool:
-    """Command x (m/s) and z (rad/s) until the condition is true; return whether it becomes true in time (s)."""
-    twist = Twist()
-    twist.linear.x, twist.angular.z = x, z
-    return wait_until(lambda: publisher.publish(twist) or condition(), timeout, COMMAND_INTERVAL)
-
-
-def check_wheels_turn() -> Problem:
+def check_wheels_turn(namespace: str = "") -> Problem:
     """Return the problem, or None if the robot drives at another node's commands."""
     init_node()
-    motors = motor_diagnostics()
+    motors = motor_diagnostics(namespace)
     wheels = fake_wheels(motors)
-    if wait_until(lambda: status().startswith("driving") and not (wheels and wheels() == STOPPED), RESPONSE_TIMEOUT):
+    if wait_until(lambda: status(namespace).startswith("driving") and not (wheels and wheels() == STOPPED),
+                  RESPONSE_TIMEOUT):
         return None
-    return f"The wheels do not turn{_reason(motors)}"
+    return f"The wheels do not turn{_reason(namespace, motors)}"
 
 
-def motor_diagnostics() -> Dict[str, str]:
+def motor_diagnostics(namespace: str = "") -> Dict[str, str]:
     """Return what the controller reports about its motors on /diagnostics; raise ROSException if it names no bus."""
-    motors = {}
+    motors, name = {}, f"{namespace}/jetbot_controller: motors".lstrip("/")
     subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, lambda array: motors.update(
-        {pair.key: pair.value for report in array.status if report.name == "jetbot_controller: motors"
+        {pair.key: pair.value for report in array.status if report.name == name
          for pair in report.values}))
     reported = wait_until(lambda: "bus" in motors and motors.get("board") in BOARDS, REPORT_TIMEOUT)
     subscriber.unregister()
@@ -140,14 +131,14 @@ def fake_wheels(motors: Dict[str, str]) -> Optional[Wheels]:
     return partial(wheel_speeds, folder, motors["board"], motors.get("address")) if folder else None
 
 
-def status() -> str:
+def status(namespace: str = "") -> str:
     """Return the controller's status text; raise ROSException if none arrives."""
-    return rospy.wait_for_message("/jetbot_controller/status", String, REPORT_TIMEOUT).data
+    return rospy.wait_for_message(f"{namespace}/jetbot_controller/status", String, REPORT_TIMEOUT).data
 
 
-def _reason(motors) -> str:
+def _reason(namespace: str, motors: Dict[str, str]) -> str:
     """Return the end of a sentence: the status that the controller reports, and what to do about it."""
-    text, settings = status(), motors.get("settings", "")
+    text, settings = status(namespace), motors.get("settings", "")
     if "emergency" in text:
         cure = "; release it with rostopic pub -1 /emergency_stop std_msgs/Bool false"
     elif "from" in settings:

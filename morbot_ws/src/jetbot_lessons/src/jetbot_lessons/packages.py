@@ -3,7 +3,8 @@
 import os
 import xml.etree.ElementTree as ET
 from pathlib import Path
-from typing import List, Optional
+from typing import List, Optional, Union
+from xml.parsers import expat
 
 from catkin_pkg.package import InvalidPackage, Package, parse_package
 
@@ -13,7 +14,8 @@ from jetbot_tools.packages import find_folders, find_packages, ignore_marker
 
 from . import Problem
 
-XML_ERRORS = (ET.ParseError, AttributeError, ValueError, LookupError, AssertionError, OSError)  # of any XML parser
+XML_ERRORS = (ET.ParseError, expat.ExpatError, AttributeError, ValueError, LookupError, AssertionError, OSError,
+              RecursionError)  # of any XML parser
 
 
 def workspace() -> Path:
@@ -40,26 +42,43 @@ def find(name: str) -> List[Path]:
     return []
 
 
-def folder(name: str) -> Path:
-    """Return the package's source folder; raise InvalidPackage if there is none."""
-    found = find(name)
+def folder(package: Union[str, Path]) -> Path:
+    """Return the source folder of a package, given by its name or its folder; raise InvalidPackage if there is none."""
+    if isinstance(package, Path):
+        return package
+    found = find(package)
     if not found:
-        raise InvalidPackage(f"There is no package {name} any more: ./morbot setup reports why")
+        raise InvalidPackage(f"There is no package {package} any more: ./morbot setup reports why")
     return found[0]
 
 
 def name_in(file: Path) -> Optional[str]:
     """Return the name of the package that this package.xml describes; None if it cannot be read."""
     try:
-        return ET.fromstring(read(file)).findtext("name").strip()
+        return read_xml(file).findtext("name").strip()
     except XML_ERRORS:
         return None
+
+
+def read_xml(file: Path) -> ET.Element:
+    """Return the root of a small XML file. Raise one of XML_ERRORS, also for a file that defines entities.
+
+    These may expand to more than the memory holds, and no file of ROS needs them.
+    """
+    content, parser = read(file), expat.ParserCreate()
+    parser.EntityDeclHandler = _refuse_entity
+    parser.Parse(content, True)
+    return ET.fromstring(content)
+
+
+def _refuse_entity(name, *_):
+    raise ValueError(f"it defines the entity {name}: remove <!ENTITY ...>")
 
 
 def parse(file: Path) -> Package:
     """Return the package that this package.xml describes. Raise InvalidPackage, in one line."""
     try:
-        read(file)  # it may be a FIFO, for which parse_package waits
+        read_xml(file)  # it may be a FIFO, for which parse_package waits, or a bomb
         return parse_package(str(file), warnings=[])
     except OSError as error:
         raise InvalidPackage(f"{file} cannot be read: {error.strerror}") from None

@@ -1,26 +1,35 @@
 """The table of the lessons: what each checks, in this order."""
 
 from functools import partial
-from typing import Callable, Dict, List
+from pathlib import Path
+from typing import Callable, Dict, List, Union
 
-from . import Problem, files, graph, master, motion
-from .motion import TOPIC
+from . import Problem, answers, drive, files, graph, handed_in, master, motion
+from .limited import limited
 
-FIRST_OWN, LAST = 7, 8  # the lessons about the pupil's own package
+FIRST_OWN, LAST = 7, 9  # the lessons about the pupil's own package
+WITH_ROBOT = range(2, FIRST_OWN)  # the lessons about a robot that runs
 ROBOT, SCENARIO, KEYBOARD = "jetbot_control_node", "workshop", "teleop_twist_keyboard"
 RUN = f"rosrun {ROBOT} jetbot_controller.py _i2c_bus:=fake"
 LAUNCH = f"roslaunch {ROBOT} jetbot_controller.launch i2c_bus:=fake"
 LAUNCH_SCENARIO = f"roslaunch {SCENARIO} workshop_jetbot_controller.launch i2c_bus:=fake"
 IN_A_LOOP = "publish in a loop, with rate = rospy.Rate(10) and rate.sleep()"
+GET_KEYBOARD = "get it with git clone and ./morbot setup, as in lesson 4"
+EXERCISE = "in another terminal, start the exercise's rostopic pub -r 10, and leave it running"
 
 Checks = List[Callable[[], Problem]]
+
+
+def contents(package: Union[str, Path], *dependencies: str) -> Checks:
+    """Return the checks of the files of a package that drives the robot. package: its name, or its folder."""
+    return [limited(files.check_depends, package, "rospy", "geometry_msgs", *dependencies),
+            limited(files.check_scripts, package)]
 
 
 def package(name: str, *dependencies: str) -> Checks:
     """Return the checks of a package that drives the robot."""
     return [partial(files.check_exists, name, "create it with catkin_create_pkg, as in lesson 7"),
-            partial(files.check_depends, name, "rospy", "geometry_msgs", *dependencies),
-            partial(files.check_scripts, name),
+            *contents(name, *dependencies),
             partial(files.check_built, name)]
 
 
@@ -30,43 +39,73 @@ def own_package(name: str, *dependencies: str) -> Checks:
     return [exists, partial(files.check_own, name), *others]
 
 
-def controller(start: str, start_master: str = "") -> Checks:
+def controller(start: str, namespace: str, start_master: str = "") -> Checks:
     """Return the checks of the running controller; start: what starts it, and the master if nothing else does."""
+    node, topic = f"{namespace}/jetbot_controller", f"{namespace}/cmd_vel"
     return [partial(master.check_master, start_master or start),
-            partial(graph.check_node, "/jetbot_controller", start),
-            partial(graph.check_subscribes, "/jetbot_controller", TOPIC),
-            partial(graph.check_type, TOPIC, "geometry_msgs/Twist")]
+            partial(graph.check_node, node, start),
+            partial(graph.check_subscribes, node, topic),
+            partial(graph.check_type, topic, "geometry_msgs/Twist")]
 
 
-def drives(name: str, start: str, fix: str = IN_A_LOOP) -> Checks:
+def drives(name: str, start: str, fix: str = IN_A_LOOP, namespace: str = "") -> Checks:
     """Return the checks of a running scenario; start: what starts it, fix: what brings it to 10 commands a second."""
-    return [partial(graph.check_publishes, name, TOPIC, start),
-            partial(graph.check_no_other_publisher, TOPIC, name),
-            partial(motion.check_rate, name, 10, fix),
-            motion.check_wheels_turn]
+    topic = f"{namespace}/cmd_vel"
+    sender = [partial(graph.check_publishes, name, topic, start), partial(graph.check_no_other_publisher, topic, name)]
+    if namespace:  # the nodes of a class run on other computers, too, and which package they are of is not known here
+        sender = [partial(graph.check_commanded, topic, f"start it with {start}")]
+    return [*sender, partial(motion.check_rate, name, 10, fix, topic), partial(motion.check_wheels_turn, namespace)]
 
 
-def lessons(own: str) -> Dict[int, Checks]:
-    """Return the checks of each lesson by its number; own: the name of the pupil's package."""
+def lessons(own: str = "", namespace: str = "") -> Dict[int, Checks]:
+    """Return the checks of each lesson by its number.
+
+    own: the name of the pupil's package; namespace: of the robot, such as "/jetbot_07", for the lessons WITH_ROBOT.
+    """
+    run = RUN + (namespace and f" __ns:={namespace}")
+    launch, launch_scenario = (start + (namespace and f" robot_name:={namespace[1:]}")
+                               for start in (LAUNCH, LAUNCH_SCENARIO))
+    topic, keyboard = f"{namespace}/cmd_vel", f"{namespace}/{KEYBOARD}"
     run_own = f"rosrun {own}, and the name of your script"
     launch_own = f"roslaunch {own}, the name of your launch file and, without a robot, i2c_bus:=fake"
     return {
-        1: package(ROBOT) + package(SCENARIO, ROBOT),
-        2: controller(RUN, "roscore"),
-        3: [*controller(RUN, "roscore"), partial(graph.check_no_other_publisher, TOPIC), motion.check_wheels_obey],
-        4: [partial(files.check_exists, KEYBOARD, "get it with git clone and ./morbot setup, as in lesson 4"),
-            *controller(RUN, "roscore"),
-            partial(graph.check_node, f"/{KEYBOARD}", f"rosrun {KEYBOARD} {KEYBOARD}.py"),
-            partial(motion.check_key, f"/{KEYBOARD}")],
-        5: [*controller(LAUNCH), partial(graph.check_launched_together, ROBOT)],
-        6: [*controller(LAUNCH_SCENARIO), partial(graph.check_launched_together, ROBOT, SCENARIO),
-            *drives(SCENARIO, LAUNCH_SCENARIO, "start it without rate:=")],
-        7: [*own_package(own), *controller(LAUNCH), *drives(own, run_own)],
-        8: [*own_package(own, ROBOT), partial(files.check_launch_files, own), *controller(launch_own),
+        1: package(ROBOT) + package(SCENARIO, ROBOT) + [partial(answers.check_needed, SCENARIO)],
+        2: controller(run, namespace, "roscore"),
+        3: [*controller(run, namespace, "roscore"), partial(graph.check_commanded, topic, EXERCISE),
+            partial(motion.check_turn, namespace)],
+        4: [*([] if namespace else [partial(files.check_exists, KEYBOARD, GET_KEYBOARD)]),
+            *controller(run, namespace, "roscore"),
+            partial(graph.check_node, keyboard, f"rosrun {KEYBOARD} {KEYBOARD}.py"),
+            partial(motion.check_key, keyboard, topic)],
+        5: [*controller(launch, namespace), partial(graph.check_launched_together, ROBOT, namespace=namespace)],
+        6: [*controller(launch_scenario, namespace),
+            partial(graph.check_launched_together, ROBOT, SCENARIO, namespace=namespace),
+            *drives(SCENARIO, launch_scenario, "start it without rate:=", namespace)],
+        7: [*own_package(own), *controller(LAUNCH, ""), *drives(own, run_own)],
+        8: [*own_package(own, ROBOT), limited(files.check_launch_files, own), *controller(launch_own, ""),
             partial(graph.check_launched_together, ROBOT, own), *drives(own, launch_own)],
+        9: [*own_package(own), partial(drive.check_drive, own)],
     }
 
 
-def first_problem(lesson: int, own: str = "") -> Problem:
-    """Return the first problem of a lesson, or None if it is done; own: the name of the pupil's package."""
-    return next(filter(None, (check() for check in lessons(own)[lesson])), None)
+def handed_in_package(place: Path) -> Dict[int, Checks]:
+    """Return the checks, by the lesson's number, of the files of a package in this folder, anywhere on this computer.
+
+    Nothing in the folder is executed.
+    """
+    known = [limited(handed_in.check_files, place), *contents(place)]
+    return {
+        7: known,
+        8: [*known, limited(files.check_depends, place, ROBOT), limited(files.check_launch_files, place)],
+        9: [*known, partial(drive.check_drive, place)],
+    }
+
+
+def first_problem(lesson: int, own: str = "", namespace: str = "") -> Problem:
+    """Return the first problem of a lesson, or None if it is done. Parameters: as for ``lessons``."""
+    return find_problem(lessons(own, namespace)[lesson])
+
+
+def find_problem(checks: Checks) -> Problem:
+    """Return the first problem of these checks, or None."""
+    return next(filter(None, (check() for check in checks)), None)

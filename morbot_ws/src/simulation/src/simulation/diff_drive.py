@@ -1,9 +1,11 @@
 """A differential-drive robot: two motors, and the pose that results."""
 
 import math
-from typing import Dict, Tuple
+from typing import Dict, Optional, Tuple
 
 from jetbot.kinematics import Pose, mix
+
+from .collision import Collision
 
 Pair = Tuple[float, float]  # left, right
 
@@ -42,12 +44,18 @@ class Motor:
         self.distance += rolled
         return rolled
 
+    def block(self, rest: float) -> None:
+        """Stop the wheel at once, before the last metres that ``step`` has returned."""
+        self.speed = 0.0
+        self.distance -= rest
+
 
 class DiffDriveModel:
     """A robot that starts at ``pose``. Sizes in m, max_speed in m/s; motor_lag, dead_band: see ``Motor``.
 
     wheel_ratio: diameter of the right wheel over that of the left one; wheel_diameter and max_speed are the left one's.
     closed_loop: whether the board controls the speeds of the wheels. Otherwise it sets their duties.
+    collision: the walls that stop the robot, or None.
     """
 
     def __init__(self, wheel_separation: float, wheel_diameter: float, max_speed: float, motor_lag: float,
@@ -58,6 +66,7 @@ class DiffDriveModel:
         self._geometry = wheel_separation, max_speed
         self._radii = wheel_diameter / 2, wheel_diameter / 2 * wheel_ratio
         self._closed_loop = closed_loop
+        self.collision: Optional[Collision] = None
 
     def step(self, speeds: Pair, seconds: float, pwm_frequency: float = PWM_FREQUENCY) -> None:
         """Drive for some seconds at the board's wheel speeds (left, right), at a PWM frequency in Hz.
@@ -67,13 +76,27 @@ class DiffDriveModel:
         left, right = speeds
         if self._closed_loop:
             left, right = mix((left + right) / 2, (right - left) / 2, *self._geometry)
-        distances = self.left.step(left, seconds, pwm_frequency), self.right.step(right, seconds, pwm_frequency)
-        self.pose = self.pose.integrate_arc(*distances, self._geometry[0])
+        self._roll(self.left.step(left, seconds, pwm_frequency), self.right.step(right, seconds, pwm_frequency))
+
+    def _roll(self, left, right):
+        """Move the robot as its wheels roll, these metres, up to a wall."""
+        if not self.collision:
+            self.pose = self.pose.integrate_arc(left, right, self._geometry[0])
+            return
+        self.pose, driven = self.collision.drive(self.pose, left, right, self._geometry[0])
+        if driven < 1:
+            self.left.block(left * (1 - driven))
+            self.right.block(right * (1 - driven))
 
     @property
     def moving(self) -> bool:
         """Whether a wheel turns."""
         return bool(self.left.speed or self.right.speed)
+
+    @property
+    def touching(self) -> bool:
+        """Whether the robot touches a wall, or has touched one and is still near it."""
+        return bool(self.collision and self.collision.touching)
 
     @property
     def velocity(self) -> Tuple[float, float]:

@@ -27,6 +27,8 @@ PARAMETERS = {
                                          "the 0.065 N m of a TT motor at 5 V", "s"),
     "dead_band": Parameter(0.05, FRACTION, "duty below which a motor does not turn, at 1526 Hz; an estimate: 0.23 V of "
                                            "5 V, to which Adafruit's speeds of TT motor 3777 extrapolate"),
+    "world": Parameter("", Kind(lambda value: isinstance(value, str), "the name of a YAML file"),
+                       "YAML file of the walls and lines around the robot; arena.yaml is one; none: nothing is there"),
     "x": Parameter(0.0, NUMBER, "where the robot starts", "m"),
     "y": Parameter(0.0, NUMBER, "where the robot starts", "m"),
     "yaw": Parameter(0.0, NUMBER, "heading at the start, counterclockwise", "rad"),

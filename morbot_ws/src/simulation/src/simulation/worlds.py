@@ -1,6 +1,7 @@
 """Worlds as YAML: those that this package ships, and files of users."""
 
 import os
+from collections import Counter
 from typing import Dict, List, Tuple, Union
 
 import yaml
@@ -15,6 +16,7 @@ from .world import Polyline, World
 SHIPPED = files.shipped(__file__, "simulation", "worlds")
 MAX_POINTS = 1000  # of all walls and lines
 MAX_PLACE = 1000   # m
+MAX_DEPTH = 5      # a number is in a point, in a polyline, in a list of them, in the world
 
 
 def is_list_of(value: object, length: int) -> bool:
@@ -35,13 +37,19 @@ KEYS = {
 
 
 class _Loader(yaml.SafeLoader):
-    """Refuses aliases, with which a few lines are a million points."""
+    """Refuses aliases, with which a few lines are a million points, and lists in lists without end."""
+
+    _depth = 0
 
     def compose_node(self, parent, index):
-        if self.check_event(yaml.AliasEvent):
-            raise yaml.MarkedYAMLError(problem="write each point out, without *",
-                                       problem_mark=self.peek_event().start_mark)
-        return super().compose_node(parent, index)
+        problem = ("write each point out, without *" if self.check_event(yaml.AliasEvent) else
+                   "there are too many [ around each other" if self._depth > MAX_DEPTH else None)
+        if problem:
+            raise yaml.MarkedYAMLError(problem=problem, problem_mark=self.peek_event().start_mark)
+        self._depth += 1
+        node = super().compose_node(parent, index)
+        self._depth -= 1
+        return node
 
 
 def names() -> List[str]:
@@ -71,7 +79,7 @@ def parse(text: Union[str, bytes], source: str = "the world") -> World:
     try:
         values = _read(text)
         _check(values)
-    except (yaml.YAMLError, ValueError, OverflowError, RecursionError) as error:
+    except (yaml.YAMLError, ValueError, OverflowError) as error:
         raise InvalidValue(f"{source} cannot be used: {_reason(error)}") from None
     world = World(*(_polylines(values.get(name, [])) for name in ("walls", "lines")))
     if "line_width" in values:
@@ -91,23 +99,20 @@ def _reason(error: Exception) -> str:
     mark = getattr(error, "problem_mark", None)
     if mark:
         return f"line {mark.line + 1}: {error.problem}"
-    if isinstance(error, RecursionError):
-        return "it has lists in lists in lists"
     return (getattr(error, "reason", None) or str(error)).partition("\n")[0].rstrip(".")
 
 
 def _read(text: Union[str, bytes]) -> Dict[str, object]:
-    """Return what YAML holds, by its keys; raise YAMLError, ValueError, OverflowError or RecursionError."""
+    """Return what YAML holds, by its keys; raise YAMLError, ValueError or OverflowError."""
     if len(text) > files.MAX_SIZE:
         raise ValueError(f"it is larger than {files.MAX_SIZE // 1024} kB")
     loader = _Loader(text)
     node = loader.get_single_node()
     if not isinstance(node, yaml.MappingNode):
         raise ValueError("it holds no walls: and no lines:")
-    keys = [key.value for key, _ in node.value]
-    for key in keys:
-        if keys.count(key) > 1:
-            raise ValueError(f"it gives {key} twice")
+    (key, count), = Counter(str(key.value) for key, _ in node.value).most_common(1) or [("", 0)]
+    if count > 1:
+        raise ValueError(f"it gives {key} twice")
     return loader.construct_document(node)
 
 

@@ -1,0 +1,166 @@
+"""The simulated world: how far a wall is, what the line sensor sees, which files are worlds."""
+
+import math
+import time
+import xml.etree.ElementTree as ET
+
+import pytest
+
+from conftest import SIMULATION
+from jetbot import InvalidValue
+from jetbot.kinematics import Pose
+from simulation import line_sensor, worlds
+from simulation.world import EMPTY, FOOTPRINT, World
+from simulation.worlds import dump, load, parse
+
+WALL = World(walls=(((1.0, -1.0), (1.0, 1.0)),))
+POST = World(walls=(((1.0, 1.0), (1.0, 1.0)),))
+TAPE = World(lines=(((0.0, 0.0), (1.0, 0.0)),), line_width=0.02)
+FRONT, SIDE, BACK = FOOTPRINT.right, FOOTPRINT.top, -FOOTPRINT.left
+
+
+def test_the_footprint_holds_the_drawn_robot():
+    robot = ET.parse(SIMULATION / "urdf/jetbot.urdf").getroot()
+    case = robot.find("link[@name='base_link']/visual")
+    middle, length = (float(case.find(place).get(key).split()[0]) for place, key in (
+        ("origin", "xyz"), ("geometry/box", "size")))
+    assert (FOOTPRINT.left, FOOTPRINT.right) == pytest.approx((middle - length / 2, middle + length / 2))
+    wheel = robot.find("link[@name='left_wheel']/visual/geometry/cylinder")
+    axle = float(robot.find("joint[@name='left_wheel_joint']/origin").get("xyz").split()[1])
+    assert FOOTPRINT.top == -FOOTPRINT.bottom == pytest.approx(axle + float(wheel.get("length")) / 2, abs=0.002)
+
+
+@pytest.mark.parametrize("world, pose, clearance", [
+    (EMPTY, Pose(), math.inf),
+    (WALL, Pose(), 1 - FRONT),
+    (WALL, Pose(0.0, 0.0, math.pi), 1 - BACK),
+    (WALL, Pose(0.0, 0.0, math.pi / 2), 1 - SIDE),
+    (WALL, Pose(0.0, 0.0, math.pi / 4), 1 - (FRONT + SIDE) / math.sqrt(2)),
+    (WALL, Pose(2.0, 0.0, 0.0), 1 - BACK),
+    (WALL, Pose(1.0, 2.0, 0.0), 1 - SIDE),
+    (WALL, Pose(0.9, 0.0, 0.0), 0.1 - FRONT),
+    (WALL, Pose(1.0, 0.0, 0.3), 0.0),
+    (POST, Pose(), math.hypot(1 - FRONT, 1 - SIDE)),
+    (POST, Pose(1.02, 1.01, 0.5), 0.0)])
+def test_the_clearance_is_the_distance_of_the_footprint_from_the_nearest_wall(world, pose, clearance):
+    assert world.clearance(pose) == pytest.approx(clearance, abs=1e-9)
+
+
+def test_a_world_is_placed_with_its_origin_at_a_pose():
+    placed = World(TAPE.lines, TAPE.lines, 0.02).placed(Pose(1.0, 2.0, math.pi / 2))
+    assert [tuple(round(value, 9) for value in point) for point in placed.walls[0]] == [(1, 2), (1, 3)]
+    assert (placed.lines, placed.line_width) == (placed.walls, 0.02)
+    pose = Pose(0.3, 0.1, 0.7)
+    moved = Pose(1.0 - pose.y, 2.0 + pose.x, pose.yaw + math.pi / 2)
+    assert WALL.placed(Pose(1.0, 2.0, math.pi / 2)).clearance(moved) == pytest.approx(WALL.clearance(pose))
+
+
+@pytest.mark.parametrize("y, seen", [
+    (0.0, 0), (0.005, 0), (0.0075, 0.25), (0.01, 0.5), (-0.01, 0.5), (0.0125, 0.75), (0.015, 1), (0.5, 1)])
+def test_an_eye_sees_the_tape_fade_over_a_spot_of_5_mm_radius(y, seen):
+    assert TAPE.reflectance(0.5, y) == pytest.approx(seen)
+    assert TAPE.reflectance(1.0 + abs(y), 0.0) == pytest.approx(seen)  # the tape's end is round
+    assert EMPTY.reflectance(0.5, y) == 1
+
+
+@pytest.mark.parametrize("pose, eyes", [
+    (Pose(0.2, 0.0, 0.0), (1, 0, 1)), (Pose(0.2, 0.015, 0.0), (1, 1, 0)), (Pose(0.2, -0.015, 0.0), (0, 1, 1)),
+    (Pose(0.2, 0.005, 0.0), (1, 0, 0.5)), (Pose(0.2, -0.05, math.pi / 2), (0, 0, 0)),
+    (Pose(1.0, 0.0, math.pi), (1, 0, 1)), (Pose(1.0, 0.0, 0.0), (1, 1, 1))])
+def test_the_eyes_are_at_the_left_the_middle_and_the_right_below_the_front(pose, eyes):
+    assert line_sensor.read(TAPE, pose) == pytest.approx(eyes)
+
+
+def test_yaml_is_a_world_at_its_origin():
+    text = "walls: [[[0, 0], [1, 0], [1, 1]]]\nlines: [[[0, 0], [0.5, 0]]]\nline_width: 0.03\n"
+    world = World((((0, 0), (1, 0), (1, 1)),), (((0, 0), (0.5, 0)),), 0.03)
+    assert parse(text) == parse(dump(world)) == world
+    placed = parse(f"{text}origin: [1, 2, 0.5]")
+    assert placed == world.placed(Pose(1, 2, 0.5)) != world
+    assert parse(dump(placed)) == placed
+    assert parse("{}") == EMPTY
+
+
+@pytest.mark.parametrize("text, reason", [
+    ("", "it holds no walls: and no lines:"),
+    ("[[[[[[[1]]]]]]]", "line 1: there are too many [ around each other"),
+    ("[]", "it holds no walls: and no lines:"),
+    ("walls:", "walls must be a list of polylines, each a list of points [x, y], not None"),
+    ("walls: 3", "walls must be a list of polylines, each a list of points [x, y], not 3"),
+    ("lines: [[[0, 0]]]", "polyline 1 of lines must be a list of two points [x, y] or more, not [[0, 0]]"),
+    ("walls: [[0, 0], [1, 0]]", "point 1 in polyline 1 of walls must be [x, y] in m, within 1000, not 0"),
+    ("walls: [[[0, 0], [.nan, 0]]]", "point 2 in polyline 1 of walls must be [x, y] in m, within 1000, not [nan, 0]"),
+    ("walls: [[[0, 0], [2e3, 0]]]", "point 2 in polyline 1 of walls must be [x, y] in m, within 1000, not "),
+    ("walls: [[[0, 0], [yes, 0]]]", "point 2 in polyline 1 of walls must be [x, y] in m, within 1000, not [True, 0]"),
+    ("wals: []", "there is no wals: in a world. The keys are walls, lines, line_width and origin"),
+    ("1: 2", "there is no 1: in a world. The keys are walls, lines, line_width and origin"),
+    ("walls: []\nwalls: []", "it gives walls twice"),
+    ("walls: &a [[[0, 0], [1, 1]]]\nlines: *a", "line 2: write each point out, without *"),
+    ("line_width: 0", "line_width must be a number of metres above 0, 1 at most, not 0"),
+    ("origin: [0, 0]", "origin must be [x, y, yaw] in m and rad, within 1000, not [0, 0]"),
+    ("walls: !!python/name:os.system 1", "line 1: could not determine a constructor for the tag "),
+    ("walls: [", "line 1: expected the node content, but found '<stream end>'"),
+    ("[" * 60000, "line 1: there are too many [ around each other"),
+    ("x: 2020-99-99", "month must be in 1..12"),
+    ("\0", "special characters are not allowed"),
+    (f"walls: [[{'[0, 0], ' * 1001}]]", "its walls and lines have more than 1000 points"),
+    ("#" * 65537, "it is larger than 64 kB")], ids=lambda value: ascii(value)[:30])
+def test_another_text_is_refused_with_the_reason_in_one_sentence(text, reason):
+    with pytest.raises(InvalidValue) as error:
+        parse(text, "the world x.yaml")
+    assert str(error.value).startswith(f"The world x.yaml cannot be used: {reason}")
+    assert "\n" not in str(error.value)
+
+
+def test_a_text_that_names_a_list_again_and_again_is_refused_at_once():
+    start = time.monotonic()
+    with pytest.raises(InvalidValue, match="without \\*"):
+        parse("\n".join(["a: &a0 [1, 2]", *(f"b{n}: &a{n + 1} [{', '.join([f'*a{n}'] * 9)}]" for n in range(20))]))
+    assert time.monotonic() - start < 5
+
+
+def test_a_shipped_world_is_found_by_its_name_and_another_one_by_its_file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("own.yaml", "arena.yaml"):
+        (tmp_path / name).write_text("walls: [[[0, 0], [1, 0]]]")
+    assert load("own.yaml") == load(str(tmp_path / "arena.yaml")) == World((((0, 0), (1, 0)),))
+    assert load("arena.yaml") == parse((SIMULATION / "worlds/arena.yaml").read_text())  # as a task needs it
+
+
+@pytest.mark.parametrize("name, reason", [
+    ("own.yaml", "There is no world {}/own.yaml. The simulation has arena.yaml, line.yaml and parking.yaml. Name a "),
+    ("../arena.yaml", "There is no world "), ("", "The world {} cannot be used: not a regular file."),
+    ("/dev/zero", "The world /dev/zero cannot be used: not a regular file.")])
+def test_a_file_that_is_no_world_is_refused(tmp_path, monkeypatch, name, reason):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InvalidValue) as error:
+        load(name)
+    assert str(error.value).startswith(reason.format(tmp_path))
+
+
+@pytest.mark.parametrize("name", worlds.names())
+def test_in_a_shipped_world_the_robot_is_free_at_its_start(name):
+    assert load(name).clearance(Pose()) > 0.3
+
+
+def test_in_the_arena_the_robots_of_a_class_are_free_at_their_starts():
+    arena = load("arena.yaml")
+    assert min(arena.clearance(Pose(-x, y, 0.0)) for x in range(3) for y in (-2, -1, 0, 1, 2)) > 0.3
+
+
+def test_the_gap_to_park_in_leaves_47_mm_on_each_side_at_the_goal():
+    assert load("parking.yaml").clearance(Pose(1.1, 0.4, 0.0)) == pytest.approx(0.11 - SIDE)
+
+
+def test_the_tape_to_follow_is_straights_and_arcs_of_0_4_m():
+    (tape,) = load("line.yaml").lines
+    left = [(0.4 + 0.4 * math.sin(angle), 0.4 - 0.4 * math.cos(angle)) for angle in degrees(90)]
+    right = [(1.2 - 0.4 * math.cos(angle), 0.4 + 0.4 * math.sin(angle)) for angle in degrees(90)]
+    for point, wanted in zip(tape, [(0, 0), *left, *right[1:], (1.5, 0.8)]):
+        assert point == pytest.approx(wanted, abs=1e-6)
+    assert len(tape) == 93
+
+
+def degrees(end):
+    """Return the angles from 0 to this many degrees, every 2 degrees, in rad."""
+    return [math.radians(angle) for angle in range(0, end + 1, 2)]
