@@ -1,0 +1,84 @@
+"""The teacher's guide agrees with the lessons and with the code: its plans, the sentences it quotes, its marks."""
+
+import ast
+import math
+import re
+
+import pytest
+
+from conftest import ROOT, SOURCE, TASKS
+from driving_tasks.marks import COLUMNS
+from driving_tasks.score import TOLERANCE
+from driving_tasks.tasks import TASKS as ROWS
+
+GUIDE = (ROOT / "docs/teaching.md").read_text()
+PAGES = ["phone.md", *(page.name for page in sorted((ROOT / "docs/lessons").glob("[0-9]_*.md")))]
+TABLES = [[[cell.strip() for cell in line.strip("|").split(" | ")] for line in table.splitlines()]
+          for table in re.findall(r"(?:^\|.*\|\n)+", GUIDE, re.MULTILINE)]
+SAID = [row[1] for table in TABLES if table[0][1:2] == ["the software says"] for row in table[2:]]
+QUOTES = sorted({quote.strip("`") for quote in SAID if quote.startswith("`")})  # others are ROS's, a shell's ...
+FIELD = "\0"
+PLANS = {int(hours): [int(row[column]) for row in table[2:]]
+         for table in TABLES for column, (hours, *unit) in enumerate(cell.split() for cell in table[0])
+         if unit in (["hours"], ["hour"])}
+
+
+def texts_of(source):
+    """Return the texts in a Python program, FIELD in place of what differs."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.JoinedStr):
+            yield "".join(part.value if isinstance(part, ast.Constant) else FIELD for part in node.values)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            yield node.value
+
+
+@pytest.fixture(scope="module")
+def texts():
+    """All texts of the programs and pages of which pupils see some."""
+    files = [file for folder in ("src", "scripts") for package in (*SOURCE.parent.iterdir(), TASKS)
+             for file in (package / folder).rglob("*.py")]
+    scripts = "".join(file.read_text() for file in sorted(SOURCE.parent.rglob("www/*.js")))
+    return [*(text for file in files for text in texts_of(file.read_text())), *scripts.splitlines()]
+
+
+@pytest.mark.parametrize("quote", QUOTES)
+def test_the_software_says_each_quoted_sentence(quote, texts):
+    fixed = [part.strip(" .:;,") for part in quote.split("...") if part.strip(" .:;,")]
+    pattern = re.compile(".*".join(map(re.escape, fixed)), re.DOTALL | re.IGNORECASE)  # some begin after a prefix
+    assert max(map(len, fixed)) > 8
+    assert any(map(pattern.search, texts))
+
+
+def test_sentences_are_quoted_for_each_lesson():
+    sections = re.split(r"^## ", GUIDE, flags=re.MULTILINE)
+    lessons = [section for section in sections if re.match(r"(Phone|\d):", section)]
+    assert len(lessons) == len(PAGES)
+    for part in "**Goal.**", "**Reached**", "the software says", "**Slow:**", "**Fast:**", "**Answers.**":
+        assert [section.splitlines()[0] for section in lessons if part not in section] == []
+
+
+def test_each_plan_fills_its_hours():
+    assert sorted(PLANS) == [1, 2, 4, 8, 16]
+    assert {hours: sum(minutes) for hours, minutes in PLANS.items()} == {hours: 60 * hours for hours in PLANS}
+
+
+def test_the_plan_has_each_lesson_with_its_title():
+    linked = re.findall(r"^\| \[([^\]]+)\]\(lessons/(\w+\.md)\) \|", GUIDE, re.MULTILINE)
+    titles = {page: (ROOT / "docs/lessons" / page).read_text().splitlines()[0] for page in PAGES}
+    numbered = {page: re.sub(r"^# (?:Lesson (\d):)?", r"\1.", title).strip(". ") for page, title in titles.items()}
+    assert {page: title for title, page in linked} == numbered
+
+
+def test_each_task_has_a_level():
+    levels = next(table for table in TABLES if table[0][0] == "level")
+    assert sorted(re.findall(r"`(\w+)`", " ".join(row[1] for row in levels[2:]))) == sorted(ROWS)
+
+
+def test_the_marks_follow_from_the_score():
+    marks = next(table for table in TABLES if table[0][0] == "off the goal by")
+    for error, points in ((float(row[0].split()[0]), int(row[1])) for row in marks[2:]):
+        assert points == round(100 * math.exp(-error / TOLERANCE))
+
+
+def test_the_columns_are_those_of_the_judge():
+    assert f"`{','.join(COLUMNS)}`" in GUIDE
