@@ -36,7 +36,7 @@ def test_a_markers_pose_and_its_frame_move_it():
 
 def test_a_goal_is_an_arrow_from_its_place_in_its_direction():
     goal = marker("goal", points=(), pose=(1, 0.5, math.pi / 2), kind=scene.ARROW)
-    assert decode([goal], same)[0].points == ((1.0, 0.5), (1.0, 0.65))
+    assert decode([goal], same)[0].points == ((1.0, 0.5), (1.0, 0.6))
 
 
 @pytest.mark.parametrize("changes", [

@@ -3,11 +3,12 @@
 import { element, setText } from "./dom.js";
 import { drawGrid } from "./grid.js";
 import { signed } from "./numbers.js";
+import { drawScene } from "./scene.js";
 import { drawArrow, drawRing, drawRobot, drawTrail } from "./shapes.js";
 import { Viewport } from "./viewport.js";
 import { nominalSpeed } from "./wheels.js";
 
-const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual"];
+const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual", "course"];
 const VISIBLE = 9; // pixels: smallest radius at which a robot is found
 const NO_ODOMETRY = "no odometry: not on the map";
 const TAP_RADIUS = 28; // pixels
@@ -51,7 +52,17 @@ export class RobotMap {
 
   fit() {
     this.follow(false);
-    this.view.fit(this.world.placed().map(({ state }) => state.pose));
+    const around = this.world.robots.flatMap(({ id }) => this.world.pointsOf(id));
+    this.view.fit([...this.world.placed().map(({ state }) => state.pose), ...around]);
+  }
+
+  // A course of the robot has come: shows all of it, if it is the robot that the map follows.
+  showCourse(id) {
+    const course = this.world.pointsOf(id, ["course", "goal"]);
+    const { pose } = this.world.state(id);
+    if (id !== this.chosen() || !this.following || !course.length) return;
+    this.follow(false);
+    this.view.fit(pose ? [pose, ...course] : course);
   }
 
   tap(right, down) {
@@ -67,7 +78,10 @@ export class RobotMap {
     const { pose } = this.world.state(this.chosen());
     if (this.following && pose) this.view.centre(...pose);
     drawGrid(context, this.view, this.colors);
-    this.inMetres(context, (pixel) => this.drawTrails(context, pixel));
+    this.inMetres(context, (pixel) => {
+      this.drawScenes(context, pixel);
+      this.drawTrails(context, pixel);
+    });
     this.drawLabels(context);
     this.inMetres(context, (pixel) => this.drawRobots(context, pixel));
     this.showSpeeds();
@@ -91,6 +105,12 @@ export class RobotMap {
     context.fillStyle = this.colors.ground;
     context.fillRect(0, 0, this.view.width, this.view.height);
     return context;
+  }
+
+  drawScenes(context, pixel) {
+    const isChosen = ([id]) => id === this.chosen();
+    const scenes = [...this.world.scenes].sort((one, other) => isChosen(one) - isChosen(other)); // it is on top
+    for (const [id, shapes] of scenes) drawScene(context, shapes, isChosen([id]), this.colors, pixel);
   }
 
   drawTrails(context, pixel) {

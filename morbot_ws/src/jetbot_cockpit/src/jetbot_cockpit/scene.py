@@ -10,7 +10,7 @@ Place = Callable[[str, Pose], Pose]    # from a frame to the map
 ARROW, LINE_STRIP, ADD = 0, 4, 0       # types and action of a visualization_msgs/Marker
 KINDS = {("walls", LINE_STRIP): "wall", ("lines", LINE_STRIP): "line",
          ("course", LINE_STRIP): "course", ("goal", ARROW): "goal"}  # by a marker's namespace and type
-GOAL_LENGTH = 0.15  # m of the arrow that shows a goal's heading
+GOAL_LENGTH = 0.1   # m of the arrow that shows a goal's heading
 MAX_POINTS = 1000   # of a topic; a shape that exceeds them is not drawn
 MAX_DISTANCE = 1e4  # m from the map's origin
 MAX_WIDTH = 1.0     # m
