@@ -16,11 +16,12 @@ const TAP_RADIUS = 28; // pixels
 export class RobotMap {
   // chosen(): id of the robot to follow; choose(id): a robot was tapped; redraw(): draw() is due
   constructor(canvas, world, { chosen, choose, redraw }) {
-    Object.assign(this, { canvas, world, chosen, choose, redraw, following: true });
+    Object.assign(this, { canvas, world, chosen, choose, redraw, following: true, places: null });
     this.view = new Viewport(canvas, {
       changed: () => this.redraw(),
       tapped: (right, down) => this.tap(right, down),
       dragged: () => this.follow(false),
+      zoomed: () => { this.places = null; },
     });
     this.readColors();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readColors());
@@ -35,6 +36,7 @@ export class RobotMap {
   measure() {
     const height = (id) => element(id).offsetHeight;
     this.view.covered = { above: height("tools") + 6, below: height("legend") + 6 };
+    if (this.places) this.view.fit(this.places());
     this.redraw();
   }
 
@@ -46,23 +48,28 @@ export class RobotMap {
 
   follow(on) {
     this.following = on;
+    this.places = null;
     element("follow").setAttribute("aria-pressed", on);
     this.redraw();
   }
 
   fit() {
-    this.follow(false);
-    const around = this.world.robots.flatMap(({ id }) => this.world.pointsOf(id));
-    this.view.fit([...this.world.placed().map(({ state }) => state.pose), ...around]);
+    this.frame(() => [...this.world.placed().map(({ state }) => state.pose),
+      ...this.world.robots.flatMap(({ id }) => this.world.pointsOf(id))]);
   }
 
-  // A course of the robot has come: shows all of it, if it is the robot that the map follows.
+  // A robot's course has come: shows all of it instead of following the robot.
   showCourse(id) {
     const course = this.world.pointsOf(id, ["course", "goal"]);
     const { pose } = this.world.state(id);
-    if (id !== this.chosen() || !this.following || !course.length) return;
+    if (id === this.chosen() && this.following && course.length) this.frame(() => pose ? [pose, ...course] : course);
+  }
+
+  // Shows what places() returns, also when the map's size changes, until a person moves it.
+  frame(places) {
     this.follow(false);
-    this.view.fit(pose ? [pose, ...course] : course);
+    this.places = places;
+    this.view.fit(places());
   }
 
   tap(right, down) {

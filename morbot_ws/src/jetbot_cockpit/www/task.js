@@ -1,9 +1,10 @@
 // The chosen robot's task: its title, what its judge says, the time, and the score at the end.
 
-import { element, setText } from "./dom.js";
+import { element, setClass, setText } from "./dom.js";
 
 export function showTask(task) {
   element("task").hidden = !task;
+  setClass(document.body, "task", task);
   setText(element("task-news"), task && task.state !== "driving" ? sentence(task) : ""); // the seconds are not read
   if (!task) return;
   element("task").dataset.state = task.state;
@@ -17,7 +18,7 @@ export function inSeconds(seconds) {
 }
 
 function result({ state, score, seconds }) {
-  if (score !== null) return `${score.toFixed(1)} of 100 points in ${inSeconds(seconds)}`.replace(/ in $/, "");
+  if (score !== null) return [`${score.toFixed(1)} points`, inSeconds(seconds)].filter(Boolean).join(", ");
   return state === "driving" ? inSeconds(seconds) : "";
 }
 
