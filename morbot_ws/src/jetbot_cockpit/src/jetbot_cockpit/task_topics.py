@@ -1,5 +1,6 @@
 """What a judge and a simulator publish for the map: a robot's task, its course and its world."""
 
+import math
 import time
 from typing import Optional, Tuple
 
@@ -11,27 +12,34 @@ from visualization_msgs.msg import MarkerArray
 from . import scene, task
 from .frames import Frames
 
-MAX_BYTES = 200_000  # of a message; 1,000 points need less
+MAX_BYTES = 200_000    # of a message; 1,000 points need less
+DECODE_INTERVAL = 0.5  # s between two drawings of a topic: pages need no more, and are sent each one
 
 
 class Drawing:
-    """The shapes of one topic, decoded once for each message that differs from the one before."""
+    """The shapes of one topic, decoded when they are shown; a drawing that is published again is decoded once."""
 
     def __init__(self, topic: str, frames: Frames):
-        self.shapes: Tuple[scene.Shape, ...] = ()
-        self._frames, self._bytes = frames, b""
+        self._frames, self._message, self._bytes = frames, None, b""
+        self._shapes, self._decoded_at = (), -math.inf
         self.subscriber = rospy.Subscriber(topic, rospy.AnyMsg, self._on_message, queue_size=1)
 
     @property
-    def published(self) -> bool:
+    def is_published(self) -> bool:
         """Whether its publisher lives, as far as the connection shows."""
         return self.subscriber.get_num_connections() > 0
 
-    def _on_message(self, message):
-        if message._buff != self._bytes:
-            self._bytes = message._buff
+    def shapes(self, now: float) -> Tuple[scene.Shape, ...]:
+        """Return what the topic draws."""
+        message = self._message
+        if message and message._buff != self._bytes and now - self._decoded_at >= DECODE_INTERVAL:
             markers = decoded(message, MarkerArray)
-            self.shapes = scene.decode(markers.markers, self._frames.on_map) if markers else ()
+            self._shapes = scene.decode(markers.markers, self._frames.on_map) if markers else ()
+            self._bytes, self._decoded_at = message._buff, now
+        return self._shapes
+
+    def _on_message(self, message):
+        self._message = message
 
 
 class TaskTopics:
@@ -54,8 +62,8 @@ class TaskTopics:
     def snapshot(self, now: float) -> Tuple[Tuple[scene.Shape, ...], Optional[task.Task]]:
         """Return the shapes around the robot, and its task; a course is drawn only with a task."""
         current = self._tracker.current(self._subscriber.get_num_connections() > 0, now)
-        world = self._world.shapes if self._world.published else ()
-        return world + (self._course.shapes if current else ()), current
+        world = self._world.shapes(now) if self._world.is_published else ()
+        return world + (self._course.shapes(now) if current else ()), current
 
     def _on_task(self, message):
         status = decoded(message, DiagnosticStatus)
