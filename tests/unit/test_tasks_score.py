@@ -8,7 +8,8 @@ import pytest
 from driving_pupil import SOLUTIONS, run, straight
 
 from driving_tasks.course import Arc, Straight, Turn, advance
-from driving_tasks.drive import NoDrive
+from driving_tasks.drive import NoDrive, Recorder
+from driving_tasks.measures import corners
 from driving_tasks.samples import Sample
 from driving_tasks.score import judge
 from driving_tasks.tasks import TASKS
@@ -108,6 +109,21 @@ def test_the_score_is_the_same_float_with_samples_before_and_after_and_each_time
     scores = {judge(task, each).score for each in [samples] * 10 + [before + samples, samples + after,
                                                                     before + samples + after + again]}
     assert len(scores) == 1
+
+
+@pytest.mark.parametrize("rate", [7, 10, 200])
+def test_the_time_is_measured_more_finely_than_the_samples(rate):
+    driven = round(rate / 0.3) / rate  # s: whole samples
+    assert judge(TASKS["metre"], perfect([Straight(1.0)], rate=rate)).seconds == pytest.approx(driven, abs=0.02)
+
+
+def test_rounded_corners_are_corners():
+    rounded = [step for side in (1, -1) for _ in range(4) for step in (Straight(0.8), Arc(0.1, side * 90))]
+    recorder = Recorder(400.0)
+    for sample in perfect(rounded):
+        recorder.feed(sample)
+    errors = [error.size for error in corners(TASKS["square"].course, recorder.finish())]
+    assert errors == pytest.approx([0.0] * 8, abs=0.2)
 
 
 def test_a_robot_that_is_put_back_starts_again():
