@@ -265,6 +265,7 @@ def test_links_in_a_folder_lead_to_no_file(judge, folder):
     (("metre", "--bag", "."), ". holds no file that ends in .bag."),
     (("metre", "--bag", ".", "--picture", "x.png"), "--picture is of one drive: of several, --pictures FOLDER."),
     (("metre", "--bag", "x", "--record", "y.bag"), "--record is for a robot that drives now."),
+    (("--bag", "drive.bag"), "The task is missing. The tasks are metre, "),
     (("metre", "--bag", ""), "--bag: The name of a file is missing."),
     (("metre", "--bag", "x.bag", "--picture", "x.bag"), "--picture: Its name must end in .png, not x.bag."),
     (("metre", "--bag", "x.bag", "--csv", "x.bag"), "--csv: Its name must end in .csv, not x.bag."),
