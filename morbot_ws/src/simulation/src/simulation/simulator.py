@@ -22,6 +22,7 @@ from .step_clock import STEP, StepClock
 from .topics import SharedTopics
 from .world import World
 from .world_topics import WorldTopics
+from .worlds import MAX_PLACE
 
 CYCLE = 2               # steps between two looks at the motors, and between two messages while a wheel turns
 STOPPED_CYCLE = 10      # steps between two messages while none does
@@ -52,10 +53,10 @@ class Simulator:
         rospy.Service("~reset", Empty, self._on_reset)
 
     def _on_set_pose(self, pose):
-        if all(map(math.isfinite, (pose.x, pose.y, pose.theta))):
+        if all(abs(value) <= MAX_PLACE for value in (pose.x, pose.y, pose.theta)):  # of NaN, this is False
             self._new_pose.append(Pose(pose.x, pose.y, pose.theta))
         else:
-            rospy.logwarn("A pose must be finite. The robot stays where it is.")
+            rospy.logwarn(f"A pose must be finite, and within {MAX_PLACE} m. The robot stays where it is.")
 
     def _on_reset(self, _):
         self._new_pose.append(self._start)
