@@ -16,6 +16,8 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
+from driving_tasks.bags import judge_bags
+from driving_tasks.tasks import TASKS
 from jetbot import JetbotError
 
 PROGRAM = Path(__file__).parents[2] / "morbot_ws/src/scenarios/driving_tasks/scripts/judge.py"
@@ -247,6 +249,15 @@ def test_a_hostile_folder_gets_its_rows(judge, folder):
         shown = f"'{shown}" if name.startswith("=") else shown
         assert problems[shown].startswith(problem) if problem else not problems[shown], (name, problems[shown])
     assert sorted(os.listdir(folder)) == ["class"]  # nothing was executed
+
+
+def test_a_bag_that_vanishes_meanwhile(folder):
+    for number in range(4):
+        write(f"{number}.bag")
+    marks = judge_bags(TASKS["metre"], ".")
+    assert next(marks).result
+    os.remove("3.bag")
+    assert [mark.problem for mark in marks] == ["", "", "It cannot be read: No such file or directory."]
 
 
 def test_links_in_a_folder_lead_to_no_file(judge, folder):
