@@ -1,2 +1,118 @@
 #!/usr/bin/env python3
 """Measures how a robot drives a task: rosrun driving_tasks judge.py TASK."""
+
+import signal
+import sys
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # while it imports, Ctrl-C prints no traceback
+
+try:
+    import os
+    from argparse import Namespace
+    from pathlib import Path
+    from typing import Iterator, List
+
+    import rospy
+
+    from driving_tasks import marks
+    from driving_tasks.arguments import is_single, parse_arguments
+    from driving_tasks.marks import Mark
+    from driving_tasks.tasks import TASKS
+    from jetbot import JetbotError, files
+    from jetbot.text import printable
+    from jetbot_ros.node import leave
+except ImportError as error:
+    sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun driving_tasks judge.py there.")
+
+
+def main() -> int:
+    """Judge what was typed; return the exit code."""
+    given = parse_arguments(rospy.myargv()[1:])
+    if not given.task:
+        print("\n".join(f"{task.name:9} {task.title}" for task in TASKS.values()))
+        return 0
+    for file in filter(None, (given.csv, given.picture)):
+        files.check_writable(file)
+    judged: List[Mark] = []
+    try:
+        for mark in judge(given):
+            report(mark, given, is_first=not judged)
+            judged.append(mark)
+    finally:
+        if given.csv and judged:
+            marks.write(given.csv, marks.COLUMNS, (mark.row for mark in judged))
+            show(f"Wrote {given.csv}.")
+    return 0 if judged and all(mark.result for mark in judged) else 1
+
+
+def judge(given: Namespace) -> Iterator[Mark]:
+    """Return the marks of the drives, each as the drive ends."""
+    if given.bag:
+        from driving_tasks.bags import judge_bags  # here: each of these takes long to import
+        return judge_bags(given.task, given.bag, given.robot[0] if given.robot else None, given.config)
+    if given.program:
+        from driving_tasks.programs import judge_programs
+        return judge_programs(given.task, given.program, given.config)
+    from driving_tasks.live import judge_robots
+    return judge_robots(given.task, given.robot, given.record)
+
+
+def report(mark: Mark, given: Namespace, is_first: bool) -> None:
+    """Print the mark: sentences if there is only this one, else a row of the table; and draw it."""
+    single = is_single(given)
+    if single:
+        prefix = f"{mark.name}: " if mark.problem and (given.bag or given.program) else ""
+        for sentence in mark.sentences:
+            show(prefix + sentence)
+    else:
+        print(marks.to_csv(marks.COLUMNS if is_first else (), [mark.row]), end="", flush=True)
+    if mark.result and (single or given.pictures):
+        draw(mark, given)
+
+
+def draw(mark: Mark, given: Namespace) -> None:
+    """Draw the picture of a drive; without one, its score still counts."""
+    try:
+        from driving_tasks import picture
+        file = picture_file(mark, given)
+        picture.draw(mark.result, str(file))
+    except ImportError:
+        show("No picture was drawn. Install what draws it: sudo apt install python3-matplotlib")
+    except OSError as error:
+        show(f"No picture was drawn: {error}")
+    else:
+        if is_single(given):
+            show(f"Drew {file}.")
+
+
+def picture_file(mark: Mark, given: Namespace) -> Path:
+    """Return the file of the picture, in a folder that exists. Raises OSError for a link that was not typed."""
+    if given.picture:
+        return Path(given.picture)
+    folder, name = Path(given.pictures or "."), f"{mark.name if given.pictures else mark.task}.png"
+    if os.path.realpath(folder / name) != os.path.join(os.path.realpath(folder), name):
+        raise OSError(f"{folder / name} is a link")
+    (folder / name).parent.mkdir(parents=True, exist_ok=True)
+    return folder / name
+
+
+def show(sentence: str) -> None:
+    print(printable(sentence), flush=True)
+
+
+def end(sentence: str, code: int) -> None:
+    print(printable(sentence), file=sys.stderr, flush=True)
+    leave(code)
+
+
+if __name__ == "__main__":
+    try:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        leave(main())
+    except JetbotError as error:
+        end(str(error), 1)
+    except OSError as error:
+        end(f"{error.filename or 'The output'} cannot be used: {error.strerror or error}.", 1)
+    except KeyboardInterrupt:
+        end("Cancelled.", 130)

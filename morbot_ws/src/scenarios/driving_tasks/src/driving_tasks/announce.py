@@ -1,0 +1,69 @@
+"""The task for those who watch: its state on the topic ``task``, its course and goal on ``task_course``."""
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
+from geometry_msgs.msg import Point, Pose, Vector3
+from std_msgs.msg import ColorRGBA, Header
+from visualization_msgs.msg import Marker, MarkerArray
+
+from jetbot import kinematics
+from jetbot_ros.messages import quaternion
+from simulation.geometry import from_frame
+
+from .score import Result
+from .tasks import Task
+
+READY, DRIVING, DONE, CANCELLED = "ready", "driving", "done", "cancelled"  # the states
+COURSE_WIDTH = Vector3(x=0.01)     # m
+ARROW = Vector3(0.15, 0.03, 0.03)  # m: length, width, height
+COLOR = ColorRGBA(0.1, 0.7, 0.2, 1.0)
+
+
+class Announcement:
+    """Publishes, latched, how a robot does at its task. namespace: the robot's, "" or "/red"."""
+
+    def __init__(self, namespace: str, task: Task):
+        self._task = task
+        self._state = rospy.Publisher(f"{namespace}/task", DiagnosticStatus, queue_size=10, latch=True)
+        self._course = rospy.Publisher(f"{namespace}/task_course", MarkerArray, queue_size=10, latch=True)
+
+    def ready(self, message: str) -> None:
+        """The robot is at its start."""
+        self._publish(READY, message)
+
+    def driving(self, seconds: float) -> None:
+        """The robot has been driving for so long."""
+        self._publish(DRIVING, f"{seconds:.0f} s", seconds=f"{seconds:.1f}")
+
+    def done(self, result: Result) -> None:
+        """The robot has a score."""
+        self._publish(DONE, result.sentence,
+                      seconds=f"{result.seconds:.1f}", score=f"{result.score:.1f}")
+
+    def cancelled(self, message: str) -> None:
+        """The drive gets no score."""
+        self._publish(CANCELLED, message)
+
+    def draw(self, start: kinematics.Pose) -> None:
+        """Show the course and its goal from this start on the map."""
+        course = self._task.course
+        line = marker("course", Marker.LINE_STRIP, COURSE_WIDTH,
+                      points=[Point(*from_frame(start, point), 0.0) for point in course.points])
+        place, heading = from_frame(start, course.goal[:2]), start.yaw + course.goal.yaw
+        goal = marker("goal", Marker.ARROW, ARROW, pose=Pose(Point(*place, 0.0), quaternion(heading)))
+        self._course.publish([Marker(action=Marker.DELETEALL)] + [line] * (len(line.points) > 1) + [goal])
+
+    def clear(self) -> None:
+        """Show no course."""
+        self._course.publish([Marker(action=Marker.DELETEALL)])
+
+    def _publish(self, state, message, **values):
+        pairs = {"state": state, "title": self._task.title, **values}
+        self._state.publish(DiagnosticStatus(level=DiagnosticStatus.OK, name=self._task.name, message=message,
+                                             values=[KeyValue(*pair) for pair in pairs.items()]))
+
+
+def marker(namespace: str, kind: int, scale: Vector3, pose: Pose = None, points: list = ()) -> Marker:
+    """Return a marker on the map, in the colour of a course."""
+    return Marker(header=Header(frame_id="map"), ns=namespace, type=kind, scale=scale, color=COLOR,
+                  pose=pose or Pose(orientation=quaternion(0.0)), points=points)

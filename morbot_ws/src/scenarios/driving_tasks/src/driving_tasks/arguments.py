@@ -1,0 +1,100 @@
+"""The command line of judge.py."""
+
+import argparse
+import re
+import sys
+from pathlib import Path
+from typing import List
+
+import rosgraph
+
+from jetbot import InvalidValue
+from jetbot.text import enumeration, printable
+from jetbot_ros.launch_arguments import closest
+
+from .tasks import TASKS
+
+EPILOG = """Without TASK: lists the tasks. Without --bag and --program: judges the simulated robot that drives now."""
+UNITS = "units of the commands, of a bag with nothing else or of programs: a YAML file such as si_units.yaml"
+
+
+def parse_arguments(words: List[str]) -> argparse.Namespace:
+    """Return what was typed; end the program with one sentence if it cannot be meant so."""
+    parser = _Parser(prog="judge.py", description="Measures how a robot drives a task.", epilog=EPILOG,
+                     allow_abbrev=False)
+    parser.add_argument("task", nargs="?", type=_task, metavar="TASK")
+    parser.add_argument("--robot", nargs="+", type=_robot, default=[], metavar="NAME",
+                        help="the robots' namespaces (default: the only one there is)")
+    source = parser.add_mutually_exclusive_group()
+    source.add_argument("--bag", type=_path, metavar="PATH",
+                        help="judge a rosbag, or each in a folder; nothing in it is executed")
+    source.add_argument("--program", type=_path, metavar="PATH",
+                        help="run a program, or each in a folder, and judge its drive")
+    parser.add_argument("--config", default="", metavar="FILE", help=UNITS)
+    parser.add_argument("--picture", type=_file(".png"), metavar="FILE.png", help="of one drive (default: TASK.png)")
+    parser.add_argument("--pictures", type=_path, metavar="FOLDER", help="a picture of each drive goes here")
+    parser.add_argument("--csv", type=_file(".csv"), metavar="FILE.csv",
+                        help="the marks; those of several drives are printed, too")
+    parser.add_argument("--record", type=_file(".bag"), metavar="FILE.bag", help="gets what is judged now")
+    given = parser.parse_args(words)
+    _check(given)
+    return given
+
+
+def is_single(given: argparse.Namespace) -> bool:
+    """Return whether one drive is judged: its result is written as sentences, not as a table."""
+    return len(given.robot) < 2 and not Path(given.bag or given.program or "?").is_dir()
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message):
+        """End the program with one sentence or two."""
+        sentence = re.sub(r"^argument (?:TASK: |--robot: )?", "", message)
+        advice = "" if sentence.endswith((".", "?")) else ". See judge.py --help."
+        sys.exit(printable(sentence[0].upper() + sentence[1:] + advice))
+
+
+def _task(text):
+    if text in TASKS:
+        return TASKS[text]
+    meant = closest(text, TASKS)
+    advice = f"Did you mean {meant}?" if meant else f"The tasks are {enumeration(list(TASKS))}."
+    raise argparse.ArgumentTypeError(f"There is no task {text}. {advice}")
+
+
+def _robot(text):
+    if not rosgraph.names.is_legal_name(text):
+        raise argparse.ArgumentTypeError(f"A robot's name is a name of ROS, not {text}.")
+    return text.strip("/")
+
+
+def _path(text):
+    if not text:
+        raise argparse.ArgumentTypeError("The name of a file is missing.")
+    return text
+
+
+def _file(suffix):
+    """Return what checks the name of a file that is written: it takes the place of no other kind of file."""
+    def check(text):
+        if not text.endswith(suffix):
+            raise argparse.ArgumentTypeError(f"Its name must end in {suffix}, not {text or 'nothing'}.")
+        return text
+    return check
+
+
+def _check(given):
+    """Raise InvalidValue for options that contradict each other, or that lack the task."""
+    if not given.task:
+        if any(vars(given).values()):
+            raise InvalidValue("the task is missing", f"The tasks are {enumeration(list(TASKS))}.")
+        return
+    live, single = not (given.bag or given.program), is_single(given)
+    for option, possible, reason in (
+            ("record", live, "--record is for a robot that drives now"),
+            ("config", not live, "--config belongs to --bag or --program: the robot that drives now has its own"),
+            ("picture", single, "--picture is of one drive: of several, --pictures FOLDER")):
+        if getattr(given, option) and not possible:
+            raise InvalidValue(reason)
+    if len(given.robot) > 1 and not live or given.robot and given.program:
+        raise InvalidValue("--robot names one robot of a bag, and none of a program")

@@ -1,0 +1,154 @@
+"""One robot at its task, from its start to its score."""
+
+import math
+from typing import Callable, Iterator, Optional
+
+from jetbot.kinematics import Pose
+from jetbot.text import enumeration
+from simulation.worlds import dump
+
+from .announce import Announcement
+from .bags import sample_of
+from .drive import DONE, DRIVING, WAITING, NoDrive, Recorder
+from .marks import Mark
+from .robot import SimulatedRobot
+from .samples import Sample
+from .score import rate
+from .tape import Tape
+from .tasks import Task
+
+READY = "Drive when you are ready."
+AT_START = 0.001         # m or rad: a pose so close to the start is there
+MAX_GAP = 1.0            # s between two samples of a drive; what happens in a longer one is not known
+ANNOUNCE_INTERVAL = 0.2  # s of the drive
+DRIVES = "The robot drives"
+
+
+class Interrupted(Exception):
+    """One sentence: why this drive gets no score."""
+
+
+class Attempt:
+    """Judges the first drive of a robot that nothing interrupts; after an interruption, the robot starts again.
+
+    say: reports a sentence to the person who drives. mark: the result, once it is known. ready: whether the robot is at
+    its start, and may drive.
+    """
+
+    def __init__(self, task: Task, robot: SimulatedRobot, say: Callable[[str], None], tape: Optional[Tape] = None):
+        self._task, self._world, self.robot, self._say, self.tape = task, task.load_world(), robot, say, tape
+        self._announcement = Announcement(robot.namespace, task)
+        self._recorder, self._start, self._fed_at, self._announced_at = Recorder(task.time_limit), Pose(), 0.0, 0.0
+        self._said = ""
+        self.mark: Optional[Mark] = None
+        self.ready = False
+
+    @property
+    def has_driven(self) -> bool:
+        """Whether there is a drive, which may be over."""
+        return self._recorder.state != WAITING
+
+    def steps(self) -> Iterator[None]:
+        """Put the robot at its start, then measure; a step takes no time. Poll the robot before each."""
+        while not self.mark:
+            try:
+                yield from self._until_free()
+                yield from self._prepare()
+                yield from self._measure()
+                self.conclude()
+            except Interrupted as interruption:
+                self.ready = False
+                self._announcement.cancelled(str(interruption))
+                self._report(str(interruption))
+
+    def conclude(self) -> Mark:
+        """Judge what was driven so far."""
+        try:
+            result = rate(self._task, self._recorder.finish())
+        except NoDrive as problem:
+            self._announcement.cancelled(str(problem))
+            self._announcement.clear()
+            self.mark = Mark(self.robot.name, self._task.name, None, str(problem))
+        else:
+            self._announcement.done(result)
+            self.mark = Mark(self.robot.name, self._task.name, result)
+        return self.mark
+
+    def _until_free(self):
+        """Wait until the robot stands and nothing holds it."""
+        while self.robot.obstacle or not self.robot.stands:
+            if self.robot.obstacle:
+                self._report(self.robot.obstacle)
+            elif self.robot.drives and not self._said.startswith(DRIVES):
+                self._report(f"{DRIVES}. The judge waits until it has stopped. {self._commanders()}".strip())
+            yield
+
+    def _prepare(self):
+        """Put the robot at its start, and the task's world around it."""
+        yield from self.robot.put_at_start()
+        self._check_obstacle()
+        self._start = self.robot.pose
+        self.robot.set_world(dump(self._world.placed(self._start)))
+        while not self.robot.has_world:
+            self._check_obstacle()
+            yield
+        self._recorder = Recorder(self._task.time_limit)
+        if self.tape:
+            self.tape.rewind()
+        self._announcement.draw(self._start)
+        self._invite()
+
+    def _invite(self):
+        self.ready, self._announced_at = True, 0.0
+        self._announcement.ready(READY)
+        self._report(READY)
+
+    def _measure(self):
+        """Record until the drive is done."""
+        while self._recorder.state != DONE:
+            if self.tape:
+                self.tape.update()
+            for message in self.robot.truth:
+                self._feed(sample_of(message))
+            self._check_obstacle()
+            self._announce_time()
+            yield
+        if not self.robot.stands:
+            self._report(f"{self._task.time_limit:.0f} s are over. The robot still drives: end its program.")
+
+    def _feed(self, sample: Sample):
+        was_driving, gap = self.has_driven, sample.time - self._fed_at
+        self._fed_at = sample.time
+        if was_driving and gap > MAX_GAP:
+            raise Interrupted(f"{gap:.1f} s of the drive were not measured, because the simulator or the judge paused.")
+        if self._recorder.feed(sample) == WAITING:
+            if not is_near(self._recorder.frame, self._start):
+                raise Interrupted("The robot was put elsewhere. It starts again.")
+            if was_driving:
+                self._report("The robot was put back to its start.")
+                self._invite()
+
+    def _commanders(self):
+        nodes = self.robot.commanders()
+        return f"End what drives it: {enumeration(nodes)}" if nodes else ""
+
+    def _check_obstacle(self):
+        if self.robot.obstacle:
+            raise Interrupted(self.robot.obstacle)
+
+    def _announce_time(self):
+        seconds = self._recorder.seconds
+        if self._recorder.state == DRIVING and seconds - self._announced_at >= ANNOUNCE_INTERVAL:
+            self._announced_at = seconds
+            self._announcement.driving(seconds)
+
+    def _report(self, sentence):
+        if sentence != self._said:
+            self._said = sentence
+            self._say(sentence)
+
+
+def is_near(pose: Pose, other: Pose) -> bool:
+    """Return whether two poses on the map are the same, up to AT_START."""
+    return (math.hypot(pose.x - other.x, pose.y - other.y) <= AT_START
+            and abs(math.remainder(pose.yaw - other.yaw, math.tau)) <= AT_START)

@@ -1,0 +1,170 @@
+"""Judges the drives in rosbags. A bag is data: nothing that it holds is executed."""
+
+import os
+import re
+import stat
+from pathlib import Path
+from typing import Dict, Iterator, List, NamedTuple, Optional, Tuple
+
+import genpy.dynamic
+import rosbag
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+
+from jetbot.errors import InvalidValue
+from jetbot.text import enumeration, printable
+from jetbot_ros import parameters
+from simulation.recording import MAGIC, pose_of
+
+from .bounded import run_each
+from .marks import Mark
+from .replay import replay
+from .samples import Sample
+from .score import Result, judge
+from .tasks import Task
+from .walk import Found, find_files
+
+MAX_SIZE = 200  # MB
+MAX_NAMES = 5   # of robots that a sentence lists
+SUFFIXES = (".bag", ".bag.active")  # rosbag renames the second to the first when it ends
+TOPIC = re.compile(r"/?(?:(.+)/)?(jetbot_simulator/ground_truth|odom|cmd_vel)")
+Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, or commands
+
+
+class Source(NamedTuple):
+    """A topic from which a drive is known: its name for people, and the message that it carries."""
+
+    name: str
+    message: type
+
+
+SOURCES = {  # the most exact one first
+    "jetbot_simulator/ground_truth": Source("", Odometry),
+    "odom": Source("odometry", Odometry),
+    "cmd_vel": Source("commands", Twist),
+}
+
+
+def judge_bags(task: Task, path: str, robot: Optional[str] = None, config: str = "") -> Iterator[Mark]:
+    """Yield the mark of a bag, or of each bag in a folder. Raises InvalidValue.
+
+    robot: its namespace, None for the only one in a bag; config: a file with the units of commands.
+    """
+    units, root = read_units(config), Path(path)
+    found = find_files(root, *SUFFIXES) if root.is_dir() else [Found(root)]
+    if not found:
+        raise InvalidValue(f"{path} holds no file that ends in .bag")
+    outcomes = run_each(_judge, [(task, str(each.path), robot, units) for each in found if not each.problem])
+    for each in found:
+        name = str(each.path.relative_to(root)) if each.path != root else root.name
+        if each.problem:
+            yield Mark(name, task.name, problem=each.problem)
+        else:
+            outcome = next(outcomes)
+            result, source = outcome.value or (None, "")
+            yield Mark(name, task.name, result, outcome.problem, source)
+
+
+def judge_bag(task: Task, file: str, robot: Optional[str] = None, config: str = "") -> Mark:
+    """Return the mark of one bag. Raises InvalidValue for the config."""
+    return next(judge_bags(task, file, robot, config))
+
+
+def read_units(config: str) -> Tuple[float, float]:
+    """Return wheel_separation and max_speed of a file of parameters, or the defaults. Raises InvalidValue."""
+    values = parameters.checked(parameters.load(parameters.find_file(config, ())) if config else {})
+    return values["wheel_separation"], values["max_speed"]
+
+
+def sample_of(message: Odometry) -> Sample:
+    """Return where and how fast the robot of this message is."""
+    return Sample(message.header.stamp.to_sec(), pose_of(message), message.twist.twist.linear.x)
+
+
+def _judge(task, file, robot, units) -> Tuple[Result, str]:
+    """Return the result of the drive in a bag, and the name of its source. This runs in a child."""
+    topic, track = _choose(_read(file), robot)
+    if SOURCES[topic].message is Twist:
+        track = replay(track, task, *units)
+    return judge(task, track), SOURCES[topic].name
+
+
+def _read(file: str) -> Tracks:
+    """Return all that a bag tells about drives. Raises ValueError with one sentence."""
+    _forbid_code()
+    try:
+        with open(os.open(file, os.O_RDONLY | os.O_NONBLOCK), "rb") as stream:  # without waiting for a FIFO
+            _check(stream)
+            with _Bag(stream) as bag:
+                return _tracks(bag)
+    except OSError as error:
+        raise ValueError(f"It cannot be read: {error.strerror}.") from None
+    except rosbag.ROSBagUnindexedException:
+        raise ValueError("Its recording was cut short. Repair it with rosbag reindex.") from None
+    except rosbag.bag.ROSBagEncryptException:
+        raise ValueError("It is encrypted: hand in one that is not.") from None
+    except (MemoryError, ValueError):
+        raise
+    except Exception as error:  # rosbag raises many kinds for a damaged file
+        raise ValueError(f"It is damaged: {error}") from None
+
+
+def _forbid_code():
+    """Let rosbag use installed messages only: it would run Python code that it makes from a definition in the bag."""
+    rosbag.bag._message_types.update({source.message._md5sum: source.message for source in SOURCES.values()})
+    genpy.dynamic.generate_dynamic = _refuse
+
+
+def _refuse(name, _definition):
+    raise ValueError(f"It is damaged: it holds {name} in place of another message.")
+
+
+def _check(stream):
+    """Raise ValueError unless this is a file that begins as a rosbag."""
+    status = os.fstat(stream.fileno())
+    if not stat.S_ISREG(status.st_mode):
+        raise ValueError("It is not a regular file.")
+    if status.st_size > MAX_SIZE * 10 ** 6:
+        raise ValueError(f"It is larger than {MAX_SIZE} MB.")
+    if not status.st_size:
+        raise ValueError("It is empty.")
+    if stream.read(len(MAGIC)) != MAGIC:
+        raise ValueError("It is not a rosbag.")
+    stream.seek(0)
+
+
+class _Bag(rosbag.Bag):
+    def set_encryptor(self, *_):
+        """Refuse to decrypt, for which rosbag would start a program."""
+        raise rosbag.bag.ROSBagEncryptException("encrypted")
+
+
+def _tracks(bag: rosbag.Bag) -> Tracks:
+    tracks = {}
+    for topic, message, time in bag.read_messages(connection_filter=_is_known):
+        value = sample_of(message) if message._type == Odometry._type else _command(time.to_sec(), message)
+        tracks.setdefault(TOPIC.fullmatch(topic).groups(""), []).append(value)
+    return tracks
+
+
+def _is_known(topic, kind, md5sum, _definition, _header):
+    known = TOPIC.fullmatch(topic)
+    message = SOURCES[known[2]].message if known else None
+    return known and (kind, md5sum) == (message._type, message._md5sum)
+
+
+def _command(time, twist):
+    return time, twist.linear.x, twist.angular.z
+
+
+def _choose(tracks: Tracks, robot: Optional[str]) -> Tuple[str, List]:
+    """Return the topic from which the drive of a robot is known best, and what it carried. Raises ValueError."""
+    robots = sorted({each for each, _ in tracks})
+    if not robots:
+        raise ValueError("It holds no drive: record odom or cmd_vel with it.")
+    if robot is None and len(robots) > 1 or robot not in (None, *robots):
+        names = [f"/{each}" for each in robots[:MAX_NAMES]] + ["others"] * (len(robots) > MAX_NAMES)
+        raise ValueError(f"It holds {printable(enumeration(names))}: choose a robot with --robot NAME.")
+    robot = robots[0] if robot is None else robot
+    topic = next(topic for topic in SOURCES if (robot, topic) in tracks)
+    return topic, tracks[robot, topic]

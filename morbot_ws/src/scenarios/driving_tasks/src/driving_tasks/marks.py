@@ -1,0 +1,64 @@
+"""The mark of each drive, and tables of marks: CSV for the terminal, or in a file for a spreadsheet."""
+
+import csv
+import io
+import re
+from typing import Iterable, List, NamedTuple, Optional, Sequence
+
+from jetbot import files
+from jetbot.text import printable
+
+from .score import Result
+
+COLUMNS = ("name", "task", "score", "seconds", "largest_loss", "problem")
+FORMULA = re.compile(r"(^|;)(\s*[=+@-])")  # also after a semicolon, where some spreadsheets begin a cell
+
+
+class Mark(NamedTuple):
+    """What the judge found: a result, or None and the problem in one sentence.
+
+    name: of the robot or the file; source: "" if the simulator measured the drive, else "odometry" or "commands".
+    """
+
+    name: str
+    task: str
+    result: Optional[Result] = None
+    problem: str = ""
+    source: str = ""
+
+    @property
+    def row(self) -> Sequence[str]:
+        """The row of a table with COLUMNS."""
+        if not self.result:
+            return self.name, self.task, "", "", "", self.problem
+        result = self.result
+        return self.name, self.task, f"{result.score:.1f}", f"{result.seconds:.1f}", result.largest_loss, self.problem
+
+    @property
+    def sentences(self) -> List[str]:
+        """What a person reads about the drive."""
+        if not self.result:
+            return [self.problem]
+        summary = f"{self.task}: {self.result.score:.1f} of 100 points in {self.result.seconds:.1f} s."
+        note = [f"Measured by its {self.source}, not by the simulator."] if self.source else []
+        return [summary, self.result.sentence, *note]
+
+
+def to_csv(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """Return a table as CSV, one line per row; without columns, its rows alone. No cell is a spreadsheet's formula."""
+    table = io.StringIO()
+    writer = csv.writer(table, lineterminator="\n")
+    if columns:
+        writer.writerow(columns)
+    writer.writerows([_cell(value) for value in row] for row in rows)
+    return table.getvalue()
+
+
+def write(file: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+    """Write a table into a file, in one step. Raises OSError."""
+    files.replace(file, to_csv(columns, rows).encode("utf-8-sig"))  # the mark tells spreadsheets that this is UTF-8
+
+
+def _cell(value):
+    """Return a cell on one line; an apostrophe before what a spreadsheet would calculate."""
+    return FORMULA.sub(r"\1'\2", printable(value))

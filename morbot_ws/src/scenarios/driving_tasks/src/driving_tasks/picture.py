@@ -1,0 +1,120 @@
+"""A picture of a judged drive from above: the ideal and the driven line, and where points were lost."""
+
+import io
+import math
+from typing import List, Sequence, Tuple
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from jetbot import files
+from jetbot.kinematics import Pose
+from simulation.geometry import from_frame
+from simulation.world import FOOTPRINT, World
+
+from .course import Point
+from .penalties import Loss
+from .score import NEGLIGIBLE, Result
+
+WIDTH = 10                # inches
+DPI = 100
+TEXT = 0.34               # inches of each line below the picture
+MARGIN = 0.15             # m around what is drawn
+MAX_POINTS = 5000         # of the driven line that are drawn
+HEADINGS = 8              # along the driven line
+BLUE, ORANGE, GREEN, RED = "tab:blue", "tab:orange", "tab:green", "tab:red"
+IDEAL = {"color": ORANGE, "linewidth": 6, "alpha": 0.5, "label": "ideal", "solid_capstyle": "round"}
+DRIVEN = {"color": BLUE, "linewidth": 2, "label": "driven"}
+WALL = {"color": "black", "linewidth": 5, "solid_capstyle": "butt"}
+TAPE = {"color": "0.75", "linewidth": 12, "solid_capstyle": "butt"}
+
+
+def draw(result: Result, file: str) -> None:
+    """Draw a result into a PNG file, 1000 pixels wide, in one step. Raises OSError."""
+    losses = [loss for loss in result.losses if loss.points >= NEGLIGIBLE]
+    (left, right), (bottom, top) = limits = extent(result)
+    height = WIDTH * min(1.0, max(0.35, (top - bottom) / (right - left)))
+    below = TEXT * max(1, len(losses)) + 0.3
+    figure = Figure(figsize=(WIDTH, height + below), constrained_layout=True)
+    figure.suptitle(f"{result.title}: {result.score:.1f} of 100 points in {result.seconds:.1f} s", fontsize=16)
+    floor, text = figure.subplots(2, gridspec_kw={"height_ratios": (height, below)})
+    draw_floor(floor, result, limits)
+    mark_losses(floor, losses)
+    list_losses(text, losses)
+    picture = io.BytesIO()
+    figure.savefig(picture, format="png", dpi=DPI)
+    files.replace(file, picture.getvalue())
+
+
+def extent(result: Result) -> Tuple[Point, Point]:
+    """Return the range of x and of y that the picture shows, in m."""
+    corners = [corner for pose in (Pose(), result.goal, result.path[-1]) for corner in outline(pose)]
+    walls = [point for line in result.world.walls + result.world.lines for point in line]
+    points = [*result.course, *(pose[:2] for pose in result.path), *corners, *walls]
+    return tuple((min(values) - MARGIN, max(values) + MARGIN) for values in zip(*points))
+
+
+def draw_floor(axes: Axes, result: Result, limits: Tuple[Point, Point]) -> None:
+    """Draw the world, the course and the drive from above."""
+    draw_world(axes, result.world)
+    path = result.path[::1 + len(result.path) // MAX_POINTS]
+    axes.plot(*zip(*result.course), **IDEAL)
+    axes.plot([pose.x for pose in path], [pose.y for pose in path], **DRIVEN)
+    draw_headings(axes, path)
+    for pose, style in ((Pose(), {"edgecolor": GREEN, "label": "start"}),
+                        (result.goal, {"edgecolor": ORANGE, "linestyle": "--", "label": "goal"}),
+                        (result.path[-1], {"edgecolor": BLUE, "label": "stop"})):
+        draw_robot(axes, pose, style)
+    axes.set(xlim=limits[0], ylim=limits[1], xlabel="x (m)", ylabel="y (m)")
+    axes.set_aspect("equal", "datalim")
+    axes.grid(alpha=0.3)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=7, frameon=False)
+
+
+def draw_world(axes: Axes, world: World) -> None:
+    """Draw walls, and the lines on the floor."""
+    for polylines, style, label in (world.lines, TAPE, "tape"), (world.walls, WALL, "wall"):
+        for number, polyline in enumerate(polylines):
+            axes.plot(*zip(*polyline), label="" if number else label, **style)
+
+
+def draw_headings(axes: Axes, path: Sequence[Pose]) -> None:
+    """Draw arrows along the driven line in the direction of the robot's heading."""
+    for pose in path[::max(1, len(path) // HEADINGS)]:
+        axes.quiver(pose.x, pose.y, math.cos(pose.yaw), math.sin(pose.yaw), color=BLUE, pivot="mid", scale=45,
+                    width=0.005, headlength=4, headaxislength=4, zorder=3)
+
+
+def draw_robot(axes: Axes, pose: Pose, style: dict) -> None:
+    """Draw the robot's outline at a pose, with a line from its centre to its front."""
+    axes.fill(*zip(*outline(pose)), facecolor="none", linewidth=2, zorder=4, **style)
+    front = from_frame(pose, (FOOTPRINT.right, 0.0))
+    axes.plot([pose.x, front[0]], [pose.y, front[1]], color=style["edgecolor"], zorder=4)
+
+
+def outline(pose: Pose) -> List[Point]:
+    """Return the corners of the robot at a pose, one after the other."""
+    corners = [from_frame(pose, corner) for corner in FOOTPRINT.corners]
+    return [*corners[:2], *corners[:1:-1]]
+
+
+def mark_losses(axes: Axes, losses: Sequence[Loss]) -> None:
+    """Draw the number of each loss beside its place, one beside the other where several have the same place."""
+    middle, places = sum(axes.get_xlim()) / 2, []
+    for number, loss in enumerate(losses, 1):
+        side = -1 if loss.place[0] > middle else 1  # away from the edge of the picture
+        offset = side * (18 + 26 * places.count(loss.place))
+        places.append(loss.place)
+        axes.plot(*loss.place, marker="x", markersize=10, markeredgewidth=3, color=RED, zorder=5)
+        axes.annotate(str(number), loss.place, (offset, 18), textcoords="offset points", ha="center", fontsize=13,
+                      color="white", zorder=6, bbox={"boxstyle": "circle", "color": RED})
+
+
+def list_losses(axes: Axes, losses: Sequence[Loss]) -> None:
+    """Write the sentence of each loss, and its points."""
+    axes.axis("off")
+    for number, loss in enumerate(losses, 1):
+        axes.text(0, 1 - (number - 1) / len(losses), f"{number}  {loss.sentence} ({loss.points:.1f} points)",
+                  fontsize=13, va="top", color=RED)
+    if not losses:
+        axes.text(0, 1, "Nothing lost half a point.", fontsize=13, va="top")

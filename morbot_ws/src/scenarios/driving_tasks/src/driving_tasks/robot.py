@@ -1,0 +1,160 @@
+"""A simulated robot as the judge sees it: where it truly is, what holds it, and what is around it. Moves no wheel."""
+
+import contextlib
+import re
+from collections import deque
+from threading import Thread
+from typing import Dict, Iterator, List, Optional, Sequence
+
+import rospy
+from nav_msgs.msg import Odometry
+from std_msgs.msg import String
+from std_srvs.srv import Empty
+from visualization_msgs.msg import MarkerArray
+
+from jetbot import InvalidValue
+from jetbot.kinematics import Pose
+from jetbot.text import enumeration, printable
+from jetbot_ros.addresses import master_uri
+from jetbot_ros.master import condition_of
+from jetbot_ros.safety import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
+from jetbot_ros.xmlrpc import NO_ANSWER, proxy
+
+from .bags import sample_of
+
+SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
+MASTER_TIMEOUT = 5.0  # s
+STILL = 0.5           # s without motion after which the robot stands
+MOTION = 1e-4         # m or rad; less is none
+MOVES = 3             # samples in motion until a robot drives; one that is put elsewhere has one
+SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
+MAX_STATUS = 200      # characters of the controller's status that are shown
+EMERGENCY = tuple(f"stopped: {hold.reason}" for hold in (EMERGENCY_STOP, OWN_EMERGENCY_STOP))
+HELD = tuple(f"stopped: {reason}" for reason in (*(hold.reason for hold in HOLDS), "the controller has ended"))
+
+
+def find_robots(names: Sequence[str]) -> List[str]:
+    """Return the namespaces of the simulated robots of these names, or of the only one there is: "", or "/red".
+
+    Raise InvalidValue, which says what there is, and NO_ANSWER.
+    """
+    there = {label(namespace): namespace for namespace in simulated_robots()}
+    if not there:
+        raise InvalidValue("there is no simulated robot",
+                           "Start one in another terminal: roslaunch simulation simulation.launch")
+    if not names and len(there) > 1:
+        raise InvalidValue(f"there are {len(there)} simulated robots: {enumeration(list(there))}",
+                           f"Name one: --robot {list(there)[0]}")
+    for name in names:
+        if label(name) not in there:
+            raise InvalidValue(f"there is no simulated robot {name}", f"The robots are: {enumeration(list(there))}")
+    return list(dict.fromkeys(there[label(name)] for name in names)) or list(there.values())
+
+
+def simulated_robots() -> List[str]:
+    """Return the namespaces of all simulated robots that run on the master; raise NO_ANSWER."""
+    services = [SIMULATOR.fullmatch(name) for name in system_state()[2]]
+    return sorted(match[1] for match in services if match and condition_of(f"{match[1]}/jetbot_simulator"))
+
+
+def system_state() -> List[Dict[str, List[str]]]:
+    """Return the nodes of each topic that is published, of each that is subscribed to, of each service."""
+    return [dict(part) for part in proxy(master_uri(), MASTER_TIMEOUT).getSystemState("/judge")[2]]
+
+
+def label(namespace: str) -> str:
+    """Return what a robot is called: its namespace without the first slash, and a robot without one, "robot"."""
+    return namespace.strip("/") or "robot"
+
+
+class SimulatedRobot:
+    """``poll`` reads what has arrived; the rest returns what is known by then. Needs an initialized node."""
+
+    def __init__(self, namespace: str):
+        self.namespace, self.name = namespace, label(namespace)
+        self.truth: List[Odometry] = []  # what the last poll has read: the newest ground truth, oldest first
+        self.pose: Optional[Pose] = None
+        self.time = 0.0  # s, stamp of the pose
+        self._arrived, self._silent_polls, self._moved_at, self._moves = deque(), 0, 0.0, 0
+        self._status, self._worlds, self._known_worlds = "", 0, 0
+        simulator = f"{namespace}/jetbot_simulator"
+        self.truth_topic, self.command_topic = f"{simulator}/ground_truth", f"{namespace}/cmd_vel"
+        self._world = rospy.Publisher(f"{simulator}/world", String, queue_size=1, latch=True)
+        self._reset = rospy.ServiceProxy(f"{simulator}/reset", Empty)
+        self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/status", String, self._on_status)
+        rospy.Subscriber(f"{namespace}/world", MarkerArray, self._on_world)
+        rospy.Subscriber(self.truth_topic, Odometry, self._arrived.append)
+
+    def _on_status(self, message):
+        self._status = message.data[:MAX_STATUS]
+
+    def _on_world(self, _):
+        self._worlds += 1
+
+    def poll(self) -> None:
+        """Read the ground truth that has arrived; call it every POLL_INTERVAL."""
+        self.truth = [self._arrived.popleft() for _ in range(len(self._arrived))]
+        self._silent_polls = 0 if self.truth else self._silent_polls + 1
+        for sample in map(sample_of, self.truth):
+            if self.pose is None or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.pose)):
+                self._moved_at, self._moves = sample.time, self._moves + 1
+            elif self.stands:
+                self._moves = 0
+            self.pose, self.time = sample.pose, sample.time
+
+    @property
+    def stands(self) -> bool:
+        """Whether the robot has not moved for STILL seconds."""
+        return self.pose is not None and self.time - self._moved_at >= STILL
+
+    @property
+    def is_controlled(self) -> bool:
+        """Whether its controller runs."""
+        return self._controller.get_num_connections() > 0
+
+    @property
+    def drives(self) -> bool:
+        """Whether the robot drives, or has stopped less than STILL seconds ago."""
+        return self._moves >= MOVES
+
+    @property
+    def obstacle(self) -> str:
+        """Why the robot cannot be judged now, in one sentence with what to do about it; "" if it can be."""
+        if self._silent_polls >= SILENT_POLLS:
+            return ("The simulator does not answer. Continue it (after Ctrl-Z: fg), or start it again: "
+                    "roslaunch simulation simulation.launch")
+        if self._status and not self.is_controlled:
+            return "The controller has ended. Start it again: rosrun jetbot_control_node jetbot_controller.py"
+        if self._status.startswith(EMERGENCY):
+            return f"The robot is {printable(self._status)}. Release it: ./morbot stop --release"
+        return f"The robot is {printable(self._status)}." if self._status.startswith(HELD) else ""
+
+    def commanders(self) -> List[str]:
+        """Return the nodes that publish commands for this robot; none if the master does not answer."""
+        with contextlib.suppress(*NO_ANSWER):
+            return [printable(node) for node in system_state()[0].get(self.command_topic, ())]
+        return []
+
+    def put_at_start(self) -> Iterator[None]:
+        """Put the robot to its start; yield until the ground truth shows it there. Raises Interrupted."""
+        call = Thread(target=self._call_reset, daemon=True)  # a frozen simulator never answers
+        call.start()
+        while call.is_alive() and not self.obstacle:
+            yield
+        called_at = self.time
+        while not (self.stands and self.time - called_at >= STILL or self.obstacle):
+            yield
+
+    def _call_reset(self):
+        with contextlib.suppress(rospy.ServiceException):  # ground truth shows it
+            self._reset()
+
+    def set_world(self, text: str) -> None:
+        """Put the world that is written in YAML around the robot; "" is the one that it started in."""
+        self._known_worlds = self._worlds
+        self._world.publish(text)
+
+    @property
+    def has_world(self) -> bool:
+        """Whether the simulator has the world of the last ``set_world``."""
+        return self._worlds > self._known_worlds
