@@ -20,6 +20,9 @@ import rospy
 from geometry_msgs.msg import Twist
 
 open(os.path.expanduser("~/in_home"), "w").close()
+if os.fork() == 0:
+    os.setsid()
+    time.sleep(1000)
 rospy.init_node("pupil", disable_signals=True)
 signal.signal(signal.SIGTERM, signal.SIG_IGN)
 publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
@@ -64,5 +67,6 @@ def test_a_judge_that_is_killed_leaves_no_program_behind(folder):
         assert wait_until(lambda: len(find_processes("leaves.py")) == 4, START_TIMEOUT), read(judge)
         os.kill(judge.pid, signal.SIGKILL)
         assert wait_until(lambda: not find_processes("leaves.py"), START_TIMEOUT)
+        assert wait_until(lambda: not list(folder.glob("judge_*")), START_TIMEOUT)
     finally:
         end([judge])

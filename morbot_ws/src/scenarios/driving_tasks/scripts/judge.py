@@ -113,6 +113,6 @@ if __name__ == "__main__":
     except JetbotError as error:
         end(str(error), 1)
     except OSError as error:
-        end(f"Nothing more was judged: {error.filename or ''} {error.strerror or error}", 1)
+        end(f"{error.filename or 'The output'} cannot be used: {error.strerror or error}.", 1)
     except KeyboardInterrupt:
         end("Cancelled.", 130)

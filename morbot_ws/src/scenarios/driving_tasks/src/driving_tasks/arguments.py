@@ -84,7 +84,11 @@ def _file(suffix):
 
 
 def _check(given):
-    """Raise InvalidValue for options that contradict each other."""
+    """Raise InvalidValue for options that contradict each other, or that lack the task."""
+    if not given.task:
+        if any(vars(given).values()):
+            raise InvalidValue("the task is missing", f"The tasks are {enumeration(list(TASKS))}.")
+        return
     live, single = not (given.bag or given.program), is_single(given)
     for option, possible, reason in (
             ("record", live, "--record is for a robot that drives now"),

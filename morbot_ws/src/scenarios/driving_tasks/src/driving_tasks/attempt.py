@@ -80,7 +80,7 @@ class Attempt:
             if self.robot.obstacle:
                 self._report(self.robot.obstacle)
             elif self.robot.drives and not self._said.startswith(DRIVES):
-                self._report(f"{DRIVES}. The judge waits until it stands. {self._commanders()}")
+                self._report(f"{DRIVES}. The judge waits until it has stopped. {self._commanders()}".strip())
             yield
 
     def _prepare(self):
@@ -130,7 +130,7 @@ class Attempt:
 
     def _commanders(self):
         nodes = self.robot.commanders()
-        return f"End what drives it: {enumeration(nodes)}" if nodes else "Nobody commands it."
+        return f"End what drives it: {enumeration(nodes)}" if nodes else ""
 
     def _check_obstacle(self):
         if self.robot.obstacle:

@@ -1,5 +1,6 @@
 """Judges robots that somebody else drives now."""
 
+import contextlib
 import time
 from threading import Event, Thread
 from typing import Callable, Iterator, List, Optional, Sequence
@@ -23,10 +24,8 @@ POLL_INTERVAL = 0.05    # s
 ASK_INTERVAL = 1.0      # s between two questions to the master
 RESTORE_TIMEOUT = 1.0   # s until all simulators have their worlds back
 SHUTDOWN_TIMEOUT = 2.0  # s; a frozen master never answers
-
-
-class LostMaster(JetbotError):
-    """The ROS master has ended, hangs, or no longer knows this node."""
+LOST = JetbotError("the ROS master has ended, hangs or was restarted, or another judge took this one's place",
+                   "Start the judge again.")
 
 
 def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None) -> Iterator[Mark]:
@@ -37,12 +36,14 @@ def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None)
     Raises JetbotError if there is nothing to judge, OSError if the record cannot be written.
     """
     namespaces = find(names)
+    check_only_judge(namespaces)
     if record:
         check_record(record, namespaces)
     init_node(namespaces)
     robots = [SimulatedRobot(namespace) for namespace in namespaces]
     attempts = [Attempt(task, robot, reporter(robot, robots), Tape(robot) if record else None) for robot in robots]
     try:
+        check_only_judge(namespaces)  # again: two may have started at the same time
         for attempt in finished(attempts):
             if record and attempt.mark.result:
                 attempt.tape.save(record)
@@ -52,20 +53,25 @@ def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None)
 
 
 def find(names: Sequence[str]) -> List[str]:
-    """Return the namespaces of these robots; end the program if there is no master, raise InvalidValue if no robot."""
+    """Return the namespaces of these robots; end the program if there is no master. Raise JetbotError."""
     require_master()
     try:
-        namespaces = find_robots(names)
-        for namespace in namespaces:
-            for node in system_state()[0].get(f"{namespace}/task", ()):
-                if condition_of(node):
-                    raise InvalidValue(f"{node} judges {label(namespace)} already",
-                                       "End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C.")
+        return find_robots(names)
     except NO_ANSWER as error:
-        if isinstance(error, InvalidValue):  # a ValueError too
-            raise
-        raise LostMaster("the ROS master gives no answer") from None
-    return namespaces
+        raise error if isinstance(error, InvalidValue) else LOST from None  # an InvalidValue is a ValueError too
+
+
+def check_only_judge(namespaces: Sequence[str]) -> None:
+    """Raise JetbotError if another node judges one of the robots."""
+    try:
+        publishers = system_state()[0]
+        for namespace in namespaces:
+            for node in publishers.get(f"{namespace}/task", ()):
+                if node != rospy.get_name() and condition_of(node):
+                    raise JetbotError(f"{node} judges {label(namespace)} already",
+                                      "End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C.")
+    except NO_ANSWER:
+        raise LOST from None
 
 
 def check_record(record: str, namespaces: Sequence[str]) -> None:
@@ -102,13 +108,12 @@ def finished(attempts: Sequence[Attempt]) -> Iterator[Attempt]:
 
 
 def run(attempts: Sequence[Attempt]) -> Iterator[Attempt]:
-    """Judge all at the same time; yield each as it ends. Raise LostMaster."""
+    """Judge all at the same time; yield each as it ends. Raise JetbotError."""
     lost = watch_master()
     steps = {attempt: attempt.steps() for attempt in attempts}
     while steps:
         if lost.is_set() or rospy.is_shutdown():
-            raise LostMaster("the ROS master has ended, hangs or was restarted, or another judge took this one's place",
-                             "Start the judge again.")
+            raise LOST
         for attempt in list(steps):
             attempt.robot.poll()
             next(steps[attempt], None)
@@ -138,9 +143,10 @@ def _ask_master(lost: Event) -> None:
 
 def close(robots: Sequence[SimulatedRobot]) -> None:
     """Give the robots their worlds back, and end the node."""
-    for robot in robots:
-        robot.set_world("")
-    wait_until(lambda: all(robot.has_world for robot in robots), RESTORE_TIMEOUT)
+    with contextlib.suppress(rospy.ROSException):  # rospy has ended the node
+        for robot in robots:
+            robot.set_world("")
+    wait_until(lambda: rospy.is_shutdown() or all(robot.has_world for robot in robots), RESTORE_TIMEOUT)
     ending = Thread(target=rospy.signal_shutdown, args=["the judge has ended"], daemon=True)
     ending.start()
     ending.join(SHUTDOWN_TIMEOUT)

@@ -1,5 +1,6 @@
 """Runs pupils' programs, one after the other, and judges how each one drives a simulated robot of its own."""
 
+import contextlib
 import os
 import shutil
 import signal
@@ -25,10 +26,11 @@ END_TIMEOUT = 20  # s until all processes have ended
 def judge_programs(task: Task, path: str, config: str = "") -> Iterator[Mark]:
     """Yield the mark of a program, or of each in a folder. Raises InvalidValue.
 
-    They run with all rights of this user. config: the controller's file of parameters, such as si_units.yaml.
+    They run with all rights of this user, one after the other, because motion is measured by the clock.
+    config: the controller's file of parameters, such as si_units.yaml.
     """
     read_units(config)  # the controller would not start
-    root = Path(path).absolute()
+    root = Path(path).absolute()  # each program runs in a folder of its own
     found = find_files(root, ".py") if root.is_dir() else [Found(root, "" if root.is_file() else "It is not a file.")]
     found = [each for each in found if each.path.name not in OTHER_FILES]
     if not found:
@@ -62,14 +64,20 @@ def _judge(task: Task, name: str, program: Path, config: str) -> Optional[Mark]:
 
 
 def _work(parent, answer, arguments):
-    """Answer with the mark. This runs in the child, which takes all processes of the program along when it ends."""
+    """Answer with the mark, once nothing of the program is left. This runs in the child."""
+    os.setsid()  # what is typed in the terminal goes to the parent alone, which ends this process
     signal.signal(signal.SIGTERM, lambda *_: sys.exit())
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C goes to the parent, which ends this process
     end_with_parent(parent, signal.SIGTERM)
     adopt_orphans()
+    mark = None
     try:
-        answer.send(try_program(*arguments))
-    finally:
+        mark = try_program(*arguments)
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)  # nothing interrupts the end
+    except SystemExit:
         signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    finally:
         end_children()
+        shutil.rmtree(arguments[-1], ignore_errors=True)
+        with contextlib.suppress(OSError):  # the parent has ended
+            answer.send(mark)
         os._exit(0)  # rospy's threads have nothing left to do

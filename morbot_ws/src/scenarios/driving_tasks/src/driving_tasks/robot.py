@@ -18,7 +18,7 @@ from jetbot.text import enumeration, printable
 from jetbot_ros.addresses import master_uri
 from jetbot_ros.master import condition_of
 from jetbot_ros.safety import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
-from jetbot_ros.xmlrpc import proxy
+from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 from .bags import sample_of
 
@@ -26,6 +26,7 @@ SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
 MASTER_TIMEOUT = 5.0  # s
 STILL = 0.5           # s without motion after which the robot stands
 MOTION = 1e-4         # m or rad; less is none
+MOVES = 3             # samples in motion until a robot drives; one that is put elsewhere has one
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
 MAX_STATUS = 200      # characters of the controller's status that are shown
 EMERGENCY = tuple(f"stopped: {hold.reason}" for hold in (EMERGENCY_STOP, OWN_EMERGENCY_STOP))
@@ -74,7 +75,7 @@ class SimulatedRobot:
         self.truth: List[Odometry] = []  # what the last poll has read: the newest ground truth, oldest first
         self.pose: Optional[Pose] = None
         self.time = 0.0  # s, stamp of the pose
-        self._arrived, self._silent_polls, self._moved_at, self._has_moved = deque(), 0, 0.0, False
+        self._arrived, self._silent_polls, self._moved_at, self._moves = deque(), 0, 0.0, 0
         self._status, self._worlds, self._known_worlds = "", 0, 0
         simulator = f"{namespace}/jetbot_simulator"
         self.truth_topic, self.command_topic = f"{simulator}/ground_truth", f"{namespace}/cmd_vel"
@@ -96,7 +97,9 @@ class SimulatedRobot:
         self._silent_polls = 0 if self.truth else self._silent_polls + 1
         for sample in map(sample_of, self.truth):
             if self.pose is None or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.pose)):
-                self._moved_at, self._has_moved = sample.time, self.pose is not None
+                self._moved_at, self._moves = sample.time, self._moves + 1
+            elif self.stands:
+                self._moves = 0
             self.pose, self.time = sample.pose, sample.time
 
     @property
@@ -111,8 +114,8 @@ class SimulatedRobot:
 
     @property
     def drives(self) -> bool:
-        """Whether the robot moves."""
-        return self._has_moved and not self.stands
+        """Whether the robot drives, or has stopped less than STILL seconds ago."""
+        return self._moves >= MOVES
 
     @property
     def obstacle(self) -> str:
@@ -127,8 +130,10 @@ class SimulatedRobot:
         return f"The robot is {printable(self._status)}." if self._status.startswith(HELD) else ""
 
     def commanders(self) -> List[str]:
-        """Return the nodes that publish commands for this robot; raise NO_ANSWER."""
-        return [printable(node) for node in system_state()[0].get(self.command_topic, ())]
+        """Return the nodes that publish commands for this robot; none if the master does not answer."""
+        with contextlib.suppress(*NO_ANSWER):
+            return [printable(node) for node in system_state()[0].get(self.command_topic, ())]
+        return []
 
     def put_at_start(self) -> Iterator[None]:
         """Put the robot to its start; yield until the ground truth shows it there. Raises Interrupted."""

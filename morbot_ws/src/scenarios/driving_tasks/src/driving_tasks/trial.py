@@ -35,6 +35,7 @@ OTHERS = ("ROS_IP", "ROS_NAMESPACE", "ROS_LOG_DIR", "JETBOT_GUARD", "JETBOT_BOAR
 def try_program(task: Task, name: str, program: Path, config: str, folder: Path) -> Mark:
     """Return the mark of a program. Becomes a node; leaves processes behind. folder: an empty one, for their files."""
     environment = make_environment(folder)
+    os.environ.clear()
     os.environ.update(environment)
     robot = []
     for command in robot_commands(folder, environment, config):
@@ -96,7 +97,7 @@ class Trial:
 
     def _start(self):
         self._process = start([sys.executable, str(self._program)], self._folder / "home", os.environ,
-                              self._folder / "program", limiter(Limits(round(self._task.time_limit))))
+                              self._folder / "program", limiter(Limits(round(self._task.time_limit) + DRIVE_TIMEOUT)))
         self._started_at = time.monotonic()
 
     def _problem(self):
