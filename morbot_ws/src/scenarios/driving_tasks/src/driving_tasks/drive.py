@@ -12,7 +12,7 @@ WAITING, DRIVING, DONE = "waiting", "driving", "done"
 
 STILL, STILL_DEGREES = 0.001, 0.5  # m, degrees: within both of them of a pose, a robot is still there
 TWITCH = 10                        # times as much; a motion that goes no farther is no drive
-PAUSE = 3.0                        # s without motion that end a drive
+PAUSE = 3.0                        # s without motion, or without a sample, that end a drive
 MARGIN = 0.3                       # s before the first motion and after the stop that belong to a drive's path
 MIN_INTERVAL = 0.005               # s between two samples; what comes sooner is left out
 MAX_SPEED, MAX_TURN = 2.0, 12.0    # m/s, rad/s; what seems faster is a robot that was put elsewhere
@@ -69,10 +69,12 @@ class Recorder:
             return self.state
         if not self._samples:
             self._wait("The robot did not drive.", sample)
+        elif -1.0 < sample.time - self._samples[-1].time < MIN_INTERVAL:
+            return self.state
         elif self._was_put_elsewhere(sample):
             self._wait("The robot was put elsewhere before it had stopped for 3 s, and did not drive from there."
                        if self.state == DRIVING else self._problem, sample)
-        elif sample.time - self._samples[-1].time >= MIN_INTERVAL:
+        else:
             self._append(sample)
         return self.state
 
@@ -89,15 +91,18 @@ class Recorder:
 
     def _was_put_elsewhere(self, sample):
         last = self._samples[-1]
-        interval = max(sample.time - last.time, 2 * MIN_INTERVAL)
+        interval = max(sample.time - last.time, 2 * MIN_INTERVAL)  # stamps are not that exact
         jump = relative(sample.pose, last.pose)
         back_at_start = sample.pose == self._start.pose and _excursion(last.pose, sample.pose) > TWITCH
-        return (sample.time < last.time - 1.0 or back_at_start  # the clock started again, or the robot
+        return (sample.time < last.time or back_at_start  # the clock started again, or the robot
                 or math.hypot(jump.x, jump.y) > MAX_SPEED * interval
                 or abs(math.remainder(jump.yaw, math.tau)) > MAX_TURN * interval)
 
     def _append(self, sample):
         last = self._samples[-1]
+        if self.state == DRIVING and sample.time - last.time >= PAUSE:  # nobody knows what the robot did meanwhile
+            self._end(sample)
+            return
         yaw = last.pose.yaw + math.remainder(sample.pose.yaw - last.pose.yaw, math.tau)
         sample = sample._replace(pose=sample.pose._replace(yaw=yaw))
         self._samples.append(sample)
