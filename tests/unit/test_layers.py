@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from conftest import COCKPIT, ROOT, SIMULATION, SOURCE
+from conftest import COCKPIT, ROOT, SIMULATION, SOURCE, TASKS
 
 LAYERS = [f"jetbot/{module}" for module in (
     "text", "errors", "kinds", "files", "wait", "kinematics", "host", "fake/__init__", "fake/files", "fake/chips",
@@ -64,6 +64,19 @@ def test_the_simulation_imports_downward_and_its_model_knows_no_ros(module):
     imported = re.findall(r"^from \.(\w+) import", text, re.M) + re.findall(r"^from \. import (\w+)", text, re.M)
     assert not set(imported) - set(SIMULATION_LAYERS[:SIMULATION_LAYERS.index(module)])
     assert module not in PURE_SIMULATION or not re.search(r"^(?:import|from) (?:ros|\w+_msgs|time)", text, re.M)
+
+
+PURE_TASKS = ["samples", "course", "drive", "polygon", "measures", "penalties", "tasks", "score", "replay"]
+TASKS_LAYERS = [*PURE_TASKS, "bounded", "walk", "marks", "bags", "picture", "arguments", "robot", "announce", "tape",
+                "attempt", "live", "contained", "trial", "programs"]
+
+
+@pytest.mark.parametrize("module", [file.stem for file in (TASKS / "src/driving_tasks").glob("[!_]*.py")])
+def test_the_driving_tasks_import_downward_and_their_score_knows_no_ros(module):
+    text = (TASKS / f"src/driving_tasks/{module}.py").read_text()
+    imported = re.findall(r"^from \.(\w+) import", text, re.M) + re.findall(r"^from \. import (\w+)", text, re.M)
+    assert not set(imported) - set(TASKS_LAYERS[:TASKS_LAYERS.index(module)])
+    assert module not in PURE_TASKS or not re.search(r"^(?:import|from) (?:ros|\w+_msgs|matplotlib|time)", text, re.M)
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "tests/browser").glob("*.py")), ids=lambda file: file.stem)
