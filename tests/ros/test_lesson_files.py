@@ -2,10 +2,11 @@
 
 import os
 import re
+import time
 
 import pytest
 
-from jetbot_lessons import answers, files, marking, packages
+from jetbot_lessons import answers, files, limited, marking, packages
 
 PACKAGE_XML = """<package format="3"><name>mine</name><version>0.0.1</version><description>Mine.</description>
 <maintainer email="me@example.com">Me</maintainer><license>MIT</license>
@@ -277,6 +278,14 @@ def test_hostile_folder_gets_a_row_and_is_not_executed(mine, monkeypatch, file, 
     found = mark(7, mine).replace(f"{mine.parent}/", "")
     assert found[:len(problem)] == problem and not (mine / "executed").exists()
     assert problem or not found
+
+
+@pytest.mark.parametrize("happens, reason", [
+    (os.abort, "It needs more than "), (lambda: time.sleep(60), "It takes more than 1 s.")])
+def test_file_that_ends_or_stops_its_reader_gets_a_row(mine, monkeypatch, happens, reason):
+    monkeypatch.setattr(limited, "LIMITS", limited.LIMITS._replace(wall_time=1))
+    monkeypatch.setattr(files, "check_scripts", lambda package: happens())
+    assert f" cannot be checked: {reason}" in mark(7, mine)
 
 
 def test_launch_file_that_is_an_xml_bomb(mine):
