@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from conftest import COCKPIT, ROOT, SOURCE
+from conftest import COCKPIT, ROOT, SIMULATION, SOURCE, TASKS
 from jetbot.boards import BOARDS, scmd
 from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE, WAVESHARE_HAT
 from jetbot.guard import process as guard
@@ -48,7 +48,8 @@ def test_readme_is_short_and_links_each_page_once():
 
 
 def test_every_module_is_in_a_layer():
-    modules = {file.stem for package in (SOURCE, COCKPIT) for file in (package / "src").rglob("[!_]*.py")}
+    packages = (SOURCE, COCKPIT, SIMULATION, TASKS)
+    modules = {file.stem for package in packages for file in (package / "src").rglob("[!_]*.py")}
     assert {module for module in modules if f"`{module}`" not in DESIGN_PAGE} == set()
 
 

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from conftest import COCKPIT, ROOT, SOURCE
+from conftest import COCKPIT, ROOT, SIMULATION, SOURCE, TASKS
 
 LAYERS = [f"jetbot/{module}" for module in (
     "text", "errors", "kinds", "files", "wait", "kinematics", "host", "fake/__init__", "fake/files", "fake/chips",
@@ -51,6 +51,32 @@ def test_the_cockpit_imports_downward(module):
         name for names in re.findall(r"^from \. import ([^#\n]*)", text, re.M) for name in re.findall(r"\w+", names)]
     assert not set(imported) - set(COCKPIT_LAYERS[:COCKPIT_LAYERS.index(module)])
     assert module not in PURE or not re.search(r"^(?:import|from) (?:ros|tornado|\w+_msgs|socket|time)", text, re.M)
+
+
+PURE_SIMULATION = ["geometry", "world", "worlds", "collision", "line_sensor", "diff_drive", "step_clock", "stall"]
+SIMULATION_LAYERS = [*PURE_SIMULATION, "parameters", "keyboard", "description", "recording", "drawing", "topics",
+                     "world_topics", "simulator"]
+
+
+@pytest.mark.parametrize("module", [file.stem for file in (SIMULATION / "src/simulation").glob("[!_]*.py")])
+def test_the_simulation_imports_downward_and_its_model_knows_no_ros(module):
+    text = (SIMULATION / f"src/simulation/{module}.py").read_text()
+    imported = re.findall(r"^from \.(\w+) import", text, re.M) + re.findall(r"^from \. import (\w+)", text, re.M)
+    assert not set(imported) - set(SIMULATION_LAYERS[:SIMULATION_LAYERS.index(module)])
+    assert module not in PURE_SIMULATION or not re.search(r"^(?:import|from) (?:ros|\w+_msgs|time)", text, re.M)
+
+
+PURE_TASKS = ["samples", "course", "drive", "polygon", "measures", "penalties", "tasks", "score", "replay"]
+TASKS_LAYERS = [*PURE_TASKS, "bounded", "walk", "marks", "bags", "picture", "arguments", "robot", "announce", "tape",
+                "attempt", "live", "contained", "trial", "programs"]
+
+
+@pytest.mark.parametrize("module", [file.stem for file in (TASKS / "src/driving_tasks").glob("[!_]*.py")])
+def test_the_driving_tasks_import_downward_and_their_score_knows_no_ros(module):
+    text = (TASKS / f"src/driving_tasks/{module}.py").read_text()
+    imported = re.findall(r"^from \.(\w+) import", text, re.M) + re.findall(r"^from \. import (\w+)", text, re.M)
+    assert not set(imported) - set(TASKS_LAYERS[:TASKS_LAYERS.index(module)])
+    assert module not in PURE_TASKS or not re.search(r"^(?:import|from) (?:ros|\w+_msgs|matplotlib|time)", text, re.M)
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "tests/browser").glob("*.py")), ids=lambda file: file.stem)

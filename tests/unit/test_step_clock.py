@@ -14,10 +14,9 @@ def test_each_10_ms_is_a_step_and_the_stamps_are_whole_steps_apart():
     assert STEP == 0.01
 
 
-def test_a_stamp_is_never_in_the_future():
+def test_the_loop_waits_for_whole_steps_since_the_start():
     clock = StepClock(START + 7 * MS, DAY)
-    clock.update(START + 10 * MS, DAY + 3 * MS)
-    assert clock.stamp == DAY + 3 * MS
+    assert [clock.remaining(START + now * MS, 2) for now in (7, 8, 26, 27)] == [0.02, 0.019, 0.001, 0.02]
 
 
 def test_a_pause_is_made_up_for_in_parts():

@@ -55,12 +55,27 @@ def test_a_world_is_placed_with_its_origin_at_a_pose():
     assert WALL.placed(Pose(1.0, 2.0, math.pi / 2)).clearance(moved) == pytest.approx(WALL.clearance(pose))
 
 
-@pytest.mark.parametrize("y, seen", [
-    (0.0, 0), (0.005, 0), (0.0075, 0.25), (0.01, 0.5), (-0.01, 0.5), (0.0125, 0.75), (0.015, 1), (0.5, 1)])
-def test_an_eye_sees_the_tape_fade_over_a_spot_of_5_mm_radius(y, seen):
-    assert TAPE.reflectance(0.5, y) == pytest.approx(seen)
-    assert TAPE.reflectance(1.0 + abs(y), 0.0) == pytest.approx(seen)  # the tape's end is round
-    assert EMPTY.reflectance(0.5, y) == 1
+@pytest.mark.parametrize("outside, seen", [(-0.01, 0), (-0.005, 0), (-0.0025, 0.25), (0.0, 0.5), (0.0025, 0.75),
+                                           (0.005, 1), (0.5, 1)])
+def test_an_eye_sees_the_edge_of_the_tape_fade_over_a_spot_of_5_mm_radius(outside, seen):
+    for x, y in ((0.5, 0.01 + outside), (0.5, -0.01 - outside), (1 + outside, 0.0), (-outside, 0.0)):
+        assert TAPE.reflectance(x, y) == pytest.approx(seen)
+    assert EMPTY.reflectance(0.5, outside) == 1
+
+
+@pytest.mark.parametrize("point, outside", [
+    ((0.5, 0.013), 0.003), ((1.01, 0.0), 0.0),
+    ((1.008, -0.008), math.hypot(0.008, 0.008) - 0.01), ((1.0, 1.003), 0.003)])
+def test_tape_is_round_where_it_bends_and_straight_where_it_ends(point, outside):
+    bent = World(lines=(((0.0, 0.0), (1.0, 0.0), (1.0, 1.0)),), line_width=0.02)
+    assert bent.reflectance(*point) == pytest.approx(max(0.0, min(1.0, 0.5 + outside / 0.01)))
+
+
+def test_tape_that_leads_back_to_its_start_has_no_end_and_a_point_twice_is_no_mistake():
+    around = World(lines=(((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 0.0)),), line_width=0.02)
+    assert around.reflectance(-0.01, 0.0) == pytest.approx(0.5)
+    for line in (((0.0, 0.0), (0.0, 0.0)), ((0.0, 0.0), (0.0, 0.0), (1.0, 0.0))):
+        assert World(lines=(line,), line_width=0.02).reflectance(-0.01, 0.0) == pytest.approx(0.5)
 
 
 @pytest.mark.parametrize("pose, eyes", [

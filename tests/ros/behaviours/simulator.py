@@ -72,8 +72,10 @@ class Simulator(RobotTest):
         self.wait_for(place.get_num_connections, START_TIMEOUT, "the simulator to subscribe")
         place.publish(2.0, -3.0, 1.0)
         self.wait_for_pose(2.0, -3.0, 1.0)
-        place.publish(0.0, math.nan, 0.0)
-        self.wait_for(lambda: "A pose must be finite. The robot stays where it is." in self.logs(), 5.0, "a warning")
+        warning = "A pose must be finite, and within 1000 m. The robot stays where it is."
+        for number, y in enumerate((math.nan, 1e308), 1):
+            place.publish(0.0, y, 0.0)
+            self.wait_for(lambda number=number: self.logs().count(warning) == number, 5.0, warning)
         self.sample_after(0.1)
         self.wait_for_pose(2.0, -3.0, 1.0)
         rospy.ServiceProxy("jetbot_simulator/reset", Empty)()

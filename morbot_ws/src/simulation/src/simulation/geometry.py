@@ -56,6 +56,13 @@ def distance_to_segment(point: Point, start: Point, end: Point) -> float:
     return math.hypot(x - start_x - part * along_x, y - start_y - part * along_y)
 
 
+def distance_beyond(point: Point, start: Point, end: Point) -> float:
+    """Return how far a point is beyond the end of a segment, in its direction; negative before it."""
+    x, y = end[0] - start[0], end[1] - start[1]
+    length = math.hypot(x, y)
+    return ((point[0] - end[0]) * x + (point[1] - end[1]) * y) / length if length else -math.inf
+
+
 def from_frame(pose: Pose, point: Point) -> Point:
     """Return a point of the frame at this pose, in the frame that the pose is in."""
     cosine, sine = math.cos(pose.yaw), math.sin(pose.yaw)

@@ -22,9 +22,10 @@ from .step_clock import STEP, StepClock
 from .topics import SharedTopics
 from .world import World
 from .world_topics import WorldTopics
+from .worlds import MAX_PLACE
 
-CYCLE = 0.02            # s between two looks at the motors, and between two messages while a wheel turns
-STOPPED_STEPS = 10      # between two messages while none does
+CYCLE = 2               # steps between two looks at the motors, and between two messages while a wheel turns
+STOPPED_CYCLE = 10      # steps between two messages while none does
 PATH_STEP = 0.05        # metres between two poses of the path
 PATH_LENGTH = 1000      # poses; the oldest are dropped
 
@@ -40,7 +41,7 @@ class Simulator:
         self._model, self._motors = model, motors
         self._start = model.pose
         self._new_pose = deque(maxlen=1)
-        self._clock, self._published_at = StepClock(time.monotonic_ns(), rospy.Time.now().to_nsec()), -STOPPED_STEPS
+        self._clock, self._published_at = StepClock(time.monotonic_ns(), rospy.Time.now().to_nsec()), -STOPPED_CYCLE
         self._printed, self._touching = "", False
         self._prefix = f"{rospy.get_namespace().strip('/')} ".lstrip()
         self._stall_report = StallReport()
@@ -52,10 +53,10 @@ class Simulator:
         rospy.Service("~reset", Empty, self._on_reset)
 
     def _on_set_pose(self, pose):
-        if all(map(math.isfinite, (pose.x, pose.y, pose.theta))):
+        if all(abs(value) <= MAX_PLACE for value in (pose.x, pose.y, pose.theta)):  # of NaN, this is False
             self._new_pose.append(Pose(pose.x, pose.y, pose.theta))
         else:
-            rospy.logwarn("A pose must be finite. The robot stays where it is.")
+            rospy.logwarn(f"A pose must be finite, and within {MAX_PLACE} m. The robot stays where it is.")
 
     def _on_reset(self, _):
         self._new_pose.append(self._start)
@@ -68,9 +69,9 @@ class Simulator:
             was_moving = self._model.moving
             self._place()
             self._step()
-            if was_moving or self._model.moving or self._clock.steps - self._published_at >= STOPPED_STEPS:
+            if was_moving or self._model.moving or self._clock.steps - self._published_at >= STOPPED_CYCLE:
                 self._publish()
-            time.sleep(CYCLE - time.monotonic() % CYCLE)  # rospy.Rate would take more than the step
+            time.sleep(self._clock.remaining(time.monotonic_ns(), CYCLE))  # rospy.Rate would take more than the step
 
     def _place(self):
         """Take the pose and the world that were asked for."""

@@ -13,7 +13,7 @@ class StepClock:
     """
 
     def __init__(self, now: int, stamp: int):
-        self._started, self._first_stamp = now - now % NANOSECONDS, stamp - now % NANOSECONDS
+        self._started, self._first_stamp = now, stamp
         self.steps = 0
 
     @property
@@ -32,3 +32,8 @@ class StepClock:
         if due == missing and abs(stamp - self.stamp) > CLOCK_WAS_SET:
             self._first_stamp += stamp - self.stamp
         return due
+
+    def remaining(self, now: int, steps: int) -> float:
+        """Return the time in s until the next multiple of so many steps is due."""
+        interval = steps * NANOSECONDS
+        return (interval - (now - self._started) % interval) / 1e9

@@ -2,11 +2,11 @@
 
 import math
 from itertools import chain
-from typing import Iterator, NamedTuple, Tuple
+from typing import Iterator, NamedTuple, Sequence, Tuple
 
 from jetbot.kinematics import Pose
 
-from .geometry import Point, Rectangle, distance_to_segment, from_frame, to_frame
+from .geometry import Point, Rectangle, distance_beyond, distance_to_segment, from_frame, to_frame
 
 Polyline = Tuple[Point, ...]
 
@@ -45,11 +45,22 @@ class World(NamedTuple):
 
     def reflectance(self, x: float, y: float) -> float:
         """Return what a sensor above this point sees: 0 is a dark line, 1 the light floor, 0.5 a line's edge."""
-        distance = min((distance_to_segment((x, y), *segment) for segment in segments(self.lines)), default=math.inf)
-        return max(0.0, min(1.0, 0.5 + (distance - self.line_width / 2) / (2 * SPOT_RADIUS)))
+        outside = min((self._outside((x, y), line) for line in self.lines), default=math.inf)
+        return max(0.0, min(1.0, 0.5 + outside / (2 * SPOT_RADIUS)))
+
+    def _outside(self, point: Point, line: Polyline) -> float:
+        """Return the distance of a point from the edge of a line, negative inside. Its joints are round, its ends not.
+
+        A line that leads back to its start has no ends.
+        """
+        distances = [distance_to_segment(point, *segment) - self.line_width / 2 for segment in segments([line])]
+        if line[0] != line[-1]:
+            distances[0] = max(distances[0], distance_beyond(point, line[1], line[0]))
+            distances[-1] = max(distances[-1], distance_beyond(point, line[-2], line[-1]))
+        return min(distances)
 
 
-def segments(polylines: Tuple[Polyline, ...]) -> Iterator[Tuple[Point, Point]]:
+def segments(polylines: Sequence[Polyline]) -> Iterator[Tuple[Point, Point]]:
     """Return the segments of all polylines, each as its two ends."""
     return chain.from_iterable(zip(polyline, polyline[1:]) for polyline in polylines)
 

@@ -110,9 +110,9 @@ def _read(text: Union[str, bytes]) -> Dict[str, object]:
     node = loader.get_single_node()
     if not isinstance(node, yaml.MappingNode):
         raise ValueError("it holds no walls: and no lines:")
-    (key, count), = Counter(str(key.value) for key, _ in node.value).most_common(1) or [("", 0)]
-    if count > 1:
-        raise ValueError(f"it gives {key} twice")
+    twice = [key for key, count in Counter(str(key.value) for key, _ in node.value).items() if count > 1]
+    if twice:
+        raise ValueError(f"it gives {twice[0]} twice")
     return loader.construct_document(node)
 
 

@@ -37,7 +37,7 @@ class Announcement:
 
     def done(self, result: Result) -> None:
         """The robot has a score."""
-        self._publish(DONE, f"{result.score:.1f} of 100 points. {result.sentence}",
+        self._publish(DONE, result.sentence,
                       seconds=f"{result.seconds:.1f}", score=f"{result.score:.1f}")
 
     def cancelled(self, message: str) -> None:

@@ -43,6 +43,11 @@ class Attempt:
         self.mark: Optional[Mark] = None
         self.ready = False
 
+    @property
+    def has_driven(self) -> bool:
+        """Whether there is a drive, which may be over."""
+        return self._recorder.state != WAITING
+
     def steps(self) -> Iterator[None]:
         """Put the robot at its start, then measure; a step takes no time. Poll the robot before each."""
         while not self.mark:
@@ -112,7 +117,7 @@ class Attempt:
             self._report(f"{self._task.time_limit:.0f} s are over. The robot still drives: end its program.")
 
     def _feed(self, sample: Sample):
-        was_driving, gap = self._recorder.state == DRIVING, sample.time - self._fed_at
+        was_driving, gap = self.has_driven, sample.time - self._fed_at
         self._fed_at = sample.time
         if was_driving and gap > MAX_GAP:
             raise Interrupted(f"{gap:.1f} s of the drive were not measured, because the simulator or the judge paused.")

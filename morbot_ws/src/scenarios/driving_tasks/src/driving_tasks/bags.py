@@ -100,6 +100,8 @@ def _read(file: str) -> Tracks:
         raise ValueError(f"It cannot be read: {error.strerror}.") from None
     except rosbag.ROSBagUnindexedException:
         raise ValueError("Its recording was cut short. Repair it with rosbag reindex.") from None
+    except rosbag.bag.ROSBagEncryptException:
+        raise ValueError("It is encrypted: hand in one that is not.") from None
     except (MemoryError, ValueError):
         raise
     except Exception as error:  # rosbag raises many kinds for a damaged file
@@ -133,7 +135,7 @@ def _check(stream):
 class _Bag(rosbag.Bag):
     def set_encryptor(self, *_):
         """Refuse to decrypt, for which rosbag would start a program."""
-        raise rosbag.bag.ROSBagEncryptException("It is encrypted: hand in one that is not.")
+        raise rosbag.bag.ROSBagEncryptException("encrypted")
 
 
 def _tracks(bag: rosbag.Bag) -> Tracks:

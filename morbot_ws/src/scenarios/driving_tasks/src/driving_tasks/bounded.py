@@ -37,7 +37,7 @@ class Outcome(NamedTuple):
 def run(function: Callable, *arguments: object, limits: Limits = LIMITS) -> Outcome:
     """Return the outcome of function(*arguments) in a child; what it returns must pickle.
 
-    The child writes no file. It ends with this process, however that ends.
+    The child prints nothing and writes no file. It ends with this process, however that ends.
     """
     return next(run_each(function, [arguments], limits))
 
@@ -92,11 +92,23 @@ def _work(parent, answer, function, arguments, limits):
     _prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
     if os.getppid() != parent:
         return
+    silent = os.open(os.devnull, os.O_RDWR)
+    for stream in range(3):  # what a library prints may hold any character of the file
+        os.dup2(silent, stream)
+    _set(limits)
+    with contextlib.closing(answer):
+        outcome = _outcome(function, arguments, limits)
+        try:
+            answer.send(outcome)
+        except MemoryError:
+            answer.send(Outcome(problem=_needs_memory(limits)))
+
+
+def _set(limits):
     for limit, value in ((resource.RLIMIT_AS, limits.memory * 10 ** 6), (resource.RLIMIT_CPU, limits.cpu_time),
                          (resource.RLIMIT_FSIZE, 0), (resource.RLIMIT_CORE, 0)):
-        resource.setrlimit(limit, (value, value + (limit == resource.RLIMIT_CPU)))  # SIGKILL follows SIGXCPU
-    with contextlib.closing(answer):
-        answer.send(_outcome(function, arguments, limits))
+        hard = resource.getrlimit(limit)[1]
+        resource.setrlimit(limit, (value if hard == resource.RLIM_INFINITY else min(value, hard), hard))
 
 
 def _outcome(function, arguments, limits):
@@ -116,4 +128,6 @@ def _reason(exit_code, limits):
     """Return why a child gave no answer. exit_code: None for one that still runs."""
     if exit_code in (-signal.SIGXCPU, -signal.SIGKILL):
         return f"It takes more than {limits.cpu_time} s of CPU time."
-    return "Its result is too large." if exit_code is None else _needs_memory(limits)
+    if exit_code is None:
+        return "Its result is too large."
+    return f"{_needs_memory(limits)[:-1]}, or breaks the program that reads it."

@@ -106,6 +106,12 @@ def resample(points: Sequence[Point]) -> List[Point]:
     return [*result, points[-1]]
 
 
+def worst(errors: Sequence[Error]) -> Error:
+    """Return the largest error; the first of those that are about as large."""
+    largest = max(error.size for error in errors)
+    return next(error for error in errors if error.size >= 0.95 * largest)
+
+
 def turned(degrees: float, wanted: float, where: str) -> str:
     """Return what is wrong with a turn of some degrees, counterclockwise, where another one was wanted.
 

@@ -41,12 +41,13 @@ def acceleration(drive: Drive, world: World, limit: float) -> List[Loss]:
     """Return the loss for speeding up or braking harder than ``limit`` in m/s^2."""
     rates = [((speed - abs(sample.speed)) / WINDOW, sample.pose[:2])
              for sample, speed in zip(drive.path, _speeds_after(drive.path))]
-    peak, place = max(rates, key=lambda each: abs(each[0]), default=(0.0, (0.0, 0.0)))
-    if abs(peak) <= ALLOWANCE * limit:
+    largest = max((abs(rate) for rate, _ in rates), default=0.0)
+    if largest <= ALLOWANCE * limit:
         return []
+    peak, place = next(each for each in rates if abs(each[0]) >= 0.95 * largest)
     what = "sped up" if peak > 0 else "braked"
-    return [Loss(min(MAX_EXCESS, EXCESS * (abs(peak) / limit - 1)),
-                 f"{what} at {abs(peak):.1f} m/s^2, and {limit:g} are allowed", place)]
+    return [Loss(min(MAX_EXCESS, EXCESS * (largest / limit - 1)),
+                 f"{what} at {largest:.1f} m/s^2, and {limit:g} are allowed", place)]
 
 
 def _speeds_after(path):

@@ -16,13 +16,13 @@ from .course import Point
 from .penalties import Loss
 from .score import NEGLIGIBLE, Result
 
-WIDTH = 10                # inches, of DPI pixels each
+WIDTH = 10                # inches
 DPI = 100
 TEXT = 0.34               # inches of each line below the picture
 MARGIN = 0.15             # m around what is drawn
 MAX_POINTS = 5000         # of the driven line that are drawn
 HEADINGS = 8              # along the driven line
-BLUE, ORANGE, GREEN, RED, GREY = "tab:blue", "tab:orange", "tab:green", "tab:red", "0.55"
+BLUE, ORANGE, GREEN, RED = "tab:blue", "tab:orange", "tab:green", "tab:red"
 IDEAL = {"color": ORANGE, "linewidth": 6, "alpha": 0.5, "label": "ideal", "solid_capstyle": "round"}
 DRIVEN = {"color": BLUE, "linewidth": 2, "label": "driven"}
 WALL = {"color": "black", "linewidth": 5, "solid_capstyle": "butt"}
@@ -36,6 +36,7 @@ def draw(result: Result, file: str) -> None:
     height = WIDTH * min(1.0, max(0.35, (top - bottom) / (right - left)))
     below = TEXT * max(1, len(losses)) + 0.3
     figure = Figure(figsize=(WIDTH, height + below), constrained_layout=True)
+    figure.suptitle(f"{result.title}: {result.score:.1f} of 100 points in {result.seconds:.1f} s", fontsize=16)
     floor, text = figure.subplots(2, gridspec_kw={"height_ratios": (height, below)})
     draw_floor(floor, result, limits)
     mark_losses(floor, losses)
@@ -64,12 +65,10 @@ def draw_floor(axes: Axes, result: Result, limits: Tuple[Point, Point]) -> None:
                         (result.goal, {"edgecolor": ORANGE, "linestyle": "--", "label": "goal"}),
                         (result.path[-1], {"edgecolor": BLUE, "label": "stop"})):
         draw_robot(axes, pose, style)
-    axes.set(xlim=limits[0], ylim=limits[1], xlabel="x (m)", ylabel="y (m)",
-             title=f"{result.title}: {result.score:.1f} of 100 points in {result.seconds:.1f} s")
-    axes.title.set_size(16)
+    axes.set(xlim=limits[0], ylim=limits[1], xlabel="x (m)", ylabel="y (m)")
     axes.set_aspect("equal", "datalim")
     axes.grid(alpha=0.3)
-    axes.legend(loc="upper left", bbox_to_anchor=(1, 1))
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=7, frameon=False)
 
 
 def draw_world(axes: Axes, world: World) -> None:
@@ -100,11 +99,15 @@ def outline(pose: Pose) -> List[Point]:
 
 
 def mark_losses(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Draw the number of each loss beside its place."""
+    """Draw the number of each loss beside its place, one beside the other where several have the same place."""
+    middle, places = sum(axes.get_xlim()) / 2, []
     for number, loss in enumerate(losses, 1):
+        side = -1 if loss.place[0] > middle else 1  # away from the edge of the picture
+        offset = side * (18 + 26 * places.count(loss.place))
+        places.append(loss.place)
         axes.plot(*loss.place, marker="x", markersize=10, markeredgewidth=3, color=RED, zorder=5)
-        axes.annotate(str(number), loss.place, (12 + 26 * (number - 1), 16), textcoords="offset points",
-                      fontsize=13, color="white", zorder=6, bbox={"boxstyle": "circle", "color": RED})
+        axes.annotate(str(number), loss.place, (offset, 18), textcoords="offset points", ha="center", fontsize=13,
+                      color="white", zorder=6, bbox={"boxstyle": "circle", "color": RED})
 
 
 def list_losses(axes: Axes, losses: Sequence[Loss]) -> None:

@@ -105,6 +105,11 @@ class SimulatedRobot:
         return self.pose is not None and self.time - self._moved_at >= STILL
 
     @property
+    def is_controlled(self) -> bool:
+        """Whether its controller runs."""
+        return self._controller.get_num_connections() > 0
+
+    @property
     def drives(self) -> bool:
         """Whether the robot moves."""
         return self._has_moved and not self.stands
@@ -115,7 +120,7 @@ class SimulatedRobot:
         if self._silent_polls >= SILENT_POLLS:
             return ("The simulator does not answer. Continue it (after Ctrl-Z: fg), or start it again: "
                     "roslaunch simulation simulation.launch")
-        if self._status and not self._controller.get_num_connections():
+        if self._status and not self.is_controlled:
             return "The controller has ended. Start it again: rosrun jetbot_control_node jetbot_controller.py"
         if self._status.startswith(EMERGENCY):
             return f"The robot is {printable(self._status)}. Release it: ./morbot stop --release"

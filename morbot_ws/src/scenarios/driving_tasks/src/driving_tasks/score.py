@@ -8,6 +8,7 @@ from simulation.world import World
 
 from .course import Point
 from .drive import Drive, NoDrive, Recorder  # noqa: F401  for those who judge
+from .measures import worst
 from .penalties import Loss
 from .samples import Sample
 from .tasks import Task
@@ -77,8 +78,8 @@ def _remaining(error):
 
 
 def _loss(mean, errors):
-    worst = max(errors, key=lambda error: error.size)
-    return Loss(100 * (1 - _remaining(mean)), worst.sentence, worst.place)
+    _, sentence, place = worst(errors)
+    return Loss(100 * (1 - _remaining(mean)), sentence, place)
 
 
 def _time_loss(task, drive, used):

@@ -1,0 +1,118 @@
+"""Processes of a folder of their own that leave nothing behind, whatever they start and however they end."""
+
+import contextlib
+import ctypes
+import os
+import resource
+import signal
+import subprocess
+from pathlib import Path
+from typing import Callable, Dict, Iterator, NamedTuple, Sequence, Set
+
+from jetbot.wait import wait_until
+
+PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36  # of prctl(2)
+END_TIMEOUT = 1.0     # s from SIGTERM to SIGKILL
+KILL_TIMEOUT = 10.0   # s in which all processes end, unless they multiply faster than they are killed
+MAX_PROCESSES = 200   # more than this user has now; Linux does not limit root's
+_prctl = ctypes.CDLL(None).prctl
+
+
+class Limits(NamedTuple):
+    """Of each process. memory, file_size: MB; cpu_time: s."""
+
+    cpu_time: int
+    memory: int = 2000
+    file_size: int = 10
+
+
+def adopt_orphans() -> None:
+    """From now on, what this process's children leave behind becomes its own child."""
+    _prctl(PR_SET_CHILD_SUBREAPER, 1)
+
+
+def end_with_parent(parent: int, signum: int) -> None:
+    """From now on, this process gets a signal when its parent ends; end it now if that has ended already."""
+    _prctl(PR_SET_PDEATHSIG, signum)
+    if os.getppid() != parent:
+        os._exit(1)
+
+
+def start(command: Sequence[str], folder: Path, environment: Dict[str, str], log: Path,
+          limit: Callable[[], None] = lambda: None) -> subprocess.Popen:
+    """Start a process in a session of its own, which ends with this one. log: the file that gets its stderr."""
+    parent = os.getpid()
+
+    def prepare():
+        end_with_parent(parent, signal.SIGKILL)
+        limit()
+
+    with log.open("wb") as errors:
+        return subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, preexec_fn=prepare,
+                                stdout=subprocess.DEVNULL, stderr=errors, start_new_session=True)
+
+
+def limiter(limits: Limits) -> Callable[[], None]:
+    """Return what sets these limits for the process that calls it."""
+    values = {resource.RLIMIT_CPU: limits.cpu_time, resource.RLIMIT_AS: limits.memory * 10 ** 6,
+              resource.RLIMIT_FSIZE: limits.file_size * 10 ** 6, resource.RLIMIT_CORE: 0,
+              resource.RLIMIT_NPROC: threads_of_user() + MAX_PROCESSES}
+
+    def limit():
+        for kind, value in values.items():
+            highest = resource.getrlimit(kind)[1]
+            value = value if highest == resource.RLIM_INFINITY else min(value, highest)
+            resource.setrlimit(kind, (value, value))
+
+    return limit
+
+
+def end_program(process: subprocess.Popen) -> None:
+    """End the process and its group, by SIGKILL if SIGTERM is not enough."""
+    for signum in (signal.SIGTERM, signal.SIGKILL):
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signum)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(END_TIMEOUT)
+
+
+def end_children() -> None:
+    """Kill all children of this process, and those that it adopts meanwhile."""
+    def ended():
+        for pid in children():
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
+        with contextlib.suppress(ChildProcessError):
+            while os.waitpid(-1, os.WNOHANG)[0]:
+                pass
+        return not children()
+
+    wait_until(ended, KILL_TIMEOUT)
+
+
+def children() -> Set[int]:
+    """Return the processes whose parent is this one, and that have not ended."""
+    return {process.pid for process in processes() if process.parent == os.getpid() and process.state != "Z"}
+
+
+class Process(NamedTuple):
+    """A process, by proc(5); user: the id of its user."""
+
+    pid: int
+    user: int
+    state: str
+    parent: int
+    threads: int
+
+
+def processes() -> Iterator[Process]:
+    """Yield all processes of this computer that can be read."""
+    for folder in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):  # it has just ended
+            words = (folder / "stat").read_text(errors="replace").rpartition(")")[2].split()
+            yield Process(int(folder.name), folder.stat().st_uid, words[0], int(words[1]), int(words[17]))
+
+
+def threads_of_user() -> int:
+    """Return how many threads this user has, which RLIMIT_NPROC counts."""
+    return sum(process.threads for process in processes() if process.user == os.getuid())

@@ -1,0 +1,75 @@
+"""judge.py judges the drive of a simulated robot, from its first motion to its stop, and moves no wheel itself."""
+
+import os
+import re
+import signal
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticStatus
+from visualization_msgs.msg import Marker, MarkerArray
+
+from driving_tasks.bags import judge_bag
+from driving_tasks.tasks import TASKS
+from harness import START_TIMEOUT, RobotTest, program, read
+from jetbot.fake.motors import STOPPED
+
+JUDGE = program("driving_tasks", "judge.py")
+SIMULATOR = program("simulation", "simulator.py")
+READY = "Drive when you are ready."
+RELEASE = "The robot is stopped: emergency stop, on a fake bus. Release it: ./morbot stop --release"
+SPEED, SECONDS = 0.5, 3.3  # of full power; s, for about a metre
+
+
+class Judge(RobotTest):
+    def setUp(self):
+        super().setUp()
+        self.simulator = self.start(SIMULATOR, f"_i2c_bus:=fake:{self.bus}", "_x:=2", "_yaw:=1")
+        self.controller()
+
+    def judge(self, *arguments):
+        """Start the judge of the task metre."""
+        return self.start(JUDGE, "metre", *arguments, cwd=self.folder)
+
+    def wait_for_lines(self, judge, *lines):
+        """Fail unless the judge has printed these lines."""
+        self.wait_for(lambda: read(judge).splitlines() == [*lines], START_TIMEOUT, f"{lines}")
+
+    def drive(self, seconds):
+        """Command SPEED for so long."""
+        end = rospy.Time.now() + rospy.Duration(seconds)
+        self.wait_for(lambda: self.command(SPEED) or rospy.Time.now() > end, seconds + 5, "the end of the drive")
+        self.command(0.0)
+
+    def test_a_drive_gets_a_score_and_its_record_the_same(self):
+        states = self.record("task", DiagnosticStatus, lambda status: status)
+        courses = self.record("task_course", MarkerArray, lambda array: array.markers)
+        judge = self.judge("--record", "drive.bag")
+        self.wait_for_lines(judge, READY)
+        self.assertEqual(self.wheels(), STOPPED)
+        self.assertEqual([each.type for each in courses[-1][1:]], [Marker.LINE_STRIP, Marker.ARROW])
+        self.assertAlmostEqual(courses[-1][2].pose.position.x, 2.54, places=2)
+        self.drive(SECONDS)
+        self.assertEqual(judge.wait(START_TIMEOUT), 0)
+        score, loss = re.fullmatch(rf"{READY}\nmetre: (\d+\.\d) of 100 points in \d\.\d s\.\n"
+                                   r"(Largest loss: stopped .*)\nDrew metre\.png\.\n", read(judge)).groups()
+        values = [{pair.key: pair.value for pair in each.values} for each in states]
+        self.assertEqual(list(dict.fromkeys(each["state"] for each in values)), ["ready", "driving", "done"])
+        self.assertEqual((values[-1]["score"], states[-1].message), (score, loss))
+        bag = judge_bag(TASKS["metre"], os.path.join(self.folder, "drive.bag"))
+        self.assertEqual((f"{bag.result.score:.1f}", bag.source), (score, ""))
+
+    def test_an_emergency_stop_and_a_second_judge_end_no_judge_and_ctrl_c_does(self):
+        judge = self.judge()
+        self.wait_for_lines(judge, READY)
+        second = self.judge()
+        self.assertEqual(second.wait(START_TIMEOUT), 1)
+        self.assertRegex(read(second), r"^/judge judges robot already\. End it first: .*\n$")
+        self.emergency_stop(True)
+        self.wait_for_lines(judge, READY, RELEASE)
+        self.emergency_stop(False)
+        self.wait_for_lines(judge, READY, RELEASE, READY)
+        os.killpg(self.simulator.pid, signal.SIGKILL)
+        self.wait_for(lambda: "The simulator does not answer." in read(judge), START_TIMEOUT, "a sentence")
+        os.kill(judge.pid, signal.SIGINT)
+        self.assertEqual(judge.wait(START_TIMEOUT), 130)
+        self.assertEqual(read(judge).splitlines()[-1], "Cancelled.")

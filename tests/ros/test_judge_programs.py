@@ -1,0 +1,68 @@
+"""judge.py --program runs programs, judges how they drive, and leaves nothing of them behind."""
+
+import csv
+import os
+import signal
+import subprocess
+
+import pytest
+from roslib.packages import find_node
+
+from harness import START_TIMEOUT, find_processes, read
+from jetbot.wait import wait_until
+from processes import end, start
+
+JUDGE = find_node("driving_tasks", "judge.py")[0]
+TIMEOUT = 90.0  # s
+DRIVES = """
+import os, signal, time
+import rospy
+from geometry_msgs.msg import Twist
+
+open(os.path.expanduser("~/in_home"), "w").close()
+rospy.init_node("pupil", disable_signals=True)
+signal.signal(signal.SIGTERM, signal.SIG_IGN)
+publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
+drive, stop, end = Twist(), Twist(), None
+drive.linear.x = 0.5
+while True:
+    if publisher.get_num_connections():
+        end = end or time.time() + 3.3
+        publisher.publish(drive if time.time() < end else stop)
+    time.sleep(0.05)
+"""
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A folder of programs; the files of each one that runs are below it too."""
+    (tmp_path / "programs").mkdir()
+    (tmp_path / "home").mkdir()
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    yield tmp_path
+    assert wait_until(lambda: not find_processes(str(tmp_path)), START_TIMEOUT)
+
+
+def test_a_program_gets_a_score_and_one_that_crashes_a_row(folder):
+    (folder / "programs/drives.py").write_text(DRIVES)
+    (folder / "programs/breaks.py").write_text("import missing_module\n")
+    run = subprocess.run([JUDGE, "metre", "--program", folder / "programs"], cwd=folder, stdout=subprocess.PIPE,
+                         text=True, timeout=TIMEOUT)
+    breaks, drives = csv.DictReader(run.stdout.splitlines())
+    assert breaks["problem"] == ("It ended before it drove. "
+                                 "ModuleNotFoundError: No module named 'missing_module'")
+    assert drives["name"] == "drives.py" and float(drives["score"]) > 60
+    assert sorted(os.listdir(folder)) == ["home", "programs"]
+    assert not (folder / "home/in_home").exists()
+
+
+def test_a_judge_that_is_killed_leaves_no_program_behind(folder):
+    (folder / "leaves.py").write_text("import os, time\nif os.fork() == 0:\n    os.setsid()\ntime.sleep(1000)\n")
+    judge = start([JUDGE, "metre", "--program", folder / "leaves.py"], folder / "log", cwd=folder)
+    try:
+        assert wait_until(lambda: len(find_processes("leaves.py")) == 4, START_TIMEOUT), read(judge)
+        os.kill(judge.pid, signal.SIGKILL)
+        assert wait_until(lambda: not find_processes("leaves.py"), START_TIMEOUT)
+    finally:
+        end([judge])
