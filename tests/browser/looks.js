@@ -66,6 +66,17 @@ function paleTexts() {
   });
 }
 
+// Returns whether a pixel of the map has this colour, without "#".
+function showsOnMap(color) {
+  const map = document.getElementById("map");
+  const { data } = map.getContext("2d").getImageData(0, 0, map.width, map.height);
+  const [red, green, blue] = channels(`#${color}`);
+  for (let index = 0; index < data.length; index += 4) {
+    if (data[index] === red && data[index + 1] === green && data[index + 2] === blue) return true;
+  }
+  return false;
+}
+
 // Returns [how large the chosen robot is, how far its middle is from the map's], in pixels, or null.
 function robotOnMap() {
   const map = document.getElementById("map");

@@ -191,5 +191,9 @@ class Page(Chromium):
         found = self._looks("robotOnMap")
         return OnMap(*found) if found else None
 
+    def shows_on_map(self, color: str) -> bool:
+        """Return whether a pixel of the map has this colour: "ff0000"."""
+        return self._looks("showsOnMap", color)
+
     def _looks(self, function, *arguments):
         return self.driver.execute_script(f"{LOOKS.read_text()}\nreturn {function}(...arguments)", *arguments)

@@ -173,6 +173,10 @@ class World:
         return self.start("rostopic", "pub", "-l", f"/{name}/jetbot_controller/status", "std_msgs/String", status,
                           f"__ns:=/{name}", "__name:=jetbot_controller")
 
+    def publish(self, topic: str, kind: str, message: str) -> subprocess.Popen:
+        """Start a node that publishes one message, latched, for as long as it lives."""
+        return self.start("rostopic", "pub", "-l", topic, kind, message)
+
     def kill(self, process: subprocess.Popen) -> None:
         """Kill a process, and wait for its end."""
         os.killpg(process.pid, signal.SIGKILL)

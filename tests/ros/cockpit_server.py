@@ -40,7 +40,7 @@ class StandIn:
     def robots(self):
         return []
 
-    def trails(self):
+    def history(self):
         return []
 
     def state(self):

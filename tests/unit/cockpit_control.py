@@ -35,6 +35,9 @@ class FakeRobots:
         else:
             self.change(robot, stopped=engaged)
 
+    def forget_result(self, robot):
+        self.change(robot, task=None)
+
     def reset(self, robot):
         self.were_reset.append(robot)
         return self.were_reset.count(robot) == 1

@@ -7,7 +7,7 @@ import pytest
 from test_docs import rows
 
 from conftest import ROOT
-from jetbot_cockpit import access, dead_man, hub, lease, protocol
+from jetbot_cockpit import access, dead_man, hub, lease, protocol, scene, scores
 from jetbot_cockpit.parameters import PARAMETERS
 
 PAGE = (ROOT / "docs/cockpit.md").read_text()
@@ -56,6 +56,7 @@ def test_why_a_socket_is_closed():
     f"the pupil's code, {access.CODE_LENGTH['pupil']} characters",
     f"the teacher's code, {access.CODE_LENGTH['teacher']} characters",
     f"after {access.MAX_WRONG_IN_ALL} from all",
+    f"at most {scene.MAX_POINTS} points each", f"at most {scores.MAX_SCORES} rows",
     f"nothing came from the page for {dead_man.TIMEOUT} s", f"free {lease.TIMEOUT:.0f} s after its driver's last"])
 def test_the_figures(text):
     assert text in PAGE

@@ -44,6 +44,7 @@ class Control:
 
     def __init__(self):
         self.asked, self.left, self.messages, self.names, self.speed, self.reply = [], [], [], ["/"], 0, None
+        self.history_reads = 0
 
     def handle(self, client, message, now):
         self.asked.append((client.id, message))
@@ -59,7 +60,8 @@ class Control:
     def robots(self):
         return [{"id": name} for name in self.names]
 
-    def trails(self):
+    def history(self):
+        self.history_reads += 1
         return [TRAIL]
 
     def state(self):
@@ -126,6 +128,15 @@ def test_a_robot_that_comes_and_one_that_is_put_back_are_sent_to_all(hub, contro
     control.messages = [{**TRAIL, "points": []}]
     hub.tick(0.1)
     assert [page.types() for page in pages] == [["robots", "trail"]] * 2
+
+
+def test_what_is_kept_for_new_pages_is_put_together_only_when_one_comes(hub, control):
+    viewers = [join(hub)[1] for _ in range(3)]
+    run(hub, viewers, 0, 2)
+    assert control.history_reads == 1
+    join(hub, now=2.0)[0].backlogged = True
+    run(hub, viewers, 2, 3)
+    assert control.history_reads == 1
 
 
 def test_a_page_that_takes_nothing_is_skipped_and_then_gets_all_again(hub, control):

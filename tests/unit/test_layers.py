@@ -38,10 +38,10 @@ def test_the_node_knows_no_tools(module):
     assert not [path for path in imports(module) if path.startswith("jetbot_tools")]
 
 
-PURE = ["protocol", "limits", "client", "access", "handout", "view", "trail", "lease", "dead_man", "stops", "control",
-        "attendance", "hub"]
-COCKPIT_LAYERS = [*PURE, "desktop", "address", "parameters", "frames", "emergency", "robot_topics", "robots", "drive",
-                  "listeners", "connections", "pages", "sockets", "server"]
+PURE = ["protocol", "limits", "client", "access", "handout", "scene", "task", "view", "scores", "trail", "history",
+        "lease", "dead_man", "stops", "control", "attendance", "hub"]
+COCKPIT_LAYERS = [*PURE, "desktop", "address", "parameters", "frames", "emergency", "task_topics", "robot_topics",
+                  "robots", "drive", "listeners", "connections", "pages", "sockets", "server"]
 
 
 @pytest.mark.parametrize("module", [file.stem for file in (COCKPIT / "src/jetbot_cockpit").glob("[!_]*.py")])

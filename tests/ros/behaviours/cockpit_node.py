@@ -1,11 +1,17 @@
 """The cockpit's node: a page drives, the robot stops with the page and with the node, and bad starts are refused."""
 
+import math
 import re
 import signal
 import time
 from pathlib import Path
 
 import rospkg
+import rospy
+from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
+from geometry_msgs.msg import Point
+from std_msgs.msg import String
+from visualization_msgs.msg import Marker, MarkerArray
 
 from harness import START_TIMEOUT, RobotTest, program, read
 from jetbot.wait import wait_until
@@ -14,6 +20,13 @@ from web_client import WebSocket
 COCKPIT = program("jetbot_cockpit", "cockpit.py")
 FULL, RELEASED = ({"type": "drive", "robot": "/", "forward": forward, "left": 0} for forward in (1, 0))
 PAGES_RATE = 20  # Hz
+
+
+def polyline(namespace, across):
+    """Return a marker from x to x, in m."""
+    marker = Marker(ns=namespace, type=Marker.LINE_STRIP, points=[Point(x=x) for x in across])
+    marker.scale.x = 0.01
+    return marker
 
 
 class CockpitNode(RobotTest):
@@ -62,6 +75,26 @@ class CockpitNode(RobotTest):
         self.assertEqual(cockpit.wait(5.0), 0)
         self.assertLess(time.monotonic() - start, 2.0)
         self.assertNotIn("Traceback", read(cockpit))
+
+    def test_a_task_is_sent_to_a_page_whatever_else_is_published_on_its_topics(self):
+        self.controller()
+        _, port = self.cockpit()
+        page = self.page(port)
+        self.publish("world", MarkerArray([polyline("walls", (0.0, math.nan)), polyline("walls", (1.0, 2.0))]))
+        self.publish("task_course", String("not a drawing"))
+        self.publish("task", DiagnosticStatus(name="metre"))
+        scene = page.receive_until(lambda message: message["type"] == "scene")
+        self.assertEqual(scene, {"type": "scene", "robot": "/", "shapes": [
+            {"kind": "wall", "width": 0.01, "points": [[1.0, 0.0], [2.0, 0.0]]}]})
+        self.publish("task", DiagnosticStatus(name="metre", values=[KeyValue("state", "ready")]))
+        state = page.receive_until(lambda message: message["type"] == "state" and message["robots"]["/"]["task"])
+        self.assertEqual(state["robots"]["/"]["task"]["state"], "ready")
+
+    def publish(self, topic, message):
+        """Publish a message, latched, until the test ends."""
+        publisher = rospy.Publisher(topic, type(message), queue_size=1, latch=True)
+        self.addCleanup(publisher.unregister)
+        publisher.publish(message)
 
     def test_codes_are_printed_and_not_logged(self):
         cockpit, port = self.cockpit("_lan:=true", "_name:=class.test", "_robots:=2")

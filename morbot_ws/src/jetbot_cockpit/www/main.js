@@ -14,6 +14,7 @@ import { Notice } from "./notice.js";
 import { Pad } from "./pad.js";
 import { showPanel, showRoundTrip } from "./panel.js";
 import { Person } from "./person.js";
+import { showScores } from "./scores.js";
 import { Stops } from "./stop.js";
 import { prepareViews } from "./views.js";
 import { World } from "./world.js";
@@ -44,6 +45,7 @@ const person = new Person(send);
 const RECEIVERS = {
   hello(message) {
     world.hello(message);
+    showScores(world.scores);
     choice.begin();
     person.announce();
   },
@@ -62,6 +64,14 @@ const RECEIVERS = {
     fitWhenPlaced();
   },
   trail: (message) => world.trail(message),
+  scene(message) {
+    world.scene(message);
+    map.showCourse(message.robot);
+  },
+  scores({ scores }) {
+    world.scores = scores;
+    showScores(scores);
+  },
   notice: ({ text }) => report(text),
   lift({ robot, text }) {
     const late = !driving.active && notice.visible; // a command was on its way: the first reason counts
@@ -102,6 +112,7 @@ function noticeLostLease() {
 function changeRobot() {
   driving.interrupt();
   map.follow(true);
+  map.showCourse(chosen());
   show();
 }
 

@@ -3,11 +3,12 @@
 import { element, setText } from "./dom.js";
 import { drawGrid } from "./grid.js";
 import { signed } from "./numbers.js";
+import { drawScene } from "./scene.js";
 import { drawArrow, drawRing, drawRobot, drawTrail } from "./shapes.js";
 import { Viewport } from "./viewport.js";
 import { nominalSpeed } from "./wheels.js";
 
-const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual"];
+const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual", "course"];
 const VISIBLE = 9; // pixels: smallest radius at which a robot is found
 const NO_ODOMETRY = "no odometry: not on the map";
 const TAP_RADIUS = 28; // pixels
@@ -15,11 +16,12 @@ const TAP_RADIUS = 28; // pixels
 export class RobotMap {
   // chosen(): id of the robot to follow; choose(id): a robot was tapped; redraw(): draw() is due
   constructor(canvas, world, { chosen, choose, redraw }) {
-    Object.assign(this, { canvas, world, chosen, choose, redraw, following: true });
+    Object.assign(this, { canvas, world, chosen, choose, redraw, following: true, places: null });
     this.view = new Viewport(canvas, {
       changed: () => this.redraw(),
       tapped: (right, down) => this.tap(right, down),
       dragged: () => this.follow(false),
+      zoomed: () => { this.places = null; },
     });
     this.readColors();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readColors());
@@ -34,6 +36,7 @@ export class RobotMap {
   measure() {
     const height = (id) => element(id).offsetHeight;
     this.view.covered = { above: height("tools") + 6, below: height("legend") + 6 };
+    if (this.places) this.view.fit(this.places());
     this.redraw();
   }
 
@@ -45,13 +48,28 @@ export class RobotMap {
 
   follow(on) {
     this.following = on;
+    this.places = null;
     element("follow").setAttribute("aria-pressed", on);
     this.redraw();
   }
 
   fit() {
+    this.frame(() => [...this.world.placed().map(({ state }) => state.pose),
+      ...this.world.robots.flatMap(({ id }) => this.world.pointsOf(id))]);
+  }
+
+  // A robot's course has come: shows all of it instead of following the robot.
+  showCourse(id) {
+    const course = this.world.pointsOf(id, ["course", "goal"]);
+    const { pose } = this.world.state(id);
+    if (id === this.chosen() && this.following && course.length) this.frame(() => pose ? [pose, ...course] : course);
+  }
+
+  // Shows what places() returns, also when the map's size changes, until a person moves it.
+  frame(places) {
     this.follow(false);
-    this.view.fit(this.world.placed().map(({ state }) => state.pose));
+    this.places = places;
+    this.view.fit(places());
   }
 
   tap(right, down) {
@@ -67,7 +85,10 @@ export class RobotMap {
     const { pose } = this.world.state(this.chosen());
     if (this.following && pose) this.view.centre(...pose);
     drawGrid(context, this.view, this.colors);
-    this.inMetres(context, (pixel) => this.drawTrails(context, pixel));
+    this.inMetres(context, (pixel) => {
+      this.drawScenes(context, pixel);
+      this.drawTrails(context, pixel);
+    });
     this.drawLabels(context);
     this.inMetres(context, (pixel) => this.drawRobots(context, pixel));
     this.showSpeeds();
@@ -91,6 +112,12 @@ export class RobotMap {
     context.fillStyle = this.colors.ground;
     context.fillRect(0, 0, this.view.width, this.view.height);
     return context;
+  }
+
+  drawScenes(context, pixel) {
+    const isChosen = ([id]) => id === this.chosen();
+    const scenes = [...this.world.scenes].sort((one, other) => isChosen(one) - isChosen(other)); // it is on top
+    for (const [id, shapes] of scenes) drawScene(context, shapes, isChosen([id]), this.colors, pixel);
   }
 
   drawTrails(context, pixel) {

@@ -1,6 +1,7 @@
 // What is shown of the chosen robot: who drives it, why it does not move, and what a teacher can do with it.
 
 import { element, setClass, setText } from "./dom.js";
+import { showTask } from "./task.js";
 import { showView } from "./views.js";
 import { showWheels } from "./wheels.js";
 import { describeDriver, summarize } from "./world.js";
@@ -16,6 +17,7 @@ export function showPanel(world, id, problem) {
   if (robot) document.documentElement.style.setProperty("--robot", robot.color);
   setClass(document.body, "offline", problem);
   showWheels(robot, state);
+  showTask(robot && state.task);
   showTeachersTools(world, robot, state);
 }
 
@@ -29,7 +31,7 @@ function currentStatus(world, id) {
 function showTeachersTools(world, robot, { driver }) {
   const several = world.robots.length > 1;
   const fleet = world.teacher && several;
-  element("fit").hidden = !several;
+  element("fit").hidden = !several && !world.scenes.get(robot?.id)?.length;
   element("fleet").hidden = element("show-fleet").hidden = !fleet;
   element("show-codes").hidden = !world.me.codes;
   element("take").hidden = !(world.teacher && driver && driver.id !== world.me.id);

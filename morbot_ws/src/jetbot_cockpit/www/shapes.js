@@ -88,7 +88,8 @@ function pathLength(path) {
   return path.slice(1).reduce((sum, [x, y], index) => sum + Math.hypot(x - path[index][0], y - path[index][1]), 0);
 }
 
-function drawArrowhead(context, [fromX, fromY], [x, y], size) {
+// Draws a tip at the end of a line that comes from there.
+export function drawArrowhead(context, [fromX, fromY], [x, y], size) {
   const angle = Math.atan2(y - fromY, x - fromX);
   context.beginPath();
   for (const turn of [0, 2.4, -2.4]) {

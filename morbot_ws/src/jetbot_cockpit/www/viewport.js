@@ -4,9 +4,9 @@ const MIN_SCALE = 15, MAX_SCALE = 1500; // pixels per metre
 const TAP = 6; // pixels that a tap may move
 
 export class Viewport {
-  // changed(): it shows another part; tapped(x, y): in pixels; dragged(): a person has moved it
-  constructor(canvas, { changed, tapped, dragged }) {
-    Object.assign(this, { canvas, changed, tapped, dragged });
+  // changed(): it shows another part; tapped(x, y): in pixels; dragged(), zoomed(): by a person
+  constructor(canvas, { changed, tapped, dragged, zoomed }) {
+    Object.assign(this, { canvas, changed, tapped, dragged, zoomed });
     this.x = 0;
     this.y = 0;
     this.scale = 220;
@@ -50,6 +50,7 @@ export class Viewport {
     this.scale = Math.min(MAX_SCALE, Math.max(MIN_SCALE, this.scale * factor));
     const [newX, newY] = this.toMetres(right, down);
     this.centre(this.x + x - newX, this.y + y - newY);
+    this.zoomed();
     this.changed();
   }
 
@@ -59,7 +60,7 @@ export class Viewport {
     const [xs, ys] = [places.map(([x]) => x), places.map(([, y]) => y)];
     const [left, right, bottom, top] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     this.centre((left + right) / 2, (bottom + top) / 2);
-    const height = this.height - this.covered.above - this.covered.below - 50;
+    const height = Math.max(40, this.height - this.covered.above - this.covered.below - 50);
     const scale = Math.min((this.width - 90) / (right - left + 0.3), height / (top - bottom + 0.3));
     this.scale = Math.min(300, Math.max(MIN_SCALE, scale));
     this.changed();

@@ -1,8 +1,9 @@
-// What fills the page: driving, on a small screen the list of all robots, or the codes. STOP is part of each.
+// What fills the page: driving, on a small screen the list of all robots, the codes or the scores.
+// STOP is part of each.
 
 import { element } from "./dom.js";
 
-const VIEWS = { "show-fleet": "fleet", "show-codes": "codes" };
+const VIEWS = { "show-fleet": "fleet", "show-codes": "codes", "show-scores": "scores" };
 
 // opened(view) is called when a person has opened one
 export function prepareViews(opened) {
@@ -13,12 +14,12 @@ export function prepareViews(opened) {
       opened(next);
     });
   }
-  element("close-codes").addEventListener("click", () => showView("drive"));
+  for (const id of ["close-codes", "close-scores"]) element(id).addEventListener("click", () => showView("drive"));
   element("print-codes").addEventListener("click", () => print());
 }
 
 export function showView(view) {
   document.body.dataset.view = view;
-  element("codes").hidden = view !== "codes";
+  for (const id of ["codes", "scores"]) element(id).hidden = view !== id;
   for (const [id, own] of Object.entries(VIEWS)) element(id).setAttribute("aria-pressed", view === own);
 }

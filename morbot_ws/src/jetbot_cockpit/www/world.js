@@ -1,11 +1,13 @@
 // What the cockpit has sent: who this page is, which robots there are, and how each one is.
 
+import { prepareShapes } from "./scene.js";
+
 const TRAIL_STEP = 0.03; // m between two points, as in trail.py
 const TRAIL_LENGTH = 500; // points
 
 const UNKNOWN = {
   status: "", warning: false, answers: true, stopped: false,
-  pose: null, speed: null, command: null, wheels: null, driver: null, program: "",
+  pose: null, speed: null, command: null, wheels: null, driver: null, program: "", task: null,
 };
 
 export class World {
@@ -16,6 +18,8 @@ export class World {
     this.listed = false; // whether the robots are known
     this.states = {};
     this.trails = new Map();
+    this.scenes = new Map(); // shapes, by the robot around which they are
+    this.scores = [];
     this.emergency = false;
   }
 
@@ -28,6 +32,8 @@ export class World {
     this.missing = new Map();
     this.listed = false;
     this.trails.clear();
+    this.scenes.clear();
+    this.scores = [];
   }
 
   // Takes the list of robots; returns which have come and gone since the last one, in a sentence, or "".
@@ -37,7 +43,7 @@ export class World {
     const come = this.listed ? message.robots.filter(({ id }) => !before.has(id)) : [];
     for (const robot of gone) this.missing.set(robot.id, robot);
     for (const id of now.keys()) this.missing.delete(id);
-    for (const id of this.trails.keys()) if (!now.has(id)) this.trails.delete(id);
+    for (const each of [this.trails, this.scenes]) for (const id of each.keys()) if (!now.has(id)) each.delete(id);
     this.robots = message.robots;
     this.listed = true;
     return [sentence(gone, "not running any more"), sentence(come, "running")].filter(Boolean).join(" ");
@@ -51,6 +57,16 @@ export class World {
 
   trail(message) {
     this.trails.set(message.robot, message.points);
+  }
+
+  scene(message) {
+    this.scenes.set(message.robot, prepareShapes(message.shapes));
+  }
+
+  // The points of what is drawn around a robot; kinds: of these shapes alone.
+  pointsOf(id, kinds = null) {
+    const shapes = this.scenes.get(id) ?? [];
+    return shapes.filter(({ kind }) => !kinds || kinds.includes(kind)).flatMap(({ points }) => points);
   }
 
   robot(id) {

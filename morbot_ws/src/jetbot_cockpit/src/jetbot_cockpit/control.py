@@ -8,10 +8,10 @@ from jetbot.text import enumeration
 
 from . import dead_man, protocol
 from .client import TEACHER, Client
+from .history import History
 from .lease import Leases
 from .protocol import notice
 from .stops import Stops
-from .trail import Trails
 from .view import Snapshot, label
 
 if TYPE_CHECKING:  # they need ROS
@@ -31,7 +31,7 @@ class Control:
     def __init__(self, robots: "Robots", drive: "Drive"):
         self._robots, self._drive = robots, drive
         self._snapshot = robots.snapshot()
-        self._leases, self._stops, self._trails = Leases(), Stops(), Trails()
+        self._leases, self._stops, self._history = Leases(), Stops(), History(robots.forget_result)
         self._names: Dict[int, str] = {}
         self._must_lift: Set[int] = set()
         self._checked_at, self._stale_until = math.inf, -math.inf
@@ -67,7 +67,7 @@ class Control:
                 if snapshot.problem(robot) or self._leases.has_expired(robot, now):
                     self._free(robot)
             self._stops.update(snapshot)
-            return self._trails.update({robot.id: robot.pose for robot in snapshot.robots.values()}, now)
+            return self._history.update(snapshot.robots, now)
 
     def close(self) -> None:
         """Stop all robots that are driven from here."""
@@ -89,10 +89,10 @@ class Control:
             states = {robot.id: robot.state(self._driver(robot.id)) for robot in snapshot.robots.values()}
         return {"type": "state", "emergency": snapshot.emergency, "robots": states}
 
-    def trails(self) -> List[dict]:
-        """Return a message "trail" for each robot."""
+    def history(self) -> List[dict]:
+        """Return the messages that a new page needs besides "robots" and "state"."""
         with self._lock:
-            return self._trails.messages()
+            return self._history.messages()
 
     def _on_drive(self, client, message, now):
         robot, driving = message.robot, bool(message.forward or message.left)
@@ -169,7 +169,7 @@ class Control:
         chosen = [robot for robot in self._snapshot.robots.values()
                   if robot.simulated and message.robot in (None, robot.id)]
         for robot in chosen:
-            self._trails.reset(robot.id, now)
+            self._history.reset(robot.id, now)
         silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]
         if silent:
             return notice(f"{enumeration(silent)} {'has' if len(silent) == 1 else 'have'} not answered yet.")

@@ -50,9 +50,9 @@ class Viewer:
         """Return whether the page takes what it is sent; a frozen browser or a bad network does not."""
         return now - self.active_at < ABSENT_AFTER and not self.connection.is_backlogged()
 
-    def show(self, robots: str, trails: Sequence[str], resets: Sequence[str], state: str, now: float) -> None:
+    def show(self, robots: str, history: Sequence[str], changes: Sequence[str], state: str, now: float) -> None:
         """Send what the page does not show yet."""
-        for text in resets if self.robots == robots else [robots, *(resets if self.robots else trails)]:
+        for text in changes if self.robots == robots else [robots, *(changes if self.robots else history)]:
             self.connection.send(text)
         self.robots = robots
         if state != self.state or now - self.shown_at >= STILL_INTERVAL:
@@ -121,17 +121,18 @@ class Hub:
 
     def tick(self, now: float) -> None:
         """Send everybody what has changed; call it every FRAME_INTERVAL."""
-        resets = list(map(dumps, self._control.check(now)))
+        changes = list(map(dumps, self._control.check(now)))
         if not self._viewers:
             return
         state, robots = dumps(self._control.state()), dumps({"type": "robots", "robots": self._control.robots()})
+        waits = any(not viewer.robots and viewer.is_ready(now) for viewer in self._viewers.values())
+        history = list(map(dumps, self._control.history())) if waits else []
         for viewer in list(self._viewers.values()):
             if now - viewer.active_at > GONE_AFTER:
                 self.end(viewer, REFUSED, "no sign of life")
             elif viewer.is_ready(now):
-                trails = [] if viewer.robots else map(dumps, self._control.trails())
-                viewer.show(robots, list(trails), resets, state, now)
-            elif resets:
+                viewer.show(robots, history, changes, state, now)
+            elif changes:
                 viewer.robots = ""  # it misses something, and gets all again
             self._ping(viewer, now)
 

@@ -17,6 +17,7 @@ from jetbot_ros.safety import EMERGENCY_STOP, OWN_EMERGENCY_STOP, Hold
 
 from .emergency import EmergencySwitch
 from .frames import Frames, yaw_of
+from .task_topics import TaskTopics
 from .view import Robot, geometry, label, program, rounded
 
 CONTROLLER = "/jetbot_controller"
@@ -40,6 +41,7 @@ class RobotTopics:
         self._odom = None  # (the newest message, still encoded, when it arrived in s)
         self._motion = (None, None, None)  # the decoded message, pose, speed
         self._resetting: Optional[threading.Thread] = None
+        self._task_topics = TaskTopics(self._base, frames)
         self.stop = EmergencySwitch(f"{self._base}{CONTROLLER}/emergency_stop")
         self._status_subscriber = rospy.Subscriber(f"{self._base}{CONTROLLER}/status", String, self._on_status)
         self._subscribers = [
@@ -50,6 +52,7 @@ class RobotTopics:
     def close(self) -> None:
         """End all subscriptions."""
         self.stop.close()
+        self._task_topics.close()
         for subscriber in self._subscribers:
             subscriber.unregister()
 
@@ -81,7 +84,11 @@ class RobotTopics:
             self.name, self._color, self._geometry, self.simulated,
             self._status if answers else f"{label(self.name)} does not answer. Restart it, or resume it with fg.",
             self._level > 0, answers, self.stop.engaged or self._is_held_by(OWN_EMERGENCY_STOP), pose, speed, command,
-            wheels, self._program)
+            wheels, self._program, *self._task_topics.snapshot(now))
+
+    def forget_result(self) -> None:
+        """It was put back to its start: the score of its last drive is no longer shown."""
+        self._task_topics.forget_result()
 
     def reset(self) -> bool:
         """Put the simulated robot back to its start, in a thread; return False while the last time still hangs."""

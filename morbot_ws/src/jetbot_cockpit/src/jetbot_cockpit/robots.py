@@ -55,6 +55,11 @@ class Robots:
         """Put a simulated robot back to its start; return False if it has not answered the last time yet."""
         return robot in self._robots and self._robots[robot].reset()
 
+    def forget_result(self, robot: str) -> None:
+        """A robot was put back to its start: the score of its last drive is no longer shown."""
+        if robot in self._robots:
+            self._robots[robot].forget_result()
+
     def _run(self):
         master = proxy(master_uri(), TIMEOUT)
         while not rospy.is_shutdown():

@@ -5,6 +5,9 @@ from typing import Dict, NamedTuple, Optional, Sequence, Tuple
 
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION
 
+from .scene import Shape
+from .task import Task
+
 WORKSHOP = 2.0, 1.0  # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
 CLOSED_LOOP = WHEEL_SEPARATION, FULL_SPEED  # of a JetBot Pro, which limits its wheels itself
 MAX_LABEL = 40  # characters
@@ -19,7 +22,8 @@ class Robot(NamedTuple):
     id: its namespace; geometry: (wheel_separation in m, max_speed in m/s) of its commands; simulated: whether it can
     be put back to its start; status: in its controller's words; stopped: by its own emergency stop;
     pose: (x, y in m, yaw in rad) on the map; speed: the measured one, and command: the driven one, each in m/s and
-    rad/s; wheels: the duties (left, right) in [-1, 1]; program: whose command it drives, "" if that is the cockpit's.
+    rad/s; wheels: the duties (left, right) in [-1, 1]; program: whose command it drives, "" if that is the cockpit's;
+    shapes: what is drawn around it; task: which one it drives.
     """
 
     id: str
@@ -35,6 +39,8 @@ class Robot(NamedTuple):
     command: Optional[Tuple[float, float]] = None
     wheels: Optional[Tuple[float, float]] = None
     program: str = ""
+    shapes: Tuple[Shape, ...] = ()
+    task: Optional[Task] = None
 
     @property
     def label(self) -> str:
@@ -63,7 +69,8 @@ class Robot(NamedTuple):
     def state(self, driver: Optional[dict]) -> dict:
         """Return its entry of the message "state"."""
         fields = "status", "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
-        return {**{name: getattr(self, name) for name in fields}, "driver": driver}
+        task = self.task and self.task._asdict()
+        return {**{name: getattr(self, name) for name in fields}, "driver": driver, "task": task}
 
 
 class Snapshot(NamedTuple):

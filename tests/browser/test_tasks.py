@@ -1,0 +1,70 @@
+"""A driving task: its course on the map, what its judge says, the score, and the class's best."""
+
+import pytest
+
+from .conftest import ROBOT
+
+COURSE_COLOR = "c4a3ff"  # of the goal, in the dark
+COURSE = """markers:
+- {action: 3}
+- {header: {frame_id: map}, ns: course, type: 4, scale: {x: 0.01}, points: [{x: 0.0}, {x: 0.5}]}
+- {header: {frame_id: map}, ns: goal, scale: {x: 0.1}, pose: {position: {x: 0.5}, orientation: {w: 1.0}}}"""
+TASK = """{{name: metre, message: "{message}", values: [{{key: title, value: "One <b>metre</b>"}},
+  {{key: state, value: {state}}}, {{key: seconds, value: "3.4"}}, {{key: score, value: "87.3"}}]}}"""
+
+
+@pytest.fixture
+def judge(world):
+    """A function that starts a stand-in for a judge of ROBOT; what it started before is killed."""
+    processes = []
+
+    def kill():
+        while processes:
+            world.kill(processes.pop())
+
+    def start(state, message):
+        kill()
+        processes.append(world.publish(f"/{ROBOT}/task_course", "visualization_msgs/MarkerArray", COURSE))
+        processes.append(world.publish(f"/{ROBOT}/task", "diagnostic_msgs/DiagnosticStatus",
+                                       TASK.format(state=state, message=message)))
+    start.kill = kill
+    yield start
+    kill()
+
+
+def shows_goal(page):
+    return page.shows_on_map(COURSE_COLOR)
+
+
+def test_a_task_is_shown_and_gone_when_its_judge_is_killed(page, judge):
+    page.media(prefers_color_scheme="dark")
+    assert not shows_goal(page)
+    judge("ready", "Drive when you are ready.")
+    page.wait_for_text("task", "Drive when you are ready.")
+    page.wait_for(lambda: shows_goal(page), "the goal on the map")
+    assert "One <b>metre</b>" in page.text("task"), "a title is text"
+    judge.kill()
+    page.wait_for(lambda: not shows_goal(page), "the goal to vanish")
+    assert not page.text("task")
+    page.media()
+
+
+def test_a_score_stays_without_its_judge_until_the_robot_is_put_back(page, pupil, judge, world):
+    judge("done", "Largest loss: too late.")
+    page.wait_for_text("task", "87.3 points, 3.4 s\nLargest loss: too late.")
+    assert page.run("return document.getElementById('task-news').textContent") == \
+        "One <b>metre</b>: 87.3 points, 3.4 s. Largest loss: too late.", "what a screen reader says, once"
+    judge.kill()
+    pupil.element("show-scores").click()
+    pupil.wait_for_text("scores", "87.3")
+    assert pupil.fits("stop", "close-scores") and ROBOT in pupil.text("scores")
+    pupil.element("close-scores").click()
+    page.resize(360, 640)
+    page.wait_for(lambda: page.fits("pad", "stop", "status", "task", "map"), "all on a small phone")
+    world.drive(page, ROBOT)
+    page.lift()
+    world.wait_for_stop(ROBOT)
+    assert page.text("task")
+    page.element("reset").click()
+    page.wait_for(lambda: not page.text("task"), "the score to be gone")
+    assert page.element("show-scores").is_displayed(), "the best stay"
