@@ -3,8 +3,8 @@
 import math
 
 import pytest
-
 from driving_pupil import BEND, SOLUTIONS, arc, one_after_the_other, ramp, run, square, straight, turn
+
 from driving_tasks.drive import NoDrive
 from driving_tasks.score import judge
 from driving_tasks.tasks import TASKS
@@ -73,13 +73,15 @@ MISTAKES = [
     ("circle", arc(0.55, 360), "was 5.1 cm off the line on average, 10 cm to the right at worst"),
     ("circle", arc(0.5, -360), "turned to the right at the end, and not to the left"),
     ("circle", arc(0.5, 180), "turned 180 degrees too little at the end"),
-    ("circle", one_after_the_other(arc(0.5, 180), turn(180), arc(0.5, -180)), "turned 180 degrees too little at the end"),
+    ("circle", one_after_the_other(arc(0.5, 180), turn(180), arc(0.5, -180)),
+     "turned 180 degrees too little at the end"),
     ("circle", arc(0.5, 350), "turned 10 degrees too little at the end"),
     ("circle", turn(360), "stayed 100 cm away from a part of the line"),
     ("s_bend", cut_corner, "was 4.4 cm off the line on average, 7.2 cm to the left at worst"),
     ("s_bend", one_after_the_other(SOLUTIONS["s_bend"], turn(8)),
      "pointed 8 degrees too far to the left at the end"),
-    ("s_bend", one_after_the_other(arc(0.625, -BEND, stop=False), arc(0.625, BEND)), "stopped 100 cm right of the goal"),
+    ("s_bend", one_after_the_other(arc(0.625, -BEND, stop=False), arc(0.625, BEND)),
+     "stopped 100 cm right of the goal"),
     ("s_bend", arc(0.625, BEND), "stopped 50 cm short of the goal and 25 cm right of it"),
     ("s_bend", scaled(SOLUTIONS["s_bend"], 2), "took 6.1 s; 3.9 s are enough"),
     ("smooth", at_once(0.3, 3.333), "sped up at 1.3 m/s^2, and 0.3 are allowed"),

@@ -69,10 +69,12 @@ class Recorder:
             return self.state
         if not self._samples:
             self._wait("The robot did not drive.", sample)
+        elif -1.0 < sample.time - self._samples[-1].time < MIN_INTERVAL:
+            return self.state
         elif self._was_put_elsewhere(sample):
             self._wait("The robot was put elsewhere before it had stopped for 3 s, and did not drive from there."
                        if self.state == DRIVING else self._problem, sample)
-        elif sample.time - self._samples[-1].time >= MIN_INTERVAL:
+        else:
             self._append(sample)
         return self.state
 
@@ -89,10 +91,10 @@ class Recorder:
 
     def _was_put_elsewhere(self, sample):
         last = self._samples[-1]
-        interval = max(sample.time - last.time, 2 * MIN_INTERVAL)
+        interval = max(sample.time - last.time, 2 * MIN_INTERVAL)  # stamps are not that exact
         jump = relative(sample.pose, last.pose)
         back_at_start = sample.pose == self._start.pose and _excursion(last.pose, sample.pose) > TWITCH
-        return (sample.time < last.time - 1.0 or back_at_start  # the clock started again, or the robot
+        return (sample.time < last.time or back_at_start  # the clock started again, or the robot
                 or math.hypot(jump.x, jump.y) > MAX_SPEED * interval
                 or abs(math.remainder(jump.yaw, math.tau)) > MAX_TURN * interval)
 

@@ -1,0 +1,163 @@
+"""The score against closed forms, and what it does not depend on."""
+
+import math
+import time
+from functools import lru_cache
+
+import pytest
+from driving_pupil import SOLUTIONS, run, straight
+
+from driving_tasks.course import Arc, Straight, Turn, advance
+from driving_tasks.drive import NoDrive
+from driving_tasks.samples import Sample
+from driving_tasks.score import judge
+from driving_tasks.tasks import TASKS
+from jetbot.kinematics import Pose
+from simulation.geometry import from_frame
+
+
+@lru_cache(None)
+def solution(name):
+    """The samples of the model solution, at 100 Hz."""
+    return run(SOLUTIONS[name], TASKS[name].load_world())
+
+
+def perfect(steps, speed=0.3, rate=50, turn_speed=90.0, stand=4.0):
+    """The samples of a robot that drives some steps exactly, at a constant speed, between two rests."""
+    poses, pose = [Pose()] * round(1.0 * rate), Pose()
+    for step in steps:
+        count = round(rate * (step.length / speed if step.length else abs(step.degrees) / turn_speed))
+        poses += [advance(pose, step, number / count) for number in range(count)]
+        pose = advance(pose, step)
+    poses += [pose] * round(stand * rate)
+    return [Sample(number / rate, each._replace(yaw=math.remainder(each.yaw, math.tau)), speed)
+            for number, each in enumerate(poses)]
+
+
+@pytest.mark.parametrize("name, seconds", [
+    ("metre", 1 / 0.3), ("quarter", 1.0), ("square", 8 / 0.3 + 8), ("circle", math.pi / 0.3),
+    ("s_bend", 2 * 0.625 * 0.9272952 / 0.3), ("smooth", 1 / 0.3 + 1), ("park", (2 * 0.5 * 0.9272952 + 0.3) / 0.3),
+    ("follow", (0.7 + 0.4 * math.pi) / 0.2)])
+def test_the_time_of_the_ideal_drive(name, seconds):
+    assert TASKS[name].ideal_seconds == pytest.approx(seconds, abs=1e-6)
+
+
+@pytest.mark.parametrize("name, goal", [
+    ("metre", (1, 0, 0)), ("quarter", (0, 0, math.pi / 2)), ("square", (0, 0, 0)), ("circle", (0, 0, math.tau)),
+    ("s_bend", (1, 0.5, 0)), ("smooth", (1, 0, 0)), ("park", (1.1, 0.4, 0)), ("follow", (1.5, 0.8, 0))])
+def test_the_goal(name, goal):
+    assert TASKS[name].course.goal == pytest.approx(goal, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", TASKS)
+def test_the_ideal_drive_leaves_100_points(name):
+    task = TASKS[name]
+    assert judge(task, perfect(task.steps, task.speed)).score > 99.8
+
+
+@pytest.mark.parametrize("name, steps, points", [
+    ("metre", [Straight(0.95)], 60.653066),
+    ("metre", [Straight(1.05)], 60.653066),
+    ("quarter", [Turn(95)], 60.653066),
+    ("quarter", [Turn(85)], 60.653066),
+    ("circle", [Arc(0.5, 355)], None),
+    ("square", [Straight(0.95), Turn(90)] * 4 + [Straight(0.95), Turn(-90)] * 4, 60.653066),
+    ("square", [Straight(1.0), Turn(95)] * 4 + [Straight(1.0), Turn(-95)] * 4, 60.653066),
+    ("square", [Straight(0.95), Turn(95)] * 4 + [Straight(0.95), Turn(-95)] * 4, 36.787944),
+    ("square", [Straight(1.0), Turn(98)] + [Straight(1.0), Turn(90)] * 3 + [Straight(1.0), Turn(-90)] * 4, None),
+    ("square", [Straight(1.0), Turn(90)] * 4, 100 * math.exp(-9.5)),
+])
+def test_an_error_of_5_leaves_60_65_points_before_the_time(name, steps, points):
+    result = judge(TASKS[name], perfect(steps))
+    if points is None:  # one error of 8 degrees among the eight corners; 5 degrees, and where they lead to
+        points = 100 * math.exp(-0.1) if name == "square" else 100 * math.exp(-0.5)
+    time_factor = 0.8 + 0.2 * min(1, TASKS[name].ideal_seconds / result.seconds)
+    assert result.score == pytest.approx(points * time_factor, abs=0.7 if name == "circle" else 0.05)
+
+
+@pytest.mark.parametrize("factor, score", [(2, 90), (4, 85), (0.5, 100)])
+def test_time_counts_a_fifth(factor, score):
+    assert judge(TASKS["metre"], perfect(TASKS["metre"].steps, 0.3 / factor)).score == pytest.approx(score, abs=0.1)
+
+
+@pytest.mark.parametrize("rate", [20, 30])
+@pytest.mark.parametrize("name", TASKS)
+def test_the_score_does_not_depend_on_the_rate_of_the_samples(name, rate):
+    samples = solution(name)
+    fewer = [samples[round(number * 100 / rate)] for number in range(len(samples) * rate // 100)]
+    assert judge(TASKS[name], fewer).score == pytest.approx(judge(TASKS[name], samples).score, abs=0.3)
+
+
+@pytest.mark.parametrize("name", TASKS)
+def test_the_score_does_not_depend_on_where_the_robot_starts(name):
+    start = Pose(12.3, -45.6, 2.9)
+    samples = solution(name)
+    moved = [Sample(time + 1.6e9, Pose(*from_frame(start, pose[:2]), math.remainder(pose.yaw + start.yaw, math.tau)), speed)
+             for time, pose, speed in samples]
+    result = judge(TASKS[name], moved)
+    assert result.score == pytest.approx(judge(TASKS[name], samples).score, abs=1e-4)
+    assert result.frame == pytest.approx(start)
+
+
+@pytest.mark.parametrize("name", ["metre", "square", "smooth"])
+def test_the_score_is_the_same_float_with_samples_before_and_after_and_each_time(name):
+    task, samples = TASKS[name], perfect(TASKS[name].steps)
+    before = [samples[0]._replace(time=samples[0].time - number / 50) for number in range(500, 0, -1)]
+    after = [samples[-1]._replace(time=samples[-1].time + number / 50) for number in range(1, 500)]
+    again = [Sample(samples[-1].time + 20 + sample.time, sample.pose, sample.speed) for sample in samples]
+    scores = {judge(task, each).score for each in [samples] * 10 + [before + samples, samples + after,
+                                                                    before + samples + after + again]}
+    assert len(scores) == 1
+
+
+def test_a_robot_that_is_put_back_starts_again():
+    half, whole = run(straight(0.5)), run(straight(1.0))
+    later = [sample._replace(time=sample.time + 10) for sample in whole]
+    assert judge(TASKS["metre"], half[:100] + later).score == pytest.approx(judge(TASKS["metre"], whole).score)
+
+
+def test_a_twitch_is_no_drive():
+    twitch, whole = run(straight(0.009)), run(straight(1.0))
+    start = twitch[-1]
+    later = [Sample(start.time + 0.01 + sample.time, sample.pose._replace(x=sample.pose.x + start.pose.x), sample.speed)
+             for sample in whole]
+    assert judge(TASKS["metre"], twitch + later).score == pytest.approx(judge(TASKS["metre"], whole).score, abs=0.01)
+    with pytest.raises(NoDrive):
+        judge(TASKS["metre"], twitch)
+
+
+def test_a_robot_that_never_stops_is_judged_after_the_time_limit():
+    samples = [Sample(number / 50, Pose(0.01 * number / 50), 0.01) for number in range(10000)]
+    assert judge(TASKS["metre"], samples).seconds == pytest.approx(60, abs=0.2)
+
+
+NAN, INF = math.nan, math.inf
+HOSTILE = {
+    "nothing": lambda number: None,
+    "zeros": lambda number: Sample(0.0, Pose(), 0.0),
+    "not a number": lambda number: Sample(NAN, Pose(NAN, INF, -INF), NAN),
+    "backward in time": lambda number: Sample(-0.02 * number, Pose(0.001 * number), 0.1),
+    "no time passes": lambda number: Sample(1.0, Pose(0.001 * number), 0.1),
+    "jumps": lambda number: Sample(0.02 * number, Pose(number % 2 * 100.0), 0.0),
+    "huge": lambda number: Sample(1e300 * number, Pose(1e300, -1e300, 1e300), 1e300),
+    "stands": lambda number: Sample(0.02 * number, Pose(3.0, 4.0, 5.0), 0.0),
+    "twitches": lambda number: Sample(0.02 * number, Pose(0.005 * (number // 200 % 2)), 0.0),
+    "drives back and forth": lambda number: Sample(0.00501 * number, Pose(0.009 * (number % 2)), 1.9),
+}
+
+
+@pytest.mark.parametrize("kind", HOSTILE)
+def test_a_long_hostile_drive_ends_soon_with_a_sentence(kind):
+    samples = [sample for sample in map(HOSTILE[kind], range(30_000)) if sample]
+    began = time.monotonic()
+    with pytest.raises(NoDrive, match=r"^[A-Z].*\.$"):
+        judge(TASKS["square"], samples)
+    assert time.monotonic() - began < 5
+
+
+def test_a_wild_drive_is_judged_soon():
+    samples = [Sample(0.00501 * number, Pose(0.009 * (number % 7), 0.009 * (number % 5), number % 4 * 0.05), 1.9)
+               for number in range(30_000)]
+    began = time.monotonic()
+    assert judge(TASKS["circle"], samples).score < 1e-6
+    assert time.monotonic() - began < 5
