@@ -165,7 +165,7 @@ def follow(robot, start):
     while min(robot.eyes) < 0.9:
         left, _, right = robot.eyes
         yield 0.22, 2.0 * (right - left)
-    yield from straight(0.028)(robot, robot.pose)  # the eyes are 0.05 m ahead, and see a little beyond the end
+    yield from straight(0.04)(robot, robot.pose)  # the eyes are 0.05 m ahead, and the robot is a little late
     if abs(robot.pose.yaw) > math.radians(2):
         yield from turn(math.degrees(-robot.pose.yaw))(robot, robot.pose)
 

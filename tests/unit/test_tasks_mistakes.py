@@ -85,7 +85,7 @@ MISTAKES = [
     ("s_bend", arc(0.625, BEND), "stopped 50 cm short of the goal and 25 cm right of it"),
     ("s_bend", scaled(SOLUTIONS["s_bend"], 2), "took 6.1 s; 3.9 s are enough"),
     ("smooth", at_once(0.3, 3.333), "sped up at 1.3 m/s^2, and 0.3 are allowed"),
-    ("smooth", ramp(1.0, 0.45), "braked at 0.5 m/s^2, and 0.3 are allowed"),
+    ("smooth", ramp(1.0, 0.45), "braked at 0.54 m/s^2, and 0.3 are allowed"),
     ("smooth", ramp(0.9, 0.27), "stopped 10 cm short of the goal"),
     ("smooth", ramp(1.0, 0.05), "took 7.9 s; 4.3 s are enough"),
     ("smooth", ramp(1.05, 0.27), "stopped 4.9 cm past the goal"),

@@ -92,8 +92,8 @@ def test_the_score_does_not_depend_on_the_rate_of_the_samples(name, rate):
 def test_the_score_does_not_depend_on_where_the_robot_starts(name):
     start = Pose(12.3, -45.6, 2.9)
     samples = solution(name)
-    moved = [Sample(time + 1.6e9, Pose(*from_frame(start, pose[:2]), math.remainder(pose.yaw + start.yaw, math.tau)), speed)
-             for time, pose, speed in samples]
+    moved = [Sample(stamp + 1.6e9, Pose(*from_frame(start, pose[:2]), math.remainder(pose.yaw + start.yaw, math.tau)),
+                    speed) for stamp, pose, speed in samples]
     result = judge(TASKS[name], moved)
     assert result.score == pytest.approx(judge(TASKS[name], samples).score, abs=1e-4)
     assert result.frame == pytest.approx(start)
@@ -129,6 +129,13 @@ def test_a_twitch_is_no_drive():
 def test_a_robot_that_never_stops_is_judged_after_the_time_limit():
     samples = [Sample(number / 50, Pose(0.01 * number / 50), 0.01) for number in range(10000)]
     assert judge(TASKS["metre"], samples).seconds == pytest.approx(60, abs=0.2)
+
+
+def test_a_drive_ends_where_the_samples_stop_for_3_s():
+    samples = run(straight(1.0))
+    half = [sample for sample in samples if sample.time < 1.5]
+    result = judge(TASKS["metre"], half + [sample._replace(time=sample.time + 1e7) for sample in samples[len(half):]])
+    assert result == judge(TASKS["metre"], half) and result.seconds < 1.5
 
 
 NAN, INF = math.nan, math.inf

@@ -12,7 +12,7 @@ WAITING, DRIVING, DONE = "waiting", "driving", "done"
 
 STILL, STILL_DEGREES = 0.001, 0.5  # m, degrees: within both of them of a pose, a robot is still there
 TWITCH = 10                        # times as much; a motion that goes no farther is no drive
-PAUSE = 3.0                        # s without motion that end a drive
+PAUSE = 3.0                        # s without motion, or without a sample, that end a drive
 MARGIN = 0.3                       # s before the first motion and after the stop that belong to a drive's path
 MIN_INTERVAL = 0.005               # s between two samples; what comes sooner is left out
 MAX_SPEED, MAX_TURN = 2.0, 12.0    # m/s, rad/s; what seems faster is a robot that was put elsewhere
@@ -100,6 +100,9 @@ class Recorder:
 
     def _append(self, sample):
         last = self._samples[-1]
+        if self.state == DRIVING and sample.time - last.time >= PAUSE:  # nobody knows what the robot did meanwhile
+            self._end(sample)
+            return
         yaw = last.pose.yaw + math.remainder(sample.pose.yaw - last.pose.yaw, math.tau)
         sample = sample._replace(pose=sample.pose._replace(yaw=yaw))
         self._samples.append(sample)

@@ -47,7 +47,7 @@ def acceleration(drive: Drive, world: World, limit: float) -> List[Loss]:
     peak, place = next(each for each in rates if abs(each[0]) >= 0.95 * largest)
     what = "sped up" if peak > 0 else "braked"
     return [Loss(min(MAX_EXCESS, EXCESS * (largest / limit - 1)),
-                 f"{what} at {largest:.1f} m/s^2, and {limit:g} are allowed", place)]
+                 f"{what} at {largest:.2g} m/s^2, and {limit:g} are allowed", place)]
 
 
 def _speeds_after(path):

@@ -17,7 +17,7 @@ Command = Tuple[float, float, float]  # time in s, linear.x, angular.z
 STEP = 0.01           # s of the model
 STEPS_PER_SAMPLE = 2
 CMD_VEL_TIMEOUT = 1.0  # s, the controller's default
-WAIT = 60.0           # s that a robot may stand or twitch before its drive
+WAIT = 60.0           # s that a robot may rest or twitch before its drive
 BODY = ("wheel_separation", "wheel_diameter", "max_speed", "motor_lag", "dead_band")
 
 
