@@ -16,6 +16,8 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
+from driving_tasks.bags import judge_bags
+from driving_tasks.tasks import TASKS
 from jetbot import JetbotError
 
 PROGRAM = Path(__file__).parents[2] / "morbot_ws/src/scenarios/driving_tasks/scripts/judge.py"
@@ -128,7 +130,8 @@ def test_several_robots_in_a_bag(judge):
     write("drive.bag", f"/red{TRUTH}")
     with rosbag.Bag("drive.bag", "a") as bag:
         bag.write("/blue/odom", odometry(100, 0))
-    assert judge("metre", "--bag", "drive.bag") == (1, "It holds /blue and /red: choose a robot with --robot NAME.\n")
+    assert judge("metre", "--bag", "drive.bag") == (
+        1, "drive.bag: It holds /blue and /red: choose a robot with --robot NAME.\n")
     assert judge("metre", "--bag", "drive.bag", "--robot", "red")[0] == 0
 
 
@@ -248,6 +251,15 @@ def test_a_hostile_folder_gets_its_rows(judge, folder):
     assert sorted(os.listdir(folder)) == ["class"]  # nothing was executed
 
 
+def test_a_bag_that_vanishes_meanwhile(folder):
+    for number in range(4):
+        write(f"{number}.bag")
+    marks = judge_bags(TASKS["metre"], ".")
+    assert next(marks).result
+    os.remove("3.bag")
+    assert [mark.problem for mark in marks] == ["", "", "It cannot be read: No such file or directory."]
+
+
 def test_links_in_a_folder_lead_to_no_file(judge, folder):
     write("drive.bag")
     (folder / "precious").write_text("keep me")
@@ -263,7 +275,11 @@ def test_links_in_a_folder_lead_to_no_file(judge, folder):
     (("metre", "--robot", "a b"), "A robot's name is a name of ROS, not a b."),
     (("metre", "--bag", "."), ". holds no file that ends in .bag."),
     (("metre", "--bag", ".", "--picture", "x.png"), "--picture is of one drive: of several, --pictures FOLDER."),
-    (("metre", "--bag", "x", "--record", "y"), "--record is for a robot that drives now."),
+    (("metre", "--bag", "x", "--record", "y.bag"), "--record is for a robot that drives now."),
+    (("--bag", "drive.bag"), "The task is missing. The tasks are metre, "),
+    (("metre", "--bag", ""), "--bag: The name of a file is missing."),
+    (("metre", "--bag", "x.bag", "--picture", "x.bag"), "--picture: Its name must end in .png, not x.bag."),
+    (("metre", "--bag", "x.bag", "--csv", "x.bag"), "--csv: Its name must end in .csv, not x.bag."),
     (("metre", "--bag", "x", "--csv", "no/marks.csv"), "[Errno 2] No such file or directory"),
 ], ids=lambda value: " ".join(value) if isinstance(value, tuple) else "")
 def test_what_cannot_be_meant_is_one_sentence(judge, arguments, sentence):

@@ -12,6 +12,7 @@ import pytest
 from driving_tasks.bounded import Limits, run, run_each
 from jetbot.wait import wait_until
 
+ENVIRONMENT = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
 SMALL = Limits(memory=200, cpu_time=1, wall_time=1)
 
 
@@ -63,12 +64,22 @@ def test_a_large_answer_arrives():
     assert len(run(bytes, 10 ** 7).value) == 10 ** 7
 
 
-def test_the_child_ends_with_a_program_that_is_killed(tmp_path):
+def test_the_child_ends_with_a_program_that_is_killed():
     program = "import time; from driving_tasks.bounded import run; run(time.sleep, 60)"
-    with subprocess.Popen([sys.executable, "-c", program],
-                          env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}) as parent:
+    with subprocess.Popen([sys.executable, "-c", program], env=ENVIRONMENT) as parent:
         children = Path(f"/proc/{parent.pid}/task/{parent.pid}/children")
         assert wait_until(children.read_text, 10)
         child = Path(f"/proc/{children.read_text().strip()}/stat")
         parent.send_signal(signal.SIGKILL)
     assert wait_until(lambda: not child.exists() or " Z " in child.read_text(), 5)
+
+
+def test_ctrl_c_ends_the_children_too():
+    program = ("import time; from driving_tasks.bounded import run_each\ntry:\n"
+               "    list(run_each(time.sleep, [(60,), (60,)]))\nexcept KeyboardInterrupt:\n    print('cancelled')")
+    with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          start_new_session=True, env=ENVIRONMENT) as parent:
+        children = Path(f"/proc/{parent.pid}/task/{parent.pid}/children")
+        assert wait_until(lambda: len(children.read_text().split()) == 2, 10)
+        os.killpg(parent.pid, signal.SIGINT)
+        assert parent.communicate(timeout=10)[0] == b"cancelled\n"

@@ -4,6 +4,7 @@ import sys
 from argparse import ArgumentParser, Namespace
 from typing import List
 
+from jetbot import files
 from jetbot.text import printable
 
 from .table import FIRST_OWN, LAST, WITH_ROBOT
@@ -30,4 +31,14 @@ def parse_class(arguments: List[str], command: str) -> Namespace:
     options = parser.parse_args(arguments)
     if options.lesson not in (WITH_ROBOT if options.robots else range(FIRST_OWN, LAST + 1)):
         parser.error(f"lesson {options.lesson} cannot be checked like this")
+    if options.csv:
+        check_csv(options.csv)
     return options
+
+
+def check_csv(file: str) -> None:
+    """Raise SystemExit if the file cannot be written: better before a class is checked than after."""
+    try:
+        files.check_writable(file)
+    except OSError as error:
+        sys.exit(printable(f"{file} cannot be written: {error.strerror}"))

@@ -62,8 +62,9 @@ def report(mark: Mark, given: Namespace, is_first: bool) -> None:
     """Print the mark: sentences if there is only this one, else a row of the table; and draw it."""
     single = is_single(given)
     if single:
+        prefix = f"{mark.name}: " if mark.problem and (given.bag or given.program) else ""
         for sentence in mark.sentences:
-            show(sentence)
+            show(prefix + sentence)
     else:
         print(marks.to_csv(marks.COLUMNS if is_first else (), [mark.row]), end="", flush=True)
     if mark.result and (single or given.pictures):
@@ -112,6 +113,6 @@ if __name__ == "__main__":
     except JetbotError as error:
         end(str(error), 1)
     except OSError as error:
-        end(f"Nothing more was judged: {error.filename or ''} {error.strerror or error}", 1)
+        end(f"{error.filename or 'The output'} cannot be used: {error.strerror or error}.", 1)
     except KeyboardInterrupt:
         end("Cancelled.", 130)

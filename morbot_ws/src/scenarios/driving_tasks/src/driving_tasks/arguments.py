@@ -26,13 +26,16 @@ def parse_arguments(words: List[str]) -> argparse.Namespace:
     parser.add_argument("--robot", nargs="+", type=_robot, default=[], metavar="NAME",
                         help="the robots' namespaces (default: the only one there is)")
     source = parser.add_mutually_exclusive_group()
-    source.add_argument("--bag", metavar="PATH", help="judge a rosbag, or each in a folder; nothing in it is executed")
-    source.add_argument("--program", metavar="PATH", help="run a program, or each in a folder, and judge its drive")
+    source.add_argument("--bag", type=_path, metavar="PATH",
+                        help="judge a rosbag, or each in a folder; nothing in it is executed")
+    source.add_argument("--program", type=_path, metavar="PATH",
+                        help="run a program, or each in a folder, and judge its drive")
     parser.add_argument("--config", default="", metavar="FILE", help=UNITS)
-    parser.add_argument("--picture", metavar="FILE", help="of one drive (default: TASK.png)")
-    parser.add_argument("--pictures", metavar="FOLDER", help="of several drives: a picture of each goes here")
-    parser.add_argument("--csv", metavar="FILE", help="the marks (default, of several drives: the terminal)")
-    parser.add_argument("--record", metavar="FILE", help="a rosbag that gets what is judged now")
+    parser.add_argument("--picture", type=_file(".png"), metavar="FILE.png", help="of one drive (default: TASK.png)")
+    parser.add_argument("--pictures", type=_path, metavar="FOLDER", help="a picture of each drive goes here")
+    parser.add_argument("--csv", type=_file(".csv"), metavar="FILE.csv",
+                        help="the marks; those of several drives are printed, too")
+    parser.add_argument("--record", type=_file(".bag"), metavar="FILE.bag", help="gets what is judged now")
     given = parser.parse_args(words)
     _check(given)
     return given
@@ -46,7 +49,7 @@ def is_single(given: argparse.Namespace) -> bool:
 class _Parser(argparse.ArgumentParser):
     def error(self, message):
         """End the program with one sentence or two."""
-        sentence = re.sub(r"^argument [^:]*: (?=[A-Z])", "", message)
+        sentence = re.sub(r"^argument (?:TASK: |--robot: )?", "", message)
         advice = "" if sentence.endswith((".", "?")) else ". See judge.py --help."
         sys.exit(printable(sentence[0].upper() + sentence[1:] + advice))
 
@@ -65,8 +68,27 @@ def _robot(text):
     return text.strip("/")
 
 
+def _path(text):
+    if not text:
+        raise argparse.ArgumentTypeError("The name of a file is missing.")
+    return text
+
+
+def _file(suffix):
+    """Return what checks the name of a file that is written: it takes the place of no other kind of file."""
+    def check(text):
+        if not text.endswith(suffix):
+            raise argparse.ArgumentTypeError(f"Its name must end in {suffix}, not {text or 'nothing'}.")
+        return text
+    return check
+
+
 def _check(given):
-    """Raise InvalidValue for options that contradict each other."""
+    """Raise InvalidValue for options that contradict each other, or that lack the task."""
+    if not given.task:
+        if any(vars(given).values()):
+            raise InvalidValue("the task is missing", f"The tasks are {enumeration(list(TASKS))}.")
+        return
     live, single = not (given.bag or given.program), is_single(given)
     for option, possible, reason in (
             ("record", live, "--record is for a robot that drives now"),

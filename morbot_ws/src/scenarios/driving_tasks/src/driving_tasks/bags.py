@@ -25,6 +25,7 @@ from .tasks import Task
 from .walk import Found, find_files
 
 MAX_SIZE = 200  # MB
+MAX_NAMES = 5   # of robots that a sentence lists
 SUFFIXES = (".bag", ".bag.active")  # rosbag renames the second to the first when it ends
 TOPIC = re.compile(r"/?(?:(.+)/)?(jetbot_simulator/ground_truth|odom|cmd_vel)")
 Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, or commands
@@ -162,8 +163,8 @@ def _choose(tracks: Tracks, robot: Optional[str]) -> Tuple[str, List]:
     if not robots:
         raise ValueError("It holds no drive: record odom or cmd_vel with it.")
     if robot is None and len(robots) > 1 or robot not in (None, *robots):
-        names = printable(enumeration([f"/{each}" for each in robots]))
-        raise ValueError(f"It holds {names}: choose a robot with --robot NAME.")
+        names = [f"/{each}" for each in robots[:MAX_NAMES]] + ["others"] * (len(robots) > MAX_NAMES)
+        raise ValueError(f"It holds {printable(enumeration(names))}: choose a robot with --robot NAME.")
     robot = robots[0] if robot is None else robot
     topic = next(topic for topic in SOURCES if (robot, topic) in tracks)
     return topic, tracks[robot, topic]

@@ -63,7 +63,11 @@ class _Child:
         self._limits = limits
         self._pipe, answer = FORK.Pipe(duplex=False)
         self._process = FORK.Process(target=_work, args=(os.getpid(), answer, function, arguments, limits), daemon=True)
-        self._process.start()
+        signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT,))  # Ctrl-C is for this process
+        try:
+            self._process.start()
+        finally:
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, (signal.SIGINT,))
         answer.close()
 
     def outcome(self) -> Outcome:
@@ -88,7 +92,7 @@ class _Child:
 
 def _work(parent, answer, function, arguments, limits):
     """Answer with the outcome. This runs in the child."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends the child
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     _prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
     if os.getppid() != parent:
         return
