@@ -82,3 +82,7 @@ def test_the_marks_follow_from_the_score():
 
 def test_the_columns_are_those_of_the_judge():
     assert f"`{','.join(COLUMNS)}`" in GUIDE
+
+
+def test_the_options_of_its_commands_exist(texts):
+    assert [option for option in sorted(set(re.findall(r"--[a-z]+", GUIDE))) if option not in texts] == []
