@@ -3,6 +3,7 @@
 import pytest
 
 from .conftest import ROBOT
+from .test_page import DESKTOP, FINGER, MOUSE, TOUCH_SCREENS
 
 COURSE_COLOR = "c4a3ff"  # of the goal, in the dark
 COURSE = """markers:
@@ -49,6 +50,17 @@ def test_a_task_is_shown_and_gone_when_its_judge_is_killed(page, judge):
     page.media()
 
 
+def test_a_long_task_leaves_room_on_every_screen(page, pupil, judge):
+    judge("done", "a loss that nobody has ever shortened, " * 7)
+    for each in page, pupil:
+        each.wait_for_text("task", "nobody has ever shortened")
+        for screen in [*TOUCH_SCREENS, DESKTOP]:
+            each.resize(*screen, touch=screen != DESKTOP)
+            each.wait_for(lambda each=each: each.fits("pad", "stop", "release", "status", "task", "map"),
+                          f"all on the screen of {screen}")
+            assert each.small_controls(MOUSE if screen == DESKTOP else FINGER) == [], screen
+
+
 def test_a_score_stays_without_its_judge_until_the_robot_is_put_back(page, pupil, judge, world):
     judge("done", "Largest loss: too late.")
     page.wait_for_text("task", "87.3 points, 3.4 s\nLargest loss: too late.")
@@ -59,8 +71,6 @@ def test_a_score_stays_without_its_judge_until_the_robot_is_put_back(page, pupil
     pupil.wait_for_text("scores", "87.3")
     assert pupil.fits("stop", "close-scores") and ROBOT in pupil.text("scores")
     pupil.element("close-scores").click()
-    page.resize(360, 640)
-    page.wait_for(lambda: page.fits("pad", "stop", "status", "task", "map"), "all on a small phone")
     world.drive(page, ROBOT)
     page.lift()
     world.wait_for_stop(ROBOT)

@@ -28,7 +28,7 @@ def test_a_task_its_course_and_its_score_reach_the_pages(cockpit):
                              "seconds": 4.0, "score": 80.0}
     assert cockpit.wait(0.05) == []
     assert types(cockpit.control.history()) == [
-        ("trail", "/red"), ("trail", "/blue"), ("scene", "/red"), ("scores", None)]
+        ("trail", "/red"), ("trail", "/blue"), ("scene", "/red"), ("scene", "/blue"), ("scores", None)]
 
 
 def test_a_result_is_forgotten_when_the_robot_is_put_back(cockpit):

@@ -58,9 +58,14 @@ def test_pages_get_a_scene_when_it_changes_and_not_otherwise():
     scenes, wall = Scenes(), {"kind": "wall", "width": 0.01, "points": ((1.0, 0.0), (1.0, 2.0))}
     assert scenes.update({"/red": (WALL,), "/blue": ()}) == [{"type": "scene", "robot": "/red", "shapes": [wall]}]
     assert scenes.update({"/red": (WALL,), "/blue": ()}) == []
-    assert scenes.messages() == [{"type": "scene", "robot": "/red", "shapes": [wall]}]
     assert scenes.update({"/red": (), "/blue": ()}) == [{"type": "scene", "robot": "/red", "shapes": []}]
-    assert scenes.messages() == []
+
+
+def test_a_page_that_has_missed_the_end_of_a_scene_is_sent_that_nothing_is_there():
+    scenes = Scenes()
+    scenes.update({"/red": (WALL,)})
+    scenes.update({"/red": ()})
+    assert scenes.messages() == [{"type": "scene", "robot": "/red", "shapes": []}]
 
 
 def test_a_robot_that_comes_back_has_its_scene_again():

@@ -65,8 +65,7 @@ const RECEIVERS = {
   },
   trail: (message) => world.trail(message),
   scene(message) {
-    world.scene(message);
-    map.showCourse(message.robot);
+    if (world.scene(message)) map.showCourse(message.robot);
   },
   scores({ scores }) {
     world.scores = scores;

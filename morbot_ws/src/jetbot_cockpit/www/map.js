@@ -60,7 +60,7 @@ export class RobotMap {
 
   // A robot's course has come: shows all of it instead of following the robot.
   showCourse(id) {
-    const course = this.world.pointsOf(id, ["course", "goal"]);
+    const course = this.world.courseOf(id);
     const { pose } = this.world.state(id);
     if (id === this.chosen() && this.following && course.length) this.frame(() => pose ? [pose, ...course] : course);
   }

@@ -59,14 +59,20 @@ export class World {
     this.trails.set(message.robot, message.points);
   }
 
-  scene(message) {
-    this.scenes.set(message.robot, prepareShapes(message.shapes));
+  // Takes what is drawn around a robot; returns whether its course is another one.
+  scene({ robot, shapes }) {
+    const before = String(this.courseOf(robot));
+    this.scenes.set(robot, prepareShapes(shapes));
+    return String(this.courseOf(robot)) !== before;
   }
 
-  // The points of what is drawn around a robot; kinds: of these shapes alone.
-  pointsOf(id, kinds = null) {
-    const shapes = this.scenes.get(id) ?? [];
-    return shapes.filter(({ kind }) => !kinds || kinds.includes(kind)).flatMap(({ points }) => points);
+  // The points of what is drawn around a robot.
+  pointsOf(id, isWanted = () => true) {
+    return (this.scenes.get(id) ?? []).filter(isWanted).flatMap(({ points }) => points);
+  }
+
+  courseOf(id) {
+    return this.pointsOf(id, ({ kind }) => kind === "course" || kind === "goal");
   }
 
   robot(id) {

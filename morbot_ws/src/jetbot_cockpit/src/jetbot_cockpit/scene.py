@@ -72,8 +72,8 @@ class Scenes:
         return [message(robot, shapes) for robot, shapes in scenes.items() if shapes != before.get(robot, ())]
 
     def messages(self) -> List[dict]:
-        """Return a message for each robot around which something is drawn."""
-        return [message(robot, shapes) for robot, shapes in self._scenes.items() if shapes]
+        """Return a message for each robot, also without shapes: a page may have missed that they are gone."""
+        return [message(robot, shapes) for robot, shapes in self._scenes.items()]
 
 
 def message(robot: str, shapes: Iterable[Shape]) -> dict:

@@ -42,7 +42,7 @@ def number(text: Optional[str], largest: float) -> Optional[float]:
         value = float(text)
     except (TypeError, ValueError):
         return None
-    return round(value, 1) + 0.0 if math.isfinite(value) and 0 <= value <= largest else None
+    return round(value, 1) + 0.0 if 0 <= value <= largest else None
 
 
 class TaskTracker:
