@@ -92,11 +92,10 @@ class Recorder:
     def _was_put_elsewhere(self, sample):
         last = self._samples[-1]
         interval = max(sample.time - last.time, 2 * MIN_INTERVAL)  # stamps are not that exact
-        jump = relative(sample.pose, last.pose)
         back_at_start = sample.pose == self._start.pose and _excursion(last.pose, sample.pose) > TWITCH
         return (sample.time < last.time or back_at_start  # the clock started again, or the robot
-                or math.hypot(jump.x, jump.y) > MAX_SPEED * interval
-                or abs(math.remainder(jump.yaw, math.tau)) > MAX_TURN * interval)
+                or math.dist(sample.pose[:2], last.pose[:2]) > MAX_SPEED * interval
+                or abs(math.remainder(sample.pose.yaw - last.pose.yaw, math.tau)) > MAX_TURN * interval)
 
     def _append(self, sample):
         last = self._samples[-1]

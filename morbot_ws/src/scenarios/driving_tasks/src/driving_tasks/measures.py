@@ -42,7 +42,7 @@ def line(course: Course, drive: Drive) -> List[Error]:
     The larger of the two: the one sees a path that leaves the line, the other a part of the line that was left out.
     """
     path = resample([sample.pose[:2] for sample in drive.path])
-    offsets = [100 * course.offset(*point) for point in path]
+    offsets = [100 * offset for offset in course.offsets(path)]
     gaps = [100 * min(distance_to_segment(point, *step) for step in zip(path, path[1:])) for point in course.points]
     off, missed = fmean(map(abs, offsets)), fmean(gaps)
     if missed > 2 * off:
