@@ -60,7 +60,7 @@ def test_the_numbers_of_the_score():
     assert f"stopped for {drive.PAUSE:g} s" in TEXT
     assert f"less than {100 * drive.TWITCH * drive.STILL:g} cm and {drive.TWITCH * drive.STILL_DEGREES:g} deg" in TEXT
     assert ROWS["contacts"][0].startswith(f"{penalties.CONTACT:g} for each time")
-    assert f"after {100 * penalties.CLEAR:g} cm of distance" in ROWS["contacts"][0]
+    assert f"after {100 * penalties.SEPARATED:g} cm of distance" in ROWS["contacts"][0]
     assert ROWS["acceleration"][0].startswith(
         f"{penalties.EXCESS:g} for each 100 % above {ACCELERATION} m/s^2, {penalties.MAX_EXCESS:g} at most; "
         f"means over {penalties.WINDOW} s count, and up to {100 * (penalties.ALLOWANCE - 1):.0f} % ")
