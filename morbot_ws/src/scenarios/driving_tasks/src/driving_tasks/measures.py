@@ -1,7 +1,7 @@
 """What a task measures: each measure returns errors in cm or degrees, each with a sentence and its place."""
 
 import math
-from statistics import mean
+from statistics import fmean
 from typing import Callable, List, NamedTuple, Sequence
 
 from simulation.geometry import distance_to_segment
@@ -44,7 +44,7 @@ def line(course: Course, drive: Drive) -> List[Error]:
     path = resample([sample.pose[:2] for sample in drive.path])
     offsets = [100 * course.offset(*point) for point in path]
     gaps = [100 * min(distance_to_segment(point, *step) for step in zip(path, path[1:])) for point in course.points]
-    off, missed = mean(map(abs, offsets)), mean(gaps)
+    off, missed = fmean(map(abs, offsets)), fmean(gaps)
     if missed > 2 * off:
         worst, place = max(zip(gaps, course.points))
         return [Error(missed, f"stayed {amount(worst, 'cm')} away from a part of the line", place)]
