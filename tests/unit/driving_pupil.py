@@ -49,10 +49,10 @@ class Robot:
             self.time = len(self.samples) * 0.01
 
 
-def run(program, world=EMPTY, patience=60.0):
-    """Let a program drive, for so many seconds at most, then let the robot stand; return the samples."""
+def run(program, world=EMPTY, time_limit=60.0):
+    """Let a program drive, for ``time_limit`` seconds at most, then stop for 4 s; return the samples."""
     robot = Robot(world)
-    for linear, angular in islice(program(robot, robot.pose), round(patience / TICK)):
+    for linear, angular in islice(program(robot, robot.pose), round(time_limit / TICK)):
         robot.drive(linear, angular)
     robot.drive(0.0, 0.0, 4.0)
     return robot.samples

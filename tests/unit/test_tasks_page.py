@@ -57,7 +57,7 @@ def test_the_numbers_of_the_score():
     assert f"exp(-error / {score.TOLERANCE:g}) * ({1 - score.TIME_SHARE:g} + {score.TIME_SHARE:g} * min(" in PAGE
     assert f"5 degrees leave {100 * math.exp(-5 / score.TOLERANCE):.1f} points" in TEXT
     assert f"left its start by {1000 * drive.STILL:g} mm or {drive.STILL_DEGREES} degrees" in TEXT
-    assert f"stopped for {drive.PAUSE:g} s" in TEXT
+    assert f"stopped for {drive.STOP_TIME:g} s" in TEXT
     assert f"less than {100 * drive.TWITCH * drive.STILL:g} cm and {drive.TWITCH * drive.STILL_DEGREES:g} deg" in TEXT
     assert ROWS["contacts"][0].startswith(f"{penalties.CONTACT:g} for each time")
     assert f"after {100 * penalties.SEPARATED:g} cm of distance" in ROWS["contacts"][0]

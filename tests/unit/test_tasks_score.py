@@ -23,14 +23,14 @@ def solution(name):
     return run(SOLUTIONS[name], TASKS[name].load_world())
 
 
-def perfect(steps, speed=0.3, rate=50, turn_speed=90.0, stand=4.0):
+def perfect(steps, speed=0.3, rate=50, turn_speed=90.0, rest=4.0):
     """The samples of a robot that drives some steps exactly, at a constant speed, between two rests."""
     poses, pose = [Pose()] * round(1.0 * rate), Pose()
     for step in steps:
         count = round(rate * (step.length / speed if step.length else abs(step.degrees) / turn_speed))
         poses += [advance(pose, step, number / count) for number in range(count)]
         pose = advance(pose, step)
-    poses += [pose] * round(stand * rate)
+    poses += [pose] * round(rest * rate)
     return [Sample(number / rate, each._replace(yaw=math.remainder(each.yaw, math.tau)), speed)
             for number, each in enumerate(poses)]
 
@@ -164,7 +164,7 @@ HOSTILE = {
     "no time passes": lambda number: Sample(1.0, Pose(0.001 * number), 0.1),
     "jumps": lambda number: Sample(0.02 * number, Pose(number % 2 * 100.0), 0.0),
     "huge": lambda number: Sample(1e300 * number, Pose(1e300, -1e300, 1e300), 1e300),
-    "stands": lambda number: Sample(0.02 * number, Pose(3.0, 4.0, 5.0), 0.0),
+    "is still": lambda number: Sample(0.02 * number, Pose(3.0, 4.0, 5.0), 0.0),
     "twitches": lambda number: Sample(0.02 * number, Pose(0.005 * (number // 200 % 2)), 0.0),
     "drives back and forth": lambda number: Sample(0.00501 * number, Pose(0.009 * (number % 2)), 1.9),
 }

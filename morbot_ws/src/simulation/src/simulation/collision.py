@@ -24,7 +24,7 @@ class Collision:
     def drive(self, pose: Pose, left: float, right: float, wheel_separation: float) -> Tuple[Pose, float]:
         """Return where the robot is after its wheels have rolled, and the fraction of the way that it drove.
 
-        That is 1.0 unless a wall stops it. A robot that stands on a wall drives on. left, right, wheel_separation: m.
+        That is 1.0 unless a wall stops it; a robot that is on a wall already drives on. All lengths in m.
         """
         reach = abs(left + right) / 2 + RADIUS * abs(right - left) / wheel_separation  # of each point, at most
         if pose == self._pose and reach < self._margin and not self.touching:

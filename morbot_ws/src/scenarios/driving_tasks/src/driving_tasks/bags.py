@@ -90,7 +90,7 @@ def _judge(task, file, robot, units) -> Tuple[Result, str]:
 
 
 def _read(file: str) -> Tracks:
-    """Return all that a bag tells about drives. Raises ValueError with one sentence."""
+    """Return the drives that a bag holds, by robot and topic. Raises ValueError with one sentence."""
     _forbid_code()
     try:
         with open(os.open(file, os.O_RDONLY | os.O_NONBLOCK), "rb") as stream:  # without waiting for a FIFO

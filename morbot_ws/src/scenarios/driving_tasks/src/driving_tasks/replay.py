@@ -4,20 +4,21 @@ import math
 from typing import Iterator, List, Sequence, Tuple
 
 from jetbot.kinematics import Pose, clamp, mix
+from jetbot_ros import parameters as controller
 from simulation.collision import Collision
 from simulation.diff_drive import DiffDriveModel
 from simulation.parameters import PARAMETERS
+from simulation.step_clock import STEP
 
-from .drive import DONE, PAUSE, Recorder
+from .drive import DONE, STOP_TIME, Recorder
 from .samples import Sample
 from .tasks import Task
 
 Command = Tuple[float, float, float]  # time in s, linear.x, angular.z
 
-STEP = 0.01           # s of the model
 STEPS_PER_SAMPLE = 2
-CMD_VEL_TIMEOUT = 1.0  # s, the controller's default
-WAIT = 60.0           # s that a robot may rest or twitch before its drive
+CMD_VEL_TIMEOUT = controller.PARAMETERS["cmd_vel_timeout"].default  # s
+WAIT = 60.0  # s that a robot may rest or twitch before its drive
 BODY = ("wheel_separation", "wheel_diameter", "max_speed", "motor_lag", "dead_band")
 
 
@@ -32,7 +33,7 @@ def replay(commands: Sequence[Command], task: Task, wheel_separation: float = 2.
     model = DiffDriveModel(*(PARAMETERS[name].default for name in BODY), pose=Pose())
     model.collision = Collision(task.load_world())
     recorder, samples = Recorder(task.time_limit), [Sample(0.0, model.pose, 0.0)]
-    current, end = 0, min(duties[-1][0] + CMD_VEL_TIMEOUT + 2 * PAUSE, task.time_limit + WAIT) if duties else 0.0
+    current, end = 0, min(duties[-1][0] + CMD_VEL_TIMEOUT + 2 * STOP_TIME, task.time_limit + WAIT) if duties else 0.0
     recorder.feed(samples[0])
     for number in range(round(end / STEP)):
         while current + 1 < len(duties) and duties[current + 1][0] <= number * STEP:

@@ -24,7 +24,7 @@ from .bags import sample_of
 
 SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
 MASTER_TIMEOUT = 5.0  # s
-STILL = 0.5           # s without motion after which the robot stands
+STILL = 0.5           # s without motion after which the robot has stopped
 MOTION = 1e-4         # m or rad; less is none
 MOVES = 3             # samples in motion until a robot drives; one that is put elsewhere has one
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
@@ -98,12 +98,12 @@ class SimulatedRobot:
         for sample in map(sample_of, self.truth):
             if self.pose is None or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.pose)):
                 self._moved_at, self._moves = sample.time, self._moves + 1
-            elif self.stands:
+            elif self.has_stopped:
                 self._moves = 0
             self.pose, self.time = sample.pose, sample.time
 
     @property
-    def stands(self) -> bool:
+    def has_stopped(self) -> bool:
         """Whether the robot has not moved for STILL seconds."""
         return self.pose is not None and self.time - self._moved_at >= STILL
 
@@ -142,7 +142,7 @@ class SimulatedRobot:
         while call.is_alive() and not self.obstacle:
             yield
         called_at = self.time
-        while not (self.stands and self.time - called_at >= STILL or self.obstacle):
+        while not (self.has_stopped and self.time - called_at >= STILL or self.obstacle):
             yield
 
     def _call_reset(self):

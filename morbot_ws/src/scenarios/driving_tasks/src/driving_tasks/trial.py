@@ -17,7 +17,7 @@ from jetbot.text import enumeration, printable
 from jetbot.wait import wait_until
 from jetbot_ros.addresses import is_reachable
 
-from .attempt import READY, Attempt
+from .attempt import INVITATION, Attempt
 from .contained import Limits, children, end_program, limiter, start
 from .live import POLL_INTERVAL, init_node
 from .marks import Mark
@@ -72,8 +72,8 @@ class Trial:
 
     def __init__(self, task: Task, name: str, program: Path, folder: Path, robot: List[subprocess.Popen]):
         self._task, self._name, self._program, self._folder, self._robot = task, name, program, folder, robot
-        self._said: List[str] = []
-        self._attempt = Attempt(task, SimulatedRobot(""), self._said.append)
+        self._sentences: List[str] = []
+        self._attempt = Attempt(task, SimulatedRobot(""), self._sentences.append)
         self._process: Optional[subprocess.Popen] = None
         self._started_at, self._ended_at = time.monotonic(), None
 
@@ -106,7 +106,7 @@ class Trial:
         if self._attempt.has_driven:
             return ""
         if now - self._started_at > DRIVE_TIMEOUT:
-            interruption = f" {self._said[-1]}" if self._said[-1] != READY else elsewhere()
+            interruption = f" {self._sentences[-1]}" if self._sentences[-1] != INVITATION else elsewhere()
             return f"It did not drive within {DRIVE_TIMEOUT} s.{interruption}"
         if self._process.poll() is None or children() - {process.pid for process in self._robot}:
             return ""
