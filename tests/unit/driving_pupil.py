@@ -5,9 +5,11 @@ yields what it would publish at 20 Hz: m/s, rad/s. ``start`` is where it should 
 """
 
 import math
+from functools import lru_cache
 from itertools import islice
 
 from driving_tasks.samples import Sample
+from driving_tasks.tasks import TASKS
 from jetbot.kinematics import Pose, clamp, mix
 from simulation.collision import Collision
 from simulation.diff_drive import DiffDriveModel
@@ -181,3 +183,9 @@ SOLUTIONS = {
     "park": one_after_the_other(arc(0.5, BEND, stop=False), arc(0.5, -BEND, stop=False), straight(0.3)),
     "follow": follow,
 }
+
+
+@lru_cache(None)
+def solution(name):
+    """Return the samples of the model solution of a task, at 100 Hz."""
+    return run(SOLUTIONS[name], TASKS[name].load_world())

@@ -67,7 +67,7 @@ def test_the_simulation_imports_downward_and_its_model_knows_no_ros(module):
 
 
 PURE_TASKS = ["samples", "course", "drive", "polygon", "measures", "penalties", "tasks", "score", "replay"]
-TASKS_LAYERS = [*PURE_TASKS, "bounded", "walk", "marks", "bags", "picture", "arguments", "robot", "announce",
+TASKS_LAYERS = [*PURE_TASKS, "child", "bounded", "walk", "marks", "bags", "picture", "arguments", "robot", "announce",
                 "bag_writer", "attempt", "live", "contained", "trial", "programs"]
 
 

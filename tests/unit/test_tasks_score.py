@@ -2,10 +2,9 @@
 
 import math
 import time
-from functools import lru_cache
 
 import pytest
-from driving_pupil import SOLUTIONS, run, straight
+from driving_pupil import run, solution, straight
 
 from driving_tasks.course import Arc, Straight, Turn, advance
 from driving_tasks.drive import NoDrive, Recorder
@@ -15,12 +14,6 @@ from driving_tasks.score import judge
 from driving_tasks.tasks import TASKS
 from jetbot.kinematics import Pose
 from simulation.geometry import from_frame
-
-
-@lru_cache(None)
-def solution(name):
-    """The samples of the model solution, at 100 Hz."""
-    return run(SOLUTIONS[name], TASKS[name].load_world())
 
 
 def perfect(steps, speed=0.3, rate=50, turn_speed=90.0, rest=4.0):

@@ -12,8 +12,8 @@ from typing import Iterator, Optional
 from jetbot.errors import InvalidValue
 
 from .bags import read_units
-from .bounded import FORK
-from .contained import adopt_orphans, end_children, end_with_parent
+from .child import FORK, adopt_orphans, end_with_parent
+from .contained import end_children
 from .marks import Mark
 from .tasks import Task
 from .trial import DRIVE_TIMEOUT, START_TIMEOUT, try_program

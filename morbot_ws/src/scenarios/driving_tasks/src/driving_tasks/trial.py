@@ -18,7 +18,7 @@ from jetbot.wait import wait_until
 from jetbot_ros.addresses import is_reachable
 
 from .attempt import INVITATION, Attempt
-from .contained import Limits, children, end_program, limiter, start
+from .contained import children, end_program, program_limiter, start
 from .live import POLL_INTERVAL, init_node
 from .marks import Mark
 from .robot import SimulatedRobot
@@ -97,7 +97,7 @@ class Trial:
 
     def _start(self):
         self._process = start([sys.executable, str(self._program)], self._folder / "home", os.environ,
-                              self._folder / "program", limiter(Limits(round(self._task.time_limit) + DRIVE_TIMEOUT)))
+                              self._folder / "program", program_limiter(round(self._task.time_limit) + DRIVE_TIMEOUT))
         self._started_at = time.monotonic()
 
     def _problem(self):
