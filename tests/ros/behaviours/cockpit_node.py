@@ -83,7 +83,7 @@ class CockpitNode(RobotTest):
         self.publish("world", MarkerArray([polyline("walls", (0.0, math.nan)), polyline("walls", (1.0, 2.0))]))
         self.publish("task_course", String("not a drawing"))
         self.publish("task", DiagnosticStatus(name="metre"))
-        scene = page.receive_until(lambda message: message["type"] == "scene")
+        scene = page.receive_until(lambda message: message["type"] == "scene" and message["shapes"])
         self.assertEqual(scene, {"type": "scene", "robot": "/", "shapes": [
             {"kind": "wall", "width": 0.01, "points": [[1.0, 0.0], [2.0, 0.0]]}]})
         self.publish("task", DiagnosticStatus(name="metre", values=[KeyValue("state", "ready")]))
