@@ -99,8 +99,8 @@ def test_the_score_is_the_same_float_with_samples_before_and_after_and_each_time
     before = [samples[0]._replace(time=samples[0].time - number / 50) for number in range(500, 0, -1)]
     after = [samples[-1]._replace(time=samples[-1].time + number / 50) for number in range(1, 500)]
     again = [Sample(samples[-1].time + 20 + sample.time, sample.pose, sample.speed) for sample in samples]
-    scores = {judge(task, each).score for each in [samples] * 10 + [before + samples, samples + after,
-                                                                    before + samples + after + again]}
+    scores = {judge(task, each).score for each in [
+        samples, samples, before + samples, samples + after, before + samples + after + again]}
     assert len(scores) == 1
 
 

@@ -105,7 +105,7 @@ class Recorder:
             self._end(sample)
             return
         yaw = last.pose.yaw + math.remainder(sample.pose.yaw - last.pose.yaw, math.tau)
-        sample = sample._replace(pose=sample.pose._replace(yaw=yaw))
+        sample = Sample(sample.time, Pose(sample.pose.x, sample.pose.y, yaw), sample.speed)
         self._samples.append(sample)
         if _excursion(sample.pose, self._rest.pose) > 1:
             if self.state == WAITING:
