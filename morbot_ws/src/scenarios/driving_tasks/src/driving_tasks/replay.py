@@ -30,11 +30,12 @@ def replay(commands: Sequence[Command], task: Task, wheel_separation: float = 2.
     that are older than the one before, do not count. wheel_separation, max_speed: the controller's parameters.
     """
     duties = _duties(commands, wheel_separation, max_speed)
+    end = min(duties[-1][0] + CMD_VEL_TIMEOUT + 2 * STOP_TIME, task.time_limit + WAIT) if duties else 0.0
     model = DiffDriveModel(*(PARAMETERS[name].default for name in BODY), pose=Pose())
     model.collision = Collision(task.load_world())
     recorder, samples = Recorder(task.time_limit), [Sample(0.0, model.pose, 0.0)]
-    current, end = 0, min(duties[-1][0] + CMD_VEL_TIMEOUT + 2 * STOP_TIME, task.time_limit + WAIT) if duties else 0.0
     recorder.feed(samples[0])
+    current = 0  # the index of the command that holds
     for number in range(round(end / STEP)):
         while current + 1 < len(duties) and duties[current + 1][0] <= number * STEP:
             current += 1
