@@ -11,9 +11,11 @@ from itertools import islice
 from driving_tasks.samples import Sample
 from driving_tasks.tasks import TASKS
 from jetbot.kinematics import Pose, clamp, mix
+from simulation import line_sensor
 from simulation.collision import Collision
 from simulation.diff_drive import DiffDriveModel
-from simulation.geometry import from_frame, to_frame
+from simulation.geometry import to_frame
+from simulation.step_clock import STEP
 from simulation.world import EMPTY
 
 SEPARATION, FULL_SPEED = 0.1125, 0.6
@@ -41,14 +43,14 @@ class Robot:
 
     @property
     def eyes(self):
-        return [self._world.reflectance(*from_frame(self.pose, (0.05, y))) for y in (0.015, 0.0, -0.015)]
+        return line_sensor.read(self._world, self.pose)
 
     def drive(self, linear, angular, seconds=TICK):
         duties = [clamp(duty, 1.0) for duty in mix(linear, angular, SEPARATION, FULL_SPEED)]
-        for _ in range(round(seconds / 0.01)):
+        for _ in range(round(seconds / STEP)):
             self.samples.append(Sample(self.time, self.pose, self._model.velocity[0]))
-            self._model.step(duties, 0.01)
-            self.time = len(self.samples) * 0.01
+            self._model.step(duties, STEP)
+            self.time = len(self.samples) * STEP
 
 
 def run(program, world=EMPTY, time_limit=60.0):

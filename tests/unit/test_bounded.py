@@ -1,5 +1,6 @@
 """What runs in a child with limits: whatever it does, the program goes on with a sentence about it."""
 
+import mmap
 import os
 import signal
 import subprocess
@@ -39,6 +40,11 @@ def test_what_fails_in_a_child_is_a_problem_in_one_sentence(function, arguments,
     outcome = run(function, *arguments, limits=SMALL)
     assert (outcome.value, outcome.problem) == (None, problem)
     assert capfd.readouterr() == ("", "")
+
+
+def test_memory_of_the_parent_does_not_count():
+    with mmap.mmap(-1, 10 ** 9):
+        assert run(abs, -1, limits=SMALL).value == 1
 
 
 def test_a_function_that_waits_ends():

@@ -57,7 +57,7 @@ def test_too_many_files_and_folders(tmp_path, monkeypatch):
     (tmp_path / "deep/folders/within/folders,/one/in/another/last").mkdir()
     (tmp_path / "deep/x.bag").touch()
     found = names(walk.find_files(tmp_path, ".bag"), tmp_path)
-    assert found == [("deep/folders/within/folders,/one/in/another/last", "It lies more than 8 folders deep."),
+    assert found == [("deep/folders/within/folders,/one/in/another/last", "It is more than 8 folders deep."),
                      ("deep/x.bag", "")]
     for name in "yz":
         (tmp_path / f"{name}.bag").touch()

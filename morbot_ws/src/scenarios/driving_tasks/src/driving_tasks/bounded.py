@@ -8,14 +8,14 @@ import signal
 from collections import deque
 from typing import Any, Callable, Iterable, Iterator, NamedTuple, Tuple
 
-from .child import FORK, end_with_parent, set_limits
+from .child import FORK, address_space, end_with_parent, set_limits
 
 MAX_ANSWER = 64 * 1024 * 1024  # bytes
 POLL_INTERVAL = 0.1            # s
 
 
 class Limits(NamedTuple):
-    """memory: MB, of the whole process; cpu_time, wall_time: s."""
+    """memory: MB, beside what this process has; cpu_time, wall_time: s."""
 
     memory: int = 1000
     cpu_time: int = 20
@@ -96,8 +96,8 @@ def _work(parent, answer, function, arguments, limits):
     silent = os.open(os.devnull, os.O_RDWR)
     for stream in range(3):  # what a library prints may hold any character of the file
         os.dup2(silent, stream)
-    set_limits({resource.RLIMIT_AS: limits.memory * 10 ** 6, resource.RLIMIT_CPU: limits.cpu_time,
-                resource.RLIMIT_FSIZE: 0})
+    set_limits({resource.RLIMIT_AS: address_space() + limits.memory * 10 ** 6,
+                resource.RLIMIT_CPU: limits.cpu_time, resource.RLIMIT_FSIZE: 0})
     with contextlib.closing(answer):
         outcome = _outcome(function, arguments, limits)
         try:

@@ -4,6 +4,7 @@ import ctypes
 import multiprocessing
 import os
 import resource
+from pathlib import Path
 from typing import Dict
 
 FORK = multiprocessing.get_context("fork")
@@ -29,3 +30,8 @@ def set_limits(limits: Dict[int, int]) -> None:
         highest = resource.getrlimit(kind)[1]
         value = value if highest == resource.RLIM_INFINITY else min(value, highest)
         resource.setrlimit(kind, (value, value))
+
+
+def address_space() -> int:
+    """Return how large this process's address space is, in bytes: proc(5). Threads reserve more than they use."""
+    return int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()

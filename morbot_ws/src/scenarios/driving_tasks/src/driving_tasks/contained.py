@@ -6,7 +6,7 @@ import resource
 import signal
 import subprocess
 from pathlib import Path
-from typing import Callable, Dict, Iterator, NamedTuple, Sequence, Set
+from typing import Callable, Dict, Iterator, List, NamedTuple, Sequence, Set
 
 from jetbot.wait import wait_until
 
@@ -17,6 +17,16 @@ FILE_SIZE = 10        # MB, of each file that it writes
 END_TIMEOUT = 1.0     # s from SIGTERM to SIGKILL
 KILL_TIMEOUT = 10.0   # s in which all processes end, unless they multiply faster than they are killed
 MAX_PROCESSES = 200   # more than this user has now; Linux does not limit root's
+
+
+class Process(NamedTuple):
+    """A process, by proc(5); user: the id of its user."""
+
+    pid: int
+    user: int
+    state: str
+    parent: int
+    threads: int
 
 
 def start(command: Sequence[str], folder: Path, environment: Dict[str, str], log: Path,
@@ -52,9 +62,9 @@ def end_program(process: subprocess.Popen) -> None:
 def end_children() -> None:
     """Kill all children of this process, and those that it adopts meanwhile."""
     def ended():
-        for pid in children():
+        for child in children():
             with contextlib.suppress(ProcessLookupError):
-                os.kill(pid, signal.SIGKILL)
+                os.kill(child.pid, signal.SIGKILL)
         with contextlib.suppress(ChildProcessError):
             while os.waitpid(-1, os.WNOHANG)[0]:
                 pass
@@ -63,19 +73,14 @@ def end_children() -> None:
     wait_until(ended, KILL_TIMEOUT)
 
 
-def children() -> Set[int]:
-    """Return the processes whose parent is this one, and that have not ended."""
-    return {process.pid for process in processes() if process.parent == os.getpid() and process.state != "Z"}
+def children() -> List[Process]:
+    """Return the processes whose parent is this one, also zombies: one whose threads still end has children."""
+    return [process for process in processes() if process.parent == os.getpid()]
 
 
-class Process(NamedTuple):
-    """A process, by proc(5); user: the id of its user."""
-
-    pid: int
-    user: int
-    state: str
-    parent: int
-    threads: int
+def running_children() -> Set[int]:
+    """Return the ids of the children that have not ended."""
+    return {child.pid for child in children() if child.state != "Z"}
 
 
 def processes() -> Iterator[Process]:

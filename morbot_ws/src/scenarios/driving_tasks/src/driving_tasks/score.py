@@ -16,6 +16,7 @@ from .tasks import Task
 TOLERANCE = 10.0    # cm or degrees of error that leave 1/e of the points
 TIME_SHARE = 0.2    # of the points depend on the time
 NEGLIGIBLE = 0.5    # points that are not worth a sentence
+NO_LOSS = "Nothing lost half a point."
 
 
 class Result(NamedTuple):
@@ -46,7 +47,7 @@ class Result(NamedTuple):
     def sentence(self) -> str:
         """The largest loss as a sentence."""
         if not self.largest_loss:
-            return "Nothing lost half a point."
+            return NO_LOSS
         return f"Largest loss: {self.largest_loss} ({self.losses[0].points:.1f} points)."
 
 

@@ -18,7 +18,7 @@ from jetbot.wait import wait_until
 from jetbot_ros.addresses import is_reachable
 
 from .attempt import INVITATION, Attempt
-from .contained import children, end_program, program_limiter, start
+from .contained import end_program, program_limiter, running_children, start
 from .live import POLL_INTERVAL, init_node
 from .marks import Mark
 from .robot import SimulatedRobot
@@ -108,7 +108,7 @@ class Trial:
         if now - self._started_at > DRIVE_TIMEOUT:
             interruption = f" {self._sentences[-1]}" if self._sentences[-1] != INVITATION else elsewhere()
             return f"It did not drive within {DRIVE_TIMEOUT} s.{interruption}"
-        if self._process.poll() is None or children() - {process.pid for process in self._robot}:
+        if self._process.poll() is None or running_children() - {process.pid for process in self._robot}:
             return ""
         self._ended_at = self._ended_at or now
         return "" if now - self._ended_at < LAST_COMMAND else "It ended before it drove. " + self._last_words()
