@@ -8,12 +8,12 @@ from driving_pupil import run, solution, straight
 
 from driving_tasks.course import Arc, Straight, Turn, advance
 from driving_tasks.drive import NoDrive, Recorder
-from driving_tasks.measures import corners
+from driving_tasks.measures import corners, distances
 from driving_tasks.samples import Sample
 from driving_tasks.score import judge
 from driving_tasks.tasks import TASKS
 from jetbot.kinematics import Pose
-from simulation.geometry import from_frame
+from simulation.geometry import distance_to_segment, from_frame
 
 
 def perfect(steps, speed=0.3, rate=50, turn_speed=90.0, rest=4.0):
@@ -118,6 +118,13 @@ def test_rounded_corners_are_corners():
         recorder.feed(sample)
     errors = [error.size for error in corners(TASKS["square"].course, recorder.finish())]
     assert errors == pytest.approx([0.0] * 8, abs=0.2)
+
+
+def test_the_distance_from_a_path_is_that_from_its_nearest_segment():
+    path = [(math.cos(number / 7) * number / 50, math.sin(number / 11)) for number in range(100)]
+    points = [(number % 9 / 4 - 1, number / 20 - 1) for number in range(40)]
+    assert distances(points, path) == [
+        min(distance_to_segment(point, *segment) for segment in zip(path, path[1:])) for point in points]
 
 
 def test_a_robot_that_is_put_back_starts_again():
