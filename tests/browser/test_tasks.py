@@ -5,6 +5,7 @@ import pytest
 from .conftest import ROBOT
 from .test_page import DESKTOP, FINGER, MOUSE, TOUCH_SCREENS
 
+PARTS = "pad", "stop", "release", "status", "task", "map", "right-formula"
 COURSE_COLOR = "c4a3ff"  # of the goal, in the dark
 COURSE = """markers:
 - {action: 3}
@@ -49,13 +50,16 @@ def test_a_task_is_shown_and_gone_when_its_judge_is_killed(page, judge):
     page.media()
 
 
-def test_a_long_task_leaves_room_on_every_screen(page, pupil, judge):
+def test_a_long_task_leaves_room_on_every_screen(page, pupil, judge, world):
+    world.drive(page, ROBOT)
+    page.lift()
+    world.wait_for_stop(ROBOT)
     judge("done", "a loss that nobody has ever shortened, " * 7)
     for each in page, pupil:
         each.wait_for_text("task", "nobody has ever shortened")
         for screen in [*TOUCH_SCREENS, DESKTOP]:
             each.resize(*screen, touch=screen != DESKTOP)
-            each.wait_for(lambda each=each: each.fits("pad", "stop", "release", "status", "task", "map"),
+            each.wait_for(lambda each=each: each.fits(*PARTS),
                           f"all on the screen of {screen}")
             assert each.small_controls(MOUSE if screen == DESKTOP else FINGER) == [], screen
 
