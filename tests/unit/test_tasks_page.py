@@ -12,7 +12,7 @@ from driving_tasks.drive import Drive
 from driving_tasks.samples import Sample
 from driving_tasks.score import rate
 from driving_tasks.tasks import ACCELERATION, TASKS
-from jetbot.kinematics import Pose
+from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, Pose
 
 PAGE = (ROOT / "docs/tasks.md").read_text()
 TEXT = " ".join(PAGE.split())
@@ -51,6 +51,12 @@ def test_the_arcs():
     for name in ("s_bend", "park"):
         arc = TASKS[name].steps[0]
         assert re.search(rf"{arc.degrees:.2f} degrees and {arc.radius:g} m", TEXT)
+
+
+def test_the_robot():
+    turn = math.degrees(0.1 * 2 * FULL_SPEED / WHEEL_SEPARATION)
+    assert f"at x 1 it drives {FULL_SPEED} m/s, and at z 0.1 it turns {turn:.0f} degrees per second" in TEXT
+    assert f"radius x / z * {WHEEL_SEPARATION / 2:.3f} m" in TEXT
 
 
 def test_the_numbers_of_the_score():

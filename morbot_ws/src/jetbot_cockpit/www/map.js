@@ -114,14 +114,15 @@ export class RobotMap {
     return context;
   }
 
-  // The robots, the chosen one last: it is drawn on top.
-  get robots() {
-    const isChosen = ({ id }) => id === this.chosen();
-    return [...this.world.robots].sort((one, other) => isChosen(one) - isChosen(other));
+  // The robots whose place is known, the chosen one last: it is drawn on top.
+  get placed() {
+    const isChosen = ({ robot }) => robot.id === this.chosen();
+    return this.world.placed().sort((one, other) => isChosen(one) - isChosen(other));
   }
 
   drawScenes(context, pixel) {
-    for (const { id } of this.robots) {
+    const others = [...this.world.scenes.keys()].filter((id) => id !== this.chosen());
+    for (const id of [...others, this.chosen()]) { // the chosen robot's is on top
       drawScene(context, this.world.scenes.get(id) ?? [], id === this.chosen(), this.colors, pixel);
     }
   }
@@ -133,9 +134,8 @@ export class RobotMap {
   }
 
   drawRobots(context, pixel) {
-    for (const robot of this.robots) {
-      const [state, chosen] = [this.world.state(robot.id), robot.id === this.chosen()];
-      if (!state.pose) continue;
+    for (const { robot, state } of this.placed) {
+      const chosen = robot.id === this.chosen();
       drawRobot(context, state.pose, robot.color, this.colors, pixel);
       if (chosen) drawRing(context, state.pose, Math.max(0.13, (VISIBLE + 5) * pixel), robot.color, pixel);
       else if (0.06 < VISIBLE * pixel) drawRing(context, state.pose, VISIBLE * pixel, robot.color, pixel);
@@ -151,7 +151,7 @@ export class RobotMap {
 
   drawLabels(context) {
     Object.assign(context, { textAlign: "center", strokeStyle: this.colors.ground, lineWidth: 4, lineJoin: "round" });
-    for (const { robot, state } of this.world.placed()) {
+    for (const { robot, state } of this.placed) {
       const chosen = robot.id === this.chosen();
       const [x, y] = this.viewport.toPixels(...state.pose);
       const below = y + Math.max(0.13 * this.viewport.scale, VISIBLE + 5) + 16;
