@@ -31,7 +31,7 @@ def main() -> int:
     """Judge what was typed; return the exit code."""
     given = parse_arguments(rospy.myargv()[1:])
     if not given.task:
-        print("\n".join(f"{task.name:9} {task.title}" for task in TASKS.values()))
+        print("\n".join(f"{task.name:9} {task.instruction}" for task in TASKS.values()))
         return 0
     for file in filter(None, (given.csv, given.picture)):
         files.check_writable(file)

@@ -102,7 +102,7 @@ class Attempt:
 
     def _invite(self):
         self.ready, self._announced_at = True, 0.0
-        self._announcement.ready(INVITATION)
+        self._announcement.ready(f"Drive when you are ready: {self._task.instruction}.")
         self._report(INVITATION)
 
     def _measure(self):

@@ -21,6 +21,7 @@ DPI = 100
 TEXT = 0.34               # inches of each line below the picture
 MARGIN = 0.15             # m around what is drawn
 MAX_POINTS = 5000         # of the driven line that are drawn
+NEAR = 0.05               # m; the numbers of places that are nearer to each other would cover each other
 HEADINGS = 8              # along the driven line
 IDEAL = {"color": ORANGE, "linewidth": 6, "alpha": 0.5, "label": "ideal", "solid_capstyle": "round"}
 DRIVEN = {"color": BLUE, "linewidth": 2, "label": "driven"}
@@ -92,11 +93,11 @@ def outline(pose: Pose) -> List[Point]:
 
 
 def mark_losses(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Draw the number of each loss beside its place, one beside the other where several have the same place."""
+    """Draw the number of each loss beside its place, one beside the other where several have about the same place."""
     middle, places = sum(axes.get_xlim()) / 2, []
     for number, loss in enumerate(losses, 1):
         side = -1 if loss.place[0] > middle else 1  # away from the edge of the picture
-        offset = side * (18 + 26 * places.count(loss.place))
+        offset = side * (18 + 26 * sum(math.dist(place, loss.place) < NEAR for place in places))
         places.append(loss.place)
         axes.plot(*loss.place, marker="x", markersize=10, markeredgewidth=3, color=RED, zorder=5)
         axes.annotate(str(number), loss.place, (offset, 18), textcoords="offset points", ha="center", fontsize=13,

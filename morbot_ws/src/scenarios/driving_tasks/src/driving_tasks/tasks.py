@@ -16,7 +16,7 @@ ACCELERATION = 0.3  # m/s^2, allowed in the task smooth
 
 
 class Task(NamedTuple):
-    """A task: its name, its title for people, the steps of its course, what it measures.
+    """A task: its name, its title for people, what to drive, the steps of its course, what it measures.
 
     world: a file of the package simulation, "" for none; speed: m/s of the ideal drive, which reaches it with
     ``acceleration`` in m/s^2.
@@ -24,6 +24,7 @@ class Task(NamedTuple):
 
     name: str
     title: str
+    instruction: str
     steps: Tuple[Step, ...]
     measures: Tuple[Measure, ...]
     penalties: Tuple[Penalty, ...] = ()
@@ -52,15 +53,18 @@ class Task(NamedTuple):
 
 
 TASKS = {task.name: task for task in (
-    Task("metre", "One metre", (Straight(1.0),), (end,)),
-    Task("quarter", "A quarter turn", (Turn(90),), (end,)),
-    Task("square", "A square, both ways round", (Straight(1.0), Turn(90)) * 4 + (Straight(1.0), Turn(-90)) * 4,
-         (sides, corners)),
-    Task("circle", "A circle", (Arc(0.5, 360),), (end, line)),
-    Task("s_bend", "An S-bend", s_bend(1.0, 0.5), (end, line)),
-    Task("smooth", "A smooth metre", (Straight(1.0),), (end,), (partial(acceleration, limit=ACCELERATION),),
-         acceleration=ACCELERATION),
-    Task("park", "Park between two walls", (*s_bend(0.8, 0.4), Straight(0.3)), (end,), (contacts,), "parking.yaml"),
-    Task("follow", "Follow the line", (Straight(0.4), Arc(0.4, 90), Arc(0.4, -90), Straight(0.3)), (end, line),
-         world="line.yaml", speed=0.2),
+    Task("metre", "One metre", "1 m straight ahead", (Straight(1.0),), (end,)),
+    Task("quarter", "A quarter turn", "a quarter turn to the left on the spot", (Turn(90),), (end,)),
+    Task("square", "A square, both ways round", "a square of 1 m to the left, then the same to the right",
+         (Straight(1.0), Turn(90)) * 4 + (Straight(1.0), Turn(-90)) * 4, (sides, corners)),
+    Task("circle", "A circle", "a circle of radius 0.5 m to the left, back to the start", (Arc(0.5, 360),),
+         (end, line)),
+    Task("s_bend", "An S-bend", "two equal arcs to the point (1, 0.5), heading as at the start", s_bend(1.0, 0.5),
+         (end, line)),
+    Task("smooth", "A smooth metre", "1 m straight ahead, gently", (Straight(1.0),), (end,),
+         (partial(acceleration, limit=ACCELERATION),), acceleration=ACCELERATION),
+    Task("park", "Park between two walls", "two equal arcs to (0.8, 0.4), then 0.3 m ahead into the gap",
+         (*s_bend(0.8, 0.4), Straight(0.3)), (end,), (contacts,), "parking.yaml"),
+    Task("follow", "Follow the line", "along the tape to its end",
+         (Straight(0.4), Arc(0.4, 90), Arc(0.4, -90), Straight(0.3)), (end, line), world="line.yaml", speed=0.2),
 )}
