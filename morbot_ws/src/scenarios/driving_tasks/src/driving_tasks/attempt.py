@@ -19,7 +19,7 @@ from .tasks import Task
 
 INVITATION = "Drive when you are ready."
 AT_START = 0.001         # m or rad: a pose so close to the start is there
-MAX_GAP = 1.0            # s between two samples of a drive; what happens in a longer one is not known
+MAX_GAP = 1.0            # s between two samples of a drive; what happened in a longer one is not known
 ANNOUNCE_INTERVAL = 0.2  # s of the drive
 DRIVES = "The robot drives"
 
