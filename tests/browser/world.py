@@ -170,12 +170,12 @@ class World:
 
     def publish_status(self, name: str, status: str) -> subprocess.Popen:
         """Start a node that publishes a controller's status in this namespace, as a controller, and nothing else."""
-        return self.start("rostopic", "pub", "-l", f"/{name}/jetbot_controller/status", "std_msgs/String", status,
-                          f"__ns:=/{name}", "__name:=jetbot_controller")
+        return self.publish(f"/{name}/jetbot_controller/status", "std_msgs/String", status,
+                            f"__ns:=/{name}", "__name:=jetbot_controller")
 
-    def publish(self, topic: str, kind: str, message: str) -> subprocess.Popen:
+    def publish(self, topic: str, kind: str, message: str, *remappings: str) -> subprocess.Popen:
         """Start a node that publishes one message, latched, for as long as it lives."""
-        return self.start("rostopic", "pub", "-l", topic, kind, message)
+        return self.start("rostopic", "pub", "-l", topic, kind, message, *remappings)
 
     def kill(self, process: subprocess.Popen) -> None:
         """Kill a process, and wait for its end."""

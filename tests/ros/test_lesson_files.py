@@ -274,7 +274,8 @@ def test_hostile_folder_gets_a_row_and_is_not_executed(mine, monkeypatch, file, 
     if place.exists():
         place.unlink()
     content(place) if callable(content) else place.write_text(content)
-    (mine / DRIVE).exists() and (mine / DRIVE).chmod(0o755)
+    if (mine / DRIVE).exists():
+        (mine / DRIVE).chmod(0o755)
     found = mark(7, mine).replace(f"{mine.parent}/", "")
     assert found[:len(problem)] == problem and not (mine / "executed").exists()
     assert problem or not found

@@ -13,6 +13,7 @@ import pytest
 import rosgraph
 
 from jetbot_lessons import graph, master, nodes, packages
+from jetbot_lessons.class_options import parse_class
 
 SCRIPT = Path(__file__).parents[2] / "morbot_ws/src/jetbot_lessons/scripts/check_lesson.py"
 parse_arguments = runpy.run_path(str(SCRIPT))["parse_arguments"]
@@ -25,6 +26,17 @@ def test_no_such_lesson(arguments):
     with pytest.raises(SystemExit, match=r"^Which lesson, 1 to 9\? Type: rosrun jetbot_lessons check_lesson\.py N, and "
                                          "from lesson 7 on the name of your package$"):
         parse_arguments(arguments)
+
+
+@pytest.mark.parametrize("arguments, problem", [
+    ("9 --folders ada --csv metre.bag", "Argument --csv: its name must end in .csv, not metre.bag"),
+    ("9 --folders ada --csv /nowhere/a.csv", "Argument --csv: /nowhere/a.csv cannot be written: "),
+    ("9 --robots red", "Lesson 9 cannot be checked like this"), ("6 --folders ada", "Lesson 6 cannot be checked like")])
+def test_options_for_a_class_that_cannot_be_meant_so(arguments, problem):
+    with pytest.raises(SystemExit) as ended:
+        parse_class(arguments.split(), "check_lesson.py")
+    assert str(ended.value).startswith(problem)
+    assert ". Type: check_lesson.py N --robots NAME ... for lessons 2 to 6, " in str(ended.value)
 
 
 @pytest.mark.parametrize("number", ["7", "9"])

@@ -9,25 +9,25 @@ export function cellSize(scale) {
   }
 }
 
-export function drawGrid(context, view, colors) {
-  const cell = cellSize(view.scale);
-  const [left, top] = view.toMetres(0, 0);
-  const [right, bottom] = view.toMetres(view.width, view.height);
+export function drawGrid(context, viewport, colors) {
+  const cell = cellSize(viewport.scale);
+  const [left, top] = viewport.toMetres(0, 0);
+  const [right, bottom] = viewport.toMetres(viewport.width, viewport.height);
   Object.assign(context, { font: "11px system-ui, sans-serif", lineWidth: 1, fillStyle: colors.muted });
   for (let n = Math.ceil(left / cell); n * cell <= right; n += 1) {
-    const across = Math.round(view.toPixels(n * cell, 0)[0]) + 0.5;
-    line(context, [across, 0], [across, view.height], n === 0 ? colors.axis : colors.grid);
+    const across = Math.round(viewport.toPixels(n * cell, 0)[0]) + 0.5;
+    line(context, [across, 0], [across, viewport.height], n === 0 ? colors.axis : colors.grid);
   }
   for (let n = Math.ceil(bottom / cell); n * cell <= top; n += 1) {
-    const down = Math.round(view.toPixels(0, n * cell)[1]) + 0.5;
-    line(context, [0, down], [view.width, down], n === 0 ? colors.axis : colors.grid);
+    const down = Math.round(viewport.toPixels(0, n * cell)[1]) + 0.5;
+    line(context, [0, down], [viewport.width, down], n === 0 ? colors.axis : colors.grid);
   }
-  drawScale(context, view, cell, colors);
+  drawScale(context, viewport, cell, colors);
 }
 
-function drawScale(context, view, cell, colors) {
-  const [left, length] = [14.5, Math.round(cell * view.scale)];
-  const down = Math.round(view.height - view.covered.below) - 9.5; // above the legend
+function drawScale(context, viewport, cell, colors) {
+  const [left, length] = [14.5, Math.round(cell * viewport.scale)];
+  const down = Math.round(viewport.height - viewport.covered.below) - 9.5; // above the legend
   Object.assign(context, { strokeStyle: colors.text, lineWidth: 1.5, fillStyle: colors.text, textAlign: "center" });
   context.beginPath();
   for (const [x, y] of [[left, down - 5], [left, down], [left + length, down], [left + length, down - 5]]) {

@@ -17,7 +17,7 @@ export class RobotMap {
   // chosen(): id of the robot to follow; choose(id): a robot was tapped; redraw(): draw() is due
   constructor(canvas, world, { chosen, choose, redraw }) {
     Object.assign(this, { canvas, world, chosen, choose, redraw, following: true, places: null });
-    this.view = new Viewport(canvas, {
+    this.viewport = new Viewport(canvas, {
       changed: () => this.redraw(),
       tapped: (right, down) => this.tap(right, down),
       dragged: () => this.follow(false),
@@ -27,16 +27,16 @@ export class RobotMap {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readColors());
     const sizes = new ResizeObserver(() => this.measure());
     for (const each of [canvas, element("tools"), element("legend")]) sizes.observe(each);
-    element("zoom-in").addEventListener("click", () => this.view.zoom(1.4));
-    element("zoom-out").addEventListener("click", () => this.view.zoom(1 / 1.4));
+    element("zoom-in").addEventListener("click", () => this.viewport.zoom(1.4));
+    element("zoom-out").addEventListener("click", () => this.viewport.zoom(1 / 1.4));
     element("fit").addEventListener("click", () => this.fit());
     element("follow").addEventListener("click", () => this.follow(!this.following));
   }
 
   measure() {
     const height = (id) => element(id).offsetHeight;
-    this.view.covered = { above: height("tools") + 6, below: height("legend") + 6 };
-    if (this.places) this.view.fit(this.places());
+    this.viewport.covered = { above: height("tools") + 6, below: height("legend") + 6 };
+    if (this.places) this.viewport.fit(this.places());
     this.redraw();
   }
 
@@ -69,12 +69,12 @@ export class RobotMap {
   frame(places) {
     this.follow(false);
     this.places = places;
-    this.view.fit(places());
+    this.viewport.fit(places());
   }
 
   tap(right, down) {
     const near = this.world.placed().map(({ robot, state }) => {
-      const [x, y] = this.view.toPixels(...state.pose);
+      const [x, y] = this.viewport.toPixels(...state.pose);
       return [Math.hypot(x - right, y - down), robot.id];
     }).sort(([one], [other]) => one - other)[0];
     if (near && near[0] < TAP_RADIUS) this.choose(near[1]);
@@ -83,8 +83,8 @@ export class RobotMap {
   draw() {
     const context = this.fitCanvas();
     const { pose } = this.world.state(this.chosen());
-    if (this.following && pose) this.view.centre(...pose);
-    drawGrid(context, this.view, this.colors);
+    if (this.following && pose) this.viewport.centre(...pose);
+    drawGrid(context, this.viewport, this.colors);
     this.inMetres(context, (pixel) => {
       this.drawScenes(context, pixel);
       this.drawTrails(context, pixel);
@@ -97,27 +97,33 @@ export class RobotMap {
   // Calls draw with the size of a pixel, while the context is in metres.
   inMetres(context, draw) {
     context.save();
-    context.translate(...this.view.toPixels(0, 0));
-    context.scale(this.view.scale, -this.view.scale);
-    draw(1 / this.view.scale);
+    context.translate(...this.viewport.toPixels(0, 0));
+    context.scale(this.viewport.scale, -this.viewport.scale);
+    draw(1 / this.viewport.scale);
     context.restore();
   }
 
   fitCanvas() {
     const ratio = devicePixelRatio || 1;
-    const [width, height] = [Math.round(this.view.width * ratio), Math.round(this.view.height * ratio)];
+    const [width, height] = [Math.round(this.viewport.width * ratio), Math.round(this.viewport.height * ratio)];
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
     const context = this.canvas.getContext("2d");
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.fillStyle = this.colors.ground;
-    context.fillRect(0, 0, this.view.width, this.view.height);
+    context.fillRect(0, 0, this.viewport.width, this.viewport.height);
     return context;
   }
 
+  // The robots, the chosen one last: it is drawn on top.
+  get robots() {
+    const isChosen = ({ id }) => id === this.chosen();
+    return [...this.world.robots].sort((one, other) => isChosen(one) - isChosen(other));
+  }
+
   drawScenes(context, pixel) {
-    const isChosen = ([id]) => id === this.chosen();
-    const scenes = [...this.world.scenes].sort((one, other) => isChosen(one) - isChosen(other)); // it is on top
-    for (const [id, shapes] of scenes) drawScene(context, shapes, isChosen([id]), this.colors, pixel);
+    for (const { id } of this.robots) {
+      drawScene(context, this.world.scenes.get(id) ?? [], id === this.chosen(), this.colors, pixel);
+    }
   }
 
   drawTrails(context, pixel) {
@@ -127,10 +133,9 @@ export class RobotMap {
   }
 
   drawRobots(context, pixel) {
-    const isChosen = ({ robot }) => robot.id === this.chosen();
-    const placed = this.world.placed().sort((one, other) => isChosen(one) - isChosen(other)); // it is on top
-    for (const { robot, state } of placed) {
-      const chosen = isChosen({ robot });
+    for (const robot of this.robots) {
+      const [state, chosen] = [this.world.state(robot.id), robot.id === this.chosen()];
+      if (!state.pose) continue;
       drawRobot(context, state.pose, robot.color, this.colors, pixel);
       if (chosen) drawRing(context, state.pose, Math.max(0.13, (VISIBLE + 5) * pixel), robot.color, pixel);
       else if (0.06 < VISIBLE * pixel) drawRing(context, state.pose, VISIBLE * pixel, robot.color, pixel);
@@ -148,8 +153,8 @@ export class RobotMap {
     Object.assign(context, { textAlign: "center", strokeStyle: this.colors.ground, lineWidth: 4, lineJoin: "round" });
     for (const { robot, state } of this.world.placed()) {
       const chosen = robot.id === this.chosen();
-      const [x, y] = this.view.toPixels(...state.pose);
-      const below = y + Math.max(0.13 * this.view.scale, VISIBLE + 5) + 16;
+      const [x, y] = this.viewport.toPixels(...state.pose);
+      const below = y + Math.max(0.13 * this.viewport.scale, VISIBLE + 5) + 16;
       context.font = `${chosen ? "bold 13px" : "12px"} system-ui, sans-serif`;
       context.fillStyle = chosen ? this.colors.text : this.colors.muted;
       context.strokeText(robot.label, x, below);

@@ -2,13 +2,13 @@
 
 import { drawArrowhead } from "./shapes.js";
 
-const GOAL_RADIUS = [0.04, 7]; // at least, in metres and in pixels
+const GOAL_RADIUS = [0.04, 7]; // in metres and in pixels: the larger one
 const FAINT = 0.3; // opacity of what belongs to another robot
-const STYLES = { // color: its name in the page's style; least: width in pixels; opacity: of the chosen robot's
-  wall: { color: "tyre", least: 3, opacity: 1 },
-  line: { color: "muted", least: 2, opacity: 1 },
-  course: { color: "course", least: 7, opacity: 0.4 },
-  goal: { color: "course", least: 2.5, opacity: 1 },
+const STYLES = { // color: its name in the page's style; thinnest: width in pixels; opacity: of the chosen robot's
+  wall: { color: "tyre", thinnest: 3, opacity: 1 },
+  line: { color: "muted", thinnest: 2, opacity: 1 },
+  course: { color: "course", thinnest: 7, opacity: 0.4 },
+  goal: { color: "course", thinnest: 2.5, opacity: 1 },
 };
 
 // Takes the shapes of a message; returns those that this page can draw, each with its path.
@@ -23,12 +23,12 @@ export function prepareShapes(shapes) {
 // chosen: whether they belong to the chosen robot; pixel: size of a pixel in metres
 export function drawScene(context, shapes, chosen, colors, pixel) {
   for (const shape of shapes) {
-    const { color, least, opacity } = STYLES[shape.kind];
-    const thinnest = (chosen ? least : 1) * pixel;
+    const { color, thinnest, opacity } = STYLES[shape.kind];
+    const width = (chosen ? thinnest : 1) * pixel;
     const task = shape.kind === "course" || shape.kind === "goal";
     Object.assign(context, {
       strokeStyle: colors[color], fillStyle: colors[color], lineJoin: "round", lineCap: task ? "round" : "butt",
-      lineWidth: task ? thinnest : Math.max(shape.width, thinnest), globalAlpha: chosen ? opacity : FAINT,
+      lineWidth: task ? width : Math.max(shape.width, width), globalAlpha: chosen ? opacity : FAINT,
     });
     if (shape.kind !== "goal") context.stroke(shape.path);
     else if (chosen) drawGoal(context, shape.points, pixel);

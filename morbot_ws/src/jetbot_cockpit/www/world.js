@@ -43,7 +43,9 @@ export class World {
     const come = this.listed ? message.robots.filter(({ id }) => !before.has(id)) : [];
     for (const robot of gone) this.missing.set(robot.id, robot);
     for (const id of now.keys()) this.missing.delete(id);
-    for (const each of [this.trails, this.scenes]) for (const id of each.keys()) if (!now.has(id)) each.delete(id);
+    for (const kept of [this.trails, this.scenes]) {
+      for (const id of kept.keys()) if (!now.has(id)) kept.delete(id);
+    }
     this.robots = message.robots;
     this.listed = true;
     return [sentence(gone, "not running any more"), sentence(come, "running")].filter(Boolean).join(" ");

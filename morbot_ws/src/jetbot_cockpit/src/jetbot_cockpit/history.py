@@ -9,8 +9,9 @@ from .view import Robot
 
 
 class History:
-    """Messages of the socket with what does not change all the time. restarted: called with the id of a robot that was
-    put somewhere else.
+    """Messages of the socket with what changes seldom.
+
+    restarted: called with the id of each robot that was put somewhere else, such as back to its start.
     """
 
     def __init__(self, restarted: Callable[[str], None]):

@@ -77,4 +77,5 @@ class Scenes:
 
 
 def message(robot: str, shapes: Iterable[Shape]) -> dict:
+    """Return the message "scene" of the socket."""
     return {"type": "scene", "robot": robot, "shapes": [shape._asdict() for shape in shapes]}

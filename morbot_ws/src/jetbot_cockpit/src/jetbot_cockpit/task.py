@@ -37,7 +37,7 @@ def decode(name: str, text: str, values: Mapping[str, str]) -> Optional[Task]:
 
 
 def number(text: Optional[str], largest: float) -> Optional[float]:
-    """Return the number with one decimal, or None if it is none from 0 to the largest."""
+    """Return the number, with one decimal; None if the text is no number from 0 to the largest."""
     try:
         value = float(text)
     except (TypeError, ValueError):

@@ -81,7 +81,7 @@ class Snapshot(NamedTuple):
     emergency: bool = False
 
     def ended(self, robot: Optional[str]) -> str:
-        """Return that this robot has ended, or ""; None stands for all."""
+        """Return that this robot has ended, or "", also for all robots (None)."""
         return "" if robot is None or robot in self.robots else f"{label(robot)} has ended."
 
     def problem(self, robot: str) -> str:

@@ -1,7 +1,7 @@
 """What a teacher types to check the work of a class."""
 
 import sys
-from argparse import ArgumentParser, Namespace
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from typing import List
 
 from jetbot import files
@@ -17,8 +17,8 @@ def is_class(arguments: List[str]) -> bool:
 
 def parse_class(arguments: List[str], command: str) -> Namespace:
     """Return lesson, robots, folders and csv; raise SystemExit for bad arguments. command: what starts this program."""
-    usage = (f"{command} N --robots NAME ... for the lessons {WITH_ROBOT[0]} to {WITH_ROBOT[-1]}, "
-             f"N --folders FOLDER ... for {FIRST_OWN} to {LAST}, with --csv FILE to write a file")
+    usage = (f"{command} N --robots NAME ... for lessons {WITH_ROBOT[0]} to {WITH_ROBOT[-1]}, "
+             f"N --folders FOLDER ... for {FIRST_OWN} to {LAST}, with --csv FILE.csv to write a file")
     parser = ArgumentParser(usage=usage, description="Checks the work of a class, and prints a table as CSV: "
                                                      "name,lesson,done,problem.")
     parser.error = lambda message: sys.exit(printable(f"{message[0].upper()}{message[1:]}. Type: {usage}"))
@@ -27,18 +27,19 @@ def parse_class(arguments: List[str], command: str) -> Namespace:
     which.add_argument("--robots", nargs="+", default=[], metavar="NAME", help="namespaces of robots of this master")
     which.add_argument("--folders", nargs="+", default=[], metavar="FOLDER",
                        help="packages that were handed in; nothing in them is executed")
-    parser.add_argument("--csv", metavar="FILE", help="write the table into this file")
+    parser.add_argument("--csv", type=csv_file, metavar="FILE.csv", help="write the table into this file")
     options = parser.parse_args(arguments)
     if options.lesson not in (WITH_ROBOT if options.robots else range(FIRST_OWN, LAST + 1)):
         parser.error(f"lesson {options.lesson} cannot be checked like this")
-    if options.csv:
-        check_csv(options.csv)
     return options
 
 
-def check_csv(file: str) -> None:
-    """Raise SystemExit if the file cannot be written: better before a class is checked than after."""
+def csv_file(name: str) -> str:
+    """Return the name of the file for the table; raise ArgumentTypeError before a class is checked, and not after."""
+    if not name.endswith(".csv"):
+        raise ArgumentTypeError(f"its name must end in .csv, not {name or 'nothing'}")
     try:
-        files.check_writable(file)
+        files.check_writable(name)
     except OSError as error:
-        sys.exit(printable(f"{file} cannot be written: {error.strerror}"))
+        raise ArgumentTypeError(f"{name} cannot be written: {error.strerror}") from None
+    return name

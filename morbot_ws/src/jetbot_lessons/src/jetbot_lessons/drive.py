@@ -1,12 +1,9 @@
 """The check of lesson 9: the recorded drive, judged again."""
 
-from pathlib import Path
-from typing import Union
-
 from driving_tasks.tasks import TASKS
 
 from . import Problem
-from .packages import folder
+from .packages import NameOrFolder, folder
 
 TASK = "metre"
 BAG = f"{TASK}.bag"
@@ -14,11 +11,8 @@ NEEDED = 60.0  # points of 100
 RECORD = f"rosrun driving_tasks judge.py {TASK} --record"
 
 
-def check_drive(package: Union[str, Path]) -> Problem:
-    """Return the problem, or None if the bag in the package is a drive with a good score; nothing is executed.
-
-    package: its name, or its folder.
-    """
+def check_drive(package: NameOrFolder) -> Problem:
+    """Return the problem, or None if the bag in the package is a drive with NEEDED points; nothing is executed."""
     bag = folder(package) / BAG
     if not bag.is_file():
         return f"There is no file {bag}: record your drive with {RECORD} {bag}"

@@ -7,7 +7,6 @@ import shutil
 from difflib import get_close_matches
 from pathlib import Path
 from shlex import quote
-from typing import Union
 
 from jetbot.files import read
 from jetbot_tools.packages import ignore_marker
@@ -16,6 +15,7 @@ from . import Problem
 from .packages import (
     MANIFEST,
     XML_ERRORS,
+    NameOrFolder,
     check_workspace,
     find,
     folder,
@@ -29,7 +29,6 @@ from .packages import (
 CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch"
 SHEBANG = "#!/usr/bin/env python3"
 MAX_SCRIPT = 1024 * 1024  # bytes
-Package = Union[str, Path]  # its name, or its folder
 NAME = re.compile(r"[A-Za-z][\w-]{,254}", re.ASCII)  # also of a folder
 
 
@@ -94,7 +93,7 @@ def check_built(package: str) -> Problem:
     return f"{package} is not built: ./morbot setup"
 
 
-def check_depends(package: Package, *names: str) -> Problem:
+def check_depends(package: NameOrFolder, *names: str) -> Problem:
     """Return the problem, or None if package.xml names these packages as dependencies."""
     file = folder(package) / "package.xml"
     known = {dependency.name for dependency in parse(file).exec_depends}
@@ -102,7 +101,7 @@ def check_depends(package: Package, *names: str) -> Problem:
                  for name in names if name not in known), None)
 
 
-def check_scripts(package: Package) -> Problem:
+def check_scripts(package: NameOrFolder) -> Problem:
     """Return the problem, or None if the package has scripts and the system can start each."""
     scripts = folder(package) / "scripts"
     files = sorted(scripts.glob("[!.]*.py"))
@@ -150,7 +149,7 @@ def _starts_ros_python(first: str) -> bool:
     return Path(shutil.which(program) or "").resolve().match("/usr/bin/python3*")
 
 
-def check_launch_files(package: Package) -> Problem:
+def check_launch_files(package: NameOrFolder) -> Problem:
     """Return the problem, or None if a launch file includes the controller's and passes its arguments on."""
     launch = folder(package) / "launch"
     problems = [_check_launch_file(file) for file in sorted(launch.glob("*.launch"))]

@@ -14,6 +14,7 @@ from jetbot_tools.packages import find_folders, find_packages, ignore_marker
 
 from . import Problem
 
+NameOrFolder = Union[str, Path]  # of a package
 XML_ERRORS = (ET.ParseError, expat.ExpatError, AttributeError, ValueError, LookupError, AssertionError, OSError,
               RecursionError)  # of any XML parser
 
@@ -42,7 +43,7 @@ def find(name: str) -> List[Path]:
     return []
 
 
-def folder(package: Union[str, Path]) -> Path:
+def folder(package: NameOrFolder) -> Path:
     """Return the source folder of a package, given by its name or its folder; raise InvalidPackage if there is none."""
     if isinstance(package, Path):
         return package

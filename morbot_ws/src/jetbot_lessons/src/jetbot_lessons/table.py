@@ -2,10 +2,11 @@
 
 from functools import partial
 from pathlib import Path
-from typing import Callable, Dict, List, Union
+from typing import Callable, Dict, List
 
 from . import Problem, answers, drive, files, graph, handed_in, master, motion
 from .limited import limited
+from .packages import NameOrFolder
 
 FIRST_OWN, LAST = 7, 9  # the lessons about the pupil's own package
 WITH_ROBOT = range(2, FIRST_OWN)  # the lessons about a robot that runs
@@ -20,8 +21,8 @@ EXERCISE = "in another terminal, start the exercise's rostopic pub -r 10, and le
 Checks = List[Callable[[], Problem]]
 
 
-def contents(package: Union[str, Path], *dependencies: str) -> Checks:
-    """Return the checks of the files of a package that drives the robot. package: its name, or its folder."""
+def contents(package: NameOrFolder, *dependencies: str) -> Checks:
+    """Return the checks of the files of a package that drives the robot."""
     return [limited(files.check_depends, package, "rospy", "geometry_msgs", *dependencies),
             limited(files.check_scripts, package)]
 

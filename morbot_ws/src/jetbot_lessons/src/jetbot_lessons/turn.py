@@ -4,8 +4,8 @@ import math
 
 from . import Problem
 
-SLOW = 0.2   # of full power
-LEAST = 0.01  # of full power; less may turn no wheel
+MAX_TURN = 0.2   # of full power; more is not slow
+MIN_TURN = 0.01  # of full power; less may turn no wheel
 EXAMPLE = "for example '{angular: {z: -0.05}}'"
 
 
@@ -18,8 +18,8 @@ def check_command(x: float, z: float) -> Problem:
                 "leave linear.x at 0, and it turns on the spot")
     if z > 0:
         return f"Your command has angular.z {z:g}, which turns the robot to the left: write a number below 0"
-    if z > -LEAST:
-        return f"Your command has angular.z {z:g}, which turns no wheel: write {-LEAST} or less, {EXAMPLE}"
-    if z < -SLOW:
-        return f"Your command has angular.z {z:g}, which is fast: write a number between {-SLOW} and 0, {EXAMPLE}"
+    if z > -MIN_TURN:
+        return f"Your command has angular.z {z:g}, which turns no wheel: write {-MIN_TURN} or less, {EXAMPLE}"
+    if z < -MAX_TURN:
+        return f"Your command has angular.z {z:g}, which is fast: write a number between {-MAX_TURN} and 0, {EXAMPLE}"
     return None

@@ -22,6 +22,7 @@ AT_START = 0.001         # m or rad: a pose so close to the start is there
 MAX_GAP = 1.0            # s between two samples of a drive; what happened in a longer one is not known
 ANNOUNCE_INTERVAL = 0.2  # s of the drive
 DRIVES = "The robot drives"
+CANCELLED, NO_DRIVE = "Cancelled.", "The robot did not drive."
 
 
 class Interrupted(Exception):
@@ -58,7 +59,7 @@ class Attempt:
                 yield from self._measure()
                 self.finish()
             except Interrupted as interruption:
-                self.ready = False
+                self.ready, self._recorder = False, Recorder(self._task.time_limit)
                 self._announcement.cancelled(str(interruption))
                 self._report(str(interruption))
 
@@ -66,10 +67,10 @@ class Attempt:
         """Judge what was driven so far."""
         try:
             result = rate(self._task, self._recorder.finish())
-        except NoDrive as problem:
-            self._announcement.cancelled(str(problem))
+        except NoDrive:
+            self._announcement.cancelled(CANCELLED)
             self._announcement.clear()
-            self.mark = Mark(self.robot.name, self._task.name, None, str(problem))
+            self.mark = Mark(self.robot.name, self._task.name, problem=NO_DRIVE)
         else:
             self._announcement.done(result)
             self.mark = Mark(self.robot.name, self._task.name, result)
@@ -124,7 +125,7 @@ class Attempt:
             raise Interrupted(f"{gap:.1f} s of the drive were not measured, because the simulator or the judge paused.")
         if self._recorder.feed(sample) == WAITING:
             if not is_near(self._recorder.frame, self._start):
-                raise Interrupted("The robot was put elsewhere. It starts again.")
+                raise Interrupted("The robot was put elsewhere, so the drive does not count.")
             if was_driving:
                 self._report("The robot was put back to its start.")
                 self._invite()

@@ -54,7 +54,7 @@ def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None)
 
 def find(names: Sequence[str]) -> List[str]:
     """Return the namespaces of these robots; end the program if there is no master. Raise JetbotError."""
-    require_master()
+    require_master("roslaunch simulation simulation.launch")
     try:
         return find_robots(names)
     except NO_ANSWER as error:
@@ -68,7 +68,7 @@ def check_only_judge(namespaces: Sequence[str]) -> None:
         for namespace in namespaces:
             for node in publishers.get(f"{namespace}/task", ()):
                 if node != rospy.get_name() and condition_of(node):
-                    raise JetbotError(f"{node} judges {label(namespace)} already",
+                    raise JetbotError(f"{node} judges {label(namespace) if namespace else 'this robot'} already",
                                       "End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C.")
     except NO_ANSWER:
         raise LOST from None

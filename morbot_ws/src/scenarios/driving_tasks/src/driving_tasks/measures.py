@@ -10,15 +10,20 @@ from .course import SPACING, Course, Point, Straight, Turn, relative
 from .drive import Drive
 from .polygon import driven_sides
 
+AT_END = " at the end"
 MAX_POINTS = 1000  # of a resampled path: a longer one has fewer points per metre
 
 
 class Error(NamedTuple):
-    """size: in cm or degrees; sentence: what the robot did, without a full stop; place: (x, y) in the task's frame."""
+    """size: in cm or degrees; sentence: what the robot did, without a full stop; place: (x, y) in the task's frame.
+
+    unit: of the mean of several such errors, "" if that tells nothing.
+    """
 
     size: float
     sentence: str
     place: Point
+    unit: str = ""
 
 
 Measure = Callable[[Course, Drive], List[Error]]
@@ -30,7 +35,7 @@ def end(course: Course, drive: Drive) -> List[Error]:
     seen = relative(stop, goal)
     distance, turn = 100 * math.hypot(seen.x, seen.y), math.degrees(seen.yaw)
     if abs(turn) > distance:
-        sentence = describe_turn(math.degrees(stop.yaw), math.degrees(goal.yaw), " at the end")
+        sentence = describe_turn(math.degrees(stop.yaw), math.degrees(goal.yaw), AT_END)
     else:
         sentence = f"stopped {_describe_stop(100 * seen.x, 100 * seen.y)}"
     return [Error(max(distance, abs(turn)), sentence, stop[:2])]
@@ -49,8 +54,9 @@ def line(course: Course, drive: Drive) -> List[Error]:
         largest, place = max(zip(gaps, course.points))
         return [Error(missed, f"stayed {amount(largest, 'cm')} away from a part of the line", place)]
     largest, place = max(zip(offsets, path), key=lambda each: abs(each[0]))
-    sentence = (f"was {amount(off, 'cm')} off the line on average, "
-                f"{amount(largest, 'cm')} to the {left_or_right(largest)} at worst")
+    beyond = min(math.dist(place, tip) for tip in (course.points[0], course.points[-1])) <= abs(largest) / 100 + 0.001
+    direction = "" if beyond else f" to the {left_or_right(largest)}"
+    sentence = f"was {amount(off, 'cm')} off the line on average, {amount(largest, 'cm')}{direction} at worst"
     return [Error(max(off, missed), sentence, place)]
 
 
@@ -60,9 +66,9 @@ def sides(course: Course, drive: Drive) -> List[Error]:
     errors = []
     for number, (length, side) in enumerate(zip(wanted, driven), 1):
         error = 100 * (side.length - length)
-        sentence = (f"drove {amount(error, 'cm')} too {'far' if error > 0 else 'little'} on side {number}"
-                    if side is not driven[-1] else f"stopped before corner {number}")
-        errors.append(Error(abs(error), sentence, side.end))
+        sentence = f"drove {amount(error, 'cm')} too {'far' if error > 0 else 'little'} on side {number}"
+        errors.append(_missing(abs(error), number, drive) if side is driven[-1] else
+                      Error(abs(error), sentence, side.end, "cm"))
     errors += [_missing(100 * length, len(driven), drive) for length in wanted[len(driven):]]
     beyond = 100 * sum(side.length for side in driven[len(wanted):])
     if beyond > errors[-1].size:  # it belongs to the last side
@@ -82,7 +88,8 @@ def corners(course: Course, drive: Drive) -> List[Error]:
     errors = []
     for number, (degrees, side, before, after) in enumerate(zip(wanted, driven, headings, headings[1:]), 1):
         turn = after - before
-        errors.append(Error(abs(turn - degrees), describe_turn(turn, degrees, f" at corner {number}"), side.end))
+        sentence = describe_turn(turn, degrees, f" at corner {number}")
+        errors.append(Error(abs(turn - degrees), sentence, side.end, "degree" if turn * degrees > 0 else ""))
     return errors + [_missing(abs(degrees), len(driven), drive) for degrees in wanted[len(errors):]]
 
 
@@ -124,6 +131,13 @@ def worst(errors: Sequence[Error]) -> Error:
     return next(error for error in errors if error.size >= 0.95 * largest)
 
 
+def describe(errors: Sequence[Error], mean: float) -> str:
+    """Return a sentence about the worst error of a measure, and about their mean unless that one is most of it."""
+    size, sentence, _, unit = worst(errors)
+    widespread = unit and size < len(errors) * mean / 2
+    return f"{sentence}, and {amount(mean, unit)} on average" if widespread else sentence
+
+
 def describe_turn(degrees: float, wanted: float, where: str) -> str:
     """Return what is wrong with a turn of some degrees, counterclockwise, where another one was wanted.
 
@@ -132,6 +146,7 @@ def describe_turn(degrees: float, wanted: float, where: str) -> str:
     if not wanted:
         return f"pointed {amount(degrees, 'degree')} too far to the {left_or_right(degrees)}{where}"
     if degrees * wanted < 0 and abs(degrees) > 10:
+        where = where if where != AT_END else ""  # it did so from its start
         return f"turned to the {left_or_right(degrees)}{where}, and not to the {left_or_right(wanted)}"
     error = math.copysign(1, wanted) * (degrees - wanted)
     return f"turned {amount(error, 'degree')} too {'far' if error > 0 else 'little'}{where}"

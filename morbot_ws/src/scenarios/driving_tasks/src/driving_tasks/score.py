@@ -8,7 +8,7 @@ from simulation.world import World
 
 from .course import Point
 from .drive import DONE, Drive, Recorder
-from .measures import worst
+from .measures import describe, worst
 from .penalties import Loss
 from .samples import Sample
 from .tasks import Task
@@ -80,8 +80,7 @@ def _remaining(error):
 
 
 def _loss(mean, errors):
-    _, sentence, place = worst(errors)
-    return Loss(100 * (1 - _remaining(mean)), sentence, place)
+    return Loss(100 * (1 - _remaining(mean)), describe(errors, mean), worst(errors).place)
 
 
 def _time_loss(task, drive, time_ratio):
