@@ -88,7 +88,7 @@ class Judge(RobotTest):
         self.wait_for_lines(judge, READY)
         second = self.judge()
         self.assertEqual(second.wait(START_TIMEOUT), 1)
-        self.assertRegex(read(second), r"^/judge judges robot already\. End it first: .*\n$")
+        self.assertRegex(read(second), r"^/judge judges this robot already\. End it first: .*\n$")
         self.emergency_stop(True)
         self.wait_for_lines(judge, READY, RELEASE)
         self.emergency_stop(False)
