@@ -19,10 +19,10 @@ from .tasks import Task
 
 INVITATION = "Drive when you are ready."
 AT_START = 0.001         # m or rad: a pose so close to the start is there
-MAX_GAP = 1.0            # s between two samples of a drive; what happens in a longer one is not known
+MAX_GAP = 1.0            # s between two samples of a drive; what happened in a longer one is not known
 ANNOUNCE_INTERVAL = 0.2  # s of the drive
 DRIVES = "The robot drives"
-CANCELLED, NO_DRIVE = "Cancelled.", "The robot did not drive."
+NO_SCORE, NO_DRIVE = "Cancelled.", "The robot did not drive."
 
 
 class Interrupted(Exception):
@@ -68,7 +68,7 @@ class Attempt:
         try:
             result = rate(self._task, self._recorder.finish())
         except NoDrive:
-            self._announcement.cancelled(CANCELLED)
+            self._announcement.cancelled(NO_SCORE)
             self._announcement.clear()
             self.mark = Mark(self.robot.name, self._task.name, problem=NO_DRIVE)
         else:

@@ -17,7 +17,7 @@ MAX_POINTS = 1000  # of a resampled path: a longer one has fewer points per metr
 class Error(NamedTuple):
     """size: in cm or degrees; sentence: what the robot did, without a full stop; place: (x, y) in the task's frame.
 
-    unit: of the mean of several such errors, "" if that tells nothing.
+    unit: of the mean of several such errors, "" if that has no meaning.
     """
 
     size: float

@@ -106,7 +106,7 @@ class Trial:
         if self._attempt.has_driven:
             return ""
         if now - self._started_at > DRIVE_TIMEOUT:
-            interruption = f" {self._sentences[-1]}" if self._sentences[-1] != INVITATION else elsewhere()
+            interruption = f" {self._sentences[-1]}" if self._sentences[-1] != INVITATION else describe_wrong_topics()
             return f"It did not drive within {DRIVE_TIMEOUT} s.{interruption}"
         if self._process.poll() is None or running_children() - {process.pid for process in self._robot}:
             return ""
@@ -126,8 +126,8 @@ def last_line(file: Path) -> str:
     return printable(lines[-1][:MAX_SENTENCE]) if lines else ""
 
 
-def elsewhere() -> str:
-    """Return a sentence if somebody publishes commands for no robot."""
+def describe_wrong_topics() -> str:
+    """Return a sentence about the topics with commands that no robot obeys; "" if there is none."""
     topics = sorted(topic for topic, kind in rospy.get_published_topics() if kind == Twist._type)
     wrong = [printable(topic) for topic in topics if topic != "/cmd_vel"]
     return f" It publishes on {enumeration(wrong)}; its robot obeys /cmd_vel." if wrong else ""
