@@ -1,6 +1,7 @@
 """A picture of a judged drive from above: the ideal and the driven line, and where points were lost."""
 
 import io
+import math
 from typing import List, Sequence, Tuple
 
 from matplotlib.axes import Axes
