@@ -105,7 +105,7 @@ def test_a_hostile_folder_gets_its_rows(judge, folder):
         make(f"class/{name}")
     code, text = judge("metre", "--bag", "class")
     assert code == 1
-    problems = {name: problem for name, *_, problem in table(text)}
+    problems = {name: problem for name, *_, problem, _ in table(text)}
     assert len(problems) == len(HOSTILE)
     for name, (_, problem) in HOSTILE.items():
         shown = name.encode("unicode_escape", "backslashreplace").decode()

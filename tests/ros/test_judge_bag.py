@@ -21,7 +21,7 @@ def test_one_bag_gets_sentences_and_a_picture(judge, folder):
         "Drew metre.png.", "Wrote marks.csv."])
     assert (folder / "metre.png").read_bytes()[:4] == b"\x89PNG"
     assert table((folder / "marks.csv").read_text("utf-8-sig")) == [
-        ("drive.bag", "metre", "36.8", "3.0", "stopped 10 cm short of the goal", "")]
+        ("drive.bag", "metre", "36.8", "3.0", "stopped 10 cm short of the goal", "", "simulator")]
 
 
 def test_the_same_bag_has_the_same_score_each_time(judge, folder):
@@ -59,7 +59,7 @@ def test_several_robots_in_a_bag(judge):
     with rosbag.Bag("drive.bag", "a") as bag:
         bag.write("/blue/odom", odometry(100, 0))
     assert judge("metre", "--bag", "drive.bag") == (
-        1, "drive.bag: It holds /blue and /red: choose a robot with --robot NAME.\n")
+        1, "drive.bag: It holds blue and red: choose one with --robot NAME.\n")
     assert judge("metre", "--bag", "drive.bag", "--robot", "red")[0] == 0
 
 
@@ -69,7 +69,7 @@ def test_a_folder_gets_a_row_for_each_bag(judge, folder):
         write(f"class/{number:02}/drive.bag", length=1 - number / 100)
     code, text = judge("metre", "--bag", "class")
     assert (code, len(table(text))) == (0, 30)
-    assert table(text)[5] == ("05/drive.bag", "metre", "60.7", "3.2", "stopped 5 cm short of the goal", "")
+    assert table(text)[5] == ("05/drive.bag", "metre", "60.7", "3.2", "stopped 5 cm short of the goal", "", "simulator")
 
 
 def test_a_folder_gets_a_folder_of_pictures(judge, folder):
