@@ -5,13 +5,17 @@ yields what it would publish at 20 Hz: m/s, rad/s. ``start`` is where it should 
 """
 
 import math
+from functools import lru_cache
 from itertools import islice
 
 from driving_tasks.samples import Sample
+from driving_tasks.tasks import TASKS
 from jetbot.kinematics import Pose, clamp, mix
+from simulation import line_sensor
 from simulation.collision import Collision
 from simulation.diff_drive import DiffDriveModel
-from simulation.geometry import from_frame, to_frame
+from simulation.geometry import to_frame
+from simulation.step_clock import STEP
 from simulation.world import EMPTY
 
 SEPARATION, FULL_SPEED = 0.1125, 0.6
@@ -39,20 +43,20 @@ class Robot:
 
     @property
     def eyes(self):
-        return [self._world.reflectance(*from_frame(self.pose, (0.05, y))) for y in (0.015, 0.0, -0.015)]
+        return line_sensor.read(self._world, self.pose)
 
     def drive(self, linear, angular, seconds=TICK):
         duties = [clamp(duty, 1.0) for duty in mix(linear, angular, SEPARATION, FULL_SPEED)]
-        for _ in range(round(seconds / 0.01)):
+        for _ in range(round(seconds / STEP)):
             self.samples.append(Sample(self.time, self.pose, self._model.velocity[0]))
-            self._model.step(duties, 0.01)
-            self.time = len(self.samples) * 0.01
+            self._model.step(duties, STEP)
+            self.time = len(self.samples) * STEP
 
 
-def run(program, world=EMPTY, patience=60.0):
-    """Let a program drive, for so many seconds at most, then let the robot stand; return the samples."""
+def run(program, world=EMPTY, time_limit=60.0):
+    """Let a program drive, for ``time_limit`` seconds at most, then stop for 4 s; return the samples."""
     robot = Robot(world)
-    for linear, angular in islice(program(robot, robot.pose), round(patience / TICK)):
+    for linear, angular in islice(program(robot, robot.pose), round(time_limit / TICK)):
         robot.drive(linear, angular)
     robot.drive(0.0, 0.0, 4.0)
     return robot.samples
@@ -181,3 +185,9 @@ SOLUTIONS = {
     "park": one_after_the_other(arc(0.5, BEND, stop=False), arc(0.5, -BEND, stop=False), straight(0.3)),
     "follow": follow,
 }
+
+
+@lru_cache(None)
+def solution(name):
+    """Return the samples of the model solution of a task, at 100 Hz."""
+    return run(SOLUTIONS[name], TASKS[name].load_world())

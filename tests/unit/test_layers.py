@@ -67,8 +67,8 @@ def test_the_simulation_imports_downward_and_its_model_knows_no_ros(module):
 
 
 PURE_TASKS = ["samples", "course", "drive", "polygon", "measures", "penalties", "tasks", "score", "replay"]
-TASKS_LAYERS = [*PURE_TASKS, "bounded", "walk", "marks", "bags", "picture", "arguments", "robot", "announce", "tape",
-                "attempt", "live", "contained", "trial", "programs"]
+TASKS_LAYERS = [*PURE_TASKS, "child", "bounded", "walk", "marks", "bags", "picture", "arguments", "robot", "announce",
+                "bag_writer", "attempt", "live", "contained", "trial", "programs"]
 
 
 @pytest.mark.parametrize("module", [file.stem for file in (TASKS / "src/driving_tasks").glob("[!_]*.py")])

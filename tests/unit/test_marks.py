@@ -17,11 +17,11 @@ DRIVE = [Sample(time / 50, Pose(min(1.0, max(0.0, time - 50) * 0.006), 0.0, 0.0)
 
 def test_a_mark_is_a_row_and_a_few_sentences():
     mark = marks.Mark("anna.bag", "metre", judge(TASKS["metre"], DRIVE), source="odometry")
-    assert mark.row == ("anna.bag", "metre", "100.0", "3.3", "", "")
+    assert mark.row == ("anna.bag", "metre", "100.0", "3.3", "", "", "odometry")
     assert mark.sentences == ["metre: 100.0 of 100 points in 3.3 s.", "Nothing lost half a point.",
                               "Measured by its odometry, not by the simulator."]
     failed = marks.Mark("ben.bag", "metre", problem="It is empty.")
-    assert failed.row == ("ben.bag", "metre", "", "", "", "It is empty.")
+    assert failed.row == ("ben.bag", "metre", "", "", "", "It is empty.", "")
 
 
 @pytest.mark.parametrize("name, cell", [
@@ -57,7 +57,7 @@ def test_too_many_files_and_folders(tmp_path, monkeypatch):
     (tmp_path / "deep/folders/within/folders,/one/in/another/last").mkdir()
     (tmp_path / "deep/x.bag").touch()
     found = names(walk.find_files(tmp_path, ".bag"), tmp_path)
-    assert found == [("deep/folders/within/folders,/one/in/another/last", "It lies more than 8 folders deep."),
+    assert found == [("deep/folders/within/folders,/one/in/another/last", "It is more than 8 folders deep."),
                      ("deep/x.bag", "")]
     for name in "yz":
         (tmp_path / f"{name}.bag").touch()

@@ -54,19 +54,19 @@ def test_the_arcs():
 
 
 def test_the_robot():
-    turn = math.degrees(0.1 * 2 * FULL_SPEED / WHEEL_SEPARATION)
-    assert f"at x 1 it drives {FULL_SPEED} m/s, and at z 0.1 it turns {turn:.0f} degrees per second" in TEXT
-    assert f"radius x / z * {WHEEL_SEPARATION / 2:.3f} m" in TEXT
+    turn = math.degrees(2 * FULL_SPEED / WHEEL_SEPARATION)
+    assert f"drive {FULL_SPEED} m/s at full power, and are {WHEEL_SEPARATION} m apart" in TEXT
+    assert f"z * {turn:.0f} degrees per second" in TEXT and f"radius x / z * {WHEEL_SEPARATION / 2:.5f} m" in TEXT
 
 
 def test_the_numbers_of_the_score():
     assert f"exp(-error / {score.TOLERANCE:g}) * ({1 - score.TIME_SHARE:g} + {score.TIME_SHARE:g} * min(" in PAGE
     assert f"5 degrees leave {100 * math.exp(-5 / score.TOLERANCE):.1f} points" in TEXT
     assert f"left its start by {1000 * drive.STILL:g} mm or {drive.STILL_DEGREES} degrees" in TEXT
-    assert f"stopped for {drive.PAUSE:g} s" in TEXT
+    assert f"stopped for {drive.STOP_TIME:g} s" in TEXT
     assert f"less than {100 * drive.TWITCH * drive.STILL:g} cm and {drive.TWITCH * drive.STILL_DEGREES:g} deg" in TEXT
     assert ROWS["contacts"][0].startswith(f"{penalties.CONTACT:g} for each time")
-    assert f"after {100 * penalties.CLEAR:g} cm of distance" in ROWS["contacts"][0]
+    assert f"after {100 * penalties.SEPARATED:g} cm of distance" in ROWS["contacts"][0]
     assert ROWS["acceleration"][0].startswith(
         f"{penalties.EXCESS:g} for each 100 % above {ACCELERATION} m/s^2, {penalties.MAX_EXCESS:g} at most; "
         f"means over {penalties.WINDOW} s count, and up to {100 * (penalties.ALLOWANCE - 1):.0f} % ")

@@ -26,6 +26,11 @@ def test_half_power_drives_0_3_m_per_s(options, speed):
     assert result.score > 95 and result.path[-1].x == pytest.approx(1.0, abs=0.004)
 
 
+def test_a_robot_that_speeds_up_gently_loses_the_way_that_the_page_says():
+    result = judge(METRE, replay(commands(0.3, 0.0, 1 / 0.3, rate=100), METRE, acceleration_limit=1.0, **SI))
+    assert result.path[-1].x == pytest.approx(1.0 - 0.3 ** 2 / 2, abs=0.007)
+
+
 def test_a_turn_in_si_units():
     result = judge(TASKS["quarter"], replay(commands(0.0, math.pi / 2, 1.0), TASKS["quarter"], **SI))
     assert result.score > 95

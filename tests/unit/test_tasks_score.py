@@ -2,35 +2,28 @@
 
 import math
 import time
-from functools import lru_cache
 
 import pytest
-from driving_pupil import SOLUTIONS, run, straight
+from driving_pupil import run, solution, straight
 
 from driving_tasks.course import Arc, Straight, Turn, advance
 from driving_tasks.drive import NoDrive, Recorder
-from driving_tasks.measures import corners
+from driving_tasks.measures import corners, distances
 from driving_tasks.samples import Sample
 from driving_tasks.score import judge
 from driving_tasks.tasks import TASKS
 from jetbot.kinematics import Pose
-from simulation.geometry import from_frame
+from simulation.geometry import distance_to_segment, from_frame
 
 
-@lru_cache(None)
-def solution(name):
-    """The samples of the model solution, at 100 Hz."""
-    return run(SOLUTIONS[name], TASKS[name].load_world())
-
-
-def perfect(steps, speed=0.3, rate=50, turn_speed=90.0, stand=4.0):
+def perfect(steps, speed=0.3, rate=50, turn_speed=90.0, rest=4.0):
     """The samples of a robot that drives some steps exactly, at a constant speed, between two rests."""
     poses, pose = [Pose()] * round(1.0 * rate), Pose()
     for step in steps:
         count = round(rate * (step.length / speed if step.length else abs(step.degrees) / turn_speed))
         poses += [advance(pose, step, number / count) for number in range(count)]
         pose = advance(pose, step)
-    poses += [pose] * round(stand * rate)
+    poses += [pose] * round(rest * rate)
     return [Sample(number / rate, each._replace(yaw=math.remainder(each.yaw, math.tau)), speed)
             for number, each in enumerate(poses)]
 
@@ -106,8 +99,8 @@ def test_the_score_is_the_same_float_with_samples_before_and_after_and_each_time
     before = [samples[0]._replace(time=samples[0].time - number / 50) for number in range(500, 0, -1)]
     after = [samples[-1]._replace(time=samples[-1].time + number / 50) for number in range(1, 500)]
     again = [Sample(samples[-1].time + 20 + sample.time, sample.pose, sample.speed) for sample in samples]
-    scores = {judge(task, each).score for each in [samples] * 10 + [before + samples, samples + after,
-                                                                    before + samples + after + again]}
+    scores = {judge(task, each).score for each in [
+        samples, samples, before + samples, samples + after, before + samples + after + again]}
     assert len(scores) == 1
 
 
@@ -125,6 +118,13 @@ def test_rounded_corners_are_corners():
         recorder.feed(sample)
     errors = [error.size for error in corners(TASKS["square"].course, recorder.finish())]
     assert errors == pytest.approx([0.0] * 8, abs=0.2)
+
+
+def test_the_distance_from_a_path_is_that_from_its_nearest_segment():
+    path = [(math.cos(number / 7) * number / 50, math.sin(number / 11)) for number in range(100)]
+    points = [(number % 9 / 4 - 1, number / 20 - 1) for number in range(40)]
+    assert distances(points, path) == [
+        min(distance_to_segment(point, *segment) for segment in zip(path, path[1:])) for point in points]
 
 
 def test_a_robot_that_is_put_back_starts_again():
@@ -164,7 +164,7 @@ HOSTILE = {
     "no time passes": lambda number: Sample(1.0, Pose(0.001 * number), 0.1),
     "jumps": lambda number: Sample(0.02 * number, Pose(number % 2 * 100.0), 0.0),
     "huge": lambda number: Sample(1e300 * number, Pose(1e300, -1e300, 1e300), 1e300),
-    "stands": lambda number: Sample(0.02 * number, Pose(3.0, 4.0, 5.0), 0.0),
+    "is still": lambda number: Sample(0.02 * number, Pose(3.0, 4.0, 5.0), 0.0),
     "twitches": lambda number: Sample(0.02 * number, Pose(0.005 * (number // 200 % 2)), 0.0),
     "drives back and forth": lambda number: Sample(0.00501 * number, Pose(0.009 * (number % 2)), 1.9),
 }

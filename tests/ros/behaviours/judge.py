@@ -3,6 +3,7 @@
 import os
 import re
 import signal
+import sys
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
@@ -17,6 +18,20 @@ JUDGE = program("driving_tasks", "judge.py")
 SIMULATOR = program("simulation", "simulator.py")
 READY = "Drive when you are ready."
 RELEASE = "The robot is stopped: emergency stop, on a fake bus. Release it: ./morbot stop --release"
+EXACT_JUDGE = """
+import runpy, sys
+from driving_tasks import live
+judge_robots = live.judge_robots
+
+def judge_exactly(*arguments):
+    for mark in judge_robots(*arguments):
+        print(repr(mark.result.score))
+        yield mark
+
+live.judge_robots = judge_exactly
+sys.argv = sys.argv[1:]
+runpy.run_path(sys.argv[0], run_name="__main__")
+"""  # judge.py, which also prints the score to the last digit
 SPEED, SECONDS = 0.5, 3.3  # of full power; s, for about a metre
 
 
@@ -26,9 +41,9 @@ class Judge(RobotTest):
         self.simulator = self.start(SIMULATOR, f"_i2c_bus:=fake:{self.bus}", "_x:=2", "_yaw:=1")
         self.controller()
 
-    def judge(self, *arguments):
-        """Start the judge of the task metre."""
-        return self.start(JUDGE, "metre", *arguments, cwd=self.folder)
+    def judge(self, task="metre"):
+        """Start the judge."""
+        return self.start(JUDGE, task, cwd=self.folder)
 
     def wait_for_lines(self, judge, *lines):
         """Fail unless the judge has printed these lines."""
@@ -43,20 +58,31 @@ class Judge(RobotTest):
     def test_a_drive_gets_a_score_and_its_record_the_same(self):
         states = self.record("task", DiagnosticStatus, lambda status: status)
         courses = self.record("task_course", MarkerArray, lambda array: array.markers)
-        judge = self.judge("--record", "drive.bag")
+        judge = self.start(sys.executable, "-c", EXACT_JUDGE, JUDGE, "metre", "--record", "drive.bag", cwd=self.folder)
         self.wait_for_lines(judge, READY)
         self.assertEqual(self.wheels(), STOPPED)
         self.assertEqual([each.type for each in courses[-1][1:]], [Marker.LINE_STRIP, Marker.ARROW])
         self.assertAlmostEqual(courses[-1][2].pose.position.x, 2.54, places=2)
         self.drive(SECONDS)
         self.assertEqual(judge.wait(START_TIMEOUT), 0)
-        score, loss = re.fullmatch(rf"{READY}\nmetre: (\d+\.\d) of 100 points in \d\.\d s\.\n"
+        exact, score, loss = re.fullmatch(rf"{READY}\n(\d+\.\d+)\nmetre: (\d+\.\d) of 100 points in \d\.\d s\.\n"
                                    r"(Largest loss: stopped .*)\nDrew metre\.png\.\n", read(judge)).groups()
         values = [{pair.key: pair.value for pair in each.values} for each in states]
         self.assertEqual(list(dict.fromkeys(each["state"] for each in values)), ["ready", "driving", "done"])
         self.assertEqual((values[-1]["score"], states[-1].message), (score, loss))
         bag = judge_bag(TASKS["metre"], os.path.join(self.folder, "drive.bag"))
-        self.assertEqual((f"{bag.result.score:.1f}", bag.source), (score, ""))
+        self.assertEqual((bag.result.score, bag.source), (float(exact), ""))
+        self.assertEqual(score, f"{bag.result.score:.1f}")
+
+    def test_a_judge_that_is_ended_by_a_signal_gives_the_world_back(self):
+        worlds = self.record("world", MarkerArray, lambda array: len(array.markers))
+        for signum in (signal.SIGTERM, signal.SIGHUP):
+            judge = self.judge("park")
+            self.wait_for_lines(judge, READY)
+            self.assertEqual(worlds[-1], 2)  # one clears the drawing, one is a wall
+            os.kill(judge.pid, signum)
+            self.assertEqual(judge.wait(START_TIMEOUT), 130)
+            self.wait_for(lambda: worlds[-1] == 1, 5.0, "the world without walls")
 
     def test_an_emergency_stop_and_a_second_judge_end_no_judge_and_ctrl_c_does(self):
         judge = self.judge()

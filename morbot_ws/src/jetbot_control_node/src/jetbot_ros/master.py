@@ -16,15 +16,15 @@ CALLER = "/jetbot_start"
 ALIVE, FROZEN = "is already running", "is already running, but frozen (Ctrl-Z?)"
 
 
-def require_master() -> None:
-    """End the program with one sentence if no ROS master answers."""
+def require_master(start: str = "roscore") -> None:
+    """End the program with one sentence if no ROS master answers. start: the command that starts one."""
     uri = master_uri()
     try:
         proxy(uri, TIMEOUT).getPid(CALLER)
     except socket.timeout:
         sys.exit(f"The ROS master at {uri} does not answer. Is it frozen (Ctrl-Z)? Continue it with fg, or restart it.")
     except NO_ANSWER:
-        sys.exit(f"No ROS master at {uri}. Start one in another terminal: roscore")
+        sys.exit(f"No ROS master at {uri}. Start one in another terminal: {start}")
 
 
 def require_name(name: str) -> None:

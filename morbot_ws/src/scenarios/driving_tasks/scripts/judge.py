@@ -8,6 +8,7 @@ if __name__ == "__main__":
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # while it imports, Ctrl-C prints no traceback
 
 try:
+    import contextlib
     import os
     from argparse import Namespace
     from pathlib import Path
@@ -36,9 +37,10 @@ def main() -> int:
         files.check_writable(file)
     judged: List[Mark] = []
     try:
-        for mark in judge(given):
-            report(mark, given, is_first=not judged)
-            judged.append(mark)
+        with contextlib.closing(judge(given)) as found:  # whatever happens here, the robots get their worlds back
+            for mark in found:
+                report(mark, given, is_first=not judged)
+                judged.append(mark)
     finally:
         if given.csv and judged:
             marks.write(given.csv, marks.COLUMNS, (mark.row for mark in judged))
@@ -108,7 +110,8 @@ def end(sentence: str, code: int) -> None:
 
 if __name__ == "__main__":
     try:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+        for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # kill and a closed terminal: as Ctrl-C
+            signal.signal(signum, signal.default_int_handler)
         leave(main())
     except JetbotError as error:
         end(str(error), 1)

@@ -1,6 +1,6 @@
 """Walls stop the robot: how far it drives before it touches one."""
 
-from typing import Tuple
+from typing import Optional, Tuple
 
 from jetbot.kinematics import Pose
 
@@ -18,34 +18,36 @@ class Collision:
 
     def __init__(self, world: World):
         self._world = world
-        self._pose, self._margin = None, 0.0  # where the robot was, and how far it may drive from there unchecked, m
+        self._pose: Optional[Pose] = None  # after the last motion
+        self._margin = 0.0                 # m that each point of the robot may move from there and touch no wall
         self.touching = False
 
     def drive(self, pose: Pose, left: float, right: float, wheel_separation: float) -> Tuple[Pose, float]:
         """Return where the robot is after its wheels have rolled, and the fraction of the way that it drove.
 
-        That is 1.0 unless a wall stops it. A robot that stands on a wall drives on. left, right, wheel_separation: m.
+        That is 1.0 unless a wall stops it; a robot that is on a wall already drives on. All lengths in m.
         """
-        reach = abs(left + right) / 2 + RADIUS * abs(right - left) / wheel_separation  # of each point, at most
-        if pose == self._pose and reach < self._margin and not self.touching:
-            self._pose, self._margin = pose.integrate_arc(left, right, wheel_separation), self._margin - reach
+        travel = abs(left + right) / 2 + RADIUS * abs(right - left) / wheel_separation  # of no point is it more
+        if pose == self._pose and travel < self._margin and not self.touching:  # too far from all walls
+            self._pose, self._margin = pose.integrate_arc(left, right, wheel_separation), self._margin - travel
             return self._pose, 1.0
-        self._pose, driven, self._margin = self._advance(pose, left, right, wheel_separation, reach)
-        self.touching = driven < 1 or self.touching and self._margin < SEPARATED
+        self._pose, driven, self._margin = self._advance(pose, left, right, wheel_separation, travel)
+        self.touching = driven < 1 or (self.touching and self._margin < SEPARATED)
         return self._pose, driven
 
     def _advance(self, start: Pose, left: float, right: float, wheel_separation: float,
-                 reach: float) -> Tuple[Pose, float, float]:
+                 travel: float) -> Tuple[Pose, float, float]:
         """Return the last pose before a wall, its fraction of the way, and its clearance: conservative advancement.
 
-        A robot that drives no farther than its clearance touches nothing, so each part of the way is that long.
+        A robot that moves no farther than its clearance touches nothing, so each part of the way is that long.
         """
         pose, driven, clearance = start, 0.0, self._world.clearance(start)
         while driven < 1:
-            fraction = min(1.0, driven + max(clearance - RESOLUTION, RESOLUTION) / reach) if reach else 1.0
-            following = start.integrate_arc(left * fraction, right * fraction, wheel_separation)
-            distance = self._world.clearance(following)
-            if distance <= 0 < clearance:
+            part = max(clearance - RESOLUTION, RESOLUTION) / travel if travel else 1.0
+            next_driven = min(1.0, driven + part)
+            next_pose = start.integrate_arc(left * next_driven, right * next_driven, wheel_separation)
+            next_clearance = self._world.clearance(next_pose)
+            if next_clearance <= 0 < clearance:  # there it would touch
                 break
-            pose, driven, clearance = following, fraction, distance
+            pose, driven, clearance = next_pose, next_driven, next_clearance
         return pose, driven, clearance

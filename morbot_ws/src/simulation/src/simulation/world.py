@@ -35,7 +35,7 @@ class World(NamedTuple):
     def clearance(self, pose: Pose) -> float:
         """Return the distance in m from the robot at this pose to the nearest wall.
 
-        0.0 where it touches or stands on one, ``math.inf`` without walls.
+        0.0 where it touches a wall or is on one, ``math.inf`` without walls.
         """
         centre, nearest = (pose.x, pose.y), math.inf
         for start, end in segments(self.walls):

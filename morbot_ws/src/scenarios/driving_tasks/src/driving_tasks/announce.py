@@ -10,10 +10,11 @@ from jetbot import kinematics
 from jetbot_ros.messages import quaternion
 from simulation.geometry import from_frame
 
+from .drive import DONE, DRIVING
 from .score import Result
 from .tasks import Task
 
-READY, DRIVING, DONE, CANCELLED = "ready", "driving", "done", "cancelled"  # the states
+READY, CANCELLED = "ready", "cancelled"  # the other states
 COURSE_WIDTH = Vector3(x=0.01)     # m
 ARROW = Vector3(0.15, 0.03, 0.03)  # m: length, width, height
 COLOR = ColorRGBA(0.1, 0.7, 0.2, 1.0)
@@ -37,8 +38,7 @@ class Announcement:
 
     def done(self, result: Result) -> None:
         """The robot has a score."""
-        self._publish(DONE, result.sentence,
-                      seconds=f"{result.seconds:.1f}", score=f"{result.score:.1f}")
+        self._publish(DONE, result.sentence, seconds=f"{result.seconds:.1f}", score=f"{result.score:.1f}")
 
     def cancelled(self, message: str) -> None:
         """The drive gets no score."""

@@ -8,20 +8,21 @@ from jetbot.text import enumeration
 from simulation.worlds import dump
 
 from .announce import Announcement
+from .bag_writer import BagWriter
 from .bags import sample_of
 from .drive import DONE, DRIVING, WAITING, NoDrive, Recorder
 from .marks import Mark
 from .robot import SimulatedRobot
 from .samples import Sample
 from .score import rate
-from .tape import Tape
 from .tasks import Task
 
-READY = "Drive when you are ready."
+INVITATION = "Drive when you are ready."
 AT_START = 0.001         # m or rad: a pose so close to the start is there
 MAX_GAP = 1.0            # s between two samples of a drive; what happens in a longer one is not known
 ANNOUNCE_INTERVAL = 0.2  # s of the drive
 DRIVES = "The robot drives"
+CANCELLED, NO_DRIVE = "Cancelled.", "The robot did not drive."
 
 
 class Interrupted(Exception):
@@ -31,15 +32,16 @@ class Interrupted(Exception):
 class Attempt:
     """Judges the first drive of a robot that nothing interrupts; after an interruption, the robot starts again.
 
-    say: reports a sentence to the person who drives. mark: the result, once it is known. ready: whether the robot is at
-    its start, and may drive.
+    show: prints a sentence for the person who drives. writer: gets what is judged, if it is to be recorded.
+    mark: the result, once it is known. ready: whether the robot is at its start, and may drive.
     """
 
-    def __init__(self, task: Task, robot: SimulatedRobot, say: Callable[[str], None], tape: Optional[Tape] = None):
-        self._task, self._world, self.robot, self._say, self.tape = task, task.load_world(), robot, say, tape
+    def __init__(self, task: Task, robot: SimulatedRobot, show: Callable[[str], None],
+                 writer: Optional[BagWriter] = None):
+        self._task, self._world, self.robot, self._show, self.writer = task, task.load_world(), robot, show, writer
         self._announcement = Announcement(robot.namespace, task)
         self._recorder, self._start, self._fed_at, self._announced_at = Recorder(task.time_limit), Pose(), 0.0, 0.0
-        self._said = ""
+        self._last_report = ""
         self.mark: Optional[Mark] = None
         self.ready = False
 
@@ -55,31 +57,31 @@ class Attempt:
                 yield from self._until_free()
                 yield from self._prepare()
                 yield from self._measure()
-                self.conclude()
+                self.finish()
             except Interrupted as interruption:
-                self.ready = False
+                self.ready, self._recorder = False, Recorder(self._task.time_limit)
                 self._announcement.cancelled(str(interruption))
                 self._report(str(interruption))
 
-    def conclude(self) -> Mark:
+    def finish(self) -> Mark:
         """Judge what was driven so far."""
         try:
             result = rate(self._task, self._recorder.finish())
-        except NoDrive as problem:
-            self._announcement.cancelled(str(problem))
+        except NoDrive:
+            self._announcement.cancelled(CANCELLED)
             self._announcement.clear()
-            self.mark = Mark(self.robot.name, self._task.name, None, str(problem))
+            self.mark = Mark(self.robot.name, self._task.name, problem=NO_DRIVE)
         else:
             self._announcement.done(result)
             self.mark = Mark(self.robot.name, self._task.name, result)
         return self.mark
 
     def _until_free(self):
-        """Wait until the robot stands and nothing holds it."""
-        while self.robot.obstacle or not self.robot.stands:
+        """Wait until the robot has stopped and nothing holds it."""
+        while self.robot.obstacle or not self.robot.has_stopped:
             if self.robot.obstacle:
                 self._report(self.robot.obstacle)
-            elif self.robot.drives and not self._said.startswith(DRIVES):
+            elif self.robot.drives and not self._last_report.startswith(DRIVES):
                 self._report(f"{DRIVES}. The judge waits until it has stopped. {self._commanders()}".strip())
             yield
 
@@ -93,27 +95,27 @@ class Attempt:
             self._check_obstacle()
             yield
         self._recorder = Recorder(self._task.time_limit)
-        if self.tape:
-            self.tape.rewind()
+        if self.writer:
+            self.writer.clear()
         self._announcement.draw(self._start)
         self._invite()
 
     def _invite(self):
         self.ready, self._announced_at = True, 0.0
-        self._announcement.ready(READY)
-        self._report(READY)
+        self._announcement.ready(INVITATION)
+        self._report(INVITATION)
 
     def _measure(self):
         """Record until the drive is done."""
         while self._recorder.state != DONE:
-            if self.tape:
-                self.tape.update()
             for message in self.robot.truth:
+                if self.writer:
+                    self.writer.add(message)
                 self._feed(sample_of(message))
             self._check_obstacle()
             self._announce_time()
             yield
-        if not self.robot.stands:
+        if not self.robot.has_stopped:
             self._report(f"{self._task.time_limit:.0f} s are over. The robot still drives: end its program.")
 
     def _feed(self, sample: Sample):
@@ -123,7 +125,7 @@ class Attempt:
             raise Interrupted(f"{gap:.1f} s of the drive were not measured, because the simulator or the judge paused.")
         if self._recorder.feed(sample) == WAITING:
             if not is_near(self._recorder.frame, self._start):
-                raise Interrupted("The robot was put elsewhere. It starts again.")
+                raise Interrupted("The robot was put elsewhere, so the drive does not count.")
             if was_driving:
                 self._report("The robot was put back to its start.")
                 self._invite()
@@ -143,9 +145,10 @@ class Attempt:
             self._announcement.driving(seconds)
 
     def _report(self, sentence):
-        if sentence != self._said:
-            self._said = sentence
-            self._say(sentence)
+        """Show a sentence, unless it is the last one again."""
+        if sentence != self._last_report:
+            self._last_report = sentence
+            self._show(sentence)
 
 
 def is_near(pose: Pose, other: Pose) -> bool:

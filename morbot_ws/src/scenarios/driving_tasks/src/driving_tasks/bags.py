@@ -48,13 +48,13 @@ SOURCES = {  # the most exact one first
 def judge_bags(task: Task, path: str, robot: Optional[str] = None, config: str = "") -> Iterator[Mark]:
     """Yield the mark of a bag, or of each bag in a folder. Raises InvalidValue.
 
-    robot: its namespace, None for the only one in a bag; config: a file with the units of commands.
+    robot: its namespace, None for the only one in a bag; config: a file of the controller's parameters, for commands.
     """
-    units, root = read_units(config), Path(path)
+    settings, root = read_config(config), Path(path)
     found = find_files(root, *SUFFIXES) if root.is_dir() else [Found(root)]
     if not found:
         raise InvalidValue(f"{path} holds no file that ends in .bag")
-    outcomes = run_each(_judge, [(task, str(each.path), robot, units) for each in found if not each.problem])
+    outcomes = run_each(_judge, [(task, str(each.path), robot, settings) for each in found if not each.problem])
     for each in found:
         name = str(each.path.relative_to(root)) if each.path != root else root.name
         if each.problem:
@@ -70,10 +70,10 @@ def judge_bag(task: Task, file: str, robot: Optional[str] = None, config: str = 
     return next(judge_bags(task, file, robot, config))
 
 
-def read_units(config: str) -> Tuple[float, float]:
-    """Return wheel_separation and max_speed of a file of parameters, or the defaults. Raises InvalidValue."""
+def read_config(config: str) -> Dict[str, float]:
+    """Return what a file of the controller's parameters says of commands, or the defaults. Raises InvalidValue."""
     values = parameters.checked(parameters.load(parameters.find_file(config, ())) if config else {})
-    return values["wheel_separation"], values["max_speed"]
+    return {name: values[name] for name in ("wheel_separation", "max_speed", "acceleration_limit", "pwm_frequency")}
 
 
 def sample_of(message: Odometry) -> Sample:
@@ -81,16 +81,16 @@ def sample_of(message: Odometry) -> Sample:
     return Sample(message.header.stamp.to_sec(), pose_of(message), message.twist.twist.linear.x)
 
 
-def _judge(task, file, robot, units) -> Tuple[Result, str]:
+def _judge(task, file, robot, settings) -> Tuple[Result, str]:
     """Return the result of the drive in a bag, and the name of its source. This runs in a child."""
     topic, track = _choose(_read(file), robot)
     if SOURCES[topic].message is Twist:
-        track = replay(track, task, *units)
+        track = replay(track, task, **settings)
     return judge(task, track), SOURCES[topic].name
 
 
 def _read(file: str) -> Tracks:
-    """Return all that a bag tells about drives. Raises ValueError with one sentence."""
+    """Return the drives that a bag holds, by robot and topic. Raises ValueError with one sentence."""
     _forbid_code()
     try:
         with open(os.open(file, os.O_RDONLY | os.O_NONBLOCK), "rb") as stream:  # without waiting for a FIFO
@@ -163,8 +163,9 @@ def _choose(tracks: Tracks, robot: Optional[str]) -> Tuple[str, List]:
     if not robots:
         raise ValueError("It holds no drive: record odom or cmd_vel with it.")
     if robot is None and len(robots) > 1 or robot not in (None, *robots):
-        names = [f"/{each}" for each in robots[:MAX_NAMES]] + ["others"] * (len(robots) > MAX_NAMES)
-        raise ValueError(f"It holds {printable(enumeration(names))}: choose a robot with --robot NAME.")
+        names = [each or "a robot without a name" for each in robots[:MAX_NAMES]]
+        names += ["others"] * (len(robots) > MAX_NAMES)
+        raise ValueError(f"It holds {printable(enumeration(names))}: choose one with --robot NAME.")
     robot = robots[0] if robot is None else robot
     topic = next(topic for topic in SOURCES if (robot, topic) in tracks)
     return topic, tracks[robot, topic]

@@ -1,8 +1,6 @@
 """Runs a function in a child process whose memory and time are limited: what a file holds can stop nothing else."""
 
 import contextlib
-import ctypes
-import multiprocessing
 import os
 import pickle
 import resource
@@ -10,18 +8,18 @@ import signal
 from collections import deque
 from typing import Any, Callable, Iterable, Iterator, NamedTuple, Tuple
 
-PR_SET_PDEATHSIG = 1  # of prctl(2)
+from .child import FORK, address_space, end_with_parent, set_limits
+
 MAX_ANSWER = 64 * 1024 * 1024  # bytes
-FORK = multiprocessing.get_context("fork")
-_prctl = ctypes.CDLL(None).prctl
+POLL_INTERVAL = 0.1            # s
 
 
 class Limits(NamedTuple):
-    """memory: MB, of the whole process; cpu_time, wall_time: s."""
+    """memory: MB, beside what this process has; cpu_time, wall_time: s."""
 
     memory: int = 1000
     cpu_time: int = 20
-    wall_time: int = 60
+    wall_time: float = 60.0
 
 
 LIMITS = Limits()
@@ -74,8 +72,9 @@ class _Child:
         """Wait for the child to end, and return its outcome."""
         try:
             # In steps, so that a process that was stopped for longer (Ctrl-Z) does not take that for the child's time.
-            if not any(self._pipe.poll(1) for _ in range(self._limits.wall_time)):
-                return Outcome(problem=f"It takes more than {self._limits.wall_time} s.")
+            polls = round(self._limits.wall_time / POLL_INTERVAL)
+            if not any(self._pipe.poll(POLL_INTERVAL) for _ in range(polls)):
+                return Outcome(problem=f"It takes more than {self._limits.wall_time:g} s.")
             return pickle.loads(self._pipe.recv_bytes(MAX_ANSWER))
         except (EOFError, OSError):  # OSError: a longer answer
             self._process.join(1)
@@ -93,26 +92,18 @@ class _Child:
 def _work(parent, answer, function, arguments, limits):
     """Answer with the outcome. This runs in the child."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-    if os.getppid() != parent:
-        return
+    end_with_parent(parent, signal.SIGKILL)
     silent = os.open(os.devnull, os.O_RDWR)
     for stream in range(3):  # what a library prints may hold any character of the file
         os.dup2(silent, stream)
-    _set(limits)
+    set_limits({resource.RLIMIT_AS: address_space() + limits.memory * 10 ** 6,
+                resource.RLIMIT_CPU: limits.cpu_time, resource.RLIMIT_FSIZE: 0})
     with contextlib.closing(answer):
         outcome = _outcome(function, arguments, limits)
         try:
             answer.send(outcome)
         except MemoryError:
             answer.send(Outcome(problem=_needs_memory(limits)))
-
-
-def _set(limits):
-    for limit, value in ((resource.RLIMIT_AS, limits.memory * 10 ** 6), (resource.RLIMIT_CPU, limits.cpu_time),
-                         (resource.RLIMIT_FSIZE, 0), (resource.RLIMIT_CORE, 0)):
-        hard = resource.getrlimit(limit)[1]
-        resource.setrlimit(limit, (value if hard == resource.RLIM_INFINITY else min(value, hard), hard))
 
 
 def _outcome(function, arguments, limits):
@@ -130,7 +121,7 @@ def _needs_memory(limits):
 
 def _reason(exit_code, limits):
     """Return why a child gave no answer. exit_code: None for one that still runs."""
-    if exit_code in (-signal.SIGXCPU, -signal.SIGKILL):
+    if exit_code == -signal.SIGKILL:  # of the kernel, at the hard limit
         return f"It takes more than {limits.cpu_time} s of CPU time."
     if exit_code is None:
         return "Its result is too large."

@@ -1,41 +1,32 @@
 """Processes of a folder of their own that leave nothing behind, whatever they start and however they end."""
 
 import contextlib
-import ctypes
 import os
 import resource
 import signal
 import subprocess
 from pathlib import Path
-from typing import Callable, Dict, Iterator, NamedTuple, Sequence, Set
+from typing import Callable, Dict, Iterator, List, NamedTuple, Sequence, Set
 
 from jetbot.wait import wait_until
 
-PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36  # of prctl(2)
+from .child import end_with_parent, set_limits
+
+MEMORY = 2000         # MB, of each process of a program
+FILE_SIZE = 10        # MB, of each file that it writes
 END_TIMEOUT = 1.0     # s from SIGTERM to SIGKILL
 KILL_TIMEOUT = 10.0   # s in which all processes end, unless they multiply faster than they are killed
 MAX_PROCESSES = 200   # more than this user has now; Linux does not limit root's
-_prctl = ctypes.CDLL(None).prctl
 
 
-class Limits(NamedTuple):
-    """Of each process. memory, file_size: MB; cpu_time: s."""
+class Process(NamedTuple):
+    """A process, by proc(5); user: the id of its user."""
 
-    cpu_time: int
-    memory: int = 2000
-    file_size: int = 10
-
-
-def adopt_orphans() -> None:
-    """From now on, what this process's children leave behind becomes its own child."""
-    _prctl(PR_SET_CHILD_SUBREAPER, 1)
-
-
-def end_with_parent(parent: int, signum: int) -> None:
-    """From now on, this process gets a signal when its parent ends; end it now if that has ended already."""
-    _prctl(PR_SET_PDEATHSIG, signum)
-    if os.getppid() != parent:
-        os._exit(1)
+    pid: int
+    user: int
+    state: str
+    parent: int
+    threads: int
 
 
 def start(command: Sequence[str], folder: Path, environment: Dict[str, str], log: Path,
@@ -52,19 +43,11 @@ def start(command: Sequence[str], folder: Path, environment: Dict[str, str], log
                                 stdout=subprocess.DEVNULL, stderr=errors, start_new_session=True)
 
 
-def limiter(limits: Limits) -> Callable[[], None]:
-    """Return what sets these limits for the process that calls it."""
-    values = {resource.RLIMIT_CPU: limits.cpu_time, resource.RLIMIT_AS: limits.memory * 10 ** 6,
-              resource.RLIMIT_FSIZE: limits.file_size * 10 ** 6, resource.RLIMIT_CORE: 0,
-              resource.RLIMIT_NPROC: threads_of_user() + MAX_PROCESSES}
-
-    def limit():
-        for kind, value in values.items():
-            highest = resource.getrlimit(kind)[1]
-            value = value if highest == resource.RLIM_INFINITY else min(value, highest)
-            resource.setrlimit(kind, (value, value))
-
-    return limit
+def program_limiter(cpu_time: int) -> Callable[[], None]:
+    """Return what limits the process that calls it. cpu_time: s, of each process that it starts too."""
+    limits = {resource.RLIMIT_CPU: cpu_time, resource.RLIMIT_AS: MEMORY * 10 ** 6,
+              resource.RLIMIT_FSIZE: FILE_SIZE * 10 ** 6, resource.RLIMIT_NPROC: threads_of_user() + MAX_PROCESSES}
+    return lambda: set_limits(limits)
 
 
 def end_program(process: subprocess.Popen) -> None:
@@ -79,9 +62,9 @@ def end_program(process: subprocess.Popen) -> None:
 def end_children() -> None:
     """Kill all children of this process, and those that it adopts meanwhile."""
     def ended():
-        for pid in children():
+        for child in children():
             with contextlib.suppress(ProcessLookupError):
-                os.kill(pid, signal.SIGKILL)
+                os.kill(child.pid, signal.SIGKILL)
         with contextlib.suppress(ChildProcessError):
             while os.waitpid(-1, os.WNOHANG)[0]:
                 pass
@@ -90,19 +73,14 @@ def end_children() -> None:
     wait_until(ended, KILL_TIMEOUT)
 
 
-def children() -> Set[int]:
-    """Return the processes whose parent is this one, and that have not ended."""
-    return {process.pid for process in processes() if process.parent == os.getpid() and process.state != "Z"}
+def children() -> List[Process]:
+    """Return the processes whose parent is this one, also zombies: one whose threads still end has children."""
+    return [process for process in processes() if process.parent == os.getpid()]
 
 
-class Process(NamedTuple):
-    """A process, by proc(5); user: the id of its user."""
-
-    pid: int
-    user: int
-    state: str
-    parent: int
-    threads: int
+def running_children() -> Set[int]:
+    """Return the ids of the children that have not ended."""
+    return {child.pid for child in children() if child.state != "Z"}
 
 
 def processes() -> Iterator[Process]:

@@ -1,11 +1,10 @@
 """The ideal line of a task: straights, arcs and turns, each with a closed form."""
 
 import math
-from typing import List, NamedTuple, Tuple, Union
+from typing import List, NamedTuple, Sequence, Tuple, Union
 
 from jetbot.kinematics import Pose
-
-Point = Tuple[float, float]
+from simulation.geometry import Point, to_frame
 
 SPACING = 0.01  # m between two points of a line
 TURN_SPEED = 90.0  # degrees per second, of a turn on the spot
@@ -75,7 +74,7 @@ class Course(NamedTuple):
 
     @property
     def points(self) -> Tuple[Point, ...]:
-        """Return the line as points that are at most 1 cm apart."""
+        """The line as points that are at most 1 cm apart."""
         points = [(0.0, 0.0)]
         for pose, step in zip(self.poses, self.steps):
             count = math.ceil(round(step.length / SPACING, 6))
@@ -86,20 +85,20 @@ class Course(NamedTuple):
         """Return how long the course takes at ``speed`` in m/s, with turns at TURN_SPEED."""
         return sum(step.length / speed if step.length else abs(step.degrees) / TURN_SPEED for step in self.steps)
 
-    def offset(self, x: float, y: float) -> float:
-        """Return how far a point is from the nearest point of the line, in m; positive if it is left of the line."""
-        return min((_offset(pose, step, x, y) for pose, step in zip(self.poses, self.steps)), key=abs)
+    def offsets(self, points: Sequence[Point]) -> List[float]:
+        """Return how far each point is from the line, in m; positive if it is left of the line."""
+        steps = list(zip(self.poses, self.steps))
+        return [min((_offset(pose, step, point) for pose, step in steps), key=abs) for point in points]
 
 
-def relative(point: Pose, frame: Pose) -> Pose:
+def relative(pose: Pose, frame: Pose) -> Pose:
     """Return where a pose is as seen from ``frame``: x ahead, y to the left. The heading is not normalized."""
-    x, y = point.x - frame.x, point.y - frame.y
-    cos, sin = math.cos(frame.yaw), math.sin(frame.yaw)
-    return Pose(cos * x + sin * y, cos * y - sin * x, point.yaw - frame.yaw)
+    return Pose(*to_frame(frame, pose[:2]), pose.yaw - frame.yaw)
 
 
-def _offset(pose, step, x, y):
-    x, y, _ = relative(Pose(x, y), pose)  # as seen from the start of the step
+def _offset(start, step, point):
+    """Return how far a point is from a step that starts at this pose, in m; positive if it is left of the step."""
+    x, y = to_frame(start, point)
     if isinstance(step, Arc):
         return _offset_from_arc(step, x, y)
     return math.copysign(math.hypot(x - max(0.0, min(step.length, x)), y), y)
@@ -113,5 +112,5 @@ def _offset_from_arc(arc, x, y):
         return side * (arc.radius - math.hypot(x, arc.radius - y))
     end = advance(Pose(), Arc(arc.radius, abs(arc.degrees)))
     nearest = min(Pose(), end, key=lambda pose: math.hypot(x - pose.x, y - pose.y))
-    beside = relative(Pose(x, y), nearest)
-    return side * math.copysign(math.hypot(beside.x, beside.y), beside.y)
+    _, left = to_frame(nearest, (x, y))
+    return side * math.copysign(math.hypot(x - nearest.x, y - nearest.y), left)

@@ -12,7 +12,7 @@ WAITING, DRIVING, DONE = "waiting", "driving", "done"
 
 STILL, STILL_DEGREES = 0.001, 0.5  # m, degrees: within both of them of a pose, a robot is still there
 TWITCH = 10                        # times as much; a motion that goes no farther is no drive
-PAUSE = 3.0                        # s without motion, or without a sample, that end a drive
+STOP_TIME = 3.0                    # s without motion, or without a sample, that end a drive
 MARGIN = 0.3                       # s before the first motion and after the stop that belong to a drive's path
 MIN_INTERVAL = 0.005               # s between two samples; what comes sooner is left out
 MAX_SPEED, MAX_TURN = 2.0, 12.0    # m/s, rad/s; what seems faster is a robot that was put elsewhere
@@ -92,19 +92,20 @@ class Recorder:
     def _was_put_elsewhere(self, sample):
         last = self._samples[-1]
         interval = max(sample.time - last.time, 2 * MIN_INTERVAL)  # stamps are not that exact
-        jump = relative(sample.pose, last.pose)
+        distance = math.dist(sample.pose[:2], last.pose[:2])
+        turn = math.remainder(sample.pose.yaw - last.pose.yaw, math.tau)
+        clock_was_set_back = sample.time < last.time
         back_at_start = sample.pose == self._start.pose and _excursion(last.pose, sample.pose) > TWITCH
-        return (sample.time < last.time or back_at_start  # the clock started again, or the robot
-                or math.hypot(jump.x, jump.y) > MAX_SPEED * interval
-                or abs(math.remainder(jump.yaw, math.tau)) > MAX_TURN * interval)
+        too_fast = distance > MAX_SPEED * interval or abs(turn) > MAX_TURN * interval
+        return clock_was_set_back or back_at_start or too_fast
 
     def _append(self, sample):
         last = self._samples[-1]
-        if self.state == DRIVING and sample.time - last.time >= PAUSE:  # nobody knows what the robot did meanwhile
+        if self.state == DRIVING and sample.time - last.time >= STOP_TIME:  # nobody knows what the robot did meanwhile
             self._end(sample)
             return
         yaw = last.pose.yaw + math.remainder(sample.pose.yaw - last.pose.yaw, math.tau)
-        sample = sample._replace(pose=sample.pose._replace(yaw=yaw))
+        sample = Sample(sample.time, Pose(sample.pose.x, sample.pose.y, yaw), sample.speed)
         self._samples.append(sample)
         if _excursion(sample.pose, self._rest.pose) > 1:
             if self.state == WAITING:
@@ -113,7 +114,7 @@ class Recorder:
         if self.state == WAITING:
             while self._samples[0].time < sample.time - MARGIN:
                 del self._samples[0]
-        elif sample.time - self._rest.time >= PAUSE or sample.time - self._departed > self._time_limit:
+        elif sample.time - self._rest.time >= STOP_TIME or sample.time - self._departed > self._time_limit:
             self._end(sample)
 
     def _end(self, sample):

@@ -14,9 +14,9 @@ from jetbot_ros.registration import is_registered
 from jetbot_ros.xmlrpc import NO_ANSWER
 
 from .attempt import Attempt
+from .bag_writer import BagWriter
 from .marks import Mark
 from .robot import SimulatedRobot, find_robots, label, system_state
-from .tape import Tape
 from .tasks import Task
 
 NAME = "judge"
@@ -41,12 +41,12 @@ def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None)
         check_record(record, namespaces)
     init_node(namespaces)
     robots = [SimulatedRobot(namespace) for namespace in namespaces]
-    attempts = [Attempt(task, robot, reporter(robot, robots), Tape(robot) if record else None) for robot in robots]
+    attempts = [Attempt(task, robot, reporter(robot, robots), BagWriter(robot) if record else None) for robot in robots]
     try:
         check_only_judge(namespaces)  # again: two may have started at the same time
         for attempt in finished(attempts):
             if record and attempt.mark.result:
-                attempt.tape.save(record)
+                attempt.writer.save(record)
             yield attempt.mark
     finally:
         close(robots)
@@ -54,7 +54,7 @@ def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None)
 
 def find(names: Sequence[str]) -> List[str]:
     """Return the namespaces of these robots; end the program if there is no master. Raise JetbotError."""
-    require_master()
+    require_master("roslaunch simulation simulation.launch")
     try:
         return find_robots(names)
     except NO_ANSWER as error:
@@ -68,7 +68,7 @@ def check_only_judge(namespaces: Sequence[str]) -> None:
         for namespace in namespaces:
             for node in publishers.get(f"{namespace}/task", ()):
                 if node != rospy.get_name() and condition_of(node):
-                    raise JetbotError(f"{node} judges {label(namespace)} already",
+                    raise JetbotError(f"{node} judges {label(namespace) if namespace else 'this robot'} already",
                                       "End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C.")
     except NO_ANSWER:
         raise LOST from None
@@ -101,7 +101,7 @@ def finished(attempts: Sequence[Attempt]) -> Iterator[Attempt]:
     except KeyboardInterrupt:
         rest = [attempt for attempt in attempts if not attempt.mark]
         for attempt in rest:
-            attempt.conclude()
+            attempt.finish()
         if len(attempts) == 1 and not attempts[0].mark.result:
             raise
         yield from rest

@@ -10,7 +10,8 @@ from jetbot.text import printable
 
 from .score import Result
 
-COLUMNS = ("name", "task", "score", "seconds", "largest_loss", "problem")
+COLUMNS = ("name", "task", "score", "seconds", "largest_loss", "problem", "source")
+SIMULATOR = "simulator"
 FORMULA = re.compile(r"(^|;)(\s*[=+@-])")  # also after a semicolon, where some spreadsheets begin a cell
 
 
@@ -30,9 +31,9 @@ class Mark(NamedTuple):
     def row(self) -> Sequence[str]:
         """The row of a table with COLUMNS."""
         if not self.result:
-            return self.name, self.task, "", "", "", self.problem
-        result = self.result
-        return self.name, self.task, f"{result.score:.1f}", f"{result.seconds:.1f}", result.largest_loss, self.problem
+            return self.name, self.task, "", "", "", self.problem, ""
+        score, seconds = f"{self.result.score:.1f}", f"{self.result.seconds:.1f}"
+        return self.name, self.task, score, seconds, self.result.largest_loss, "", self.source or SIMULATOR
 
     @property
     def sentences(self) -> List[str]:

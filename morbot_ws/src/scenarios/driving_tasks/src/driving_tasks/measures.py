@@ -8,17 +8,22 @@ from simulation.geometry import distance_to_segment
 
 from .course import SPACING, Course, Point, Straight, Turn, relative
 from .drive import Drive
-from .polygon import sides as driven_sides
+from .polygon import driven_sides
 
+AT_END = " at the end"
 MAX_POINTS = 1000  # of a resampled path: a longer one has fewer points per metre
 
 
 class Error(NamedTuple):
-    """size: in cm or degrees; sentence: what the robot did, without a full stop; place: (x, y) in the task's frame."""
+    """size: in cm or degrees; sentence: what the robot did, without a full stop; place: (x, y) in the task's frame.
+
+    unit: of the mean of several such errors, "" if that tells nothing.
+    """
 
     size: float
     sentence: str
     place: Point
+    unit: str = ""
 
 
 Measure = Callable[[Course, Drive], List[Error]]
@@ -30,9 +35,9 @@ def end(course: Course, drive: Drive) -> List[Error]:
     seen = relative(stop, goal)
     distance, turn = 100 * math.hypot(seen.x, seen.y), math.degrees(seen.yaw)
     if abs(turn) > distance:
-        sentence = turned(math.degrees(stop.yaw), math.degrees(goal.yaw), " at the end")
+        sentence = describe_turn(math.degrees(stop.yaw), math.degrees(goal.yaw), AT_END)
     else:
-        sentence = f"stopped {_beside_goal(100 * seen.x, 100 * seen.y)}"
+        sentence = f"stopped {_describe_stop(100 * seen.x, 100 * seen.y)}"
     return [Error(max(distance, abs(turn)), sentence, stop[:2])]
 
 
@@ -42,30 +47,31 @@ def line(course: Course, drive: Drive) -> List[Error]:
     The larger of the two: the one sees a path that leaves the line, the other a part of the line that was left out.
     """
     path = resample([sample.pose[:2] for sample in drive.path])
-    offsets = [100 * course.offset(*point) for point in path]
-    gaps = [100 * min(distance_to_segment(point, *step) for step in zip(path, path[1:])) for point in course.points]
+    offsets = [100 * offset for offset in course.offsets(path)]
+    gaps = [100 * distance for distance in distances(course.points, path)]
     off, missed = fmean(map(abs, offsets)), fmean(gaps)
     if missed > 2 * off:
-        worst, place = max(zip(gaps, course.points))
-        return [Error(missed, f"stayed {amount(worst, 'cm')} away from a part of the line", place)]
-    worst, place = max(zip(offsets, path), key=lambda each: abs(each[0]))
-    sentence = (f"was {amount(off, 'cm')} off the line on average, "
-                f"{amount(worst, 'cm')} to the {side(worst)} at worst")
+        largest, place = max(zip(gaps, course.points))
+        return [Error(missed, f"stayed {amount(largest, 'cm')} away from a part of the line", place)]
+    largest, place = max(zip(offsets, path), key=lambda each: abs(each[0]))
+    beyond = min(math.dist(place, tip) for tip in (course.points[0], course.points[-1])) <= abs(largest) / 100 + 0.001
+    direction = "" if beyond else f" to the {left_or_right(largest)}"
+    sentence = f"was {amount(off, 'cm')} off the line on average, {amount(largest, 'cm')}{direction} at worst"
     return [Error(max(off, missed), sentence, place)]
 
 
 def sides(course: Course, drive: Drive) -> List[Error]:
     """Return how much longer or shorter each side is than it should be; a missing one counts whole."""
-    driven, wanted = driven_sides(drive), [step.length for step in course.steps if isinstance(step, Straight)]
-    corners, errors = len(driven) - 1, []
-    for number, (length, leg) in enumerate(zip(wanted, driven), 1):
-        error = 100 * (leg.length - length)
-        sentence = (f"drove {amount(error, 'cm')} too {'far' if error > 0 else 'little'} on side {number}"
-                    if number <= corners else f"stopped before corner {number}")
-        errors.append(Error(abs(error), sentence, leg.end))
-    errors += [_missing(100 * length, corners, drive) for length in wanted[len(driven):]]
-    beyond = 100 * sum(leg.length for leg in driven[len(wanted):])
-    if beyond > errors[-1].size:
+    wanted, driven = [step.length for step in course.steps if isinstance(step, Straight)], driven_sides(drive)
+    errors = []
+    for number, (length, side) in enumerate(zip(wanted, driven), 1):
+        error = 100 * (side.length - length)
+        sentence = f"drove {amount(error, 'cm')} too {'far' if error > 0 else 'little'} on side {number}"
+        errors.append(_missing(abs(error), number, drive) if side is driven[-1] else
+                      Error(abs(error), sentence, side.end, "cm"))
+    errors += [_missing(100 * length, len(driven), drive) for length in wanted[len(driven):]]
+    beyond = 100 * sum(side.length for side in driven[len(wanted):])
+    if beyond > errors[-1].size:  # it belongs to the last side
         errors[-1] = Error(beyond, f"drove on for {amount(beyond, 'cm')} after corner {len(wanted)}", drive.end[:2])
     return errors
 
@@ -75,35 +81,48 @@ def corners(course: Course, drive: Drive) -> List[Error]:
 
     The last turn leads to the heading at the stop.
     """
-    wanted = [step.degrees for step in course.steps if isinstance(step, Turn)]
-    driven = driven_sides(drive)
-    headings = [leg.heading for leg in driven[:len(wanted)]]
-    if len(driven) > len(headings):
+    wanted, driven = [step.degrees for step in course.steps if isinstance(step, Turn)], driven_sides(drive)
+    headings = [side.heading for side in driven[:len(wanted)]]
+    if len(driven) > len(wanted):
         headings.append(math.degrees(drive.end.yaw))
     errors = []
-    for number, (degrees, before, after, leg) in enumerate(zip(wanted, headings, headings[1:], driven), 1):
+    for number, (degrees, side, before, after) in enumerate(zip(wanted, driven, headings, headings[1:]), 1):
         turn = after - before
-        errors.append(Error(abs(turn - degrees), turned(turn, degrees, f" at corner {number}"), leg.end))
-    return errors + [_missing(abs(degrees), len(errors), drive) for degrees in wanted[len(errors):]]
+        sentence = describe_turn(turn, degrees, f" at corner {number}")
+        errors.append(Error(abs(turn - degrees), sentence, side.end, "degree" if turn * degrees > 0 else ""))
+    return errors + [_missing(abs(degrees), len(driven), drive) for degrees in wanted[len(errors):]]
 
 
-def _missing(size, corners, drive):
-    return Error(size, f"stopped before corner {corners + 1}", drive.end[:2])
+def _missing(size, corner, drive):
+    """Return the error for what a drive lacks that ended before a corner, which has this number."""
+    return Error(size, f"stopped before corner {corner}", drive.end[:2])
 
 
 def resample(points: Sequence[Point]) -> List[Point]:
     """Return a path as points that are 1 cm apart, or MAX_POINTS of them; first and last as they are."""
-    length = sum(map(math.dist, points, points[1:]))
-    spacing = max(SPACING, length / MAX_POINTS)
-    result, missing = [points[0]], spacing  # how far the next point is
+    spacing = max(SPACING, sum(map(math.dist, points, points[1:])) / MAX_POINTS)
+    result, ahead = [points[0]], spacing  # m from the start of a segment to the next point
     for start, stop in zip(points, points[1:]):
-        step = math.dist(start, stop)
-        while missing <= step:
-            share = missing / step
+        length = math.dist(start, stop)
+        while ahead <= length:
+            share = ahead / length
             result.append((start[0] + share * (stop[0] - start[0]), start[1] + share * (stop[1] - start[1])))
-            missing += spacing
-        missing -= step
+            ahead += spacing
+        ahead -= length
     return [*result, points[-1]]
+
+
+def distances(points: Sequence[Point], path: Sequence[Point]) -> List[float]:
+    """Return how far each point is from a path, in m. The points of the path are about as far from each other."""
+    segments = list(zip(path, path[1:]))
+    margin = 2 * max(math.dist(*segment) for segment in segments)
+    result = []
+    for point in points:
+        to_starts = [math.dist(point, start) for start, _ in segments]
+        reach = min(to_starts) + margin  # the nearest segment starts within this distance; the rest need no look
+        result.append(min(distance_to_segment(point, *segment)
+                          for segment, distance in zip(segments, to_starts) if distance <= reach))
+    return result
 
 
 def worst(errors: Sequence[Error]) -> Error:
@@ -112,28 +131,36 @@ def worst(errors: Sequence[Error]) -> Error:
     return next(error for error in errors if error.size >= 0.95 * largest)
 
 
-def turned(degrees: float, wanted: float, where: str) -> str:
+def describe(errors: Sequence[Error], mean: float) -> str:
+    """Return a sentence about the worst error of a measure, and about their mean unless that one is most of it."""
+    size, sentence, _, unit = worst(errors)
+    widespread = unit and size < len(errors) * mean / 2
+    return f"{sentence}, and {amount(mean, unit)} on average" if widespread else sentence
+
+
+def describe_turn(degrees: float, wanted: float, where: str) -> str:
     """Return what is wrong with a turn of some degrees, counterclockwise, where another one was wanted.
 
     where: " at corner 3", for example.
     """
     if not wanted:
-        return f"pointed {amount(degrees, 'degree')} too far to the {side(degrees)}{where}"
+        return f"pointed {amount(degrees, 'degree')} too far to the {left_or_right(degrees)}{where}"
     if degrees * wanted < 0 and abs(degrees) > 10:
-        return f"turned to the {side(degrees)}{where}, and not to the {side(wanted)}"
+        where = where if where != AT_END else ""  # it did so from its start
+        return f"turned to the {left_or_right(degrees)}{where}, and not to the {left_or_right(wanted)}"
     error = math.copysign(1, wanted) * (degrees - wanted)
     return f"turned {amount(error, 'degree')} too {'far' if error > 0 else 'little'}{where}"
 
 
-def _beside_goal(ahead, left):
+def _describe_stop(ahead, left):
     """Return where the robot is, in cm, as seen from the goal; the smaller distance only if it is half the larger."""
     along = amount(ahead, "cm") + (" past" if ahead > 0 else " short of")
-    across = f"{amount(left, 'cm')} {side(left)} of"
+    across = f"{amount(left, 'cm')} {left_or_right(left)} of"
     first, second = sorted([(abs(ahead), along), (abs(left), across)], reverse=True)
     return f"{first[1]} the goal" + (f" and {second[1]} it" if 2 * second[0] >= first[0] > 0 else "")
 
 
-def side(value: float) -> str:
+def left_or_right(value: float) -> str:
     """Return left for a positive offset or turn, else right."""
     return "left" if value > 0 else "right"
 

@@ -2,12 +2,13 @@
 
 from typing import Callable, List, NamedTuple
 
+from simulation.collision import SEPARATED
 from simulation.world import World
 
 from .course import Point
 from .drive import Drive
 
-TOUCHES, CLEAR = 0.001, 0.01      # m to the nearest wall: a contact begins, and is over
+TOUCHES = 0.001                   # m to the nearest wall, where a contact begins; at SEPARATED it is over
 CONTACT = 20.0                    # points per contact
 WINDOW = 0.2                      # s over which an acceleration is a mean
 ALLOWANCE = 1.1                   # times the limit cost nothing yet
@@ -27,12 +28,14 @@ Penalty = Callable[[Drive, World], List[Loss]]
 
 def contacts(drive: Drive, world: World) -> List[Loss]:
     """Return the loss for touching walls: 20 points each time."""
-    places, clear = [], True
+    places, touching = [], False
     for sample in drive.path:
         clearance = world.clearance(sample.pose)
-        if clear and clearance < TOUCHES:
+        if not touching and clearance < TOUCHES:
             places.append(sample.pose[:2])
-        clear = clearance > CLEAR or (clear and clearance >= TOUCHES)
+            touching = True
+        elif clearance > SEPARATED:
+            touching = False
     times = {1: "", 2: " twice"}.get(len(places), f" {len(places)} times")
     return [Loss(CONTACT * len(places), f"touched a wall{times}", places[0])] if places else []
 
@@ -44,8 +47,8 @@ def acceleration(drive: Drive, world: World, limit: float) -> List[Loss]:
     largest = max((abs(rate) for rate, _ in rates), default=0.0)
     if largest <= ALLOWANCE * limit:
         return []
-    peak, place = next(each for each in rates if abs(each[0]) >= 0.95 * largest)
-    what = "sped up" if peak > 0 else "braked"
+    rate, place = next(each for each in rates if abs(each[0]) >= 0.95 * largest)  # the first of about that size
+    what = "sped up" if rate > 0 else "braked"
     return [Loss(min(MAX_EXCESS, EXCESS * (largest / limit - 1)),
                  f"{what} at {largest:.2g} m/s^2, and {limit:g} are allowed", place)]
 

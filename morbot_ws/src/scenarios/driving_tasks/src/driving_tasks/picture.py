@@ -1,7 +1,6 @@
 """A picture of a judged drive from above: the ideal and the driven line, and where points were lost."""
 
 import io
-import math
 from typing import List, Sequence, Tuple
 
 from matplotlib.axes import Axes
@@ -9,12 +8,13 @@ from matplotlib.figure import Figure
 
 from jetbot import files
 from jetbot.kinematics import Pose
+from simulation.drawing import BLUE, GREEN, ORANGE, RED, draw_heading
 from simulation.geometry import from_frame
 from simulation.world import FOOTPRINT, World
 
 from .course import Point
 from .penalties import Loss
-from .score import NEGLIGIBLE, Result
+from .score import NEGLIGIBLE, NO_LOSS, Result
 
 WIDTH = 10                # inches
 DPI = 100
@@ -22,7 +22,6 @@ TEXT = 0.34               # inches of each line below the picture
 MARGIN = 0.15             # m around what is drawn
 MAX_POINTS = 5000         # of the driven line that are drawn
 HEADINGS = 8              # along the driven line
-BLUE, ORANGE, GREEN, RED = "tab:blue", "tab:orange", "tab:green", "tab:red"
 IDEAL = {"color": ORANGE, "linewidth": 6, "alpha": 0.5, "label": "ideal", "solid_capstyle": "round"}
 DRIVEN = {"color": BLUE, "linewidth": 2, "label": "driven"}
 WALL = {"color": "black", "linewidth": 5, "solid_capstyle": "butt"}
@@ -60,7 +59,8 @@ def draw_floor(axes: Axes, result: Result, limits: Tuple[Point, Point]) -> None:
     path = result.path[::1 + len(result.path) // MAX_POINTS]
     axes.plot(*zip(*result.course), **IDEAL)
     axes.plot([pose.x for pose in path], [pose.y for pose in path], **DRIVEN)
-    draw_headings(axes, path)
+    for pose in path[::max(1, len(path) // HEADINGS)]:
+        draw_heading(axes, pose, BLUE, scale=45, width=0.005)
     for pose, style in ((Pose(), {"edgecolor": GREEN, "label": "start"}),
                         (result.goal, {"edgecolor": ORANGE, "linestyle": "--", "label": "goal"}),
                         (result.path[-1], {"edgecolor": BLUE, "label": "stop"})):
@@ -76,13 +76,6 @@ def draw_world(axes: Axes, world: World) -> None:
     for polylines, style, label in (world.lines, TAPE, "tape"), (world.walls, WALL, "wall"):
         for number, polyline in enumerate(polylines):
             axes.plot(*zip(*polyline), label="" if number else label, **style)
-
-
-def draw_headings(axes: Axes, path: Sequence[Pose]) -> None:
-    """Draw arrows along the driven line in the direction of the robot's heading."""
-    for pose in path[::max(1, len(path) // HEADINGS)]:
-        axes.quiver(pose.x, pose.y, math.cos(pose.yaw), math.sin(pose.yaw), color=BLUE, pivot="mid", scale=45,
-                    width=0.005, headlength=4, headaxislength=4, zorder=3)
 
 
 def draw_robot(axes: Axes, pose: Pose, style: dict) -> None:
@@ -117,4 +110,4 @@ def list_losses(axes: Axes, losses: Sequence[Loss]) -> None:
         axes.text(0, 1 - (number - 1) / len(losses), f"{number}  {loss.sentence} ({loss.points:.1f} points)",
                   fontsize=13, va="top", color=RED)
     if not losses:
-        axes.text(0, 1, "Nothing lost half a point.", fontsize=13, va="top")
+        axes.text(0, 1, NO_LOSS, fontsize=13, va="top")

@@ -1,7 +1,7 @@
 """The sides and corners of a driven polygon."""
 
 import math
-from typing import List, NamedTuple, Tuple
+from typing import List, NamedTuple
 
 from jetbot.kinematics import Pose
 
@@ -23,17 +23,19 @@ class Side(NamedTuple):
     end: Point
 
 
-def sides(drive: Drive) -> List[Side]:
+def driven_sides(drive: Drive) -> List[Side]:
     """Return the sides that the robot drove: one more than the corners, as the last one ends where the robot stopped.
 
     Their headings are means over the middle half, so that rounded corners and the last correction do not count.
     """
-    return [_side(poses) for poses in _split([sample.pose for sample in drive.path])]
+    pieces = _split([sample.pose for sample in drive.path])
+    return [Side(_distance(piece[0], piece[-1]), math.degrees(_mean_heading(piece)), piece[-1][:2]) for piece in pieces]
 
 
 def _split(path: List[Pose]) -> List[List[Pose]]:
     """Return the path in pieces that end at corners: halfway through each turn."""
-    pieces, heading, driven = [[path[0]]], path[0].yaw, 0.0
+    pieces = [[path[0]]]
+    heading, driven = path[0].yaw, 0.0  # of this side, None until it is known; m since the last corner
     for before, after in zip(path, path[1:]):
         driven += _distance(before, after)
         if heading is None and driven >= SETTLED:
@@ -48,27 +50,27 @@ def _split(path: List[Pose]) -> List[List[Pose]]:
 
 
 def _between(before, after, yaw):
-    """Return the pose between two others, where the heading was this one."""
-    share = max(0.0, min(1.0, (yaw - before.yaw) / (after.yaw - before.yaw))) if after.yaw != before.yaw else 0.0
+    """Return the pose between two others where the heading was this one, or the nearer of the two."""
+    turn = after.yaw - before.yaw
+    share = max(0.0, min(1.0, (yaw - before.yaw) / turn)) if turn else 0.0
     return Pose(*(first + share * (last - first) for first, last in zip(before, after)))
 
 
-def _side(poses):
-    return Side(_distance(poses[0], poses[-1]), math.degrees(_heading(poses)), poses[-1][:2])
-
-
-def _heading(poses):
-    """Return the mean heading of the middle half of a side; the last one, if the robot drove no side."""
-    steps: List[Tuple[float, float, float]] = []  # from, to (m driven since the corner), heading
-    driven = 0.0
-    for before, after in zip(poses, poses[1:]):
-        start, driven = driven, driven + _distance(before, after)
-        steps.append((start, driven, (before.yaw + after.yaw) / 2))
-    if driven < SETTLED:
+def _mean_heading(poses):
+    """Return the mean heading over the middle half of a side, in rad; the last one, if the robot drove no side."""
+    lengths = [_distance(before, after) for before, after in zip(poses, poses[1:])]
+    total = sum(lengths)
+    if total < SETTLED:
         return poses[-1].yaw
-    low, high = driven / 4, driven * 3 / 4
-    return sum(max(0.0, min(end, high) - max(start, low)) * yaw for start, end, yaw in steps) / (high - low)
+    low, high = total / 4, total * 3 / 4
+    driven = weighted = 0.0
+    for before, after, length in zip(poses, poses[1:], lengths):
+        in_middle = min(driven + length, high) - max(driven, low)
+        if in_middle > 0:
+            weighted += in_middle * ((before.yaw + after.yaw) / 2)
+        driven += length
+    return weighted / (high - low)
 
 
 def _distance(one, other):
-    return math.hypot(one.x - other.x, one.y - other.y)
+    return math.dist(one[:2], other[:2])

@@ -11,9 +11,9 @@ from typing import Iterator, Optional
 
 from jetbot.errors import InvalidValue
 
-from .bags import read_units
-from .bounded import FORK
-from .contained import adopt_orphans, end_children, end_with_parent
+from .bags import read_config
+from .child import FORK, adopt_orphans, end_with_parent
+from .contained import end_children
 from .marks import Mark
 from .tasks import Task
 from .trial import DRIVE_TIMEOUT, START_TIMEOUT, try_program
@@ -29,7 +29,7 @@ def judge_programs(task: Task, path: str, config: str = "") -> Iterator[Mark]:
     They run with all rights of this user, one after the other, because motion is measured by the clock.
     config: the controller's file of parameters, such as si_units.yaml.
     """
-    read_units(config)  # the controller would not start
+    read_config(config)  # the controller would not start
     root = Path(path).absolute()  # each program runs in a folder of its own
     found = find_files(root, ".py") if root.is_dir() else [Found(root, "" if root.is_file() else "It is not a file.")]
     found = [each for each in found if each.path.name not in OTHER_FILES]

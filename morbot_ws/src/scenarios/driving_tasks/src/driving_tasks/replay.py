@@ -4,59 +4,64 @@ import math
 from typing import Iterator, List, Sequence, Tuple
 
 from jetbot.kinematics import Pose, clamp, mix
+from jetbot_ros import parameters as controller
+from jetbot_ros.ramp import Ramp
 from simulation.collision import Collision
-from simulation.diff_drive import DiffDriveModel
+from simulation.diff_drive import PWM_FREQUENCY, DiffDriveModel
 from simulation.parameters import PARAMETERS
+from simulation.step_clock import STEP
 
-from .drive import DONE, PAUSE, Recorder
+from .drive import DONE, STOP_TIME, Recorder
 from .samples import Sample
 from .tasks import Task
 
 Command = Tuple[float, float, float]  # time in s, linear.x, angular.z
 
-STEP = 0.01           # s of the model
 STEPS_PER_SAMPLE = 2
-CMD_VEL_TIMEOUT = 1.0  # s, the controller's default
-WAIT = 60.0           # s that a robot may rest or twitch before its drive
+CMD_VEL_TIMEOUT = controller.PARAMETERS["cmd_vel_timeout"].default  # s
+WAIT = 60.0  # s that a robot may rest or twitch before its drive
+STOPPED = (0.0, 0.0)  # m/s, rad/s
 BODY = ("wheel_separation", "wheel_diameter", "max_speed", "motor_lag", "dead_band")
 
 
-def replay(commands: Sequence[Command], task: Task, wheel_separation: float = 2.0, max_speed: float = 1.0
-           ) -> List[Sample]:
+def replay(commands: Sequence[Command], task: Task, wheel_separation: float = 2.0, max_speed: float = 1.0,
+           acceleration_limit: float = 0.0, pwm_frequency: float = PWM_FREQUENCY) -> List[Sample]:
     """Return where a simulated robot is that gets these commands, among the task's walls, in the task's frame.
 
     It starts when the first command moves it; the times count from then on. Commands that are not finite, and those
-    that are older than the one before, do not count. wheel_separation, max_speed: the controller's parameters.
+    that are older than the one before, do not count. The rest are the controller's parameters of these names.
     """
-    duties = _duties(commands, wheel_separation, max_speed)
     model = DiffDriveModel(*(PARAMETERS[name].default for name in BODY), pose=Pose())
     model.collision = Collision(task.load_world())
+    ramp = Ramp(acceleration_limit, wheel_separation, max_speed)
     recorder, samples = Recorder(task.time_limit), [Sample(0.0, model.pose, 0.0)]
-    current, end = 0, min(duties[-1][0] + CMD_VEL_TIMEOUT + 2 * PAUSE, task.time_limit + WAIT) if duties else 0.0
     recorder.feed(samples[0])
-    for number in range(round(end / STEP)):
-        while current + 1 < len(duties) and duties[current + 1][0] <= number * STEP:
-            current += 1
-        time, wheels = duties[current]
-        model.step(wheels if number * STEP - time < CMD_VEL_TIMEOUT else (0.0, 0.0), STEP)
-        if (number + 1) % STEPS_PER_SAMPLE == 0:
-            samples.append(Sample((number + 1) * STEP, model.pose, model.velocity[0]))
+    for number, velocity in enumerate(_in_force(_driven(commands), task.time_limit + WAIT), 1):
+        wheels = mix(*ramp.limit(velocity, number * STEP), wheel_separation, max_speed)
+        model.step(tuple(clamp(speed, 1.0) for speed in wheels), STEP, pwm_frequency)
+        if number % STEPS_PER_SAMPLE == 0:
+            samples.append(Sample(number * STEP, model.pose, model.velocity[0]))
             if recorder.feed(samples[-1]) == DONE:
                 break
     return samples
 
 
-def _duties(commands, wheel_separation, max_speed) -> List[Tuple[float, Tuple[float, float]]]:
-    """Return the times of the commands and what the wheels get, from the first command on that is not zero."""
-    duties: List[Tuple[float, Tuple[float, float]]] = []
-    start = None
-    for time, linear, angular in _measured(commands):
-        if start is None and (linear or angular):
-            start = time
-        if start is not None:
-            left, right = mix(linear, angular, wheel_separation, max_speed)
-            duties.append((time - start, (clamp(left, 1.0), clamp(right, 1.0))))
-    return duties
+def _driven(commands) -> List[Command]:
+    """Return the commands from the first one on that is not zero; their times count from then on."""
+    measured = list(_measured(commands))
+    first = next((index for index, (_, *velocity) in enumerate(measured) if any(velocity)), len(measured))
+    return [(time - measured[first][0], linear, angular) for time, linear, angular in measured[first:]]
+
+
+def _in_force(commands, seconds) -> Iterator[Tuple[float, float]]:
+    """Yield the velocity to drive at each step, until the robot has stopped for long or these seconds are over."""
+    end = min(commands[-1][0] + CMD_VEL_TIMEOUT + 2 * STOP_TIME, seconds) if commands else 0.0
+    index = 0
+    for now in (number * STEP for number in range(round(end / STEP))):
+        while index + 1 < len(commands) and commands[index + 1][0] <= now:
+            index += 1
+        time, *velocity = commands[index]
+        yield velocity if now - time < CMD_VEL_TIMEOUT else STOPPED
 
 
 def _measured(commands) -> Iterator[Command]:

@@ -24,7 +24,7 @@ from .bags import sample_of
 
 SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
 MASTER_TIMEOUT = 5.0  # s
-STILL = 0.5           # s without motion after which the robot stands
+STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 MOVES = 3             # samples in motion until a robot drives; one that is put elsewhere has one
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
@@ -38,17 +38,17 @@ def find_robots(names: Sequence[str]) -> List[str]:
 
     Raise InvalidValue, which says what there is, and NO_ANSWER.
     """
-    there = {label(namespace): namespace for namespace in simulated_robots()}
-    if not there:
+    robots = {label(namespace): namespace for namespace in simulated_robots()}
+    if not robots:
         raise InvalidValue("there is no simulated robot",
                            "Start one in another terminal: roslaunch simulation simulation.launch")
-    if not names and len(there) > 1:
-        raise InvalidValue(f"there are {len(there)} simulated robots: {enumeration(list(there))}",
-                           f"Name one: --robot {list(there)[0]}")
+    if not names and len(robots) > 1:
+        raise InvalidValue(f"there are {len(robots)} simulated robots: {enumeration(list(robots))}",
+                           f"Name one: --robot {list(robots)[0]}")
     for name in names:
-        if label(name) not in there:
-            raise InvalidValue(f"there is no simulated robot {name}", f"The robots are: {enumeration(list(there))}")
-    return list(dict.fromkeys(there[label(name)] for name in names)) or list(there.values())
+        if label(name) not in robots:
+            raise InvalidValue(f"there is no simulated robot {name}", f"The robots are: {enumeration(list(robots))}")
+    return list(dict.fromkeys(robots[label(name)] for name in names)) or list(robots.values())
 
 
 def simulated_robots() -> List[str]:
@@ -98,14 +98,14 @@ class SimulatedRobot:
         for sample in map(sample_of, self.truth):
             if self.pose is None or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.pose)):
                 self._moved_at, self._moves = sample.time, self._moves + 1
-            elif self.stands:
+            elif self.has_stopped:
                 self._moves = 0
             self.pose, self.time = sample.pose, sample.time
 
     @property
-    def stands(self) -> bool:
-        """Whether the robot has not moved for STILL seconds."""
-        return self.pose is not None and self.time - self._moved_at >= STILL
+    def has_stopped(self) -> bool:
+        """Whether the robot has not moved for STOPPED_AFTER seconds."""
+        return self.pose is not None and self.time - self._moved_at >= STOPPED_AFTER
 
     @property
     def is_controlled(self) -> bool:
@@ -114,7 +114,7 @@ class SimulatedRobot:
 
     @property
     def drives(self) -> bool:
-        """Whether the robot drives, or has stopped less than STILL seconds ago."""
+        """Whether the robot drives, or has stopped less than STOPPED_AFTER seconds ago."""
         return self._moves >= MOVES
 
     @property
@@ -142,7 +142,7 @@ class SimulatedRobot:
         while call.is_alive() and not self.obstacle:
             yield
         called_at = self.time
-        while not (self.stands and self.time - called_at >= STILL or self.obstacle):
+        while not (self.has_stopped and self.time - called_at >= STOPPED_AFTER or self.obstacle):
             yield
 
     def _call_reset(self):

@@ -7,8 +7,8 @@ from jetbot.kinematics import Pose
 from simulation.world import World
 
 from .course import Point
-from .drive import Drive, NoDrive, Recorder  # noqa: F401  for those who judge
-from .measures import worst
+from .drive import DONE, Drive, Recorder
+from .measures import describe, worst
 from .penalties import Loss
 from .samples import Sample
 from .tasks import Task
@@ -16,6 +16,7 @@ from .tasks import Task
 TOLERANCE = 10.0    # cm or degrees of error that leave 1/e of the points
 TIME_SHARE = 0.2    # of the points depend on the time
 NEGLIGIBLE = 0.5    # points that are not worth a sentence
+NO_LOSS = "Nothing lost half a point."
 
 
 class Result(NamedTuple):
@@ -46,7 +47,7 @@ class Result(NamedTuple):
     def sentence(self) -> str:
         """The largest loss as a sentence."""
         if not self.largest_loss:
-            return "Nothing lost half a point."
+            return NO_LOSS
         return f"Largest loss: {self.largest_loss} ({self.losses[0].points:.1f} points)."
 
 
@@ -54,7 +55,7 @@ def judge(task: Task, samples: Sequence[Sample]) -> Result:
     """Return the result of the first drive in some samples. Raises NoDrive if there is none."""
     recorder = Recorder(task.time_limit)
     for sample in samples:
-        if recorder.feed(sample) == "done":
+        if recorder.feed(sample) == DONE:
             break
     return rate(task, recorder.finish())
 
@@ -64,24 +65,24 @@ def rate(task: Task, drive: Drive) -> Result:
     course, world = task.course, task.load_world()
     errors = [measure(course, drive) for measure in task.measures]
     means = [sum(error.size for error in each) / len(each) for each in errors]
-    used = min(1.0, task.ideal_seconds / drive.seconds)
+    time_ratio = min(1.0, task.ideal_seconds / drive.seconds)
     penalties = [loss for penalty in task.penalties for loss in penalty(drive, world)]
-    score = 100 * _remaining(sum(means)) * (1 - TIME_SHARE + TIME_SHARE * used) - sum(loss.points for loss in penalties)
-    losses = [_loss(mean, each) for mean, each in zip(means, errors)] + penalties + [_time_loss(task, drive, used)]
-    return Result(task.name, task.title, max(0.0, score), drive.seconds,
-                  tuple(sorted(losses, key=lambda loss: -loss.points)),
+    points = 100 * _remaining(sum(means)) * (1 - TIME_SHARE + TIME_SHARE * time_ratio)
+    score = max(0.0, points - sum(loss.points for loss in penalties))
+    losses = [*map(_loss, means, errors), *penalties, _time_loss(task, drive, time_ratio)]
+    return Result(task.name, task.title, score, drive.seconds, tuple(sorted(losses, key=lambda loss: -loss.points)),
                   tuple(sample.pose for sample in drive.path), drive.frame, course.points, course.goal, world)
 
 
 def _remaining(error):
+    """Return the fraction of the points that an error in cm or degrees leaves."""
     return math.exp(-error / TOLERANCE)
 
 
 def _loss(mean, errors):
-    _, sentence, place = worst(errors)
-    return Loss(100 * (1 - _remaining(mean)), sentence, place)
+    return Loss(100 * (1 - _remaining(mean)), describe(errors, mean), worst(errors).place)
 
 
-def _time_loss(task, drive, used):
-    return Loss(100 * TIME_SHARE * (1 - used), f"took {drive.seconds:.1f} s; {task.ideal_seconds:.1f} s are enough",
-                drive.end[:2])
+def _time_loss(task, drive, time_ratio):
+    sentence = f"took {drive.seconds:.1f} s; {task.ideal_seconds:.1f} s are enough"
+    return Loss(100 * TIME_SHARE * (1 - time_ratio), sentence, drive.end[:2])

@@ -17,8 +17,8 @@ from jetbot.text import enumeration, printable
 from jetbot.wait import wait_until
 from jetbot_ros.addresses import is_reachable
 
-from .attempt import READY, Attempt
-from .contained import Limits, children, end_program, limiter, start
+from .attempt import INVITATION, Attempt
+from .contained import end_program, program_limiter, running_children, start
 from .live import POLL_INTERVAL, init_node
 from .marks import Mark
 from .robot import SimulatedRobot
@@ -72,8 +72,8 @@ class Trial:
 
     def __init__(self, task: Task, name: str, program: Path, folder: Path, robot: List[subprocess.Popen]):
         self._task, self._name, self._program, self._folder, self._robot = task, name, program, folder, robot
-        self._said: List[str] = []
-        self._attempt = Attempt(task, SimulatedRobot(""), self._said.append)
+        self._sentences: List[str] = []
+        self._attempt = Attempt(task, SimulatedRobot(""), self._sentences.append)
         self._process: Optional[subprocess.Popen] = None
         self._started_at, self._ended_at = time.monotonic(), None
 
@@ -97,7 +97,7 @@ class Trial:
 
     def _start(self):
         self._process = start([sys.executable, str(self._program)], self._folder / "home", os.environ,
-                              self._folder / "program", limiter(Limits(round(self._task.time_limit) + DRIVE_TIMEOUT)))
+                              self._folder / "program", program_limiter(round(self._task.time_limit) + DRIVE_TIMEOUT))
         self._started_at = time.monotonic()
 
     def _problem(self):
@@ -106,9 +106,9 @@ class Trial:
         if self._attempt.has_driven:
             return ""
         if now - self._started_at > DRIVE_TIMEOUT:
-            interruption = f" {self._said[-1]}" if self._said[-1] != READY else elsewhere()
+            interruption = f" {self._sentences[-1]}" if self._sentences[-1] != INVITATION else elsewhere()
             return f"It did not drive within {DRIVE_TIMEOUT} s.{interruption}"
-        if self._process.poll() is None or children() - {process.pid for process in self._robot}:
+        if self._process.poll() is None or running_children() - {process.pid for process in self._robot}:
             return ""
         self._ended_at = self._ended_at or now
         return "" if now - self._ended_at < LAST_COMMAND else "It ended before it drove. " + self._last_words()

@@ -30,7 +30,7 @@ def find_files(folder: Path, *suffixes: str) -> List[Found]:
 
 def _search(folder: Path, suffixes: Tuple[str, ...], depth: int, count: Iterator[int]) -> Iterator[Found]:
     if not depth:
-        yield Found(folder, f"It lies more than {MAX_DEPTH} folders deep.")
+        yield Found(folder, f"It is more than {MAX_DEPTH} folders deep.")
         return
     try:
         with os.scandir(folder) as entries:

@@ -1,4 +1,4 @@
-"""What a robot did while it was judged, as a rosbag that can be judged again."""
+"""Writes what a robot did while it was judged into a rosbag that can be judged again."""
 
 import tempfile
 from collections import deque
@@ -7,6 +7,7 @@ from pathlib import Path
 import rosbag
 import rospy
 from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
 
 from jetbot import files
 
@@ -15,25 +16,25 @@ from .robot import SimulatedRobot
 MAX_MESSAGES = 100_000  # of each topic; the oldest are dropped
 
 
-class Tape:
-    """Holds the ground truth that the robot's polls have read, and its commands, since ``rewind``."""
+class BagWriter:
+    """Holds the ground truth that is added, and the commands that arrive, since the last ``clear``."""
 
     def __init__(self, robot: SimulatedRobot):
         self._robot = robot
         self._truth, self._commands = deque(maxlen=MAX_MESSAGES), deque(maxlen=MAX_MESSAGES)
         rospy.Subscriber(robot.command_topic, Twist, lambda twist: self._commands.append((rospy.Time.now(), twist)))
 
-    def rewind(self) -> None:
-        """Forget what there is."""
+    def clear(self) -> None:
+        """Drop what there is."""
         self._commands.clear()
         self._truth.clear()
 
-    def update(self) -> None:
-        """Add what the last poll of the robot has read."""
-        self._truth.extend(self._robot.truth)
+    def add(self, message: Odometry) -> None:
+        """Add a message of the ground truth."""
+        self._truth.append(message)
 
     def save(self, file: str) -> None:
-        """Write a rosbag in one step; raise OSError."""
+        """Write the rosbag in one step. Raises OSError."""
         with tempfile.TemporaryDirectory() as folder:
             bag_file = Path(folder, "drive.bag")
             with rosbag.Bag(str(bag_file), "w") as bag:
