@@ -54,9 +54,9 @@ def test_the_arcs():
 
 
 def test_the_robot():
-    turn = math.degrees(0.1 * 2 * FULL_SPEED / WHEEL_SEPARATION)
-    assert f"at x 1 it drives {FULL_SPEED} m/s, and at z 0.1 it turns {turn:.0f} degrees per second" in TEXT
-    assert f"radius x / z * {WHEEL_SEPARATION / 2:.3f} m" in TEXT
+    turn = math.degrees(2 * FULL_SPEED / WHEEL_SEPARATION)
+    assert f"drive {FULL_SPEED} m/s at full power, and are {WHEEL_SEPARATION} m apart" in TEXT
+    assert f"z * {turn:.0f} degrees per second" in TEXT and f"radius x / z * {WHEEL_SEPARATION / 2:.5f} m" in TEXT
 
 
 def test_the_numbers_of_the_score():

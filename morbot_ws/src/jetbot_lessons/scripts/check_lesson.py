@@ -64,7 +64,9 @@ def check_class(arguments: List[str]) -> Optional[str]:
     if options.robots:
         report_loss(lambda problem: give_up(options.lesson, problem))
     rows = cancellable(lambda: list(mark_class(options)))
-    problem = write_rows(rows, options.csv) if options.csv else write(as_csv(rows))
+    problem = write(as_csv(rows))
+    if options.csv:
+        problem = write_rows(rows, options.csv) or problem or write(f"Wrote {options.csv}.\n")
     return problem or (None if all(row.done == DONE for row in rows) else "")
 
 

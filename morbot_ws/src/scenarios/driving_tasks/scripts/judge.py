@@ -43,6 +43,7 @@ def main() -> int:
                 judged.append(mark)
     finally:
         if given.csv and judged:
+            judged.sort(key=lambda mark: given.robot.index(mark.name) if mark.name in given.robot else 0)
             marks.write(given.csv, marks.COLUMNS, (mark.row for mark in judged))
             show(f"Wrote {given.csv}.")
     return 0 if judged and all(mark.result for mark in judged) else 1

@@ -15,6 +15,7 @@ from .score import Result
 from .tasks import Task
 
 READY, CANCELLED = "ready", "cancelled"  # the other states
+HEIGHT = 0.0015                    # m: above the lines on the floor, below the robot's path
 COURSE_WIDTH = Vector3(x=0.01)     # m
 ARROW = Vector3(0.15, 0.03, 0.03)  # m: length, width, height
 COLOR = ColorRGBA(0.1, 0.7, 0.2, 1.0)
@@ -48,7 +49,7 @@ class Announcement:
         """Show the course and its goal from this start on the map."""
         course = self._task.course
         line = marker("course", Marker.LINE_STRIP, COURSE_WIDTH,
-                      points=[Point(*from_frame(start, point), 0.0) for point in course.points])
+                      points=[Point(*from_frame(start, point), HEIGHT) for point in course.points])
         place, heading = from_frame(start, course.goal[:2]), start.yaw + course.goal.yaw
         goal = marker("goal", Marker.ARROW, ARROW, pose=Pose(Point(*place, 0.0), quaternion(heading)))
         self._course.publish([Marker(action=Marker.DELETEALL)] + [line] * (len(line.points) > 1) + [goal])

@@ -53,7 +53,7 @@ def judge_bags(task: Task, path: str, robot: Optional[str] = None, config: str =
     settings, root = read_config(config), Path(path)
     found = find_files(root, *SUFFIXES) if root.is_dir() else [Found(root)]
     if not found:
-        raise InvalidValue(f"{path} holds no file that ends in .bag")
+        raise InvalidValue(f"there is no file that ends in .bag in {path}")
     outcomes = run_each(_judge, [(task, str(each.path), robot, settings) for each in found if not each.problem])
     for each in found:
         name = str(each.path.relative_to(root)) if each.path != root else root.name

@@ -34,7 +34,7 @@ def judge_programs(task: Task, path: str, config: str = "") -> Iterator[Mark]:
     found = find_files(root, ".py") if root.is_dir() else [Found(root, "" if root.is_file() else "It is not a file.")]
     found = [each for each in found if each.path.name not in OTHER_FILES]
     if not found:
-        raise InvalidValue(f"{path} holds no file that ends in .py")
+        raise InvalidValue(f"there is no file that ends in .py in {path}")
     for each in found:
         name = str(each.path.relative_to(root)) if each.path != root else root.name
         mark = None if each.problem else _judge(task, name, each.path, config)
