@@ -103,7 +103,7 @@ def test_links_in_a_folder_lead_to_no_file(judge, folder):
     (("xyz",), "There is no task xyz. The tasks are metre, quarter, square, circle, s_bend, smooth, park and follow."),
     (("metre", "--bags", "x"), "Unrecognized arguments: --bags x. See judge.py --help."),
     (("metre", "--robot", "a b"), "A robot's name is a name of ROS, not a b."),
-    (("metre", "--bag", "."), ". holds no file that ends in .bag."),
+    (("metre", "--bag", "."), "There is no file that ends in .bag in .."),
     (("metre", "--bag", ".", "--picture", "x.png"), "--picture is of one drive: of several, --pictures FOLDER."),
     (("metre", "--bag", "x", "--record", "y.bag"), "--record is for a robot that drives now."),
     (("--bag", "drive.bag"), "The task is missing. The tasks are metre, "),
@@ -118,4 +118,4 @@ def test_what_cannot_be_meant_is_one_sentence(judge, arguments, sentence):
 
 def test_without_a_task_the_tasks_are_listed(judge):
     code, text = judge()
-    assert (code, text.splitlines()[0].split(None, 1)) == (0, ["metre", "One metre"])
+    assert (code, text.splitlines()[0].split(None, 1)) == (0, ["metre", "1 m straight ahead"])

@@ -54,7 +54,7 @@ def test_a_program_gets_a_score_and_one_that_crashes_a_row(folder):
                          text=True, timeout=TIMEOUT)
     breaks, drives = csv.DictReader(run.stdout.splitlines())
     assert breaks["problem"] == ("It ended before it drove. "
-                                 "ModuleNotFoundError: No module named 'missing_module'")
+                                 "ModuleNotFoundError: No module named 'missing_module' (line 1)")
     assert drives["name"] == "drives.py" and float(drives["score"]) > 60
     assert sorted(os.listdir(folder)) == ["home", "programs"]
     assert not (folder / "home/in_home").exists()

@@ -61,6 +61,7 @@ class Judge(RobotTest):
         judge = self.start(sys.executable, "-c", EXACT_JUDGE, JUDGE, "metre", "--record", "drive.bag", cwd=self.folder)
         self.wait_for_lines(judge, READY)
         self.assertEqual(self.wheels(), STOPPED)
+        self.wait_for(lambda: courses, START_TIMEOUT, "the course")
         self.assertEqual([each.type for each in courses[-1][1:]], [Marker.LINE_STRIP, Marker.ARROW])
         self.assertAlmostEqual(courses[-1][2].pose.position.x, 2.54, places=2)
         self.drive(SECONDS)

@@ -1,6 +1,7 @@
 """One program and a simulated robot of its own, on a ROS master of their own."""
 
 import os
+import re
 import signal
 import socket
 import subprocess
@@ -29,6 +30,7 @@ DRIVE_TIMEOUT = 20  # s until a program drives
 LAST_COMMAND = 2    # s after the end of a program in which its last command may move the robot
 MAX_ERROR = 4096    # bytes of a program's stderr that are read
 MAX_SENTENCE = 200  # characters of it that are shown
+CODE_LINE = re.compile(r' *File ".*", line (\d+)')  # of a traceback
 OTHERS = ("ROS_IP", "ROS_NAMESPACE", "ROS_LOG_DIR", "JETBOT_GUARD", "JETBOT_BOARD")  # variables of another robot
 
 
@@ -47,7 +49,7 @@ def try_program(task: Task, name: str, program: Path, config: str, folder: Path)
 
 
 def make_environment(folder: Path) -> Dict[str, str]:
-    """Return the environment of a program: a home, a ROS master and a fake bus of its own."""
+    """Return the environment of a program: a home, a ROS master, and for its Robot() a fake bus of its own."""
     with socket.socket() as probe:
         probe.bind(("localhost", 0))
         port = probe.getsockname()[1]
@@ -56,7 +58,7 @@ def make_environment(folder: Path) -> Dict[str, str]:
     inherited = {name: value for name, value in os.environ.items() if name not in OTHERS}
     return {**inherited, "HOME": str(home), "ROS_HOME": str(folder / "ros"), "PYTHONDONTWRITEBYTECODE": "1",
             "ROS_MASTER_URI": f"http://localhost:{port}", "ROS_HOSTNAME": "localhost",
-            "JETBOT_I2C_BUS": f"fake:{folder}/bus", "JETBOT_PORT": f"fake:{folder}/port"}
+            "JETBOT_I2C_BUS": f"fake:{folder}/other_bus", "JETBOT_PORT": f"fake:{folder}/other_port"}
 
 
 def robot_commands(folder: Path, environment: Dict[str, str], config: str) -> Iterator[List[str]]:
@@ -119,11 +121,12 @@ class Trial:
 
 
 def last_line(file: Path) -> str:
-    """Return the end of a file that any program may have written, in one line."""
+    """Return the end of a file that any program may have written, in one line, with the last line of code it names."""
     with file.open("rb") as stream:
         stream.seek(max(0, stream.seek(0, os.SEEK_END) - MAX_ERROR))
         lines = stream.read().decode(errors="replace").strip().splitlines()
-    return printable(lines[-1][:MAX_SENTENCE]) if lines else ""
+    named = [match[1] for match in map(CODE_LINE.match, lines) if match]
+    return printable(lines[-1][:MAX_SENTENCE] + f" (line {named[-1]})" * bool(named)) if lines else ""
 
 
 def describe_wrong_topics() -> str:
