@@ -7,12 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from harness import free_port
-
 FOLDER = Path(__file__).parent
-LONGEST = ("calibration_squares", "start_errors", "stop_at_shutdown", "many_robots", "check_lesson", "master_lost",
-           "simulator", "workshop_scenario", "simulation_launch", "standing_order", "cockpit_launch")  # they are first
-BEHAVIOURS = sorted((path.stem for path in FOLDER.glob("behaviours/*.py")), key=lambda name: name not in LONGEST)
+BEHAVIOURS = sorted(path.stem for path in FOLDER.glob("behaviours/*.py"))
 PROGRAMS = {"show_in_rviz": ("rviz", "Xvfb", "convert")}  # that ./morbot setup does not install
 BY_HAND = "bad_commands"  # the others do without rostest's 1.5 s of CPU time
 TIMEOUT = 240.0  # s
@@ -32,13 +28,7 @@ def run_by_hand(behaviour, environment):
 
 
 def run_below_a_master(behaviour, environment):
-    port = str(free_port())
-    environment["ROS_MASTER_URI"] = f"http://localhost:{port}"
-    with subprocess.Popen(["rosmaster", "--core", "-p", port], env=environment, stdout=subprocess.DEVNULL) as master:
-        try:
-            return finish([FOLDER / "behaviour.py", behaviour, "--text"], environment)
-        finally:
-            master.terminate()
+    return finish([FOLDER / "behaviour.py", behaviour, "--master", "--text"], environment)
 
 
 def finish(command, environment):
