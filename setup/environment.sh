@@ -9,15 +9,8 @@ environment() {
     : "${LANG:=C.UTF-8}"
     export PYTHONUNBUFFERED=1       # a node's output appears at once, through a pipe too
     export PATH ROS_HOSTNAME ROS_ETC_DIR LANG
-    choose_distutils
     choose_ros_home
     choose_master
-}
-
-# roslaunch imports distutils. Debian's Python has it up to 3.11; that of setuptools takes much longer to import.
-choose_distutils() {
-    python=$(readlink -f /usr/bin/python3) || return 0
-    [ ! -e "/usr/lib/${python##*/}/distutils/spawn.py" ] || export SETUPTOOLS_USE_DISTUTILS=stdlib
 }
 
 home=${HOME:-/nonexistent}

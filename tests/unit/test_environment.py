@@ -3,13 +3,11 @@
 import os
 import stat
 import subprocess
-from pathlib import Path
 
 import pytest
 
 from conftest import ROOT
 
-DISTUTILS = Path("/usr/lib", Path("/usr/bin/python3").resolve().name, "distutils/spawn.py")
 SCRIPT = """set -eu
 fail() {{ echo "$*" >&2; exit 1; }}
 id() {{ [ "$1" != -u ] && echo pupil || echo {user}; }}
@@ -47,11 +45,6 @@ def test_other_users_have_masters_of_their_own(shell):
     uris = {master(shell, user) for user in (1001, 1002, 30001)}
     assert len(uris) == 3 and all(12000 <= int(uri.rpartition(":")[2]) < 32000 for uri in uris)
     assert master(shell, 1001) in uris
-
-
-@pytest.mark.skipif(not DISTUTILS.exists(), reason="Python has no distutils from 3.12 on")
-def test_roslaunch_imports_pythons_distutils_and_not_that_of_setuptools(shell):
-    assert shell("environment; /usr/bin/python3 -c 'import distutils.spawn as s; print(s.__file__)'") == str(DISTUTILS)
 
 
 def test_a_master_that_is_set_is_used(shell):
