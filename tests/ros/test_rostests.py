@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from harness import free_port
+
 FOLDER = Path(__file__).parent
 BEHAVIOURS = sorted(path.stem for path in FOLDER.glob("behaviours/*.py"))
 PROGRAMS = {"show_in_rviz": ("rviz", "Xvfb", "convert")}  # that ./morbot setup does not install
@@ -28,7 +30,13 @@ def run_by_hand(behaviour, environment):
 
 
 def run_below_a_master(behaviour, environment):
-    return finish([FOLDER / "behaviour.py", behaviour, "--master", "--text"], environment)
+    port = str(free_port())
+    environment["ROS_MASTER_URI"] = f"http://localhost:{port}"
+    with subprocess.Popen(["rosmaster", "--core", "-p", port], env=environment, stdout=subprocess.DEVNULL) as master:
+        try:
+            return finish([FOLDER / "behaviour.py", behaviour, "--text"], environment)
+        finally:
+            master.terminate()
 
 
 def finish(command, environment):
