@@ -104,7 +104,7 @@ def test_links_in_a_folder_lead_to_no_file(judge, folder):
     (("metre", "--bags", "x"), "Unrecognized arguments: --bags x. See judge.py --help."),
     (("metre", "--robot", "a b"), "A robot's name is a name of ROS, not a b."),
     (("metre", "--bag", "."), "There is no file that ends in .bag in .."),
-    (("metre", "--bag", ".", "--picture", "x.png"), "--picture is of one drive: of several, --pictures FOLDER."),
+    (("metre", "--bag", ".", "--picture", "x.png"), "--picture is for one drive; for several, use --pictures FOLDER."),
     (("metre", "--bag", "x", "--record", "y.bag"), "--record is for a robot that drives now."),
     (("--bag", "drive.bag"), "The task is missing. The tasks are metre, "),
     (("metre", "--bag", ""), "--bag: The name of a file is missing."),

@@ -35,7 +35,7 @@ def parse_arguments(words: List[str]) -> argparse.Namespace:
     parser.add_argument("--pictures", type=_path, metavar="FOLDER", help="a picture of each drive goes here")
     parser.add_argument("--csv", type=_file(".csv"), metavar="FILE.csv",
                         help="the marks; those of several drives are printed, too")
-    parser.add_argument("--record", type=_file(".bag"), metavar="FILE.bag", help="gets what is judged now")
+    parser.add_argument("--record", type=_file(".bag"), metavar="FILE.bag", help="record what is judged now")
     given = parser.parse_args(words)
     _check(given)
     return given
@@ -93,7 +93,7 @@ def _check(given):
     for option, possible, reason in (
             ("record", live, "--record is for a robot that drives now"),
             ("config", not live, "--config belongs to --bag or --program: the robot that drives now has its own"),
-            ("picture", single, "--picture is of one drive: of several, --pictures FOLDER")):
+            ("picture", single, "--picture is for one drive; for several, use --pictures FOLDER")):
         if getattr(given, option) and not possible:
             raise InvalidValue(reason)
     if len(given.robot) > 1 and not live or given.robot and given.program:

@@ -16,7 +16,7 @@ from .tasks import Task
 TOLERANCE = 10.0    # cm or degrees of error that leave 1/e of the points
 TIME_SHARE = 0.2    # of the points depend on the time
 NEGLIGIBLE = 0.5    # points that are not worth a sentence
-NO_LOSS = "Nothing lost half a point."
+NO_LOSS = "No loss of more than half a point."
 
 
 class Result(NamedTuple):

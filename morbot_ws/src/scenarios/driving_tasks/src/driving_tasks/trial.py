@@ -31,6 +31,7 @@ LAST_COMMAND = 2    # s after the end of a program in which its last command may
 MAX_ERROR = 4096    # bytes of a program's stderr that are read
 MAX_SENTENCE = 200  # characters of it that are shown
 CODE_LINE = re.compile(r' *File ".*", line (\d+)')  # of a traceback
+OTHER_BUS = "other_bus"  # of the program's own Robot()
 OTHERS = ("ROS_IP", "ROS_NAMESPACE", "ROS_LOG_DIR", "JETBOT_GUARD", "JETBOT_BOARD")  # variables of another robot
 
 
@@ -58,7 +59,7 @@ def make_environment(folder: Path) -> Dict[str, str]:
     inherited = {name: value for name, value in os.environ.items() if name not in OTHERS}
     return {**inherited, "HOME": str(home), "ROS_HOME": str(folder / "ros"), "PYTHONDONTWRITEBYTECODE": "1",
             "ROS_MASTER_URI": f"http://localhost:{port}", "ROS_HOSTNAME": "localhost",
-            "JETBOT_I2C_BUS": f"fake:{folder}/other_bus", "JETBOT_PORT": f"fake:{folder}/other_port"}
+            "JETBOT_I2C_BUS": f"fake:{folder}/{OTHER_BUS}", "JETBOT_PORT": f"fake:{folder}/other_port"}
 
 
 def robot_commands(folder: Path, environment: Dict[str, str], config: str) -> Iterator[List[str]]:
@@ -108,7 +109,7 @@ class Trial:
         if self._attempt.has_driven:
             return ""
         if now - self._started_at > DRIVE_TIMEOUT:
-            interruption = f" {self._sentences[-1]}" if self._sentences[-1] != INVITATION else describe_wrong_topics()
+            interruption = f" {self._sentences[-1]}" if self._sentences[-1] != INVITATION else self._wrong_robot()
             return f"It did not drive within {DRIVE_TIMEOUT} s.{interruption}"
         if self._process.poll() is None or running_children() - {process.pid for process in self._robot}:
             return ""
@@ -117,7 +118,15 @@ class Trial:
 
     def _last_words(self):
         code = self._process.returncode
-        return signal.strsignal(-code) or "" if code < 0 else last_line(self._folder / "program") if code else ""
+        if not code:
+            return self._wrong_robot().strip()
+        return signal.strsignal(-code) or "" if code < 0 else last_line(self._folder / "program")
+
+    def _wrong_robot(self):
+        """Return a sentence about what the program drove instead; "" if that is nothing."""
+        if os.path.exists(self._folder / OTHER_BUS):
+            return " It drove a Robot() of its own; the robot that is judged obeys /cmd_vel."
+        return describe_wrong_topics()
 
 
 def last_line(file: Path) -> str:
