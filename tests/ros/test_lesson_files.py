@@ -2,18 +2,11 @@
 
 import os
 import re
-import time
 
 import pytest
 
-from jetbot_lessons import answers, files, limited, marking, packages
-
-PACKAGE_XML = """<package format="3"><name>mine</name><version>0.0.1</version><description>Mine.</description>
-<maintainer email="me@example.com">Me</maintainer><license>MIT</license>
-<depend>rospy</depend><depend>geometry_msgs</depend></package>"""
-DRIVE, LAUNCH = "scripts/drive.py", "launch/drive.launch"
-SCRIPT = "#!/usr/bin/env python3\nprint()\n"
-INCLUDE = '<include file="$(find jetbot_control_node)/launch/jetbot_controller.launch" pass_all_args="true"/>'
+from jetbot_lessons import answers, files, packages
+from lesson_package import DRIVE, INCLUDE, LAUNCH, PACKAGE_XML, SCRIPT, make_package
 
 
 def exists(package):
@@ -27,21 +20,7 @@ def depends(package):
 @pytest.fixture
 def mine(tmp_path, monkeypatch):
     """The folder of a package with nothing missing."""
-    monkeypatch.setattr(packages, "__file__", str(tmp_path / "src/jetbot_lessons/src/jetbot_lessons/packages.py"))
-    (tmp_path / "src/jetbot_lessons").mkdir(parents=True)
-    (tmp_path / "src/jetbot_lessons/package.xml").write_text(PACKAGE_XML.replace("mine", "jetbot_lessons"))
-    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "src/jetbot_lessons"))  # a list, while another is broken
-    monkeypatch.setenv("CMAKE_PREFIX_PATH", str(tmp_path / "devel"))
-    (tmp_path / "devel/share/mine/cmake").mkdir(parents=True)
-    folder = tmp_path / "src/mine"
-    for name in ("scripts", "launch"):
-        (folder / name).mkdir(parents=True)
-    (folder / "package.xml").write_text(PACKAGE_XML)
-    (folder / "CMakeLists.txt").touch()
-    (folder / LAUNCH).write_text(f"<launch>{INCLUDE}</launch>")
-    (folder / DRIVE).write_text(SCRIPT)
-    (folder / DRIVE).chmod(0o755)
-    return folder
+    return make_package(tmp_path, monkeypatch)
 
 
 def test_nothing_is_missing(mine):
@@ -231,70 +210,3 @@ def test_answer_of_lesson_1_is_missing_has_another_name_or_lies_in_the_projects_
     monkeypatch.setattr(answers, "workspace", lambda: mine.parent / "morbot_ws/src")
     (mine.parent / "lesson_1.txt").write_text("rospy geometry_msgs")
     assert answers.check_needed("mine") is None
-
-
-def mark(lesson, folder):
-    """Return the problem in the row of a folder, without its path."""
-    [row] = marking.mark_folders(lesson, [str(folder)])
-    assert row.name.isprintable() and row.problem.isprintable() and row.done == ("no" if row.problem else "yes")
-    return row.problem.replace(f"{folder}/", "")
-
-
-def test_package_that_was_handed_in(mine, tmp_path):
-    assert mark(7, mine.parent).endswith("has 2 packages: give the folder of one")
-    (tmp_path / "ann").mkdir()
-    package = mine.rename(tmp_path / "ann/mine")
-    assert (mark(7, package), mark(7, package.parent)) == ("", "")
-    assert mark(8, package) == ("package.xml does not name jetbot_control_node: "
-                                "add <exec_depend>jetbot_control_node</exec_depend> before </package>")
-    assert mark(9, package) == ("There is no file metre.bag: record your drive with "
-                                "rosrun driving_tasks judge.py metre --record metre.bag")
-
-
-ENTITIES = "".join(f'<!ENTITY l{n} "{10 * f"&l{n - 1};"}">' for n in range(1, 12))
-BOMB = f'<!DOCTYPE l [<!ENTITY l0 "lol">{ENTITIES}]><launch>&l11;</launch>'
-
-
-@pytest.mark.parametrize("file, content, problem", [
-    (DRIVE, SCRIPT + "-" * 900_000 + "1", "Python cannot read drive.py: it is nested too deeply"),
-    (DRIVE, SCRIPT + "a" + ".b" * 400_000, "Python cannot read drive.py: "),
-    (DRIVE, SCRIPT + "open('executed', 'w')", ""),
-    ("package.xml", BOMB, "package.xml cannot be read: it defines the entity l0: remove <!ENTITY ...>"),
-    ("package.xml", PACKAGE_XML.replace("Mine.", "<b>" * 7000 + "</b>" * 7000), "package.xml cannot be read: "),
-    (DRIVE, os.mkfifo, "scripts/drive.py is not a file"),
-    (DRIVE, lambda file: file.symlink_to("/etc/passwd"), "scripts/drive.py is a link that leads out of the package"),
-    ("package.xml", lambda file: file.symlink_to("/dev/zero"), "package.xml is a link that leads out of the package"),
-    ("\033[2J\n", lambda folder: folder.symlink_to("/"), r"\x1b[2J\n is a link that leads out of the package"),
-    ("CMakeLists.txt", lambda file: None, "There is no CMakeLists.txt in "),
-    ("many", lambda folder: [(folder / str(n)).mkdir(parents=True) for n in range(1000)],
-     "mine has more than 1,000 files")])
-def test_hostile_folder_gets_a_row_and_is_not_executed(mine, monkeypatch, file, content, problem):
-    monkeypatch.chdir(mine)
-    place = mine / file
-    if place.exists():
-        place.unlink()
-    content(place) if callable(content) else place.write_text(content)
-    if (mine / DRIVE).exists():
-        (mine / DRIVE).chmod(0o755)
-    found = mark(7, mine).replace(f"{mine.parent}/", "")
-    assert found[:len(problem)] == problem and not (mine / "executed").exists()
-    assert problem or not found
-
-
-@pytest.mark.parametrize("happens, reason", [
-    (os.abort, "It needs more than "), (lambda: time.sleep(60), "It takes more than 1 s.")])
-def test_file_that_ends_or_stops_its_reader_gets_a_row(mine, monkeypatch, happens, reason):
-    monkeypatch.setattr(limited, "LIMITS", limited.LIMITS._replace(wall_time=1))
-    monkeypatch.setattr(files, "check_scripts", lambda package: happens())
-    assert f" cannot be checked: {reason}" in mark(7, mine)
-
-
-def test_launch_file_that_is_an_xml_bomb(mine):
-    (mine / LAUNCH).write_text(BOMB)
-    assert files.check_launch_files("mine") == f"{mine / LAUNCH} is not XML: it defines the entity l0: " \
-                                               "remove <!ENTITY ...>"
-
-
-def test_package_xml_bomb_in_the_workspace(mine):
-    (mine / "package.xml").write_text(BOMB)
-    assert exists("jetbot_lessons").startswith(f"{mine}/package.xml, line 1: it defines the entity l0: ")

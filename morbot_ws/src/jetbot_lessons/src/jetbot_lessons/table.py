@@ -63,14 +63,17 @@ def lessons(own: str = "", namespace: str = "") -> Dict[int, Checks]:
 
     own: the name of the pupil's package; namespace: of the robot, such as "/jetbot_07", for the lessons WITH_ROBOT.
     """
+    known = package(ROBOT) + package(SCENARIO, ROBOT) + [partial(answers.check_needed, SCENARIO)]
+    return {1: known, **robot_lessons(namespace), **own_lessons(own)}
+
+
+def robot_lessons(namespace: str) -> Dict[int, Checks]:
+    """Return the checks of the lessons WITH_ROBOT."""
     run = RUN + (namespace and f" __ns:={namespace}")
     launch, launch_scenario = (start + (namespace and f" robot_name:={namespace[1:]}")
                                for start in (LAUNCH, LAUNCH_SCENARIO))
     topic, keyboard = f"{namespace}/cmd_vel", f"{namespace}/{KEYBOARD}"
-    run_own = f"rosrun {own}, and the name of your script"
-    launch_own = f"roslaunch {own}, the name of your launch file and, without a robot, i2c_bus:=fake"
     return {
-        1: package(ROBOT) + package(SCENARIO, ROBOT) + [partial(answers.check_needed, SCENARIO)],
         2: controller(run, namespace, "roscore"),
         3: [*controller(run, namespace, "roscore"), partial(graph.check_commanded, topic, EXERCISE),
             partial(motion.check_turn, namespace)],
@@ -82,9 +85,17 @@ def lessons(own: str = "", namespace: str = "") -> Dict[int, Checks]:
         6: [*controller(launch_scenario, namespace),
             partial(graph.check_launched_together, ROBOT, SCENARIO, namespace=namespace),
             *drives(SCENARIO, launch_scenario, "start it without rate:=", namespace)],
-        7: [*own_package(own), *controller(LAUNCH, ""), *drives(own, run_own)],
-        8: [*own_package(own, ROBOT), limited(files.check_launch_files, own), *controller(launch_own, ""),
-            partial(graph.check_launched_together, ROBOT, own), *drives(own, launch_own)],
+    }
+
+
+def own_lessons(own: str) -> Dict[int, Checks]:
+    """Return the checks of the lessons about the pupil's own package, by its name."""
+    run, launch = (f"rosrun {own}, and the name of your script",
+                   f"roslaunch {own}, the name of your launch file and, without a robot, i2c_bus:=fake")
+    return {
+        7: [*own_package(own), *controller(LAUNCH, ""), *drives(own, run)],
+        8: [*own_package(own, ROBOT), limited(files.check_launch_files, own), *controller(launch, ""),
+            partial(graph.check_launched_together, ROBOT, own), *drives(own, launch)],
         9: [*own_package(own), partial(drive.check_drive, own)],
     }
 
