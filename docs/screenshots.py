@@ -152,7 +152,7 @@ def save(driver: webdriver.Chrome, path: Path) -> None:
 @contextlib.contextmanager
 def others_drive() -> Iterator[None]:
     """All robots of the class but the first one drive circles of their own, without the cockpit."""
-    rospy.init_node("pupils", anonymous=True, disable_signals=True)
+    rospy.init_node("pupils", disable_signals=True)
     publishers = [rospy.Publisher(f"/jetbot_{number:02}/cmd_vel", Twist, queue_size=1)
                   for number in range(2, CLASS + 1)]
     ended = threading.Event()
