@@ -6,6 +6,9 @@ from typing import Dict, Tuple
 import rospy
 from tf2_msgs.msg import TFMessage
 
+from jetbot import kinematics
+from simulation.geometry import from_frame
+
 MAP = "map"
 MAX_FRAMES = 1000
 Pose = Tuple[float, float, float]  # x, y in m, yaw in rad
@@ -20,10 +23,9 @@ class Frames:
 
     def on_map(self, frame: str, pose: Pose) -> Pose:
         """Return a pose in this frame as one on the map; a frame that is not known coincides with the map."""
-        x0, y0, yaw0 = self._origins.get(frame.lstrip("/"), (0.0, 0.0, 0.0))
+        origin = kinematics.Pose(*self._origins.get(frame.lstrip("/"), (0.0, 0.0, 0.0)))
         x, y, yaw = pose
-        cos, sin = math.cos(yaw0), math.sin(yaw0)
-        return x0 + x * cos - y * sin, y0 + x * sin + y * cos, yaw0 + yaw
+        return (*from_frame(origin, (x, y)), origin.yaw + yaw)
 
     def _on_transforms(self, message):
         for each in message.transforms:

@@ -3,6 +3,9 @@
 import math
 from typing import Any, Callable, Dict, Iterable, List, NamedTuple, Optional, Tuple
 
+from jetbot import kinematics
+from simulation.geometry import from_frame
+
 Point = Tuple[float, float]            # x, y in m on the map
 Pose = Tuple[float, float, float]      # x, y in m, yaw in rad
 Place = Callable[[str, Pose], Pose]    # from a frame to the map
@@ -47,8 +50,7 @@ def decode_marker(kind: str, marker: Any, on_map: Place) -> Optional[Shape]:
     if not is_drawable((x0, y0, yaw, marker.scale.x)):
         return None
     points = [(0.0, 0.0), (GOAL_LENGTH, 0.0)] if kind == "goal" else [(each.x, each.y) for each in marker.points]
-    cos, sin = math.cos(yaw), math.sin(yaw)
-    placed = [(x0 + x * cos - y * sin, y0 + x * sin + y * cos) for x, y in points]
+    placed = [from_frame(kinematics.Pose(x0, y0, yaw), point) for point in points]
     if len(placed) < 2 or not all(map(is_drawable, placed)):
         return None
     width = min(max(marker.scale.x, 0.0), MAX_WIDTH)
