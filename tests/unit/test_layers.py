@@ -38,6 +38,19 @@ def test_the_node_knows_no_tools(module):
     assert not [path for path in imports(module) if path.startswith("jetbot_tools")]
 
 
+def siblings(text):
+    """Return the names of the modules of its own package that a module imports."""
+    return re.findall(r"^from \.(\w+) import", text, re.M) + [
+        name for names in re.findall(r"^from \. import ([^#\n]*)", text, re.M) for name in re.findall(r"\w+", names)]
+
+
+def assert_imports_downward(file, layers, pure, impure):
+    """Fail if a module imports one that is not below it in the layers, or a pure one imports what is impure."""
+    module, text = file.stem, file.read_text()
+    assert not set(siblings(text)) - set(layers[:layers.index(module)])
+    assert module not in pure or not re.search(rf"^(?:import|from) (?:{impure})", text, re.M)
+
+
 PURE = ["protocol", "limits", "client", "access", "handout", "scene", "task", "view", "scores", "trail", "history",
         "lease", "dead_man", "stops", "control", "attendance", "hub"]
 COCKPIT_LAYERS = [*PURE, "desktop", "address", "parameters", "frames", "emergency", "task_topics", "robot_topics",
@@ -46,11 +59,8 @@ COCKPIT_LAYERS = [*PURE, "desktop", "address", "parameters", "frames", "emergenc
 
 @pytest.mark.parametrize("module", [file.stem for file in (COCKPIT / "src/jetbot_cockpit").glob("[!_]*.py")])
 def test_the_cockpit_imports_downward(module):
-    text = (COCKPIT / f"src/jetbot_cockpit/{module}.py").read_text()
-    imported = re.findall(r"^from \.(\w+) import", text, re.M) + [
-        name for names in re.findall(r"^from \. import ([^#\n]*)", text, re.M) for name in re.findall(r"\w+", names)]
-    assert not set(imported) - set(COCKPIT_LAYERS[:COCKPIT_LAYERS.index(module)])
-    assert module not in PURE or not re.search(r"^(?:import|from) (?:ros|tornado|\w+_msgs|socket|time)", text, re.M)
+    assert_imports_downward(COCKPIT / f"src/jetbot_cockpit/{module}.py", COCKPIT_LAYERS, PURE,
+                            r"ros|tornado|\w+_msgs|socket|time")
 
 
 PURE_SIMULATION = ["geometry", "world", "worlds", "collision", "line_sensor", "diff_drive", "step_clock", "stall"]
@@ -60,10 +70,8 @@ SIMULATION_LAYERS = [*PURE_SIMULATION, "parameters", "keyboard", "description", 
 
 @pytest.mark.parametrize("module", [file.stem for file in (SIMULATION / "src/simulation").glob("[!_]*.py")])
 def test_the_simulation_imports_downward_and_its_model_knows_no_ros(module):
-    text = (SIMULATION / f"src/simulation/{module}.py").read_text()
-    imported = re.findall(r"^from \.(\w+) import", text, re.M) + re.findall(r"^from \. import (\w+)", text, re.M)
-    assert not set(imported) - set(SIMULATION_LAYERS[:SIMULATION_LAYERS.index(module)])
-    assert module not in PURE_SIMULATION or not re.search(r"^(?:import|from) (?:ros|\w+_msgs|time)", text, re.M)
+    assert_imports_downward(SIMULATION / f"src/simulation/{module}.py", SIMULATION_LAYERS, PURE_SIMULATION,
+                            r"ros|\w+_msgs|time")
 
 
 PURE_TASKS = ["samples", "course", "drive", "polygon", "measures", "penalties", "tasks", "score", "replay"]
@@ -73,10 +81,8 @@ TASKS_LAYERS = [*PURE_TASKS, "child", "bounded", "walk", "marks", "bags", "pictu
 
 @pytest.mark.parametrize("module", [file.stem for file in (TASKS / "src/driving_tasks").glob("[!_]*.py")])
 def test_the_driving_tasks_import_downward_and_their_score_knows_no_ros(module):
-    text = (TASKS / f"src/driving_tasks/{module}.py").read_text()
-    imported = re.findall(r"^from \.(\w+) import", text, re.M) + re.findall(r"^from \. import (\w+)", text, re.M)
-    assert not set(imported) - set(TASKS_LAYERS[:TASKS_LAYERS.index(module)])
-    assert module not in PURE_TASKS or not re.search(r"^(?:import|from) (?:ros|\w+_msgs|matplotlib|time)", text, re.M)
+    assert_imports_downward(TASKS / f"src/driving_tasks/{module}.py", TASKS_LAYERS, PURE_TASKS,
+                            r"ros|\w+_msgs|matplotlib|time")
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "tests/browser").glob("*.py")), ids=lambda file: file.stem)

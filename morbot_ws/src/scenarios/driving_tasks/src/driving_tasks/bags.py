@@ -22,7 +22,7 @@ from .replay import replay
 from .samples import Sample
 from .score import Result, judge
 from .tasks import Task
-from .walk import Found, find_files
+from .walk import Found, find_files, name_below
 
 MAX_SIZE = 200  # MB
 MAX_NAMES = 5   # of robots that a sentence lists
@@ -56,7 +56,7 @@ def judge_bags(task: Task, path: str, robot: Optional[str] = None, config: str =
         raise InvalidValue(f"there is no file that ends in .bag in {path}")
     outcomes = run_each(_judge, [(task, str(each.path), robot, settings) for each in found if not each.problem])
     for each in found:
-        name = str(each.path.relative_to(root)) if each.path != root else root.name
+        name = name_below(root, each.path)
         if each.problem:
             yield Mark(name, task.name, problem=each.problem)
         else:

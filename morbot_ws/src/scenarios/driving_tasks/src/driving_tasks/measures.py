@@ -131,11 +131,10 @@ def worst(errors: Sequence[Error]) -> Error:
     return next(error for error in errors if error.size >= 0.95 * largest)
 
 
-def describe(errors: Sequence[Error], mean: float) -> str:
-    """Return a sentence about the worst error of a measure, and about their mean unless that one is most of it."""
-    size, sentence, _, unit = worst(errors)
-    widespread = unit and size < len(errors) * mean / 2
-    return f"{sentence}, and {amount(mean, unit)} on average" if widespread else sentence
+def describe(error: Error, mean: float, count: int) -> str:
+    """Return a sentence about the worst of so many errors, and about their mean unless that one is most of it."""
+    widespread = error.unit and error.size < count * mean / 2
+    return f"{error.sentence}, and {amount(mean, error.unit)} on average" if widespread else error.sentence
 
 
 def describe_turn(degrees: float, wanted: float, where: str) -> str:

@@ -17,7 +17,7 @@ from .contained import end_children
 from .marks import Mark
 from .tasks import Task
 from .trial import DRIVE_TIMEOUT, START_TIMEOUT, try_program
-from .walk import Found, find_files
+from .walk import Found, find_files, name_below
 
 OTHER_FILES = ("__init__.py", "setup.py")  # of a package, that are no programs
 END_TIMEOUT = 20  # s until all processes have ended
@@ -36,7 +36,7 @@ def judge_programs(task: Task, path: str, config: str = "") -> Iterator[Mark]:
     if not found:
         raise InvalidValue(f"there is no file that ends in .py in {path}")
     for each in found:
-        name = str(each.path.relative_to(root)) if each.path != root else root.name
+        name = name_below(root, each.path)
         mark = None if each.problem else _judge(task, name, each.path, config)
         yield mark or Mark(name, task.name, problem=each.problem or "It could not be judged: its judge was ended.")
 

@@ -136,7 +136,7 @@ class SimulatedRobot:
         return []
 
     def put_at_start(self) -> Iterator[None]:
-        """Put the robot to its start; yield until the ground truth shows it there. Raises Interrupted."""
+        """Put the robot to its start; yield until the ground truth shows it there, or an obstacle."""
         call = Thread(target=self._call_reset, daemon=True)  # a frozen simulator never answers
         call.start()
         while call.is_alive() and not self.obstacle:

@@ -80,7 +80,8 @@ def _remaining(error):
 
 
 def _loss(mean, errors):
-    return Loss(100 * (1 - _remaining(mean)), describe(errors, mean), worst(errors).place)
+    error = worst(errors)
+    return Loss(100 * (1 - _remaining(mean)), describe(error, mean, len(errors)), error.place)
 
 
 def _time_loss(task, drive, time_ratio):

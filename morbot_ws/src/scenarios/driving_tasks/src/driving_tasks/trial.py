@@ -109,8 +109,8 @@ class Trial:
         if self._attempt.has_driven:
             return ""
         if now - self._started_at > DRIVE_TIMEOUT:
-            interruption = f" {self._sentences[-1]}" if self._sentences[-1] != INVITATION else self._wrong_robot()
-            return f"It did not drive within {DRIVE_TIMEOUT} s.{interruption}"
+            interruption = self._sentences[-1] if self._sentences[-1] != INVITATION else self._wrong_robot()
+            return f"It did not drive within {DRIVE_TIMEOUT} s. {interruption}"
         if self._process.poll() is None or running_children() - {process.pid for process in self._robot}:
             return ""
         self._ended_at = self._ended_at or now
@@ -119,13 +119,13 @@ class Trial:
     def _last_words(self):
         code = self._process.returncode
         if not code:
-            return self._wrong_robot().strip()
+            return self._wrong_robot()
         return signal.strsignal(-code) or "" if code < 0 else last_line(self._folder / "program")
 
     def _wrong_robot(self):
         """Return a sentence about what the program drove instead; "" if that is nothing."""
         if os.path.exists(self._folder / OTHER_BUS):
-            return " It drove a Robot() of its own; the robot that is judged obeys /cmd_vel."
+            return "It drove a Robot() of its own; the robot that is judged obeys /cmd_vel."
         return describe_wrong_topics()
 
 
@@ -142,4 +142,4 @@ def describe_wrong_topics() -> str:
     """Return a sentence about the topics with commands that no robot obeys; "" if there is none."""
     topics = sorted(topic for topic, kind in rospy.get_published_topics() if kind == Twist._type)
     wrong = [printable(topic) for topic in topics if topic != "/cmd_vel"]
-    return f" It publishes on {enumeration(wrong)}; its robot obeys /cmd_vel." if wrong else ""
+    return f"It publishes on {enumeration(wrong)}; its robot obeys /cmd_vel." if wrong else ""

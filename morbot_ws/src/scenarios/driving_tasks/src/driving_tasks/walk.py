@@ -28,6 +28,11 @@ def find_files(folder: Path, *suffixes: str) -> List[Found]:
     return found
 
 
+def name_below(folder: Path, file: Path) -> str:
+    """Return what a file is called in a table: its path below the folder, or its name if it is the folder itself."""
+    return str(file.relative_to(folder)) if file != folder else folder.name
+
+
 def _search(folder: Path, suffixes: Tuple[str, ...], depth: int, count: Iterator[int]) -> Iterator[Found]:
     if not depth:
         yield Found(folder, f"It is more than {MAX_DEPTH} folders deep.")
