@@ -51,7 +51,7 @@ source_last_build() {
 in_python() {  # SCRIPT ARGUMENTS...
     script=$1
     shift
-    PYTHONPATH=$workspace/src/jetbot_control_node/src python3 "$here/setup/$script" "$@"
+    PYTHONPATH=$workspace/src/jetbot/src:$workspace/src/jetbot_ros/src:$workspace/src/jetbot_control_node/src:$workspace/src/jetbot_tools/src python3 "$here/setup/$script" "$@"
 }
 
 # ./morbot setup tries again what failed: its cause may be outside of the workspace.

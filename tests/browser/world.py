@@ -65,7 +65,7 @@ class World:
 
     def start_cockpit(self) -> None:
         """Start the cockpit, and wait until it prints the addresses with the codes of a class."""
-        self.cockpit = self.start(program("jetbot_cockpit", "cockpit.py"), f"_port:={self.port}", "_lan:=true",
+        self.cockpit = self.start(program("jetbot_cockpit_server", "cockpit.py"), f"_port:={self.port}", "_lan:=true",
                                   f"_name:={NAME}")
         self.wait_for(lambda: len(self.codes()) == 2, START_TIMEOUT, "the cockpit's codes")
 
@@ -166,7 +166,7 @@ class World:
 
     def emergency_stop(self, *options: str) -> None:
         """Stop all robots as ./morbot stop does."""
-        assert self.start(program("jetbot_control_node", "emergency_stop.py"), *options).wait(START_TIMEOUT) == 0
+        assert self.start(program("jetbot_tools", "emergency_stop.py"), *options).wait(START_TIMEOUT) == 0
 
     def publish_status(self, name: str, status: str) -> subprocess.Popen:
         """Start a node that publishes a controller's status in this namespace, as a controller, and nothing else."""

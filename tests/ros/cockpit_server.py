@@ -8,11 +8,11 @@ import time
 
 import pytest
 
-from jetbot_cockpit.access import Access, make_grants
-from jetbot_cockpit.handout import make_card
-from jetbot_cockpit.hub import Hub
-from jetbot_cockpit.listeners import listen
-from jetbot_cockpit.server import Server
+from jetbot_cockpit_server.access import Access, make_grants
+from jetbot_cockpit_server.handout import make_card
+from jetbot_cockpit_server.hub import Hub
+from jetbot_cockpit_server.listeners import listen
+from jetbot_cockpit_server.server import Server
 from web_client import WebSocket, request
 
 WITHIN = 10.0  # s, less than hubs.GONE_AFTER

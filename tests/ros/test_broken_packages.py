@@ -12,7 +12,7 @@ BROKEN_XML = "<package>\n<name>mine</name>\n"
 USE = """set -e
 rospack find workshop
 roslaunch --files simulation simulation.launch
-rosrun jetbot_control_node doctor.py --help >/dev/null
+rosrun jetbot_tools doctor.py --help >/dev/null
 rosrun jetbot_lessons check_lesson.py 1 || exit 0  # it may name the copy"""
 
 

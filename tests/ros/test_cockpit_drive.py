@@ -7,7 +7,7 @@ import pytest
 import rospy
 
 from jetbot.wait import wait_until
-from jetbot_cockpit.drive import Drive
+from jetbot_cockpit_server.drive import Drive
 
 TIMEOUT = 5.0  # s
 

@@ -10,9 +10,9 @@ import pytest
 
 from cockpit_server import DRIVE, PING, WITHIN, Cockpit
 from jetbot.wait import wait_until
-from jetbot_cockpit import hub as hubs
-from jetbot_cockpit import protocol
-from jetbot_cockpit import server as servers
+from jetbot_cockpit_server import hub as hubs
+from jetbot_cockpit_server import protocol
+from jetbot_cockpit_server import server as servers
 from web_client import PING as PING_FRAME
 from web_client import connect, head, request
 

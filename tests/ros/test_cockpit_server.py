@@ -5,7 +5,7 @@ import logging
 import pytest
 
 from cockpit_server import DRIVE, FIRST_PUPIL, GRANTS, TEACHER
-from jetbot_cockpit import protocol
+from jetbot_cockpit_server import protocol
 from web_client import UPGRADE, request
 
 pytest_plugins = ["cockpit_server"]  # its fixtures

@@ -5,10 +5,10 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 
 import pytest
 
-from jetbot_cockpit.control import Client, Control
-from jetbot_cockpit.dead_man import DeadMan
-from jetbot_cockpit.protocol import Drive
-from jetbot_cockpit.view import Robot, Snapshot
+from jetbot_cockpit_server.control import Client, Control
+from jetbot_cockpit_server.dead_man import DeadMan
+from jetbot_cockpit_server.protocol import Drive
+from jetbot_cockpit_server.view import Robot, Snapshot
 
 ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")
 OWN = Client(4, "pupil 4", "pupil", "/blue")

@@ -12,14 +12,17 @@ from unittest.mock import Mock
 import pytest
 
 ROOT = Path(__file__).parents[2]
-SOURCE = ROOT / "morbot_ws/src/jetbot_control_node"
-SIMULATION = SOURCE.parent / "simulation"
-COCKPIT = SOURCE.parent / "jetbot_cockpit"
-TASKS = SOURCE.parent / "scenarios/driving_tasks"
-LESSONS = SOURCE.parent / "jetbot_lessons"
+PACKAGES = ROOT / "morbot_ws/src"
+SOURCE = PACKAGES / "jetbot_control_node"
+SIMULATION = PACKAGES / "simulation"
+COCKPIT = PACKAGES / "jetbot_cockpit_server"
+TASKS = PACKAGES / "scenarios/driving_tasks"
+LESSONS = PACKAGES / "jetbot_lessons"
+TOOLS = PACKAGES / "jetbot_tools"
+MODULES = [str(path) for path in sorted(PACKAGES.glob("**/src"))]
+PYTHONPATH = os.pathsep.join(MODULES)
 signal.signal(signal.SIGHUP, signal.SIG_DFL)  # for the programs that tests start, also below nohup, which ignores it
-sys.path[:0] = [str(SOURCE / "src"), str(SIMULATION / "src"), str(COCKPIT / "src"), str(TASKS / "src"),
-                str(LESSONS / "src"), str(ROOT / "setup")]
+sys.path[:0] = [*MODULES, str(ROOT / "setup")]
 
 from jetbot import fake, guard, i2c, open_robots, robot  # noqa: E402
 from jetbot.fake.bus import FakeBus  # noqa: E402

@@ -10,11 +10,10 @@ from itertools import islice
 
 from driving_tasks.samples import Sample
 from driving_tasks.tasks import TASKS
-from jetbot.kinematics import Pose, clamp, mix
+from jetbot.kinematics import Pose, clamp, mix, to_frame
 from simulation import line_sensor
 from simulation.collision import Collision
 from simulation.diff_drive import DiffDriveModel
-from simulation.geometry import to_frame
 from simulation.step_clock import STEP
 from simulation.world import EMPTY
 

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import sys
 
-from conftest import SOURCE
+from conftest import PYTHONPATH
 from jetbot.fake.motors import wheel_speeds
 from jetbot.wait import wait_until
 
@@ -15,7 +15,7 @@ STOP_TIMEOUT = 3.0  # s
 
 def start(folder, code, **options):
     """Start a Python process with this fake bus."""
-    environment = {"PYTHONPATH": str(SOURCE / "src"), "JETBOT_I2C_BUS": f"fake:{folder}", "JETBOT_BOARD": "",
+    environment = {"PYTHONPATH": PYTHONPATH, "JETBOT_I2C_BUS": f"fake:{folder}", "JETBOT_BOARD": "",
                    **options.pop("env", {})}
     return subprocess.Popen([sys.executable, "-c", code], env={**os.environ, **environment}, **options)
 

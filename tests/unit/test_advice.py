@@ -18,7 +18,7 @@ def test_only_what_must_be_typed(monkeypatch, typed, words):
 
 
 @pytest.mark.parametrize("morbot, launch, doctor", [
-    ("", LAUNCH, "rosrun jetbot_control_node doctor.py"),
+    ("", LAUNCH, "rosrun jetbot_tools doctor.py"),
     ("./morbot", f"./morbot shell {LAUNCH}", "./morbot doctor"),
     ("/my robot/morbot", f"'/my robot/morbot' shell {LAUNCH}", "'/my robot/morbot' doctor")])
 def test_after_morbot_without_a_shell_that_knows_ros(monkeypatch, morbot, launch, doctor):

@@ -148,7 +148,7 @@ def test_another_chip_is_not_driven(folder, monkeypatch):
         find_board("waveshare", 0x41).open(f"fake:{folder}")
     assert str(error.value) == (
         f"The chip at 0x41 on fake:{folder} is not the motor board: it does not hold what it is sent. "
-        "To find the board, run: rosrun jetbot_control_node doctor.py")
+        "To find the board, run: rosrun jetbot_tools doctor.py")
 
 
 def test_the_guard_stops_a_board_without_reading_it(folder, wire, monkeypatch):

@@ -7,7 +7,7 @@ from unittest.mock import MagicMock, PropertyMock
 
 import pytest
 
-from conftest import SOURCE
+from conftest import TOOLS
 from jetbot import JetbotError
 from jetbot.fake.bus import power_on
 from jetbot.lock import lock_board
@@ -15,7 +15,7 @@ from jetbot_tools.motions import Step
 from jetbot_tools.probe import check_board
 from jetbot_tools.wizard import Wizard
 
-calibrate = runpy.run_path(str(SOURCE / "scripts/calibrate.py"))
+calibrate = runpy.run_path(str(TOOLS / "scripts/calibrate.py"))
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ import yaml
 
 from jetbot import InvalidValue
 from jetbot.fake.motors import wheel_speeds
-from jetbot_ros.parameters import PARAMETERS, checked
+from jetbot_control_node.parameters import PARAMETERS, checked
 from jetbot_tools.calibration import WHEEL_SEPARATION, as_yaml, base_wiring, curvature_of, motor_wiring, trim
 from jetbot_tools.motions import DRIVE_SPEED
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from jetbot_cockpit.access import ALPHABET, MAX_WRONG_IN_ALL, Access, TooManyTries, make_grants
+from jetbot_cockpit_server.access import ALPHABET, MAX_WRONG_IN_ALL, Access, TooManyTries, make_grants
 
 PUPILS_ADDRESS, OTHER_ADDRESS, OWN_ADDRESS = "192.168.1.7", "192.168.1.8", "192.168.1.42"
 

@@ -1,7 +1,7 @@
 """Which robots come and go, in the terminal."""
 
-from jetbot_cockpit.attendance import NO_ROBOT, NO_ROBOT_AFTER, Attendance
-from jetbot_cockpit.view import Robot
+from jetbot_cockpit_server.attendance import NO_ROBOT, NO_ROBOT_AFTER, Attendance
+from jetbot_cockpit_server.view import Robot
 
 
 def robots(*names, silent=()):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from jetbot_cockpit.connections import MAX_CONNECTIONS, MAX_PER_ADDRESS, MAX_REQUEST_TIME, Connections
+from jetbot_cockpit_server.connections import MAX_CONNECTIONS, MAX_PER_ADDRESS, MAX_REQUEST_TIME, Connections
 
 
 class Stream:

@@ -3,8 +3,8 @@
 import pytest
 from cockpit_control import ADA, BOB, STOPPED, TEACHER
 
-from jetbot_cockpit.protocol import Name, Stop, Take
-from jetbot_cockpit.view import Robot, program
+from jetbot_cockpit_server.protocol import Name, Stop, Take
+from jetbot_cockpit_server.view import Robot, program
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from jetbot_cockpit.dead_man import TIMEOUT, DeadMan
+from jetbot_cockpit_server.dead_man import TIMEOUT, DeadMan
 
 
 @pytest.fixture

@@ -7,8 +7,8 @@ import pytest
 from test_docs import rows
 
 from conftest import ROOT
-from jetbot_cockpit import access, dead_man, hub, lease, protocol, scene, scores
-from jetbot_cockpit.parameters import PARAMETERS
+from jetbot_cockpit_server import access, dead_man, hub, lease, protocol, scene, scores
+from jetbot_cockpit_server.parameters import PARAMETERS
 
 PAGE = (ROOT / "docs/cockpit.md").read_text()
 FROM_PAGE, FROM_COCKPIT = PAGE.split("The page sends:")[1].split("The cockpit sends:")

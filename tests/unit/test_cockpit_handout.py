@@ -2,8 +2,8 @@
 
 import pytest
 
-from jetbot_cockpit import handout
-from jetbot_cockpit.access import make_grants
+from jetbot_cockpit_server import handout
+from jetbot_cockpit_server.access import make_grants
 
 ROWS = ["110", "010", "001"]
 MODULES = {"█": "00", "▀": "01", "▄": "10", " ": "11"}

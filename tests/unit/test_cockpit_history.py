@@ -2,9 +2,9 @@
 
 from cockpit_control import TEACHER
 
-from jetbot_cockpit.protocol import Reset
-from jetbot_cockpit.scene import Shape
-from jetbot_cockpit.task import Task
+from jetbot_cockpit_server.protocol import Reset
+from jetbot_cockpit_server.scene import Shape
+from jetbot_cockpit_server.task import Task
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
 

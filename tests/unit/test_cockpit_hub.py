@@ -4,11 +4,11 @@ import json
 
 import pytest
 
-from jetbot_cockpit import hub as hubs
-from jetbot_cockpit import protocol
-from jetbot_cockpit.access import make_grant
-from jetbot_cockpit.client import PUPIL, TEACHER
-from jetbot_cockpit.hub import FRAME_INTERVAL, Hub
+from jetbot_cockpit_server import hub as hubs
+from jetbot_cockpit_server import protocol
+from jetbot_cockpit_server.access import make_grant
+from jetbot_cockpit_server.client import PUPIL, TEACHER
+from jetbot_cockpit_server.hub import FRAME_INTERVAL, Hub
 
 STOP = '{"type": "stop"}'
 PING = '{"type": "ping", "sent": 7}'

@@ -2,7 +2,7 @@
 
 import pytest
 
-from jetbot_cockpit.lease import TIMEOUT, Lease, Leases
+from jetbot_cockpit_server.lease import TIMEOUT, Lease, Leases
 
 ADA, BOB = 1, 2
 

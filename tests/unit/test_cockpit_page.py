@@ -6,7 +6,7 @@ import pytest
 
 from conftest import ROOT
 
-WWW = ROOT / "morbot_ws/src/jetbot_cockpit/www"
+WWW = ROOT / "morbot_ws/src/jetbot_cockpit_server/www"
 PAGE = (WWW / "index.html").read_text()
 SCRIPTS = sorted(WWW.glob("*.js"))
 

@@ -3,7 +3,7 @@
 import pytest
 
 from jetbot import InvalidValue
-from jetbot_cockpit.parameters import resolve
+from jetbot_cockpit_server.parameters import resolve
 
 
 def test_by_default_only_this_computer_gets_in():

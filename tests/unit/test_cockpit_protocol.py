@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from jetbot_cockpit import protocol
-from jetbot_cockpit.limits import TokenBucket
-from jetbot_cockpit.protocol import ProtocolError, parse
+from jetbot_cockpit_server import protocol
+from jetbot_cockpit_server.limits import TokenBucket
+from jetbot_cockpit_server.protocol import ProtocolError, parse
 
 
 @pytest.mark.parametrize("fields, message", [

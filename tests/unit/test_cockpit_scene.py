@@ -5,8 +5,8 @@ from types import SimpleNamespace as Message
 
 import pytest
 
-from jetbot_cockpit import scene
-from jetbot_cockpit.scene import Scenes, Shape, decode
+from jetbot_cockpit_server import scene
+from jetbot_cockpit_server.scene import Scenes, Shape, decode
 
 WALL = Shape("wall", 0.01, ((1.0, 0.0), (1.0, 2.0)))
 

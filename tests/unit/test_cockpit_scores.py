@@ -1,8 +1,8 @@
 """The class's best."""
 
-from jetbot_cockpit import scores
-from jetbot_cockpit.scores import Scores
-from jetbot_cockpit.task import Task
+from jetbot_cockpit_server import scores
+from jetbot_cockpit_server.scores import Scores
+from jetbot_cockpit_server.task import Task
 
 DONE = Task("metre", "One metre", "done", "", 4.0, 80.0)
 

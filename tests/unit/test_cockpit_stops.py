@@ -3,7 +3,7 @@
 import pytest
 from cockpit_control import ADA, BOB, OWN, STOPPED, TEACHER, FakeRobots
 
-from jetbot_cockpit.protocol import Release, Reset, Stop, Take
+from jetbot_cockpit_server.protocol import Release, Reset, Stop, Take
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from jetbot_cockpit.task import GONE_AFTER, SILENT_AFTER, Task, TaskTracker, decode
+from jetbot_cockpit_server.task import GONE_AFTER, SILENT_AFTER, Task, TaskTracker, decode
 
 VALUES = {"state": "driving", "seconds": "3.4", "title": "One metre"}
 READY, DRIVING, DONE, CANCELLED = (

@@ -1,6 +1,6 @@
 """Trails on the map."""
 
-from jetbot_cockpit.trail import JUMP, MAX_POINTS, MAX_SPEED, RESET_TIME, Trails
+from jetbot_cockpit_server.trail import JUMP, MAX_POINTS, MAX_SPEED, RESET_TIME, Trails
 
 
 def points(trails):

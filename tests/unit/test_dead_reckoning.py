@@ -7,9 +7,9 @@ import pytest
 from jetbot.fake.motors import wheel_speeds
 from jetbot.kinematics import mix
 from jetbot.wait import wait_until
-from jetbot_ros.dead_reckoning import MAX_GAP, DeadReckoning
-from jetbot_ros.safety import Sender
-from jetbot_ros.supervisor import Supervisor
+from jetbot_control_node.dead_reckoning import MAX_GAP, DeadReckoning
+from jetbot_control_node.safety import Sender
+from jetbot_control_node.supervisor import Supervisor
 from simulation.diff_drive import DiffDriveModel, Pose
 
 SEPARATION, DIAMETER, MAX_SPEED, LAG = 0.1125, 0.06, 0.6, 0.1

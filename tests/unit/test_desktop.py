@@ -7,9 +7,9 @@ import sys
 
 import pytest
 
-from conftest import COCKPIT
+from conftest import PYTHONPATH
 from jetbot.wait import wait_until
-from jetbot_cockpit.desktop import PROGRAMS, open_browser
+from jetbot_cockpit_server.desktop import PROGRAMS, open_browser
 
 URL = "http://localhost:8080/"
 BROWSER = """#!/bin/sh
@@ -19,7 +19,7 @@ ps -o ppid= -o sid= -o pid= $$ >{folder}/ids
 echo "$0 $@" >>{folder}/opened
 sleep 60
 """
-OPEN = f"import sys; from jetbot_cockpit.desktop import open_browser; open_browser({URL!r}); print('done')"
+OPEN = f"import sys; from jetbot_cockpit_server.desktop import open_browser; open_browser({URL!r}); print('done')"
 
 
 @pytest.fixture
@@ -28,7 +28,7 @@ def desktop(tmp_path):
     for name in PROGRAMS:
         (tmp_path / name).write_text(BROWSER.format(folder=tmp_path))
         (tmp_path / name).chmod(0o755)
-    yield {"PATH": f"{tmp_path}:/usr/bin:/bin", "DISPLAY": ":0", "PYTHONPATH": str(COCKPIT / "src")}
+    yield {"PATH": f"{tmp_path}:/usr/bin:/bin", "DISPLAY": ":0", "PYTHONPATH": PYTHONPATH}
     for session in ids(tmp_path)[1:2]:
         os.killpg(session, signal.SIGKILL)
 

@@ -11,7 +11,7 @@ from functools import partial
 import pytest
 from examined import lines, make_bare
 
-from conftest import SOURCE
+from conftest import PYTHONPATH, TOOLS
 from jetbot import host, supply
 from jetbot.fake import chip_file
 from jetbot.fake.bus import power_on
@@ -143,7 +143,7 @@ def test_json_and_exit_code(folder, plugged, code, monkeypatch, capsys):
     before = {file: file.read_bytes() for file in folder.iterdir()}
     monkeypatch.setenv("JETBOT_I2C_BUS", f"fake:{folder}")
     monkeypatch.setattr(sys, "argv", ["doctor.py", "--json"])
-    assert runpy.run_path(str(SOURCE / "scripts/doctor.py"))["main"]() == code
+    assert runpy.run_path(str(TOOLS / "scripts/doctor.py"))["main"]() == code
     robot = json.loads(capsys.readouterr().out)[-1]
     assert (robot["name"], robot["ok"]) == ("robot", plugged)
     assert {file: file.read_bytes() for file in folder.iterdir()} == before, "it only reads"
@@ -153,8 +153,8 @@ def test_a_reader_that_ends_early_ends_it_without_a_traceback(folder):
     power_on(folder)
     reader, output = os.pipe()
     os.close(reader)
-    environment = {**os.environ, "PYTHONPATH": str(SOURCE / "src")}
-    ended = subprocess.run([sys.executable, str(SOURCE / "scripts/doctor.py"), f"--i2c-bus=fake:{folder}"],
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
+    ended = subprocess.run([sys.executable, str(TOOLS / "scripts/doctor.py"), f"--i2c-bus=fake:{folder}"],
                            stdout=output, stderr=subprocess.PIPE, env=environment, check=False)
     os.close(output)
     assert ended.stderr == b"" and ended.returncode == -signal.SIGPIPE

@@ -5,9 +5,10 @@ import pytest
 from conftest import registers
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import ROBOTS, STOPPED
-from jetbot_ros.ramp import MAX_STEP, Ramp
-from jetbot_ros.safety import EMERGENCY_STOP, SUSPENDED, Sender
-from jetbot_ros.supervisor import DRIVING_INTERVAL, Supervisor
+from jetbot_control_node.ramp import MAX_STEP, Ramp
+from jetbot_control_node.safety import Sender
+from jetbot_control_node.supervisor import DRIVING_INTERVAL, Supervisor
+from jetbot_ros.holds import EMERGENCY_STOP, SUSPENDED
 
 PUPIL = Sender("/pupil", latched=True)
 RESOLUTION = 1 / 128  # of the coarsest board, SparkFun's

@@ -10,7 +10,7 @@ import subprocess
 import pytest
 from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_in_a_process, drive_until_killed, kill, start, stopped
 
-from conftest import SOURCE, registers
+from conftest import PACKAGES, registers
 from jetbot import Robot
 from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.motors import wheel_speeds
@@ -87,7 +87,7 @@ def test_a_servo_on_the_same_chip_keeps_its_pulse(folder):
     "import signal; signal.signal(signal.SIGCHLD, signal.SIG_IGN)",
 ])
 def test_wheels_stop_whatever_the_program_did_before(folder, preparation):
-    kill(drive_until_killed(folder, preparation, cwd=SOURCE / "src",
+    kill(drive_until_killed(folder, preparation, cwd=PACKAGES / "jetbot/src",
                             env={"PYTHONPATH": "", "PYTHONINSPECT": "1", "PYTHONWARNINGS": "error"}))
     assert wait_until(stopped(folder), STOP_TIMEOUT)
 

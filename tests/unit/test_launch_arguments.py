@@ -9,14 +9,15 @@ from pathlib import Path
 
 import pytest
 
-from conftest import COCKPIT, SOURCE
+from conftest import COCKPIT, PYTHONPATH, SOURCE
 from jetbot_ros import launch_arguments
 from jetbot_ros.launch_arguments import argument_problem
 from jetbot_ros.roslaunch_command import parse
 
 PACKAGES = SOURCE.parent
 FOLDERS = {"jetbot_control_node": SOURCE, "simulation": PACKAGES / "simulation",
-           "workshop": PACKAGES / "scenarios/workshop", "jetbot_cockpit": COCKPIT}
+           "workshop": PACKAGES / "scenarios/workshop", "jetbot_cockpit": PACKAGES / "jetbot_cockpit",
+           "jetbot_cockpit_server": COCKPIT}
 INCLUDE = '<include file="$(find jetbot_control_node)/launch/jetbot_controller.launch" {}/>'
 PASS_ALL = INCLUDE.format('pass_all_args="true"')
 
@@ -126,7 +127,7 @@ def roslaunch(tmp_path):
     def run(*words):
         process = subprocess.run([sys.executable, program, *words], text=True, stdout=subprocess.PIPE,
                                  stderr=subprocess.STDOUT, timeout=60, cwd=tmp_path, env={
-                                     **os.environ, "PYTHONPATH": str(SOURCE / "src"),
+                                     **os.environ, "PYTHONPATH": PYTHONPATH,
                                      "ROS_MASTER_URI": "http://localhost:1"})
         return process.returncode, process.stdout
 

@@ -10,15 +10,15 @@ from unittest.mock import Mock
 
 import pytest
 
-from conftest import SOURCE
+from conftest import MODULES
 from jetbot.errors import OutOfResources
 from jetbot_ros import launcher
 
-CHILD = """
+CHILD = f"""
 import os, sys
 os.write(1, b"started\\n")
 os.read(0, 1)  # from here on, the test has arranged what is above
-sys.path.insert(0, {source!r})
+sys.path[:0] = {MODULES!r}
 from jetbot_ros.launcher import Launcher
 launcher = Launcher()
 while True:
@@ -26,7 +26,7 @@ while True:
     os.write(1, f"{{launcher.ended}} {{launcher.suspended}}\\n".encode())
     if not os.read(0, 1):
         break
-""".format(source=str(SOURCE / "src"))
+"""
 ROSLAUNCH = "import subprocess, sys; subprocess.Popen(sys.argv[1:], start_new_session=True).wait()"
 LAUNCHED = [sys.executable, "-c", CHILD, "__log:=node.log"]
 

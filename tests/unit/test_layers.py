@@ -1,92 +1,92 @@
-"""Imports point only downward: what comes first in this list knows nothing of what comes later."""
+"""Imports point only downward: a package depends on those that come before it in ORDER, and no module on itself."""
 
+import ast
 import re
+import xml.etree.ElementTree as ET
 
 import pytest
 
-from conftest import COCKPIT, ROOT, SIMULATION, SOURCE, TASKS
+from conftest import PACKAGES, ROOT
 
-LAYERS = [f"jetbot/{module}" for module in (
-    "text", "errors", "kinds", "files", "wait", "kinematics", "host", "fake/__init__", "fake/files", "fake/chips",
-    "fake/jetbot_pro", "fake/motors", "fake/bus", "fake/port", "i2c", "serial_link", "supply", "boards/driver",
-    "boards/pca9685", "boards/pwm_motors", "boards/scmd", "boards/jetbot_pro", "boards/__init__", "lock", "motor",
-    "guard/process", "guard/peer", "guard/__init__", "open_robots", "robot", "__init__")]
-FILES = {str(file.relative_to(SOURCE / "src").with_suffix("")): file for file in (SOURCE / "src").rglob("*.py")}
-
-
-def imports(module):
-    """Yield the paths of all modules of ``jetbot`` that a module imports, as FILES names them."""
-    package = module.rpartition("/")[0]
-    yield from re.findall(r"^ *import (\w+)", FILES[module].read_text(), re.M)
-    for dots, base, names in re.findall(r"^ *from (\.*)([\w.]*) import ([^#\n]*)", FILES[module].read_text(), re.M):
-        folder = "/".join(package.split("/")[:len(package.split("/")) + 1 - len(dots)]) if dots else ""
-        base = "/".join(filter(None, (folder, base.replace(".", "/"))))
-        for path in (f"{base}/{name}" for name in re.findall(r"\w+", names)):
-            yield next((each for each in (path, f"{path}/__init__", base, f"{base}/__init__") if each in FILES), path)
+ORDER = ["jetbot", "jetbot_ros", "jetbot_cockpit_server", "jetbot_control_node", "jetbot_tools", "workshop",
+         "simulation", "jetbot_cockpit", "driving_tasks", "jetbot_lessons"]
+MANIFESTS = {manifest.parent.name: manifest for manifest in sorted(PACKAGES.glob("**/package.xml"))
+             if "tests" not in manifest.resolve().parts}
+FILES = {f"{package}:{file.relative_to(manifest.parent)}": (package, file)
+         for package, manifest in MANIFESTS.items() for file in sorted(manifest.parent.glob("s*/**/*.py"))}
+MODULES = {re.sub(r"(/__init__)?\.py$", "", file.relative_to(folder).as_posix()).replace("/", "."): file
+           for folder in sorted(PACKAGES.glob("**/src")) for file in sorted(folder.rglob("*.py"))}
+ROS = r"ros|genpy|\w+_msgs$|tf2|diagnostic_updater"
+PURE = {  # modules and packages, and what they must not import
+    "jetbot": ROS,
+    "simulation.world": ROS,
+    "simulation.diff_drive": ROS + "|time$",
+    "driving_tasks.score": ROS + "|matplotlib|time$",
+}
 
 
-@pytest.mark.parametrize("module", [module for module in FILES if module.startswith("jetbot/")])
-def test_the_driver_library_imports_downward_and_no_ros(module):
-    below = LAYERS[:LAYERS.index(module)] if module in LAYERS else LAYERS
-    imported = list(imports(module))
-    assert not [path for path in imported if path in FILES and path not in below]
-    assert not [path for path in imported if path.startswith(("rospy", "ros", "jetbot_"))]
+def imported(file):
+    """Return the dotted names that a file imports, at whatever place in it."""
+    names = set()
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            folders = file.relative_to(PACKAGES).parts[:-1]
+            base = folders[folders.index("src") + 1:len(folders) + 1 - node.level] if node.level else ()
+            names |= {".".join([*base, *filter(None, [node.module]), alias.name]) for alias in node.names}
+    return names
 
 
-@pytest.mark.parametrize("module", [module for module in FILES if module.startswith("jetbot_ros/")])
-def test_the_node_knows_no_tools(module):
-    assert not [path for path in imports(module) if path.startswith("jetbot_tools")]
+def depends(package):
+    """Return what a package.xml names for building or running."""
+    return {each.text for each in ET.parse(MANIFESTS[package]).getroot() if each.tag in ("depend", "exec_depend")}
 
 
-def siblings(text):
-    """Return the names of the modules of its own package that a module imports."""
-    return re.findall(r"^from \.(\w+) import", text, re.M) + [
-        name for names in re.findall(r"^from \. import ([^#\n]*)", text, re.M) for name in re.findall(r"\w+", names)]
+def first(names):
+    """Return the packages of dotted names."""
+    return {name.partition(".")[0] for name in names}
 
 
-def assert_imports_downward(file, layers, pure, impure):
-    """Fail if a module imports one that is not below it in the layers, or a pure one imports what is impure."""
-    module, text = file.stem, file.read_text()
-    assert not set(siblings(text)) - set(layers[:layers.index(module)])
-    assert module not in pure or not re.search(rf"^(?:import|from) (?:{impure})", text, re.M)
+def test_each_package_has_its_place():
+    assert set(MANIFESTS) == set(ORDER)
 
 
-PURE = ["protocol", "limits", "client", "access", "handout", "scene", "task", "view", "scores", "trail", "history",
-        "lease", "dead_man", "stops", "control", "attendance", "hub"]
-COCKPIT_LAYERS = [*PURE, "desktop", "address", "parameters", "frames", "emergency", "task_topics", "robot_topics",
-                  "robots", "drive", "listeners", "connections", "pages", "sockets", "server"]
+@pytest.mark.parametrize("package", MANIFESTS)
+def test_a_package_depends_on_those_below_it(package):
+    assert depends(package) & set(ORDER) <= set(ORDER[:ORDER.index(package)])
 
 
-@pytest.mark.parametrize("module", [file.stem for file in (COCKPIT / "src/jetbot_cockpit").glob("[!_]*.py")])
-def test_the_cockpit_imports_downward(module):
-    assert_imports_downward(COCKPIT / f"src/jetbot_cockpit/{module}.py", COCKPIT_LAYERS, PURE,
-                            r"ros|tornado|\w+_msgs|socket|time")
+@pytest.mark.parametrize("module", FILES)
+def test_what_a_module_imports_is_a_dependency_of_its_package(module):
+    package, file = FILES[module]
+    assert first(imported(file)) & set(ORDER) - {package} <= depends(package)
 
 
-PURE_SIMULATION = ["geometry", "world", "worlds", "collision", "line_sensor", "diff_drive", "step_clock", "stall"]
-SIMULATION_LAYERS = [*PURE_SIMULATION, "parameters", "keyboard", "description", "recording", "drawing", "topics",
-                     "world_topics", "simulator"]
+@pytest.mark.parametrize("module", MODULES)
+def test_what_needs_no_ros_imports_none(module):
+    for name, forbidden in PURE.items():
+        if f"{module}.".startswith(f"{name}."):
+            assert not [each for each in first(imported(MODULES[module])) if re.match(forbidden, each)]
 
 
-@pytest.mark.parametrize("module", [file.stem for file in (SIMULATION / "src/simulation").glob("[!_]*.py")])
-def test_the_simulation_imports_downward_and_its_model_knows_no_ros(module):
-    assert_imports_downward(SIMULATION / f"src/simulation/{module}.py", SIMULATION_LAYERS, PURE_SIMULATION,
-                            r"ros|\w+_msgs|time")
+def uses(module):
+    """Return the modules that a module imports; a package's own name stands for its __init__."""
+    names = {name if name in MODULES else name.rpartition(".")[0] for name in imported(MODULES[module])}
+    return names & set(MODULES) - {module}
 
 
-PURE_TASKS = ["samples", "course", "drive", "polygon", "measures", "penalties", "tasks", "score", "replay"]
-TASKS_LAYERS = [*PURE_TASKS, "child", "bounded", "walk", "marks", "bags", "picture", "arguments", "robot", "announce",
-                "bag_writer", "attempt", "live", "contained", "trial", "programs"]
-
-
-@pytest.mark.parametrize("module", [file.stem for file in (TASKS / "src/driving_tasks").glob("[!_]*.py")])
-def test_the_driving_tasks_import_downward_and_their_score_knows_no_ros(module):
-    assert_imports_downward(TASKS / f"src/driving_tasks/{module}.py", TASKS_LAYERS, PURE_TASKS,
-                            r"ros|\w+_msgs|matplotlib|time")
+@pytest.mark.parametrize("module", MODULES)
+def test_no_module_imports_itself_by_others(module):
+    below, queue = set(), [module]
+    while queue:
+        new = uses(queue.pop()) - below
+        below |= new
+        queue += new
+    assert module not in below
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "tests/browser").glob("*.py")), ids=lambda file: file.stem)
 def test_without_selenium_the_tests_in_a_browser_can_be_read_and_are_skipped(file):
-    imports = re.findall(r"^(?:from|import) (\.?\w+)", file.read_text(), re.M)
-    needs_selenium = file.stem in ("chromium", "page")
-    assert needs_selenium or not {"selenium", ".chromium", ".page"} & set(imports)
+    names = re.findall(r"^(?:from|import) (\.?\w+)", file.read_text(), re.M)
+    assert file.stem in ("chromium", "page") or not {"selenium", ".chromium", ".page"} & set(names)

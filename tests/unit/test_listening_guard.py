@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_until_killed, keep_alive, kill, stopped
 
-from conftest import SOURCE
+from conftest import PYTHONPATH
 from jetbot import Robot, guard, open_robots
 from jetbot.errors import GuardError
 from jetbot.fake.motors import wheel_speeds
@@ -28,7 +28,7 @@ def listener(tmp_path, monkeypatch):
 
     def listen():
         command = [sys.executable, "-m", "jetbot.guard", "--listen", str(path)]
-        process = subprocess.Popen(command, env={**os.environ, "PYTHONPATH": str(SOURCE / "src")},
+        process = subprocess.Popen(command, env={**os.environ, "PYTHONPATH": PYTHONPATH},
                                    stderr=subprocess.PIPE, text=True)
         processes.append(process)
         assert wait_until(lambda: process.poll() is not None or is_in_use(str(path)), TIMEOUT)

@@ -7,13 +7,13 @@ import sys
 
 import pytest
 
-from conftest import SOURCE
+from conftest import MODULES
 from jetbot import JetbotError
 from jetbot.lock import lock_board
 
 HOLD = f"""
 import sys
-sys.path.insert(0, {str(SOURCE / 'src')!r})
+sys.path[:0] = {MODULES!r}
 from jetbot.lock import lock_board
 lock = lock_board(sys.argv[1], 0x60)
 print("locked", flush=True)

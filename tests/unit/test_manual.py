@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from jetbot_ros.safety import EMERGENCY_STOP, MANUAL_PRIORITY, OWN_EMERGENCY_STOP, STOPPED, Sender, State
+from jetbot_control_node.safety import MANUAL_PRIORITY, STOPPED, Sender, State
+from jetbot_ros.holds import EMERGENCY_STOP, OWN_EMERGENCY_STOP
 
 COCKPIT, SCENARIO = Sender("/jetbot_cockpit", manual=True), Sender("/jetbot_motion_control")
 BOTH = {COCKPIT.name, SCENARIO.name}

@@ -4,7 +4,7 @@ from unittest.mock import Mock
 
 import pytest
 
-from jetbot_ros.notes import (
+from jetbot_control_node.notes import (
     LASTING,
     NOTE_FOR,
     RIVALS_WITHIN,
@@ -14,7 +14,7 @@ from jetbot_ros.notes import (
     Lasting,
     TooSlow,
 )
-from jetbot_ros.safety import Sender
+from jetbot_control_node.safety import Sender
 
 NONE = {"resets": 0, "overwritten": 0, "faults": 0}
 

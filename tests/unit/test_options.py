@@ -5,7 +5,7 @@ import os
 
 import pytest
 
-from jetbot_ros.parameters import PARAMETERS
+from jetbot_control_node.parameters import PARAMETERS
 from jetbot_tools.options import add_options, parse
 
 

@@ -9,7 +9,7 @@ import pytest
 from conftest import ROOT, SOURCE
 from jetbot import InvalidValue
 from jetbot.boards import BOARDS
-from jetbot_ros.parameters import PARAMETERS, checked, load, resolve
+from jetbot_control_node.parameters import PARAMETERS, checked, load, resolve
 
 LAUNCH = ET.parse(SOURCE / "launch/jetbot_controller.launch").getroot()
 

@@ -8,9 +8,9 @@ from types import SimpleNamespace
 import pytest
 
 from jetbot.kinematics import mix
-from jetbot_ros.parameters import checked
-from jetbot_ros.ramp import MAX_STEP, Ramp, make_ramp
-from jetbot_ros.safety import STOPPED
+from jetbot_control_node.parameters import checked
+from jetbot_control_node.ramp import MAX_STEP, Ramp, make_ramp
+from jetbot_control_node.safety import STOPPED
 
 SEPARATION = 0.1125  # m
 STEP = 0.01          # s

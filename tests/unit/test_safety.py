@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from jetbot_ros.safety import EMERGENCY_STOP, NO_MASTER, STOPPED, Sender, State
+from jetbot_control_node.safety import STOPPED, Sender, State
+from jetbot_ros.holds import EMERGENCY_STOP, NO_MASTER
 
 GO = (0.5, 0.1)
 PUPIL, OTHERS = Sender("/pupil"), {"/pupil", "/idle"}

@@ -8,8 +8,9 @@ import pytest
 from conftest import SIMULATION, SOURCE
 from jetbot import InvalidValue
 from jetbot.fake.motors import ROBOTS
-from jetbot_ros import dead_reckoning, ramp
-from jetbot_ros.parameters import checked, load
+from jetbot_control_node import dead_reckoning, ramp
+from jetbot_control_node.parameters import load
+from jetbot_ros.parameters import check_values
 from jetbot_tools import calibration
 from simulation.parameters import PARAMETERS, fake_folder, resolve
 
@@ -34,7 +35,7 @@ def test_bad_values(name, value, must):
 
 def test_defaults_are_good():
     defaults = {name: parameter.default for name, parameter in PARAMETERS.items()}
-    assert checked({}, PARAMETERS) == resolve({}) == defaults
+    assert check_values({}, PARAMETERS) == resolve({}) == defaults
 
 
 @pytest.mark.parametrize("typed, file, board", [

@@ -2,7 +2,7 @@
 
 import pytest
 
-from jetbot_ros.notes import LASTING
+from jetbot_control_node.notes import LASTING
 from simulation.stall import StallReport
 
 BOTH = "the wheels get 4.7 % of full power, too little to turn: raise min_duty, or lower pwm_frequency"

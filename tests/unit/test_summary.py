@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import pytest
 
 from jetbot.boards import BOARDS
-from jetbot_ros.parameters import PARAMETERS, checked
-from jetbot_ros.summary import start_line, start_warnings, status_suffix, summary
+from jetbot_control_node.parameters import PARAMETERS, checked
+from jetbot_control_node.summary import start_line, start_warnings, status_suffix, summary
 
 
 def driver(name="/dev/i2c-1", address=0x60, closed_loop=False):

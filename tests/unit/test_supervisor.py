@@ -11,9 +11,10 @@ from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.guard.process import HEARTBEAT_TIMEOUT
 from jetbot.wait import wait_until
-from jetbot_ros.notes import TOO_SLOW
-from jetbot_ros.safety import EMERGENCY_STOP, Sender
-from jetbot_ros.supervisor import Supervisor
+from jetbot_control_node.notes import TOO_SLOW
+from jetbot_control_node.safety import Sender
+from jetbot_control_node.supervisor import Supervisor
+from jetbot_ros.holds import EMERGENCY_STOP
 
 PUPIL = Sender("/pupil")
 

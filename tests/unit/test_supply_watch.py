@@ -10,9 +10,9 @@ from jetbot import JetbotError
 from jetbot.errors import BusStuck, BusTooSlow
 from jetbot.supply import EMPTY_BATTERY, Reading, Supply, percentage
 from jetbot.wait import wait_until
-from jetbot_ros import supply_watch
-from jetbot_ros.notes import NOTE_FOR
-from jetbot_ros.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
+from jetbot_control_node import supply_watch
+from jetbot_control_node.notes import NOTE_FOR
+from jetbot_control_node.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
 
 STOPPED, AHEAD, BACK = (0.0, 0.0), (0.4, 0.6), (-0.4, -0.6)
 

@@ -27,7 +27,7 @@ class CalibrationTest(RobotTest):
 
     def calibrate(self, *options):
         terminal = pexpect.spawn(
-            program("jetbot_control_node", "calibrate.py"), [f"{self.link}:{self.bus}", *options],
+            program("jetbot_tools", "calibrate.py"), [f"{self.link}:{self.bus}", *options],
             env={**os.environ, "ROS_HOME": self.folder}, timeout=START_TIMEOUT, encoding="utf-8")
         self.addCleanup(terminal.close)
         return terminal

@@ -10,7 +10,7 @@ from nav_msgs.msg import Odometry
 from behaviours.calibration import CalibrationTest
 from harness import START_TIMEOUT, program
 from jetbot.fake.motors import STOPPED
-from jetbot_ros.parameters import load
+from jetbot_control_node.parameters import load
 
 # A JetBot at 12 V, which is fast, with a right wheel 3 % smaller and wheels 8 % further apart than NVIDIA's model.
 BODY = {"wheel_separation": 0.1215, "wheel_ratio": 0.97, "max_speed": 1.2}

@@ -12,11 +12,11 @@ from std_srvs.srv import Empty, EmptyResponse
 from tf2_msgs.msg import TFMessage
 
 from harness import CONTROLLER, START_TIMEOUT, RobotTest, near, publishers
-from jetbot_cockpit.control import Client, Control
-from jetbot_cockpit.drive import Drive
-from jetbot_cockpit.protocol import Drive as Pad
-from jetbot_cockpit.protocol import Release, Reset, Stop
-from jetbot_cockpit.robots import Robots
+from jetbot_cockpit_server.control import Client, Control
+from jetbot_cockpit_server.drive import Drive
+from jetbot_cockpit_server.protocol import Drive as Pad
+from jetbot_cockpit_server.protocol import Release, Reset, Stop
+from jetbot_cockpit_server.robots import Robots
 
 ADA, TEACHER = Client(1, "Ada", "pupil"), Client(2, "teacher", "teacher")
 LET_GO, NO_ANSWER = "Let go, then drive again.", "robot does not answer."

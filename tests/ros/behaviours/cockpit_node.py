@@ -17,7 +17,7 @@ from harness import START_TIMEOUT, RobotTest, program, read
 from jetbot.wait import wait_until
 from web_client import WebSocket
 
-COCKPIT = program("jetbot_cockpit", "cockpit.py")
+COCKPIT = program("jetbot_cockpit_server", "cockpit.py")
 FULL, RELEASED = ({"type": "drive", "robot": "/", "forward": forward, "left": 0} for forward in (1, 0))
 PAGES_RATE = 20  # Hz
 

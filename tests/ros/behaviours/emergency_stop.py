@@ -87,7 +87,7 @@ class EmergencyStop(RobotTest):
 
     def stop_by_hand(self, *arguments):
         """Run the script; return its exit code and its output."""
-        script = self.start(program("jetbot_control_node", "emergency_stop.py"), *arguments)
+        script = self.start(program("jetbot_tools", "emergency_stop.py"), *arguments)
         return script.wait(START_TIMEOUT), read(script)
 
     def test_by_hand_it_outlives_the_script_and_every_robot_confirms_it(self):

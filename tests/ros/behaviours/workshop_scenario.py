@@ -13,7 +13,7 @@ from geometry_msgs.msg import Twist
 from rospkg import RosPack
 
 from harness import START_TIMEOUT, RobotTest, program, read, wheel_speeds
-from jetbot_ros.safety import MANUAL_PRIORITY
+from jetbot_control_node.safety import MANUAL_PRIORITY
 
 WORKSHOP = Path(RosPack().get_path("workshop"))
 SCENARIO = program("workshop", "jetbot_motion_control.py")

@@ -12,9 +12,9 @@ import rospy
 from geometry_msgs.msg import Twist
 
 from jetbot.kinematics import mix
-from jetbot_ros import emergency_stops, node
-from jetbot_ros.publishers import Publishers
-from jetbot_ros.report import Report
+from jetbot_control_node import emergency_stops, node
+from jetbot_control_node.publishers import Publishers
+from jetbot_control_node.report import Report
 
 
 class JetBotController:

@@ -98,7 +98,7 @@ def _ask_what_it_does() -> Problem:
         raise EOFError
     if choose("Does the robot turn on the spot, to the right (the left wheel forward)?", {"yes": True, "no": False}):
         return None
-    return "The wheels do not follow your command: run rosrun jetbot_control_node doctor.py, then calibrate.py"
+    return "The wheels do not follow your command: run rosrun jetbot_tools doctor.py, then calibrate.py"
 
 
 def check_wheels_turn(namespace: str = "") -> Problem:

@@ -7,7 +7,8 @@ import rospy
 from geometry_msgs.msg import Twist
 
 from jetbot import InvalidValue
-from jetbot_ros.parameters import NUMBER, Kind, Parameter, checked, is_number
+from jetbot.kinds import NUMBER, Kind, is_number
+from jetbot_ros.parameters import Parameter, check_values
 
 RATE = Kind(lambda value: is_number(value) and 0.1 <= value <= 1000, "a number from 0.1 to 1000")
 PARAMETERS = {
@@ -19,7 +20,7 @@ PARAMETERS = {
 
 def driver():
     rospy.init_node("jetbot_motion_control")
-    motion = checked(rospy.get_param("~", {}), PARAMETERS)
+    motion = check_values(rospy.get_param("~", {}), PARAMETERS)
     publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
     rate = rospy.Rate(motion["rate"])
     while not rospy.is_shutdown():

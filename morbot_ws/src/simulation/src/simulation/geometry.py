@@ -3,9 +3,7 @@
 import math
 from typing import NamedTuple, Tuple
 
-from jetbot.kinematics import Pose
-
-Point = Tuple[float, float]
+from jetbot.kinematics import Point
 
 
 class Rectangle(NamedTuple):
@@ -61,15 +59,3 @@ def distance_beyond(point: Point, start: Point, end: Point) -> float:
     x, y = end[0] - start[0], end[1] - start[1]
     length = math.hypot(x, y)
     return ((point[0] - end[0]) * x + (point[1] - end[1]) * y) / length if length else -math.inf
-
-
-def from_frame(pose: Pose, point: Point) -> Point:
-    """Return a point of the frame at this pose, in the frame that the pose is in."""
-    cosine, sine = math.cos(pose.yaw), math.sin(pose.yaw)
-    return pose.x + cosine * point[0] - sine * point[1], pose.y + sine * point[0] + cosine * point[1]
-
-
-def to_frame(pose: Pose, point: Point) -> Point:
-    """Return a point in the frame at this pose: the inverse of ``from_frame``."""
-    cosine, sine, x, y = math.cos(pose.yaw), math.sin(pose.yaw), point[0] - pose.x, point[1] - pose.y
-    return cosine * x + sine * y, cosine * y - sine * x

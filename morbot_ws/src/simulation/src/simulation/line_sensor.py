@@ -2,9 +2,8 @@
 
 from typing import Tuple
 
-from jetbot.kinematics import Pose
+from jetbot.kinematics import Pose, from_frame
 
-from .geometry import from_frame
 from .world import World
 
 EYES = {"left": (0.05, 0.015), "middle": (0.05, 0.0), "right": (0.05, -0.015)}  # in the robot's own frame, m

@@ -6,8 +6,9 @@ from jetbot import fake
 from jetbot.boards import find_board
 from jetbot.fake.motors import ROBOTS
 from jetbot.kinds import ADDRESS, FRACTION, NUMBER, POSITIVE, SECONDS, Kind
-from jetbot_ros import parameters as controller
-from jetbot_ros.parameters import Parameter, checked, given, is_fake_place
+from jetbot_control_node import parameters as controller
+from jetbot_control_node.parameters import is_fake_place
+from jetbot_ros.parameters import Parameter, check_values, given
 
 SHARED = ("board", "i2c_address", "publish_odom")  # that the controller's file may hold
 FAKE = Kind(is_fake_place, "fake, or fake:FOLDER")
@@ -43,7 +44,7 @@ def resolve(typed: Dict[str, object]) -> Dict[str, object]:
     """
     own = {name: value for name, value in given(typed).items() if name not in ("config", "body")}
     body = controller.load(typed["body"]) if typed.get("body") else {}
-    parameters = checked({**body, **own}, PARAMETERS)
+    parameters = check_values({**body, **own}, PARAMETERS)
     shared = {name: typed.get(name, "") for name in (*SHARED, "config")}
     shared.update({name: parameters[name] for name in ("i2c_bus", "port")})
     resolved = controller.resolve(shared)

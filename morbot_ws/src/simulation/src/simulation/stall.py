@@ -2,7 +2,7 @@
 
 from typing import Dict, Optional
 
-from jetbot_ros.notes import Lasting
+from jetbot_control_node.notes import Lasting
 
 
 class StallReport:

@@ -4,9 +4,9 @@ import math
 from itertools import chain
 from typing import Iterator, NamedTuple, Sequence, Tuple
 
-from jetbot.kinematics import Pose
+from jetbot.kinematics import Point, Pose, from_frame, to_frame
 
-from .geometry import Point, Rectangle, distance_beyond, distance_to_segment, from_frame, to_frame
+from .geometry import Rectangle, distance_beyond, distance_to_segment
 
 Polyline = Tuple[Point, ...]
 

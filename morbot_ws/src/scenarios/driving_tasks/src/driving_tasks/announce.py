@@ -7,8 +7,8 @@ from std_msgs.msg import ColorRGBA, Header
 from visualization_msgs.msg import Marker, MarkerArray
 
 from jetbot import kinematics
+from jetbot.kinematics import from_frame
 from jetbot_ros.messages import quaternion
-from simulation.geometry import from_frame
 
 from .drive import DONE, DRIVING
 from .score import Result

@@ -13,7 +13,7 @@ from nav_msgs.msg import Odometry
 
 from jetbot.errors import InvalidValue
 from jetbot.text import enumeration, printable
-from jetbot_ros import parameters
+from jetbot_control_node import parameters
 from simulation.recording import MAGIC, pose_of
 
 from .bounded import run_each

@@ -3,8 +3,7 @@
 import math
 from typing import List, NamedTuple, Sequence, Tuple, Union
 
-from jetbot.kinematics import Pose
-from simulation.geometry import Point, to_frame
+from jetbot.kinematics import Point, Pose, to_frame
 
 SPACING = 0.01  # m between two points of a line
 TURN_SPEED = 90.0  # degrees per second, of a turn on the spot

@@ -8,9 +8,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from jetbot import files
-from jetbot.kinematics import Pose
+from jetbot.kinematics import Pose, from_frame
 from simulation.drawing import BLUE, GREEN, ORANGE, RED, draw_heading
-from simulation.geometry import from_frame
 from simulation.world import FOOTPRINT, World
 
 from .course import Point

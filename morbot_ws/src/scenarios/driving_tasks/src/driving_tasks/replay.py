@@ -4,8 +4,8 @@ import math
 from typing import Iterator, List, Sequence, Tuple
 
 from jetbot.kinematics import Pose, clamp, mix
-from jetbot_ros import parameters as controller
-from jetbot_ros.ramp import Ramp
+from jetbot_control_node import parameters as controller
+from jetbot_control_node.ramp import Ramp
 from simulation.collision import Collision
 from simulation.diff_drive import PWM_FREQUENCY, DiffDriveModel
 from simulation.parameters import PARAMETERS

@@ -16,8 +16,8 @@ from jetbot import InvalidValue
 from jetbot.kinematics import Pose
 from jetbot.text import enumeration, printable
 from jetbot_ros.addresses import master_uri
+from jetbot_ros.holds import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
 from jetbot_ros.master import condition_of
-from jetbot_ros.safety import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
 from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 from .bags import sample_of

@@ -1,0 +1,6 @@
+"""For catkin, and for pip: pip install ./morbot_ws/src/jetbot"""
+
+from setuptools import setup
+
+setup(name="jetbot", version="1.0.0", packages=["jetbot", "jetbot.boards", "jetbot.fake", "jetbot.guard"],
+      package_dir={"": "src"}, python_requires=">=3.8", install_requires=["smbus2", "pyserial"])

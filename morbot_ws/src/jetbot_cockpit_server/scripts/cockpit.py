@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""ROS node: a web page that drives, watches and stops all robots of a ROS master."""
+
+# ruff: noqa: E402
+import signal
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
+
+from jetbot_ros.launcher import Launcher  # noqa: I001  first of all: it reads who has started this process
+
+import os
+import sys
+import threading
+import time
+
+import rospy
+
+from jetbot import JetbotError
+from jetbot_cockpit_server import address, handout
+from jetbot_cockpit_server.access import Access, make_grants
+from jetbot_cockpit_server.attendance import Attendance
+from jetbot_cockpit_server.control import Control
+from jetbot_cockpit_server.desktop import open_browser
+from jetbot_cockpit_server.drive import Drive
+from jetbot_cockpit_server.hub import Hub
+from jetbot_cockpit_server.listeners import listen
+from jetbot_cockpit_server.parameters import PARAMETERS, resolve
+from jetbot_cockpit_server.robots import Robots
+from jetbot_cockpit_server.server import Server
+from jetbot_ros import node
+from jetbot_ros.command_line import fake_advice, private_parameters
+
+POLL_INTERVAL = 0.25    # s
+SHUTDOWN_TIMEOUT = 2.0  # s for the end of this node
+
+
+class Cockpit:
+    """The page's server, and what connects it to the robots. Raise JetbotError if it cannot start."""
+
+    def __init__(self):
+        node.init_node("jetbot_cockpit")
+        given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), PARAMETERS))
+
+        # Listen first: a port that is taken ends the node before it does anything
+        sockets = listen(given["port"], given["lan"])
+        self.port = sockets[0].getsockname()[1]
+        self.browser = given["browser"]
+
+        # Who gets in, and what is handed out: other computers need a code
+        grants = make_grants(given["robots"]) if given["lan"] else []
+        names = [given["name"]] if given["name"] else address.lan_addresses()
+        access = Access(self.port, [*names, *address.host_names()] if given["lan"] else [], grants)
+        self.cards = [handout.make_card(grant, (names or ["localhost"])[0], self.port) for grant in grants]
+
+        # What clients ask for goes into the control, and what the robots report comes out
+        self.access, self.control = access, Control(Robots(), Drive())
+        self.server = Server(sockets, access, Hub(self.control, self.cards))
+
+    def run(self):
+        """Serve until a signal, the end of rospy or of roslaunch."""
+        ended = threading.Event()
+        for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(signum, lambda *_: ended.set())
+        rospy.on_shutdown(ended.set)
+        self.server.start()
+        self.show()
+        launcher, attendance = Launcher(), Attendance(time.monotonic())
+        while not ended.wait(POLL_INTERVAL) and not launcher.ended and self.server.is_alive():
+            launcher.poll()
+            # In this thread: a terminal that blocks holds up no client
+            for line in [*attendance.update(self.control.snapshot().robots, time.monotonic()), *self.access.take_log()]:
+                rospy.loginfo(line)
+        self.end()
+
+    def show(self):
+        """Print the addresses, and open the page if that is wanted."""
+        # Printed, not logged: neither a log file nor /rosout holds a code
+        url = f"http://localhost:{self.port}/"
+        print(f"The cockpit, for a browser on this computer: {url}", flush=True)
+        if self.cards:
+            sys.stdout.reconfigure(errors="replace")  # a terminal may lack the blocks of the QR codes
+            print(f"For others:\n{handout.text(self.cards, sys.stdout.isatty())}", flush=True)
+        if self.browser == "auto":
+            open_browser(url)
+
+    def end(self):
+        """Disconnect the clients, whose robots stop, and leave ROS; within SHUTDOWN_TIMEOUT."""
+        limit = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # the master may hang
+        limit.daemon = True
+        limit.start()
+        self.server.end()
+        self.control.close()
+        rospy.signal_shutdown("the cockpit has ended")
+
+
+def main():
+    try:
+        Cockpit().run()
+    except JetbotError as error:
+        sys.exit(error.text(fake_advice))  # one sentence; not as a fatal error: the robots run on without a page
+    node.leave(0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,105 @@
+"""What is served without a client's socket: the page's files, and the exchange of a code for a cookie."""
+
+import json
+import time
+from pathlib import Path
+from typing import Dict
+
+from tornado.httputil import HTTPServerRequest
+from tornado.web import HTTPError, RequestHandler
+
+from jetbot import files
+
+from .access import Access, TooManyTries
+
+WWW = files.shipped(__file__, "jetbot_cockpit_server", "www")
+TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
+HEADERS = {"Content-Security-Policy": "default-src 'self'; frame-ancestors 'none'", "X-Frame-Options": "DENY",
+           "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cache-Control": "no-store"}
+
+
+def reached_address(request: HTTPServerRequest) -> str:
+    """Return the address of this computer that a request came to."""
+    connection = request.connection.stream.socket
+    return connection.getsockname()[0] if connection else ""  # it was closed meanwhile
+
+
+def read_files(folder: Path = WWW) -> Dict[str, bytes]:
+    """Return the page's files by their names; nothing else is ever served."""
+    return {file.name: file.read_bytes() for file in folder.iterdir() if file.suffix in TYPES}
+
+
+class Handler(RequestHandler):
+    """Answers only what asks for this page, by its own name, and what acts only from this page. Else 404."""
+
+    acts = False
+
+    def initialize(self, access: Access) -> None:
+        self.access = access
+
+    def set_default_headers(self) -> None:
+        self.clear_header("Server")
+        for name, value in HEADERS.items():
+            self.set_header(name, value)
+
+    def prepare(self) -> None:
+        address = reached_address(self.request)
+        if not self.access.accepts_host(self.request.headers.get("Host"), address):
+            raise HTTPError(404)
+        acts = self.acts or self.request.method not in ("GET", "HEAD")
+        if acts and not self.access.accepts_origin(self.request.headers.get("Origin"), address):
+            raise HTTPError(403)
+
+    def write_error(self, status_code: int, **_) -> None:
+        self.set_header("Content-Type", "text/plain; charset=UTF-8")
+        self.finish(f"{status_code} {self._reason}\n")
+
+    def compute_etag(self) -> None:
+        """No ETag: nothing is stored."""
+
+
+class Missing(Handler):
+    """Everything that there is not."""
+
+    def prepare(self) -> None:
+        raise HTTPError(404)
+
+
+class Page(Handler):
+    """A file of the page. It needs no cookie: it shows nothing of the robots."""
+
+    def initialize(self, access: Access, files: Dict[str, bytes]) -> None:
+        super().initialize(access)
+        self.files = files
+
+    def get(self, name: str) -> None:
+        name = name or "index.html"
+        if name not in self.files:
+            raise HTTPError(404)
+        self.set_header("Content-Type", f"{TYPES[Path(name).suffix]}; charset=UTF-8")
+        self.finish(self.files[name])
+
+
+class Login(Handler):
+    """Takes {"code": ...}, and gives a cookie for it."""
+
+    def post(self) -> None:
+        try:
+            grant = self.access.log_in(self._code(), self.request.remote_ip, time.monotonic())
+        except TooManyTries:
+            raise HTTPError(429) from None
+        if not grant:
+            raise HTTPError(403)
+        self.set_cookie(self.access.cookie_name, grant.cookie, expires_days=None, httponly=True, samesite="Strict")
+        self.set_status(204)
+
+    def _code(self) -> str:
+        if self.request.headers.get("Content-Type", "").partition(";")[0].strip().lower() != "application/json":
+            raise HTTPError(415)
+        try:
+            fields = json.loads(self.request.body)
+        except (ValueError, RecursionError):
+            fields = None
+        if not isinstance(fields, dict) or set(fields) != {"code"} or not isinstance(fields["code"], str):
+            raise HTTPError(400)
+        return fields["code"]

@@ -1,0 +1,48 @@
+"""The parameters of the cockpit."""
+
+import ipaddress
+import re
+from typing import Dict
+
+from jetbot import InvalidValue
+from jetbot.kinds import BOOLEAN, Kind
+from jetbot_ros.parameters import Parameter, check_values
+from jetbot_ros.ports import COCKPIT_PORT
+
+MAX_ROBOTS = 99
+MAX_PORT = 65535
+HOST_NAME = re.compile(r"(?=.{1,253}$)(?!-)[a-z0-9-]{1,63}(?<!-)(\.(?!-)[a-z0-9-]{1,63}(?<!-))*", re.IGNORECASE)
+
+
+def is_host(value: object) -> bool:
+    """Return whether this is the name of a host by RFC 1123, an IP address, or ""."""
+    try:
+        return value == "" or bool(ipaddress.ip_address(value if isinstance(value, str) else ""))
+    except ValueError:
+        return isinstance(value, str) and bool(HOST_NAME.fullmatch(value)) and not value.replace(".", "").isdigit()
+
+
+def integer_to(limit: int) -> Kind:
+    """Return the kind of a whole number from 0 to this one."""
+    return Kind(lambda value: type(value) is int and 0 <= value <= limit, f"a whole number from 0 to {limit}")
+
+
+PARAMETERS = {
+    "lan": Parameter(False, BOOLEAN, "true: phones and other computers in the network may use it, with a code"),
+    "port": Parameter(COCKPIT_PORT, integer_to(MAX_PORT), "TCP port of the page; 0 takes a free one"),
+    "name": Parameter("", Kind(is_host, "a host's name or address, as in http://NAME:8080"),
+                      "name or address of this computer that phones can reach it by, where it is not what the computer "
+                      "itself finds out"),
+    "robots": Parameter(0, integer_to(MAX_ROBOTS), "how many of jetbot_01, jetbot_02 and so on get a code each"),
+    "browser": Parameter(False, Kind(lambda value: value in (False, "auto"), "false or auto"),
+                         "auto: also opens the page, where there is a desktop"),
+}
+
+
+def resolve(typed: Dict[str, object]) -> Dict[str, object]:
+    """Return all parameters: what is typed, else the defaults. Raise InvalidValue."""
+    parameters = check_values(typed, PARAMETERS)
+    if parameters["name"] and not parameters["lan"]:
+        raise InvalidValue(f"no other computer reaches this page as {parameters['name']} without lan",
+                           "Add lan:=true, or leave out the name.")
+    return parameters

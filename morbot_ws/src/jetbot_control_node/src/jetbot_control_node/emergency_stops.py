@@ -1,0 +1,37 @@
+"""The topics that stop the robot, whatever is commanded: one stops all robots, the other this one alone."""
+
+import rospy
+from std_msgs.msg import Bool
+
+from jetbot_ros.holds import EMERGENCY_STOP, OWN_EMERGENCY_STOP, Hold
+
+from .publishers import Publishers
+from .supervisor import Supervisor
+
+TOPICS = {"/emergency_stop": EMERGENCY_STOP, "~emergency_stop": OWN_EMERGENCY_STOP}
+
+
+class EmergencyStop:
+    """Holds the robot from a true on the topic until the next false."""
+
+    def __init__(self, topic: str, hold: Hold, supervisor: Supervisor):
+        self._hold, self._supervisor = hold, supervisor
+        self._publishers = Publishers(topic)
+        rospy.Subscriber(topic, Bool, self._callback, queue_size=1, tcp_nodelay=True)
+
+    def _callback(self, msg):
+        # A release from before this node's start, which its publisher has latched, ends no emergency stop
+        old = self._publishers.sender(msg).old
+        if msg.data or not old:
+            self._supervisor.hold(self._hold, msg.data)
+
+    def wait_for_latched(self) -> None:
+        """Wait for what was latched before this node started, a second at most; a stop is then in force."""
+        if any(msg.data for msg in self._publishers.wait_for_latched()):
+            self._supervisor.hold(self._hold, True)
+
+
+def subscribe(supervisor: Supervisor) -> None:
+    """Subscribe to TOPICS; on return, an earlier emergency stop is in force."""
+    for stop in [EmergencyStop(topic, hold, supervisor) for topic, hold in TOPICS.items()]:
+        stop.wait_for_latched()

@@ -1,0 +1,93 @@
+"""A robot's odometry, and the IMU of a board that has one, as ROS messages."""
+
+import time
+from typing import List, Optional, Union
+
+import rospy
+from geometry_msgs.msg import TwistWithCovariance
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import Imu
+
+from jetbot.boards import Telemetry
+from jetbot_ros import messages
+
+from .dead_reckoning import Motion
+from .deviation import RESOLUTION
+from .pose_tracker import PoseTracker, Velocity
+
+GYRO_ERROR = 0.09         # rad/s, and
+ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets of uncalibrated sensors (5 deg/s and 80 mg for an MPU-9250)
+UNKNOWN = 1e6             # variance of what is not measured
+
+
+class OdometryPublisher:
+    """Publishes ``odom`` and, if ``publish_tf``, tf odom -> base_footprint."""
+
+    def __init__(self, publish_tf: bool):
+        self._odom = rospy.Publisher("odom", Odometry, queue_size=1)
+        self._tf = None
+        if publish_tf:
+            from tf2_ros import TransformBroadcaster  # here: tf2 takes memory, and most robots do not need it
+            self._tf = TransformBroadcaster()
+
+    def publish(self, stamp: rospy.Time, motion: Union[PoseTracker, Motion]) -> None:
+        """Publish where the robot is at this time."""
+        odom = odometry(stamp, motion)
+        self._odom.publish(odom)
+        if self._tf:
+            self._tf.sendTransform(messages.transform(stamp, odom.header.frame_id, odom.child_frame_id, motion))
+
+
+class TelemetryPublisher:
+    """Publishes odometry and ``imu/data_raw`` for each Telemetry of a board that measures its motion."""
+
+    def __init__(self, publish_tf: bool):
+        self._odometry = OdometryPublisher(publish_tf)
+        self._imu = rospy.Publisher("imu/data_raw", Imu, queue_size=1)
+        self._tracker = PoseTracker()
+
+    def __call__(self, telemetry: Telemetry) -> None:
+        stamp = rospy.Time.now()
+        self._tracker.update((telemetry.x, telemetry.y, telemetry.yaw), time.monotonic())
+        self._odometry.publish(stamp, self._tracker)
+        self._imu.publish(imu(stamp, telemetry))
+
+
+def odometry(stamp: rospy.Time, motion: Union[PoseTracker, Motion]) -> Odometry:
+    """Return the pose and velocity, with covariances that grow with the path."""
+    odom = messages.odometry(stamp, motion)
+    deviation = motion.deviation
+    odom.pose.covariance = diagonal(deviation.position ** 2, deviation.yaw ** 2)
+    odom.twist = twist(motion.velocity, deviation.drift)
+    return odom
+
+
+def twist(velocity: Optional[Velocity], drift: float) -> TwistWithCovariance:
+    """Return the velocity with its covariance. drift: see ``Deviation``."""
+    if velocity is None:
+        return TwistWithCovariance(covariance=diagonal(UNKNOWN, UNKNOWN))
+    seconds, forward, turn = velocity
+    result = TwistWithCovariance(covariance=diagonal(*(
+        (RESOLUTION / seconds) ** 2 + (drift * change / seconds) ** 2 for change in (forward, turn))))
+    result.twist.linear.x, result.twist.angular.z = forward / seconds, turn / seconds
+    return result
+
+
+def diagonal(position: float, yaw: float) -> List[float]:
+    """Return a covariance matrix of x, y, z, roll, pitch, yaw, of which only x, y and yaw are known."""
+    covariance = [0.0] * 36
+    covariance[0::7] = [position, position, UNKNOWN, UNKNOWN, UNKNOWN, yaw]
+    return covariance
+
+
+def imu(stamp: rospy.Time, telemetry: Telemetry) -> Imu:
+    """Return the board's gyro and accelerometer."""
+    message = Imu()
+    message.header.stamp, message.header.frame_id = stamp, messages.frame_name("imu_link")
+    message.orientation_covariance[0] = -1  # as sensor_msgs/Imu marks an orientation that is not measured
+    rates, acceleration = message.angular_velocity, message.linear_acceleration
+    rates.x, rates.y, rates.z = telemetry.gyro
+    acceleration.x, acceleration.y, acceleration.z = telemetry.acceleration
+    message.angular_velocity_covariance[0::4] = [GYRO_ERROR ** 2] * 3
+    message.linear_acceleration_covariance[0::4] = [ACCELERATION_ERROR ** 2] * 3
+    return message

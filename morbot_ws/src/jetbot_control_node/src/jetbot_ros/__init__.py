@@ -1,1 +1,0 @@
-"""The parts of the controller's node: parameters, safety rules, supervisor, report and odometry."""

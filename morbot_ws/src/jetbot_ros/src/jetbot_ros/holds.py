@@ -1,0 +1,17 @@
+"""What keeps a robot stopped, whatever is commanded, and how its status words it."""
+
+from typing import NamedTuple
+
+
+class Hold(NamedTuple):
+    """Something that keeps the robot stopped, whatever is commanded: why, and what the end of that is called."""
+
+    reason: str
+    released: str
+
+
+EMERGENCY_STOP = Hold("emergency stop", "the emergency stop was released")
+OWN_EMERGENCY_STOP = Hold("its own emergency stop", "its own emergency stop was released")
+NO_MASTER = Hold("no ROS master, so no emergency stop could arrive", "the ROS master is back")
+SUSPENDED = Hold("its terminal is suspended (Ctrl-Z); fg resumes it", "its terminal was resumed")
+HOLDS = (EMERGENCY_STOP, OWN_EMERGENCY_STOP, NO_MASTER, SUSPENDED)  # in the order in which they are reported

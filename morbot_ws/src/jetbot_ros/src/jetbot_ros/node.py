@@ -1,0 +1,54 @@
+"""The start and the end of a node: one clear error at most, and no wait for a master that hangs."""
+
+import contextlib
+import os
+import re
+import sys
+from typing import Callable
+
+import rosgraph
+import rospy
+
+from jetbot import InvalidValue, JetbotError
+
+from .command_line import fake_advice, public_words
+from .master import require_master, require_name
+from .network import bound_headers, stay_on_this_host
+
+
+def init_node(name: str) -> None:
+    """Initialize the node; end the program with one sentence if there is no master, or a node of this name runs.
+
+    Raise InvalidValue for a name that ROS does not take.
+    """
+    require_master()
+    require_name(rosgraph.names.resolve_name(rospy.names.get_mappings().get("__name", name), rospy.get_caller_id()))
+    stay_on_this_host()
+    bound_headers()
+    # rospy's own signal handlers talk to the master before anything stops, and wait forever if that hangs.
+    rospy.init_node(name, argv=public_words(), disable_signals=True)
+    namespace = rospy.get_namespace()
+    if not re.fullmatch(r"/([A-Za-z]\w*/)*", namespace, re.ASCII):  # ROS's programs in C++ refuse any other
+        raise InvalidValue(f"a robot cannot be named {namespace.strip('/')}",
+                           "Begin with a letter, and use letters, digits and _.")
+
+
+def leave(code: int) -> None:
+    """End the process now: rospy's threads, which have nothing left to do, would take another second."""
+    with contextlib.suppress(OSError):  # the terminal is closed
+        sys.stdout.flush()
+    os._exit(code)
+
+
+def main(start: Callable[[], int]) -> None:
+    """Run a node's ``start`` and exit with its code; an error that the user can fix ends it with one sentence."""
+    try:
+        leave(start())
+    except JetbotError as error:
+        rospy.logfatal(error.text(fake_advice))
+        sys.exit(1)
+    except OSError as error:
+        require_master()  # it may have ended meanwhile
+        if isinstance(error, BrokenPipeError):  # `| head`: nobody reads the log
+            leave(1)
+        raise

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Asks at the terminal how a robot is wired and how it drives, and writes the answers for the controller.
+
+Every motion is announced and short, and any key stops it.
+"""
+
+import argparse
+import os
+import shlex
+import sys
+from pathlib import Path
+from typing import Any, Dict, List, Optional
+
+from jetbot import JetbotError, files
+from jetbot.boards import BOARDS, find_board
+from jetbot.host import doctor_command, model, robot_bus
+from jetbot.lock import lock_board
+from jetbot.text import printable
+from jetbot_control_node.parameters import PARAMETERS, default_file, is_fake
+from jetbot_tools.calibration import as_yaml
+from jetbot_tools.commands import fake_advice, launch
+from jetbot_tools.options import add_options, parse
+from jetbot_tools.probe import Check, check_board, check_users
+from jetbot_tools.terminal import choose
+from jetbot_tools.wizard import WIZARDS, Wizard
+
+
+def find_boards(i2c_address: Optional[int], **place: Any) -> List[str]:
+    """Return the names of the boards that answer on the i2c_bus, else on the port; raise JetbotError if none does."""
+    places = {board: row.place(**place) for board, row in BOARDS.items() if board != "jetbot"}  # two of them
+    for each in dict.fromkeys(places.values()):
+        checks = {board: check_board(board, i2c_address=i2c_address, **place)
+                  for board in places if places[board] == each}
+        boards = drivable({board: check for board, check in checks.items() if check.ok})
+        if boards:
+            return boards
+        print(*dict.fromkeys(map(str, checks.values())), sep="\n")
+    raise JetbotError("no motor board found", "If you know which one it is, name it with --board.", "i2c_bus")
+
+
+def drivable(checks: Dict[str, Check]) -> List[str]:
+    """Return the boards that answer for certain; without any, those of which a person says so: a servo could move."""
+    conditions = dict.fromkeys(check.condition for check in checks.values())
+    met = {""} if "" in conditions else {
+        condition for condition in conditions if choose(f"Is it certain that {condition}?", {"yes": True, "no": False})}
+    return [board for board, check in checks.items() if check.condition in met]
+
+
+def calibrate(boards: List[str], i2c_address: Optional[int], **place: Any) -> Dict[str, Any]:
+    """Try the boards until a wheel turns; return the parameters of that robot. Raise JetbotError if none turns."""
+    input("Put the robot on a box, so that its wheels turn freely. Press Enter to continue; Ctrl-C quits at any time. ")
+    address = {} if i2c_address is None else {"i2c_address": i2c_address}
+    for board in boards:
+        row = find_board(board, i2c_address)
+        with lock_board(row.place(**place), row.address):
+            wizard = WIZARDS.get(board, Wizard)(board=board, **place, **address)
+            print(f"\nTrying the board {board}.")
+            if wizard.find_motors():
+                wizard.tune()
+                return wizard.parameters
+    raise JetbotError("no wheel turned", f"Is the motors' battery on? Run: {doctor_command()}")
+
+
+def output_file(file: Optional[Path], simulated: bool) -> Path:
+    """Return the file to write, the default if ``file`` is None; raise JetbotError if it cannot be written."""
+    file = file or default_file().with_name("jetbot_fake.yaml" if simulated else "jetbot.yaml")
+    if simulated and os.path.realpath(file) == os.path.realpath(default_file()):
+        raise JetbotError(f"{file} is for the real robot, and this one is simulated", "Name another with --output.")
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        files.check_writable(file)
+        if file.exists():
+            files.read(file)  # as ``files.keep`` will
+    except OSError as error:
+        raise JetbotError(f"the file {file} cannot be written: {error.strerror}",
+                          "Name another with --output.") from None
+    return file
+
+
+def write(file: Path, text: str) -> None:
+    """Write the text, keep an older file under another name, and print how to undo this and how to use it."""
+    old = files.keep(file)
+    files.replace(file, text.encode())
+    undo = ["mv", str(old), str(old.with_suffix(""))] if old else ["rm", str(file)]
+    print(printable(f"Written to {file}. To undo it: {shlex.join(undo)}"))
+    command = launch(config=file.absolute())
+    print("The controller uses it from now on." if file == default_file() else f"To use it: {printable(command)}")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    add_options(parser, board="those that answer are tried", i2c_bus="the one of this computer's motors",
+                i2c_address="the board's own", port="")
+    parser.add_argument("--output", type=Path, help="the YAML file to write (default: jetbot.yaml in ROS's home; "
+                                                    "jetbot_fake.yaml for a simulated robot)")
+    options = parse(parser, sys.argv[1:])
+    if not sys.stdin.isatty():
+        raise JetbotError("calibrate.py asks questions and needs a terminal")
+    sys.stdin.reconfigure(errors="replace")  # a key may give what is no text
+    if options.i2c_bus is None:
+        options.board = options.board or options.port and "jetbot_pro"  # the only board on a port
+        options.i2c_bus = robot_bus(model()) or PARAMETERS["i2c_bus"].default
+    place = {"i2c_bus": options.i2c_bus, "port": options.port or PARAMETERS["port"].default}
+    boards = [options.board] if options.board else find_boards(options.i2c_address, **place)
+    file = output_file(options.output, is_fake({"board": boards[0], **place}))
+    for check in check_users(find_board(boards[0]).place(**place)):
+        if not check.ok:
+            print(check)
+    text = as_yaml(calibrate(boards, options.i2c_address, **place))
+    print(f"\n{text}")
+    write(file, text)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except JetbotError as error:
+        sys.exit(error.text(fake_advice))
+    except OSError as error:
+        sys.exit(printable(f"The wheels are stopped, but the file was not written: {error}"))
+    except (KeyboardInterrupt, EOFError):
+        sys.exit("\nCancelled: the wheels are stopped and nothing was written.")

@@ -1,0 +1,58 @@
+"""All robots on the ROS master: stops or releases them with one message, and reports what each one answers."""
+
+from typing import Dict, List
+
+import rospy
+from std_msgs.msg import Bool, String
+
+from jetbot.wait import wait_until
+from jetbot_ros.addresses import is_reachable, master_uri
+from jetbot_ros.holds import EMERGENCY_STOP
+from jetbot_ros.xmlrpc import proxy
+
+TOPIC = "/emergency_stop"
+ASK_INTERVAL = 0.05  # s between two questions to the master
+TIMEOUT = 2.0        # s for an answer of the master
+
+
+class Fleet:
+    """The nodes that listen to the emergency stop and publish a status. Needs an initialized node."""
+
+    def __init__(self, engaged: bool):
+        self._engaged = engaged
+        self._publisher = rospy.Publisher(TOPIC, Bool, queue_size=1, latch=True)  # for robots that join meanwhile too
+        self._publisher.publish(engaged)
+        self._master = proxy(master_uri(), TIMEOUT)
+        self._subscribers = {}
+        self.statuses: Dict[str, str] = {}  # of each robot's node, "" until it arrives
+
+    def wait(self, timeout: float) -> bool:
+        """Return whether there are robots, and all confirm the emergency stop, or its release, within so many s.
+
+        Raise NO_ANSWER if the master does not answer.
+        """
+        return wait_until(lambda: self._find_robots() and not self.unconfirmed(), timeout, ASK_INTERVAL)
+
+    def unconfirmed(self) -> List[str]:
+        """Return the nodes whose status is not the wanted one, or is not known."""
+        return [name for name, status in self.statuses.items()
+                if not status or status.startswith(f"stopped: {EMERGENCY_STOP.reason}") != self._engaged]
+
+    def remove_dead(self) -> None:
+        """Remove the silent nodes that have ended, and are only still registered with the master."""
+        for name in [name for name, status in self.statuses.items() if not status]:
+            code, _, uri = self._master.lookupNode(rospy.get_name(), name)
+            if code != 1 or not is_reachable(uri):
+                del self.statuses[name]
+
+    def _find_robots(self):
+        """Subscribe to the status of new robots; return all statuses."""
+        publishers, subscribers, _ = map(dict, self._master.getSystemState(rospy.get_name())[2])
+        for name in subscribers.get(TOPIC, ()):
+            if name in publishers.get(f"{name}/status", ()) and name not in self._subscribers:
+                self.statuses[name] = ""
+                self._subscribers[name] = rospy.Subscriber(f"{name}/status", String, self._record, name)
+        return self.statuses
+
+    def _record(self, message, name):
+        self.statuses[name] = message.data

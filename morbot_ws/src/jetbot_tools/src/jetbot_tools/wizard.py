@@ -1,0 +1,129 @@
+"""Asks how a robot is wired and how it drives, by short motions, each announced and stopped by any key."""
+
+import time
+from typing import Any, List, Optional, Sequence
+
+from jetbot.errors import InvalidValue, JetbotError
+from jetbot.robot import Robot
+from jetbot_control_node.summary import GEOMETRY
+
+from . import tape_measure
+from .calibration import ALPHAS, base_wiring, curvature_of, motor_wiring, trim
+from .identify import has_chip
+from .motions import DRIVE_SPEED, Step, gentle, steady
+from .terminal import choose, key_pressed, offset, single_keys
+
+# Hz, for a PCA9685. Adafruit, "Improve Low-Speed Performance of Brushed DC Motors": 50 to 100 Hz; TT motors then start
+# at a duty several times lower than at 1600 Hz.
+PWM_FREQUENCY = 50
+TURN_SPEED = 0.5  # fraction of full power
+TURN_TIME = 0.8   # s
+LINE_TIME = 4.0   # s
+RAMP = [0.003 * 1.007 ** step for step in range(760)]  # duties, to 60 % in 17 s; in 0.3 s, a person is 10 % late
+MAX_DELAY = 0.5   # s by which a step may be late; later, the guard may have stopped the wheels meanwhile
+
+DIRECTIONS = {"forward": 1, "backward": -1}
+
+
+class Wizard:
+    """Collects the ``parameters`` of one robot, whose board takes a duty for each wheel."""
+
+    wiring = staticmethod(motor_wiring)
+
+    def __init__(self, **known: Any):
+        self.parameters = {**known, "pwm_frequency": PWM_FREQUENCY} if has_chip(known["board"], "PCA9685") else known
+
+    def drive(self, announcement: str, motion: Sequence[Step]) -> Optional[Step]:
+        """Wait for Enter, then drive one step after the other.
+
+        Returns the step at which a key was pressed, this program was held up, or its guard was lost; None if it drove
+        them all. Raises KeyboardInterrupt for an abort key.
+        """
+        input(f"\n{announcement} Press Enter to start; any key stops it. ")
+        options = {name: value for name, value in self.parameters.items() if name not in GEOMETRY}
+        with single_keys(), Robot(**options) as robot:
+            robot.set_motors(motion[0].left, motion[0].right)  # waits for the guard
+            end = time.monotonic()
+            for step in motion:
+                robot.set_motors(step.left, step.right)
+                robot.keep_alive()
+                robot.verify()
+                end += step.seconds
+                stopped = key_pressed(max(0.0, end - time.monotonic())) or not robot.guarded
+                if stopped or time.monotonic() > end + MAX_DELAY:
+                    return step
+        return None
+
+    def find_motors(self) -> bool:
+        """Find how the motors are wired; return whether any wheel turned. Raise JetbotError if only one did."""
+        while True:
+            seen = self.observe_motions()
+            if not any(seen):
+                return False
+            if not all(seen):
+                raise JetbotError("only one motor turns",
+                                  "Check the plug and the wires of the other one, and start again.")
+            try:
+                self.parameters.update(self.wiring(*seen))
+                return True
+            except InvalidValue as error:
+                print(error)
+
+    def observe_motions(self) -> List[Any]:
+        """Drive one output after the other forward; return the Turn that each causes, or None."""
+        turns = []
+        for output, speeds in ("left", (TURN_SPEED, 0)), ("right", (0, TURN_SPEED)):
+            self.drive(f"The {output} output will turn one wheel briefly.", steady(*speeds, TURN_TIME))
+            wheel = choose("Which wheel turned?", {"left": "left", "right": "right", "none": None})
+            turns.append(wheel and (wheel, choose("Forward or backward?", DIRECTIONS)))
+        return turns
+
+    def tune(self) -> None:
+        """Find the parameters that a robot on the floor shows: how its wheels turn, how far it drives and turns."""
+        self.straighten()
+        tape_measure.measure(self.drive, self.parameters)
+
+    def straighten(self) -> None:
+        """Find the smallest duty at which both wheels turn, and the alphas at which they turn equally fast."""
+        input("\nPut the robot on the floor, at the start of a straight line of two metres. Press Enter to continue. ")
+        self.parameters["min_duty"] = max(self.ramp("left", 1, 0), self.ramp("right", 0, 1))
+        alphas = (1.0, 1.0)
+        while True:
+            self.parameters.update(zip(ALPHAS, alphas))
+            self.drive(f"The robot will drive ahead for {LINE_TIME:.0f} s.",
+                       gentle(DRIVE_SPEED, DRIVE_SPEED, LINE_TIME, self.parameters["min_duty"]))
+            drift = offset("How many centimetres off the line was it after one metre? "
+                           "Press Enter alone if that is straight enough.", 90, {"left": 1, "right": -1}) / 100
+            if not drift:
+                return
+            alphas = trim(*alphas, curvature_of(drift), self.parameters["min_duty"])
+            print("The trim is changed. Put the robot back at the start.")
+
+    def ramp(self, wheel: str, left: int, right: int) -> float:
+        """Raise the duty of one wheel until a key is pressed, and return it. left, right: 1 for this wheel, else 0."""
+        while True:
+            reached = self.drive(f"The power of the {wheel} wheel will rise slowly: press a key as soon as it turns.",
+                                 [Step(left * duty, right * duty) for duty in RAMP])
+            if not reached:
+                print(f"No key was pressed below {100 * RAMP[-1]:.0f} % of full power. Try again.")
+            elif choose(f"Did the {wheel} wheel turn?", {"yes": True, "no": False}):
+                return round(max(reached.left, reached.right), 4)
+
+
+class BaseWizard(Wizard):
+    """For a board that takes the velocity of the robot, and controls the speeds of the wheels itself."""
+
+    wiring = staticmethod(base_wiring)
+
+    def observe_motions(self) -> List[Any]:
+        """Drive ahead, then turn left; return for each 1 when the robot did so, -1 when the opposite, or None."""
+        self.drive("The wheels will turn as if to drive ahead.", steady(TURN_SPEED, TURN_SPEED, 2 * TURN_TIME))
+        ahead = choose("Which way did the wheels turn?", {**DIRECTIONS, "none": None})
+        self.drive("The wheels will turn as if to turn left on the spot.", steady(-1, 1, 2 * TURN_TIME))
+        return [ahead, choose("Which wheel turned forward?", {"right": 1, "left": -1, "none": None})]
+
+    def tune(self) -> None:
+        """Do nothing: the board takes m/s and rad/s, measures its wheels and keeps them equally fast."""
+
+
+WIZARDS = {"jetbot_pro": BaseWizard}  # for the other boards: Wizard
