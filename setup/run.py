@@ -12,10 +12,10 @@ import sys
 from typing import List, Optional, Sequence, Tuple
 from urllib.parse import urlsplit
 
-from jetbot.text import printable
+from jetbot.text import closest, printable
 from jetbot.wait import wait_until
 from jetbot_ros.addresses import is_reachable, master_uri
-from jetbot_ros.launch_arguments import UNREADABLE, argument_problem, closest, launch_files, receivers
+from jetbot_ros.launch_arguments import UNREADABLE, argument_problem, launch_files, receivers
 from jetbot_ros.ports import COCKPIT_PORT, is_free
 from jetbot_ros.roslaunch_command import parse
 from jetbot_ros.xmlrpc import NO_ANSWER, proxy

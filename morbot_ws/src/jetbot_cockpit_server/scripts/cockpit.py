@@ -27,7 +27,7 @@ from jetbot_cockpit_server.listeners import listen
 from jetbot_cockpit_server.parameters import PARAMETERS, resolve
 from jetbot_cockpit_server.robots import Robots
 from jetbot_cockpit_server.server import Server
-from jetbot_ros import node
+from jetbot_ros import lifecycle
 from jetbot_ros.command_line import fake_advice, private_parameters
 
 POLL_INTERVAL = 0.25    # s
@@ -38,7 +38,7 @@ class Cockpit:
     """The page's server, and what connects it to the robots. Raise JetbotError if it cannot start."""
 
     def __init__(self):
-        node.init_node("jetbot_cockpit")
+        lifecycle.init_node("jetbot_cockpit")
         given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), PARAMETERS))
 
         # Listen first: a port that is taken ends the node before it does anything
@@ -98,7 +98,7 @@ def main():
         Cockpit().run()
     except JetbotError as error:
         sys.exit(error.text(fake_advice))  # one sentence; not as a fatal error: the robots run on without a page
-    node.leave(0)
+    lifecycle.leave(0)
 
 
 if __name__ == "__main__":

@@ -15,12 +15,13 @@ from jetbot.kinematics import mix
 from jetbot_control_node import emergency_stops, node
 from jetbot_control_node.publishers import Publishers
 from jetbot_control_node.report import Report
+from jetbot_ros import lifecycle
 
 
 class JetBotController:
     def __init__(self):
         # Initialize the ROS node
-        node.init_node("jetbot_controller")
+        lifecycle.init_node("jetbot_controller")
         parameters = node.read_parameters()
 
         # Create a Robot object; a board that controls its wheel speeds itself takes a Twist unchanged
@@ -55,4 +56,4 @@ class JetBotController:
 
 
 if __name__ == "__main__":
-    node.main(lambda: JetBotController().run())
+    lifecycle.main(lambda: JetBotController().run())

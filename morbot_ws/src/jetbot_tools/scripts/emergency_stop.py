@@ -14,9 +14,8 @@ import sys
 import threading
 from typing import List
 
-from jetbot.text import printable
+from jetbot.text import closest, printable
 from jetbot_ros.addresses import is_reachable, master_uri
-from jetbot_ros.launch_arguments import closest
 from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 CONFIRM_TIMEOUT = 2.0   # s for the robots

@@ -1,6 +1,6 @@
-"""Text from outside, such as the name of a file or of a node, made harmless to print."""
+"""Words for people: text from outside made harmless to print, lists in one phrase, what was probably meant."""
 
-from typing import Sequence
+from typing import Iterable, Optional, Sequence
 
 MAX_LENGTH = 1000  # characters; a sentence is shorter
 
@@ -22,3 +22,9 @@ def literal(value: object) -> str:
 def enumeration(names: Sequence[str]) -> str:
     """Return one name or more in one phrase: a, b and c."""
     return " and ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
+
+
+def closest(name: str, names: Iterable[str]) -> Optional[str]:
+    """Return the name that was probably meant, or None."""
+    from difflib import get_close_matches  # here: nearly every start does without
+    return next(iter(get_close_matches(name.strip("_").lower(), sorted(names), 1)), None)

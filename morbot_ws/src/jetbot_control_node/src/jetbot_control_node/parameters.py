@@ -19,7 +19,7 @@ from jetbot.kinds import (
     SECONDS,
     Kind,
 )
-from jetbot_ros.launch_arguments import closest
+from jetbot.text import closest
 from jetbot_ros.parameters import Parameter, check_values, given
 
 SHIPPED = files.shipped(__file__, "jetbot_control_node", "config")

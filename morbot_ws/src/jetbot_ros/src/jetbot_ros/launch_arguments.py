@@ -6,6 +6,8 @@ from functools import lru_cache
 from typing import Iterable, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple
 from xml.parsers import expat
 
+from jetbot.text import closest
+
 SOURCE = os.path.abspath(f"{__file__}/../../..")
 MAX_SIZE = 1024 * 1024  # bytes of a launch file
 MAX_FILES = 100
@@ -47,12 +49,6 @@ def argument_problem(words: Sequence[str], typed: Sequence[Tuple[str, str]]) -> 
     except UNREADABLE:
         pass
     return None
-
-
-def closest(name: str, names: Iterable[str]) -> Optional[str]:
-    """Return the name that was probably meant, or None."""
-    from difflib import get_close_matches  # here: nearly every start does without
-    return next(iter(get_close_matches(name.strip("_").lower(), sorted(names), 1)), None)
 
 
 def _explain(name, value, known, files):

@@ -8,9 +8,8 @@ from typing import List, Union
 
 from jetbot import InvalidValue, fake
 from jetbot.kinds import address_of
-from jetbot.text import printable
+from jetbot.text import closest, printable
 from jetbot_control_node.parameters import PARAMETERS
-from jetbot_ros.launch_arguments import closest
 
 from .commands import launch
 

@@ -22,7 +22,7 @@ try:
     from driving_tasks.tasks import TASKS
     from jetbot import JetbotError, files
     from jetbot.text import printable
-    from jetbot_control_node.node import leave
+    from jetbot_ros.lifecycle import leave
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun driving_tasks judge.py there.")
 

@@ -9,8 +9,7 @@ from typing import List
 import rosgraph
 
 from jetbot import InvalidValue
-from jetbot.text import enumeration, printable
-from jetbot_ros.launch_arguments import closest
+from jetbot.text import closest, enumeration, printable
 
 from .tasks import TASKS
 
