@@ -71,7 +71,8 @@ def tasks(text: str) -> Iterator[Tuple[str, str]]:
         title, _, body = section.partition("\n")
         if re.match(r"Exercise|Question", title) or "your guess" in body:
             question = re.split(r"^<details>|^Terminal|^File|^```|^Next:", body, flags=re.MULTILINE)[0].strip()
-            yield title, "\n".join(line for line in question.splitlines() if "your guess" not in body or line.startswith("|"))
+            lines = question.splitlines()
+            yield title, "\n".join([line for line in lines if line.startswith("|")] if "your guess" in body else lines)
 
 
 def commands(text: str) -> List[Tuple[str, str]]:

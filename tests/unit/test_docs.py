@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from conftest import COCKPIT, ROOT, SIMULATION, SOURCE, TASKS
+from conftest import ROOT
 from jetbot.boards import BOARDS, scmd
 from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE, WAVESHARE_HAT
 from jetbot.guard import process as guard
@@ -12,8 +12,7 @@ from jetbot.host import ROBOT_BUS, robot_bus
 from jetbot_control_node.parameters import PARAMETERS
 
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
-BOARDS_PAGE, SAFETY_PAGE, DESIGN_PAGE = (
-    (ROOT / "docs" / name).read_text() for name in ("boards.md", "safety.md", "design.md"))
+BOARDS_PAGE, SAFETY_PAGE = ((ROOT / "docs" / name).read_text() for name in ("boards.md", "safety.md"))
 
 
 def rows(text):
@@ -39,18 +38,11 @@ def test_links_have_a_target(page):
             assert not anchor or anchor in heading_anchors(linked.read_text()), f"{target}#{anchor}"
 
 
-def test_readme_is_short_and_links_each_page_once():
+def test_readme_links_each_page_once():
     readme = ROOT / "README.md"
-    assert len(readme.read_text().splitlines()) <= 180
     linked = [link for link in links(readme) if link.endswith(".md")]
     assert sorted(linked) == sorted(
         ["CONTRIBUTING.md", "docs/lessons/README.md", *(f"docs/{page.name}" for page in (ROOT / "docs").glob("*.md"))])
-
-
-def test_every_module_is_in_a_layer():
-    packages = (SOURCE, COCKPIT, SIMULATION, TASKS)
-    modules = {file.stem for package in packages for file in (package / "src").rglob("[!_]*.py")}
-    assert {module for module in modules if f"`{module}`" not in DESIGN_PAGE} == set()
 
 
 def test_every_board_is_explained():
