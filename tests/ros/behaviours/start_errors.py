@@ -63,7 +63,7 @@ class StartErrors(RobotTest):
         self.assertRegex(read(namesake),
                          r"Another program \(jetbot_controller.py, process \d+\) already drives 0x60 on fake:")
         self.wheels_stay(0.4, 0.6, for_seconds=0.3)
-        self.assertEqual(rospy.get_param("/jetbot_motion_control/linear"), "")
+        self.assertEqual(rospy.get_param("/jetbot_motion_control/linear"), 0.5)
 
     def test_roslaunch_ends_when_the_controller_cannot_start(self):
         launch = self.start("roslaunch", "workshop", "workshop_jetbot_controller.launch", "i2c_bus:=77")
@@ -72,12 +72,10 @@ class StartErrors(RobotTest):
         self.assertNotIn("Traceback", read(launch))
 
     def test_the_last_line_of_morbot_run_is_why_a_node_has_failed(self):
-        for typed, reason in ((["i2c_bus:=77"], r"\[jetbot_controller\]: There is no I2C bus /dev/i2c-77\."),
-                              ([f"i2c_bus:=fake:{self.bus}", "linear:=x"],
-                               r"\[jetbot_motion_control\]: The parameter linear must be a number")):
-            launch = self.start(sys.executable, str(RUN), "workshop", "workshop_jetbot_controller.launch", *typed)
-            self.assertEqual(launch.wait(SHUTDOWN_TIMEOUT), 1)
-            self.assertRegex(read(launch).splitlines()[-1], r"^\[FATAL\] " + reason)
+        launch = self.start(sys.executable, str(RUN), "workshop", "workshop_jetbot_controller.launch", "i2c_bus:=77")
+        self.assertEqual(launch.wait(SHUTDOWN_TIMEOUT), 1)
+        self.assertRegex(read(launch).splitlines()[-1],
+                         r"^\[FATAL\] \[jetbot_controller\]: There is no I2C bus /dev/i2c-77\.")
 
     def test_a_mistyped_argument_ends_roslaunch_before_it_starts_anything(self):
         launch = self.launch("workshop", "workshop_jetbot_controller.launch", "lineer:=0.2")

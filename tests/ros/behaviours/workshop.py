@@ -1,0 +1,95 @@
+"""The workshop's scenario and its own controller scripts, as a class and as functions, drive the wheels."""
+
+import os
+import signal
+import sys
+import time
+
+import rosgraph
+import rospy
+from geometry_msgs.msg import Twist
+
+from harness import START_TIMEOUT, RobotTest, program, wheel_speeds
+from jetbot_control_node.safety import MANUAL_PRIORITY
+
+LAUNCH = "workshop", "workshop_jetbot_controller.launch"
+SCENARIO = program("workshop", "jetbot_motion_control.py")
+HEAD = """
+import rospy
+from geometry_msgs.msg import Twist
+from jetbot import Robot
+"""
+
+AS_A_CLASS = """
+class Listener:
+    def __init__(self):
+        rospy.init_node('jetbot_controller', anonymous=True)
+        self.robot = Robot()
+        rospy.Subscriber('/cmd_vel', Twist, self.on_twist)
+        rospy.spin()
+
+    def on_twist(self, twist):
+        self.robot.set_motors(twist.linear.x - twist.angular.z, twist.linear.x + twist.angular.z)
+
+Listener()
+"""
+
+AS_FUNCTIONS = """
+def on_twist(twist, robot):
+    robot.set_motors(twist.linear.x - twist.angular.z, twist.linear.x + twist.angular.z)
+
+rospy.init_node('jetbot_controller', anonymous=True)
+robot = Robot()
+rospy.Subscriber('/cmd_vel', Twist, on_twist, callback_args=robot)
+rospy.spin()
+"""
+
+
+class Workshop(RobotTest):
+    def test_the_scenario_commands_its_motion_ten_times_a_second(self):
+        rospy.set_param("/jetbot_motion_control/linear", 0.2)  # left by an earlier start
+        self.launch(*LAUNCH)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
+        received = self.record("/cmd_vel", Twist, lambda twist: (time.monotonic(), twist))
+        self.wait_for(lambda: len(received) > 30, START_TIMEOUT, "31 commands")
+        self.assertAlmostEqual(30 / (received[30][0] - received[0][0]), 10, delta=0.5)
+        self.assertEqual({(twist.linear.x, twist.angular.z) for _, twist in received}, {(0.5, 0.1)})
+
+    def test_its_launch_file_passes_arguments_on_to_both_nodes(self):
+        self.launch(*LAUNCH, "robot_name:=red", "board:=waveshare", "max_speed:=2", "linear:=1.0", "angular:=0.0")
+        self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") == (0.5, 0.5), START_TIMEOUT,
+                      "the Waveshare board's wheels")
+        self.assertEqual(self.wheels(), (0, 0), "and not the Adafruit board's")
+        publishers, subscribers, _ = map(dict, rosgraph.Master("/test").getSystemState())
+        self.assertEqual(publishers["/red/cmd_vel"], ["/red/jetbot_motion_control"])
+        self.assertEqual(subscribers["/red/cmd_vel"], ["/red/jetbot_controller"])
+
+    def test_it_waits_for_5_s_after_a_person_at_the_cockpit_whatever_ended_that(self):
+        texts = self.status()
+        self.controller(cmd_vel_timeout=0)
+        self.start(SCENARIO)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
+        cockpit = self.start(SCENARIO, "__name:=jetbot_cockpit", "_linear:=-0.2", "_angular:=0.0")
+        self.wait_for_wheels(-0.2, -0.2, within=START_TIMEOUT)
+        ended = time.monotonic()
+        os.killpg(cockpit.pid, signal.SIGKILL)
+        self.wait_for_stop(within=0.5)
+        self.wait_for_status(texts, "stopped: /jetbot_cockpit has ended, /jetbot_motion_control waits for the cockpit")
+        self.wait_for_wheels(0.4, 0.6, within=MANUAL_PRIORITY + 1)
+        self.assertGreater(time.monotonic() - ended, MANUAL_PRIORITY - 0.5)
+
+    def test_the_workshops_controllers_drive_and_their_end_stops_the_wheels(self):
+        for script in AS_A_CLASS, AS_FUNCTIONS:
+            for ending in signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL:
+                self.drive_and_stop(script, ending)
+
+    def drive_and_stop(self, script, ending):
+        environment = {**os.environ, "JETBOT_I2C_BUS": f"fake:{self.bus}"}
+        process = self.start(sys.executable, "-c", HEAD + script, env=environment)
+        self.wait_for_controller()
+        self.command(0.5, 0.1)
+        self.wait_for_wheels(0.4, 0.6)
+        process.send_signal(ending)
+        process.wait(START_TIMEOUT)
+        self.wait_for_stop(within=1.5)
+        self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the script to unsubscribe")
