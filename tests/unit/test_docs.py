@@ -38,11 +38,9 @@ def test_links_have_a_target(page):
             assert not anchor or anchor in heading_anchors(linked.read_text()), f"{target}#{anchor}"
 
 
-def test_readme_links_each_page_once():
-    readme = ROOT / "README.md"
-    linked = [link for link in links(readme) if link.endswith(".md")]
-    assert sorted(linked) == sorted(
-        ["CONTRIBUTING.md", "docs/lessons/README.md", *(f"docs/{page.name}" for page in (ROOT / "docs").glob("*.md"))])
+def test_readme_links_each_page():
+    pages = {"CONTRIBUTING.md", "docs/lessons/README.md", *(f"docs/{page.name}" for page in (ROOT / "docs").glob("*.md"))}
+    assert pages <= set(links(ROOT / "README.md"))
 
 
 def test_every_board_is_explained():
