@@ -39,8 +39,8 @@ def test_links_have_a_target(page):
 
 
 def test_readme_links_each_page():
-    pages = {"CONTRIBUTING.md", "docs/lessons/README.md", *(f"docs/{page.name}" for page in (ROOT / "docs").glob("*.md"))}
-    assert pages <= set(links(ROOT / "README.md"))
+    pages = {f"docs/{page.name}" for page in (ROOT / "docs").glob("*.md")}
+    assert pages | {"CONTRIBUTING.md", "docs/lessons/README.md"} <= set(links(ROOT / "README.md"))
 
 
 def test_every_board_is_explained():
