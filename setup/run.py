@@ -14,11 +14,10 @@ from urllib.parse import urlsplit
 
 from jetbot.text import closest, printable
 from jetbot.wait import wait_until
-from jetbot_ros.addresses import is_reachable, master_uri
 from jetbot_ros.launch_arguments import UNREADABLE, argument_problem, launch_files, receivers
+from jetbot_ros.master import NO_ANSWER, is_reachable, master_uri, proxy
 from jetbot_ros.ports import COCKPIT_PORT, is_free
 from jetbot_ros.roslaunch_command import parse
-from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 MASTER_TIMEOUT = 5.0  # s for an answer
 ENDING_TIMEOUT = 3.0  # s in which a master that was just interrupted has ended

@@ -4,7 +4,6 @@ import os
 import runpy
 import sys
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 import rosbag
@@ -58,8 +57,7 @@ def test_no_odometry_of_this_robot(draw, bag, robot, odom):
                                 "Continue it with fg.")])
 def test_why_no_odometry_arrives(monkeypatch, topics, sentence):
     advice = runpy.run_path(str(PROGRAM))["advice"]
-    master = SimpleNamespace(getPublishedTopics=lambda caller, subgraph: (1, "", list(map(list, topics.items()))))
-    monkeypatch.setitem(advice.__globals__, "proxy", lambda uri, timeout: master)
+    monkeypatch.setitem(advice.__globals__, "ask_master", lambda method, subgraph: list(map(list, topics.items())))
     assert advice("/odom") == sentence
 
 

@@ -15,11 +15,9 @@ import threading
 from typing import List
 
 from jetbot.text import closest, printable
-from jetbot_ros.addresses import is_reachable, master_uri
-from jetbot_ros.xmlrpc import NO_ANSWER, proxy
+from jetbot_ros.master import NO_ANSWER, ask_master, is_reachable, master_uri
 
 CONFIRM_TIMEOUT = 2.0   # s for the robots
-MASTER_TIMEOUT = 2.0    # s for one answer of the master
 TIMEOUT = 8.0           # s for all: rospy waits forever for a master that freezes meanwhile
 SHUTDOWN_TIMEOUT = 1.0  # s for the end of this node
 SWITCH = "If a robot moves, use its switch."
@@ -43,7 +41,7 @@ def check_master() -> None:
     if not is_reachable(master_uri()):
         sys.exit(f"No ROS master at {master_uri()}, so no robot can be reached. {SWITCH}")
     try:
-        proxy(master_uri(), MASTER_TIMEOUT).getPid("/emergency_stop")
+        ask_master("getPid")
     except NO_ANSWER:
         no_answer()
 

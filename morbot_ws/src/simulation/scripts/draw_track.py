@@ -18,15 +18,12 @@ try:
 
     from jetbot import files
     from jetbot.text import printable
-    from jetbot_ros.addresses import master_uri
-    from jetbot_ros.master import require_master
-    from jetbot_ros.xmlrpc import NO_ANSWER, proxy
+    from jetbot_ros.master import NO_ANSWER, ask_master, master_uri, require_master
     from simulation.recording import Recording, read_bag, record
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun simulation draw_track.py there.")
 
 MAX_SECONDS = 3600
-ANSWER_TIMEOUT = 2.0  # s, of the master
 
 
 def duration(text: str) -> float:
@@ -57,7 +54,7 @@ def parse_arguments() -> argparse.Namespace:
 def advice(odom: str) -> str:
     """Return why no odometry arrives on this topic, and what to do."""
     try:
-        topics = dict(proxy(master_uri(), ANSWER_TIMEOUT).getPublishedTopics("/draw_track", "")[2])
+        topics = dict(ask_master("getPublishedTopics", ""))
     except NO_ANSWER:
         return f"The ROS master at {master_uri()} does not answer. Is it frozen (Ctrl-Z)? Continue it with fg."
     if odom in topics:

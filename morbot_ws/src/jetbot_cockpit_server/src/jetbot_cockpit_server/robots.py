@@ -8,9 +8,7 @@ from typing import Dict, Optional, Set
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 
-from jetbot_ros.addresses import master_uri
-from jetbot_ros.registration import register
-from jetbot_ros.xmlrpc import NO_ANSWER, proxy
+from jetbot_ros.master import NO_ANSWER, register, system_state
 
 from .emergency import EmergencySwitch
 from .frames import Frames
@@ -19,7 +17,6 @@ from .robot_topics import CONTROLLER, SIMULATOR_RESET, RobotTopics
 from .view import Snapshot
 
 POLL_INTERVAL = 1.0   # s between two questions to the master
-TIMEOUT = 2.0         # s for its answer
 MASTER_TIMEOUT = 4.0  # s without an answer until the master counts as gone
 STATUS = re.compile(rf"(?=.{{1,100}}$)((?:/[A-Za-z]\w*)*){CONTROLLER}/status", re.ASCII)
 STOP_TOPIC = "/emergency_stop"  # of all robots
@@ -61,10 +58,9 @@ class Robots:
             self._robots[robot].forget_result()
 
     def _run(self):
-        master = proxy(master_uri(), TIMEOUT)
         while not rospy.is_shutdown():
             try:
-                publishers, _, services = map(dict, master.getSystemState(rospy.get_name())[2])
+                publishers, _, services = system_state()
                 self._answered_at = time.monotonic()
                 if rospy.get_name() not in publishers.get(STOP_TOPIC, ()):
                     register()  # the master was restarted

@@ -13,7 +13,7 @@ from jetbot.boards import find_board
 from jetbot.lock import lock_board
 from jetbot.supply import find_supply
 from jetbot_ros.command_line import private_parameters
-from jetbot_ros.registration import is_registered, register
+from jetbot_ros.master import is_registered, register
 
 from . import watch
 from .notes import Observer

@@ -13,7 +13,7 @@ import rospy
 from rospy.topics import get_topic_manager
 
 from jetbot.wait import wait_until
-from jetbot_ros.xmlrpc import NO_ANSWER, proxy
+from jetbot_ros.master import NO_ANSWER, proxy
 
 from .safety import Sender
 from .supervisor import Supervisor

@@ -7,7 +7,7 @@ from typing import Callable
 from jetbot import JetbotError
 from jetbot_ros.holds import NO_MASTER, SUSPENDED, Hold
 from jetbot_ros.launcher import Launcher
-from jetbot_ros.xmlrpc import NO_ANSWER
+from jetbot_ros.master import NO_ANSWER
 
 from .supervisor import Supervisor
 

@@ -4,8 +4,7 @@ import time
 from threading import Thread
 from typing import Callable
 
-from jetbot_ros.addresses import is_reachable, master_uri
-from jetbot_ros.xmlrpc import NO_ANSWER
+from jetbot_ros.master import NO_ANSWER, is_reachable, master_uri
 
 from . import Problem
 from .nodes import CALLER, answer_in_time, connect

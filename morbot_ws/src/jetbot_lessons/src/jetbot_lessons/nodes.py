@@ -11,8 +11,8 @@ from xmlrpc.client import ServerProxy
 
 import rosgraph
 
+from jetbot_ros.master import NO_ANSWER, proxy
 from jetbot_ros.ports import processes_on
-from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 CALLER = "/check_lesson"
 TIMEOUT = 2.0  # s for a node to answer

@@ -1,55 +1,155 @@
-"""What a program asks the ROS master when it starts, with a time limit: rospy would wait forever."""
+"""All questions to the ROS master and to nodes, each with a time limit: rospy would wait forever. Quick to import."""
 
+import io
+import os
 import socket
 import sys
-from typing import Optional
+from http.client import HTTPException
+from typing import Any, Dict, List, Optional
+from urllib.parse import urlsplit
+from xml.parsers.expat import ExpatError
+from xmlrpc.client import Error, ServerProxy, Transport
 
-from .addresses import is_reachable, master_uri
-from .xmlrpc import NO_ANSWER, proxy
-
-TIMEOUT = 5.0  # s for an answer
+TIMEOUT = 2.0             # s for an answer
+MAX_ANSWER = 1024 * 1024  # bytes
+CALLER = "/morbot"
+ALIVE, FROZEN = "is already running", "is already running, but frozen (Ctrl-Z?)"
+# Raised by a question to what hangs (socket.timeout), is gone, refuses (LookupError), or is no ROS program at all.
+NO_ANSWER = (OSError, HTTPException, Error, ExpatError, ValueError, TypeError, LookupError)
 SECOND_ONE = {  # by the last part of a node's name: what to do instead of starting a second one
     "jetbot_cockpit": "Its page has all robots of this ROS master.",
     "jetbot_controller": "A second robot is launched with robot_name:=NAME, in a <group ns> of yours with "
                          "namespace:=NAME."}
-CALLER = "/jetbot_start"
-ALIVE, FROZEN = "is already running", "is already running, but frozen (Ctrl-Z?)"
+_master = None
 
 
-def require_master(start: str = "roscore") -> None:
-    """End the program with one sentence if no ROS master answers. start: the command that starts one."""
-    uri = master_uri()
+class BoundedTransport(Transport):
+    """Gives up on what sends nothing for ``timeout`` seconds, or more than ``MAX_ANSWER``."""
+
+    accept_gzip_encoding = False
+
+    def __init__(self, timeout: float):
+        super().__init__()
+        self._timeout = timeout
+
+    def make_connection(self, host):
+        connection = super().make_connection(host)
+        connection.timeout = self._timeout
+        return connection
+
+    def parse_response(self, response):
+        return super().parse_response(io.BytesIO(response.read(MAX_ANSWER)))
+
+
+def proxy(uri: str, timeout: float = TIMEOUT) -> ServerProxy:
+    """Return the master, node or roslaunch at this address; a call of it raises NO_ANSWER. For one thread."""
+    return ServerProxy(uri, BoundedTransport(timeout))
+
+
+def master_uri() -> str:
+    """Return the master's address."""
+    typed = [argument.partition(":=")[2] for argument in sys.argv if argument.startswith("__master:=")]
+    return (typed or [os.environ.get("ROS_MASTER_URI")])[0] or "http://localhost:11311"
+
+
+def is_reachable(uri: str) -> bool:
+    """Return whether a process, which may be frozen, listens at this address."""
     try:
-        proxy(uri, TIMEOUT).getPid(CALLER)
-    except socket.timeout:
-        sys.exit(f"The ROS master at {uri} does not answer. Is it frozen (Ctrl-Z)? Continue it with fg, or restart it.")
-    except NO_ANSWER:
-        sys.exit(f"No ROS master at {uri}. Start one in another terminal: {start}")
+        address = urlsplit(uri)
+        socket.create_connection((address.hostname, address.port), TIMEOUT).close()
+    except (OSError, ValueError):
+        return False
+    return True
 
 
-def require_name(name: str) -> None:
-    """End the program with one sentence if a node with this name, such as /jetbot_controller, already runs.
+def ask(server: ServerProxy, method: str, *arguments) -> Any:
+    """Return the answer to a call of ROS's master or slave API; raise NO_ANSWER."""
+    code, message, value = getattr(server, method)(CALLER, *arguments)
+    if code != 1:
+        raise LookupError(message)
+    return value
 
-    The master also lists nodes that have died; of two that live, it would end the first.
+
+def ask_master(method: str, *arguments) -> Any:
+    """Return the master's answer; raise NO_ANSWER."""
+    return ask(proxy(master_uri()), method, *arguments)
+
+
+def system_state() -> List[Dict[str, List[str]]]:
+    """Return the nodes of each topic that is published, of each that is subscribed to, of each service.
+
+    Those that have died are still among them. Raise NO_ANSWER.
     """
-    condition = condition_of(name)
-    if condition:
-        advice = SECOND_ONE.get(name.rpartition("/")[2], "")
-        sys.exit(f"The node {name} {condition}. End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C. "
-                 f"{advice}".rstrip())
+    return [dict(part) for part in ask_master("getSystemState")]
 
 
-def condition_of(name: str) -> Optional[str]:
-    """Return whether the node with this name is ALIVE or FROZEN, or None if it has ended; raise NO_ANSWER."""
-    code, _, uri = proxy(master_uri(), TIMEOUT).lookupNode(CALLER, name)
-    return condition_at(uri, name) if code == 1 and is_reachable(uri) else None
-
-
-def condition_at(uri: str, name: str) -> Optional[str]:
-    """Return whether the node that was at this address is ALIVE or FROZEN, or None if it has ended."""
+def address_of(node: str) -> Optional[str]:
+    """Return where a node is, or was, None if the master does not know it; raise NO_ANSWER."""
     try:
-        return ALIVE if proxy(uri, TIMEOUT).getName(CALLER)[2] == name else None  # else another program has its port
+        return ask_master("lookupNode", node)
+    except LookupError:
+        return None
+
+
+def condition_of(node: str) -> Optional[str]:
+    """Return whether the node is ALIVE or FROZEN, or None if it has ended; raise NO_ANSWER for the master."""
+    uri = address_of(node)
+    if not uri or not is_reachable(uri):
+        return None
+    try:
+        return ALIVE if ask(proxy(uri), "getName") == node else None  # else another program has its port
     except socket.timeout:
         return FROZEN
     except NO_ANSWER:
         return None
+
+
+def require_master(start: str = "roscore") -> None:
+    """End the program with one sentence if no ROS master answers. start: the command that starts one."""
+    try:
+        ask_master("getPid")
+    except socket.timeout:
+        sys.exit(f"The ROS master at {master_uri()} does not answer. Is it frozen (Ctrl-Z)? Continue it with fg, or "
+                 "restart it.")
+    except NO_ANSWER:
+        sys.exit(f"No ROS master at {master_uri()}. Start one in another terminal: {start}")
+
+
+def require_name(node: str) -> None:
+    """End the program with one sentence if a node with this name, such as /jetbot_controller, already runs.
+
+    Of two that live, the master would end the first.
+    """
+    condition = condition_of(node)
+    if condition:
+        advice = SECOND_ONE.get(node.rpartition("/")[2], "")
+        sys.exit(f"The node {node} {condition}. End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C. "
+                 f"{advice}".rstrip())
+
+
+def is_registered() -> bool:
+    """Return whether the master knows this node; raise NO_ANSWER. For one thread."""
+    import rospy  # here: it takes long
+    global _master
+    _master = _master or proxy(master_uri())  # keeps its connection
+    try:
+        return ask(_master, "lookupNode", rospy.get_name()) == rospy.get_node_uri()
+    except LookupError:
+        return False
+
+
+def register() -> None:
+    """Register all topics and services of this node; wait until the master answers. Raise NO_ANSWER.
+
+    A node that has taken this one's name meanwhile keeps it.
+    """
+    import rospy  # here: it takes long
+    from rospy.impl import registration
+    if condition_of(rospy.get_name()):
+        return
+    topics, services = registration.get_topic_manager(), registration.get_service_manager()
+    for kind, items in ((registration.Registration.PUB, topics.get_publications()),
+                        (registration.Registration.SUB, topics.get_subscriptions()),
+                        (registration.Registration.SRV, services.get_services())):
+        for name, type_or_uri in items:
+            registration.get_registration_listeners().notify_added(name, type_or_uri, kind)

@@ -12,8 +12,8 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C reaches this process too,
 import os
 import sys
 
-from .addresses import is_reachable, master_uri
 from .launch_arguments import argument_problem
+from .master import is_reachable, master_uri
 from .roslaunch_command import end_roslaunch, parent_words, parse
 
 READING_TIMEOUT = 5.0  # s for the launch files; then nothing is refused

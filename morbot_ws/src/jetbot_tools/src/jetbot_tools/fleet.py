@@ -6,13 +6,11 @@ import rospy
 from std_msgs.msg import Bool, String
 
 from jetbot.wait import wait_until
-from jetbot_ros.addresses import is_reachable, master_uri
 from jetbot_ros.holds import EMERGENCY_STOP
-from jetbot_ros.xmlrpc import proxy
+from jetbot_ros.master import address_of, is_reachable, system_state
 
 TOPIC = "/emergency_stop"
 ASK_INTERVAL = 0.05  # s between two questions to the master
-TIMEOUT = 2.0        # s for an answer of the master
 
 
 class Fleet:
@@ -22,7 +20,6 @@ class Fleet:
         self._engaged = engaged
         self._publisher = rospy.Publisher(TOPIC, Bool, queue_size=1, latch=True)  # for robots that join meanwhile too
         self._publisher.publish(engaged)
-        self._master = proxy(master_uri(), TIMEOUT)
         self._subscribers = {}
         self.statuses: Dict[str, str] = {}  # of each robot's node, "" until it arrives
 
@@ -41,13 +38,13 @@ class Fleet:
     def remove_dead(self) -> None:
         """Remove the silent nodes that have ended, and are only still registered with the master."""
         for name in [name for name, status in self.statuses.items() if not status]:
-            code, _, uri = self._master.lookupNode(rospy.get_name(), name)
-            if code != 1 or not is_reachable(uri):
+            uri = address_of(name)
+            if not uri or not is_reachable(uri):
                 del self.statuses[name]
 
     def _find_robots(self):
         """Subscribe to the status of new robots; return all statuses."""
-        publishers, subscribers, _ = map(dict, self._master.getSystemState(rospy.get_name())[2])
+        publishers, subscribers, _ = system_state()
         for name in subscribers.get(TOPIC, ()):
             if name in publishers.get(f"{name}/status", ()) and name not in self._subscribers:
                 self.statuses[name] = ""

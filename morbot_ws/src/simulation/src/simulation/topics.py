@@ -7,15 +7,13 @@ from nav_msgs.msg import Odometry
 from sensor_msgs.msg import JointState
 from tf2_msgs.msg import TFMessage  # without tf2_ros, which takes 5 MB
 
-from jetbot_ros.addresses import is_reachable, master_uri
+from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 from jetbot_ros.messages import frame_name, joint_states, odometry, transform
-from jetbot_ros.xmlrpc import NO_ANSWER, proxy
 
 from .diff_drive import DiffDriveModel, Pose
 
 TOPICS = {"odom": Odometry, "joint_states": JointState}
 POLL_INTERVAL = 1.0   # s between two looks at who publishes them; with many robots, each is work for the master
-ANSWER_TIMEOUT = 1.0  # s, of the master
 
 
 class SharedTopics:
@@ -65,12 +63,12 @@ class SharedTopics:
 def published_by_others() -> Set[str]:
     """Return which of TOPICS another node publishes; none while the master does not answer.
 
-    The master still lists a node that was killed, but that one is not reachable.
+    The master still lists a node that was killed, but that one has ended.
     """
-    master, name = proxy(master_uri(), ANSWER_TIMEOUT), rospy.get_name()
+    name = rospy.get_name()
     try:
-        publishers = dict(master.getSystemState(name)[2][0])
+        publishers, _, _ = system_state()
         return {topic for topic in TOPICS for other in publishers.get(rospy.resolve_name(topic), ())
-                if other != name and is_reachable(master.lookupNode(name, other)[2])}
+                if other != name and condition_of(other)}
     except NO_ANSWER:
         return set()

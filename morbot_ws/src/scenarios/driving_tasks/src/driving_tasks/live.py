@@ -9,9 +9,7 @@ import rospy
 
 from jetbot import InvalidValue, JetbotError, files
 from jetbot.wait import wait_until
-from jetbot_ros.master import condition_of, require_master
-from jetbot_ros.registration import is_registered
-from jetbot_ros.xmlrpc import NO_ANSWER
+from jetbot_ros.master import NO_ANSWER, condition_of, is_registered, require_master
 
 from .attempt import Attempt
 from .bag_writer import BagWriter

@@ -4,7 +4,7 @@ import contextlib
 import re
 from collections import deque
 from threading import Thread
-from typing import Dict, Iterator, List, Optional, Sequence
+from typing import Iterator, List, Optional, Sequence
 
 import rospy
 from nav_msgs.msg import Odometry
@@ -15,15 +15,12 @@ from visualization_msgs.msg import MarkerArray
 from jetbot import InvalidValue
 from jetbot.kinematics import Pose
 from jetbot.text import enumeration, printable
-from jetbot_ros.addresses import master_uri
 from jetbot_ros.holds import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
-from jetbot_ros.master import condition_of
-from jetbot_ros.xmlrpc import NO_ANSWER, proxy
+from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 
 from .bags import sample_of
 
 SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
-MASTER_TIMEOUT = 5.0  # s
 STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 MOVES = 3             # samples in motion until a robot drives; one that is put elsewhere has one
@@ -55,11 +52,6 @@ def simulated_robots() -> List[str]:
     """Return the namespaces of all simulated robots that run on the master; raise NO_ANSWER."""
     services = [SIMULATOR.fullmatch(name) for name in system_state()[2]]
     return sorted(match[1] for match in services if match and condition_of(f"{match[1]}/jetbot_simulator"))
-
-
-def system_state() -> List[Dict[str, List[str]]]:
-    """Return the nodes of each topic that is published, of each that is subscribed to, of each service."""
-    return [dict(part) for part in proxy(master_uri(), MASTER_TIMEOUT).getSystemState("/judge")[2]]
 
 
 def label(namespace: str) -> str:

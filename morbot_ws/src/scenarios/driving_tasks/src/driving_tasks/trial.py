@@ -16,7 +16,7 @@ from roslib.packages import find_node
 
 from jetbot.text import enumeration, printable
 from jetbot.wait import wait_until
-from jetbot_ros.addresses import is_reachable
+from jetbot_ros.master import is_reachable
 
 from .attempt import INVITATION, Attempt
 from .contained import end_program, program_limiter, running_children, start
