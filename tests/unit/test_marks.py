@@ -6,10 +6,12 @@ import os
 
 import pytest
 
-from driving_tasks import marks, walk
+from driving_tasks import marks
 from driving_tasks.samples import Sample
 from driving_tasks.score import judge
+from driving_tasks.sources.folders import find_files
 from driving_tasks.tasks import TASKS
+from jetbot import InvalidValue
 from jetbot.kinematics import Pose
 
 DRIVE = [Sample(time / 50, Pose(min(1.0, max(0.0, time - 50) * 0.006), 0.0, 0.0), 0.3) for time in range(600)]
@@ -35,39 +37,27 @@ def test_no_name_is_a_formula_or_a_second_line(tmp_path, name, cell):
     assert list(csv.reader(io.StringIO(content.decode("utf-8-sig")))) == [["name", "problem"], [cell, ""]]
 
 
-def names(found, root):
-    return [(str(each.path.relative_to(root)), each.problem) for each in found]
-
-
 def test_files_of_a_folder_in_order(tmp_path):
-    for name in ("b.bag", "a/2.bag", "a/1.bag", "notes.txt", "c.bag/d.bag"):
+    for name in ("b.bag", "a/2.bag", "a/1.bag", "notes.txt", "c.bag/d.bag", "c.bag/setup.bag"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).touch()
     (tmp_path / "link.bag").symlink_to("/dev/zero")
-    (tmp_path / "links").symlink_to("/")
+    (tmp_path / "links.bag").symlink_to("/")
     os.mkfifo(tmp_path / "pipe.bag")
-    assert names(walk.find_files(tmp_path, ".bag"), tmp_path) == [
+    link = "It is a link: hand in the file itself."
+    assert [(file.name, file.problem) for file in find_files(tmp_path, ".bag", without=("setup.bag",))] == [
         ("a/1.bag", ""), ("a/2.bag", ""), ("b.bag", ""), ("c.bag/d.bag", ""),
-        ("link.bag", "It is a link: hand in the file itself."), ("pipe.bag", "It is not a regular file.")]
+        ("link.bag", link), ("links.bag", link), ("pipe.bag", "It is not a regular file.")]
 
 
-def test_too_many_files_and_folders(tmp_path, monkeypatch):
-    monkeypatch.setattr(walk, "MAX_FILES", 2)
-    (tmp_path / "/".join("deep folders within folders, one in another".split())).mkdir(parents=True)
-    (tmp_path / "deep/folders/within/folders,/one/in/another/last").mkdir()
-    (tmp_path / "deep/x.bag").touch()
-    found = names(walk.find_files(tmp_path, ".bag"), tmp_path)
-    assert found == [("deep/folders/within/folders,/one/in/another/last", "It is more than 8 folders deep."),
-                     ("deep/x.bag", "")]
-    for name in "yz":
-        (tmp_path / f"{name}.bag").touch()
-    assert names(walk.find_files(tmp_path, ".bag"), tmp_path)[2:] == [
-        (".", "It holds more than 2 files: only these are judged.")]
-    monkeypatch.setattr(walk, "MAX_ENTRIES", 3)
-    assert [each.problem for each in walk.find_files(tmp_path, ".bag")] == [
-        "There are more than 3 files and folders: the others are left out."]
-
-
-def test_a_folder_that_cannot_be_opened(tmp_path):
-    assert walk.find_files(tmp_path / "gone", ".bag") == [
-        (tmp_path / "gone", "It cannot be opened: No such file or directory.")]
+def test_a_folder_that_is_too_deep_too_large_or_empty(tmp_path):
+    deep = tmp_path / "/".join("abcdefgh")
+    deep.mkdir(parents=True)
+    with pytest.raises(InvalidValue, match="There is no file that ends in .bag in "):
+        find_files(tmp_path / "a/b/c", ".bag")
+    assert [(file.path, file.problem) for file in find_files(tmp_path, ".bag")] == [
+        (deep, "It is more than 8 folders deep.")]
+    for number in range(1000):
+        (tmp_path / f"{number}.bag").touch()
+    *found, last = find_files(tmp_path, ".bag")
+    assert len(found) == 1000 and last.problem == "It holds more than 1,000 files: only these are judged."

@@ -5,11 +5,11 @@ from typing import Callable
 
 from catkin_pkg.package import InvalidPackage
 
-from driving_tasks import bounded
+from driving_tasks import contained
 
 from . import Problem
 
-LIMITS = bounded.Limits(memory=1000, cpu_time=10, wall_time=30)
+LIMITS = contained.Limits(memory=1000, cpu_time=10, wall_time=30)
 
 
 def limited(check: Callable[..., Problem], package: object, *arguments: object) -> Callable[[], Problem]:
@@ -18,7 +18,7 @@ def limited(check: Callable[..., Problem], package: object, *arguments: object) 
 
 
 def _run(check, package, *arguments):
-    outcome = bounded.run(_check, check, package, *arguments, limits=LIMITS)
+    outcome = contained.run(_check, check, package, *arguments, limits=LIMITS)
     return f"The files of {package} cannot be checked: {outcome.problem}" if outcome.problem else outcome.value
 
 

@@ -55,7 +55,7 @@ def judge(given: Namespace) -> Iterator[Mark]:
         from driving_tasks.bags import judge_bags  # here: each of these takes long to import
         return judge_bags(given.task, given.bag, given.robot[0] if given.robot else None, given.config)
     if given.program:
-        from driving_tasks.programs import judge_programs
+        from driving_tasks.sources.programs import judge_programs
         return judge_programs(given.task, given.program, given.config)
     from driving_tasks.live import judge_robots
     return judge_robots(given.task, given.robot, given.record)

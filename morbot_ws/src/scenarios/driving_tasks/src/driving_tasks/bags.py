@@ -11,18 +11,17 @@ import rosbag
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
-from jetbot.errors import InvalidValue
 from jetbot.text import enumeration, printable
 from jetbot_control_node import parameters
 from simulation.recording import MAGIC, pose_of
 
-from .bounded import run_each
+from . import contained
 from .marks import Mark
 from .replay import replay
 from .samples import Sample
 from .score import Result, judge
+from .sources.folders import find_files
 from .tasks import Task
-from .walk import Found, find_files, name_below
 
 MAX_SIZE = 200  # MB
 MAX_NAMES = 5   # of robots that a sentence lists
@@ -50,19 +49,12 @@ def judge_bags(task: Task, path: str, robot: Optional[str] = None, config: str =
 
     robot: its namespace, None for the only one in a bag; config: a file of the controller's parameters, for commands.
     """
-    settings, root = read_config(config), Path(path)
-    found = find_files(root, *SUFFIXES) if root.is_dir() else [Found(root)]
-    if not found:
-        raise InvalidValue(f"there is no file that ends in .bag in {path}")
-    outcomes = run_each(_judge, [(task, str(each.path), robot, settings) for each in found if not each.problem])
-    for each in found:
-        name = name_below(root, each.path)
-        if each.problem:
-            yield Mark(name, task.name, problem=each.problem)
-        else:
-            outcome = next(outcomes)
-            result, source = outcome.value or (None, "")
-            yield Mark(name, task.name, result, outcome.problem, source)
+    settings = read_config(config)
+    for file in find_files(Path(path), *SUFFIXES):
+        outcome = (contained.Outcome(problem=file.problem) if file.problem else
+                   contained.run(_judge, task, str(file.path), robot, settings))
+        result, source = outcome.value or (None, "")
+        yield Mark(file.name, task.name, result, outcome.problem, source)
 
 
 def judge_bag(task: Task, file: str, robot: Optional[str] = None, config: str = "") -> Mark:
