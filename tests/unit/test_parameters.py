@@ -78,7 +78,7 @@ def test_a_launch_argument_shows_its_row_and_is_empty_unless_typed(name):
 
 
 def test_the_launch_file_passes_every_parameter_on():
-    params = [param for param in LAUNCH.iter("param") if param.get("name") != "prelaunch"]  # passes nothing on
+    params = LAUNCH.findall(".//param")
     passed = {param.get("name"): param.get("value") for param in params}
     assert passed == {name: f"$(arg {name})" for name in (*PARAMETERS, "config")}
     assert all(set(param.attrib) == {"name", "value"} for param in params)

@@ -1,124 +1,98 @@
-"""./morbot run refuses mistyped words and a master that is none, and finds the reason why a node has ended."""
+"""./morbot run refuses mistyped words, a second start and another user's master, and then is roslaunch."""
 
-import contextlib
 import signal
 import socket
-import threading
-from types import SimpleNamespace
 
 import pytest
 
-import run
-from conftest import SIMULATION, SOURCE
-from jetbot_ros import launch_arguments
+pytest.importorskip("roslaunch")
+import run  # noqa: E402
 
 signal.signal(signal.SIGINT, signal.default_int_handler)  # which run changes
 
-LAUNCH = ["simulation", "simulation.launch", "motion:=true"]
+KNOWN = {"linear", "rviz", "i2c_bus"}
 
 
-@pytest.fixture(autouse=True)
-def packages(monkeypatch):
-    folders = {"simulation": SIMULATION, "jetbot_control_node": SOURCE,
-               "workshop": SOURCE.parent / "scenarios/workshop"}
-    monkeypatch.setattr(launch_arguments, "package_folder", lambda name: str(folders.get(name, "")))
+@pytest.mark.parametrize("word, sentence", [
+    ("lineer:=0.2", "there is no argument lineer. Did you mean linear:=0.2?"),
+    ("linear=0.2", "there is no argument linear=0.2. Did you mean linear:=0.2?"),
+    ("linear:0.2", "there is no argument linear:0.2. Did you mean linear:=0.2?"),
+    ("_i2c_bus:=fake", "there is no argument _i2c_bus. Did you mean i2c_bus:=fake?"),
+    ("linear", "there is no argument linear. Did you mean linear:=VALUE?"),
+    ("0.2", "there is no argument 0.2. An argument is NAME:=VALUE, without spaces, such as linear:=0.2"),
+    ("foo:=3", "there is no argument foo. An argument is NAME:=VALUE, without spaces, such as linear:=0.2")])
+def test_a_word_that_is_no_argument_is_refused_with_what_was_meant(word, sentence):
+    assert run.word_problem(["rviz:=no", word], KNOWN) == sentence
 
 
-@pytest.mark.parametrize("typed", [
-    "linear=0.2", "linear:0.2", "linear: =0.2", "linear :=0.2", "linear:= 0.2", "linear = 0.2", "linear 0.2",
-    "lineer=0.2"])
-def test_a_word_that_is_no_argument_is_refused_with_what_was_meant(typed):
-    assert run.word_problem([*LAUNCH, *typed.split()]) == (
-        f"morbot: there is no argument {typed}. Did you mean linear:=0.2?")
+@pytest.mark.parametrize("word", ["linear:=0.2", "linear:=", "__ns:=red"])
+def test_what_roslaunch_takes_is_not_refused(word):
+    assert run.word_problem([word], KNOWN) is None
 
 
-def test_only_the_word_that_is_wrong_is_named():
-    assert "no argument rviz=no. Did you mean rviz:=no?" in run.word_problem(
-        [*LAUNCH, "-p", "11312", "--screen", "linear:=0.2", "rviz=no"])
-    assert "no argument fast. An argument is name:=value" in run.word_problem([*LAUNCH, "fast"])
+def launch_file(tmp_path, content):
+    (tmp_path / "pupil.launch").write_text(f"<launch>{content}</launch>")
+    return str(tmp_path), str(tmp_path / "pupil.launch")
 
 
-@pytest.mark.parametrize("typed", ["", "linear:=0.2", "linear:=", "-p 11312 linear:=0.2", "--screen -v __ns:=red"])
-def test_what_roslaunch_takes_is_not_refused(typed):
-    assert run.word_problem([*LAUNCH, *typed.split()]) is None
+def test_the_names_are_those_of_all_files_that_are_read(tmp_path, monkeypatch):
+    monkeypatch.setenv("ROS_MASTER_URI", "http://localhost:1")
+    (tmp_path / "other.launch").write_text('<launch><arg name="board" default=""/></launch>')
+    _, file = launch_file(tmp_path, '<include file="$(dirname)/other.launch" pass_all_args="true"/>')
+    monkeypatch.setattr(run.roslaunch.rlutil, "resolve_launch_arguments", lambda words: [words[1]])
+    assert "Did you mean board:=x?" in run.problem_of("any", file, ["bord:=x"])
+    assert run.problem_of("any", file, ["board:=x"]) is None
 
 
-@pytest.mark.parametrize("uri", ["localhost:11311", "http://localhost", "11311", "http://localhost:x"])
-def test_an_address_that_is_none(monkeypatch, uri):
-    monkeypatch.setenv("ROS_MASTER_URI", uri)
-    assert run.master_problem("") == f"morbot: ROS_MASTER_URI must look like http://localhost:11311, not {uri}"
+@pytest.mark.parametrize("content, part", [("<arg", "Invalid roslaunch XML syntax"),
+                                           ('<include file="$(find no_such)/x.launch"/>', "the package no_such is ")])
+def test_a_launch_file_that_cannot_be_read_is_one_problem(tmp_path, monkeypatch, content, part):
+    monkeypatch.setattr(run.roslaunch.rlutil, "resolve_launch_arguments", lambda words: [words[1]])
+    assert part in run.problem_of("any", launch_file(tmp_path, content)[1], [])
 
 
-def answer_all(server, answer):
-    connections = []
-    with contextlib.suppress(OSError):  # the end of the test
-        while True:
-            connections.append(server.accept()[0])
-            connections[-1].sendall(answer)
-
-
-@pytest.mark.parametrize("answer, sentence", [
-    (b"", "the ROS master at http://localhost:{} does not answer. Is it frozen (Ctrl-Z)?"),
-    (b"SSH-2.0\r\n", "another program than a ROS master listens at http://localhost:{}.")], ids=["frozen", "other"])
-def test_a_master_that_does_not_answer(monkeypatch, answer, sentence):
-    monkeypatch.setattr(run, "MASTER_TIMEOUT", 1.0)
-    monkeypatch.setattr(run, "ENDING_TIMEOUT", 0.5)
+def test_a_master_of_another_user_is_named_with_the_export_that_helps(monkeypatch):
+    monkeypatch.delenv("ROS_MASTER_URI", raising=False)
+    monkeypatch.setattr(run, "processes_on", lambda port: [])
     with socket.create_server(("localhost", 0)) as server:
-        port = server.getsockname()[1]
-        if answer:
-            threading.Thread(target=answer_all, args=[server, answer], daemon=True).start()
-        assert sentence.format(port) in run.master_problem(str(port))
+        monkeypatch.setattr(run, "MASTER_PORT", server.getsockname()[1])
+        assert "another user's" in run.start_problem([]) and "export ROS_MASTER_URI=" in run.start_problem([])
+        monkeypatch.setenv("ROS_MASTER_URI", "http://localhost:1")
+        assert run.start_problem([]) is None, "the master that is asked for is used"
 
 
-def test_a_master_that_is_just_ending_is_no_problem(monkeypatch):
-    server = socket.create_server(("localhost", 0))
-    port = server.getsockname()[1]
-    threading.Thread(target=answer_all, args=[server, b"\r\n"], daemon=True).start()
-    monkeypatch.setattr(run, "is_master", lambda uri: server.shutdown(socket.SHUT_RDWR) or server.close())
-    assert run.master_problem(str(port)) is None
+def test_a_node_that_runs_is_refused(monkeypatch):
+    monkeypatch.setattr(run, "is_others_master", lambda: False)
+    monkeypatch.setattr(run, "is_reachable", lambda uri: True)
+    monkeypatch.setattr(run, "require_master", lambda: None)
+
+    def require_name(name):
+        if name == "/jetbot_controller":
+            raise SystemExit("it runs")
+
+    monkeypatch.setattr(run, "require_name", require_name)
+    assert run.start_problem(["/jetbot_simulator", "/jetbot_controller"]) == "it runs"
+    assert run.start_problem(["/jetbot_simulator"]) is None
 
 
 def test_a_file_is_named_by_its_whole_path(monkeypatch, tmp_path):
     (tmp_path / "my.yaml").touch()
     monkeypatch.chdir(tmp_path)
     words = ["config:=my.yaml", "config:=none.yaml", "linear:=0.2"]
-    assert list(map(run.with_whole_path, words)) == [f"config:={tmp_path}/my.yaml", *words[1:]]
+    assert list(map(run.whole_path, words)) == [f"config:={tmp_path}/my.yaml", *words[1:]]
 
 
-def test_the_reason_of_a_node_is_the_last_fatal_line_of_this_start(tmp_path):
-    launch = pytest.importorskip("launch")  # it needs ROS
-    log = tmp_path / "node.log"
-    fatal = "[rosout][CRITICAL] 2020-01-01 12:00:00,000: {}\n"
-    start = "[rospy.client][INFO] 2020-01-01 12:00:00,000: init_node, name[/jetbot_controller], pid[{}]\n"
-    log.write_text(start.format(1) + fatal.format("old") + start.format(2))
-    process = SimpleNamespace(args=["node.py", f"__log:={log}"], pid=2)
-    assert launch.fatal_line(process) is None
-    with log.open("a") as file:
-        file.write(fatal.format("There is no I2C bus /dev/i2c-7: what now?") + "[rospy.core][INFO] the end\n")
-    assert launch.fatal_line(process) == "There is no I2C bus /dev/i2c-7: what now?"
-    assert launch.fatal_line(SimpleNamespace(args=["node.py"], pid=2)) is None
-
-
-@pytest.mark.parametrize("error, interrupted, code", [
-    (BrokenPipeError(), False, 141), (RuntimeError("could not contact master"), True, 130)])
-def test_a_start_that_is_cut_short_ends_without_a_traceback(error, interrupted, code):
-    launch = pytest.importorskip("launch")
-    with pytest.raises(SystemExit) as end, launch.quiet_end(lambda: interrupted):
-        raise error
-    assert end.value.code == code
-
-
-def test_a_start_that_fails_by_itself_is_reported():
-    launch = pytest.importorskip("launch")
-    with pytest.raises(RuntimeError), launch.quiet_end(lambda: False):
-        raise RuntimeError
-
-
-def test_the_page_of_the_cockpit_gets_the_first_port_that_is_free(monkeypatch):
+def test_then_it_is_roslaunch_and_the_cockpits_page_gets_the_first_free_port(monkeypatch):
+    started = []
+    monkeypatch.setattr(run.sys, "argv", ["run.py"])
+    monkeypatch.setattr(run, "problem_of", lambda *_: None)
+    monkeypatch.setattr(run.os, "execvp", lambda *arguments: started.append(arguments))
     with socket.create_server(("localhost", 0)) as other:
         taken = other.getsockname()[1]
         monkeypatch.setattr(run, "PORTS", range(taken, taken + 100))
-        chosen, = run.cockpit_port([("linear", "0.2"), ("cockpit_port", "")])
-        assert taken < int(chosen.partition(":=")[2]) < taken + 100
-    assert run.cockpit_port([]) == [f"cockpit_port:={taken}"]
-    assert run.cockpit_port([("cockpit_port", "9000")]) == []
+        run.main("simulation", "simulation.launch", "linear:=1")
+        run.main("simulation", "simulation.launch", "cockpit_port:=9000")
+    (program, words), (_, typed) = started
+    assert program == "roslaunch" and words[:-1] == ["roslaunch", "simulation", "simulation.launch", "linear:=1"]
+    assert taken < int(words[-1].partition(":=")[2]) < taken + 100
+    assert typed[3:] == ["cockpit_port:=9000"]

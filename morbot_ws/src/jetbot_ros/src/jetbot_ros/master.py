@@ -18,8 +18,7 @@ ALIVE, FROZEN = "is already running", "is already running, but frozen (Ctrl-Z?)"
 NO_ANSWER = (OSError, HTTPException, Error, ExpatError, ValueError, TypeError, LookupError)
 SECOND_ONE = {  # by the last part of a node's name: what to do instead of starting a second one
     "jetbot_cockpit": "Its page has all robots of this ROS master.",
-    "jetbot_controller": "A second robot is launched with robot_name:=NAME, in a <group ns> of yours with "
-                         "namespace:=NAME."}
+    "jetbot_controller": "A second robot is launched with robot_name:=NAME."}
 _master = None
 
 
