@@ -10,7 +10,7 @@ from processes import end_on_sigterm  # noqa: E402
 
 BEHAVIOURS = "tests/ros/test_rostests.py"
 LONGEST = [  # the longest first; as each process is given two at once, the seventh waits for the first
-    "test_your_own_package_and_the_other_pages", "test_rostest[calibration_squares]", "test_first_lessons",
+    "test_your_own_package_and_the_other_pages", "test_first_lessons",
     "test_rostest[check_lesson]", "test_rostest[workshop]", "test_rostest[emergency_stop]",
     "test_rostest[calibration]", "test_rostest[standing_order]", "test_rostest[diagnostics]",
     "test_rostest[stop_at_shutdown]", "test_rostest[simulator]", "test_rostest[cockpit_launch]",

@@ -1,20 +1,20 @@
 """What the tests of the doctor share: a bare computer, and its lines."""
 
 from jetbot import host, i2c, supply
-from jetbot_tools import doctor, probe
+from jetbot_tools.doctor import checkup, computer
 
 
 def lines(bus=None, port=None, address=None, board=""):
     """Return the doctor's lines."""
-    return [str(check) for check in doctor.run_checks(bus, port, address, board)]
+    return [str(check) for check in checkup.run_checks(bus, port, address, board)]
 
 
 def make_bare(monkeypatch, tmp_path):
     """Make this a computer with one package and no device, whose ROS home is this folder."""
-    monkeypatch.setattr(doctor, "MODULES", ["json"])
-    monkeypatch.setattr(doctor, "DEFAULT_PORT", "/dev/nowhere")
+    monkeypatch.setattr(checkup, "MODULES", ["json"])
+    monkeypatch.setattr(checkup, "DEFAULT_PORT", "/dev/nowhere")
     monkeypatch.setattr(host, "buses", lambda: [])
-    monkeypatch.setattr(probe, "is_free", lambda port: True)
+    monkeypatch.setattr(computer, "is_free", lambda port: True)
     monkeypatch.setattr(host, "model", lambda: "")
     monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
     monkeypatch.setattr(supply, "on_computer", lambda sysfs: [])

@@ -6,7 +6,7 @@ import pytest
 from examined import lines, make_bare
 
 from jetbot import host, i2c
-from jetbot_tools import doctor, probe
+from jetbot_tools.doctor import checkup, motor_board
 
 PCA9685 = {0x00: 0x11, 0x01: 0x04, 0x02: 0xE2, 0x03: 0xE4, 0x04: 0xE8}
 SCMD = {0x01: 0xA9}
@@ -65,7 +65,7 @@ def test_a_board_at_an_address_that_its_jumpers_select(plug_in, address, chip, b
     (0x40, "board:=waveshare_hat"), (0x41, "board:=waveshare_hat i2c_address:=0x41")])
 def test_what_may_be_a_servo_board_is_offered_on_one_condition(plug_in, address, command):
     plug_in({address: PCA9685})
-    *_, chip, robot = doctor.run_checks(1)
+    *_, chip, robot = checkup.run_checks(1)
     assert str(chip).endswith(" A servo board answers in the same way: do not drive that.")
     condition = f"the chip at 0x{address:02x} is Waveshare's Motor Driver HAT and no servo board"
     assert str(robot) == f"NOT robot: could drive if {condition}. Start it with: {LAUNCH} {command}"
@@ -78,7 +78,7 @@ def test_what_may_be_a_servo_board_is_offered_on_one_condition(plug_in, address,
     ("waveshare_hat", 0x40, True), ("adafruit", 0x40, True), ("adafruit", 0x60, False), ("waveshare_hat", 0x61, False)])
 def test_what_may_be_a_servo_board_is_marked_whatever_board_is_tried_there(plug_in, board, address, uncertain):
     plug_in({0x40: PCA9685, 0x60: PCA9685, 0x61: PCA9685})
-    check = probe.check_board(board, 1, "", address)
+    check = motor_board.check_board(board, 1, "", address)
     assert check.ok and bool(check.condition) == uncertain
 
 

@@ -11,7 +11,7 @@ from jetbot.fake.motors import ROBOTS
 from jetbot_control_node import dead_reckoning, ramp
 from jetbot_control_node.parameters import load
 from jetbot_ros.parameters import check_values
-from jetbot_tools import calibration
+from jetbot_tools.calibration import corrections
 from simulation.parameters import PARAMETERS, fake_folder, resolve
 
 BODY = SIMULATION / "config/jetbot.yaml"
@@ -77,7 +77,7 @@ def test_the_file_of_the_body_shows_each_default_with_its_unit_and_meaning():
 def test_the_controller_assumes_the_same_size():
     controller = load(SOURCE / "config/si_units.yaml")
     assert all(controller[name] == SIZE[name] for name in ("wheel_separation", "max_speed"))
-    assert calibration.WHEEL_SEPARATION == ramp.WHEEL_SEPARATION == SIZE["wheel_separation"]
+    assert corrections.WHEEL_SEPARATION == ramp.WHEEL_SEPARATION == SIZE["wheel_separation"]
     assert dead_reckoning.WHEEL_RADIUS == SIZE["wheel_diameter"] / 2
 
 

@@ -9,7 +9,7 @@ import pytest
 from jetbot import BusError, i2c
 from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.motors import wheel_speeds
-from jetbot_tools import probe
+from jetbot_tools.doctor import motor_board
 
 smbus2 = pytest.importorskip("smbus2.smbus2")
 
@@ -69,7 +69,7 @@ def test_a_chip_that_a_kernel_driver_holds_is_left_to_it(kernel, monkeypatch):
 
     monkeypatch.setattr(smbus2, "ioctl", ioctl)
     monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
-    check = probe.check_chip(1, 0x40)
+    check = motor_board.check_board("waveshare_hat", 1, "")
     assert (check.ok, check.finding) == (False, "0x40 on /dev/i2c-1 is in use by a kernel driver")
 
 

@@ -1,13 +1,13 @@
-"""The questions with a tape measure, answered for a simulated robot with unequal wheels."""
+"""The questions with a tape measure, answered for a simulated robot with unequal wheels; and how far motions reach."""
 
 import math
 
 import pytest
 
 from jetbot.kinematics import clamp, mix
-from jetbot_tools import tape_measure
-from jetbot_tools.calibration import ALPHAS
-from jetbot_tools.motions import steady
+from jetbot_tools.calibration import tape_measure
+from jetbot_tools.calibration.corrections import ALPHAS
+from jetbot_tools.calibration.motions import STEP, constant_speed, gentle, spin
 from simulation.diff_drive import Motor, Pose
 
 SEPARATION = 0.1125 * 1.08
@@ -23,7 +23,7 @@ class Person:
         self.offers, self.ended = [], []
 
     def drive(self, announcement, motion):
-        """Drive as Wizard.drive does: note where the robot ends; return a step if a key stops it."""
+        """Drive as Wizard.drive_until_key does: note where the robot ends; return a step if a key stops it."""
         if self.stops:
             self.stops -= 1
             return motion[0]
@@ -80,24 +80,16 @@ def test_two_rounds_of_squares_close_them(measure, skips):
 def test_commands_are_metres_and_radians_when_slow_too(measure, min_duty, metres, radians):
     person = measure(rounds=2, min_duty=min_duty)
     separation, max_speed = person.parameters["wheel_separation"], person.parameters["max_speed"]
-    person.drive("", steady(*mix(metres, radians, separation, max_speed), 2.0))
+    person.drive("", constant_speed(*mix(metres, radians, separation, max_speed), 2.0))
     rolled = person.ended[-1] / 100, person.rotation / SEPARATION
     assert rolled == pytest.approx((2 * metres, 2 * radians), rel=0.02, abs=0.01)
 
 
-def test_a_robot_stays_straight_without_its_min_duty():
-    parameters = {"left_motor_alpha": 0.9, "right_motor_alpha": 1.0, "min_duty": 0.1}
-    left, right = (0.1 + 0.9 * parameters[name] * 0.4 for name in ALPHAS)
-    tape_measure.obey_metres(parameters, 0.25)
-    assert [parameters[name] for name in ALPHAS] == pytest.approx([left / right, 1.0], rel=1e-3)
-    assert parameters["max_speed"] == pytest.approx(0.25 / right, rel=1e-3)
-
-
 def test_without_squares_the_robot_drives_and_turns_as_far_as_it_should(measure):
     person = measure()
-    person.drive("", tape_measure.gentle(0.4, 0.4, 2 / 0.4 / person.parameters["max_speed"], 0.0))
+    person.drive("", gentle(0.4, 0.4, 2 / 0.4 / person.parameters["max_speed"], 0.0))
     assert person.ended[-1] == pytest.approx(200, rel=0.03)
-    person.drive("", tape_measure.spin(math.pi, person.parameters))
+    person.drive("", spin(math.pi, person.parameters))
     assert person.rotation / SEPARATION == pytest.approx(math.pi, rel=0.03)
 
 
@@ -107,18 +99,44 @@ def test_enter_alone_skips(measure, skips, measured):
     assert measure(skips=skips).parameters.keys() - set(ALPHAS) == measured
 
 
-@pytest.mark.parametrize("rounds", [0, 1])
-def test_a_motion_that_is_stopped_is_offered_again(measure, rounds, capsys):
-    person = measure(stops=1, rounds=rounds)
+def test_a_motion_that_is_stopped_is_offered_again(measure, capsys):
+    person = measure(stops=1)
     assert ["how far it drives" in offer for offer in person.offers][:3] == [True, True, False]
     assert "stopped, so there is nothing to measure" in capsys.readouterr().out
     assert 0.5 < person.parameters["max_speed"] < 0.7
 
 
-def test_a_square_that_is_stopped_changes_nothing(measure, capsys, monkeypatch):
+def test_a_square_that_is_stopped_changes_nothing(measure, capsys):
     person = measure()
     before = dict(person.parameters)
     person.stops, person.rounds = 1, 1
     tape_measure.check_squares(person.drive, person.parameters)
     assert "The square was stopped. Nothing is changed." in capsys.readouterr().out
     assert person.parameters == before
+
+
+def rolled(motion, min_duty):
+    """How far each wheel rolls, in duties times seconds."""
+    return tuple(sum(math.copysign(min_duty + (1 - min_duty) * abs(step[wheel]), step[wheel]) * step.seconds
+                     for step in motion) for wheel in (0, 1))
+
+
+@pytest.mark.parametrize("min_duty", [0.0, 0.1])
+@pytest.mark.parametrize("seconds", [0.5, 0.7531, 2.0])
+def test_a_gentle_motion_reaches_as_far_as_its_speed_does_in_that_time(seconds, min_duty):
+    gentle_one, steady_one = gentle(-0.2, 0.2, seconds, min_duty), constant_speed(-0.2, 0.2, seconds)
+    assert rolled(gentle_one, min_duty) == pytest.approx(rolled(steady_one, min_duty))
+    assert rolled(steady_one, 0.0) == pytest.approx((-0.2 * seconds, 0.2 * seconds))
+    assert max(step.seconds for step in gentle_one + steady_one) <= STEP
+
+
+@pytest.mark.parametrize("speed", [0.2, 0.4])
+def test_a_gentle_motion_starts_and_ends_just_above_the_dead_band(speed):
+    speeds = [step.left for step in gentle(speed, speed, 2.0, 0.0)]
+    assert (speeds[0], max(speeds), speeds[-1]) == pytest.approx((0.08, speed, 0.08))
+    assert max(abs(after - before) for before, after in zip(speeds, speeds[1:])) < 0.051
+
+
+def test_a_turn_on_the_spot_to_the_right_reaches_its_angle():
+    left, right = rolled(spin(-math.pi, {"max_speed": 0.5, "wheel_separation": 0.12}), 0.0)
+    assert 0.5 * (right - left) / 0.12 == pytest.approx(-math.pi) and left == -right

@@ -4,7 +4,7 @@ import pytest
 
 from jetbot import JetbotError
 from jetbot.text import MAX_LENGTH, literal, printable
-from jetbot_tools.probe import Check
+from jetbot_tools.doctor.computer import Check
 
 
 @pytest.mark.parametrize("text, shown", [

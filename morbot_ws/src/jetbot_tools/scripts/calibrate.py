@@ -5,24 +5,22 @@ Every motion is announced and short, and any key stops it.
 """
 
 import argparse
-import os
-import shlex
 import sys
 from pathlib import Path
 from typing import Any, Dict, List, Optional
 
-from jetbot import JetbotError, files
+from jetbot import JetbotError
 from jetbot.boards import BOARDS, find_board
 from jetbot.host import doctor_command, model, robot_bus
 from jetbot.lock import lock_board
 from jetbot.text import printable
-from jetbot_control_node.parameters import PARAMETERS, default_file, is_fake
-from jetbot_tools.calibration import as_yaml
-from jetbot_tools.commands import fake_advice, launch
-from jetbot_tools.options import add_options, parse
-from jetbot_tools.probe import Check, check_board, check_users
-from jetbot_tools.terminal import choose
-from jetbot_tools.wizard import WIZARDS, Wizard
+from jetbot_control_node.parameters import PARAMETERS, is_fake
+from jetbot_tools.calibration.settings import as_yaml, output_file, write
+from jetbot_tools.calibration.wizard import WIZARDS, Wizard
+from jetbot_tools.doctor.computer import Check, check_users
+from jetbot_tools.doctor.motor_board import check_board
+from jetbot_tools.options import add_options, fake_advice, parse
+from jetbot_tools.terminal import YES_OR_NO, choose
 
 
 def find_boards(i2c_address: Optional[int], **place: Any) -> List[str]:
@@ -42,7 +40,7 @@ def drivable(checks: Dict[str, Check]) -> List[str]:
     """Return the boards that answer for certain; without any, those of which a person says so: a servo could move."""
     conditions = dict.fromkeys(check.condition for check in checks.values())
     met = {""} if "" in conditions else {
-        condition for condition in conditions if choose(f"Is it certain that {condition}?", {"yes": True, "no": False})}
+        condition for condition in conditions if choose(f"Is it certain that {condition}?", YES_OR_NO)}
     return [board for board, check in checks.items() if check.condition in met]
 
 
@@ -59,32 +57,6 @@ def calibrate(boards: List[str], i2c_address: Optional[int], **place: Any) -> Di
                 wizard.tune()
                 return wizard.parameters
     raise JetbotError("no wheel turned", f"Is the motors' battery on? Run: {doctor_command()}")
-
-
-def output_file(file: Optional[Path], simulated: bool) -> Path:
-    """Return the file to write, the default if ``file`` is None; raise JetbotError if it cannot be written."""
-    file = file or default_file().with_name("jetbot_fake.yaml" if simulated else "jetbot.yaml")
-    if simulated and os.path.realpath(file) == os.path.realpath(default_file()):
-        raise JetbotError(f"{file} is for the real robot, and this one is simulated", "Name another with --output.")
-    try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        files.check_writable(file)
-        if file.exists():
-            files.read(file)  # as ``files.keep`` will
-    except OSError as error:
-        raise JetbotError(f"the file {file} cannot be written: {error.strerror}",
-                          "Name another with --output.") from None
-    return file
-
-
-def write(file: Path, text: str) -> None:
-    """Write the text, keep an older file under another name, and print how to undo this and how to use it."""
-    old = files.keep(file)
-    files.replace(file, text.encode())
-    undo = ["mv", str(old), str(old.with_suffix(""))] if old else ["rm", str(file)]
-    print(printable(f"Written to {file}. To undo it: {shlex.join(undo)}"))
-    command = launch(config=file.absolute())
-    print("The controller uses it from now on." if file == default_file() else f"To use it: {printable(command)}")
 
 
 def main() -> None:

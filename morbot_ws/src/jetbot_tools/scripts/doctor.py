@@ -12,7 +12,7 @@ import argparse
 import json
 import sys
 
-from jetbot_tools.doctor import run_checks
+from jetbot_tools.doctor.checkup import run_checks
 from jetbot_tools.options import add_options, parse
 
 

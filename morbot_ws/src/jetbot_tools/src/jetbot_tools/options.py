@@ -1,19 +1,32 @@
-"""Command lines of the tools, made from the rows of the controller's parameters."""
+"""Command lines: those of the tools, made from the controller's parameters, and the one to type next."""
 
 import os
 import re
+import shlex
 import sys
-from argparse import ArgumentParser, Namespace
-from typing import List, Union
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from typing import Iterable, List, Union
 
 from jetbot import InvalidValue, fake
+from jetbot.host import in_shell
 from jetbot.kinds import address_of
 from jetbot.text import closest, printable
 from jetbot_control_node.parameters import PARAMETERS
 
-from .commands import launch
 
-LAUNCH_ARGUMENTS = {*PARAMETERS, "config", "robot_name"}
+def launch_command(**typed: object) -> str:
+    """Return the command that starts the controller with these parameters; one at its default is left out.
+
+    It works where this program was started: in a shell that knows ROS, or after ./morbot.
+    """
+    words = [f"{name}:={'fake' if value == fake.expand('fake') else value}" for name, value in typed.items()
+             if name not in PARAMETERS or value != PARAMETERS[name].default]
+    return in_shell(shlex.join(["roslaunch", "jetbot_control_node", "jetbot_controller.launch", *words]))
+
+
+def fake_advice(name: str) -> str:
+    """Return how to select "fake" for a parameter of the tools."""
+    return f"add: {name}:=fake"
 
 
 def add_options(parser: ArgumentParser, **meaning: str) -> None:
@@ -23,9 +36,22 @@ def add_options(parser: ArgumentParser, **meaning: str) -> None:
     """
     for name, default in meaning.items():
         row = PARAMETERS[name]
-        parser.add_argument(f"--{name.replace('_', '-')}", type=place_name,
+        parser.add_argument(f"--{name.replace('_', '-')}", type=lambda text, name=name: checked_value(name, text),
                             default=os.environ.get(f"JETBOT_{name.upper()}") or None,
                             help=f"{row.doc} (default: {default or row.default})".replace("%", "%%"))
+
+
+def checked_value(name: str, text: str) -> Union[int, str]:
+    """Return a parameter's value: a fake bus or port with its absolute path, a number as an int.
+
+    Raise ArgumentTypeError for one that the parameter cannot have.
+    """
+    value = int(text) if re.fullmatch(r"\d{1,7}", text, re.ASCII) else fake.expand(text)
+    try:
+        PARAMETERS[name].kind.check(f"the parameter {name}", value)
+    except InvalidValue as error:
+        raise ArgumentTypeError(str(error)) from None
+    return address_of(value) if name == "i2c_address" else value
 
 
 def as_options(arguments: List[str]) -> List[str]:
@@ -34,36 +60,22 @@ def as_options(arguments: List[str]) -> List[str]:
 
 
 def parse(parser: ArgumentParser, arguments: List[str]) -> Namespace:
-    """Return the options. An unknown word ends the program with one sentence that says what was probably meant."""
+    """Return the options. A bad word ends the program with a sentence that says what was probably meant."""
+    parser.error = lambda message: sys.exit(printable(f"{parser.prog}: {message}"))
     options, unknown = parser.parse_known_args(as_options(arguments))
     if unknown:
         typed = next(word for word in arguments if as_options([word])[0] in unknown)
-        name, value = re.match(r"[-_]*([\w-]*)[\s:=]*(.*)", typed, re.S).groups()
-        names = [option.strip("-").replace("-", "_") for option in parser._option_string_actions]
-        name = name.replace("-", "_")
-        if name in LAUNCH_ARGUMENTS and name not in names:
-            sys.exit(printable(f"{name} is an argument of the controller, not of {parser.prog}. Leave it out here; it "
-                               f"belongs to: {launch(**{name: value or 'VALUE'})}"))
-        meant = closest(name, names)
-        advice = f"Did you mean {meant}:={value or 'VALUE'}?" if meant in PARAMETERS else f"See {parser.prog} --help"
-        sys.exit(printable(f"There is no argument {typed}. {advice}"))
-    check_option("board", options)
-    check_option("i2c_address", options)
-    if getattr(options, "i2c_address", None) is not None:
-        options.i2c_address = address_of(options.i2c_address)
+        sys.exit(printable(unknown_word(typed, parser.prog, vars(options))))
     return options
 
 
-def check_option(name: str, options: Namespace) -> None:
-    """End the program with one sentence if an option has a value that its parameter cannot have."""
-    value = getattr(options, name, None)
-    try:
-        if value is not None:
-            PARAMETERS[name].kind.check(f"the parameter {name}", value)
-    except InvalidValue as error:
-        sys.exit(str(error))
-
-
-def place_name(text: str) -> Union[int, str]:
-    """Return a number as an int, a fake bus or port with its absolute path, any other text unchanged."""
-    return int(text) if re.fullmatch(r"\d{1,7}", text, re.ASCII) else fake.expand(text)
+def unknown_word(typed: str, program: str, names: Iterable[str]) -> str:
+    """Return what to type instead of a word that the program, which has options of these names, does not know."""
+    name, value = re.match(r"[-_]*([\w-]*)[\s:=]*(.*)", typed, re.S).groups()
+    name = name.replace("-", "_")
+    if name in {*PARAMETERS, "config", "robot_name"}.difference(names):
+        return (f"{name} is an argument of the controller, not of {program}. Leave it out here; it belongs to: "
+                f"{launch_command(**{name: value or 'VALUE'})}")
+    meant = closest(name, names)
+    advice = f"Did you mean {meant}:={value or 'VALUE'}?" if meant in PARAMETERS else f"See {program} --help"
+    return f"There is no argument {typed}. {advice}"

@@ -7,26 +7,22 @@ import termios
 import tty
 from typing import Any, Dict, Iterator
 
+YES_OR_NO = {"yes": True, "no": False}
 ABORT_KEYS = (b"\x03", b"\x04", b"\x1a", b"\x1c", b"")  # Ctrl-C, Ctrl-D, Ctrl-Z, Ctrl-\, and a terminal that is gone
 
 
-def choose(question: str, answers: Dict[str, Any]) -> Any:
-    """Ask until one of the answers, or its beginning, is given; return its meaning. answers: {word: meaning}."""
+def choose(question: str, answers: Dict[str, Any], enter: str = "") -> Any:
+    """Ask until one of the answers, or its beginning, is given; return its meaning.
+
+    answers: {word: meaning}; enter: the word that Enter alone stands for, if it stands for one.
+    """
+    hint = f", or Enter alone for {enter}" if enter else ""
     while True:
-        given = input(f"{question} [{'/'.join(answers)}] ").strip().lower()
+        given = input(f"{question} [{'/'.join(answers)}{hint}] ").strip().lower() or enter
         matches = [word for word in answers if given and word.startswith(given)]
         if len(matches) == 1:
             return answers[matches[0]]
         print(f"Please answer with one of: {', '.join(answers)}")
-
-
-def wanted(offer: str) -> bool:
-    """Ask until "y" or "n", or a longer word, is given; Enter alone means no."""
-    while True:
-        given = input(f"{offer} [y, or Enter alone to skip it] ").strip().lower()
-        if given in ("", "n", "no", "y", "yes"):
-            return given.startswith("y")
-        print("Please answer with y, or press Enter alone.")
 
 
 def number(question: str, highest: float, lowest: float = 0.0) -> float:

@@ -18,7 +18,7 @@ class Step(NamedTuple):
     seconds: float = STEP
 
 
-def steady(left: float, right: float, seconds: float) -> List[Step]:
+def constant_speed(left: float, right: float, seconds: float) -> List[Step]:
     """Return a motion at these speeds."""
     count, rest = divmod(seconds, STEP)
     return [*[Step(left, right)] * int(count), Step(left, right, rest)]
@@ -33,7 +33,7 @@ def gentle(left: float, right: float, seconds: float, min_duty: float = 0.0) -> 
     parts = [lowest + (1 - lowest) * step / RAMP_STEPS for step in range(RAMP_STEPS)]
     rising = [Step(left * part, right * part) for part in parts]
     ramp = 2 * STEP * sum(duty(abs(step.left), min_duty) for step in rising) / duty(abs(left), min_duty)
-    return [*rising, *steady(left, right, max(0.0, seconds - ramp)), *reversed(rising)]
+    return [*rising, *constant_speed(left, right, max(0.0, seconds - ramp)), *reversed(rising)]
 
 
 def duty(speed: float, min_duty: float) -> float:

@@ -1,6 +1,5 @@
-"""Finds what keeps a JetBot from driving. It only reads, and never moves a wheel."""
+"""All checks in their order, and the verdict: whether a robot could drive, and how."""
 
-import importlib.util
 from pathlib import Path
 from typing import Iterator, List, Optional, Union
 
@@ -9,12 +8,12 @@ from jetbot.boards import BOARDS, DEFAULT_PORT
 from jetbot.errors import JetbotError
 from jetbot.i2c import I2CDevice, bus_name
 from jetbot.serial_link import SerialLink
-from jetbot.supply import find_supply
 from jetbot_control_node.parameters import checked, default_file, load
 
-from .commands import in_shell, launch
+from ..options import launch_command
+from .computer import Check, check_cockpit_port, check_host, check_module, check_supply, check_users
 from .identify import jumper_addresses
-from .probe import Check, check_board, check_chips, check_cockpit_port, check_serial, check_users
+from .motor_board import check_board, check_chips, check_serial
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial", "tornado"]
 NEEDED_BY_SOME = ["smbus2", "serial", "tornado"]  # by boards on an I2C bus, on a serial port; by the cockpit
@@ -76,31 +75,6 @@ def check_port(port: str) -> Iterator[Check]:
     yield from check_supply(SerialLink(port))
 
 
-def check_module(module: str) -> Check:
-    """Check that a Python module is installed."""
-    if importlib.util.find_spec(module):
-        return Check(module, True, "installed")
-    return Check(module, False, "not installed", install_advice(module))
-
-
-def install_advice(module: str, noetic: Path = Path("/opt/ros/noetic")) -> str:
-    """Return how to install a Python module, on Ubuntu 20.04 with Noetic or on a system that has ROS itself."""
-    package = module.replace("_", "-")
-    if not noetic.exists() or module in ("serial", "yaml", "tornado"):
-        return f"Install it with: sudo apt install python3-{package}"
-    if module == "smbus2":
-        return "Install it with: pip3 install smbus2"
-    return f"Type: source {noetic}/setup.bash   Or install it with: sudo apt install ros-noetic-{package}"
-
-
-def check_host() -> Check:
-    """Report which computer this is, and which bus its robot is on."""
-    model = host.model()
-    bus = host.robot_bus(model)
-    where = f", whose motors are on /dev/i2c-{bus}" if bus is not None else ""
-    return Check("computer", True, f"{model}{where}" or "not one of those that a JetBot carries")
-
-
 def check_file(file: Path) -> Check:
     """Check that the file of parameters can be used and that its board answers."""
     try:
@@ -110,7 +84,8 @@ def check_file(file: Path) -> Check:
     except JetbotError as error:
         return Check(str(file), False, error.reason, "Fix it, or remove it.")
     if answer.ok:
-        return Check(str(file), True, f"names the board {board}, and {answer.name} answers", answer.advice, launch())
+        return Check(str(file), True, f"names the board {board}, and {answer.name} answers", answer.advice,
+                     launch_command())
     return Check(str(file), False, f"names the board {board}, but {answer.finding}",
                  "Connect that board; or remove the file, and calibrate again.")
 
@@ -138,20 +113,6 @@ def check_bus(bus: Union[int, str], i2c_address: Optional[int] = None, board: st
     return check_users(name) + (boards or chips)
 
 
-def check_supply(link: Union[I2CDevice, SerialLink]) -> List[Check]:
-    """Check that the robot with this link to its board has the power to drive; [] if nothing measures that."""
-    supply = find_supply(link)
-    if not supply:
-        return []
-    try:
-        reading = supply.read()
-    except JetbotError as error:  # unplugged meanwhile
-        return [Check("supply", False, error.reason, error.advice)]
-    advice = ("Charge the battery." if reading.empty else
-              "Use a supply of 5 V and 3 A, and a short cable." if reading.undervoltage else "")
-    return [Check("supply", not advice, f"{reading}, by the {supply.sensor}", advice)]
-
-
 def verdict(checks: List[Check], board: str = "") -> Check:
     """Return whether a robot could drive, and how; not ok if only a person knows. board: the one that was named."""
     needed = {*MODULES, str(default_file())}.difference(NEEDED_BY_SOME)
@@ -162,7 +123,7 @@ def verdict(checks: List[Check], board: str = "") -> Check:
     if not boards:
         return Check("robot", False, "no motor board found",
                      "Fix the items marked NOT. To try everything without one: "
-                     + in_shell("roslaunch simulation simulation.launch"))
+                     + host.in_shell("roslaunch simulation simulation.launch"))
     best = min(boards, key=lambda check: bool(check.condition))
     condition = "" if board else best.condition
     return Check("robot", not condition, f"could drive{condition and f' if {condition}'}",

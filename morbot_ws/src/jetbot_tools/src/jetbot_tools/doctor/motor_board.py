@@ -1,11 +1,9 @@
-"""Checks of what a motor board may be connected to. They only read."""
+"""Checks of a motor board: on an I2C bus, whose chips are only read, or on a serial port."""
 
 import contextlib
 import errno
-import os
 import threading
-from pathlib import Path
-from typing import List, NamedTuple, Sequence, Union
+from typing import List, Sequence, Union
 
 from jetbot import host
 from jetbot.boards import BOARDS, find_board
@@ -13,10 +11,9 @@ from jetbot.boards.jetbot_pro import JetBotPro
 from jetbot.errors import BusError, JetbotError, NoAnswer
 from jetbot.i2c import I2CDevice, bus_name
 from jetbot.serial_link import SerialLink
-from jetbot.text import printable
-from jetbot_ros.ports import COCKPIT_PORT, is_free, processes_on
 
-from .commands import launch
+from ..options import launch_command
+from .computer import Check
 from .identify import boards_with, has_chip, motor_chip, power_monitor
 
 TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many frames in that time
@@ -31,63 +28,16 @@ CLOCK_STRETCHING = ("It stretches the clock, which a Raspberry Pi 4 or older mis
                     "restart it, and use i2c_bus:=3")
 
 
-class Check(NamedTuple):
-    """The result of one check: whether it is as it should be, what was found, and what to do about it."""
-
-    name: str
-    ok: bool
-    finding: str
-    advice: str = ""
-    command: str = ""  # starts the robot that the check has found
-    condition: str = ""  # what must be true of that robot, which no program can find out; else it must not be driven
-
-    def __str__(self) -> str:
-        return printable(f"{'ok' if self.ok else 'NOT':<4}{self.name}: {self.finding}. {self.advice}".rstrip())
-
-
-def check_users(device: str, proc: Path = Path("/proc")) -> List[Check]:
-    """Check that no other program has a device open, as far as this user may see; [] if there is no such device.
-
-    The JetBot's display service is no fault: the kernel sends each transfer as a whole.
-    """
-    if not os.path.exists(device):
-        return []
-    users = [pid for pid in host.processes_with({os.path.realpath(device)}, proc) if pid != os.getpid()]
-    others = [pid for pid in users if not host.is_display_service(pid, proc)]
-    if others:
-        names = ", ".join(f"{host.program_name(pid, proc)} ({pid})" for pid in others)
-        return [Check(device, False, f"also open in {names}",
-                      "Two programs on one motor board disturb each other: end one of them.")]
-    whose = "" if os.geteuid() == 0 else " of this user"
-    display = " but the service of the JetBot's display, which is normal" if users else ""
-    return [Check(device, True, f"no other program{whose} has it open{display}")]
-
-
-def check_cockpit_port(port: int = COCKPIT_PORT) -> List[Check]:
-    """Check that no other program has the TCP port of the cockpit's page; [] if it is free, or a cockpit has it."""
-    if is_free(port):
-        return []
-    names = {pid: host.program_name(pid) for pid in processes_on(port)}
-    if "cockpit.py" in names.values():
-        return []
-    users = ", ".join(f"{name} ({pid})" for pid, name in names.items()) or "a program of another user"
-    return [Check(f"port {port}", False, f"in use by {users}",
-                  f"The cockpit needs another one: cockpit_port:={port + 1}")]
-
-
 def check_board(board: str, i2c_bus: Union[int, str], port: str, i2c_address: Union[int, str, None] = None) -> Check:
     """Check that a board answers on its bus or port; raise InvalidValue for an unknown board or a bad bus."""
     row = find_board(board, i2c_address)
     place = row.place(i2c_bus, port)
-    return check_chip(place, row.address, board) if row.address else check_serial(place)
-
-
-def check_chip(bus: Union[int, str], address: int, board: str = "") -> Check:
-    """Check that a motor board answers at an address, this one if it is named. bus: as for an I2CDevice."""
+    if not row.address:
+        return check_serial(place)
     try:
-        return identify_board(bus, address, board)
+        return check_chip(place, row.address, board)
     except JetbotError as error:
-        return failed(bus, address, error)
+        return failed(place, row.address, error)
 
 
 def check_chips(bus: Union[int, str], addresses: Sequence[int], board: str = "") -> List[Check]:
@@ -98,7 +48,7 @@ def check_chips(bus: Union[int, str], addresses: Sequence[int], board: str = "")
     checks = []
     for address in addresses:
         try:
-            checks.append(identify_board(bus, address, board))
+            checks.append(check_chip(bus, address, board))
         except NoAnswer as error:
             if address == addresses[0]:
                 checks.append(failed(bus, address, error))
@@ -111,15 +61,15 @@ def check_chips(bus: Union[int, str], addresses: Sequence[int], board: str = "")
 
 def failed(bus: Union[int, str], address: int, error: JetbotError) -> Check:
     """Return the check of an address that cannot be read."""
-    return Check(place_name(bus, address), False, error.reason, error.advice)
+    return Check(f"0x{address:02x} on {bus_name(bus)}", False, error.reason, error.advice)
 
 
-def identify_board(bus: Union[int, str], address: int, board: str = "") -> Check:
-    """Return which motor boards the chip at an address can be, or whether the one that is named; raise JetbotError."""
+def check_chip(bus: Union[int, str], address: int, board: str = "") -> Check:
+    """Check which motor boards the chip at an address can be, or whether the one that is named; raise JetbotError."""
+    name = f"0x{address:02x} on {bus_name(bus)}"
     with contextlib.closing(I2CDevice(bus, address)) as device:
         chip = motor_chip(device)
         monitor = "" if chip else power_monitor(device)
-    name = place_name(bus, address)
     boards = boards_with(chip, address)
     condition = CONDITION.format(address) if boards == ["waveshare_hat"] else ""
     if board:
@@ -130,7 +80,7 @@ def identify_board(bus: Union[int, str], address: int, board: str = "") -> Check
         found = f"an {monitor}, which measures the supply" if monitor else f"not a {wanted}"
         return Check(name, False, f"the chip that answers is {found}", clock_advice(address))
     own = BOARDS[boards[0]].address
-    command = launch(board=boards[0], i2c_bus=bus, i2c_address=None if address == own else f"0x{address:02x}")
+    command = launch_command(board=boards[0], i2c_bus=bus, i2c_address=None if address == own else f"0x{address:02x}")
     return Check(name, True, f"answers, and can be a board {' or '.join(boards)}", ADVICE.get(own) or clock_advice(own),
                  command, condition)
 
@@ -140,11 +90,6 @@ def clock_advice(address: int) -> str:
     if address == BOARDS["sparkfun"].address and host.mishandles_clock_stretching(host.model()):
         return CLOCK_STRETCHING
     return ""
-
-
-def place_name(bus: Union[int, str], address: int) -> str:
-    """Return how an address on a bus is printed."""
-    return f"0x{address:02x} on {bus_name(bus)}"
 
 
 def check_serial(port: str) -> Check:
@@ -158,5 +103,5 @@ def check_serial(port: str) -> Check:
     except JetbotError as error:
         return Check(port, False, error.reason, error.advice)
     if arrived.is_set():
-        return Check(port, True, "a JetBot Pro reports", command=launch(board="jetbot_pro", port=port))
+        return Check(port, True, "a JetBot Pro reports", command=launch_command(board="jetbot_pro", port=port))
     return Check(port, False, "opens, but no JetBot Pro reports", "Is it this port, and is the robot switched on?")

@@ -6,10 +6,9 @@ from typing import Any, Callable, Dict, List, Optional
 from jetbot.errors import InvalidValue
 from jetbot.kinematics import WHEEL_SEPARATION
 
-from .calibration import ALPHAS, proportional_alphas
+from ..terminal import YES_OR_NO, choose, number, offset
+from .corrections import ALPHAS, corrected, find_errors, proportional_alphas
 from .motions import DRIVE_SPEED, Step, duty, gentle, spin, square
-from .terminal import number, offset, wanted
-from .umbmark import corrected, find_errors
 
 DRIVE_TIME = 2.0  # s
 TURN = 720        # degrees
@@ -18,7 +17,7 @@ INTRODUCTION = """
 With a tape measure, commands become metres and radians: linear.x in m/s, angular.z in rad/s.
 Without, they stay as they are in the workshop. Put the robot on the floor, with two metres ahead of it."""
 
-Drive = Callable[[str, List[Step]], Optional[Step]]  # as Wizard.drive
+Drive = Callable[[str, List[Step]], Optional[Step]]  # as Wizard.drive_until_key
 
 
 def measure(drive: Drive, parameters: Dict[str, Any]) -> None:
@@ -54,7 +53,7 @@ def obey_metres(parameters: Dict[str, Any], speed: float) -> None:
 def ask(drive: Drive, offer: str, announcement: str, motion: List[Step], question: str,
         lowest: float, highest: float) -> float:
     """Return what a person measures after a motion, or 0 if that is skipped."""
-    while wanted(offer):
+    while choose(offer, YES_OR_NO, enter="no"):
         if not drive(announcement, motion):
             return number(f"{question} Press Enter alone to skip this.", highest, lowest)
         print("The motion was stopped, so there is nothing to measure.")
@@ -65,7 +64,7 @@ def check_squares(drive: Drive, parameters: Dict[str, Any]) -> None:
     """Drive a square of 1 m both ways round, and correct the parameters by where it ends, until that is skipped."""
     print("\nTo check: two squares of 1 m. Mark where the middle between the wheels is, and which way the robot faces.")
     offer = "Drive the squares?"
-    while wanted(offer):
+    while choose(offer, YES_OR_NO, enter="no"):
         driven = {"wheel_separation": WHEEL_SEPARATION, **parameters}
         try:
             ends = [drive_square(drive, side, square(way, driven)) for side, way in (("left", 1), ("right", -1))]

@@ -7,11 +7,11 @@ from jetbot.errors import InvalidValue, JetbotError
 from jetbot.robot import Robot
 from jetbot_control_node.summary import GEOMETRY
 
+from ..doctor.identify import has_chip
+from ..terminal import YES_OR_NO, choose, key_pressed, offset, single_keys
 from . import tape_measure
-from .calibration import ALPHAS, base_wiring, curvature_of, motor_wiring, trim
-from .identify import has_chip
-from .motions import DRIVE_SPEED, Step, gentle, steady
-from .terminal import choose, key_pressed, offset, single_keys
+from .corrections import ALPHAS, base_wiring, curvature_of, motor_wiring, trim
+from .motions import DRIVE_SPEED, Step, constant_speed, gentle
 
 # Hz, for a PCA9685. Adafruit, "Improve Low-Speed Performance of Brushed DC Motors": 50 to 100 Hz; TT motors then start
 # at a duty several times lower than at 1600 Hz.
@@ -33,7 +33,7 @@ class Wizard:
     def __init__(self, **known: Any):
         self.parameters = {**known, "pwm_frequency": PWM_FREQUENCY} if has_chip(known["board"], "PCA9685") else known
 
-    def drive(self, announcement: str, motion: Sequence[Step]) -> Optional[Step]:
+    def drive_until_key(self, announcement: str, motion: Sequence[Step]) -> Optional[Step]:
         """Wait for Enter, then drive one step after the other.
 
         Returns the step at which a key was pressed, this program was held up, or its guard was lost; None if it drove
@@ -73,7 +73,8 @@ class Wizard:
         """Drive one output after the other forward; return the Turn that each causes, or None."""
         turns = []
         for output, speeds in ("left", (TURN_SPEED, 0)), ("right", (0, TURN_SPEED)):
-            self.drive(f"The {output} output will turn one wheel briefly.", steady(*speeds, TURN_TIME))
+            self.drive_until_key(f"The {output} output will turn one wheel briefly.",
+                                 constant_speed(*speeds, TURN_TIME))
             wheel = choose("Which wheel turned?", {"left": "left", "right": "right", "none": None})
             turns.append(wheel and (wheel, choose("Forward or backward?", DIRECTIONS)))
         return turns
@@ -81,7 +82,7 @@ class Wizard:
     def tune(self) -> None:
         """Find the parameters that a robot on the floor shows: how its wheels turn, how far it drives and turns."""
         self.straighten()
-        tape_measure.measure(self.drive, self.parameters)
+        tape_measure.measure(self.drive_until_key, self.parameters)
 
     def straighten(self) -> None:
         """Find the smallest duty at which both wheels turn, and the alphas at which they turn equally fast."""
@@ -90,8 +91,8 @@ class Wizard:
         alphas = (1.0, 1.0)
         while True:
             self.parameters.update(zip(ALPHAS, alphas))
-            self.drive(f"The robot will drive ahead for {LINE_TIME:.0f} s.",
-                       gentle(DRIVE_SPEED, DRIVE_SPEED, LINE_TIME, self.parameters["min_duty"]))
+            self.drive_until_key(f"The robot will drive ahead for {LINE_TIME:.0f} s.",
+                                 gentle(DRIVE_SPEED, DRIVE_SPEED, LINE_TIME, self.parameters["min_duty"]))
             drift = offset("How many centimetres off the line was it after one metre? "
                            "Press Enter alone if that is straight enough.", 90, {"left": 1, "right": -1}) / 100
             if not drift:
@@ -102,11 +103,12 @@ class Wizard:
     def ramp(self, wheel: str, left: int, right: int) -> float:
         """Raise the duty of one wheel until a key is pressed, and return it. left, right: 1 for this wheel, else 0."""
         while True:
-            reached = self.drive(f"The power of the {wheel} wheel will rise slowly: press a key as soon as it turns.",
-                                 [Step(left * duty, right * duty) for duty in RAMP])
+            reached = self.drive_until_key(
+                f"The power of the {wheel} wheel will rise slowly: press a key as soon as it turns.",
+                [Step(left * duty, right * duty) for duty in RAMP])
             if not reached:
                 print(f"No key was pressed below {100 * RAMP[-1]:.0f} % of full power. Try again.")
-            elif choose(f"Did the {wheel} wheel turn?", {"yes": True, "no": False}):
+            elif choose(f"Did the {wheel} wheel turn?", YES_OR_NO):
                 return round(max(reached.left, reached.right), 4)
 
 
@@ -117,9 +119,11 @@ class BaseWizard(Wizard):
 
     def observe_motions(self) -> List[Any]:
         """Drive ahead, then turn left; return for each 1 when the robot did so, -1 when the opposite, or None."""
-        self.drive("The wheels will turn as if to drive ahead.", steady(TURN_SPEED, TURN_SPEED, 2 * TURN_TIME))
+        self.drive_until_key("The wheels will turn as if to drive ahead.",
+                             constant_speed(TURN_SPEED, TURN_SPEED, 2 * TURN_TIME))
         ahead = choose("Which way did the wheels turn?", {**DIRECTIONS, "none": None})
-        self.drive("The wheels will turn as if to turn left on the spot.", steady(-1, 1, 2 * TURN_TIME))
+        self.drive_until_key("The wheels will turn as if to turn left on the spot.",
+                             constant_speed(-1, 1, 2 * TURN_TIME))
         return [ahead, choose("Which wheel turned forward?", {"right": 1, "left": -1, "none": None})]
 
     def tune(self) -> None:

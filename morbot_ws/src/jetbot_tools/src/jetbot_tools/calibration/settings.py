@@ -1,0 +1,52 @@
+"""The file in which the calibration keeps a robot's parameters."""
+
+import json
+import os
+import shlex
+from pathlib import Path
+from typing import Any, Mapping, Optional
+
+from jetbot import JetbotError, files
+from jetbot.text import printable
+from jetbot_control_node.parameters import PARAMETERS, default_file
+
+from ..options import launch_command
+
+HEADER = "# Made by calibrate.py for one robot; the controller loads it. Without this file, the defaults apply."
+IN_METRES = "# With it, the robot obeys metres and radians: linear.x is in m/s, angular.z in rad/s."
+IN_METRES_ONLY = "# With it, linear.x is in m/s, but angular.z is not in rad/s: wheel_separation is not measured."
+
+
+def output_file(file: Optional[Path], simulated: bool) -> Path:
+    """Return the file to write, the default if ``file`` is None; raise JetbotError if it cannot be written."""
+    file = file or default_file().with_name("jetbot_fake.yaml" if simulated else "jetbot.yaml")
+    if simulated and os.path.realpath(file) == os.path.realpath(default_file()):
+        raise JetbotError(f"{file} is for the real robot, and this one is simulated", "Name another with --output.")
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        files.check_writable(file)
+        if file.exists():
+            files.read(file)  # as ``files.keep`` will
+    except OSError as error:
+        raise JetbotError(f"the file {file} cannot be written: {error.strerror}",
+                          "Name another with --output.") from None
+    return file
+
+
+def as_yaml(values: Mapping[str, Any]) -> str:
+    """Return parameters as a YAML file with the meaning of each as a comment."""
+    lines = [HEADER]
+    if "max_speed" in values:
+        lines.append(IN_METRES if "wheel_separation" in values else IN_METRES_ONLY)
+    lines += [f"{name}: {json.dumps(values[name])}  # {row.doc}" for name, row in PARAMETERS.items() if name in values]
+    return "\n".join(lines) + "\n"
+
+
+def write(file: Path, text: str) -> None:
+    """Write the text, keep an older file under another name, and print how to undo this and how to use it."""
+    old = files.keep(file)
+    files.replace(file, text.encode())
+    undo = ["mv", str(old), str(old.with_suffix(""))] if old else ["rm", str(file)]
+    print(printable(f"Written to {file}. To undo it: {shlex.join(undo)}"))
+    command = launch_command(config=file.absolute())
+    print("The controller uses it from now on." if file == default_file() else f"To use it: {printable(command)}")
