@@ -10,11 +10,8 @@ from itertools import islice
 
 from driving_tasks.samples import Sample
 from driving_tasks.tasks import TASKS
-from jetbot.kinematics import Pose, clamp, mix, to_frame
-from simulation import line_sensor
-from simulation.collision import Collision
-from simulation.diff_drive import DiffDriveModel
-from simulation.step_clock import STEP
+from jetbot.kinematics import clamp, mix, to_frame
+from simulation.diff_drive import STEP, DiffDriveModel
 from simulation.world import EMPTY
 
 SEPARATION, FULL_SPEED = 0.1125, 0.6
@@ -26,9 +23,7 @@ class Robot:
     """The simulated robot, in SI units."""
 
     def __init__(self, world=EMPTY):
-        self._world = world
-        self._model = DiffDriveModel(SEPARATION, 0.06, FULL_SPEED, 0.1, 0.05, Pose())
-        self._model.collision = Collision(world)
+        self._model = DiffDriveModel(world=world)
         self.time, self.samples = 0.0, []
         self.drive(0.0, 0.0)
 
@@ -42,7 +37,7 @@ class Robot:
 
     @property
     def eyes(self):
-        return line_sensor.read(self._world, self.pose)
+        return self._model.world.line_sensor(self.pose)
 
     def drive(self, linear, angular, seconds=TICK):
         duties = [clamp(duty, 1.0) for duty in mix(linear, angular, SEPARATION, FULL_SPEED)]

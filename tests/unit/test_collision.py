@@ -5,28 +5,23 @@ import math
 import pytest
 
 from jetbot.kinematics import Pose
-from simulation.collision import Collision
-from simulation.diff_drive import DiffDriveModel
-from simulation.step_clock import STEP
+from simulation.diff_drive import ORIGIN, STEP, Body, DiffDriveModel
 from simulation.world import FOOTPRINT, World
-from simulation.worlds import load
+from simulation.world_files import load
 
 WALL = World(walls=(((1.0, -50.0), (1.0, 50.0)),))
-START = Pose()
 TOUCHES = 1e-4  # m
 
 
-def robot(world, pose=START, max_speed=0.6):
+def robot(world, pose=ORIGIN, max_speed=0.6):
     """A robot among the walls of a world."""
-    model = DiffDriveModel(0.1125, 0.06, max_speed, 0.1, 0.05, pose)
-    model.collision = Collision(world)
-    return model
+    return DiffDriveModel(Body(max_speed=max_speed), pose, world)
 
 
 def drive(model, left, right, seconds):
     """Drive for so long; return the clearances on the way."""
     for _ in range(round(seconds / STEP)):
-        model.step((left, right), STEP)
+        model.step((left, right))
         yield WALL.clearance(model.pose)
 
 
@@ -99,7 +94,7 @@ def test_a_robot_that_is_put_onto_a_wall_drives_off():
 def test_a_robot_that_is_put_elsewhere_is_stopped_there_too():
     model = robot(WALL)
     list(drive(model, 1.0, 1.0, 0.1))
-    model.pose = Pose(0.96, 3.0, 0.0)
+    model.place(Pose(0.96, 3.0, 0.0))
     drive_to_wall(model)
     assert model.pose.x == pytest.approx(1 - FOOTPRINT.right, abs=TOUCHES)
 

@@ -10,9 +10,9 @@ from jetbot.wait import wait_until
 from jetbot_control_node.dead_reckoning import MAX_GAP, DeadReckoning
 from jetbot_control_node.safety import Sender
 from jetbot_control_node.supervisor import Supervisor
-from simulation.diff_drive import DiffDriveModel, Pose
+from simulation.diff_drive import Body, DiffDriveModel
 
-SEPARATION, DIAMETER, MAX_SPEED, LAG = 0.1125, 0.06, 0.6, 0.1
+SEPARATION, MAX_SPEED = 0.1125, 0.6
 PUPIL = Sender("/pupil")
 
 
@@ -102,7 +102,7 @@ def test_the_wheels_roll_as_far_as_the_robot(robot, reckoning):
 
 
 def test_a_square_of_four_metres_ends_where_the_simulated_robot_does(supervisor, reckoning, folder):
-    model, now = DiffDriveModel(SEPARATION, DIAMETER, MAX_SPEED, LAG, 0.0, Pose()), 0.0
+    model, now = DiffDriveModel(Body(dead_band=0.0)), 0.0
 
     def follow(until):
         model.step(wheel_speeds(folder), until - follow.at)

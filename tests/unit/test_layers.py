@@ -21,6 +21,7 @@ PURE = {  # modules and packages, and what they must not import
     "jetbot": ROS,
     "simulation.world": ROS,
     "simulation.diff_drive": ROS + "|time$",
+    "simulation.simulated_robot": ROS + "|time$",
     "driving_tasks.score": ROS + "|matplotlib|time$",
 }
 

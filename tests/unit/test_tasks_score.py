@@ -13,7 +13,7 @@ from driving_tasks.samples import Sample
 from driving_tasks.score import judge
 from driving_tasks.tasks import TASKS
 from jetbot.kinematics import Pose, from_frame
-from simulation.geometry import distance_to_segment
+from simulation.world import distance_to_segment
 
 
 def perfect(steps, speed=0.3, rate=50, turn_speed=90.0, rest=4.0):

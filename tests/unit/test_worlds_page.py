@@ -7,9 +7,8 @@ import pytest
 from conftest import ROOT
 from jetbot import InvalidValue
 from jetbot.kinematics import Pose
-from simulation import line_sensor
 from simulation.world import FOOTPRINT, LINE_WIDTH
-from simulation.worlds import KEYS, MAX_POINTS, load, names, parse
+from simulation.world_files import KEYS, MAX_POINTS, load, names, parse
 
 PAGE = (ROOT / "docs/worlds.md").read_text()
 (EXAMPLE,) = re.findall(r"^```yaml\n(.*?)^```", PAGE, re.M | re.S)
@@ -20,7 +19,7 @@ def test_the_example_is_a_world_with_a_wall_ahead_and_a_line_below_the_robot():
     assert (len(world.walls), len(world.lines)) == (2, 1)
     assert world.clearance(Pose()) == pytest.approx(0.3 - FOOTPRINT.top)
     assert world.clearance(Pose(0.5, 0.0, 0.0)) == pytest.approx(0.1 - FOOTPRINT.right)
-    assert line_sensor.read(world, Pose())[1] == 0
+    assert world.line_sensor(Pose())[1] == 0
 
 
 def test_each_shipped_world_and_each_key_is_listed():
@@ -44,5 +43,5 @@ def test_what_it_says_of_a_mistake_is_what_the_simulator_says():
 
 @pytest.mark.parametrize("y", [0.0, -0.015])
 def test_the_eyes_see_what_the_page_says(y):
-    seen = [round(eye, 4) for eye in line_sensor.read(load("line.yaml"), Pose(0.1, y, 0.0))]
+    seen = [round(eye, 4) for eye in load("line.yaml").line_sensor(Pose(0.1, y, 0.0))]
     assert f"{seen}`" in PAGE

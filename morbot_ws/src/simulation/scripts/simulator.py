@@ -15,11 +15,12 @@ from jetbot.fake.motors import ROBOTS, Motors
 from jetbot.text import printable
 from jetbot_ros.command_line import private_parameters, public_words
 from jetbot_ros.master import require_master
-from simulation import worlds
-from simulation.diff_drive import DiffDriveModel, Pose
+from simulation.diff_drive import Body, DiffDriveModel, Pose
 from simulation.parameters import PARAMETERS, fake_folder, resolve
+from simulation.simulated_robot import SimulatedRobot
 from simulation.simulator import Simulator
 from simulation.world import EMPTY
+from simulation.world_files import load
 
 
 def main() -> None:
@@ -28,12 +29,11 @@ def main() -> None:
     given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config", "body"]))
     motors = Motors(fake_folder(given, rospy.get_namespace()), given["board"], given["i2c_address"])
     closed_loop = ROBOTS[given["board"]].closed_loop
-    model = DiffDriveModel(
-        given["wheel_separation"], given["wheel_diameter"], given["max_speed"], given["motor_lag"], given["dead_band"],
-        Pose(given["x"], given["y"], given["yaw"]), closed_loop, given["wheel_ratio"])
+    model = DiffDriveModel(Body(*(given[name] for name in Body._fields)), Pose(given["x"], given["y"], given["yaw"]),
+                           load(given["world"]) if given["world"] else EMPTY, closed_loop)
     # A board with a closed loop measures its motion, but not the angles of its wheels.
     others = ["odom"] if closed_loop else ["odom", "joint_states"] if given["publish_odom"] else []
-    Simulator(model, motors, others, worlds.load(given["world"]) if given["world"] else EMPTY).spin()
+    Simulator(SimulatedRobot(motors, model), others).spin()
 
 
 if __name__ == "__main__":

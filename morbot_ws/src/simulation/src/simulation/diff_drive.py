@@ -1,19 +1,36 @@
-"""A differential-drive robot: two motors, and the pose that results."""
+"""A differential-drive robot: two motors, the pose that results, and the walls that stop it. No ROS, and no clock."""
 
 import math
-from typing import Dict, Optional, Tuple
+from typing import Dict, NamedTuple, Optional, Tuple
 
-from jetbot.kinematics import Pose, mix
+from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, Pose, mix
 
-from .collision import Collision
+from .world import EMPTY, RADIUS, World
 
 Pair = Tuple[float, float]  # left, right
 
+STEP = 0.01             # s, by which the simulation advances
 PWM_FREQUENCY = 1526.0  # Hz, at which a dead band is given
 STOPPED_BELOW = 1e-5    # m/s; a wheel that slows down would never be at 0
+RESOLUTION = 5e-5       # m; the robot stops this near to a wall, or nearer
+SEPARATED = 0.01        # m from the walls; the next contact is another one
 # Adafruit, "Improve Low-Speed Performance of Brushed DC Motors": a gear motor (product 4416) starts at 1.4 V of 5 V at
 # 1600 Hz, and at 0.1 V at 25 Hz.
 STARTING_EXPONENT = math.log(1.4 / 0.1) / math.log(1600 / 25)
+
+
+class Body(NamedTuple):
+    """A robot's size and motors; ``simulation.parameters`` has the meaning and the source of each number."""
+
+    wheel_separation: float = WHEEL_SEPARATION  # m
+    wheel_diameter: float = 0.06                # m, of the left wheel
+    wheel_ratio: float = 1.0
+    max_speed: float = FULL_SPEED               # m/s, of the left wheel
+    motor_lag: float = 0.1                      # s
+    dead_band: float = 0.05                     # duty
+
+
+JETBOT, ORIGIN = Body(), Pose()
 
 
 class Motor:
@@ -50,40 +67,82 @@ class Motor:
         self.distance -= rest
 
 
-class DiffDriveModel:
-    """A robot that starts at ``pose``. Sizes in m, max_speed in m/s; motor_lag, dead_band: see ``Motor``.
+class Collision:
+    """The walls of a world, for one robot.
 
-    wheel_ratio: diameter of the right wheel over that of the left one; wheel_diameter and max_speed are the left one's.
-    closed_loop: whether the board controls the speeds of the wheels. Otherwise it sets their duties.
-    collision: the walls that stop the robot, or None.
+    touching: whether the robot has been stopped by a wall, and has not been ``SEPARATED`` from it since.
     """
 
-    def __init__(self, wheel_separation: float, wheel_diameter: float, max_speed: float, motor_lag: float,
-                 dead_band: float, pose: Pose, closed_loop: bool = False, wheel_ratio: float = 1.0):
-        self.left, self.right = (Motor(speed, motor_lag, 0.0 if closed_loop else dead_band)
-                                 for speed in (max_speed, max_speed * wheel_ratio))
-        self.pose = pose
-        self._geometry = wheel_separation, max_speed
-        self._radii = wheel_diameter / 2, wheel_diameter / 2 * wheel_ratio
-        self._closed_loop = closed_loop
-        self.collision: Optional[Collision] = None
+    def __init__(self, world: World):
+        self._world = world
+        self._pose: Optional[Pose] = None  # after the last motion
+        self._margin = 0.0                 # m that each point of the robot may move from there and touch no wall
+        self.touching = False
 
-    def step(self, speeds: Pair, seconds: float, pwm_frequency: float = PWM_FREQUENCY) -> None:
-        """Drive for some seconds at the board's wheel speeds (left, right), at a PWM frequency in Hz.
+    def drive(self, pose: Pose, left: float, right: float, wheel_separation: float) -> Tuple[Pose, float]:
+        """Return where the robot is after its wheels have rolled, and the fraction of the way that it drove.
+
+        That is 1.0 unless a wall stops it; a robot that is on a wall already drives on. All lengths in m.
+        """
+        travel = abs(left + right) / 2 + RADIUS * abs(right - left) / wheel_separation  # of no point is it more
+        if pose == self._pose and travel < self._margin and not self.touching:  # too far from all walls
+            self._pose, self._margin = pose.integrate_arc(left, right, wheel_separation), self._margin - travel
+            return self._pose, 1.0
+        self._pose, driven, self._margin = self._advance(pose, left, right, wheel_separation, travel)
+        self.touching = driven < 1 or (self.touching and self._margin < SEPARATED)
+        return self._pose, driven
+
+    def _advance(self, start: Pose, left: float, right: float, wheel_separation: float,
+                 travel: float) -> Tuple[Pose, float, float]:
+        """Return the last pose before a wall, its fraction of the way, and its clearance: conservative advancement.
+
+        A robot that moves no farther than its clearance touches nothing, so each part of the way is that long.
+        """
+        pose, driven, clearance = start, 0.0, self._world.clearance(start)
+        while driven < 1:
+            part = max(clearance - RESOLUTION, RESOLUTION) / travel if travel else 1.0
+            next_driven = min(1.0, driven + part)
+            next_pose = start.integrate_arc(left * next_driven, right * next_driven, wheel_separation)
+            next_clearance = self._world.clearance(next_pose)
+            if next_clearance <= 0 < clearance:  # there it would touch
+                break
+            pose, driven, clearance = next_pose, next_driven, next_clearance
+        return pose, driven, clearance
+
+
+class DiffDriveModel:
+    """A robot with this body, at rest at ``pose`` in a world, whose walls stop it.
+
+    closed_loop: whether the board controls the speeds of the wheels. Otherwise it sets their duties.
+    left, right: its motors.
+    """
+
+    def __init__(self, body: Body = JETBOT, pose: Pose = ORIGIN, world: World = EMPTY, closed_loop: bool = False):
+        self._body, self._closed_loop = body, closed_loop
+        self.place(pose)
+        self.enter(world)
+
+    def place(self, pose: Pose) -> None:
+        """Put the robot at this pose, at rest and as new: its wheels have no speed and have not turned."""
+        body = self._body
+        self.pose = pose
+        self.left, self.right = (Motor(max_speed, body.motor_lag, 0.0 if self._closed_loop else body.dead_band)
+                                 for max_speed in (body.max_speed, body.max_speed * body.wheel_ratio))
+
+    def enter(self, world: World) -> None:
+        """Put this world around the robot, in the place of the one that it is in."""
+        self.world, self._collision = world, Collision(world)
+
+    def step(self, speeds: Pair, seconds: float = STEP, pwm_frequency: float = PWM_FREQUENCY) -> None:
+        """Drive for some seconds at the board's wheel speeds (left, right), at a PWM frequency in Hz, up to a wall.
 
         They are duties in [-1, 1]; of a closed loop, m/s of wheels that are 2 m apart.
         """
         left, right = speeds
         if self._closed_loop:
-            left, right = mix((left + right) / 2, (right - left) / 2, *self._geometry)
-        self._roll(self.left.step(left, seconds, pwm_frequency), self.right.step(right, seconds, pwm_frequency))
-
-    def _roll(self, left, right):
-        """Move the robot as its wheels roll, these metres, up to a wall."""
-        if not self.collision:
-            self.pose = self.pose.integrate_arc(left, right, self._geometry[0])
-            return
-        self.pose, driven = self.collision.drive(self.pose, left, right, self._geometry[0])
+            left, right = mix((left + right) / 2, (right - left) / 2, self._body.wheel_separation, self._body.max_speed)
+        left, right = self.left.step(left, seconds, pwm_frequency), self.right.step(right, seconds, pwm_frequency)
+        self.pose, driven = self._collision.drive(self.pose, left, right, self._body.wheel_separation)
         if driven < 1:
             self.left.block(left * (1 - driven))
             self.right.block(right * (1 - driven))
@@ -96,19 +155,21 @@ class DiffDriveModel:
     @property
     def touching(self) -> bool:
         """Whether the robot touches a wall, or has touched one and is still near it."""
-        return bool(self.collision and self.collision.touching)
+        return self._collision.touching
 
     @property
     def velocity(self) -> Tuple[float, float]:
         """The velocity (linear in m/s, angular in rad/s) in the robot's own frame."""
-        return (self.left.speed + self.right.speed) / 2, (self.right.speed - self.left.speed) / self._geometry[0]
+        left, right = self.left.speed, self.right.speed
+        return (left + right) / 2, (right - left) / self._body.wheel_separation
 
     @property
     def joints(self) -> Tuple[Pair, Pair]:
         """The rotations of the wheels (left, right) since the start in rad, and their angular speeds in rad/s."""
-        left, right, (left_radius, right_radius) = self.left, self.right, self._radii
-        return ((left.distance / left_radius, right.distance / right_radius),
-                (left.speed / left_radius, right.speed / right_radius))
+        left, right, radius = self.left, self.right, self._body.wheel_diameter / 2
+        right_radius = radius * self._body.wheel_ratio
+        return ((left.distance / radius, right.distance / right_radius),
+                (left.speed / radius, right.speed / right_radius))
 
     @property
     def stalled(self) -> Dict[str, float]:

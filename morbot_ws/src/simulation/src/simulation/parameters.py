@@ -10,6 +10,8 @@ from jetbot_control_node import parameters as controller
 from jetbot_control_node.parameters import is_fake_place
 from jetbot_ros.parameters import Parameter, check_values, given
 
+from .diff_drive import JETBOT
+
 SHARED = ("board", "i2c_address", "publish_odom")  # that the controller's file may hold
 FAKE = Kind(is_fake_place, "fake, or fake:FOLDER")
 
@@ -20,14 +22,18 @@ PARAMETERS = {
     "i2c_address": Parameter(None, ADDRESS, "I2C address of the board that the controller drives"),
     "port": Parameter("fake", FAKE, "serial port of a jetbot_pro: fake or fake:FOLDER"),
     "publish_odom": controller.PARAMETERS["publish_odom"],
-    "wheel_separation": Parameter(0.1125, POSITIVE, "distance between the wheels, of NVIDIA's model in Isaac Sim", "m"),
-    "wheel_diameter": Parameter(0.06, POSITIVE, "diameter of the left wheel, of the same model", "m"),
-    "wheel_ratio": Parameter(1.0, POSITIVE, "diameter of the right wheel over that of the left one"),
-    "max_speed": Parameter(0.6, POSITIVE, "speed of a wheel at full power; TT motors, about 200 rpm at 5 V", "m/s"),
-    "motor_lag": Parameter(0.1, SECONDS, "time to 63 % of a change of speed; an estimate: 0.35 kg on each wheel, and "
-                                         "the 0.065 N m of a TT motor at 5 V", "s"),
-    "dead_band": Parameter(0.05, FRACTION, "duty below which a motor does not turn, at 1526 Hz; an estimate: 0.23 V of "
-                                           "5 V, to which Adafruit's speeds of TT motor 3777 extrapolate"),
+    "wheel_separation": Parameter(JETBOT.wheel_separation, POSITIVE,
+                                  "distance between the wheels, of NVIDIA's model in Isaac Sim", "m"),
+    "wheel_diameter": Parameter(JETBOT.wheel_diameter, POSITIVE, "diameter of the left wheel, of the same model", "m"),
+    "wheel_ratio": Parameter(JETBOT.wheel_ratio, POSITIVE, "diameter of the right wheel over that of the left one"),
+    "max_speed": Parameter(JETBOT.max_speed, POSITIVE,
+                           "speed of a wheel at full power; TT motors, about 200 rpm at 5 V", "m/s"),
+    "motor_lag": Parameter(JETBOT.motor_lag, SECONDS,
+                           "time to 63 % of a change of speed; an estimate: 0.35 kg on each wheel, and the 0.065 N m "
+                           "of a TT motor at 5 V", "s"),
+    "dead_band": Parameter(JETBOT.dead_band, FRACTION,
+                           "duty below which a motor does not turn, at 1526 Hz; an estimate: 0.23 V of 5 V, to which "
+                           "Adafruit's speeds of TT motor 3777 extrapolate"),
     "world": Parameter("", Kind(lambda value: isinstance(value, str), "the name of a YAML file"),
                        "YAML file of the walls and lines around the robot; arena.yaml is one; none: nothing is there"),
     "x": Parameter(0.0, NUMBER, "where the robot starts", "m"),

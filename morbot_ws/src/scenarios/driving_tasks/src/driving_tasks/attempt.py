@@ -5,7 +5,7 @@ from typing import Callable, Iterator, Optional
 
 from jetbot.kinematics import Pose
 from jetbot.text import enumeration
-from simulation.worlds import dump
+from simulation.world_files import dump
 
 from .announce import Announcement
 from .bag_writer import BagWriter

@@ -4,7 +4,7 @@ import math
 from statistics import fmean
 from typing import Callable, List, NamedTuple, Sequence
 
-from simulation.geometry import distance_to_segment
+from simulation.world import distance_to_segment
 
 from .course import SPACING, Course, Point, Straight, Turn, relative
 from .drive import Drive

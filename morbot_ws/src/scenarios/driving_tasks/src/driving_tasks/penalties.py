@@ -2,7 +2,7 @@
 
 from typing import Callable, List, NamedTuple
 
-from simulation.collision import SEPARATED
+from simulation.diff_drive import SEPARATED
 from simulation.world import World
 
 from .course import Point

@@ -3,13 +3,10 @@
 import math
 from typing import Iterator, List, Sequence, Tuple
 
-from jetbot.kinematics import Pose, clamp, mix
+from jetbot.kinematics import clamp, mix
 from jetbot_control_node import parameters as controller
 from jetbot_control_node.ramp import Ramp
-from simulation.collision import Collision
-from simulation.diff_drive import PWM_FREQUENCY, DiffDriveModel
-from simulation.parameters import PARAMETERS
-from simulation.step_clock import STEP
+from simulation.diff_drive import PWM_FREQUENCY, STEP, DiffDriveModel
 
 from .drive import DONE, STOP_TIME, Recorder
 from .samples import Sample
@@ -21,7 +18,6 @@ STEPS_PER_SAMPLE = 2
 CMD_VEL_TIMEOUT = controller.PARAMETERS["cmd_vel_timeout"].default  # s
 WAIT = 60.0  # s that a robot may rest or twitch before its drive
 STOPPED = (0.0, 0.0)  # m/s, rad/s
-BODY = ("wheel_separation", "wheel_diameter", "max_speed", "motor_lag", "dead_band")
 
 
 def replay(commands: Sequence[Command], task: Task, wheel_separation: float = 2.0, max_speed: float = 1.0,
@@ -31,8 +27,7 @@ def replay(commands: Sequence[Command], task: Task, wheel_separation: float = 2.
     It starts when the first command moves it; the times count from then on. Commands that are not finite, and those
     that are older than the one before, do not count. The rest are the controller's parameters of these names.
     """
-    model = DiffDriveModel(*(PARAMETERS[name].default for name in BODY), pose=Pose())
-    model.collision = Collision(task.load_world())
+    model = DiffDriveModel(world=task.load_world())
     ramp = Ramp(acceleration_limit, wheel_separation, max_speed)
     recorder, samples = Recorder(task.time_limit), [Sample(0.0, model.pose, 0.0)]
     recorder.feed(samples[0])

@@ -5,7 +5,7 @@ from functools import partial
 from typing import NamedTuple, Tuple
 
 from simulation.world import EMPTY, World
-from simulation.worlds import load
+from simulation.world_files import load
 
 from .course import Arc, Course, Step, Straight, Turn, s_bend
 from .measures import Measure, corners, end, line, sides

@@ -1,7 +1,6 @@
 """Worlds as YAML: those that this package ships, and files of users."""
 
 import os
-from collections import Counter
 from typing import Dict, List, Tuple, Union
 
 import yaml
@@ -16,7 +15,6 @@ from .world import Polyline, World
 SHIPPED = files.shipped(__file__, "simulation", "worlds")
 MAX_POINTS = 1000  # of all walls and lines
 MAX_PLACE = 1000   # m
-MAX_DEPTH = 5      # a number is in a point, in a polyline, in a list of them, in the world
 
 
 def is_list_of(value: object, length: int) -> bool:
@@ -34,22 +32,6 @@ KEYS = {
     "line_width": Kind(lambda value: is_number(value) and 0 < value <= 1, "a number of metres above 0, 1 at most"),
     "origin": Kind(lambda value: is_list_of(value, 3), f"[x, y, yaw] in m and rad, within {MAX_PLACE}"),
 }
-
-
-class _Loader(yaml.SafeLoader):
-    """Refuses aliases, with which a few lines are a million points, and lists in lists without end."""
-
-    _depth = 0
-
-    def compose_node(self, parent, index):
-        problem = ("write each point out, without *" if self.check_event(yaml.AliasEvent) else
-                   "there are too many [ around each other" if self._depth > MAX_DEPTH else None)
-        if problem:
-            raise yaml.MarkedYAMLError(problem=problem, problem_mark=self.peek_event().start_mark)
-        self._depth += 1
-        node = super().compose_node(parent, index)
-        self._depth -= 1
-        return node
 
 
 def names() -> List[str]:
@@ -79,6 +61,8 @@ def parse(text: Union[str, bytes], source: str = "the world") -> World:
     try:
         values = _read(text)
         _check(values)
+    except RecursionError:
+        raise InvalidValue(f"{source} cannot be used: there are too many [ around each other") from None
     except (yaml.YAMLError, ValueError, OverflowError) as error:
         raise InvalidValue(f"{source} cannot be used: {_reason(error)}") from None
     world = World(*(_polylines(values.get(name, [])) for name in ("walls", "lines")))
@@ -94,26 +78,16 @@ def dump(world: World) -> str:
                            "line_width": world.line_width})
 
 
-def _reason(error: Exception) -> str:
-    """Return in one phrase why a text is no world."""
-    mark = getattr(error, "problem_mark", None)
-    if mark:
-        return f"line {mark.line + 1}: {error.problem}"
-    return (getattr(error, "reason", None) or str(error)).partition("\n")[0].rstrip(".")
-
-
-def _read(text: Union[str, bytes]) -> Dict[str, object]:
-    """Return what YAML holds, by its keys; raise YAMLError, ValueError or OverflowError."""
+def _read(text: Union[str, bytes]) -> Dict[object, object]:
+    """Return what YAML holds, by its keys; raise YAMLError, ValueError, OverflowError or RecursionError."""
     if len(text) > files.MAX_SIZE:
         raise ValueError(f"it is larger than {files.MAX_SIZE // 1024} kB")
-    loader = _Loader(text)
-    node = loader.get_single_node()
-    if not isinstance(node, yaml.MappingNode):
+    if any(isinstance(token, yaml.AliasToken) for token in yaml.scan(text)):  # a few lines would be a million points
+        raise ValueError("write each point out, without *")
+    values = yaml.safe_load(text)
+    if not isinstance(values, dict):
         raise ValueError("it holds no walls: and no lines:")
-    twice = [key for key, count in Counter(str(key.value) for key, _ in node.value).items() if count > 1]
-    if twice:
-        raise ValueError(f"it gives {twice[0]} twice")
-    return loader.construct_document(node)
+    return values
 
 
 def _check(values: Dict[object, object]) -> None:
@@ -130,6 +104,14 @@ def _check(values: Dict[object, object]) -> None:
             POINT.check(f"point {number} in {name}", point)
     if sum(len(polyline) for _, polyline in polylines) > MAX_POINTS:
         raise InvalidValue(f"its walls and lines have more than {MAX_POINTS} points")
+
+
+def _reason(error: Exception) -> str:
+    """Return in one phrase why a text is no world."""
+    mark = getattr(error, "problem_mark", None)
+    if mark:
+        return f"line {mark.line + 1}: {error.problem}"
+    return (getattr(error, "reason", None) or str(error)).partition("\n")[0].rstrip(".")
 
 
 def _polylines(values: List[List[List[float]]]) -> Tuple[Polyline, ...]:
