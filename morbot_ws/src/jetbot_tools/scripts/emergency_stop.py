@@ -10,16 +10,16 @@ import signal
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import os
+import socket
 import sys
-import threading
-from typing import List
+from typing import Callable, List
 
 from jetbot.text import closest, printable
-from jetbot_ros.master import NO_ANSWER, ask_master, is_reachable, master_uri
+from jetbot_ros.master import NO_ANSWER, ask_master, master_uri
 
 CONFIRM_TIMEOUT = 2.0   # s for the robots
 TIMEOUT = 8.0           # s for all: rospy waits forever for a master that freezes meanwhile
-SHUTDOWN_TIMEOUT = 1.0  # s for the end of this node
+SHUTDOWN_TIMEOUT = 1.0  # s to unregister this node
 SWITCH = "If a robot moves, use its switch."
 
 
@@ -38,12 +38,12 @@ def is_stop(arguments: List[str]) -> bool:
 
 def check_master() -> None:
     """End the program with one sentence if no master answers."""
-    if not is_reachable(master_uri()):
-        sys.exit(f"No ROS master at {master_uri()}, so no robot can be reached. {SWITCH}")
     try:
         ask_master("getPid")
-    except NO_ANSWER:
+    except socket.timeout:
         no_answer()
+    except NO_ANSWER:
+        sys.exit(f"No ROS master at {master_uri()}, so no robot can be reached. {SWITCH}")
 
 
 def no_answer() -> None:
@@ -52,23 +52,18 @@ def no_answer() -> None:
     os._exit(1)
 
 
-def after(seconds: float, action, *arguments) -> threading.Timer:
-    """Start and return a timer that does not keep the process alive."""
-    timer = threading.Timer(seconds, action, arguments)
-    timer.daemon = True
-    timer.start()
-    return timer
+def after(seconds: float, action: Callable[[], None]) -> None:
+    """Do this after so many seconds, whatever the process then waits for, and no longer what was set before."""
+    signal.signal(signal.SIGALRM, lambda *_: action())
+    signal.setitimer(signal.ITIMER_REAL, seconds)
 
 
-def stop(engaged: bool) -> bool:
-    """Stop or release all robots, and print a line for each; return whether there are some, and all have confirmed."""
+def stop(engaged: bool) -> int:
+    """Stop or release all robots, and print a line for each; return the exit code."""
     try:
-        import rospy  # here: it takes long to import
-
-        from jetbot_tools.fleet import Fleet
+        from jetbot_tools.fleet import Fleet  # here: rospy takes long to import
     except ImportError as error:
         sys.exit(f"{error}. First run: ./morbot setup")
-    rospy.init_node("emergency_stop", anonymous=True, disable_rosout=True, disable_signals=True)
     fleet = Fleet(engaged)
     if not fleet.wait(CONFIRM_TIMEOUT):
         fleet.remove_dead()
@@ -78,21 +73,21 @@ def stop(engaged: bool) -> bool:
     if unconfirmed or not fleet.statuses:
         print(f"{'Not every robot confirms' if unconfirmed else f'No robot runs on the ROS master at {master_uri()}'}. "
               f"{SWITCH} Then repeat this.")
-    return bool(fleet.statuses) and not unconfirmed
+    code = 0 if fleet.statuses and not unconfirmed else 1
+    sys.stdout.flush()
+    after(SHUTDOWN_TIMEOUT, lambda: os._exit(code))
+    fleet.leave()
+    return code
 
 
 def main() -> None:
     engaged = is_stop(sys.argv[1:])
     check_master()
-    limit = after(TIMEOUT, no_answer)
+    after(TIMEOUT, no_answer)
     try:
-        code = 0 if stop(engaged) else 1
+        os._exit(stop(engaged))  # rospy's threads, which have nothing left to do, would take seconds
     except NO_ANSWER:
         no_answer()
-    limit.cancel()
-    sys.stdout.flush()
-    after(SHUTDOWN_TIMEOUT, os._exit, code)
-    sys.exit(code)
 
 
 if __name__ == "__main__":

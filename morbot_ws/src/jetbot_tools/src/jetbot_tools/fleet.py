@@ -14,13 +14,13 @@ ASK_INTERVAL = 0.05  # s between two questions to the master
 
 
 class Fleet:
-    """The nodes that listen to the emergency stop and publish a status. Needs an initialized node."""
+    """The nodes that listen to the emergency stop and publish a status. Makes this process a node."""
 
     def __init__(self, engaged: bool):
+        rospy.init_node("emergency_stop", anonymous=True, disable_rosout=True, disable_signals=True)
         self._engaged = engaged
         self._publisher = rospy.Publisher(TOPIC, Bool, queue_size=1, latch=True)  # for robots that join meanwhile too
         self._publisher.publish(engaged)
-        self._subscribers = {}
         self.statuses: Dict[str, str] = {}  # of each robot's node, "" until it arrives
 
     def wait(self, timeout: float) -> bool:
@@ -42,13 +42,17 @@ class Fleet:
             if not uri or not is_reachable(uri):
                 del self.statuses[name]
 
+    def leave(self) -> None:
+        """Unregister this node; the robots keep what they were told."""
+        rospy.signal_shutdown("done")
+
     def _find_robots(self):
         """Subscribe to the status of new robots; return all statuses."""
         publishers, subscribers, _ = system_state()
         for name in subscribers.get(TOPIC, ()):
-            if name in publishers.get(f"{name}/status", ()) and name not in self._subscribers:
+            if name in publishers.get(f"{name}/status", ()) and name not in self.statuses:
                 self.statuses[name] = ""
-                self._subscribers[name] = rospy.Subscriber(f"{name}/status", String, self._record, name)
+                rospy.Subscriber(f"{name}/status", String, self._record, name)
         return self.statuses
 
     def _record(self, message, name):
