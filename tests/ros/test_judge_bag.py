@@ -8,8 +8,8 @@ import rosbag
 import rospy
 from geometry_msgs.msg import Twist
 
-from driving_tasks.bags import judge_bags
-from driving_tasks.tasks import TASKS
+from driving_tasks.scoring.tasks import TASKS
+from driving_tasks.sources.bags import judge_bags
 from judged_bags import TRUTH, judge_in_process, odometry, table, working_folder, write, write_commands  # noqa: F401  fixtures
 
 

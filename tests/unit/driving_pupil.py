@@ -8,8 +8,8 @@ import math
 from functools import lru_cache
 from itertools import islice
 
-from driving_tasks.samples import Sample
-from driving_tasks.tasks import TASKS
+from driving_tasks.scoring.recorder import Sample
+from driving_tasks.scoring.tasks import TASKS
 from jetbot.kinematics import clamp, mix, to_frame
 from simulation.diff_drive import STEP, DiffDriveModel
 from simulation.world import EMPTY

@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 import pytest
 
 from conftest import ROOT
-from driving_tasks.tasks import TASKS
+from driving_tasks.scoring.tasks import TASKS
 
 LESSONS = {page.stem: page.read_text() for page in sorted((ROOT / "docs/lessons").glob("[0-9p]*.md"))}
 

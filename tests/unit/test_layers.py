@@ -22,7 +22,7 @@ PURE = {  # modules and packages, and what they must not import
     "simulation.world": ROS,
     "simulation.diff_drive": ROS + "|time$",
     "simulation.simulated_robot": ROS + "|time$",
-    "driving_tasks.score": ROS + "|matplotlib|time$",
+    "driving_tasks.scoring": ROS + "|matplotlib|time$",
 }
 
 

@@ -6,11 +6,11 @@ import os
 
 import pytest
 
-from driving_tasks import marks
-from driving_tasks.samples import Sample
-from driving_tasks.score import judge
+from driving_tasks.report import marks
+from driving_tasks.scoring.recorder import Sample
+from driving_tasks.scoring.score import judge
+from driving_tasks.scoring.tasks import TASKS
 from driving_tasks.sources.folders import find_files
-from driving_tasks.tasks import TASKS
 from jetbot import InvalidValue
 from jetbot.kinematics import Pose
 

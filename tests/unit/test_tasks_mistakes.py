@@ -5,9 +5,9 @@ import math
 import pytest
 from driving_pupil import BEND, SOLUTIONS, arc, one_after_the_other, ramp, run, solution, square, straight, turn
 
-from driving_tasks.drive import NoDrive
-from driving_tasks.score import judge
-from driving_tasks.tasks import TASKS
+from driving_tasks.scoring.recorder import NoDrive
+from driving_tasks.scoring.score import judge
+from driving_tasks.scoring.tasks import TASKS
 
 
 def result(name, program):

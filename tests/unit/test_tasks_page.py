@@ -7,11 +7,10 @@ from functools import partial
 import pytest
 
 from conftest import ROOT
-from driving_tasks import drive, measures, penalties, score
-from driving_tasks.drive import Drive
-from driving_tasks.samples import Sample
-from driving_tasks.score import rate
-from driving_tasks.tasks import ACCELERATION, TASKS
+from driving_tasks.scoring import measures, penalties, score
+from driving_tasks.scoring.recorder import STILL, STILL_DEGREES, STOP_TIME, TWITCH, Drive, Sample
+from driving_tasks.scoring.score import rate
+from driving_tasks.scoring.tasks import ACCELERATION, TASKS
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, Pose
 
 PAGE = (ROOT / "docs/tasks.md").read_text()
@@ -62,9 +61,9 @@ def test_the_robot():
 def test_the_numbers_of_the_score():
     assert f"exp(-error / {score.TOLERANCE:g}) * ({1 - score.TIME_SHARE:g} + {score.TIME_SHARE:g} * min(" in PAGE
     assert f"5 degrees leave {100 * math.exp(-5 / score.TOLERANCE):.1f} points" in TEXT
-    assert f"left its start by {1000 * drive.STILL:g} mm or {drive.STILL_DEGREES} degrees" in TEXT
-    assert f"stopped for {drive.STOP_TIME:g} s" in TEXT
-    assert f"less than {100 * drive.TWITCH * drive.STILL:g} cm and {drive.TWITCH * drive.STILL_DEGREES:g} deg" in TEXT
+    assert f"left its start by {1000 * STILL:g} mm or {STILL_DEGREES} degrees" in TEXT
+    assert f"stopped for {STOP_TIME:g} s" in TEXT
+    assert f"less than {100 * TWITCH * STILL:g} cm and {TWITCH * STILL_DEGREES:g} deg" in TEXT
     assert ROWS["contacts"][0].startswith(f"{penalties.CONTACT:g} for each time")
     assert f"after {100 * penalties.SEPARATED:g} cm of distance" in ROWS["contacts"][0]
     assert ROWS["acceleration"][0].startswith(

@@ -4,10 +4,10 @@ import math
 
 import pytest
 
-from driving_tasks.drive import NoDrive
-from driving_tasks.replay import replay
-from driving_tasks.score import judge
-from driving_tasks.tasks import TASKS
+from driving_tasks.scoring.recorder import NoDrive
+from driving_tasks.scoring.score import judge
+from driving_tasks.scoring.tasks import TASKS
+from driving_tasks.sources.replay import replay
 from simulation.world import FOOTPRINT
 
 METRE = TASKS["metre"]
@@ -23,12 +23,12 @@ def commands(linear, angular, seconds, start=0.0, rate=10):
 @pytest.mark.parametrize("options, speed", [({}, 0.5), (SI, 0.3)])
 def test_half_power_drives_0_3_m_per_s(options, speed):
     result = judge(METRE, replay(commands(speed, 0.0, 1 / 0.3), METRE, **options))
-    assert result.score > 95 and result.path[-1].x == pytest.approx(1.0, abs=0.004)
+    assert result.score > 95 and result.drive.end.x == pytest.approx(1.0, abs=0.004)
 
 
 def test_a_robot_that_speeds_up_gently_loses_the_way_that_the_page_says():
     result = judge(METRE, replay(commands(0.3, 0.0, 1 / 0.3, rate=100), METRE, acceleration_limit=1.0, **SI))
-    assert result.path[-1].x == pytest.approx(1.0 - 0.3 ** 2 / 2, abs=0.007)
+    assert result.drive.end.x == pytest.approx(1.0 - 0.3 ** 2 / 2, abs=0.007)
 
 
 def test_a_turn_in_si_units():
@@ -37,11 +37,11 @@ def test_a_turn_in_si_units():
 
 
 def test_without_a_zero_the_robot_stops_a_second_after_the_last_command():
-    assert judge(METRE, replay(commands(0.5, 0.0, 2.0)[:-1], METRE)).path[-1].x == pytest.approx(0.3 * 2.9, abs=0.01)
+    assert judge(METRE, replay(commands(0.5, 0.0, 2.0)[:-1], METRE)).drive.end.x == pytest.approx(0.3 * 2.9, abs=0.01)
 
 
 def test_the_robot_is_never_faster_than_full_power():
-    assert judge(METRE, replay(commands(7.0, 0.0, 1.0), METRE)).path[-1].x == pytest.approx(0.6, abs=0.01)
+    assert judge(METRE, replay(commands(7.0, 0.0, 1.0), METRE)).drive.end.x == pytest.approx(0.6, abs=0.01)
 
 
 def test_a_wall_stops_the_robot(tmp_path):
@@ -50,7 +50,7 @@ def test_a_wall_stops_the_robot(tmp_path):
     task = METRE._replace(world=str(world), penalties=TASKS["park"].penalties)
     twice = commands(0.5, 0.0, 3.0) + commands(-0.5, 0.0, 0.5, start=3.1) + commands(0.5, 0.0, 2.0, start=3.7)
     result = judge(task, replay(twice, task))
-    assert result.path[-1].x == pytest.approx(0.5 - FOOTPRINT.right, abs=0.001)
+    assert result.drive.end.x == pytest.approx(0.5 - FOOTPRINT.right, abs=0.001)
     assert {loss.sentence: loss.points for loss in result.losses}["touched a wall twice"] == 40
 
 

@@ -6,14 +6,12 @@ import time
 import pytest
 from driving_pupil import run, solution, straight
 
-from driving_tasks.course import Arc, Straight, Turn, advance
-from driving_tasks.drive import NoDrive, Recorder
-from driving_tasks.measures import corners, distances
-from driving_tasks.samples import Sample
-from driving_tasks.score import judge
-from driving_tasks.tasks import TASKS
+from driving_tasks.scoring.course import Arc, Straight, Turn, advance
+from driving_tasks.scoring.measures import corners
+from driving_tasks.scoring.recorder import NoDrive, Recorder, Sample
+from driving_tasks.scoring.score import judge
+from driving_tasks.scoring.tasks import TASKS
 from jetbot.kinematics import Pose, from_frame
-from simulation.world import distance_to_segment
 
 
 def perfect(steps, speed=0.3, rate=50, turn_speed=90.0, rest=4.0):
@@ -65,7 +63,7 @@ def test_an_error_of_5_leaves_60_65_points_before_the_time(name, steps, points):
     result = judge(TASKS[name], perfect(steps))
     if points is None:  # one error of 8 degrees among the eight corners; 5 degrees, and where they lead to
         points = 100 * math.exp(-0.1) if name == "square" else 100 * math.exp(-0.5)
-    time_factor = 0.8 + 0.2 * min(1, TASKS[name].ideal_seconds / result.seconds)
+    time_factor = 0.8 + 0.2 * min(1, TASKS[name].ideal_seconds / result.drive.seconds)
     assert result.score == pytest.approx(points * time_factor, abs=0.7 if name == "circle" else 0.05)
 
 
@@ -90,7 +88,7 @@ def test_the_score_does_not_depend_on_where_the_robot_starts(name):
                     speed) for stamp, pose, speed in samples]
     result = judge(TASKS[name], moved)
     assert result.score == pytest.approx(judge(TASKS[name], samples).score, abs=1e-4)
-    assert result.frame == pytest.approx(start)
+    assert result.drive.frame == pytest.approx(start)
 
 
 @pytest.mark.parametrize("name", ["metre", "square", "smooth"])
@@ -107,8 +105,8 @@ def test_the_score_is_the_same_float_with_samples_before_and_after_and_each_time
 @pytest.mark.parametrize("first", [0, 3, 6, 9])
 def test_the_time_is_measured_more_finely_than_the_samples(first):
     samples = solution("metre")  # 100 Hz
-    seconds = judge(TASKS["metre"], samples).seconds
-    assert judge(TASKS["metre"], samples[first::10]).seconds == pytest.approx(seconds, abs=0.08)
+    seconds = judge(TASKS["metre"], samples).drive.seconds
+    assert judge(TASKS["metre"], samples[first::10]).drive.seconds == pytest.approx(seconds, abs=0.08)
 
 
 def test_rounded_corners_are_corners():
@@ -118,13 +116,6 @@ def test_rounded_corners_are_corners():
         recorder.feed(sample)
     errors = [error.size for error in corners(TASKS["square"].course, recorder.finish())]
     assert errors == pytest.approx([0.0] * 8, abs=0.2)
-
-
-def test_the_distance_from_a_path_is_that_from_its_nearest_segment():
-    path = [(math.cos(number / 7) * number / 50, math.sin(number / 11)) for number in range(100)]
-    points = [(number % 9 / 4 - 1, number / 20 - 1) for number in range(40)]
-    assert distances(points, path) == [
-        min(distance_to_segment(point, *segment) for segment in zip(path, path[1:])) for point in points]
 
 
 def test_a_robot_that_is_put_back_starts_again():
@@ -145,14 +136,14 @@ def test_a_twitch_is_no_drive():
 
 def test_a_robot_that_never_stops_is_judged_after_the_time_limit():
     samples = [Sample(number / 50, Pose(0.01 * number / 50), 0.01) for number in range(10000)]
-    assert judge(TASKS["metre"], samples).seconds == pytest.approx(60, abs=0.2)
+    assert judge(TASKS["metre"], samples).drive.seconds == pytest.approx(60, abs=0.2)
 
 
 def test_a_drive_ends_where_the_samples_stop_for_3_s():
     samples = run(straight(1.0))
     half = [sample for sample in samples if sample.time < 1.5]
     result = judge(TASKS["metre"], half + [sample._replace(time=sample.time + 1e7) for sample in samples[len(half):]])
-    assert result == judge(TASKS["metre"], half) and result.seconds < 1.5
+    assert result == judge(TASKS["metre"], half) and result.drive.seconds < 1.5
 
 
 NAN, INF = math.nan, math.inf

@@ -7,9 +7,9 @@ import re
 import pytest
 
 from conftest import ROOT, SOURCE, TASKS
-from driving_tasks.marks import COLUMNS
-from driving_tasks.score import TOLERANCE
-from driving_tasks.tasks import TASKS as ROWS
+from driving_tasks.report.marks import COLUMNS
+from driving_tasks.scoring.score import TOLERANCE
+from driving_tasks.scoring.tasks import TASKS as ROWS
 
 GUIDE = (ROOT / "docs/teaching.md").read_text()
 PAGES = ["phone.md", *(page.name for page in sorted((ROOT / "docs/lessons").glob("[0-9]_*.md")))]

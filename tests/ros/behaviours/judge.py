@@ -9,8 +9,8 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
 from visualization_msgs.msg import Marker, MarkerArray
 
-from driving_tasks.bags import judge_bag
-from driving_tasks.tasks import TASKS
+from driving_tasks.scoring.tasks import TASKS
+from driving_tasks.sources.bags import judge_bag
 from harness import START_TIMEOUT, RobotTest, program, read
 from jetbot.fake.motors import STOPPED
 
@@ -20,7 +20,7 @@ READY = "Drive when you are ready."
 RELEASE = "The robot is stopped: emergency stop, on a fake bus. Release it: ./morbot stop --release"
 EXACT_JUDGE = """
 import runpy, sys
-from driving_tasks import live
+from driving_tasks.sources import live
 judge_robots = live.judge_robots
 
 def judge_exactly(*arguments):

@@ -1,4 +1,5 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=["driving_tasks", "driving_tasks.sources"], package_dir={"": "src"}))
+ROOMS = ["driving_tasks", "driving_tasks.report", "driving_tasks.scoring", "driving_tasks.sources"]
+setup(**generate_distutils_setup(packages=ROOMS, package_dir={"": "src"}))

@@ -1,6 +1,6 @@
 """The check of lesson 9: the recorded drive, judged again."""
 
-from driving_tasks.tasks import TASKS
+from driving_tasks.scoring.tasks import TASKS
 
 from . import Problem
 from .packages import NameOrFolder, folder
@@ -16,7 +16,7 @@ def check_drive(package: NameOrFolder) -> Problem:
     bag = folder(package) / BAG
     if not bag.is_file():
         return f"There is no file {bag}: record your drive with {RECORD} {bag}"
-    from driving_tasks.bags import judge_bag  # here: rosbag takes long to import
+    from driving_tasks.sources.bags import judge_bag  # here: rosbag takes long to import
     mark = judge_bag(TASKS[TASK], str(bag))
     if not mark.result:
         return f"{bag} has no score: {mark.problem}"

@@ -11,7 +11,7 @@ import rosgraph
 import rospy
 from catkin_pkg.package import InvalidPackage
 
-from driving_tasks import marks
+from driving_tasks.report import marks
 from jetbot.text import printable
 
 from . import Problem

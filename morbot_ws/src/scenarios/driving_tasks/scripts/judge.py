@@ -16,10 +16,10 @@ try:
 
     import rospy
 
-    from driving_tasks import marks
     from driving_tasks.arguments import is_single, parse_arguments
-    from driving_tasks.marks import Mark
-    from driving_tasks.tasks import TASKS
+    from driving_tasks.report import marks
+    from driving_tasks.report.marks import Mark
+    from driving_tasks.scoring.tasks import TASKS
     from jetbot import JetbotError, files
     from jetbot.text import printable
     from jetbot_ros.lifecycle import leave
@@ -52,12 +52,12 @@ def main() -> int:
 def judge(given: Namespace) -> Iterator[Mark]:
     """Return the marks of the drives, each as the drive ends."""
     if given.bag:
-        from driving_tasks.bags import judge_bags  # here: each of these takes long to import
+        from driving_tasks.sources.bags import judge_bags  # here: each of these takes long to import
         return judge_bags(given.task, given.bag, given.robot[0] if given.robot else None, given.config)
     if given.program:
         from driving_tasks.sources.programs import judge_programs
         return judge_programs(given.task, given.program, given.config)
-    from driving_tasks.live import judge_robots
+    from driving_tasks.sources.live import judge_robots
     return judge_robots(given.task, given.robot, given.record)
 
 
@@ -77,7 +77,7 @@ def report(mark: Mark, given: Namespace, is_first: bool) -> None:
 def draw(mark: Mark, given: Namespace) -> None:
     """Draw the picture of a drive; without one, its score still counts."""
     try:
-        from driving_tasks import picture
+        from driving_tasks.report import picture
         file = picture_file(mark, given)
         picture.draw(mark.result, str(file))
     except ImportError:

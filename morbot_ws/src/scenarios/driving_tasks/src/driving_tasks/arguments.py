@@ -11,7 +11,7 @@ import rosgraph
 from jetbot import InvalidValue
 from jetbot.text import closest, enumeration, printable
 
-from .tasks import TASKS
+from .scoring.tasks import TASKS
 
 EPILOG = """Without TASK: lists the tasks. Without --bag and --program: judges the simulated robot that drives now."""
 UNITS = "units of the commands, of a bag with nothing else or of programs: a YAML file such as si_units.yaml"

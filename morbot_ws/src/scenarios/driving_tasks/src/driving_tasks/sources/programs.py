@@ -20,13 +20,13 @@ from jetbot.wait import wait_until
 from jetbot_ros.master import is_reachable
 
 from .. import contained
-from ..attempt import INVITATION, Attempt
-from ..bags import read_config
-from ..live import POLL_INTERVAL, init_node
-from ..marks import Mark
-from ..robot import SimulatedRobot
-from ..tasks import Task
+from ..report.marks import Mark
+from ..scoring.tasks import Task
+from .attempt import INVITATION, Attempt
 from .folders import find_files
+from .judged_robot import SimulatedRobot
+from .live import POLL_INTERVAL, init_node
+from .replay import read_config
 
 OTHER_FILES = ("__init__.py", "setup.py")  # of a package, that are no programs
 START_TIMEOUT = 30  # s until master, controller and simulator run
@@ -88,10 +88,9 @@ class Trial:
         return self._judge(Attempt(self._task, SimulatedRobot(""), self._sentences.append))
 
     def _judge(self, attempt):
-        problem, steps = "", attempt.steps()
+        problem = ""
         while not (attempt.mark or problem):
-            attempt.robot.poll()
-            next(steps, None)
+            attempt.step()
             if self._process:
                 problem = "" if attempt.has_driven else self._problem()
             elif attempt.ready and attempt.robot.is_controlled:

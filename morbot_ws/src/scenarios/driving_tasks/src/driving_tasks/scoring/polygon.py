@@ -1,12 +1,12 @@
 """The sides and corners of a driven polygon."""
 
 import math
-from typing import List, NamedTuple
+from typing import List, NamedTuple, Sequence
 
 from jetbot.kinematics import Pose
 
 from .course import Point
-from .drive import Drive
+from .recorder import Drive
 
 CORNER = math.radians(45)  # the robot is at a corner when it has turned so far since the side before
 SETTLED = 0.1              # m of driving after a corner; then the robot has the heading of the next side
@@ -28,11 +28,11 @@ def driven_sides(drive: Drive) -> List[Side]:
 
     Their headings are means over the middle half, so that rounded corners and the last correction do not count.
     """
-    pieces = _split([sample.pose for sample in drive.path])
+    pieces = _split(drive.poses)
     return [Side(_distance(piece[0], piece[-1]), math.degrees(_mean_heading(piece)), piece[-1][:2]) for piece in pieces]
 
 
-def _split(path: List[Pose]) -> List[List[Pose]]:
+def _split(path: Sequence[Pose]) -> List[List[Pose]]:
     """Return the path in pieces that end at corners: halfway through each turn."""
     pieces = [[path[0]]]
     heading, driven = path[0].yaw, 0.0  # of this side, None until it is known; m since the last corner

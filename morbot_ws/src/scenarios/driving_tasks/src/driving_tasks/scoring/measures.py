@@ -7,8 +7,8 @@ from typing import Callable, List, NamedTuple, Sequence
 from simulation.world import distance_to_segment
 
 from .course import SPACING, Course, Point, Straight, Turn, relative
-from .drive import Drive
 from .polygon import driven_sides
+from .recorder import Drive
 
 AT_END = " at the end"
 MAX_POINTS = 1000  # of a resampled path: a longer one has fewer points per metre
@@ -46,7 +46,7 @@ def line(course: Course, drive: Drive) -> List[Error]:
 
     The larger of the two: the one sees a path that leaves the line, the other a part of the line that was left out.
     """
-    path = resample([sample.pose[:2] for sample in drive.path])
+    path = resample([pose[:2] for pose in drive.poses])
     offsets = [100 * offset for offset in course.offsets(path)]
     gaps = [100 * distance for distance in distances(course.points, path)]
     off, missed = fmean(map(abs, offsets)), fmean(gaps)
@@ -113,16 +113,9 @@ def resample(points: Sequence[Point]) -> List[Point]:
 
 
 def distances(points: Sequence[Point], path: Sequence[Point]) -> List[float]:
-    """Return how far each point is from a path, in m. The points of the path are about as far from each other."""
+    """Return how far each point is from a path, in m."""
     segments = list(zip(path, path[1:]))
-    margin = 2 * max(math.dist(*segment) for segment in segments)
-    result = []
-    for point in points:
-        to_starts = [math.dist(point, start) for start, _ in segments]
-        reach = min(to_starts) + margin  # the nearest segment starts within this distance; the rest need no look
-        result.append(min(distance_to_segment(point, *segment)
-                          for segment, distance in zip(segments, to_starts) if distance <= reach))
-    return result
+    return [min(distance_to_segment(point, *segment) for segment in segments) for point in points]
 
 
 def worst(errors: Sequence[Error]) -> Error:

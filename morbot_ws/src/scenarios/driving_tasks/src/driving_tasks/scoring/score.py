@@ -3,14 +3,9 @@
 import math
 from typing import NamedTuple, Sequence, Tuple
 
-from jetbot.kinematics import Pose
-from simulation.world import World
-
-from .course import Point
-from .drive import DONE, Drive, Recorder
 from .measures import describe, worst
 from .penalties import Loss
-from .samples import Sample
+from .recorder import DONE, Drive, Recorder, Sample
 from .tasks import Task
 
 TOLERANCE = 10.0    # cm or degrees of error that leave 1/e of the points
@@ -20,23 +15,12 @@ NO_LOSS = "No loss of more than half a point."
 
 
 class Result(NamedTuple):
-    """A judged drive. Points, lines and poses are in the task's frame, where the robot starts at (0, 0, 0).
+    """A judged drive. score: 0 to 100; losses: the largest first."""
 
-    task: its name; score: 0 to 100; seconds: from the first motion to the stop; losses: the largest first;
-    path: what the robot drove, headings not normalized; frame: the task's frame on the map;
-    course: the ideal line; goal: its end; world: walls and lines.
-    """
-
-    task: str
-    title: str
+    task: Task
+    drive: Drive
     score: float
-    seconds: float
     losses: Tuple[Loss, ...]
-    path: Tuple[Pose, ...]
-    frame: Pose
-    course: Tuple[Point, ...]
-    goal: Pose
-    world: World
 
     @property
     def largest_loss(self) -> str:
@@ -62,16 +46,14 @@ def judge(task: Task, samples: Sequence[Sample]) -> Result:
 
 def rate(task: Task, drive: Drive) -> Result:
     """Return the result of a drive."""
-    course, world = task.course, task.load_world()
-    errors = [measure(course, drive) for measure in task.measures]
+    errors = [measure(task.course, drive) for measure in task.measures]
     means = [sum(error.size for error in each) / len(each) for each in errors]
     time_ratio = min(1.0, task.ideal_seconds / drive.seconds)
-    penalties = [loss for penalty in task.penalties for loss in penalty(drive, world)]
+    penalties = [loss for penalty in task.penalties for loss in penalty(drive, task.load_world())]
     points = 100 * _remaining(sum(means)) * (1 - TIME_SHARE + TIME_SHARE * time_ratio)
     score = max(0.0, points - sum(loss.points for loss in penalties))
     losses = [*map(_loss, means, errors), *penalties, _time_loss(task, drive, time_ratio)]
-    return Result(task.name, task.title, score, drive.seconds, tuple(sorted(losses, key=lambda loss: -loss.points)),
-                  tuple(sample.pose for sample in drive.path), drive.frame, course.points, course.goal, world)
+    return Result(task, drive, score, tuple(sorted(losses, key=lambda loss: -loss.points)))
 
 
 def _remaining(error):

@@ -8,7 +8,7 @@ from typing import Iterable, List, NamedTuple, Optional, Sequence
 from jetbot import files
 from jetbot.text import printable
 
-from .score import Result
+from ..scoring.score import Result
 
 COLUMNS = ("name", "task", "score", "seconds", "largest_loss", "problem", "source")
 SIMULATOR = "simulator"
@@ -32,7 +32,7 @@ class Mark(NamedTuple):
         """The row of a table with COLUMNS."""
         if not self.result:
             return self.name, self.task, "", "", "", self.problem, ""
-        score, seconds = f"{self.result.score:.1f}", f"{self.result.seconds:.1f}"
+        score, seconds = f"{self.result.score:.1f}", f"{self.result.drive.seconds:.1f}"
         return self.name, self.task, score, seconds, self.result.largest_loss, "", self.source or SIMULATOR
 
     @property
@@ -40,7 +40,7 @@ class Mark(NamedTuple):
         """What a person reads about the drive."""
         if not self.result:
             return [self.problem]
-        summary = f"{self.task}: {self.result.score:.1f} of 100 points in {self.result.seconds:.1f} s."
+        summary = f"{self.task}: {self.result.score:.1f} of 100 points in {self.result.drive.seconds:.1f} s."
         note = [f"Measured by its {self.source}, not by the simulator."] if self.source else []
         return [summary, self.result.sentence, *note]
 

@@ -2,7 +2,6 @@
 
 import os
 import re
-import stat
 from pathlib import Path
 from typing import Dict, Iterator, List, NamedTuple, Optional, Tuple
 
@@ -11,17 +10,17 @@ import rosbag
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
+from jetbot import files
 from jetbot.text import enumeration, printable
-from jetbot_control_node import parameters
 from simulation.recording import MAGIC, pose_of
 
-from . import contained
-from .marks import Mark
-from .replay import replay
-from .samples import Sample
-from .score import Result, judge
-from .sources.folders import find_files
-from .tasks import Task
+from .. import contained
+from ..report.marks import Mark
+from ..scoring.recorder import Sample
+from ..scoring.score import Result, judge
+from ..scoring.tasks import Task
+from .folders import find_files
+from .replay import read_config, replay
 
 MAX_SIZE = 200  # MB
 MAX_NAMES = 5   # of robots that a sentence lists
@@ -57,15 +56,9 @@ def judge_bags(task: Task, path: str, robot: Optional[str] = None, config: str =
         yield Mark(file.name, task.name, result, outcome.problem, source)
 
 
-def judge_bag(task: Task, file: str, robot: Optional[str] = None, config: str = "") -> Mark:
-    """Return the mark of one bag. Raises InvalidValue for the config."""
-    return next(judge_bags(task, file, robot, config))
-
-
-def read_config(config: str) -> Dict[str, float]:
-    """Return what a file of the controller's parameters says of commands, or the defaults. Raises InvalidValue."""
-    values = parameters.checked(parameters.load(parameters.find_file(config, ())) if config else {})
-    return {name: values[name] for name in ("wheel_separation", "max_speed", "acceleration_limit", "pwm_frequency")}
+def judge_bag(task: Task, file: str) -> Mark:
+    """Return the mark of one bag."""
+    return next(judge_bags(task, file))
 
 
 def sample_of(message: Odometry) -> Sample:
@@ -85,10 +78,9 @@ def _read(file: str) -> Tracks:
     """Return the drives that a bag holds, by robot and topic. Raises ValueError with one sentence."""
     _forbid_code()
     try:
-        with open(os.open(file, os.O_RDONLY | os.O_NONBLOCK), "rb") as stream:  # without waiting for a FIFO
-            _check(stream)
-            with _Bag(stream) as bag:
-                return _tracks(bag)
+        _check(file)
+        with _Bag(file) as bag:
+            return _tracks(bag)
     except OSError as error:
         raise ValueError(f"It cannot be read: {error.strerror}.") from None
     except rosbag.ROSBagUnindexedException:
@@ -111,18 +103,15 @@ def _refuse(name, _definition):
     raise ValueError(f"It is damaged: it holds {name} in place of another message.")
 
 
-def _check(stream):
-    """Raise ValueError unless this is a file that begins as a rosbag."""
-    status = os.fstat(stream.fileno())
-    if not stat.S_ISREG(status.st_mode):
-        raise ValueError("It is not a regular file.")
-    if status.st_size > MAX_SIZE * 10 ** 6:
+def _check(file):
+    """Raise OSError or ValueError unless this is a file that begins as a rosbag."""
+    files.check_regular(file)
+    if os.path.getsize(file) > MAX_SIZE * 10 ** 6:
         raise ValueError(f"It is larger than {MAX_SIZE} MB.")
-    if not status.st_size:
-        raise ValueError("It is empty.")
-    if stream.read(len(MAGIC)) != MAGIC:
-        raise ValueError("It is not a rosbag.")
-    stream.seek(0)
+    with open(file, "rb") as stream:
+        start = stream.read(len(MAGIC))
+    if start != MAGIC:
+        raise ValueError("It is not a rosbag." if start else "It is empty.")
 
 
 class _Bag(rosbag.Bag):

@@ -1,16 +1,15 @@
 """A drive from its commands alone: what a simulated robot of the shipped size does when it gets them."""
 
 import math
-from typing import Iterator, List, Sequence, Tuple
+from typing import Dict, Iterator, List, Sequence, Tuple
 
 from jetbot.kinematics import clamp, mix
 from jetbot_control_node import parameters as controller
 from jetbot_control_node.ramp import Ramp
 from simulation.diff_drive import PWM_FREQUENCY, STEP, DiffDriveModel
 
-from .drive import DONE, STOP_TIME, Recorder
-from .samples import Sample
-from .tasks import Task
+from ..scoring.recorder import DONE, STOP_TIME, Recorder, Sample
+from ..scoring.tasks import Task
 
 Command = Tuple[float, float, float]  # time in s, linear.x, angular.z
 
@@ -18,6 +17,12 @@ STEPS_PER_SAMPLE = 2
 CMD_VEL_TIMEOUT = controller.PARAMETERS["cmd_vel_timeout"].default  # s
 WAIT = 60.0  # s that a robot may rest or twitch before its drive
 STOPPED = (0.0, 0.0)  # m/s, rad/s
+
+
+def read_config(config: str) -> Dict[str, float]:
+    """Return what a file of the controller's parameters says of commands, or the defaults. Raises InvalidValue."""
+    values = controller.checked(controller.load(controller.find_file(config, ())) if config else {})
+    return {name: values[name] for name in ("wheel_separation", "max_speed", "acceleration_limit", "pwm_frequency")}
 
 
 def replay(commands: Sequence[Command], task: Task, wheel_separation: float = 2.0, max_speed: float = 1.0,

@@ -10,9 +10,9 @@ from jetbot import kinematics
 from jetbot.kinematics import from_frame
 from jetbot_ros.messages import quaternion
 
-from .drive import DONE, DRIVING
-from .score import Result
-from .tasks import Task
+from ..scoring.recorder import DONE, DRIVING
+from ..scoring.score import Result
+from ..scoring.tasks import Task
 
 READY, CANCELLED = "ready", "cancelled"  # the other states
 HEIGHT = 0.0015                    # m: above the lines on the floor, below the robot's path
@@ -39,7 +39,7 @@ class Announcement:
 
     def done(self, result: Result) -> None:
         """The robot has a score."""
-        self._publish(DONE, result.sentence, seconds=f"{result.seconds:.1f}", score=f"{result.score:.1f}")
+        self._publish(DONE, result.sentence, seconds=f"{result.drive.seconds:.1f}", score=f"{result.score:.1f}")
 
     def cancelled(self, message: str) -> None:
         """The drive gets no score."""

@@ -18,6 +18,7 @@ from jetbot.text import enumeration, printable
 from jetbot_ros.holds import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 
+from ..scoring.recorder import Sample
 from .bags import sample_of
 
 SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
@@ -30,12 +31,12 @@ EMERGENCY = tuple(f"stopped: {hold.reason}" for hold in (EMERGENCY_STOP, OWN_EME
 HELD = tuple(f"stopped: {reason}" for reason in (*(hold.reason for hold in HOLDS), "the controller has ended"))
 
 
-def find_robots(names: Sequence[str]) -> List[str]:
-    """Return the namespaces of the simulated robots of these names, or of the only one there is: "", or "/red".
+def choose_robots(names: Sequence[str], running: Sequence[str]) -> List[str]:
+    """Return the namespaces of the robots of these names, or of the only one: "", or "/red"; else raise InvalidValue.
 
-    Raise InvalidValue, which says what there is, and NO_ANSWER.
+    running: the namespaces of all simulated robots.
     """
-    robots = {label(namespace): namespace for namespace in simulated_robots()}
+    robots = {label(namespace): namespace for namespace in running}
     if not robots:
         raise InvalidValue("there is no simulated robot",
                            "Start one in another terminal: roslaunch simulation simulation.launch")
@@ -45,7 +46,7 @@ def find_robots(names: Sequence[str]) -> List[str]:
     for name in names:
         if label(name) not in robots:
             raise InvalidValue(f"there is no simulated robot {name}", f"The robots are: {enumeration(list(robots))}")
-    return list(dict.fromkeys(robots[label(name)] for name in names)) or list(robots.values())
+    return list(dict.fromkeys(robots[label(name)] for name in names)) or list(running)
 
 
 def simulated_robots() -> List[str]:
@@ -64,7 +65,7 @@ class SimulatedRobot:
 
     def __init__(self, namespace: str):
         self.namespace, self.name = namespace, label(namespace)
-        self.truth: List[Odometry] = []  # what the last poll has read: the newest ground truth, oldest first
+        self.samples: List[Sample] = []  # what the last poll has read: the newest ground truth, oldest first
         self.pose: Optional[Pose] = None
         self.time = 0.0  # s, stamp of the pose
         self._arrived, self._silent_polls, self._moved_at, self._moves = deque(), 0, 0.0, 0
@@ -85,9 +86,9 @@ class SimulatedRobot:
 
     def poll(self) -> None:
         """Read the ground truth that has arrived; call it every POLL_INTERVAL."""
-        self.truth = [self._arrived.popleft() for _ in range(len(self._arrived))]
-        self._silent_polls = 0 if self.truth else self._silent_polls + 1
-        for sample in map(sample_of, self.truth):
+        self.samples = [sample_of(self._arrived.popleft()) for _ in range(len(self._arrived))]
+        self._silent_polls = 0 if self.samples else self._silent_polls + 1
+        for sample in self.samples:
             if self.pose is None or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.pose)):
                 self._moved_at, self._moves = sample.time, self._moves + 1
             elif self.has_stopped:

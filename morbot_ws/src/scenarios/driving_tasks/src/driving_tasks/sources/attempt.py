@@ -7,22 +7,18 @@ from jetbot.kinematics import Pose
 from jetbot.text import enumeration
 from simulation.world_files import dump
 
-from .announce import Announcement
-from .bag_writer import BagWriter
-from .bags import sample_of
-from .drive import DONE, DRIVING, WAITING, NoDrive, Recorder
-from .marks import Mark
-from .robot import SimulatedRobot
-from .samples import Sample
-from .score import rate
-from .tasks import Task
+from ..report.announcement import Announcement
+from ..report.marks import Mark
+from ..scoring.recorder import DONE, DRIVING, WAITING, NoDrive, Recorder, Sample
+from ..scoring.score import rate
+from ..scoring.tasks import Task
+from .judged_robot import SimulatedRobot
 
 INVITATION = "Drive when you are ready."
 AT_START = 0.001         # m or rad: a pose so close to the start is there
 MAX_GAP = 1.0            # s between two samples of a drive; what happened in a longer one is not known
 ANNOUNCE_INTERVAL = 0.2  # s of the drive
 DRIVES = "The robot drives"
-NO_SCORE, NO_DRIVE = "Cancelled.", "The robot did not drive."
 
 
 class Interrupted(Exception):
@@ -32,26 +28,41 @@ class Interrupted(Exception):
 class Attempt:
     """Judges the first drive of a robot that nothing interrupts; after an interruption, the robot starts again.
 
-    show: prints a sentence for the person who drives. writer: gets what is judged, if it is to be recorded.
-    mark: the result, once it is known. ready: whether the robot is at its start, and may drive.
+    show: prints a sentence for the person who drives. mark: the result, once it is known. ready: whether the robot
+    is at its start, and may drive; ready_at: the stamp from which on it was, in s.
     """
 
-    def __init__(self, task: Task, robot: SimulatedRobot, show: Callable[[str], None],
-                 writer: Optional[BagWriter] = None):
-        self._task, self._world, self.robot, self._show, self.writer = task, task.load_world(), robot, show, writer
+    def __init__(self, task: Task, robot: SimulatedRobot, show: Callable[[str], None]):
+        self._task, self.robot, self._show = task, robot, show
         self._announcement = Announcement(robot.namespace, task)
         self._recorder, self._start, self._fed_at, self._announced_at = Recorder(task.time_limit), Pose(), 0.0, 0.0
-        self._last_report = ""
+        self._last_report, self._steps = "", self._run()
         self.mark: Optional[Mark] = None
-        self.ready = False
+        self.ready, self.ready_at = False, 0.0
 
     @property
     def has_driven(self) -> bool:
         """Whether there is a drive, which may be over."""
         return self._recorder.state != WAITING
 
-    def steps(self) -> Iterator[None]:
-        """Put the robot at its start, then measure; a step takes no time. Poll the robot before each."""
+    def step(self) -> None:
+        """Do what is due, without waiting: put the robot at its start, then measure; call it every POLL_INTERVAL."""
+        self.robot.poll()
+        next(self._steps, None)
+
+    def finish(self) -> None:
+        """Judge what was driven so far."""
+        try:
+            result = rate(self._task, self._recorder.finish())
+        except NoDrive:
+            self._announcement.cancelled("Cancelled.")
+            self._announcement.clear()
+            self.mark = Mark(self.robot.name, self._task.name, problem="The robot did not drive.")
+        else:
+            self._announcement.done(result)
+            self.mark = Mark(self.robot.name, self._task.name, result)
+
+    def _run(self) -> Iterator[None]:
         while not self.mark:
             try:
                 yield from self._until_free()
@@ -63,26 +74,15 @@ class Attempt:
                 self._announcement.cancelled(str(interruption))
                 self._report(str(interruption))
 
-    def finish(self) -> Mark:
-        """Judge what was driven so far."""
-        try:
-            result = rate(self._task, self._recorder.finish())
-        except NoDrive:
-            self._announcement.cancelled(NO_SCORE)
-            self._announcement.clear()
-            self.mark = Mark(self.robot.name, self._task.name, problem=NO_DRIVE)
-        else:
-            self._announcement.done(result)
-            self.mark = Mark(self.robot.name, self._task.name, result)
-        return self.mark
-
     def _until_free(self):
         """Wait until the robot has stopped and nothing holds it."""
         while self.robot.obstacle or not self.robot.has_stopped:
             if self.robot.obstacle:
                 self._report(self.robot.obstacle)
             elif self.robot.drives and not self._last_report.startswith(DRIVES):
-                self._report(f"{DRIVES}. The judge waits until it has stopped. {self._commanders()}".strip())
+                nodes = self.robot.commanders()
+                end = f" End what drives it: {enumeration(nodes)}" if nodes else ""
+                self._report(f"{DRIVES}. The judge waits until it has stopped.{end}")
             yield
 
     def _prepare(self):
@@ -90,13 +90,11 @@ class Attempt:
         yield from self.robot.put_at_start()
         self._check_obstacle()
         self._start = self.robot.pose
-        self.robot.set_world(dump(self._world.placed(self._start)))
+        self.robot.set_world(dump(self._task.load_world().placed(self._start)))
         while not self.robot.has_world:
             self._check_obstacle()
             yield
-        self._recorder = Recorder(self._task.time_limit)
-        if self.writer:
-            self.writer.clear()
+        self._recorder, self.ready_at = Recorder(self._task.time_limit), self.robot.time
         self._announcement.draw(self._start)
         self._invite()
 
@@ -108,10 +106,8 @@ class Attempt:
     def _measure(self):
         """Record until the drive is done."""
         while self._recorder.state != DONE:
-            for message in self.robot.truth:
-                if self.writer:
-                    self.writer.add(message)
-                self._feed(sample_of(message))
+            for sample in self.robot.samples:
+                self._feed(sample)
             self._check_obstacle()
             self._announce_time()
             yield
@@ -129,10 +125,6 @@ class Attempt:
             if was_driving:
                 self._report("The robot was put back to its start.")
                 self._invite()
-
-    def _commanders(self):
-        nodes = self.robot.commanders()
-        return f"End what drives it: {enumeration(nodes)}" if nodes else ""
 
     def _check_obstacle(self):
         if self.robot.obstacle:
@@ -153,5 +145,5 @@ class Attempt:
 
 def is_near(pose: Pose, other: Pose) -> bool:
     """Return whether two poses on the map are the same, up to AT_START."""
-    return (math.hypot(pose.x - other.x, pose.y - other.y) <= AT_START
+    return (math.dist(pose[:2], other[:2]) <= AT_START
             and abs(math.remainder(pose.yaw - other.yaw, math.tau)) <= AT_START)

@@ -6,7 +6,7 @@ from simulation.diff_drive import SEPARATED
 from simulation.world import World
 
 from .course import Point
-from .drive import Drive
+from .recorder import Drive
 
 TOUCHES = 0.001                   # m to the nearest wall, where a contact begins; at SEPARATED it is over
 CONTACT = 20.0                    # points per contact

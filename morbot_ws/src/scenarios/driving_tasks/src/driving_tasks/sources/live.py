@@ -1,27 +1,33 @@
 """Judges robots that somebody else drives now."""
 
 import contextlib
+import tempfile
 import time
-from threading import Event, Thread
+from collections import deque
+from pathlib import Path
+from threading import Thread
 from typing import Callable, Iterator, List, Optional, Sequence
 
+import rosbag
 import rospy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
 
 from jetbot import InvalidValue, JetbotError, files
 from jetbot.wait import wait_until
-from jetbot_ros.master import NO_ANSWER, condition_of, is_registered, require_master
+from jetbot_ros.master import NO_ANSWER, condition_of, is_registered, require_master, system_state
 
+from ..report.marks import Mark
+from ..scoring.tasks import Task
 from .attempt import Attempt
-from .bag_writer import BagWriter
-from .marks import Mark
-from .robot import SimulatedRobot, find_robots, label, system_state
-from .tasks import Task
+from .judged_robot import SimulatedRobot, choose_robots, label, simulated_robots
 
 NAME = "judge"
 POLL_INTERVAL = 0.05    # s
 ASK_INTERVAL = 1.0      # s between two questions to the master
 RESTORE_TIMEOUT = 1.0   # s until all simulators have their worlds back
 SHUTDOWN_TIMEOUT = 2.0  # s; a frozen master never answers
+MAX_MESSAGES = 100_000  # of each topic that are recorded; the oldest are dropped
 LOST = JetbotError("the ROS master has ended, hangs or was restarted, or another judge took this one's place",
                    "Start the judge again.")
 
@@ -34,17 +40,17 @@ def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None)
     Raises JetbotError if there is nothing to judge, OSError if the record cannot be written.
     """
     namespaces = find(names)
-    check_only_judge(namespaces)
     if record:
         check_record(record, namespaces)
     init_node(namespaces)
     robots = [SimulatedRobot(namespace) for namespace in namespaces]
-    attempts = [Attempt(task, robot, reporter(robot, robots), BagWriter(robot) if record else None) for robot in robots]
+    attempts = [Attempt(task, robot, reporter(robot, robots)) for robot in robots]
+    recording = Recording(attempts[0]) if record else None
     try:
         check_only_judge(namespaces)  # again: two may have started at the same time
         for attempt in finished(attempts):
-            if record and attempt.mark.result:
-                attempt.writer.save(record)
+            if recording and attempt.mark.result:
+                recording.save(record)
             yield attempt.mark
     finally:
         close(robots)
@@ -54,22 +60,25 @@ def find(names: Sequence[str]) -> List[str]:
     """Return the namespaces of these robots; end the program if there is no master. Raise JetbotError."""
     require_master("roslaunch simulation simulation.launch")
     try:
-        return find_robots(names)
-    except NO_ANSWER as error:
-        raise error if isinstance(error, InvalidValue) else LOST from None  # an InvalidValue is a ValueError too
+        running = simulated_robots()
+    except NO_ANSWER:
+        raise LOST from None
+    namespaces = choose_robots(names, running)
+    check_only_judge(namespaces)
+    return namespaces
 
 
 def check_only_judge(namespaces: Sequence[str]) -> None:
     """Raise JetbotError if another node judges one of the robots."""
     try:
         publishers = system_state()[0]
-        for namespace in namespaces:
-            for node in publishers.get(f"{namespace}/task", ()):
-                if node != rospy.get_name() and condition_of(node):
-                    raise JetbotError(f"{node} judges {label(namespace) if namespace else 'this robot'} already",
-                                      "End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C.")
+        others = [(node, namespace) for namespace in namespaces for node in publishers.get(f"{namespace}/task", ())
+                  if node != rospy.get_name() and condition_of(node)]
     except NO_ANSWER:
         raise LOST from None
+    for node, namespace in others:
+        raise JetbotError(f"{node} judges {label(namespace) if namespace else 'this robot'} already",
+                          "End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C.")
 
 
 def check_record(record: str, namespaces: Sequence[str]) -> None:
@@ -107,36 +116,26 @@ def finished(attempts: Sequence[Attempt]) -> Iterator[Attempt]:
 
 def run(attempts: Sequence[Attempt]) -> Iterator[Attempt]:
     """Judge all at the same time; yield each as it ends. Raise JetbotError."""
-    lost = watch_master()
-    steps = {attempt: attempt.steps() for attempt in attempts}
-    while steps:
-        if lost.is_set() or rospy.is_shutdown():
+    waiting, asked_at, failures = list(attempts), time.monotonic(), 0
+    while waiting:
+        if time.monotonic() - asked_at > ASK_INTERVAL:
+            failures = 0 if is_known() else failures + 1
+            asked_at = time.monotonic()
+        if failures == 2 or rospy.is_shutdown():  # the first time, the master may have been busy
             raise LOST
-        for attempt in list(steps):
-            attempt.robot.poll()
-            next(steps[attempt], None)
-            if attempt.mark:
-                del steps[attempt]
-                yield attempt
+        for attempt in waiting:
+            attempt.step()
+        yield from (attempt for attempt in waiting if attempt.mark)
+        waiting = [attempt for attempt in waiting if not attempt.mark]
         time.sleep(POLL_INTERVAL)
 
 
-def watch_master() -> Event:
-    """Return what is set once the master hangs, or no longer knows this node."""
-    lost = Event()
-    Thread(target=_ask_master, args=[lost], daemon=True).start()
-    return lost
-
-
-def _ask_master(lost: Event) -> None:
-    failures = 0
-    while failures < 2:  # a second question: it may have been busy
-        time.sleep(ASK_INTERVAL)
-        try:
-            failures = 0 if is_registered() else 2
-        except NO_ANSWER:
-            failures += 1
-    lost.set()
+def is_known() -> bool:
+    """Return whether the master answers, and knows this node."""
+    try:
+        return is_registered()
+    except NO_ANSWER:
+        return False
 
 
 def close(robots: Sequence[SimulatedRobot]) -> None:
@@ -148,3 +147,27 @@ def close(robots: Sequence[SimulatedRobot]) -> None:
     ending = Thread(target=rospy.signal_shutdown, args=["the judge has ended"], daemon=True)
     ending.start()
     ending.join(SHUTDOWN_TIMEOUT)
+
+
+class Recording:
+    """The ground truth and the commands of the attempt's robot, as a rosbag that can be judged again."""
+
+    def __init__(self, attempt: Attempt):
+        self._attempt, self._robot = attempt, attempt.robot
+        self._messages = deque(maxlen=MAX_MESSAGES)  # topic, message, time
+        rospy.Subscriber(self._robot.truth_topic, Odometry, self._add, self._robot.truth_topic)
+        rospy.Subscriber(self._robot.command_topic, Twist, self._add, self._robot.command_topic)
+
+    def _add(self, message, topic):
+        time = message.header.stamp if message._type == Odometry._type else rospy.Time.now()
+        self._messages.append((topic, message, time))
+
+    def save(self, file: str) -> None:
+        """Write what has arrived since the robot was at its start, in one step. Raises OSError."""
+        with tempfile.TemporaryDirectory() as folder:
+            bag_file = Path(folder, "drive.bag")
+            with rosbag.Bag(str(bag_file), "w") as bag:
+                for topic, message, time in list(self._messages):
+                    if time.to_sec() >= self._attempt.ready_at:
+                        bag.write(topic, message, time)
+            files.replace(file, bag_file.read_bytes())

@@ -1,4 +1,4 @@
-"""What a robot did from its first motion to its stop."""
+"""What a robot did from its first motion to its stop, found among samples of where it was."""
 
 import math
 from typing import List, NamedTuple, Optional, Tuple
@@ -6,7 +6,6 @@ from typing import List, NamedTuple, Optional, Tuple
 from jetbot.kinematics import Pose
 
 from .course import relative
-from .samples import Sample
 
 WAITING, DRIVING, DONE = "waiting", "driving", "done"
 
@@ -17,6 +16,14 @@ MARGIN = 0.3                       # s before the first motion and after the sto
 MIN_INTERVAL = 0.005               # s between two samples; what comes sooner is left out
 MAX_SPEED, MAX_TURN = 2.0, 12.0    # m/s, rad/s; what seems faster is a robot that was put elsewhere
 FARTHEST, LATEST = 1e4, 1e12       # m, s; what is beyond is no measurement
+
+
+class Sample(NamedTuple):
+    """time: s, of the message's own stamp; pose: on the map; speed: m/s, forward is positive."""
+
+    time: float
+    pose: Pose
+    speed: float
 
 
 class NoDrive(ValueError):
@@ -33,6 +40,11 @@ class Drive(NamedTuple):
     path: Tuple[Sample, ...]
     seconds: float
     frame: Pose
+
+    @property
+    def poses(self) -> Tuple[Pose, ...]:
+        """Where the robot was, in the task's frame."""
+        return tuple(sample.pose for sample in self.path)
 
     @property
     def end(self) -> Pose:

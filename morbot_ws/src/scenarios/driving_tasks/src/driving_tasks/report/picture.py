@@ -8,13 +8,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from jetbot import files
-from jetbot.kinematics import Pose, from_frame
+from jetbot.kinematics import Point, Pose, from_frame
 from simulation.drawing import BLUE, GREEN, ORANGE, RED, draw_heading
 from simulation.world import FOOTPRINT, World
 
-from .course import Point
-from .penalties import Loss
-from .score import NEGLIGIBLE, NO_LOSS, Result
+from ..scoring.course import Course
+from ..scoring.penalties import Loss
+from ..scoring.recorder import Drive
+from ..scoring.score import NEGLIGIBLE, NO_LOSS, Result
 
 WIDTH = 10                # inches
 DPI = 100
@@ -31,14 +32,17 @@ TAPE = {"color": "0.75", "linewidth": 12, "solid_capstyle": "butt"}
 
 def draw(result: Result, file: str) -> None:
     """Draw a result into a PNG file, 1000 pixels wide, in one step. Raises OSError."""
-    losses = [loss for loss in result.losses if loss.points >= NEGLIGIBLE]
-    (left, right), (bottom, top) = limits = extent(result)
+    task, drive, losses = result.task, result.drive, [loss for loss in result.losses if loss.points >= NEGLIGIBLE]
+    world = task.load_world()
+    (left, right), (bottom, top) = limits = extent(task.course, drive, world)
     height = WIDTH * min(1.0, max(0.35, (top - bottom) / (right - left)))
     below = TEXT * max(1, len(losses)) + 0.3
     figure = Figure(figsize=(WIDTH, height + below), constrained_layout=True)
-    figure.suptitle(f"{result.title}: {result.score:.1f} of 100 points in {result.seconds:.1f} s", fontsize=16)
+    figure.suptitle(f"{task.title}: {result.score:.1f} of 100 points in {drive.seconds:.1f} s", fontsize=16)
     floor, text = figure.subplots(2, gridspec_kw={"height_ratios": (height, below)})
-    draw_floor(floor, result, limits)
+    draw_world(floor, world)
+    draw_drive(floor, task.course, drive)
+    floor.set(xlim=limits[0], ylim=limits[1], xlabel="x (m)", ylabel="y (m)")
     mark_losses(floor, losses)
     list_losses(text, losses)
     picture = io.BytesIO()
@@ -46,27 +50,25 @@ def draw(result: Result, file: str) -> None:
     files.replace(file, picture.getvalue())
 
 
-def extent(result: Result) -> Tuple[Point, Point]:
+def extent(course: Course, drive: Drive, world: World) -> Tuple[Point, Point]:
     """Return the range of x and of y that the picture shows, in m."""
-    corners = [corner for pose in (Pose(), result.goal, result.path[-1]) for corner in outline(pose)]
-    walls = [point for line in result.world.walls + result.world.lines for point in line]
-    points = [*result.course, *(pose[:2] for pose in result.path), *corners, *walls]
+    corners = [corner for pose in (Pose(), course.goal, drive.end) for corner in outline(pose)]
+    walls = [point for line in world.walls + world.lines for point in line]
+    points = [*course.points, *(pose[:2] for pose in drive.poses), *corners, *walls]
     return tuple((min(values) - MARGIN, max(values) + MARGIN) for values in zip(*points))
 
 
-def draw_floor(axes: Axes, result: Result, limits: Tuple[Point, Point]) -> None:
-    """Draw the world, the course and the drive from above."""
-    draw_world(axes, result.world)
-    path = result.path[::1 + len(result.path) // MAX_POINTS]
-    axes.plot(*zip(*result.course), **IDEAL)
+def draw_drive(axes: Axes, course: Course, drive: Drive) -> None:
+    """Draw the course and the drive from above."""
+    path = drive.poses[::1 + len(drive.path) // MAX_POINTS]
+    axes.plot(*zip(*course.points), **IDEAL)
     axes.plot([pose.x for pose in path], [pose.y for pose in path], **DRIVEN)
     for pose in path[::max(1, len(path) // HEADINGS)]:
         draw_heading(axes, pose, BLUE, scale=45, width=0.005)
     for pose, style in ((Pose(), {"edgecolor": GREEN, "label": "start"}),
-                        (result.goal, {"edgecolor": ORANGE, "linestyle": "--", "label": "goal"}),
-                        (result.path[-1], {"edgecolor": BLUE, "label": "stop"})):
+                        (course.goal, {"edgecolor": ORANGE, "linestyle": "--", "label": "goal"}),
+                        (drive.end, {"edgecolor": BLUE, "label": "stop"})):
         draw_robot(axes, pose, style)
-    axes.set(xlim=limits[0], ylim=limits[1], xlabel="x (m)", ylabel="y (m)")
     axes.set_aspect("equal", "datalim")
     axes.grid(alpha=0.3)
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=7, frameon=False)
@@ -88,8 +90,8 @@ def draw_robot(axes: Axes, pose: Pose, style: dict) -> None:
 
 def outline(pose: Pose) -> List[Point]:
     """Return the corners of the robot at a pose, one after the other."""
-    corners = [from_frame(pose, corner) for corner in FOOTPRINT.corners]
-    return [*corners[:2], *corners[:1:-1]]
+    back_right, back_left, front_right, front_left = (from_frame(pose, corner) for corner in FOOTPRINT.corners)
+    return [back_right, back_left, front_left, front_right]
 
 
 def mark_losses(axes: Axes, losses: Sequence[Loss]) -> None:

@@ -1,0 +1,1 @@
+"""What people get of a judged drive: marks in tables, sentences and topics, and a picture."""
