@@ -1,4 +1,6 @@
-// Short forms for the elements of the page. Text from outside reaches it through setText alone.
+// Short forms for the elements of the page. Text from outside reaches it as textContent alone.
+
+const CLICK_WITHIN = 1000; // ms after a touch: a click then belongs to that touch
 
 export function element(id) {
   return document.getElementById(id);
@@ -14,21 +16,44 @@ export function setClass(target, name, on) {
 
 // Returns a new element with this class and text.
 export function create(tag, className = "", text = "") {
-  const made = document.createElement(tag);
-  made.className = className;
-  made.textContent = text;
-  return made;
+  return Object.assign(document.createElement(tag), { className, textContent: text });
 }
 
-// Returns a new button; action(): it was pressed, or null.
-export function button(text, action, className = "") {
-  const made = create("button", className, text);
-  made.type = "button";
-  if (action) made.addEventListener("click", action);
-  return made;
+// Returns the number with two places, with a real minus, and without "-0.00".
+export function signed(value) {
+  const text = value.toFixed(2);
+  return Number(text) === 0 ? "0.00" : text.replace("-", "−");
 }
 
-// Whether keys typed now are meant as text.
-export function isTextField(target) {
-  return target instanceof HTMLInputElement && target.type !== "range";
+// Returns a time with its unit, or "" where it is not known.
+export function inSeconds(seconds) {
+  return seconds === null ? "" : `${seconds.toFixed(1)} s`;
+}
+
+// Calls action() once per press: as a finger touches if urgent() is true then, else as it lifts from the button.
+// It works while another finger holds the pad: browsers make no click of a second finger. A click without a touch
+// counts as well: the Enter key, assistive technology.
+export function onPress(target, action, urgent = () => true) {
+  const waiting = new Set(); // pointers whose action is due when they lift
+  let touched = -Infinity;
+  target.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    touched = event.timeStamp;
+    if (urgent()) action();
+    else waiting.add(event.pointerId);
+  });
+  target.addEventListener("pointerup", (event) => {
+    touched = event.timeStamp;
+    if (waiting.delete(event.pointerId) && isOver(target, event)) action();
+  });
+  target.addEventListener("pointercancel", (event) => waiting.delete(event.pointerId));
+  target.addEventListener("click", (event) => {
+    const ofTouch = event.detail > 0 && event.timeStamp - touched < CLICK_WITHIN;
+    if (!ofTouch) action();
+  });
+}
+
+// Returns whether the finger is on the button: it may have slid away.
+function isOver(target, { clientX, clientY }) {
+  return target.contains(document.elementFromPoint(clientX, clientY));
 }

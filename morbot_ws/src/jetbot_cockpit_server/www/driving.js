@@ -1,29 +1,20 @@
-// What the pad, the keys and the gamepad command: one of them at a time, repeated while it is off centre.
+// What the inputs command: one of them at a time, repeated while it is off centre, and one zero when it ends.
 
 const INTERVAL = 50; // ms between two commands: 20 Hz
 const DEAD_ZONE = 0.12; // share of the way to the edge
 const TURN = 0.5; // full deflection to the side turns at half the speed: finer to steer
 
-// Returns the deflections without the dead zone, limited to the unit circle.
-export function shape(forward, left) {
-  const radius = Math.hypot(forward, left);
-  if (!(radius > DEAD_ZONE)) return [0, 0];
-  const scale = Math.min(1, (radius - DEAD_ZONE) / (1 - DEAD_ZONE)) / radius;
-  return [forward * scale, left * scale];
-}
-
 export class Driving {
-  // send(forward, left): both in [-1, 1]; ready(): whether a command can be sent at all
-  constructor(send, ready) {
-    this.send = send;
-    this.ready = ready;
-    this.speed = 0.5;
-    this.source = null; // which input drives
-    this.command = [0, 0];
-    this.blocked = new Set(); // inputs that must return to the centre first
-    this.timer = null;
-    this.lastSent = -Infinity;
-    this.changed = () => {};
+  speed = 0.5; // of a wheel at full deflection, as a share of full power
+  command = [0, 0];
+  source = null; // which input drives
+  blocked = new Set(); // inputs that must return to the centre first
+  timer = null;
+  lastSent = -Infinity;
+
+  // send(forward, left): both in [-1, 1]; ready(): whether a command can be sent at all; changed(): active or not
+  constructor({ send, ready, changed }) {
+    Object.assign(this, { send, ready, changed });
   }
 
   get active() {
@@ -82,4 +73,12 @@ export class Driving {
     if (zero) this.send(0, 0);
     this.changed();
   }
+}
+
+// Returns the deflections without the dead zone, limited to the unit circle.
+function shape(forward, left) {
+  const radius = Math.hypot(forward, left);
+  if (!(radius > DEAD_ZONE)) return [0, 0];
+  const scale = Math.min(1, (radius - DEAD_ZONE) / (1 - DEAD_ZONE)) / radius;
+  return [forward * scale, left * scale];
 }

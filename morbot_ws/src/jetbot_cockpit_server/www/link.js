@@ -10,7 +10,7 @@ const FULL = 4002;
 const GOING_AWAY = 1001;
 
 // Returns the sentence for a connection that has ended.
-export function explain(code, reason) {
+function explain(code, reason) {
   if (code === FULL) return "The cockpit is full: close a page that nobody needs.";
   if (code === GOING_AWAY) return "The cockpit has ended: start it again.";
   if (code >= 4000) return `The cockpit closed the connection: ${reason || "no reason given"}.`;

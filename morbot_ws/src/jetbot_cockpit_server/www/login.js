@@ -1,24 +1,18 @@
-// The code that lets a person in: from the address, or typed. It is sent once, for a cookie.
+// How a person gets in, by a code that is sent once for a cookie, and what they want to be called.
 
 import { element } from "./dom.js";
 
 const WRONG = "This code is wrong. Codes change when the cockpit starts again.";
 const TOO_MANY = "Too many wrong codes. Wait a minute, and try again.";
 const NO_ANSWER = "The cockpit does not answer: check the network, and try again.";
+const STORED_NAME = "name";
+const UNWANTED = /(?! )[\p{C}\p{Z}]/gu; // control characters and the like, which the cockpit refuses
 
 // Returns the code after the # of the address and takes it out of there, or "".
 export function takeCodeFromAddress() {
-  const code = decodeURIComponentOrNothing(location.hash.slice(1));
-  if (location.hash) history.replaceState(null, "", location.pathname);
+  const code = location.hash.slice(1);
+  if (location.hash) history.replaceState(history.state, "", location.pathname);
   return code;
-}
-
-function decodeURIComponentOrNothing(text) {
-  try {
-    return decodeURIComponent(text);
-  } catch {
-    return "";
-  }
 }
 
 // Sends the code; returns "" or the sentence why it was refused.
@@ -62,4 +56,35 @@ export class LoginForm {
     element("cockpit").inert = false;
     element("code").value = "";
   }
+}
+
+// The person's name, kept on this device. send(message)
+export class NameField {
+  constructor(send) {
+    this.send = send;
+    element("name").value = load();
+    element("name").addEventListener("change", () => this.announce());
+    element("name").addEventListener("keydown", (event) => event.key === "Enter" && event.target.blur());
+  }
+
+  announce() {
+    const name = element("name").value.replace(UNWANTED, "").trim();
+    element("name").value = name;
+    store(name);
+    if (name) this.send({ type: "name", name });
+  }
+}
+
+function load() {
+  try {
+    return localStorage.getItem(STORED_NAME) ?? "";
+  } catch { // a browser that stores nothing
+    return "";
+  }
+}
+
+function store(name) {
+  try {
+    localStorage.setItem(STORED_NAME, name);
+  } catch { /* the name is typed again next time */ }
 }

@@ -1,58 +1,51 @@
 // The cockpit's page: connects what the person does, what the cockpit sends, and what is shown.
 
-import { Choice } from "./choice.js";
-import { prepareCodes, showCodes } from "./codes.js";
 import { element, setClass, setText } from "./dom.js";
 import { Driving } from "./driving.js";
-import { Fleet } from "./fleet.js";
-import { Gamepads } from "./gamepad.js";
-import { Keys } from "./keys.js";
+import { Keys, Pad, watchGamepads } from "./inputs.js";
 import { Link } from "./link.js";
-import { LoginForm, logIn, takeCodeFromAddress } from "./login.js";
+import { LoginForm, logIn, NameField, takeCodeFromAddress } from "./login.js";
 import { RobotMap } from "./map.js";
-import { Notice } from "./notice.js";
-import { Pad } from "./pad.js";
 import { showPanel, showRoundTrip } from "./panel.js";
-import { Person } from "./person.js";
-import { showScores } from "./scores.js";
-import { Stops } from "./stop.js";
-import { prepareViews } from "./views.js";
+import { Choice, Fleet } from "./robots.js";
+import { Notice, Stops } from "./stops.js";
+import { prepareViews, showCodes, showScores } from "./views.js";
 import { World } from "./world.js";
 
 let problem = "Connecting"; // why there is no connection
 let driven = null; // the robot that the commands go to
 let wasDriver = false;
-let fitDue = false; // a teacher sees a class as a whole first, as soon as the places are known
+let fitted = false; // a teacher sees a class as a whole first
 let codeError = ""; // why the code in the address was refused
 let frame = null; // the next one shows what has changed
 
 const world = new World();
-const notice = new Notice();
-const login = new LoginForm(() => link.open());
 const link = new Link({ receive, changed: connectionChanged, refused: askForCode, measured: showRoundTrip });
 const send = (message) => link.send(message);
+const notice = new Notice();
+const login = new LoginForm(() => link.open());
+const nameField = new NameField(send);
 const choice = new Choice(world, changeRobot);
-const chosen = () => choice.id;
 const choose = (id) => choice.choose(id);
-const driving = new Driving(command, () => link.connected && Boolean(world.robot(chosen())));
-const keys = new Keys((...deflection) => driving.deflect("keys", ...deflection), () => stops.stop());
-const report = (...sentence) => notice.show(...sentence);
-const stops = new Stops(world, { chosen, send, report, stopped: () => driving.lift() });
-const fleet = new Fleet(world, chosen, choose, send);
-const map = new RobotMap(element("map"), world, { chosen, choose, redraw: show });
-const person = new Person(send);
+const fleet = new Fleet(world, choose, send);
+const map = new RobotMap(element("map"), world, { choose, redraw: show });
+const driving = new Driving({
+  send: command, ready: () => link.connected && Boolean(world.robot(world.chosen)), changed: show,
+});
+const stops = new Stops(world, { send, notice, stopped: () => driving.lift() });
+const deflect = (source) => (forward, left) => driving.deflect(source, forward, left);
+const pad = new Pad(element("pad"), element("thumb"), deflect("pad"));
+const keys = new Keys(deflect("keys"), () => stops.stop());
 
 const RECEIVERS = {
   hello(message) {
     world.hello(message);
-    showScores(world.scores);
-    choice.begin();
-    person.announce();
+    showScores([]);
+    nameField.announce();
   },
   robots(message) {
-    fitDue ||= world.robots.length < 2 && message.robots.length > 1 && world.teacher;
     const changes = world.list(message);
-    if (changes) report(changes, () => false);
+    if (changes) notice.show(changes, () => false);
     if (driving.active && !world.robot(driven)) driving.lift();
     choice.begin();
     fleet.list();
@@ -61,21 +54,18 @@ const RECEIVERS = {
     world.update(message);
     stops.update();
     noticeLostLease();
-    fitWhenPlaced();
+    fitOnce();
   },
-  trail: (message) => world.trail(message),
+  trail: ({ robot, points }) => world.trails.set(robot, points),
   scene(message) {
     if (world.scene(message)) map.showCourse(message.robot);
   },
-  scores({ scores }) {
-    world.scores = scores;
-    showScores(scores);
-  },
-  notice: ({ text }) => report(text),
+  scores: ({ scores }) => showScores(scores),
+  notice: ({ text }) => notice.show(text),
   lift({ robot, text }) {
     const late = !driving.active && notice.visible; // a command was on its way: the first reason counts
     if (robot === driven) driving.lift();
-    if (!late) report(text);
+    if (!late) notice.show(text);
   },
   codes: ({ codes }) => showCodes(codes),
 };
@@ -86,16 +76,16 @@ function receive(message) {
 }
 
 function command(forward, left) {
-  if (forward || left) driven = chosen();
+  if (forward || left) driven = world.chosen;
   if (driven === null) return;
   const message = { type: "drive", robot: driven, forward, left };
   if (forward || left) link.sendFresh(message);
   else link.send(message);
 }
 
-function fitWhenPlaced() {
-  if (!fitDue || !world.placed().length) return;
-  fitDue = false;
+function fitOnce() {
+  if (fitted || !world.teacher || world.robots.length < 2 || !world.placed.length) return;
+  fitted = true;
   map.fit();
 }
 
@@ -103,7 +93,7 @@ function noticeLostLease() {
   if (wasDriver && !world.isMine(driven)) {
     driving.lift();
     const { driver } = world.state(driven);
-    if (driver) report(`${driver.name} has taken ${world.robot(driven)?.label ?? "the robot"}.`);
+    if (driver) notice.show(`${driver.name} has taken ${world.robot(driven)?.label ?? "the robot"}.`);
   }
   wasDriver = world.isMine(driven);
 }
@@ -111,7 +101,7 @@ function noticeLostLease() {
 function changeRobot() {
   driving.interrupt();
   map.follow(true);
-  map.showCourse(chosen());
+  map.showCourse(world.chosen);
   show();
 }
 
@@ -137,8 +127,8 @@ function show() {
 
 function showNow() {
   frame = null;
-  showPanel(world, chosen(), problem);
-  notice.update(world.isBlocked(chosen()), driving.active && world.isMine(driven));
+  showPanel(world, problem);
+  notice.update(world.isBlocked(world.chosen), driving.active && world.isMine(driven));
   setClass(document.body, "driving", driving.active);
   pad.point(...driving.command);
   stops.show();
@@ -146,6 +136,7 @@ function showNow() {
   map.draw();
 }
 
+// The page sees no finger and no key any more.
 function leave() {
   driving.interrupt();
   keys.clear();
@@ -158,27 +149,23 @@ function setSpeed() {
   element("speed").setAttribute("aria-valuetext", `${percent} % of full speed`);
 }
 
-const pad = new Pad(element("pad"), element("thumb"), (...deflection) => driving.deflect("pad", ...deflection));
-new Gamepads((...deflection) => driving.deflect("gamepad", ...deflection));
-driving.changed = show;
-prepareCodes();
-prepareViews((view) => view === "codes" && send({ type: "codes" }));
-element("speed").addEventListener("input", setSpeed);
-element("take").addEventListener("click", () => send({ type: "take", robot: chosen() }));
-element("reset").addEventListener("click", () => send({ type: "reset", robot: chosen() }));
-addEventListener("blur", leave);
-addEventListener("pagehide", leave);
-matchMedia("(orientation: portrait)").addEventListener("change", leave); // the pad moves away below the finger
-document.addEventListener("visibilitychange", () => document.hidden && leave());
-
 async function start() {
-  setSpeed();
-  show();
   const code = takeCodeFromAddress();
   codeError = code && await logIn(code);
   login.close();
   link.open(); // after a wrong code, too: an earlier one may still hold
 }
 
+watchGamepads(deflect("gamepad"));
+prepareViews(() => send({ type: "codes" }));
+element("speed").addEventListener("input", setSpeed);
+element("take").addEventListener("click", () => send({ type: "take", robot: world.chosen }));
+element("reset").addEventListener("click", () => send({ type: "reset", robot: world.chosen }));
+addEventListener("blur", leave);
+addEventListener("pagehide", leave);
+matchMedia("(orientation: portrait)").addEventListener("change", leave); // the pad moves away below the finger
+document.addEventListener("visibilitychange", () => document.hidden && leave());
 addEventListener("hashchange", () => location.hash && start());
+setSpeed();
+show();
 start();

@@ -1,27 +1,26 @@
 // The map from above: grid, trails, robots, and the chosen robot's commanded and actual speed.
 
-import { element, setText } from "./dom.js";
-import { drawGrid } from "./grid.js";
-import { signed } from "./numbers.js";
-import { drawScene } from "./scene.js";
-import { drawArrow, drawRing, drawRobot, drawTrail } from "./shapes.js";
+import { element, setText, signed } from "./dom.js";
+import { drawArrow, drawGrid, drawRing, drawRobot, drawScene, drawTrail } from "./drawing.js";
+import { nominalSpeed } from "./panel.js";
 import { Viewport } from "./viewport.js";
-import { nominalSpeed } from "./wheels.js";
 
 const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual", "course"];
-const VISIBLE = 9; // pixels: smallest radius at which a robot is found
-const NO_ODOMETRY = "no odometry: not on the map";
+const MIN_RADIUS = 9; // pixels at which a robot is found
 const TAP_RADIUS = 28; // pixels
 
 export class RobotMap {
-  // chosen(): id of the robot to follow; choose(id): a robot was tapped; redraw(): draw() is due
-  constructor(canvas, world, { chosen, choose, redraw }) {
-    Object.assign(this, { canvas, world, chosen, choose, redraw, following: true, places: null });
+  following = true;
+  framed = null; // returns the places that are shown, until a person moves the map
+
+  // choose(id): a robot was tapped; redraw(): draw() is due
+  constructor(canvas, world, { choose, redraw }) {
+    Object.assign(this, { canvas, world, choose, redraw });
     this.viewport = new Viewport(canvas, {
-      changed: () => this.redraw(),
+      changed: redraw,
       tapped: (right, down) => this.tap(right, down),
       dragged: () => this.follow(false),
-      zoomed: () => { this.places = null; },
+      zoomed: () => { this.framed = null; },
     });
     this.readColors();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readColors());
@@ -36,7 +35,7 @@ export class RobotMap {
   measure() {
     const height = (id) => element(id).offsetHeight;
     this.viewport.covered = { above: height("tools") + 6, below: height("legend") + 6 };
-    if (this.places) this.viewport.fit(this.places());
+    if (this.framed) this.viewport.fit(this.framed());
     this.redraw();
   }
 
@@ -48,13 +47,13 @@ export class RobotMap {
 
   follow(on) {
     this.following = on;
-    this.places = null;
+    this.framed = null;
     element("follow").setAttribute("aria-pressed", on);
     this.redraw();
   }
 
   fit() {
-    this.frame(() => [...this.world.placed().map(({ state }) => state.pose),
+    this.frame(() => [...this.world.placed.map(({ state }) => state.pose),
       ...this.world.robots.flatMap(({ id }) => this.world.pointsOf(id))]);
   }
 
@@ -62,45 +61,37 @@ export class RobotMap {
   showCourse(id) {
     const course = this.world.courseOf(id);
     const { pose } = this.world.state(id);
-    if (id === this.chosen() && this.following && course.length) this.frame(() => pose ? [pose, ...course] : course);
+    if (id === this.world.chosen && this.following && course.length) this.frame(() => pose ? [pose, ...course] : course);
   }
 
   // Shows what places() returns, also when the map's size changes, until a person moves it.
   frame(places) {
     this.follow(false);
-    this.places = places;
+    this.framed = places;
     this.viewport.fit(places());
   }
 
   tap(right, down) {
-    const near = this.world.placed().map(({ robot, state }) => {
+    const distances = this.world.placed.map(({ robot, state }) => {
       const [x, y] = this.viewport.toPixels(...state.pose);
       return [Math.hypot(x - right, y - down), robot.id];
-    }).sort(([one], [other]) => one - other)[0];
+    });
+    const [near] = distances.sort(([one], [other]) => one - other);
     if (near && near[0] < TAP_RADIUS) this.choose(near[1]);
   }
 
   draw() {
     const context = this.fitCanvas();
-    const { pose } = this.world.state(this.chosen());
+    const { pose } = this.world.state(this.world.chosen);
     if (this.following && pose) this.viewport.centre(...pose);
     drawGrid(context, this.viewport, this.colors);
     this.inMetres(context, (pixel) => {
       this.drawScenes(context, pixel);
-      this.drawTrails(context, pixel);
+      for (const { id, color } of this.world.robots) drawTrail(context, this.world.trails.get(id) ?? [], color, pixel);
     });
     this.drawLabels(context);
     this.inMetres(context, (pixel) => this.drawRobots(context, pixel));
     this.showSpeeds();
-  }
-
-  // Calls draw with the size of a pixel, while the context is in metres.
-  inMetres(context, draw) {
-    context.save();
-    context.translate(...this.viewport.toPixels(0, 0));
-    context.scale(this.viewport.scale, -this.viewport.scale);
-    draw(1 / this.viewport.scale);
-    context.restore();
   }
 
   fitCanvas() {
@@ -114,47 +105,54 @@ export class RobotMap {
     return context;
   }
 
-  // The robots whose place is known, the chosen one last: it is drawn on top.
-  get placed() {
-    const isChosen = ({ robot }) => robot.id === this.chosen();
-    return this.world.placed().sort((one, other) => isChosen(one) - isChosen(other));
+  // Calls draw with the size of a pixel, while the context is in metres.
+  inMetres(context, draw) {
+    context.save();
+    context.translate(...this.viewport.toPixels(0, 0));
+    context.scale(this.viewport.scale, -this.viewport.scale);
+    draw(1 / this.viewport.scale);
+    context.restore();
   }
 
   drawScenes(context, pixel) {
-    const others = [...this.world.scenes.keys()].filter((id) => id !== this.chosen());
-    for (const id of [...others, this.chosen()]) { // the chosen robot's is on top
-      drawScene(context, this.world.scenes.get(id) ?? [], id === this.chosen(), this.colors, pixel);
+    const { scenes, chosen } = this.world;
+    for (const id of this.chosenLast([...scenes.keys()], (id) => id)) {
+      drawScene(context, scenes.get(id), id === chosen, this.colors, pixel);
     }
   }
 
-  drawTrails(context, pixel) {
-    for (const { id, color } of this.world.robots) {
-      drawTrail(context, this.world.trails.get(id) ?? [], color, 3 * pixel);
-    }
+  // The chosen robot is on top.
+  chosenLast(items, idOf) {
+    const isChosen = (item) => idOf(item) === this.world.chosen;
+    return items.sort((one, other) => isChosen(one) - isChosen(other));
+  }
+
+  get placed() {
+    return this.chosenLast(this.world.placed, ({ robot }) => robot.id);
   }
 
   drawRobots(context, pixel) {
     for (const { robot, state } of this.placed) {
-      const chosen = robot.id === this.chosen();
+      const chosen = robot.id === this.world.chosen;
       drawRobot(context, state.pose, robot.color, this.colors, pixel);
-      if (chosen) drawRing(context, state.pose, Math.max(0.13, (VISIBLE + 5) * pixel), robot.color, pixel);
-      else if (0.06 < VISIBLE * pixel) drawRing(context, state.pose, VISIBLE * pixel, robot.color, pixel);
+      const radius = chosen ? Math.max(0.13, (MIN_RADIUS + 5) * pixel) : MIN_RADIUS * pixel;
+      if (chosen || radius > 0.06) drawRing(context, state.pose, radius, robot.color, pixel);
       if (chosen) this.drawArrows(context, robot, state, pixel);
     }
   }
 
   drawArrows(context, robot, { pose, command, speed }, pixel) {
-    if (speed) drawArrow(context, pose, speed, { color: this.colors.actual, dashed: false }, pixel);
-    const commanded = command && nominalSpeed(command, robot);
-    if (commanded) drawArrow(context, pose, commanded, { color: this.colors.commanded, dashed: true }, pixel);
+    const { actual, commanded } = this.colors;
+    if (speed) drawArrow(context, pose, speed, { color: actual, dashed: false }, pixel);
+    if (command) drawArrow(context, pose, nominalSpeed(command, robot), { color: commanded, dashed: true }, pixel);
   }
 
   drawLabels(context) {
     Object.assign(context, { textAlign: "center", strokeStyle: this.colors.ground, lineWidth: 4, lineJoin: "round" });
     for (const { robot, state } of this.placed) {
-      const chosen = robot.id === this.chosen();
+      const chosen = robot.id === this.world.chosen;
       const [x, y] = this.viewport.toPixels(...state.pose);
-      const below = y + Math.max(0.13 * this.viewport.scale, VISIBLE + 5) + 16;
+      const below = y + Math.max(0.13 * this.viewport.scale, MIN_RADIUS + 5) + 16;
       context.font = `${chosen ? "bold 13px" : "12px"} system-ui, sans-serif`;
       context.fillStyle = chosen ? this.colors.text : this.colors.muted;
       context.strokeText(robot.label, x, below);
@@ -163,9 +161,9 @@ export class RobotMap {
   }
 
   showSpeeds() {
-    const { command, speed, pose } = this.world.state(this.chosen());
+    const { command, speed, pose } = this.world.state(this.world.chosen);
     setText(element("commanded"), command ? `x ${signed(command[0])}, z ${signed(command[1])}` : "–");
-    const unknown = this.world.robot(this.chosen()) && !pose ? NO_ODOMETRY : "–";
+    const unknown = this.world.robot(this.world.chosen) && !pose ? "no odometry: not on the map" : "–";
     setText(element("actual"), speed ? `${signed(speed[0])} m/s, ${signed(speed[1])} rad/s` : unknown);
     const place = pose ? `the robot is at x ${signed(pose[0])} m, y ${signed(pose[1])} m` : "its place is not known";
     this.canvas.setAttribute("aria-label", `Map from above: ${place}`);

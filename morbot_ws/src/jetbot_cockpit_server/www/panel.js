@@ -1,19 +1,21 @@
-// What is shown of the chosen robot: who drives it, why it does not move, and what a teacher can do with it.
+// What is shown of the chosen robot: who drives it, why it does not move, its task, what its wheels get and the formula
+// that leads there, and what a teacher can do with it.
 
-import { element, setClass, setText } from "./dom.js";
-import { showTask } from "./task.js";
-import { showView } from "./views.js";
-import { showWheels } from "./wheels.js";
-import { describeDriver, summarize } from "./world.js";
+import { element, inSeconds, setClass, setText, signed } from "./dom.js";
+import { leaveView } from "./views.js";
+
+const FULL_SPEED = 0.6; // m/s of a JetBot's wheel at full power, as the simulation has it
+const WHEEL_SEPARATION = 0.1125; // m
+const SIDES = [["left", "−", -1], ["right", "+", 1]];
 
 // problem: why there is no connection, or ""
-export function showPanel(world, id, problem) {
-  const robot = world.robot(id);
-  const state = world.state(id);
+export function showPanel(world, problem) {
+  const id = world.chosen;
+  const [robot, state] = [world.robot(id), world.state(id)];
   const { text, level } = problem ? { text: problem, level: "warning" } : currentStatus(world, id);
   setText(element("sentence"), text);
   element("status").dataset.level = level;
-  setText(element("driver"), robot && !problem ? describeDriver(world, id) : "");
+  setText(element("driver"), robot && !problem ? world.describeDriver(id) : "");
   if (robot) document.documentElement.style.setProperty("--robot", robot.color);
   setClass(document.body, "offline", problem);
   showWheels(robot, state);
@@ -22,7 +24,7 @@ export function showPanel(world, id, problem) {
 }
 
 function currentStatus(world, id) {
-  if (world.robot(id)) return summarize(world, id);
+  if (world.robot(id)) return world.summarize(id);
   const own = world.me.robot ?? id;
   const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one.";
   return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
@@ -31,13 +33,13 @@ function currentStatus(world, id) {
 function showTeachersTools(world, robot, { driver }) {
   const several = world.robots.length > 1;
   const fleet = world.teacher && several;
-  element("fit").hidden = !several && !world.scenes.get(robot?.id)?.length;
+  element("fit").hidden = !several && !world.pointsOf(robot?.id).length;
   element("fleet").hidden = element("show-fleet").hidden = !fleet;
   element("show-codes").hidden = !world.me.codes;
   element("take").hidden = !(world.teacher && driver && driver.id !== world.me.id);
   element("reset").hidden = !(world.teacher && robot?.simulated);
   setClass(document.body, "several", fleet);
-  if (!fleet && document.body.dataset.view === "fleet") showView("drive");
+  if (!fleet) leaveView("fleet");
 }
 
 export function showRoundTrip(milliseconds) {
@@ -45,4 +47,68 @@ export function showRoundTrip(milliseconds) {
   setText(element("link"), text);
   element("link").dataset.quality = milliseconds < 60 ? "good" : milliseconds < 200 ? "fair" : "poor";
   element("link").setAttribute("aria-label", `Connection: ${text} to the cockpit and back`);
+}
+
+function showWheels(robot, { command, wheels }) {
+  const known = robot && command && robot.workshop !== null; // null: its units are not known yet
+  const shown = known && command.map((value) => Number(value.toFixed(2)));
+  SIDES.forEach(([name, operator, sign], index) => {
+    const value = known ? wheelSpeed(sign, shown, robot) : undefined;
+    showBar(name, wheels?.[index], value);
+    setText(element(`${name}-formula`), known ? formula(name, operator, shown, value, robot) : "");
+  });
+}
+
+// Returns what the formula gives for x and z.
+function wheelSpeed(sign, [x, z], { wheel_separation: separation, max_speed: maxSpeed, workshop }) {
+  return workshop ? x + sign * z : (x + sign * z * separation / 2) / maxSpeed;
+}
+
+// Returns one side's formula with its numbers: value is its result.
+function formula(name, operator, [x, z], value, { wheel_separation: separation, max_speed: maxSpeed, workshop }) {
+  const limited = Math.abs(value) > 1.005 ? `, limited to ${signed(Math.sign(value))}` : "";
+  const operand = signed(z).startsWith("−") ? `(${signed(z)})` : signed(z);
+  const sum = `${signed(x)} ${operator} ${operand}`;
+  if (workshop) return `${name} = x ${operator} z = ${sum} = ${signed(value)}${limited}`;
+  const words = `(x ${operator} z · separation / 2) / max. speed`;
+  return `${name} = ${words} = (${sum} · ${separation} / 2) / ${maxSpeed} = ${signed(value)}${limited}`;
+}
+
+// expected: the formula's result; where the two differ by rounding alone, the number is the formula's
+function showBar(name, value, expected) {
+  const meter = element(`${name}-wheel`);
+  const bar = meter.nextElementSibling.firstElementChild;
+  meter.value = value ?? 0;
+  meter.setAttribute("aria-valuetext", value === undefined ? "not known" : `${Math.round(value * 100)} %`);
+  bar.style.transform = `scaleX(${Math.max(-1, Math.min(1, value ?? 0))})`;
+  const shown = Math.abs(value - expected) < 0.011 ? expected : value;
+  setText(element(`${name}-value`), value === undefined ? "–" : signed(shown));
+}
+
+// Returns the speed [m/s, rad/s] that a command asks for: in the workshop's units it is one of power.
+export function nominalSpeed([x, z], { workshop }) {
+  if (!workshop) return [x, z];
+  const [left, right] = [x - z, x + z].map((power) => FULL_SPEED * Math.max(-1, Math.min(1, power)));
+  return [(left + right) / 2, (right - left) / WHEEL_SEPARATION];
+}
+
+// The robot's task: its title, what its judge says, the time, and the score at the end.
+function showTask(task) {
+  element("task").hidden = !task;
+  setClass(document.body, "task", task);
+  setText(element("task-news"), task && task.state !== "driving" ? spoken(task) : ""); // the seconds are not read
+  if (!task) return;
+  element("task").dataset.state = task.state;
+  setText(element("task-title"), task.title);
+  setText(element("task-result"), result(task));
+  setText(element("task-text"), task.state === "driving" ? "" : task.text);
+}
+
+function result({ state, score, seconds }) {
+  if (score !== null) return [`${score.toFixed(1)} points`, inSeconds(seconds)].filter(Boolean).join(", ");
+  return state === "driving" ? inSeconds(seconds) : "";
+}
+
+function spoken(task) {
+  return [`${task.title}:`, result(task) && `${result(task)}.`, task.text].filter(Boolean).join(" ");
 }

@@ -1,6 +1,6 @@
-// What the cockpit has sent: who this page is, which robots there are, and how each one is.
+// What the cockpit has sent: who this page is, which robots there are, and how each one is; and which one was chosen.
 
-import { prepareShapes } from "./scene.js";
+import { prepareShapes } from "./drawing.js";
 
 const TRAIL_STEP = 0.03; // m between two points, as in trail.py
 const TRAIL_LENGTH = 500; // points
@@ -11,54 +11,64 @@ const UNKNOWN = {
 };
 
 export class World {
-  constructor() {
-    this.me = { id: null, name: "", role: "pupil", robot: null };
-    this.robots = []; // in the order of the cockpit
-    this.missing = new Map(); // robots that have gone, by id
-    this.listed = false; // whether the robots are known
-    this.states = {};
-    this.trails = new Map();
-    this.scenes = new Map(); // shapes, by the robot around which they are
-    this.scores = [];
-    this.emergency = false;
-  }
+  me = { id: null, name: "", role: "pupil", robot: null };
+  chosen = null; // id of the robot that this page shows and drives
+  robots = []; // in the order of the cockpit
+  missing = []; // robots that have gone
+  states = {};
+  trails = new Map();
+  scenes = new Map(); // shapes, by the robot around which they are
+  emergency = false;
 
   get teacher() {
     return this.me.role === "teacher";
   }
 
+  // The robots from which this person may choose: a pupil who belongs to a robot drives that one only.
+  get allowed() {
+    const own = this.me.robot;
+    return own ? this.robots.filter(({ id }) => id === own) : this.robots;
+  }
+
+  // The robots whose place is known, each with its state.
+  get placed() {
+    return this.robots.map((robot) => ({ robot, state: this.state(robot.id) })).filter(({ state }) => state.pose);
+  }
+
+  // A connection begins: everything is sent again.
   hello(message) {
     this.me = message;
-    this.missing = new Map();
-    this.listed = false;
-    this.trails.clear();
-    this.scenes.clear();
-    this.scores = [];
+    Object.assign(this, { robots: [], missing: [], trails: new Map(), scenes: new Map() });
   }
 
   // Takes the list of robots; returns which have come and gone since the last one, in a sentence, or "".
-  list(message) {
-    const [before, now] = [this.robots, message.robots].map((robots) => new Map(robots.map((each) => [each.id, each])));
-    const gone = this.listed ? this.robots.filter(({ id }) => !now.has(id)) : [];
-    const come = this.listed ? message.robots.filter(({ id }) => !before.has(id)) : [];
-    for (const robot of gone) this.missing.set(robot.id, robot);
-    for (const id of now.keys()) this.missing.delete(id);
-    for (const kept of [this.trails, this.scenes]) {
-      for (const id of kept.keys()) if (!now.has(id)) kept.delete(id);
+  list({ robots }) {
+    const isNew = ({ id }) => !this.robot(id);
+    const isGone = ({ id }) => !robots.some((robot) => robot.id === id);
+    const come = this.robots.length ? robots.filter(isNew) : [];
+    const gone = this.robots.filter(isGone);
+    for (const { id } of gone) {
+      this.trails.delete(id);
+      this.scenes.delete(id);
     }
-    this.robots = message.robots;
-    this.listed = true;
+    this.missing = [...this.missing, ...gone].filter(isGone);
+    this.robots = robots;
     return [sentence(gone, "not running any more"), sentence(come, "running")].filter(Boolean).join(" ");
   }
 
-  update(message) {
-    this.emergency = message.emergency;
-    this.states = message.robots;
-    for (const [id, { pose }] of Object.entries(this.states)) if (pose) this.append(id, pose);
+  update({ emergency, robots }) {
+    this.emergency = emergency;
+    this.states = robots;
+    for (const [id, { pose }] of Object.entries(robots)) if (pose) this.append(id, pose);
   }
 
-  trail(message) {
-    this.trails.set(message.robot, message.points);
+  append(id, [x, y]) {
+    const points = this.trails.get(id) ?? [];
+    const [lastX, lastY] = points[points.length - 1] ?? [Infinity, Infinity];
+    if (Math.hypot(x - lastX, y - lastY) < TRAIL_STEP) return;
+    points.push([x, y]);
+    if (points.length > TRAIL_LENGTH) points.shift();
+    this.trails.set(id, points);
   }
 
   // Takes what is drawn around a robot; returns whether its course is another one.
@@ -96,47 +106,33 @@ export class World {
     return this.emergency || stopped || !answers || Boolean(driver) && !this.isMine(id);
   }
 
-  // The robots whose place is known, each with its state.
-  placed() {
-    return this.robots.map((robot) => ({ robot, state: this.state(robot.id) })).filter(({ state }) => state.pose);
+  // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
+  summarize(id) {
+    const { status, warning, answers, stopped } = this.state(id);
+    const label = this.robot(id)?.label ?? "The robot";
+    if (!answers) return { text: status || `${label} does not answer: look after its node.`, level: "warning" };
+    if (this.emergency || stopped) return { text: status || "stopped: emergency stop", level: "stopped" };
+    const level = warning ? "warning" : status.startsWith("stopped") ? "waiting" : "driving";
+    return { text: status || "waiting for its status", level };
   }
 
-  append(id, [x, y]) {
-    const points = this.trails.get(id) ?? [];
-    const [lastX, lastY] = points[points.length - 1] ?? [Infinity, Infinity];
-    if (Math.hypot(x - lastX, y - lastY) < TRAIL_STEP) return;
-    points.push([x, y]);
-    if (points.length > TRAIL_LENGTH) points.shift();
-    this.trails.set(id, points);
+  // Returns who drives the robot, or "" if nobody does.
+  nameDriver(id) {
+    const { driver, program, status, answers } = this.state(id);
+    if (driver) return this.isMine(id) ? "You drive it" : `${driver.name} drives it`;
+    return answers && status.startsWith("driving") ? `${program || "A program"} drives` : "";
+  }
+
+  // Returns who drives the robot, and what this page's person can do.
+  describeDriver(id) {
+    const name = this.nameDriver(id);
+    if (this.isBlocked(id)) return name || "Nobody drives it";
+    if (!name) return "Free to drive: drag the pad";
+    return this.isMine(id) ? name : `${name}. Take the pad to drive.`;
   }
 }
 
 function sentence(robots, what) {
   if (!robots.length) return "";
   return robots.length === 1 ? `${robots[0].label} is ${what}.` : `${robots.length} robots are ${what}.`;
-}
-
-// Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
-export function summarize(world, id) {
-  const { status, warning, answers, stopped } = world.state(id);
-  const label = world.robot(id)?.label ?? "The robot";
-  if (!answers) return { text: status || `${label} does not answer: look after its node.`, level: "warning" };
-  if (world.emergency || stopped) return { text: status || "stopped: emergency stop", level: "stopped" };
-  const level = warning ? "warning" : status.startsWith("stopped") ? "waiting" : "driving";
-  return { text: status || "waiting for its status", level };
-}
-
-// Returns who drives the robot, or "" if nobody does.
-export function nameDriver(world, id) {
-  const { driver, program, status, answers } = world.state(id);
-  if (driver) return world.isMine(id) ? "You drive it" : `${driver.name} drives it`;
-  return answers && status.startsWith("driving") ? `${program || "A program"} drives` : "";
-}
-
-// Returns who drives the robot, and what this page's person can do.
-export function describeDriver(world, id) {
-  const name = nameDriver(world, id);
-  if (world.isBlocked(id)) return name || "Nobody drives it";
-  if (!name) return "Free to drive: drag the pad";
-  return world.isMine(id) ? name : `${name}. Take the pad to drive.`;
 }

@@ -1,0 +1,126 @@
+// Where a person's hand is: on the joystick, on the keys, on a gamepad. Each input reports deflect(forward, left), both
+// in [-1, 1]; (0, 0) is released.
+
+const THUMB_TRAVEL = 0.36; // how far the thumb goes, as a share of the ring's width
+const DIRECTIONS = {
+  ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowLeft: [0, 1], ArrowRight: [0, -1],
+  KeyW: [1, 0], KeyS: [-1, 0], KeyA: [0, 1], KeyD: [0, -1],
+};
+const POLL_INTERVAL = 50; // ms between two looks at the gamepads
+const IN_USE = 0.2; // share of the way to the edge
+
+// The joystick: one pointer, from the centre of a ring.
+export class Pad {
+  constructor(ring, thumb, deflect) {
+    Object.assign(this, { ring, thumb, deflect, pointer: null });
+    ring.addEventListener("pointerdown", (event) => this.press(event));
+    ring.addEventListener("pointermove", (event) => this.move(event));
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) {
+      ring.addEventListener(end, (event) => this.lift(event));
+    }
+    ring.addEventListener("contextmenu", (event) => event.preventDefault());
+  }
+
+  press(event) {
+    if (this.pointer !== null || event.button !== 0) return;
+    event.preventDefault();
+    this.pointer = event.pointerId;
+    this.ring.setPointerCapture(event.pointerId);
+    this.ring.focus({ preventScroll: true, focusVisible: false });
+    this.move(event);
+  }
+
+  move(event) {
+    if (event.pointerId !== this.pointer) return;
+    const box = this.ring.getBoundingClientRect();
+    const radius = box.width * THUMB_TRAVEL;
+    const right = (event.clientX - box.left - box.width / 2) / radius;
+    const down = (event.clientY - box.top - box.height / 2) / radius;
+    const length = Math.max(1, Math.hypot(right, down));
+    this.show(right / length, down / length);
+    this.deflect(-down / length, -right / length);
+  }
+
+  lift(event) {
+    if (event.pointerId !== this.pointer) return;
+    this.pointer = null;
+    this.show(0, 0);
+    this.deflect(0, 0);
+  }
+
+  // Shows what another input commands.
+  point(forward, left) {
+    if (this.pointer === null) this.show(-left, -forward);
+  }
+
+  show(right, down) {
+    const radius = this.ring.clientWidth * THUMB_TRAVEL;
+    this.thumb.style.transform = `translate(${right * radius}px, ${down * radius}px)`;
+  }
+}
+
+// Arrows and WASD drive while they are held; Escape and Space call stop(), Escape also while typing.
+export class Keys {
+  constructor(deflect, stop) {
+    Object.assign(this, { deflect, stop, held: new Set() });
+    addEventListener("keydown", (event) => this.press(event), true);
+    addEventListener("keyup", (event) => this.lift(event), true);
+  }
+
+  press(event) {
+    const typing = isTextField(event.target);
+    if (event.key === "Escape" || event.code === "Space" && !typing) return this.pressStop(event);
+    const shortcut = event.ctrlKey || event.altKey || event.metaKey;
+    if (!(event.code in DIRECTIONS) || typing || shortcut || belongsToTarget(event)) return;
+    event.preventDefault();
+    if (event.repeat) return; // a key that was held before a break must be lifted first
+    this.held.add(event.code);
+    this.report();
+  }
+
+  // Space must not press the button that has the focus.
+  pressStop(event) {
+    if (event.code === "Space") event.preventDefault();
+    if (!event.repeat) this.stop();
+  }
+
+  lift(event) {
+    if (event.code === "Space" && !isTextField(event.target)) event.preventDefault();
+    if (this.held.delete(event.code)) this.report();
+  }
+
+  // The keyboard belongs to another window: it reports no key that is lifted there.
+  clear() {
+    this.held.clear();
+    this.report();
+  }
+
+  report() {
+    const clamp = (value) => Math.max(-1, Math.min(1, value));
+    const sum = (axis) => clamp([...this.held].reduce((total, code) => total + DIRECTIONS[code][axis], 0));
+    this.deflect(sum(0), sum(1));
+  }
+}
+
+function isTextField(target) {
+  return target instanceof HTMLInputElement && target.type !== "range";
+}
+
+// The slider uses the arrow keys itself, a list letters, too.
+function belongsToTarget({ target, code }) {
+  const slider = target instanceof HTMLInputElement && code.startsWith("Arrow");
+  return slider || target instanceof HTMLSelectElement;
+}
+
+// Reports the left stick of the gamepad that is in use, only while this page has the focus.
+export function watchGamepads(deflect) {
+  let timer = null;
+  const report = () => document.hasFocus() && deflect(...readStick());
+  addEventListener("gamepadconnected", () => { timer ??= setInterval(report, POLL_INTERVAL); });
+}
+
+function readStick() {
+  const gamepads = navigator.getGamepads().filter((gamepad) => gamepad?.connected);
+  const used = gamepads.find(({ axes }) => Math.hypot(axes[0], axes[1]) > IN_USE);
+  return used ? [-used.axes[1], -used.axes[0]] : [0, 0];
+}

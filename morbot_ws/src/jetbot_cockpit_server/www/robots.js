@@ -1,0 +1,100 @@
+// Which robots there are: the list from which a person chooses one, and the teacher's, which stops each.
+
+import { create, element, onPress, setText } from "./dom.js";
+
+export class Choice {
+  // changed(): another robot was chosen
+  constructor(world, changed) {
+    Object.assign(this, { world, changed });
+    element("robot").addEventListener("change", (event) => this.choose(event.target.value));
+  }
+
+  choose(id) {
+    const changes = id !== this.world.chosen && this.world.allowed.some((robot) => robot.id === id);
+    if (changes) {
+      this.world.chosen = id;
+      history.replaceState({ robot: id }, ""); // for a reload
+    }
+    this.list();
+    if (changes) this.changed();
+  }
+
+  // Chooses the robot of this page's person: their own, the one before a reload, or the first.
+  begin() {
+    const { allowed, me, chosen } = this.world;
+    if (chosen !== null && (!me.robot || chosen === me.robot)) return this.list();
+    const first = allowed.find(({ id }) => id === history.state?.robot) ?? allowed[0];
+    this.choose(first?.id);
+  }
+
+  // Shows the robots that there are; one that is gone stays chosen, so that it can come back.
+  list() {
+    const { allowed, chosen } = this.world;
+    const gone = chosen !== null && !this.world.robot(chosen);
+    const options = allowed.map(({ id, label }) => new Option(label, id, false, id === chosen));
+    if (gone) options.unshift(new Option(`${chosen.slice(1) || "robot"} (gone)`, chosen, true, true));
+    if (!options.length) options.push(new Option("no robot", ""));
+    element("robot").replaceChildren(...options);
+    element("robot").disabled = options.length < 2;
+  }
+}
+
+// The teacher's list: every robot with its status, and a button that stops it.
+export class Fleet {
+  // choose(id); send(message)
+  constructor(world, choose, send) {
+    Object.assign(this, { world, choose, send, rows: [] });
+    element("reset-all").addEventListener("click", () => send({ type: "reset", robot: null }));
+  }
+
+  // Makes a row for each robot; call it when the list of robots has changed.
+  list() {
+    this.rows = this.world.robots.map((robot) => this.row(robot));
+    element("fleet-list").replaceChildren(...this.world.missing.map(missingRow), ...this.rows.map(({ item }) => item));
+    element("reset-all").hidden = !this.world.robots.some(({ simulated }) => simulated);
+  }
+
+  row({ id, label, color }) {
+    const item = create("li");
+    item.dataset.robot = id;
+    item.style.setProperty("--robot", color);
+    const [driver, status] = [create("span", "who"), create("span", "why")];
+    const pick = create("button", "choose");
+    pick.append(create("span", "swatch"), create("span", "label", label), driver, status);
+    pick.addEventListener("click", () => this.choose(id));
+    const stop = create("button", "stop-one", "Stop");
+    onPress(stop, () => this.toggleStop(id), () => !this.world.state(id).stopped);
+    item.append(pick, stop);
+    return { id, item, pick, driver, status, stop, label };
+  }
+
+  toggleStop(id) {
+    this.send({ type: this.world.state(id).stopped ? "release" : "stop", robot: id });
+  }
+
+  show() {
+    if (element("fleet").hidden) return;
+    for (const row of this.rows) this.showRow(row);
+    const driving = this.rows.filter(({ item }) => item.dataset.level === "driving").length;
+    setText(element("fleet-summary"), `${this.rows.length} robots, ${driving} driving`);
+  }
+
+  showRow({ id, item, pick, driver, status, stop, label }) {
+    const { text, level } = this.world.summarize(id);
+    const { stopped } = this.world.state(id);
+    setText(driver, this.world.nameDriver(id));
+    setText(status, text);
+    status.title = text;
+    item.dataset.level = level;
+    pick.setAttribute("aria-pressed", id === this.world.chosen);
+    stop.dataset.action = stopped ? "release" : "stop";
+    setText(stop, stopped ? "Release" : "Stop");
+    stop.setAttribute("aria-label", `${stopped ? "Release" : "Stop"} ${label}`);
+  }
+}
+
+function missingRow({ label }) {
+  const item = create("li", "missing");
+  item.append(create("span", "label", label), create("span", "why", "not running any more"));
+  return item;
+}

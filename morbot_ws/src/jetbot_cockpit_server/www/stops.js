@@ -1,0 +1,95 @@
+// The emergency stop and its release, and the one sentence that this page has for the person.
+
+import { element, onPress, setClass, setText } from "./dom.js";
+
+const RESEND_FOR = 60000; // ms
+const CONFIRM_TIMEOUT = 1000; // ms
+const NOTICE_TIME = 6000; // ms
+const MAX_NAME = 16; // characters that fit on the button
+const NOT_CONNECTED = "No connection: this stop reached no robot. Use the robot's own switch."
+  + " It is sent as soon as the connection is back.";
+const NOT_CONFIRMED = "The stop is not confirmed yet. Press again, or use the robot's own switch.";
+
+// A stop that the cockpit does not confirm is reported.
+export class Stops {
+  unconfirmed = null;
+  unsentAt = -Infinity;
+
+  // send(message) returns whether it was sent; notice; stopped(): a stop was sent
+  constructor(world, { send, notice, stopped }) {
+    Object.assign(this, { world, send, notice, stopped });
+    onPress(element("stop"), () => this.stop());
+    onPress(element("release"), () => this.release(), () => false);
+  }
+
+  stop() {
+    const sent = this.send({ type: "stop", robot: null });
+    this.unsentAt = sent ? -Infinity : performance.now();
+    if (!sent) return this.notice.show(NOT_CONNECTED);
+    this.stopped();
+    clearTimeout(this.unconfirmed);
+    const confirmed = () => this.world.emergency;
+    this.unconfirmed = setTimeout(() => this.notice.show(NOT_CONFIRMED, confirmed), CONFIRM_TIMEOUT);
+  }
+
+  // The connection is back: a stop that was not sent is sent first.
+  resend() {
+    if (performance.now() - this.unsentAt < RESEND_FOR) this.stop();
+  }
+
+  // A state has arrived: it confirms the stop, even if somebody releases it at once.
+  update() {
+    if (this.world.emergency) clearTimeout(this.unconfirmed);
+  }
+
+  release() {
+    clearTimeout(this.unconfirmed);
+    const sent = this.send({ type: "release", robot: this.stoppedAlone() });
+    if (!sent) this.notice.show("No connection: nothing was released.");
+  }
+
+  // Returns the chosen robot if it alone is stopped, else null: all robots.
+  stoppedAlone() {
+    const { chosen, emergency } = this.world;
+    return !emergency && this.world.state(chosen).stopped ? chosen : null;
+  }
+
+  show() {
+    const alone = this.stoppedAlone();
+    const label = this.world.robot(alone)?.label ?? "";
+    const shortName = label && label.length <= MAX_NAME ? label : "it";
+    setText(element("release"), alone ? `Release ${shortName}` : "Release");
+    setClass(element("release"), "needed", alone || this.world.emergency);
+    setClass(document.body, "emergency", this.world.emergency);
+  }
+}
+
+// One sentence: for a while, and no longer than it is true.
+export class Notice {
+  // over(): whether it is no longer true; without it, it is over once nothing keeps this person from driving
+  show(text, over = null) {
+    Object.assign(this, { over, wasBlocked: false, rested: false });
+    element("notice").textContent = text;
+    element("notice").hidden = false;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.hide(), NOTICE_TIME);
+  }
+
+  get visible() {
+    return !element("notice").hidden;
+  }
+
+  // blocked: whether this person cannot drive the robot now; driving: whether this page drives it
+  update(blocked, driving) {
+    if (!this.visible) return;
+    const over = this.over ? this.over() : this.wasBlocked && !blocked;
+    const drivesAgain = this.rested && driving;
+    this.wasBlocked ||= blocked;
+    this.rested ||= !driving;
+    if (over || drivesAgain) this.hide();
+  }
+
+  hide() {
+    element("notice").hidden = true;
+  }
+}
