@@ -96,3 +96,10 @@ def make_robot(folder, monkeypatch):
 def guards_restart_at_once(monkeypatch):
     """A guard that is lost is replaced without waiting for a second."""
     monkeypatch.setattr(guard, "RESTART_INTERVAL", 0.1)
+
+
+def step_of(duties, now):
+    """Return a Step of the controller's supervisor that gives the wheels these duties."""
+    from jetbot_control_node.control.state import STOPPED, State
+    from jetbot_control_node.control.supervisor import Step
+    return Step(now, State(1.0), None, STOPPED, duties)

@@ -4,12 +4,12 @@ import math
 
 import pytest
 
+from conftest import step_of
 from jetbot.fake.motors import wheel_speeds
 from jetbot.kinematics import mix
-from jetbot.wait import wait_until
-from jetbot_control_node.dead_reckoning import MAX_GAP, DeadReckoning
-from jetbot_control_node.safety import Sender
-from jetbot_control_node.supervisor import Supervisor
+from jetbot_control_node.control.state import Sender
+from jetbot_control_node.control.supervisor import Supervisor
+from jetbot_control_node.odometry.dead_reckoning import MAX_GAP, DeadReckoning
 from simulation.diff_drive import Body, DiffDriveModel
 
 SEPARATION, MAX_SPEED = 0.1125, 0.6
@@ -36,8 +36,9 @@ def reckoning(robot):
 
 @pytest.fixture
 def supervisor(robot, reckoning):
-    return Supervisor(robot, lambda linear, angular: robot.set_motors(*mix(linear, angular, SEPARATION, MAX_SPEED)),
-                      1.0, lambda: {PUPIL.name}, lambda _: None, [reckoning])
+    supervisor = Supervisor(robot, lambda x, z: robot.set_motors(*mix(x, z, SEPARATION, MAX_SPEED)), 1.0)
+    supervisor.watchers.append(reckoning)
+    return supervisor
 
 
 def drive(supervisor, linear, angular, start, seconds, follow=lambda now: None):
@@ -45,8 +46,7 @@ def drive(supervisor, linear, angular, start, seconds, follow=lambda now: None):
     now = start
     while now < start + seconds:
         supervisor.state = supervisor.state.command(linear, angular, PUPIL, now)
-        pause = supervisor.step(now, commanded=True)
-        now = min(now + pause, start + seconds)
+        now = min(supervisor.step(now, woken=True), now + 0.05, start + seconds)
         follow(now)
     return now
 
@@ -56,7 +56,7 @@ def drive(supervisor, linear, angular, start, seconds, follow=lambda now: None):
 def test_drives_the_exact_arc_of_what_the_wheels_are_given(robot, reckoning, linear, angular, reports):
     robot.set_motors(*mix(linear, angular, SEPARATION, MAX_SPEED))
     for i in range(reports + 1):
-        reckoning(robot.duties, 7.0 + 2.0 * i / reports)
+        reckoning(step_of(robot.duties, 7.0 + 2.0 * i / reports))
     yaw = angular * 2.0
     x = linear / angular * math.sin(yaw) if angular else linear * 2.0
     y = linear / angular * (1 - math.cos(yaw)) if angular else 0.0
@@ -67,7 +67,7 @@ def test_drives_the_exact_arc_of_what_the_wheels_are_given(robot, reckoning, lin
 
 def test_between_two_reports_the_motion_goes_on(robot, reckoning):
     robot.forward(0.5)
-    reckoning(robot.duties, 0.0)
+    reckoning(step_of(robot.duties, 0.0))
     assert reckoning.motion.advance(0.04).x == pytest.approx(0.04 * 0.3)
     assert reckoning.motion.x == 0
 
@@ -79,7 +79,7 @@ def test_trim_and_wiring_do_not_change_the_speed_that_is_reported(make_robot, op
     robot = make_robot(**options)
     reckoning = reckoning_of(robot)
     robot.set_motors(0.3, -0.6)
-    reckoning(robot.duties, 0.0)
+    reckoning(step_of(robot.duties, 0.0))
     assert reckoning.motion.speeds == pytest.approx((0.3 * MAX_SPEED, -0.6 * MAX_SPEED))
 
 
@@ -89,14 +89,14 @@ def test_the_wheels_turn_as_fast_as_what_they_are_given_and_not_as_commanded(mak
     robot = make_robot(**options)
     reckoning = reckoning_of(robot)
     robot.set_motors(*speeds)
-    reckoning(robot.duties, 0.0)
+    reckoning(step_of(robot.duties, 0.0))
     assert reckoning.motion.speeds == pytest.approx(tuple(duty * MAX_SPEED for duty in duties))
 
 
 def test_the_wheels_roll_as_far_as_the_robot(robot, reckoning):
     robot.set_motors(0.5, -1.0)
-    reckoning(robot.duties, 0.0)
-    reckoning(robot.duties, 1.0)
+    reckoning(step_of(robot.duties, 0.0))
+    reckoning(step_of(robot.duties, 1.0))
     angles, rates = reckoning.motion.joints
     assert angles == rates == pytest.approx((0.3 / 0.03, -0.6 / 0.03))
 
@@ -120,28 +120,29 @@ def test_a_square_of_four_metres_ends_where_the_simulated_robot_does(supervisor,
 @pytest.mark.parametrize("stop", [
     lambda supervisor, folder, monkeypatch: None,  # no further command
     lambda supervisor, folder, monkeypatch: (folder / "0x60").unlink(),
-    lambda supervisor, folder, monkeypatch: monkeypatch.setattr(type(supervisor._robot), "guarded", False)],
+    lambda supervisor, folder, monkeypatch: monkeypatch.setattr(type(supervisor.robot), "guarded", False)],
     ids=["time-out", "no board", "no guard"])
 def test_whatever_stops_the_wheels_stops_the_odometry(supervisor, reckoning, folder, monkeypatch, stop):
     now = drive(supervisor, 0.4, 0.0, 0.0, 1.0)
     stop(supervisor, folder, monkeypatch)
     for _ in range(40):
-        now += supervisor.step(now, commanded=False)
+        now = supervisor.step(now, woken=False)
     assert not reckoning.motion.moving
     assert 0.39 < reckoning.motion.x < 0.4 * 2.2
 
 
 def test_after_a_freeze_only_what_the_guard_allows_counts(robot, reckoning):
     robot.forward(0.5)
-    reckoning(robot.duties, 0.0)
+    reckoning(step_of(robot.duties, 0.0))
     thawed = reckoning.motion.advance(60.0)
     assert not thawed.moving
     assert thawed.x == pytest.approx(0.3 * MAX_GAP)
 
 
 def test_the_end_of_the_node_stops_the_odometry(supervisor, reckoning):
-    supervisor.command(0.4, 0.0, PUPIL)
-    supervisor.run(lambda: wait_until(lambda: False, 0.02) or reckoning.motion.x > 0)
+    drive(supervisor, 0.4, 0.0, 0.0, 1.0)
+    supervisor.end()
+    supervisor.run()
     assert supervisor.closed
     assert not reckoning.motion.moving
 
@@ -152,6 +153,6 @@ def test_absurd_sizes_give_finite_numbers(make_robot, size):
     reckoning = reckoning_of(robot, *size)
     robot.set_motors(1e300, 1.0)
     for now in range(100):
-        reckoning(robot.duties, float(now))
+        reckoning(step_of(robot.duties, float(now)))
     motion = reckoning.motion
     assert all(map(math.isfinite, (*pose(motion), *motion.deviation)))

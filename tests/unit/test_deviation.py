@@ -4,10 +4,10 @@ import math
 
 import pytest
 
-from jetbot_control_node import dead_reckoning, pose_tracker
-from jetbot_control_node.dead_reckoning import Motion
-from jetbot_control_node.deviation import MAX_YAW, RESOLUTION, Deviation
-from jetbot_control_node.pose_tracker import PoseTracker
+from jetbot_control_node.odometry import dead_reckoning, pose_tracker
+from jetbot_control_node.odometry.dead_reckoning import Motion
+from jetbot_control_node.odometry.motion import MAX_YAW, RESOLUTION, Deviation
+from jetbot_control_node.odometry.pose_tracker import PoseTracker
 
 AHEAD, TURN = (1.0, 0.0), (0.0, math.pi / 2)
 

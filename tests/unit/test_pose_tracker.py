@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from jetbot_control_node.deviation import RESOLUTION, Deviation
-from jetbot_control_node.pose_tracker import DRIFT, PoseTracker
+from jetbot_control_node.odometry.motion import RESOLUTION, Deviation
+from jetbot_control_node.odometry.pose_tracker import DRIFT, PoseTracker
 
 
 def track(*counts, period=0.05):

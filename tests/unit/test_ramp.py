@@ -8,9 +8,9 @@ from types import SimpleNamespace
 import pytest
 
 from jetbot.kinematics import mix
+from jetbot_control_node.control.ramp import MAX_STEP, Ramp, make_ramp
+from jetbot_control_node.control.state import STOPPED
 from jetbot_control_node.parameters import checked
-from jetbot_control_node.ramp import MAX_STEP, Ramp, make_ramp
-from jetbot_control_node.safety import STOPPED
 
 SEPARATION = 0.1125  # m
 STEP = 0.01          # s

@@ -8,7 +8,8 @@ import pytest
 from conftest import SIMULATION, SOURCE
 from jetbot import InvalidValue
 from jetbot.fake.motors import ROBOTS
-from jetbot_control_node import dead_reckoning, ramp
+from jetbot_control_node.control import ramp
+from jetbot_control_node.odometry import dead_reckoning
 from jetbot_control_node.parameters import load
 from jetbot_ros.parameters import check_values
 from jetbot_tools.calibration import corrections

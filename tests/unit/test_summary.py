@@ -6,7 +6,7 @@ import pytest
 
 from jetbot.boards import BOARDS
 from jetbot_control_node.parameters import PARAMETERS, checked
-from jetbot_control_node.summary import start_line, start_warnings, status_suffix, summary
+from jetbot_control_node.status.summary import start_line, start_warnings, status_suffix, summary
 
 
 def driver(name="/dev/i2c-1", address=0x60, closed_loop=False):

@@ -11,9 +11,10 @@ from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.guard.process import HEARTBEAT_TIMEOUT
 from jetbot.wait import wait_until
-from jetbot_control_node.notes import TOO_SLOW
-from jetbot_control_node.safety import Sender
-from jetbot_control_node.supervisor import Supervisor
+from jetbot_control_node.control.state import Sender
+from jetbot_control_node.control.supervisor import Supervisor
+from jetbot_control_node.status.status_line import StatusLine
+from jetbot_control_node.status.warnings import TOO_SLOW, Warnings, disturbances
 from jetbot_ros.holds import EMERGENCY_STOP
 
 PUPIL = Sender("/pupil")
@@ -31,8 +32,15 @@ def statuses():
 
 @pytest.fixture
 def supervisor(robot, statuses):
-    return Supervisor(robot, lambda linear, angular: robot.set_motors(linear - angular, linear + angular), 1.0,
-                      lambda: {PUPIL.name}, lambda state: statuses.append(state.status))
+    return supervise(robot, statuses)
+
+
+def supervise(robot, statuses):
+    """Return a supervisor of the robot; its statuses go to the list."""
+    supervisor = Supervisor(robot, lambda x, z: robot.set_motors(x - z, x + z), 1.0)
+    line = StatusLine(supervisor, Warnings(supervisor), lambda status: statuses.append(status.text))
+    supervisor.watchers.append(line)
+    return supervisor
 
 
 def steps(supervisor, start, seconds):
@@ -40,14 +48,14 @@ def steps(supervisor, start, seconds):
     moments, now = [], start
     while now < start + seconds:
         moments.append(now)
-        now += supervisor.step(now, commanded=False) + 0.0001
+        now = supervisor.step(now, woken=False) + 0.0001
     return moments
 
 
 def go(supervisor):
     """Command a speed at the time 0, and drive."""
     supervisor.state = supervisor.state.command(0.5, 0.1, PUPIL, 0.0)
-    supervisor.step(0.0, commanded=True)
+    supervisor.step(0.0, woken=True)
 
 
 def test_a_command_turns_the_wheels(supervisor, folder, statuses):
@@ -66,7 +74,7 @@ def test_no_further_command_stops_within_the_timeout(supervisor, folder, statuse
 def test_a_standing_order_outlives_a_freeze_of_this_program(supervisor, folder):
     supervisor.state = supervisor.state.command(0.5, 0.1, Sender("/pupil", latched=True), 0.0)
     steps(supervisor, 0.0, 0.5)
-    supervisor.step(5.0, commanded=False)
+    supervisor.step(5.0, woken=False)
     assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
     steps(supervisor, 5.05, 1.1)
     assert wheel_speeds(folder) == STOPPED
@@ -77,15 +85,14 @@ def test_a_standing_order_outlives_a_freeze_of_this_program(supervisor, folder):
 def test_after_a_freeze_nobody_is_blamed_for_what_the_guard_has_stopped(
         make_robot, folder, statuses, board, driving):
     robot = make_robot(board=board)
-    supervisor = Supervisor(robot, lambda linear, _: robot.forward(linear), 1.0, lambda: {PUPIL.name},
-                            lambda state: statuses.append(state.status))
+    supervisor = supervise(robot, statuses)
     supervisor.state = supervisor.state.command(0.5 * driving, 0.0, PUPIL._replace(latched=True), 0.0)
     steps(supervisor, 0.0, 0.9)
     BOARDS[board].stop(f"fake:{folder}")
     steps(supervisor, 3.0, 0.9)
     assert wheel_speeds(folder, board) == pytest.approx((0.5 * driving, 0.5 * driving), abs=0.004)
     assert len(statuses) == 1
-    assert set(supervisor.disturbances.values()) == {0}
+    assert set(disturbances(supervisor).values()) == {0}
 
 
 def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot):
@@ -99,8 +106,8 @@ def test_verification_follows_a_command_and_is_one_transfer(supervisor, wire, ro
     robot.driver.link.close()  # from here on, the bus counts
     go(supervisor)
     wire.bits.clear()
-    supervisor.step(0.2, commanded=True)   # the command repeats: nothing to write, one block to read
-    supervisor.step(0.25, commanded=True)  # the next command comes soon after: no read
+    supervisor.step(0.2, woken=True)   # the command repeats: nothing to write, one block to read
+    supervisor.step(0.25, woken=True)  # the next command comes soon after: no read
     assert len(wire.bits) == 1
 
 
@@ -108,8 +115,8 @@ def test_between_two_commands_ten_times_a_second_nothing_is_verified(supervisor,
     robot.driver.link.close()
     go(supervisor)
     wire.bits.clear()
-    supervisor.step(0.05, commanded=False)
-    supervisor.step(0.0999, commanded=False)
+    supervisor.step(0.05, woken=False)
+    supervisor.step(0.0999, woken=False)
     assert wire.bits == []
 
 
@@ -140,7 +147,7 @@ def test_a_board_that_does_not_answer_is_tried_again(supervisor, folder, statuse
 @pytest.fixture
 def running(supervisor, folder):
     """The supervisor in a thread of its own, driving."""
-    thread = threading.Thread(target=supervisor.run, args=[lambda: False])
+    thread = threading.Thread(target=supervisor.run)
     thread.start()
     supervisor.command(0.5, 0.1, PUPIL)
     assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
@@ -158,8 +165,8 @@ def test_an_emergency_stop_wakes_the_thread_and_lasts(running, folder):
 
 def test_a_stop_overtakes_thirty_programs_on_a_slow_bus(supervisor, folder):
     (folder / "clock").write_text("100000")
-    supervisor._robot.driver.link.close()  # the bus reads its clock when it is opened
-    running = threading.Thread(target=supervisor.run, args=[lambda: False])
+    supervisor.robot.driver.link.close()  # the bus reads its clock when it is opened
+    running = threading.Thread(target=supervisor.run)
     programs = [threading.Thread(target=command_often, args=[supervisor, 0.3 + i / 100]) for i in range(30)]
     for thread in (running, *programs):
         thread.start()
@@ -192,13 +199,13 @@ def test_without_a_guard_nothing_turns(supervisor, robot, folder, statuses, monk
 
 
 @pytest.mark.parametrize("fail", [
-    lambda supervisor, error: setattr(supervisor._robot, "verify", Mock(side_effect=error)), Supervisor.fail],
+    lambda supervisor, error: setattr(supervisor.robot, "verify", Mock(side_effect=error)), Supervisor.fail],
     ids=["its own thread", "another thread"])
 def test_what_cannot_be_retried_ends_the_thread_with_the_wheels_stopped(supervisor, folder, fail):
     go(supervisor)
     fail(supervisor, JetbotError("out of file descriptors"))
     with pytest.raises(JetbotError, match="Out of file descriptors"):
-        supervisor.run(lambda: False)
+        supervisor.run()
     assert wheel_speeds(folder) == STOPPED
 
 
@@ -214,13 +221,13 @@ def test_a_command_below_the_steps_of_the_board_is_reported_unless_it_passes(sup
     supervisor.state = supervisor.state.command(0.0001, 0.0, PUPIL, 0.0)
     steps(supervisor, 0.0, 0.4)
     assert statuses == ["driving"]
-    steps(supervisor, 0.4, 0.3)
+    steps(supervisor, 0.4, 0.4)
     assert wheel_speeds(folder) == STOPPED
     assert statuses[-1] == f"driving, {TOO_SLOW}raise min_duty"
-    supervisor.state = supervisor.state.command(0.01, 0.0, PUPIL, 0.7)
-    supervisor.step(0.7, commanded=True)
-    supervisor.state = supervisor.state.command(0.0, 0.0, PUPIL, 0.8)
-    steps(supervisor, 0.8, 2.0)
+    supervisor.state = supervisor.state.command(0.01, 0.0, PUPIL, 0.8)
+    steps(supervisor, 0.8, 0.3)
+    supervisor.state = supervisor.state.command(0.0, 0.0, PUPIL, 1.1)
+    steps(supervisor, 1.1, 2.0)
     assert statuses[2:] == ["driving", "stopped: the command is zero"]
 
 
@@ -228,7 +235,7 @@ def test_a_board_that_fails_now_and_then_is_reported(supervisor, folder, statuse
     go(supervisor)
     for moment in (0.3, 0.7):
         (folder / "0x60").unlink()
-        supervisor.step(moment, commanded=True)
+        supervisor.step(moment, woken=True)
         power_on(folder)
-        supervisor.step(moment + 0.05, commanded=True)
+        supervisor.step(moment + 0.05, woken=True)
     assert statuses[-1] == "driving, its board keeps failing to answer (2 so far): check the wires"

@@ -6,13 +6,14 @@ import time
 
 import pytest
 
+from conftest import step_of
 from jetbot import JetbotError
 from jetbot.errors import BusStuck, BusTooSlow
 from jetbot.supply import EMPTY_BATTERY, Reading, Supply, percentage
 from jetbot.wait import wait_until
-from jetbot_control_node import supply_watch
-from jetbot_control_node.notes import NOTE_FOR
-from jetbot_control_node.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
+from jetbot_control_node.status import supply_watch
+from jetbot_control_node.status.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
+from jetbot_control_node.status.warnings import NOTE_FOR
 
 STOPPED, AHEAD, BACK = (0.0, 0.0), (0.4, 0.6), (-0.4, -0.6)
 
@@ -43,29 +44,29 @@ def sensor():
 def watch(sensor):
     watch = SupplyWatch(Supply("INA219", sensor.read))
     watch.read(now=0.0)
-    watch(STOPPED, now=0.0)
+    watch(step_of(STOPPED, 0.0))
     return watch
 
 
 def start(watch, sensor, reading, now, after=START_DELAY):
     """Start the motors, and read this ``after`` seconds later; return the note."""
-    watch(AHEAD, now)
+    watch(step_of(AHEAD, now))
     sensor.reading = reading
     watch.read(now + after)
-    return watch(AHEAD, now + after)
+    return watch.note(now + after)
 
 
 def stop(watch, sensor, now):
     sensor.reading = volts(12.0)
     watch.read(now)
-    watch(STOPPED, now)
+    watch(step_of(STOPPED, now))
 
 
 def test_a_dip_is_reported_once_with_advice(watch, sensor):
     note = start(watch, sensor, volts(11.1), now=1.0)
     assert note == "its supply dips from 12.0 to 11.1 V as the motors start: set acceleration_limit:=1"
-    assert watch(AHEAD, now=1.0 + NOTE_FOR - 0.1)
-    assert watch(AHEAD, now=1.1 + NOTE_FOR) is None
+    assert watch.note(1.0 + NOTE_FOR - 0.1)
+    assert watch.note(1.1 + NOTE_FOR) is None
     stop(watch, sensor, now=9.0)
     assert start(watch, sensor, volts(11.1), now=10.0) is None
     assert watch.dips == 2
@@ -83,9 +84,9 @@ def test_an_empty_battery_is_reported_once_and_diagnosed_until_it_is_charged(wat
     for begin in (1.0, 10.0):
         sensor.reading = volts(9.0)
         watch.read(now=begin)
-        assert (watch(STOPPED, now=begin), watch.warning) == (sentence if begin == 1.0 else None, sentence)
+        assert (watch.note(begin), watch.warning) == (sentence if begin == 1.0 else None, sentence)
         watch.read(now=begin + NOTE_FOR)
-        assert (watch(STOPPED, now=begin + NOTE_FOR), watch.warning) == (None, sentence)
+        assert (watch.note(begin + NOTE_FOR), watch.warning) == (None, sentence)
         sensor.reading = volts(12.0)
         watch.read(now=begin + 5.0)
         assert watch.warning is None
@@ -110,7 +111,7 @@ def test_what_is_small_or_long_after_the_start_is_no_dip(watch, sensor, reading,
 def test_a_supply_that_sinks_while_nothing_starts_is_no_dip(watch, sensor):
     start(watch, sensor, volts(12.0), now=1.0)
     sensor.reading = volts(11.0)
-    watch((0.8, 0.9), now=5.0)  # faster, but the wheels turn already
+    watch(step_of((0.8, 0.9), 5.0))  # faster, but the wheels turn already
     watch.read(now=5.1)
     assert watch.dips == 0
 
@@ -118,7 +119,7 @@ def test_a_supply_that_sinks_while_nothing_starts_is_no_dip(watch, sensor):
 def test_a_reversal_starts_the_motors_again(watch, sensor):
     start(watch, sensor, volts(11.9), now=1.0)
     sensor.reading = volts(10.9)
-    watch(BACK, now=5.0)
+    watch(step_of(BACK, 5.0))
     watch.read(now=5.1)
     assert watch.dips == 1
 
@@ -156,7 +157,8 @@ def test_a_reading_that_blocks_the_bus_is_the_last_one(error):
 
 def test_a_robot_whose_supply_nothing_measures():
     watch = SupplyWatch(None)
-    assert watch(AHEAD, now=1.0) is None
+    watch(step_of(AHEAD, 1.0))
+    assert watch.note(1.0) is None
     assert str(watch) == "not measured"
 
 
@@ -180,8 +182,8 @@ def delay_of_start(watch, moments, count):
     """Start the motors right after so many readings; return the seconds until the next one."""
     assert wait_until(lambda: len(moments) == count, 10.0, interval=0.001)
     begin = time.monotonic()
-    watch(AHEAD, begin)
-    watch(STOPPED, begin)
+    watch(step_of(AHEAD, begin))
+    watch(step_of(STOPPED, begin))
     assert wait_until(lambda: len(moments) > count, 10.0)
     return moments[count] - begin
 
@@ -189,7 +191,7 @@ def delay_of_start(watch, moments, count):
 def test_however_often_the_motors_start_each_interval_has_one_reading(watch, moments):
     begin = time.monotonic()
     while time.monotonic() < begin + 4.0:
-        watch(AHEAD, time.monotonic())
-        watch(STOPPED, time.monotonic())
+        watch(step_of(AHEAD, time.monotonic()))
+        watch(step_of(STOPPED, time.monotonic()))
         time.sleep(0.01)
     assert 2 <= len(moments) <= (time.monotonic() - begin) / 1.5 + 2

@@ -5,9 +5,9 @@ from unittest.mock import Mock
 import pytest
 
 from jetbot import JetbotError
-from jetbot_control_node import watch
-from jetbot_control_node.safety import State
-from jetbot_control_node.watch import ASK_INTERVAL, POLL_INTERVAL, MasterWatch, check, repeat
+from jetbot_control_node.control import watch
+from jetbot_control_node.control.state import State
+from jetbot_control_node.control.watch import ASK_INTERVAL, POLL_INTERVAL, MasterWatch, check, repeat
 from jetbot_ros.holds import NO_MASTER, SUSPENDED
 
 

@@ -1,4 +1,6 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=["jetbot_control_node"], package_dir={"": "src"}))
+setup(**generate_distutils_setup(
+    packages=["jetbot_control_node", *(f"jetbot_control_node.{room}" for room in ("control", "status", "odometry"))],
+    package_dir={"": "src"}))

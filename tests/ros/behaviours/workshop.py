@@ -10,7 +10,7 @@ import rospy
 from geometry_msgs.msg import Twist
 
 from harness import START_TIMEOUT, RobotTest, program, wheel_speeds
-from jetbot_control_node.safety import MANUAL_PRIORITY
+from jetbot_control_node.control.state import MANUAL_PRIORITY
 
 LAUNCH = "workshop", "workshop_jetbot_controller.launch"
 SCENARIO = program("workshop", "jetbot_motion_control.py")

@@ -12,9 +12,11 @@ import rospy
 from geometry_msgs.msg import Twist
 
 from jetbot.kinematics import mix
-from jetbot_control_node import emergency_stops, node
-from jetbot_control_node.publishers import Publishers
-from jetbot_control_node.report import Report
+from jetbot_control_node import node
+from jetbot_control_node.control import emergency_stop
+from jetbot_control_node.control.commanders import Commanders
+from jetbot_control_node.control.ramp import make_ramp
+from jetbot_control_node.control.supervisor import Supervisor
 from jetbot_ros import lifecycle
 
 
@@ -29,17 +31,16 @@ class JetBotController:
         self.geometry = () if self.robot.driver.closed_loop else (parameters["wheel_separation"],
                                                                   parameters["max_speed"])
 
-        # The supervisor decides what may be driven, and stops the robot; the report says why
-        self.commanders = Publishers("cmd_vel")
-        supply = node.watch_supply(self.robot, parameters)
-        self.report = Report(parameters, self.robot.driver, supply)
-        self.supervisor = node.make_supervisor(self.robot, parameters, self.drive, self.commanders.names,
-                                               self.report.change, supply)
-        self.commanders.keep_asking(self.supervisor)
+        # The supervisor decides when to drive, and stops the robot; the report says why
+        self.supervisor = Supervisor(self.robot, self.drive, parameters["cmd_vel_timeout"],
+                                     make_ramp(parameters, self.robot.driver))
+        self.report = node.make_report(self.supervisor, parameters)
 
         # Subscribe to the topics and define the callback function; an earlier emergency stop comes before any command
-        emergency_stops.subscribe(self.supervisor)
+        self.commanders = Commanders("cmd_vel")
+        emergency_stop.subscribe(self.supervisor)
         rospy.Subscriber("cmd_vel", Twist, self.cmd_vel_callback, queue_size=1, tcp_nodelay=True)
+        self.commanders.watch(self.supervisor)
 
     def cmd_vel_callback(self, msg):
         # Extract linear and angular velocity from the message

@@ -4,7 +4,7 @@ import os
 import signal
 import threading
 import time
-from typing import Callable, Collection, Dict, List
+from typing import Dict, List
 
 import rospy
 
@@ -15,15 +15,12 @@ from jetbot.supply import find_supply
 from jetbot_ros.command_line import private_parameters
 from jetbot_ros.master import is_registered, register
 
-from . import watch
-from .notes import Observer
+from .control import watch
+from .control.supervisor import Supervisor
 from .parameters import PARAMETERS, resolve
-from .ramp import make_ramp
-from .report import Report
-from .safety import State
-from .supervisor import Supervisor
-from .supply_watch import SupplyWatch
-from .wheels import WheelsPublisher
+from .status.report import Report
+from .status.supply_watch import SupplyWatch
+from .status.wheels import WheelsPublisher
 
 SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
 
@@ -34,10 +31,7 @@ def read_parameters() -> Dict[str, object]:
 
 
 def make_robot(parameters: Dict[str, object]) -> Robot:
-    """Return the Robot that the parameters describe. If its board measures its motion, publish that from now on.
-
-    Raise JetbotError, also if another program drives that board.
-    """
+    """Return the Robot that the parameters describe. Raise JetbotError, also if another program drives that board."""
     names = ("board", "i2c_address", "left_motor_alpha", "right_motor_alpha", "swap_motors", "invert_left",
              "invert_right", "min_duty", "max_duty", "pwm_frequency")
     places = {name: fake.expand(str(parameters[name]), rospy.get_namespace()) for name in ("i2c_bus", "port")}
@@ -45,33 +39,30 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
     lock = lock_board(board.place(**places), board.address)  # before Robot() stops the wheels, which may be another's
     robot = Robot(**{name: parameters[name] for name in names}, **places)
     robot.lock = lock  # until this process ends
-    if robot.driver.closed_loop:
-        from .odometry import TelemetryPublisher  # here: most robots have no such board
-        robot.driver.listen(TelemetryPublisher(parameters["publish_tf"]))
     return robot
 
 
-def watch_supply(robot: Robot, parameters: Dict[str, object]) -> SupplyWatch:
-    """Return what watches the robot's supply. If something measures it, publish that from now on."""
-    supply = find_supply(robot.driver.link)
+def make_report(supervisor: Supervisor, parameters: Dict[str, object]) -> Report:
+    """Return the Report on the robot. What it gets, measures and does is published from now on."""
+    supply = find_supply(supervisor.robot.driver.link)
     supply_watch = SupplyWatch(supply, parameters["acceleration_limit"])
+    supervisor.watchers += [supply_watch, WheelsPublisher(supervisor.robot.driver)]
     if supply:
-        from .battery import publish_supply  # here: on many robots nothing measures it
+        from .status.battery import publish_supply  # here: on many robots nothing measures it
         publish_supply(supply, supply_watch)
-    return supply_watch
+    publish_odometry(supervisor, parameters)
+    return Report(parameters, supervisor, supply_watch)
 
 
-def make_supervisor(robot: Robot, parameters: Dict[str, object], drive: Callable[[float, float], None],
-                    senders: Callable[[], Collection[str]], on_change: Callable[[State], None],
-                    *observers: Observer) -> Supervisor:
-    """Return the Supervisor, with ``~wheels``, and with the ramp and the odometry that the parameters ask for."""
-    wheels = WheelsPublisher(robot.driver, drive)
-    observers += (wheels,)
-    if parameters["publish_odom"] and not robot.driver.closed_loop:
-        from .open_loop import OpenLoopOdometry  # here: most robots do without
-        observers += (OpenLoopOdometry(robot, parameters),)
-    return Supervisor(robot, wheels.drive, parameters["cmd_vel_timeout"], senders, on_change, observers,
-                      make_ramp(parameters, robot.driver))
+def publish_odometry(supervisor: Supervisor, parameters: Dict[str, object]) -> None:
+    """From now on, publish where the robot is: if its board measures that, or if the parameters ask for it."""
+    robot = supervisor.robot
+    if robot.driver.closed_loop:
+        from .odometry.publishers import TelemetryPublisher  # here: most robots have no such board
+        robot.driver.listen(TelemetryPublisher(parameters["publish_tf"]))
+    elif parameters["publish_odom"]:
+        from .odometry.publishers import OpenLoopOdometry  # here: most robots do without
+        supervisor.watchers.append(OpenLoopOdometry(robot, parameters))
 
 
 def run(supervisor: Supervisor, report: Report) -> int:
@@ -81,13 +72,14 @@ def run(supervisor: Supervisor, report: Report) -> int:
     """
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, supervisor.end)
+    rospy.on_shutdown(supervisor.end)  # another node has taken this one's name
     watch.start(supervisor, watch.MasterWatch(is_registered, register))
     failures, ended, unregistered = [], threading.Event(), threading.Event()
     threading.Thread(target=give_up, args=[ended], daemon=True).start()  # now: at the end, no thread may be left
     rospy.core.add_shutdown_hook(lambda _: unregistered.set())  # rospy calls it last
     threading.Thread(target=supervise, args=[supervisor, report, failures, ended], daemon=True).start()
     try:
-        report.spin(supervisor)
+        report.spin()
     finally:
         supervisor.end()
         ended.wait()         # the robot is stopped;
@@ -100,7 +92,7 @@ def run(supervisor: Supervisor, report: Report) -> int:
 def supervise(supervisor: Supervisor, report: Report, failures: List[JetbotError], ended: threading.Event) -> None:
     """Drive until the node ends, then end it; note what went wrong, but log nothing: the terminal may block."""
     try:
-        supervisor.run(rospy.is_shutdown)
+        supervisor.run()
     except JetbotError as failure:
         failures.append(failure)
     finally:

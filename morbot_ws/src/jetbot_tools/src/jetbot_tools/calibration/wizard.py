@@ -5,7 +5,7 @@ from typing import Any, List, Optional, Sequence
 
 from jetbot.errors import InvalidValue, JetbotError
 from jetbot.robot import Robot
-from jetbot_control_node.summary import GEOMETRY
+from jetbot_control_node.status.summary import GEOMETRY
 
 from ..doctor.identify import has_chip
 from ..terminal import YES_OR_NO, choose, key_pressed, offset, single_keys

@@ -5,7 +5,7 @@ from typing import Dict, Iterator, List, Sequence, Tuple
 
 from jetbot.kinematics import clamp, mix
 from jetbot_control_node import parameters as controller
-from jetbot_control_node.ramp import Ramp
+from jetbot_control_node.control.ramp import Ramp
 from simulation.diff_drive import PWM_FREQUENCY, STEP, DiffDriveModel
 
 from ..scoring.recorder import DONE, STOP_TIME, Recorder, Sample

@@ -5,7 +5,7 @@ from std_msgs.msg import Bool
 
 from jetbot_ros.holds import EMERGENCY_STOP, OWN_EMERGENCY_STOP, Hold
 
-from .publishers import Publishers
+from .commanders import Commanders
 from .supervisor import Supervisor
 
 TOPICS = {"/emergency_stop": EMERGENCY_STOP, "~emergency_stop": OWN_EMERGENCY_STOP}
@@ -16,18 +16,18 @@ class EmergencyStop:
 
     def __init__(self, topic: str, hold: Hold, supervisor: Supervisor):
         self._hold, self._supervisor = hold, supervisor
-        self._publishers = Publishers(topic)
+        self._commanders = Commanders(topic)
         rospy.Subscriber(topic, Bool, self._callback, queue_size=1, tcp_nodelay=True)
 
     def _callback(self, msg):
         # A release from before this node's start, which its publisher has latched, ends no emergency stop
-        old = self._publishers.sender(msg).old
+        old = self._commanders.sender(msg).old
         if msg.data or not old:
             self._supervisor.hold(self._hold, msg.data)
 
     def wait_for_latched(self) -> None:
         """Wait for what was latched before this node started, a second at most; a stop is then in force."""
-        if any(msg.data for msg in self._publishers.wait_for_latched()):
+        if any(msg.data for msg in self._commanders.wait_for_latched()):
             self._supervisor.hold(self._hold, True)
 
 

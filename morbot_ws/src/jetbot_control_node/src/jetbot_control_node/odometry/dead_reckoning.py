@@ -6,9 +6,9 @@ from jetbot.guard.process import HEARTBEAT_TIMEOUT
 from jetbot.kinematics import Pose, clamp
 from jetbot.motor import Motor
 
-from .deviation import Deviation
-from .pose_tracker import Velocity
-from .safety import STOPPED
+from ..control.state import STOPPED
+from ..control.supervisor import Step
+from .motion import Deviation, Velocity
 
 MAX_GAP = HEARTBEAT_TIMEOUT  # s between two reports after which the guard has stopped the wheels
 MAX_SPEED = 100.0            # m/s and
@@ -68,7 +68,7 @@ class Motion(NamedTuple):
 
 
 class DeadReckoning:
-    """An observer of the Supervisor, which keeps the robot's ``motion``; another thread may read that.
+    """Keeps the robot's ``motion``, as it watches the Supervisor; another thread may read it.
 
     left, right: the robot's motors; max_speed: m/s of a wheel at full power; wheel_separation: m.
     """
@@ -77,7 +77,7 @@ class DeadReckoning:
         self._motors, self._max_speed = (left, right), max_speed
         self.motion = Motion(max(wheel_separation, MIN_SEPARATION))
 
-    def __call__(self, duties: Pair, now: float) -> None:
+    def __call__(self, step: Step) -> None:
         speeds = tuple(clamp(self._max_speed * motor.speed_of(duty), MAX_SPEED)
-                       for motor, duty in zip(self._motors, duties))
-        self.motion = self.motion.advance(now)._replace(speeds=speeds)
+                       for motor, duty in zip(self._motors, step.duties))
+        self.motion = self.motion.advance(step.at)._replace(speeds=speeds)

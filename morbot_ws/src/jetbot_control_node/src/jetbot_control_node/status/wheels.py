@@ -3,7 +3,7 @@
 import contextlib
 import threading
 import time
-from typing import Callable, Tuple
+from typing import Tuple
 
 import rospy
 from std_msgs.msg import Float32MultiArray, MultiArrayDimension, MultiArrayLayout
@@ -11,7 +11,8 @@ from std_msgs.msg import Float32MultiArray, MultiArrayDimension, MultiArrayLayou
 from jetbot.boards import MotorDriver
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, clamp, mix
 
-from .safety import STOPPED
+from ..control.state import STOPPED
+from ..control.supervisor import Step
 
 CHANGING_INTERVAL = 0.1  # s between two messages, at least
 STEADY_INTERVAL = 1.0    # s, while nothing changes
@@ -21,27 +22,17 @@ Pair = Tuple[float, float]
 
 
 class WheelsPublisher:
-    """Publishes ``~wheels`` from a thread of its own while somebody subscribes. An observer of the Supervisor.
+    """Publishes ``~wheels`` from a thread of its own while somebody subscribes. Watches the Supervisor."""
 
-    ``drive`` is what the Supervisor calls in place of the ``drive`` that is given.
-    """
-
-    def __init__(self, driver: MotorDriver, drive: Callable[[float, float], None]):
-        self._closed_loop, self._drive = driver.closed_loop, drive
-        self._velocity, self._driven = STOPPED, (STOPPED, STOPPED)
+    def __init__(self, driver: MotorDriver):
+        self._closed_loop = driver.closed_loop
+        self._driven = STOPPED, STOPPED
         self._changed = threading.Event()
         self._publisher = rospy.Publisher("~wheels", Float32MultiArray, queue_size=1)
         threading.Thread(target=self._run, daemon=True).start()
 
-    def drive(self, linear: float, angular: float) -> None:
-        """Drive, and note the velocity."""
-        self._velocity = STOPPED  # if it fails
-        self._drive(linear, angular)
-        self._velocity = linear, angular
-
-    def __call__(self, duties: Pair, now: float) -> None:
-        """Take what the wheels (left, right) are given; publish it if it has changed."""
-        driven = self._velocity, duties
+    def __call__(self, step: Step) -> None:
+        driven = step.velocity, step.duties
         if driven != self._driven:
             self._driven = driven
             if self._publisher.get_num_connections():

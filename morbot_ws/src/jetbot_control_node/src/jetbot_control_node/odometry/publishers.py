@@ -1,23 +1,29 @@
-"""A robot's odometry, and the IMU of a board that has one, as ROS messages."""
+"""Publishes a robot's odometry, measured or open-loop, and the IMU of a board that has one."""
 
+import contextlib
+import threading
 import time
-from typing import List, Optional, Union
+from typing import Dict, List, Optional, Union
 
 import rospy
 from geometry_msgs.msg import TwistWithCovariance
 from nav_msgs.msg import Odometry
-from sensor_msgs.msg import Imu
+from sensor_msgs.msg import Imu, JointState
 
+from jetbot import Robot
 from jetbot.boards import Telemetry
 from jetbot_ros import messages
 
-from .dead_reckoning import Motion
-from .deviation import RESOLUTION
-from .pose_tracker import PoseTracker, Velocity
+from ..control.supervisor import Step
+from .dead_reckoning import DeadReckoning, Motion
+from .motion import RESOLUTION, Velocity
+from .pose_tracker import PoseTracker
 
 GYRO_ERROR = 0.09         # rad/s, and
 ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets of uncalibrated sensors (5 deg/s and 80 mg for an MPU-9250)
 UNKNOWN = 1e6             # variance of what is not measured
+MOVING_INTERVAL = 1 / 30  # s between two messages of open-loop odometry while a wheel turns
+STOPPED_INTERVAL = 1.0    # s, while none does
 
 
 class OdometryPublisher:
@@ -51,6 +57,47 @@ class TelemetryPublisher:
         self._tracker.update((telemetry.x, telemetry.y, telemetry.yaw), time.monotonic())
         self._odometry.publish(stamp, self._tracker)
         self._imu.publish(imu(stamp, telemetry))
+
+
+class OpenLoopOdometry:
+    """Publishes ``odom``, ``joint_states`` and, if ``publish_tf``, tf from a thread of its own, and at the end.
+
+    Watches the Supervisor. parameters: as ``parameters.resolve`` returns them.
+    """
+
+    def __init__(self, robot: Robot, parameters: Dict[str, object]):
+        self._reckoning = DeadReckoning(robot.left_motor, robot.right_motor,
+                                        parameters["max_speed"], parameters["wheel_separation"])
+        self._odometry = OdometryPublisher(parameters["publish_tf"])
+        self._joint_states = rospy.Publisher("joint_states", JointState, queue_size=1)
+        self._started = threading.Event()
+        rospy.on_shutdown(self._publish)
+        threading.Thread(target=self._run, daemon=True).start()
+
+    def __call__(self, step: Step) -> None:
+        was_moving = self._reckoning.motion.moving
+        self._reckoning(step)
+        if self._reckoning.motion.moving and not was_moving:
+            self._started.set()
+
+    def _run(self):
+        with contextlib.suppress(rospy.ROSException):  # a shutdown closes the topics meanwhile
+            due = time.monotonic()
+            while not rospy.is_shutdown():
+                self._started.clear()
+                motion = self._publish()
+                due = max(due + MOVING_INTERVAL, time.monotonic())
+                time.sleep(max(0.0, due - time.monotonic()))
+                if not motion.moving:
+                    self._started.wait(STOPPED_INTERVAL - MOVING_INTERVAL)
+                    due = time.monotonic()
+
+    def _publish(self) -> Motion:
+        """Publish the motion at this moment, and return it."""
+        stamp, motion = rospy.Time.now(), self._reckoning.motion.advance(time.monotonic())
+        self._odometry.publish(stamp, motion)
+        self._joint_states.publish(messages.joint_states(stamp, *motion.joints))
+        return motion
 
 
 def odometry(stamp: rospy.Time, motion: Union[PoseTracker, Motion]) -> Odometry:

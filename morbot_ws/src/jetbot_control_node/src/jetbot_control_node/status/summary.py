@@ -6,7 +6,7 @@ from jetbot import fake
 from jetbot.boards import BOARDS, MotorDriver
 from jetbot.text import enumeration, printable
 
-from .parameters import PARAMETERS
+from ..parameters import PARAMETERS
 
 GEOMETRY = ("wheel_separation", "max_speed")
 

@@ -1,10 +1,18 @@
-"""How uncertain the pose of a robot is that adds up its own motion. No ROS."""
+"""How a robot moves, and how uncertain the pose is that adds up its own motion. No ROS."""
 
 import math
 from typing import NamedTuple
 
 RESOLUTION = 0.001              # m and rad
 MAX_YAW = math.pi / 3 ** 0.5    # rad: of a yaw that may be any
+
+
+class Velocity(NamedTuple):
+    """How far the robot moved in the last ``seconds``: ``forward`` in m, ``turn`` in rad to the left."""
+
+    seconds: float
+    forward: float
+    turn: float
 
 
 class Deviation(NamedTuple):

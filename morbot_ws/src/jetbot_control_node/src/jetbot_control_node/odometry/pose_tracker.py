@@ -2,9 +2,9 @@
 
 import math
 from collections import deque
-from typing import NamedTuple, Optional, Tuple
+from typing import Optional, Tuple
 
-from .deviation import Deviation
+from .motion import Deviation, Velocity
 
 COUNTER_RANGE = 0x10000  # mm and mrad after which the board's int16 counters wrap
 YAW_RANGE = 2000 * math.pi  # mrad: a board may also wrap its yaw at a full turn
@@ -16,14 +16,6 @@ WINDOW = 0.04            # s, at least, over which velocities are averaged
 DRIFT = 0.05             # see ``Deviation``: an estimate for uncalibrated encoders
 
 Counts = Tuple[int, int, int]  # x, y in mm; yaw in mrad
-
-
-class Velocity(NamedTuple):
-    """How far the robot moved in the last ``seconds``: ``forward`` in m, ``turn`` in rad to the left."""
-
-    seconds: float
-    forward: float
-    turn: float
 
 
 class PoseTracker:

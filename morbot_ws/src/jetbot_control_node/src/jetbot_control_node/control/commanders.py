@@ -1,41 +1,34 @@
 """The programs that publish on a topic, as this node sees them: who they are, and whether they still run."""
 
-import contextlib
 import functools
 import re
 import threading
 import time
 from typing import Any, Dict, List, Set, Tuple
-from xmlrpc.client import Fault
 
-import rosgraph
 import rospy
 from rospy.topics import get_topic_manager
 
 from jetbot.wait import wait_until
-from jetbot_ros.master import NO_ANSWER, proxy
+from jetbot_ros.master import NO_ANSWER, address_of, ask, proxy, system_state
 
-from .safety import Sender
+from .state import Sender
 from .supervisor import Supervisor
 
 ASK_INTERVAL = 0.25    # s between two questions whether a program still runs
-ANSWER_TIMEOUT = 0.6   # s for its answer; safety.ANSWER_TIMEOUT allows for one that is late
+ANSWER_TIMEOUT = 0.6   # s for its answer; state.ANSWER_TIMEOUT allows for one that is late
 LATCHED_TIMEOUT = 1.0  # s for a latched message to arrive at a node that has just started
 MAX_NAME = 80          # characters of a name that are shown
 MANUAL_NODE = "jetbot_cockpit"  # what a person drives with, in whatever namespace
 
 
-class Publishers:
+class Commanders:
     """The programs that publish on a topic. Made before its Subscriber, so that it knows which of them are older."""
 
     def __init__(self, topic: str):
         self._topic = rospy.resolve_name(topic)
-        self._known = self._registered()
+        self._known = {address_of(node) for node in system_state()[0].get(self._topic, ())}
         self._senders: Dict[int, Tuple[dict, Sender]] = {}  # by the id of a connection's header, which is kept alive
-
-    def names(self) -> Set[str]:
-        """Return the names of the programs that are connected now."""
-        return {shown(connection.callerid_pub) for connection in self._connections() if connection.header}
 
     def sender(self, message: rospy.Message) -> Sender:
         """Return who sent this message; call it once for each, in the subscriber's callback.
@@ -53,8 +46,22 @@ class Publishers:
         wait_until(lambda: sum(map(delivered, self._connections())) >= expected, LATCHED_TIMEOUT if expected else 0.0)
         return [connection.latch for connection in self._connections() if connection.latch]
 
-    def keep_asking(self, supervisor: Supervisor) -> None:
-        """From now on, ask the program whose command is held whether it still runs, and confirm its answers."""
+    def watch(self, supervisor: Supervisor) -> None:
+        """From now on, report to the supervisor which programs end, and that the one whose command is held runs.
+
+        Call it after the Subscriber is made: rospy calls ``remove_connection`` of its topic.
+        """
+        topic = get_topic_manager().get_subscriber_impl(self._topic)
+        remove = topic.remove_connection
+
+        def remove_connection(connection):
+            remove(connection)
+            supervisor.disconnect(self._names())
+
+        with topic.c_lock:
+            topic.remove_connection = remove_connection
+            for connection in topic.connections:
+                connection.set_cleanup_callback(remove_connection)
         threading.Thread(target=self._ask, args=[supervisor], daemon=True).start()
 
     def _ask(self, supervisor):
@@ -65,11 +72,9 @@ class Publishers:
                 supervisor.confirm(name, asked_at)
 
     def _answers(self, name):
-        address = next((each.endpoint_id for each in self._connections() if shown(each.callerid_pub) == name), None)
+        addresses = [each.endpoint_id for each in self._connections() if shown(each.callerid_pub) == name]
         try:
-            return bool(address and proxy(address, ANSWER_TIMEOUT).getPid(rospy.get_name()))
-        except Fault:
-            return True  # it knows no such question, but runs
+            return bool(addresses and ask(proxy(addresses[0], ANSWER_TIMEOUT), "getPid"))
         except NO_ANSWER:
             return False
 
@@ -77,13 +82,8 @@ class Publishers:
         subscriber = get_topic_manager().get_subscriber_impl(self._topic)
         return subscriber.connections if subscriber else []
 
-    def _registered(self):
-        """Return the addresses of the programs that the master lists for the topic."""
-        master, addresses = rosgraph.Master(rospy.get_name()), set()
-        for name in dict(master.getSystemState()[0]).get(self._topic, ()):
-            with contextlib.suppress(rosgraph.MasterException):  # it has just ended
-                addresses.add(master.lookupNode(name))
-        return addresses
+    def _names(self) -> Set[str]:
+        return {shown(connection.callerid_pub) for connection in self._connections() if connection.header}
 
     def _first(self, header):
         """Return the sender of the first message on a connection."""

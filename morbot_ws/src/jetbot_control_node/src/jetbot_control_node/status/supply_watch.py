@@ -2,12 +2,13 @@
 
 import threading
 import time
-from typing import Callable, Optional, Tuple
+from typing import Callable, Optional
 
 from jetbot.errors import BusStuck, FatalError, JetbotError
 from jetbot.supply import Reading, Supply
 
-from .notes import NOTE_FOR
+from ..control.supervisor import Step
+from .warnings import NOTE_FOR
 
 INTERVAL = 1.0      # s; there is one reading in each
 START_DELAY = 0.05  # s from the start of the motors to its reading: they take their largest current at standstill, and
@@ -20,8 +21,8 @@ ALARM_WITHIN = 4.0  # s from it; Linux asks a Raspberry Pi's firmware every 2 s 
 class SupplyWatch:
     """Reads the supply once in each second: shortly after the motors have started, if they do.
 
-    It is an observer of the Supervisor: a note reports the first dip, and once that the battery is empty. ``run`` is a
-    thread of its own, for which no command waits; a supply whose reading has held up the bus is not read again.
+    It watches the Supervisor. A note reports the first dip, and once that the battery is empty. ``run`` is a thread of
+    its own, for which no command waits; a supply whose reading has held up the bus is not read again.
     supply: None if nothing measures it; acceleration_limit: as the parameter. dips: how many were seen;
     warning: a sentence while the battery is empty, else None.
     """
@@ -40,12 +41,14 @@ class SupplyWatch:
         """The supply at its last reading, or why it is not known."""
         return self._text
 
-    def __call__(self, duties: Tuple[float, float], now: float) -> Optional[str]:
-        """Accept what the wheels are given; return a note for ``NOTE_FOR`` seconds after what it reports, else None."""
-        if any(new and new * old <= 0 for new, old in zip(duties, self._duties)):  # from a standstill, or reversed
-            self._started_at = now
+    def __call__(self, step: Step) -> None:
+        if any(new and new * old <= 0 for new, old in zip(step.duties, self._duties)):  # from a standstill, or reversed
+            self._started_at = step.at
             self._motors_started.set()
-        self._duties = duties
+        self._duties = step.duties
+
+    def note(self, now: float) -> Optional[str]:
+        """Return a sentence for ``NOTE_FOR`` seconds after what it reports, else None."""
         return self._note if now - self._noted_at < NOTE_FOR else None
 
     def run(self, publish: Callable[[Reading], None], is_over: Callable[[], bool]) -> None:

@@ -3,7 +3,6 @@
 import math
 from typing import Collection, NamedTuple, Optional, Tuple
 
-from jetbot import JetbotError
 from jetbot_ros.holds import HOLDS, Hold
 
 STOPPED = (0.0, 0.0)
@@ -26,14 +25,12 @@ class Sender(NamedTuple):
 
 
 class State(NamedTuple):
-    """The ``velocity`` that may be driven now, and why. Immutable: each event returns the state that follows it.
+    """The ``velocity`` that may be driven now, and the reason. Immutable: each event returns the state that follows it.
 
     timeout: seconds without a command after which the robot stops; 0 holds the last command.
-    velocity: (linear in m/s, angular in rad/s), always finite; commands: how many arrived;
-    sender: of the newest command; confirmed_at: when it was last known to run, if its command is held;
-    manual_at: when the newest manual command arrived, of zero too;
-    fault: while the robot cannot be driven; alarm: whether something other than a command stopped the robot;
-    notes: what else the status reports, with a warning; remark: the same, without one.
+    velocity: (linear in m/s, angular in rad/s), always finite; alarm: whether something other than a command stopped
+    the robot; sender: of the newest command, which arrived at ``commanded_at``; confirmed_at: when it was last known to
+    run, if its command is held; manual_at: when the newest manual command arrived, of zero too.
 
     A hold takes precedence until it is released; then the newest command counts, until it is too old or its sender is
     gone. For MANUAL_PRIORITY seconds after a manual command, only manual ones count. Whatever stopped the robot, only a
@@ -46,12 +43,8 @@ class State(NamedTuple):
     alarm: bool = False
     holds: Tuple[Hold, ...] = ()
     commanded_at: Optional[float] = None
-    commands: int = 0
     sender: Optional[Sender] = None
     confirmed_at: Optional[float] = None
-    fault: Optional[JetbotError] = None
-    notes: Tuple[str, ...] = ()
-    remark: Optional[str] = None
     manual_at: float = -math.inf
 
     @property
@@ -60,22 +53,16 @@ class State(NamedTuple):
         return self.velocity != STOPPED
 
     @property
-    def status(self) -> str:
-        """What the robot does and why, in one sentence."""
-        if self.fault:
-            return f"stopped: {self.fault.reason}, trying again"
-        remarks = [self.remark] if self.remark and not self.holds else []
-        return ", ".join([self.reason, *(() if self.alarm else self.notes), *remarks])
-
-    @property
-    def warning(self) -> bool:
-        """Whether the status is something that a person should look at."""
-        return bool(self.fault or self.alarm or self.notes)
-
-    @property
     def held_for(self) -> Optional[str]:
         """The name of the sender whose command is driven without being repeated, or None."""
         return self.sender.name if self.driving and (self.sender.latched or not self.timeout) else None
+
+    @property
+    def deadline(self) -> float:
+        """When ``check_timeout`` stops the robot, if nothing happens before."""
+        if not self.driving:
+            return math.inf
+        return self.confirmed_at + ANSWER_TIMEOUT if self.held_for else self.commanded_at + self.timeout
 
     def is_manual(self, now: float) -> bool:
         """Return whether only manual commands count at the time ``now``."""
@@ -86,17 +73,26 @@ class State(NamedTuple):
         if sender.old:
             return self._refuse(sender)
         if not sender.manual and self.is_manual(now):
-            return self._replace(commands=self.commands + 1)
-        state = self._replace(commanded_at=now, commands=self.commands + 1, sender=sender, confirmed_at=now,
-                              manual_at=now if sender.manual else self.manual_at)
+            return self
+        velocity, reason, alarm = self._obey(linear, angular)
+        return self._replace(velocity=velocity, reason=reason, alarm=alarm, commanded_at=now, sender=sender,
+                             confirmed_at=now, manual_at=now if sender.manual else self.manual_at)
+
+    def _obey(self, linear, angular):
+        """Return velocity, reason and alarm of a command."""
         if self.holds:
-            return state
+            return self.velocity, self.reason, self.alarm
         if not (math.isfinite(linear) and math.isfinite(angular)):
-            return state._stop("command was not finite")
+            return STOPPED, "stopped: command was not finite", True
         velocity = round(linear, 9), round(angular, 9)  # 0.1 + 0.2 - 0.3 is zero
         if velocity == STOPPED:
-            return state._stop("the command is zero", alarm=False)
-        return state._replace(velocity=velocity, reason="driving", alarm=False)
+            return STOPPED, "stopped: the command is zero", False
+        return velocity, "driving", False
+
+    def _refuse(self, sender):
+        if self.driving or self.holds:
+            return self
+        return self._stop(f"the command of {sender.name} is from before, repeat it")
 
     def hold(self, hold: Hold, engaged: bool) -> "State":
         """Something that keeps the robot stopped has begun (True) or ended (False)."""
@@ -112,28 +108,18 @@ class State(NamedTuple):
             return self
         return self._replace(confirmed_at=max(asked_at, self.confirmed_at))
 
-    def check_timeout(self, senders: Collection[str], now: float) -> "State":
-        """Some time has passed; ``senders`` are the names of the programs that could send commands."""
-        if not self.driving:
+    def disconnect(self, senders: Collection[str]) -> "State":
+        """A program can no longer send commands; ``senders`` are the names of those that still can."""
+        if not self.driving or self.sender.name in senders:
             return self
-        if self.sender.name not in senders:
-            return self._stop(f"{self.sender.name} has ended" if senders else "nobody is left to send commands")
-        if self.held_for and now - self.confirmed_at >= ANSWER_TIMEOUT:
-            return self._stop(f"{self.sender.name} does not answer")
-        if not self.held_for and now - self.commanded_at >= self.timeout:
-            return self._stop(f"no command for {self.timeout:.1f} s (repeat it: rostopic pub -r 10)")
-        return self
+        return self._stop(f"{self.sender.name} has ended" if senders else "nobody is left to send commands")
 
-    def driven(self, fault: Optional[JetbotError], notes: Tuple[str, ...], remark: Optional[str] = None) -> "State":
-        """The robot was driven; fault: None if that worked."""
-        if (fault, notes, remark) == (self.fault, self.notes, self.remark):
+    def check_timeout(self, now: float) -> "State":
+        """Some time has passed."""
+        if now < self.deadline:
             return self
-        return self._replace(fault=fault, notes=notes, remark=remark)
+        return self._stop(f"{self.sender.name} does not answer" if self.held_for else
+                          f"no command for {self.timeout:.1f} s (repeat it: rostopic pub -r 10)")
 
-    def _refuse(self, sender):
-        if self.driving or self.holds:
-            return self
-        return self._stop(f"the command of {sender.name} is from before, repeat it")
-
-    def _stop(self, cause: str, alarm: bool = True) -> "State":
-        return self._replace(velocity=STOPPED, reason=f"stopped: {cause}", alarm=alarm)
+    def _stop(self, cause: str) -> "State":
+        return self._replace(velocity=STOPPED, reason=f"stopped: {cause}", alarm=True)

@@ -1,4 +1,4 @@
-"""Watches what a stop by a person needs: the ROS master, roslaunch, and the terminal. No ROS here."""
+"""Watches what a stop by a person needs: the ROS master, roslaunch, and the terminal. No rospy here."""
 
 import threading
 import time

@@ -1,0 +1,186 @@
+"""The one thread that drives the robot: it owns the time, and stops the robot when it must not move. No ROS here."""
+
+import contextlib
+import math
+import queue
+import threading
+import time
+from typing import Callable, Collection, List, NamedTuple, Optional, Tuple
+
+from jetbot import BusError, JetbotError, Robot
+from jetbot.wait import wait_until
+from jetbot_ros.holds import Hold
+
+from .command_log import CommandLog
+from .ramp import STEP_INTERVAL, Ramp
+from .state import STOPPED, Sender, State
+
+STOPPED_INTERVAL = 0.4       # s between two heartbeats while it is stopped; the guard's timeout is a second
+RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried again
+VERIFY_AFTER_COMMAND = 0.15  # s between two verifications right after a command, when the next is not due soon
+VERIFY_IDLE = 0.24           # s between two verifications at any other moment
+FREEZE = 0.7                 # s between two steps after which this program was frozen, and with it its questions
+#                              and heartbeats; the guard stops the wheels 0.75 s after a step at the earliest
+GUARD_START_TIMEOUT = 5.0    # s until a guard that does not start is reported
+
+NO_GUARD = JetbotError("the guard, which stops the wheels if this program dies, is not running")
+
+
+class Step(NamedTuple):
+    """What the supervisor has done at the time ``at``, for those who watch it.
+
+    state: what was to be driven, and why; fault: why that failed, or None. velocity: (linear, angular) that was driven;
+    duties: what the wheels (left, right) are given, as ``Robot.duties``.
+    """
+
+    at: float
+    state: State
+    fault: Optional[JetbotError]
+    velocity: Tuple[float, float]
+    duties: Tuple[float, float]
+
+
+class Supervisor:
+    """Drives the velocity that its ``state`` allows. Any thread may call what happens: ``command`` to ``end``.
+
+    drive: drives the robot at (linear, angular). ramp: limits how fast the wheels speed up. ``watchers`` are called
+    with each Step that differs from the one before, and with each heartbeat; none may block or drive.
+    faults: how often the board failed to answer; closed: whether ``run`` has ended, with the wheels stopped.
+    """
+
+    def __init__(self, robot: Robot, drive: Callable[[float, float], None], cmd_vel_timeout: float,
+                 ramp: Optional[Ramp] = None):
+        self.robot, self._drive, self._ramp = robot, drive, ramp or Ramp()
+        robot.resumes = not self._ramp.acceleration_limit  # else what the board has lost comes back by the ramp
+        self.state, self.commands = State(cmd_vel_timeout), CommandLog()
+        self.watchers: List[Callable[[Step], None]] = []
+        self.faults, self.closed = 0, False
+        self._lock = threading.Lock()  # held while ``state`` is replaced, never during a transfer
+        self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
+        self._ending, self._failure = False, None
+        self._step = Step(-math.inf, self.state, None, STOPPED, STOPPED)
+        self._fed_at = self._verified_at = -math.inf
+        self._stepped_at = math.inf  # there is no step yet, and so no gap after it
+
+    def command(self, linear: float, angular: float, sender: Sender) -> None:
+        """Accept a command: m/s forward and rad/s to the left."""
+        now = time.monotonic()
+        if not sender.old:
+            self.commands.record(sender, now)
+        with self._lock:
+            self.state = self.state.command(linear, angular, sender, now)
+        self._wake()
+
+    def hold(self, hold: Hold, engaged: bool) -> None:
+        """Keep the robot stopped, whatever is commanded (True), or end that (False)."""
+        with self._lock:
+            self.state = self.state.hold(hold, engaged)
+        self._wake()
+
+    def confirm(self, name: Optional[str], asked_at: float) -> None:
+        """Accept that the program of this name has answered a question that was asked at ``asked_at``."""
+        with self._lock:
+            self.state = self.state.confirm(name, asked_at)
+
+    def disconnect(self, senders: Collection[str]) -> None:
+        """Accept that of all programs only these, by their names, can still send commands."""
+        self.commands.keep(senders)
+        with self._lock:
+            self.state = self.state.disconnect(senders)
+        self._wake()
+
+    def fail(self, failure: JetbotError) -> None:
+        """Make ``run`` end soon, and raise this."""
+        self._failure = failure
+        self.end()
+
+    def end(self, *_) -> None:
+        """Make ``run`` end soon; may be a signal handler."""
+        self._ending = True
+        self._wake()
+
+    def _wake(self):
+        if self._events.empty():  # one that the thread has not taken yet will do
+            self._events.put(None)
+
+    def run(self) -> None:
+        """Drive until ``end``, then close the robot. Raise JetbotError for what cannot be retried."""
+        try:
+            wait_until(lambda: self.robot.guarded or self._ending, GUARD_START_TIMEOUT)
+            woken = False
+            while not self._ending:
+                woken = self._sleep_until(self.step(time.monotonic(), woken))
+            if self._failure:
+                raise self._failure
+        finally:
+            with contextlib.suppress(JetbotError):  # the guard reports it, and keeps trying
+                self.robot.close()
+                self.closed = True
+            self._show(Step(time.monotonic(), self.state, None, STOPPED, self.robot.duties))
+
+    def _sleep_until(self, moment):
+        """Sleep until something happens, or until this moment; return whether something did."""
+        with contextlib.suppress(queue.Empty):
+            self._events.get(timeout=max(0.0, moment - time.monotonic()))
+            return True
+        return False
+
+    def step(self, now: float, woken: bool) -> float:
+        """Do all that is due at the time ``now``; return when the next step is, if nothing happens before.
+
+        woken: whether something has just happened, such as a command.
+        """
+        if now - self._stepped_at > FREEZE:
+            self.confirm(self.state.held_for, now)
+            self.robot.driver.invalidate()  # the guard may have stopped the wheels meanwhile
+        self._stepped_at = now
+        with self._lock:
+            self.state = state = self.state.check_timeout(now)
+        velocity, fault = self._drive_and_verify(state, now, woken)
+        interval = self.robot.driver.keep_alive_interval if state.driving else STOPPED_INTERVAL
+        fed = self._keep_alive(now, interval)
+        duties = self.robot.duties
+        if self._ramp.acceleration_limit and not any(duties):
+            self._ramp.reset()  # whatever has stopped the wheels
+        self._show(Step(now, state, fault, velocity, duties), fed)
+        return min(self._fed_at + interval, state.deadline, now + self._pause(fault))
+
+    def _pause(self, fault):
+        if fault:
+            return RETRY_INTERVAL
+        return STEP_INTERVAL if self._ramp.active else math.inf
+
+    def _drive_and_verify(self, state, now, woken):
+        """Drive, or stop if there is no guard; return what was driven, and the fault."""
+        try:
+            if state.driving and not self.robot.guarded:
+                self._drive(*STOPPED)
+                self._fed_at = -math.inf  # now: a heartbeat starts another guard
+                return STOPPED, NO_GUARD
+            velocity = self._ramp.limit(state.velocity, now)
+            self._drive(*velocity)
+            # After a command, or if none came for a while: so that no command waits for it
+            if now - self._verified_at >= (VERIFY_AFTER_COMMAND if woken else VERIFY_IDLE):
+                self._verified_at = now
+                self.robot.verify()
+        except BusError as error:
+            self.faults += not isinstance(self._step.fault, BusError)
+            return STOPPED, error
+        return velocity, None
+
+    def _keep_alive(self, now, interval):
+        """Feed the board's timer and the guard, if that is due; return whether it was."""
+        if now - self._fed_at < interval:
+            return False
+        self._fed_at = now
+        with contextlib.suppress(BusError):  # the next drive reports it
+            self.robot.keep_alive()
+        return True
+
+    def _show(self, step, anyway=True):
+        """Show a step to the watchers, if it differs from the last one."""
+        last, self._step = self._step, step
+        if anyway or (step.duties, step.velocity, step.fault, step.state.reason) != (
+                last.duties, last.velocity, last.fault, last.state.reason):
+            for watch in self.watchers:
+                watch(step)

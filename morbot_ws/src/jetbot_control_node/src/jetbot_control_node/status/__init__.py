@@ -1,0 +1,1 @@
+"""What the node reports: its status, warnings, diagnostics, what the wheels get, and the supply. Drives nothing."""

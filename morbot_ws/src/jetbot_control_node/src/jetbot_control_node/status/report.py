@@ -1,0 +1,113 @@
+"""Publishes the latched status and /diagnostics, and logs."""
+
+import contextlib
+import math
+import queue
+import time
+from typing import Dict
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticStatus
+from diagnostic_updater import Updater
+from std_msgs.msg import String
+
+from ..control.supervisor import Supervisor
+from .status_line import Status, StatusLine
+from .summary import start_line, start_warnings, status_suffix, summary
+from .supply_watch import SupplyWatch
+from .warnings import Warnings
+
+DIAGNOSTICS_INTERVAL = 1.0  # s
+REPEAT_LOG = 1.0            # s before the same line is logged again
+
+
+class Report:
+    """Publishes the status of a supervisor at once; ``spin`` logs it in the main thread, which may wait."""
+
+    def __init__(self, parameters: Dict[str, object], supervisor: Supervisor, supply: SupplyWatch):
+        driver = supervisor.robot.driver
+        self._summary, self._start_warnings = summary(parameters, driver), start_warnings(parameters, driver)
+        self._supervisor, self._supply, self._suffix = supervisor, supply, status_suffix(driver)
+        self._status_publisher = rospy.Publisher("~status", String, latch=True, queue_size=1)
+        self._changes = queue.Queue(maxsize=10)
+        name = rospy.get_namespace().strip("/")
+        self._prefix = f"{name}: " if name else ""
+        self._logged = {}  # {status: time in s}
+        self._last = None
+        self._ended = False
+        self._counted = (0, time.monotonic())
+        self._line = StatusLine(supervisor, Warnings(supervisor, supply.note), self._change)
+        supervisor.watchers.append(self._line)
+
+    def _change(self, status: Status):
+        self._publish(status.text)
+        with contextlib.suppress(queue.Full):  # the terminal blocks the main thread, which then logs the latest only
+            self._changes.put_nowait(status)
+
+    def end(self) -> None:
+        """Publish the last status, and end ``spin``."""
+        self._ended = True
+        self._publish("stopped: the controller has ended")
+        with contextlib.suppress(queue.Full):
+            self._changes.put_nowait(None)
+
+    def _publish(self, text):
+        self._status_publisher.publish(text + self._suffix)
+
+    def spin(self) -> None:
+        """Log and publish diagnostics until the node ends."""
+        rospy.loginfo(self._prefix + start_line(self._summary))
+        for warning in self._start_warnings:
+            rospy.logwarn(self._prefix + warning)
+        updater = Updater()
+        updater.setHardwareID(self._summary["bus"])
+        updater.add("motors", self._diagnose)
+        due = 0.0
+        while not (self._ended or rospy.is_shutdown()):
+            self._log(self._next_change(due - time.monotonic()) or self._line.status)
+            if time.monotonic() >= due:
+                due = time.monotonic() + DIAGNOSTICS_INTERVAL
+                updater.force_update()
+
+    def _next_change(self, timeout):
+        with contextlib.suppress(queue.Empty):
+            return self._changes.get(timeout=max(0.0, timeout))
+        return None
+
+    def _log(self, status):
+        now, text = time.monotonic(), status.text
+        if text != self._last and now - self._logged.get(text, -math.inf) >= REPEAT_LOG:
+            self._logged[text] = now
+            self._last = text
+            (rospy.logwarn if status.warning else rospy.loginfo)(self._prefix + text + self._suffix)
+
+    def _diagnose(self, result):
+        result.summary(*self._diagnosis(self._line.status))
+        for name, text in {**self._summary, **self._counts()}.items():
+            result.add(name, text)
+        return result
+
+    def _diagnosis(self, status):
+        """Return the level and the message of /diagnostics, which a status reports only for a while."""
+        lasting = self._supply.warning
+        level = (DiagnosticStatus.ERROR if status.fault else
+                 DiagnosticStatus.WARN if status.warning or lasting else DiagnosticStatus.OK)
+        addition = f", {lasting}" if lasting and lasting not in status.text else ""
+        return level, status.text + addition + self._suffix
+
+    def _counts(self):
+        now, state, driver = time.monotonic(), self._supervisor.state, self._supervisor.robot.driver
+        (commands, since), self._counted = self._counted, (self._supervisor.commands.count, now)
+        return {
+            "transfers": driver.link.transfers,
+            "failed transfers": driver.link.errors,
+            "settings lost": driver.resets,
+            "writes of other programs": driver.overwritten,
+            "times without an answer": self._supervisor.faults,
+            "supply": self._supply,
+            "supply dips": self._supply.dips,
+            "commanded by": state.sender.name if state.sender else "nobody yet",
+            "commands per second": f"{(self._counted[0] - commands) / (now - since):.1f}",
+            "age of the last command (s)":
+                "none yet" if state.commanded_at is None else f"{now - state.commanded_at:.2f}",
+        }

@@ -1,0 +1,109 @@
+"""What the status reports beside "driving": programs that contradict each other, and what costs motion. No ROS here."""
+
+from typing import Callable, Dict, List, Optional, Sequence
+
+from jetbot import Robot
+from jetbot.text import enumeration
+
+from ..control.supervisor import Step, Supervisor
+
+NOTE_FOR = 3.0  # s that a disturbance of the board is reported
+LASTING = 0.5   # s that a condition lasts until it is reported: a ramp passes through some
+MAX_NAMES = 3   # names that a status lists
+
+DISTURBANCES = {  # count: from how many on it is reported, and how
+    "resets": (1, "its board has lost its settings ({} so far): check the battery and the plugs"),
+    "overwritten": (1, "another program writes to its board ({} so far)"),
+    "faults": (2, "its board keeps failing to answer ({} so far): check the wires"),  # each has its status, too
+}
+FULL_POWER, MAX_DUTY = "both wheels at full power", "both wheels at max_duty"
+TOO_SLOW = "the wheels get less than one step of the board, so they do not turn: "
+
+
+class Warnings:
+    """What a person should look at. supply_note: returns what there is to say about the supply at a time, or None."""
+
+    def __init__(self, supervisor: Supervisor, supply_note: Callable[[float], Optional[str]] = lambda now: None):
+        self._supervisor, self._robot, self._supply_note = supervisor, supervisor.robot, supply_note
+        self._disturbances, self._too_slow = Disturbances(), Lasting()
+
+    def notes(self, step: Step) -> List[str]:
+        """Return a sentence for each."""
+        now = step.at
+        notes = [rivals_note(self._supervisor, now), self._supply_note(now), full_power_note(self._robot),
+                 self._too_slow.note(too_slow_note(self._robot, step.duties), now),
+                 *self._disturbances.notes(disturbances(self._supervisor), now)]
+        return [note for note in notes if note]
+
+
+def rivals_note(supervisor: Supervisor, now: float) -> Optional[str]:
+    """Return a sentence if more than one program commands the robot, and all count."""
+    rivals = supervisor.commands.recent(now)
+    if len(rivals) < 2 or supervisor.state.is_manual(now):
+        return None
+    return f"{len(rivals)} programs command it: {listed(rivals)}"
+
+
+def waiting_remark(supervisor: Supervisor, now: float) -> Optional[str]:
+    """Return a sentence if programs send commands while only manual ones count. Nobody need look at that."""
+    waiting = supervisor.commands.waiting(now) if supervisor.state.is_manual(now) else []
+    return f"{listed(waiting)} {'wait' if len(waiting) > 1 else 'waits'} for the cockpit" if waiting else None
+
+
+def full_power_note(robot: Robot) -> Optional[str]:
+    """Return a sentence if the robot turns less than commanded, because both wheels are at their limit."""
+    if not robot.at_full_power:
+        return None
+    return FULL_POWER if robot.left_motor.max_duty == 1 else MAX_DUTY
+
+
+def too_slow_note(robot: Robot, duties: Sequence[float]) -> Optional[str]:
+    """Return a sentence if the board rounds to 0 what it is given, although motion is commanded."""
+    commanded = robot.left_motor.value or robot.right_motor.value
+    if not commanded or max(map(abs, duties)) > robot.driver.resolution / 2:
+        return None
+    return TOO_SLOW + ("command more" if robot.driver.closed_loop else "raise min_duty")
+
+
+class Lasting:
+    """A condition that is reported only once it has lasted for ``LASTING`` seconds."""
+
+    def __init__(self):
+        self._since: Optional[float] = None
+
+    def note(self, sentence: Optional[str], now: float) -> Optional[str]:
+        """Return the sentence that describes the condition, or None while there is none, or it is too recent."""
+        if sentence is None:
+            self._since = None
+            return None
+        if self._since is None:
+            self._since = now
+        return sentence if now - self._since >= LASTING else None
+
+
+def disturbances(supervisor: Supervisor) -> Dict[str, int]:
+    """Return how often the board has lost its settings, been written to by another program, and failed to answer."""
+    driver = supervisor.robot.driver
+    return {"resets": driver.resets, "overwritten": driver.overwritten, "faults": supervisor.faults}
+
+
+class Disturbances:
+    """What has recently kept the board from driving as commanded, from counts that only grow."""
+
+    def __init__(self):
+        self._counts = dict.fromkeys(DISTURBANCES, 0)
+        self._seen_at: Dict[str, float] = {}
+
+    def notes(self, counts: Dict[str, int], now: float) -> List[str]:
+        """Return a sentence for each count that has grown within ``NOTE_FOR`` seconds. counts: as DISTURBANCES."""
+        self._seen_at.update({name: now for name, count in counts.items() if count > self._counts[name]})
+        self._counts = counts
+        return [sentence.format(counts[name]) for name, (threshold, sentence) in DISTURBANCES.items()
+                if counts[name] >= threshold and now - self._seen_at[name] < NOTE_FOR]
+
+
+def listed(names: List[str]) -> str:
+    """Return the names in one phrase, the first few of many."""
+    if len(names) > MAX_NAMES:
+        names = names[:MAX_NAMES - 1] + [f"{len(names) - MAX_NAMES + 1} more"]
+    return enumeration(names)

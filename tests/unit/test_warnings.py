@@ -1,0 +1,131 @@
+"""What the status reports beside "driving"."""
+
+from unittest.mock import Mock
+
+import pytest
+
+from jetbot_control_node.control.command_log import RECENT, CommandLog
+from jetbot_control_node.control.state import Sender, State
+from jetbot_control_node.control.supervisor import Step
+from jetbot_control_node.status.status_line import LOOK_INTERVAL, Status, StatusLine
+from jetbot_control_node.status.warnings import (
+    LASTING,
+    NOTE_FOR,
+    TOO_SLOW,
+    Disturbances,
+    Lasting,
+    rivals_note,
+    too_slow_note,
+    waiting_remark,
+)
+
+NONE = {"resets": 0, "overwritten": 0, "faults": 0}
+COCKPIT = Sender("/jetbot_cockpit", manual=True)
+
+
+@pytest.fixture
+def supervisor():
+    return Mock(commands=CommandLog(), state=State(1.0))
+
+
+def command(supervisor, *names, now=0.0):
+    for name in names:
+        supervisor.commands.record(Sender(name), now)
+
+
+def test_one_program_is_no_news(supervisor):
+    command(supervisor, "/pupil")
+    assert rivals_note(supervisor, now=0.1) is None
+
+
+def test_two_programs_are_both_named_while_both_send(supervisor):
+    command(supervisor, "/teleop", "/circle")
+    assert rivals_note(supervisor, now=0.1) == "2 programs command it: /circle and /teleop"
+    command(supervisor, "/circle", now=1.0)
+    assert rivals_note(supervisor, now=RECENT) is None
+
+
+def test_a_standing_order_counts_until_its_program_ends(supervisor):
+    supervisor.commands.record(Sender("/order", latched=True), now=0.0)
+    command(supervisor, "/teleop", now=60.0)
+    assert rivals_note(supervisor, now=60.1) == "2 programs command it: /order and /teleop"
+    supervisor.commands.keep({"/teleop", "/idle"})
+    assert rivals_note(supervisor, now=60.2) is None
+
+
+def test_of_many_programs_two_are_named(supervisor):
+    command(supervisor, *(f"/pupil_{i:03}" for i in range(200)))
+    assert rivals_note(supervisor, now=0.1) == "200 programs command it: /pupil_000, /pupil_001 and 198 more"
+
+
+def test_who_waits_while_a_person_drives(supervisor):
+    command(supervisor, "/circle")
+    assert waiting_remark(supervisor, now=0.0) is None
+    supervisor.commands.record(COCKPIT, now=0.0)
+    supervisor.state = supervisor.state.command(0.0, 0.0, COCKPIT, now=0.0)
+    assert waiting_remark(supervisor, now=0.1) == "/circle waits for the cockpit"
+    assert rivals_note(supervisor, now=0.1) is None
+    command(supervisor, "/square", now=0.1)
+    assert waiting_remark(supervisor, now=0.2) == "/circle and /square wait for the cockpit"
+    assert waiting_remark(supervisor, now=RECENT + 0.1) is None
+
+
+def test_what_costs_motion_is_reported_for_a_while():
+    disturbances = Disturbances()
+    assert disturbances.notes(NONE, now=0.0) == []
+    reset = {**NONE, "resets": 1}
+    assert disturbances.notes(reset, now=1.0) == [
+        "its board has lost its settings (1 so far): check the battery and the plugs"]
+    assert disturbances.notes(reset, now=1.0 + NOTE_FOR) == []
+
+
+def test_one_fault_has_a_status_of_its_own_but_several_are_counted():
+    disturbances = Disturbances()
+    assert disturbances.notes({**NONE, "faults": 1}, now=0.0) == []
+    assert disturbances.notes({**NONE, "faults": 2}, now=9.0) == [
+        "its board keeps failing to answer (2 so far): check the wires"]
+
+
+@pytest.mark.parametrize("closed_loop, advice", [(False, "raise min_duty"), (True, "command more")])
+def test_wheels_that_get_less_than_a_step_of_the_board_are_reported_with_advice(closed_loop, advice):
+    robot = Mock(**{"left_motor.value": -0.0001, "driver.closed_loop": closed_loop, "driver.resolution": 0.0002})
+    assert too_slow_note(robot, (-0.0001, 0.0)) == TOO_SLOW + advice
+    assert too_slow_note(robot, (0.0, -0.0002)) is None
+
+
+def test_wheels_that_are_commanded_to_stop_are_not_too_slow():
+    robot = Mock(**{"left_motor.value": 0.0, "right_motor.value": 0.0, "driver.resolution": 0.0002})
+    assert too_slow_note(robot, (0.0, 0.0)) is None
+
+
+def test_a_condition_is_reported_while_it_has_lasted():
+    lasting = Lasting()
+    assert lasting.note("slow", now=0.0) is None
+    assert lasting.note("slow", now=LASTING) == "slow"
+    assert lasting.note(None, now=LASTING) is None
+    assert lasting.note("slow", now=LASTING + 0.1) is None
+
+
+NOTED = Status("driving", notes=("both wheels at full power",), remark="/circle waits for the cockpit")
+
+
+@pytest.mark.parametrize("status, text, warning", [
+    (Status("driving"), "driving", False),
+    (NOTED, "driving, both wheels at full power, /circle waits for the cockpit", True),
+    (NOTED._replace(notes=()), "driving, /circle waits for the cockpit", False),
+    (NOTED._replace(reason="stopped: no command", alarm=True), "stopped: no command, /circle waits for the cockpit",
+     True),
+    (NOTED._replace(reason="stopped: emergency stop", alarm=True, held=True), "stopped: emergency stop", True)])
+def test_a_status_has_notes_and_a_remark_where_they_matter(status, text, warning):
+    assert (status.text, status.warning) == (text, warning)
+
+
+def test_a_status_is_reported_once_and_looked_at_again_when_something_changes_or_after_a_while(supervisor):
+    statuses, warnings = [], Mock(**{"notes.return_value": []})
+    line = StatusLine(supervisor, warnings, lambda status: statuses.append(status.text))
+    driving = supervisor.state.command(0.1, 0.0, Sender("/pupil"), now=0.0)
+    stopped = driving.command(0.0, 0.0, Sender("/pupil"), now=0.15)
+    for now, state in (0.0, driving), (0.1, driving), (0.15, stopped), (0.16 + LOOK_INTERVAL, stopped):
+        line(Step(now, state, None, state.velocity, (0.1, 0.1)))
+    assert statuses == ["driving", "stopped: the command is zero"]
+    assert warnings.notes.call_count == 3
