@@ -1,4 +1,5 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=["jetbot_cockpit_server"], package_dir={"": "src"}))
+PACKAGES = ["jetbot_cockpit_server"] + [f"jetbot_cockpit_server.{room}" for room in ("robots", "session", "web")]
+setup(**generate_distutils_setup(packages=PACKAGES, package_dir={"": "src"}))

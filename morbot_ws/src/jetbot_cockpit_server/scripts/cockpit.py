@@ -8,6 +8,7 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run sim
 
 from jetbot_ros.launcher import Launcher  # noqa: I001  first of all: it reads who has started this process
 
+import math
 import os
 import sys
 import threading
@@ -16,21 +17,21 @@ import time
 import rospy
 
 from jetbot import JetbotError
-from jetbot_cockpit_server import address, handout
-from jetbot_cockpit_server.access import Access, make_grants
-from jetbot_cockpit_server.attendance import Attendance
-from jetbot_cockpit_server.control import Control
-from jetbot_cockpit_server.desktop import open_browser
-from jetbot_cockpit_server.drive import Drive
-from jetbot_cockpit_server.hub import Hub
-from jetbot_cockpit_server.listeners import listen
 from jetbot_cockpit_server.parameters import PARAMETERS, resolve
-from jetbot_cockpit_server.robots import Robots
-from jetbot_cockpit_server.server import Server
+from jetbot_cockpit_server.robots.discovery import Robots
+from jetbot_cockpit_server.robots.publishers import Drivers
+from jetbot_cockpit_server.session.control import Control
+from jetbot_cockpit_server.session.hub import Hub
+from jetbot_cockpit_server.session.snapshot import Snapshot
+from jetbot_cockpit_server.web import addresses, handout
+from jetbot_cockpit_server.web.access import Access, make_grants
+from jetbot_cockpit_server.web.server import Server
 from jetbot_ros import lifecycle
 from jetbot_ros.command_line import fake_advice, private_parameters
 
 POLL_INTERVAL = 0.25    # s
+NO_ROBOT_AFTER = 5.0    # s after the start until the lack of robots is reported
+NO_ROBOT = "No robot is running. Start one: roslaunch jetbot_control_node jetbot_controller.launch"
 SHUTDOWN_TIMEOUT = 2.0  # s for the end of this node
 
 
@@ -42,19 +43,21 @@ class Cockpit:
         given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), PARAMETERS))
 
         # Listen first: a port that is taken ends the node before it does anything
-        sockets = listen(given["port"], given["lan"])
+        sockets = addresses.listen(given["port"], given["lan"])
         self.port = sockets[0].getsockname()[1]
         self.browser = given["browser"]
 
         # Who gets in, and what is handed out: other computers need a code
         grants = make_grants(given["robots"]) if given["lan"] else []
-        names = [given["name"]] if given["name"] else address.lan_addresses()
-        access = Access(self.port, [*names, *address.host_names()] if given["lan"] else [], grants)
+        names = [given["name"]] if given["name"] else addresses.lan_addresses()
+        self.access = Access(self.port, [*names, *addresses.host_names()] if given["lan"] else [], grants)
         self.cards = [handout.make_card(grant, (names or ["localhost"])[0], self.port) for grant in grants]
 
         # What clients ask for goes into the control, and what the robots report comes out
-        self.access, self.control = access, Control(Robots(), Drive())
-        self.server = Server(sockets, access, Hub(self.control, self.cards))
+        self.drivers = Drivers()
+        self.control = Control(Robots(), self.drivers)
+        self.server = Server(sockets, self.access, Hub(self.control, [card.message() for card in self.cards]))
+        self.logged, self.no_robot_at = Snapshot(), time.monotonic() + NO_ROBOT_AFTER
 
     def run(self):
         """Serve until a signal, the end of rospy or of roslaunch."""
@@ -64,13 +67,23 @@ class Cockpit:
         rospy.on_shutdown(ended.set)
         self.server.start()
         self.show()
-        launcher, attendance = Launcher(), Attendance(time.monotonic())
+        launcher = Launcher()
         while not ended.wait(POLL_INTERVAL) and not launcher.ended and self.server.is_alive():
             launcher.poll()
-            # In this thread: a terminal that blocks holds up no client
-            for line in [*attendance.update(self.control.snapshot().robots, time.monotonic()), *self.access.take_log()]:
-                rospy.loginfo(line)
+            self.log_changes()  # in this thread: a terminal that blocks holds up no client
         self.end()
+
+    def log_changes(self):
+        """Log which robots have come, ended or fallen silent since the last call, and from where nobody gets in."""
+        before, self.logged = self.logged, self.control.snapshot
+        lines = [*self.logged.changes_since(before), *self.access.take_log()]
+        if self.logged.robots:
+            self.no_robot_at = math.inf
+        if time.monotonic() > self.no_robot_at:
+            self.no_robot_at = math.inf
+            lines.append(NO_ROBOT)
+        for line in lines:
+            rospy.loginfo(line)
 
     def show(self):
         """Print the addresses, and open the page if that is wanted."""
@@ -81,7 +94,7 @@ class Cockpit:
             sys.stdout.reconfigure(errors="replace")  # a terminal may lack the blocks of the QR codes
             print(f"For others:\n{handout.text(self.cards, sys.stdout.isatty())}", flush=True)
         if self.browser == "auto":
-            open_browser(url)
+            handout.open_browser(url)
 
     def end(self):
         """Disconnect the clients, whose robots stop, and leave ROS; within SHUTDOWN_TIMEOUT."""
@@ -89,7 +102,7 @@ class Cockpit:
         limit.daemon = True
         limit.start()
         self.server.end()
-        self.control.close()
+        self.drivers.close()
         rospy.signal_shutdown("the cockpit has ended")
 
 

@@ -1,6 +1,5 @@
 """The parameters of the cockpit."""
 
-import ipaddress
 import re
 from typing import Dict
 
@@ -11,20 +10,16 @@ from jetbot_ros.ports import COCKPIT_PORT
 
 MAX_ROBOTS = 99
 MAX_PORT = 65535
-HOST_NAME = re.compile(r"(?=.{1,253}$)(?!-)[a-z0-9-]{1,63}(?<!-)(\.(?!-)[a-z0-9-]{1,63}(?<!-))*", re.IGNORECASE)
-
-
-def is_host(value: object) -> bool:
-    """Return whether this is the name of a host by RFC 1123, an IP address, or ""."""
-    try:
-        return value == "" or bool(ipaddress.ip_address(value if isinstance(value, str) else ""))
-    except ValueError:
-        return isinstance(value, str) and bool(HOST_NAME.fullmatch(value)) and not value.replace(".", "").isdigit()
 
 
 def integer_to(limit: int) -> Kind:
     """Return the kind of a whole number from 0 to this one."""
     return Kind(lambda value: type(value) is int and 0 <= value <= limit, f"a whole number from 0 to {limit}")
+
+
+def is_host(value: object) -> bool:
+    """Return whether this has the characters of a host's name or address; "" too."""
+    return isinstance(value, str) and bool(re.fullmatch(r"[A-Za-z0-9.:-]*", value))
 
 
 PARAMETERS = {

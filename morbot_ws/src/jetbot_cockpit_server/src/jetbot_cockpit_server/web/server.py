@@ -1,12 +1,11 @@
 """The web server: a thread of its own, which nothing of ROS blocks."""
 
 import asyncio
-import itertools
 import logging
 import socket
 import threading
 import time
-from typing import List, Optional
+from typing import List, Optional, Set
 
 from tornado.httpserver import HTTPServer
 from tornado.ioloop import PeriodicCallback
@@ -15,70 +14,68 @@ from tornado.web import Application
 
 from jetbot.wait import wait_until
 
+from ..session.hub import FRAME_INTERVAL, Hub
 from .access import Access
-from .connections import Connections
-from .hub import FRAME_INTERVAL, Hub
-from .limits import TokenBucket
-from .pages import Login, Missing, Page, read_files
-from .sockets import Socket
+from .handlers import Login, Page, Socket, read_files
 
+MAX_CONNECTIONS = 512      # a process may have 1,024 files, and the ROS side needs some
 MAX_BODY = 1000            # bytes of a request's body
 MAX_HEADERS = 16384        # bytes; all programs on a computer's ports share their cookies
 MAX_FRAME = 8192           # bytes of a message that is read at all, to be refused with a reason
 IDLE_TIMEOUT = 10.0        # s for the headers of a request, and for its body
 CHUNK = 4096               # bytes that are read at once
-MAX_BYTE_RATE = 65536      # bytes per second of a connection
 SEND_BUFFER = 65536        # bytes in the kernel: more would be old when it arrives
-EXPIRE_INTERVAL = 1.0      # s
 CLOSE_TIMEOUT = 0.1        # s for the clients to answer a close
 START_TIMEOUT = 5.0        # s
 SHUTDOWN_TIMEOUT = 1.0     # s
 
 
-class LimitedServer(HTTPServer):
-    """Limits the connections, and how fast each may send."""
-
-    def initialize(self, *arguments, connections: Connections, **options) -> None:
-        super().initialize(*arguments, **options)
-        self._admitted = connections
-
-    def handle_stream(self, stream: IOStream, address: tuple) -> None:
-        self._admitted.admit(stream, address[0], time.monotonic())
-        stream.set_nodelay(True)
-        stream.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
-        limit_reading(stream)
-        super().handle_stream(stream, address)
-
-
-def limit_reading(stream: IOStream) -> None:
-    """Read one chunk of a stream each time it is its turn; end it if it sends more than MAX_BYTE_RATE.
+class FairStream(IOStream):
+    """Reads one chunk each time it is its turn.
 
     Tornado handles frames for as long as there are more: one client without pause would be the only one that is served.
     """
-    read, bucket = stream.read_from_fd, TokenBucket(MAX_BYTE_RATE, MAX_BYTE_RATE, time.monotonic())
-    turn = itertools.cycle((True, False))
 
-    def read_in_turn(buffer):
-        if not next(turn):
-            return None  # as if nothing more had arrived
-        count = read(buffer)
-        return count if not count or bucket.take(time.monotonic(), count) else 0  # 0: as if it had ended
+    _turn = False
 
-    stream.read_from_fd = read_in_turn
+    def read_from_fd(self, buf) -> Optional[int]:
+        self._turn = not self._turn
+        return super().read_from_fd(buf) if self._turn else None  # None: nothing more has arrived
+
+
+class LimitedServer(HTTPServer):
+    """Serves MAX_CONNECTIONS at a time, each in its turn."""
+
+    def initialize(self, *arguments, **options) -> None:
+        super().initialize(*arguments, **options)
+        self._streams: Set[IOStream] = set()
+
+    def handle_stream(self, stream: IOStream, address: tuple) -> None:
+        self._streams = {each for each in self._streams if not each.closed()}
+        if len(self._streams) >= MAX_CONNECTIONS:
+            stream.close()
+            return
+        stream.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
+        stream = FairStream(stream.socket, max_buffer_size=2 * MAX_HEADERS, read_chunk_size=CHUNK)
+        stream.set_nodelay(True)
+        self._streams.add(stream)
+        super().handle_stream(stream, address)
+
+    def close_streams(self) -> None:
+        """Close all connections."""
+        for stream in self._streams:
+            stream.close()
 
 
 class Server:
     """Serves the page and its socket on sockets that listen already."""
 
     def __init__(self, sockets: List[socket.socket], access: Access, hub: Hub):
-        self._sockets, self._hub, self._connections = sockets, hub, Connections()
-        common = {"access": access}
+        self._sockets, self._hub = sockets, hub
         self._application = Application(
-            [(r"/login", Login, common),
-             (r"/socket", Socket, {**common, "hub": hub, "keep": self._connections.keep}),
-             (r"/([\w.]*)", Page, {**common, "files": read_files()})],
-            default_handler_class=Missing, default_handler_args=common, websocket_max_message_size=MAX_FRAME,
-            log_function=lambda handler: None)
+            [(r"/login", Login, {"access": access}), (r"/socket", Socket, {"access": access, "hub": hub}),
+             (r"/(.*)", Page, {"access": access, "files": read_files()})],
+            websocket_max_message_size=MAX_FRAME, log_function=lambda handler: None)
         self._loop: Optional[asyncio.AbstractEventLoop] = None
         self._thread = threading.Thread(target=lambda: asyncio.run(self._serve()), daemon=True)
         self._started = threading.Event()
@@ -101,21 +98,16 @@ class Server:
 
     async def _serve(self) -> None:
         self._loop, self._ended = asyncio.get_running_loop(), asyncio.Event()
-        server = LimitedServer(
-            self._application, connections=self._connections, max_body_size=MAX_BODY, max_header_size=MAX_HEADERS,
-            max_buffer_size=2 * MAX_HEADERS, chunk_size=CHUNK, idle_connection_timeout=IDLE_TIMEOUT,
-            body_timeout=IDLE_TIMEOUT)
+        server = LimitedServer(self._application, max_body_size=MAX_BODY, max_header_size=MAX_HEADERS,
+                               idle_connection_timeout=IDLE_TIMEOUT, body_timeout=IDLE_TIMEOUT)
         server.add_sockets(self._sockets)
-        tasks = [PeriodicCallback(lambda: self._hub.tick(time.monotonic()), 1000 * FRAME_INTERVAL),
-                 PeriodicCallback(lambda: self._connections.expire(time.monotonic()), 1000 * EXPIRE_INTERVAL)]
-        for task in tasks:
-            task.start()
+        frames = PeriodicCallback(lambda: self._hub.tick(time.monotonic()), 1000 * FRAME_INTERVAL)
+        frames.start()
         self._started.set()
         await self._ended.wait()
-        for task in tasks:
-            task.stop()
+        frames.stop()
         server.stop()
         self._hub.close()
         await asyncio.sleep(CLOSE_TIMEOUT)
-        self._connections.close()
+        server.close_streams()
         await asyncio.sleep(0)

@@ -1,4 +1,4 @@
-"""Who gets in: codes, cookies, wrong tries, and where a request may come from. No sockets and no clock here."""
+"""Who gets in: codes, cookies, wrong tries, and where a request may come from."""
 
 import hmac
 import secrets
@@ -7,7 +7,7 @@ from typing import Deque, Iterable, List, NamedTuple, Optional, Sequence, Set, T
 
 from jetbot.host import is_loopback
 
-from .client import PUPIL, TEACHER
+from ..session.rights import PUPIL, TEACHER
 
 ALPHABET = "ABCDEFGHJKMNPQRSTUVWXYZ23456789"  # none that looks like another
 CODE_LENGTH = {PUPIL: 6, TEACHER: 10}

@@ -3,18 +3,18 @@
 import re
 import threading
 import time
-from typing import Dict, Optional, Set
+from typing import Dict, Iterable, Optional, Set
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 
-from jetbot_ros.master import NO_ANSWER, register, system_state
+from jetbot_ros import master
+from jetbot_ros.holds import EMERGENCY_STOP
 
-from .emergency import EmergencySwitch
-from .frames import Frames
-from .parameters import MAX_ROBOTS
-from .robot_topics import CONTROLLER, SIMULATOR_RESET, RobotTopics
-from .view import Snapshot
+from ..parameters import MAX_ROBOTS
+from ..session.snapshot import Snapshot
+from .map_topics import Frames
+from .topics import CONTROLLER, SIMULATOR_RESET, EmergencyStop, RobotTopics
 
 POLL_INTERVAL = 1.0   # s between two questions to the master
 MASTER_TIMEOUT = 4.0  # s without an answer until the master counts as gone
@@ -28,7 +28,7 @@ class Robots:
     def __init__(self):
         self._robots: Dict[str, RobotTopics] = {}  # replaced, never changed
         self._frames = Frames()
-        self._emergency = EmergencySwitch(STOP_TOPIC)
+        self._emergency_stop = EmergencyStop(STOP_TOPIC)
         self._answered_at = time.monotonic()
         rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics)
         threading.Thread(target=self._run, daemon=True).start()
@@ -36,15 +36,15 @@ class Robots:
     def snapshot(self) -> Snapshot:
         """Return what is known now."""
         now, robots = time.monotonic(), self._robots
-        master = now - self._answered_at < MASTER_TIMEOUT
-        views = {name: robot.snapshot(now, master) for name, robot in robots.items()}
-        held = any(views[name].answers and robot.in_emergency_stop for name, robot in robots.items())
-        return Snapshot(views, master, self._emergency.engaged or held)
+        answered = now - self._answered_at < MASTER_TIMEOUT
+        views = {name: robot.snapshot(now, answered) for name, robot in robots.items()}
+        held = any(views[name].answers and robot.is_held_by(EMERGENCY_STOP) for name, robot in robots.items())
+        return Snapshot(views, answered, self._emergency_stop.engaged or held)
 
-    def stop(self, robot: Optional[str], engaged: bool) -> None:
+    def set_emergency_stop(self, robot: Optional[str], engaged: bool) -> None:
         """Engage or release the emergency stop of all robots (None), or of one."""
         if robot is None:
-            self._emergency.set(engaged)
+            self._emergency_stop.set(engaged)
         elif robot in self._robots:
             self._robots[robot].stop.set(engaged)
 
@@ -60,12 +60,12 @@ class Robots:
     def _run(self):
         while not rospy.is_shutdown():
             try:
-                publishers, _, services = system_state()
+                publishers, _, services = master.system_state()
                 self._answered_at = time.monotonic()
                 if rospy.get_name() not in publishers.get(STOP_TOPIC, ()):
-                    register()  # the master was restarted
+                    master.register()  # the master was restarted
                 self._update(publishers, services)
-            except NO_ANSWER:
+            except master.NO_ANSWER:
                 pass  # snapshot reports it
             time.sleep(POLL_INTERVAL)
 
@@ -90,6 +90,6 @@ class Robots:
                 robot.diagnose(status)
 
 
-def names_of(publishers: Dict[str, list]) -> Set[str]:
-    """Return the namespaces in which a jetbot_controller's status is published. publishers: by topic."""
-    return {match[1] or "/" for match in filter(None, map(STATUS.fullmatch, publishers))}
+def names_of(topics: Iterable[str]) -> Set[str]:
+    """Return the namespaces in which a jetbot_controller's status is among these topics."""
+    return {match[1] or "/" for match in filter(None, map(STATUS.fullmatch, topics))}

@@ -1,4 +1,4 @@
-"""The messages of the cockpit's socket: JSON objects with a ``type``. docs/cockpit.md lists them."""
+"""The messages of the cockpit's socket: JSON objects with a ``type``. docs/protocol.md lists them."""
 
 import json
 import unicodedata
@@ -17,7 +17,7 @@ class ProtocolError(Exception):
 
 
 class Drive(NamedTuple):
-    """Deflections in [-1, 1]: forward, and to the left. Both 0: the pad was released."""
+    """Deflections in [-1, 1]: forward, and to the left. Both 0: the pad was let go."""
 
     robot: str
     forward: float
@@ -30,14 +30,14 @@ class Take(NamedTuple):
     robot: str
 
 
-class Stop(NamedTuple):
-    """Emergency stop of all robots, or of one."""
+class EngageStop(NamedTuple):
+    """Engages the emergency stop of all robots, or of one."""
 
     robot: Optional[str] = None
 
 
-class Release(NamedTuple):
-    """End of that stop."""
+class ReleaseStop(NamedTuple):
+    """Ends that stop."""
 
     robot: Optional[str] = None
 
@@ -64,7 +64,7 @@ class Codes(NamedTuple):
     """A teacher asks for the addresses and codes to hand out."""
 
 
-Message = Union[Drive, Take, Stop, Release, Reset, Name, Ping, Codes]
+Message = Union[Drive, Take, EngageStop, ReleaseStop, Reset, Name, Ping, Codes]
 
 
 def is_deflection(value: Any) -> bool:
@@ -83,20 +83,17 @@ def is_robot_or_all(value: Any) -> bool:
 
 
 def is_name(value: Any) -> bool:
-    return isinstance(value, str) and len(value) <= MAX_NAME and all(map(is_shown, value))
-
-
-def is_shown(character: str) -> bool:
-    """Return whether a character may be part of a name: browsers know newer ones than this Python, such as emoji."""
-    return character.isprintable() or unicodedata.category(character) == "Cn"
+    """Return whether this is a person's name; browsers know newer characters than this Python, such as emoji."""
+    return isinstance(value, str) and len(value) <= MAX_NAME and all(
+        character.isprintable() or unicodedata.category(character) == "Cn" for character in value)
 
 
 # type: (class, {field: check}); a field whose class has a default may be left out
 MESSAGES: Dict[str, tuple] = {
     "drive": (Drive, {"robot": is_robot, "forward": is_deflection, "left": is_deflection}),
     "take": (Take, {"robot": is_robot}),
-    "stop": (Stop, {"robot": is_robot_or_all}),
-    "release": (Release, {"robot": is_robot_or_all}),
+    "stop": (EngageStop, {"robot": is_robot_or_all}),
+    "release": (ReleaseStop, {"robot": is_robot_or_all}),
     "reset": (Reset, {"robot": is_robot_or_all}),
     "name": (Name, {"name": is_name}),
     "ping": (Ping, {"sent": is_number}),

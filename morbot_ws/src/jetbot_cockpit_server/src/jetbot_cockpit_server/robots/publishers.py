@@ -9,11 +9,11 @@ from typing import Dict, Tuple
 import rospy
 from geometry_msgs.msg import Twist
 
-from .dead_man import DeadMan
+from ..session.dead_man import DeadMan
 
 SEND_TIMEOUT = 0.1      # s until a subscriber that reads nothing is disconnected
 SHUTDOWN_TIMEOUT = 0.5  # s for the last zeros
-STOPPED = (0.0, 0.0)
+ZERO = (0.0, 0.0)
 
 Velocity = Tuple[float, float]  # m/s forward, rad/s to the left
 
@@ -21,65 +21,63 @@ Velocity = Tuple[float, float]  # m/s forward, rad/s to the left
 warnings.filterwarnings("ignore", "The publisher should be created", SyntaxWarning)
 
 
-class Drive:
+class Drivers:
     """Drives robots, by their namespaces. Only ``close`` blocks. Needs an initialized node."""
 
     def __init__(self):
         self._drivers: Dict[str, Driver] = {}
 
-    def command(self, robot: str, velocity: Velocity, now: float) -> bool:
-        """Drive the robot. Return False, and do not, if its dead man's switch has fired since its last release."""
+    def drive(self, robot: str, velocity: Velocity, now: float) -> bool:
+        """Drive the robot. Return False, and do not, if its dead man's switch has fired since it was last let go."""
         if robot not in self._drivers:
             self._drivers[robot] = Driver(robot)
-        return self._drivers[robot].command(velocity, now)
+        return self._drivers[robot].drive(velocity, now)
 
-    def release(self, robot: str) -> None:
-        """Stop the robot, and end the publisher."""
+    def let_go(self, robot: str) -> None:
+        """Publish one zero, and end the publisher."""
         if robot in self._drivers:
-            self._drivers[robot].release()
+            self._drivers[robot].let_go()
 
     def close(self) -> None:
-        """Stop all robots that are driven; wait until they are sent that, SHUTDOWN_TIMEOUT at most."""
+        """Let go of all robots; wait until they are sent their zeros, SHUTDOWN_TIMEOUT at most."""
         for driver in self._drivers.values():
-            driver.release()
+            driver.let_go()
         deadline = time.monotonic() + SHUTDOWN_TIMEOUT
         for driver in self._drivers.values():
-            driver.stopped.wait(max(0.0, deadline - time.monotonic()))
+            driver.idle.wait(max(0.0, deadline - time.monotonic()))
 
 
 class Driver(rospy.SubscribeListener):
     """Publishes what one robot is commanded, while it is driven, and one zero at the end.
 
-    stopped: set unless the robot is commanded, or its last zero is still to be sent.
+    idle: set unless the robot is driven, or its last zero is still to be sent.
     """
 
     def __init__(self, robot: str):
         self._topic = f"{robot.rstrip('/')}/cmd_vel"
         self._dead_man = DeadMan()
-        self._velocity = STOPPED
+        self._velocity = ZERO
         self._pending = False  # something is to be sent
-        self._running = False
         self._condition = threading.Condition()
-        self.stopped = threading.Event()
-        self.stopped.set()
+        self.idle = threading.Event()
+        self.idle.set()
 
-    def command(self, velocity: Velocity, now: float) -> bool:
-        """Send this command; return False, and do not, if the switch has fired since the last release."""
+    def drive(self, velocity: Velocity, now: float) -> bool:
+        """Send this command; return False, and do not, if the switch has fired since the robot was last let go."""
         with self._condition:
             if not self._dead_man.feed(now):
                 return False
             self._send(velocity)
-            if not self._running:
-                self._running = True
-                self.stopped.clear()
+            if self.idle.is_set():
+                self.idle.clear()
                 threading.Thread(target=self._run, name=self._topic, daemon=True).start()
         return True
 
-    def release(self) -> None:
+    def let_go(self) -> None:
         """Stop the robot."""
         with self._condition:
-            self._dead_man.release()
-            self._send(STOPPED)
+            self._dead_man.let_go()
+            self._send(ZERO)
 
     def peer_subscribe(self, *_) -> None:
         """A controller has connected: send it what was commanded before."""
@@ -95,17 +93,16 @@ class Driver(rospy.SubscribeListener):
             while True:
                 self._publish()
                 with self._condition:
-                    if self._velocity == STOPPED:  # not commanded again meanwhile
-                        self._running = False
-                        self.stopped.set()
+                    if self._velocity == ZERO:  # not driven again meanwhile
+                        self.idle.set()
                         return
 
     def _publish(self):
-        """Publish until the robot is stopped, that too; then end the publisher."""
+        """Publish until the robot is let go, and a zero then; end the publisher."""
         publisher = rospy.Publisher(self._topic, Twist, self, tcp_nodelay=True, queue_size=None)
         try:
             velocity = None
-            while velocity != STOPPED:
+            while velocity != ZERO:
                 velocity = self._next()
                 limit_sending(publisher)
                 message = Twist()
@@ -120,7 +117,7 @@ class Driver(rospy.SubscribeListener):
             self._condition.wait_for(lambda: self._pending, self._dead_man.remaining(time.monotonic()))
             self._pending = False
             if self._dead_man.check(time.monotonic()):
-                self._velocity = STOPPED
+                self._velocity = ZERO
             return self._velocity
 
 

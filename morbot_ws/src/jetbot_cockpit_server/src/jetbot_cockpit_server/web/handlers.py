@@ -1,21 +1,26 @@
-"""What is served without a client's socket: the page's files, and the exchange of a code for a cookie."""
+"""What a browser asks for: the page's files, a cookie for a code, and a client's socket."""
 
+import contextlib
 import json
 import time
 from pathlib import Path
-from typing import Dict
+from typing import Dict, Optional
 
 from tornado.httputil import HTTPServerRequest
+from tornado.iostream import StreamClosedError
 from tornado.web import HTTPError, RequestHandler
+from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from jetbot import files
 
+from ..session.hub import LOG_IN, Hub, Viewer
 from .access import Access, TooManyTries
 
 WWW = files.shipped(__file__, "jetbot_cockpit_server", "www")
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
 HEADERS = {"Content-Security-Policy": "default-src 'self'; frame-ancestors 'none'", "X-Frame-Options": "DENY",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cache-Control": "no-store"}
+CLOSED = WebSocketClosedError, StreamClosedError
 
 
 def reached_address(request: HTTPServerRequest) -> str:
@@ -30,7 +35,7 @@ def read_files(folder: Path = WWW) -> Dict[str, bytes]:
 
 
 class Handler(RequestHandler):
-    """Answers only what asks for this page, by its own name, and what acts only from this page. Else 404."""
+    """Answers only what asks for this page, by its own name, and what acts only from this page."""
 
     acts = False
 
@@ -53,16 +58,6 @@ class Handler(RequestHandler):
     def write_error(self, status_code: int, **_) -> None:
         self.set_header("Content-Type", "text/plain; charset=UTF-8")
         self.finish(f"{status_code} {self._reason}\n")
-
-    def compute_etag(self) -> None:
-        """No ETag: nothing is stored."""
-
-
-class Missing(Handler):
-    """Everything that there is not."""
-
-    def prepare(self) -> None:
-        raise HTTPError(404)
 
 
 class Page(Handler):
@@ -103,3 +98,51 @@ class Login(Handler):
         if not isinstance(fields, dict) or set(fields) != {"code"} or not isinstance(fields["code"], str):
             raise HTTPError(400)
         return fields["code"]
+
+
+class Socket(Handler, WebSocketHandler):
+    """A connection to the hub, for those who have access."""
+
+    acts = True
+    viewer: Optional[Viewer] = None
+
+    def initialize(self, access: Access, hub: Hub) -> None:
+        super().initialize(access)
+        self.hub = hub
+
+    def check_origin(self, origin: str) -> bool:
+        return True  # Handler.prepare has checked it, also where there is none
+
+    def open(self) -> None:
+        grant = self.access.grant(self.get_cookie(self.access.cookie_name), self.request.remote_ip,
+                                  self.request.headers["Host"])
+        if grant:
+            self.viewer = self.hub.join(self, grant.role, grant.robot, time.monotonic())
+        else:
+            self.close(LOG_IN, "log in")
+
+    def on_message(self, message: object) -> None:
+        if self.viewer:
+            self.hub.receive(self.viewer, message, time.monotonic())
+
+    def on_ping(self, data: bytes) -> None:
+        if self.viewer:
+            self.hub.record_activity(self.viewer, time.monotonic())
+
+    on_pong = on_ping
+
+    def on_close(self) -> None:
+        if self.viewer:
+            self.hub.leave(self.viewer)
+
+    def send(self, text: str) -> None:
+        with contextlib.suppress(*CLOSED):
+            # A write that fails needs no notice: the socket is closed, and ``on_close`` is called
+            self.write_message(text).add_done_callback(lambda written: written.cancelled() or written.exception())
+
+    def ping(self, data: bytes = b"") -> None:
+        with contextlib.suppress(*CLOSED):
+            super().ping(data)
+
+    def is_backlogged(self) -> bool:
+        return self.ws_connection is None or self.ws_connection.stream.writing()

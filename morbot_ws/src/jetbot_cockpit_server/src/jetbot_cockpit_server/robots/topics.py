@@ -1,30 +1,58 @@
-"""One robot, by its topics: what its controller and its simulator publish, decoded only as often as it is shown."""
+"""One robot, by its topics: what its controller and its simulator publish, and its emergency stop."""
 
+import contextlib
 import threading
 import time
 from typing import Optional
 
-import genpy
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
 from nav_msgs.msg import Odometry
-from std_msgs.msg import Float32MultiArray, String
+from std_msgs.msg import Bool, Float32MultiArray, String
 from std_srvs.srv import Empty
 
+from jetbot.kinematics import Pose
 from jetbot.text import printable
 from jetbot_ros.colors import color_of
-from jetbot_ros.holds import EMERGENCY_STOP, OWN_EMERGENCY_STOP, Hold
+from jetbot_ros.holds import OWN_EMERGENCY_STOP, Hold
 
-from .emergency import EmergencySwitch
-from .frames import Frames, yaw_of
-from .task_topics import TaskTopics
-from .view import Robot, geometry, label, program, rounded
+from ..session.snapshot import Robot, label
+from .map_topics import Frames, MapTopics
+from .reports import geometry, program, rounded, yaw_of
 
 CONTROLLER = "/jetbot_controller"
 SIMULATOR_RESET = "/jetbot_simulator/reset"
 ANSWER_TIMEOUT = 3.0  # s; a controller publishes diagnostics every second
 MOTION_TIMEOUT = 2.0  # s after which a speed that nobody repeats is not shown
 MAX_STATUS = 300      # characters
+
+
+class EmergencyStop:
+    """An emergency stop, of all robots or of one: a latched topic, which others publish too. engaged: its value."""
+
+    def __init__(self, topic: str):
+        self.engaged = False
+        self._latched = False
+        self._publisher = rospy.Publisher(topic, Bool, queue_size=1, latch=True)
+        self._subscriber = rospy.Subscriber(topic, Bool, self._on_message)
+
+    def set(self, engaged: bool) -> None:
+        """Publish it; robots that start later obey it too."""
+        self.engaged = self._latched = engaged
+        with contextlib.suppress(rospy.ROSException):  # closed: the robot has ended meanwhile, or this node
+            self._publisher.publish(engaged)
+
+    def close(self) -> None:
+        """End the publisher and the subscriber."""
+        self._publisher.unregister()
+        self._subscriber.unregister()
+
+    def _on_message(self, message):
+        if message._connection_header.get("callerid") == rospy.get_name():
+            return
+        self.engaged = message.data
+        if self._latched and not message.data:  # else a robot that starts later would be stopped by a stop that is over
+            self.set(False)
 
 
 class RobotTopics:
@@ -38,21 +66,20 @@ class RobotTopics:
         self._repeats = False  # whether it publishes something every second; an unknown controller may not
         self._program = ""
         self._wheels = None, None  # command, duties
-        self._odom = None  # (the newest message, still encoded, when it arrived in s)
-        self._motion = (None, None, None)  # the decoded message, pose, speed
+        self._odom, self._moved_at = None, 0.0
         self._resetting: Optional[threading.Thread] = None
-        self._task_topics = TaskTopics(self._base, frames)
-        self.stop = EmergencySwitch(f"{self._base}{CONTROLLER}/emergency_stop")
+        self._map_topics = MapTopics(self._base, frames)
+        self.stop = EmergencyStop(f"{self._base}{CONTROLLER}/emergency_stop")
         self._status_subscriber = rospy.Subscriber(f"{self._base}{CONTROLLER}/status", String, self._on_status)
         self._subscribers = [
             self._status_subscriber,
             rospy.Subscriber(f"{self._base}{CONTROLLER}/wheels", Float32MultiArray, self._on_wheels, queue_size=1),
-            rospy.Subscriber(f"{self._base}/odom", rospy.AnyMsg, self._on_odom, queue_size=1)]
+            rospy.Subscriber(f"{self._base}/odom", Odometry, self._on_odom, queue_size=1)]
 
     def close(self) -> None:
         """End all subscriptions."""
         self.stop.close()
-        self._task_topics.close()
+        self._map_topics.close()
         for subscriber in self._subscribers:
             subscriber.unregister()
 
@@ -61,10 +88,9 @@ class RobotTopics:
         """Whether its controller's process lives, as far as the connection shows."""
         return self._status_subscriber.get_num_connections() > 0
 
-    @property
-    def in_emergency_stop(self) -> bool:
-        """Whether its controller says that the emergency stop of all robots holds it."""
-        return self._is_held_by(EMERGENCY_STOP)
+    def is_held_by(self, hold: Hold) -> bool:
+        """Return whether its controller says that this keeps it stopped."""
+        return self._status.startswith(f"stopped: {hold.reason}")
 
     def diagnose(self, status: DiagnosticStatus) -> None:
         """Take what the controller publishes on /diagnostics."""
@@ -83,12 +109,12 @@ class RobotTopics:
         return Robot(
             self.name, self._color, self._geometry, self.simulated,
             self._status if answers else f"{label(self.name)} does not answer. Restart it, or resume it with fg.",
-            self._level > 0, answers, self.stop.engaged or self._is_held_by(OWN_EMERGENCY_STOP), pose, speed, command,
-            wheels, self._program, *self._task_topics.snapshot(now))
+            self._level > 0, answers, self.stop.engaged or self.is_held_by(OWN_EMERGENCY_STOP), pose, speed, command,
+            wheels, self._program, *self._map_topics.snapshot(now))
 
     def forget_result(self) -> None:
         """It was put back to its start: the score of its last drive is no longer shown."""
-        self._task_topics.forget_result()
+        self._map_topics.forget_result()
 
     def reset(self) -> bool:
         """Put the simulated robot back to its start, in a thread; return False while the last time still hangs."""
@@ -97,9 +123,6 @@ class RobotTopics:
         self._resetting = threading.Thread(target=self._call_reset, daemon=True)
         self._resetting.start()
         return True
-
-    def _is_held_by(self, hold: Hold):
-        return self._status.startswith(f"stopped: {hold.reason}")
 
     def _call_reset(self):
         try:
@@ -116,22 +139,14 @@ class RobotTopics:
             self._wheels = rounded(message.data[:2]), rounded(message.data[2:])
 
     def _on_odom(self, message):
-        self._odom = message, time.monotonic()
+        self._odom, self._moved_at = message, time.monotonic()
 
     def _pose_and_speed(self, now):
-        if not self._odom:
-            return None, None
-        message, at = self._odom
-        if self._motion[0] is not message:
-            self._motion = (message, *self._decode(message))
-        _, pose, speed = self._motion
-        return pose, None if speed and any(speed) and now - at > MOTION_TIMEOUT else speed
-
-    def _decode(self, message):
-        try:
-            odom = Odometry().deserialize(message._buff)
-        except (genpy.DeserializationError, ValueError):  # the topic is another program's, of another type
+        odom = self._odom
+        if not odom:
             return None, None
         position, twist = odom.pose.pose.position, odom.twist.twist
-        pose = self._frames.on_map(odom.header.frame_id, (position.x, position.y, yaw_of(odom.pose.pose.orientation)))
-        return rounded(pose), rounded((twist.linear.x, twist.angular.z))
+        pose = Pose(position.x, position.y, yaw_of(odom.pose.pose.orientation))
+        speed = rounded((twist.linear.x, twist.angular.z))
+        shown = speed if speed and (not any(speed) or now - self._moved_at <= MOTION_TIMEOUT) else None
+        return rounded(self._frames.on_map(odom.header.frame_id, pose)), shown

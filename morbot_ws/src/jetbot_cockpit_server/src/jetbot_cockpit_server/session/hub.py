@@ -1,14 +1,12 @@
-"""Who watches, what each one is sent, and when. No sockets and no clock here: times are monotonic seconds."""
+"""Who watches, what each one is sent, and when. Times are monotonic seconds."""
 
 import itertools
 import json
-from typing import Dict, Optional, Protocol, Sequence
+from typing import Callable, Dict, List, Optional, Protocol, Sequence
 
-from . import handout, protocol
-from .access import Grant
-from .client import TEACHER, Client
+from . import protocol
 from .control import Control
-from .limits import TokenBucket
+from .rights import TEACHER, Client
 
 MAX_CLIENTS = 64
 REFUSED, LOG_IN, FULL, ENDED = 4000, 4001, 4002, 1001  # why a socket is closed
@@ -32,6 +30,22 @@ class Connection(Protocol):
     def is_backlogged(self) -> bool: ...
 
 
+class TokenBucket:
+    """Allows ``rate`` messages per second, and after a pause of the network ``burst`` at once."""
+
+    def __init__(self, rate: float, burst: int, now: float):
+        self._rate, self._burst = rate, burst
+        self._tokens, self._filled_at = float(burst), now
+
+    def take(self, now: float) -> bool:
+        """Count a message; return whether it is within the limit."""
+        self._tokens = min(self._burst, self._tokens + (now - self._filled_at) * self._rate)
+        self._filled_at = now
+        within_limit = self._tokens >= 1
+        self._tokens -= within_limit
+        return within_limit
+
+
 class Viewer:
     """A client with a socket, and what its page shows."""
 
@@ -50,9 +64,10 @@ class Viewer:
         """Return whether the page takes what it is sent; a frozen browser or a bad network does not."""
         return now - self.active_at < ABSENT_AFTER and not self.connection.is_backlogged()
 
-    def show(self, robots: str, history: Sequence[str], changes: Sequence[str], state: str, now: float) -> None:
-        """Send what the page does not show yet."""
-        for text in changes if self.robots == robots else [robots, *(changes if self.robots else history)]:
+    def show(self, robots: str, changes: List[str], state: str, history: Callable[[], List[dict]], now: float) -> None:
+        """Send what the page does not show yet. history: returns what only a new page needs."""
+        texts = changes if self.robots else list(map(dumps, history()))
+        for text in texts if self.robots == robots else [robots, *texts]:
             self.connection.send(text)
         self.robots = robots
         if state != self.state or now - self.shown_at >= STILL_INTERVAL:
@@ -61,16 +76,19 @@ class Viewer:
 
 
 class Hub:
-    """All clients. cards: the codes to hand out."""
+    """All clients. codes: the rows of the message "codes", with what a teacher hands out."""
 
-    def __init__(self, control: Control, cards: Sequence[handout.Card]):
-        self._control, self._cards = control, cards
+    def __init__(self, control: Control, codes: Sequence[dict]):
+        self._control, self._codes = control, codes
         self._numbers = itertools.count(1)
         self._viewers: Dict[int, Viewer] = {}
 
-    def join(self, connection: Connection, grant: Grant, now: float) -> Optional[Viewer]:
-        """Return the new client; None if there is no room. A teacher gets the place of the pupil who came last."""
-        if len(self._viewers) >= MAX_CLIENTS and grant.role == TEACHER:
+    def join(self, connection: Connection, role: str, robot: Optional[str], now: float) -> Optional[Viewer]:
+        """Return the new client; None if there is no room. A teacher gets the place of the pupil who came last.
+
+        robot: the only one that a pupil may drive, None: any.
+        """
+        if len(self._viewers) >= MAX_CLIENTS and role == TEACHER:
             pupils = [viewer for viewer in self._viewers.values() if viewer.client.role != TEACHER]
             for viewer in pupils[-1:]:
                 self.end(viewer, FULL, NO_ROOM)
@@ -78,8 +96,8 @@ class Hub:
             connection.close(FULL, NO_ROOM)
             return None
         number = next(self._numbers)
-        client = Client(number, f"{grant.role} {number}", grant.role, grant.robot)
-        codes = grant.role == TEACHER and bool(self._cards)
+        client = Client(number, f"{role} {number}", role, robot)
+        codes = role == TEACHER and bool(self._codes)
         connection.send(dumps({"type": "hello", **client._asdict(), "codes": codes}))
         self._viewers[number] = Viewer(client, connection, now)
         return self._viewers[number]
@@ -94,7 +112,7 @@ class Hub:
         except protocol.ProtocolError as error:
             self.end(viewer, REFUSED, str(error))
             return
-        if within_limit or isinstance(message, protocol.Stop):  # a stop always counts
+        if within_limit or isinstance(message, protocol.EngageStop):  # a stop always counts
             self._answer(viewer, message, now)
         if not within_limit:
             self.end(viewer, REFUSED, TOO_MANY)
@@ -125,35 +143,30 @@ class Hub:
         if not self._viewers:
             return
         state, robots = dumps(self._control.state()), dumps({"type": "robots", "robots": self._control.robots()})
-        waits = any(not viewer.robots and viewer.is_ready(now) for viewer in self._viewers.values())
-        history = list(map(dumps, self._control.history())) if waits else []
         for viewer in list(self._viewers.values()):
             if now - viewer.active_at > GONE_AFTER:
                 self.end(viewer, REFUSED, "no sign of life")
             elif viewer.is_ready(now):
-                viewer.show(robots, history, changes, state, now)
+                viewer.show(robots, changes, state, self._control.history, now)
             elif changes:
                 viewer.robots = ""  # it misses something, and gets all again
-            self._ping(viewer, now)
-
-    def _ping(self, viewer: Viewer, now: float) -> None:
-        if now - viewer.pinged_at >= STILL_INTERVAL:
-            viewer.pinged_at = now
-            viewer.connection.ping()
+            if now - viewer.pinged_at >= STILL_INTERVAL:
+                viewer.pinged_at = now
+                viewer.connection.ping()
 
     def _answer(self, viewer: Viewer, message: protocol.Message, now: float) -> None:
-        reply = self._reply(viewer, message, now)
+        reply = self._reply(viewer.client, message, now)
         if reply and not viewer.connection.is_backlogged():
             viewer.connection.send(dumps(reply))
 
-    def _reply(self, viewer: Viewer, message: protocol.Message, now: float) -> Optional[dict]:
+    def _reply(self, client: Client, message: protocol.Message, now: float) -> Optional[dict]:
         if isinstance(message, protocol.Ping):
             return {"type": "pong", "sent": message.sent}
         if not isinstance(message, protocol.Codes):
-            return self._control.handle(viewer.client, message, now)
-        if viewer.client.role != TEACHER:
+            return self._control.handle(client, message, now)
+        if client.role != TEACHER:
             return protocol.notice("Only a teacher can see the codes.")
-        return handout.message(self._cards)
+        return {"type": "codes", "codes": self._codes}
 
 
 def dumps(message: dict) -> str:

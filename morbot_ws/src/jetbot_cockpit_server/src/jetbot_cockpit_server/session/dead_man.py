@@ -1,4 +1,4 @@
-"""The dead man's switch of one robot. No thread and no clock: times are monotonic seconds, handed in."""
+"""The dead man's switch of one robot. Times are monotonic seconds."""
 
 from typing import Optional
 
@@ -6,7 +6,7 @@ TIMEOUT = 0.3  # s without a command after which a robot that is driven stops
 
 
 class DeadMan:
-    """Fires when commands stop arriving while the robot is driven; then the pad must be released first."""
+    """Fires when commands stop arriving while the robot is driven; then the pad must be let go first."""
 
     def __init__(self):
         self._fed_at: Optional[float] = None
@@ -19,8 +19,8 @@ class DeadMan:
         self._fed_at = now
         return True
 
-    def release(self) -> None:
-        """The pad was released: the robot is not driven, and may be driven again."""
+    def let_go(self) -> None:
+        """The pad was let go: the robot is not driven, and may be driven again."""
         self._fed_at, self._fired = None, False
 
     def check(self, now: float) -> bool:

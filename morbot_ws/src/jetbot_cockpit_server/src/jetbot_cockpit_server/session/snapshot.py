@@ -1,19 +1,33 @@
-"""What the cockpit knows of a robot: immutable values, and the messages of its socket that carry them. No ROS here."""
+"""What the robots report, as immutable values, and how the messages of the socket carry it."""
 
-import math
-from typing import Dict, NamedTuple, Optional, Sequence, Tuple
+from typing import Dict, List, NamedTuple, Optional, Tuple
 
-from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION
-
-from .scene import Shape
-from .task import Task
+from jetbot.text import enumeration
 
 WORKSHOP = 2.0, 1.0  # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
-CLOSED_LOOP = WHEEL_SEPARATION, FULL_SPEED  # of a JetBot Pro, which limits its wheels itself
 MAX_LABEL = 40  # characters
 
 ALL_STOPPED = "Emergency stop. Release it first."
 NO_MASTER = "The ROS master does not answer."
+
+
+class Task(NamedTuple):
+    """A driving task. text: a sentence for the person; seconds: of the drive; score: 0 to 100, once done."""
+
+    name: str
+    title: str
+    state: str
+    text: str
+    seconds: Optional[float] = None
+    score: Optional[float] = None
+
+
+class Shape(NamedTuple):
+    """A polyline on the map, in m. kind: wall, line, course or goal, which is an arrow that begins there."""
+
+    kind: str
+    width: float
+    points: Tuple[Tuple[float, float], ...]
 
 
 class Robot(NamedTuple):
@@ -94,30 +108,18 @@ class Snapshot(NamedTuple):
         """Return whether the emergency stop of this robot, or of all (None), may be engaged."""
         return self.emergency if robot is None else robot not in self.robots or self.robots[robot].stopped
 
+    def changes_since(self, before: "Snapshot") -> List[str]:
+        """Return a sentence for the terminal for each way in which robots have come, ended or fallen silent."""
+        old, new = before.robots, self.robots
+        kept = [robot for robot in new if robot in old and old[robot].answers != new[robot].answers]
+        changes = {"on the page": [robot for robot in new if robot not in old],
+                   "ended": [robot for robot in old if robot not in new],
+                   "not answering": [robot for robot in kept if not new[robot].answers],
+                   "answering again": [robot for robot in kept if new[robot].answers]}
+        return [f"{change}: {enumeration(list(map(label, robots)))}" for change, robots in changes.items() if robots]
+
 
 def label(robot: str) -> str:
     """Return a robot's name on the page, by its namespace."""
     name = "".join(each if each.isprintable() else "?" for each in robot.strip("/")[:MAX_LABEL])
     return name or "robot"
-
-
-def program(commanded_by: Optional[str], cockpit: str) -> str:
-    """Return the name of the program whose command a robot drives, by its diagnostics; "" if it is the cockpit."""
-    named = commanded_by and commanded_by.startswith("/") and commanded_by != cockpit
-    return label(commanded_by) if named else ""
-
-
-def geometry(wheel_separation: Optional[str], max_speed: Optional[str]) -> Optional[Tuple[float, float]]:
-    """Return what a controller's diagnostics say, "" of a board that takes a Twist unchanged; None if they do not."""
-    if wheel_separation == max_speed == "":
-        return CLOSED_LOOP
-    try:
-        values = float(wheel_separation), float(max_speed)
-    except (TypeError, ValueError):
-        return None
-    return values if all(math.isfinite(value) and value > 0 for value in values) else None
-
-
-def rounded(values: Sequence[float]) -> Optional[Tuple[float, ...]]:
-    """Return the values with three decimals and without -0.0, or None if one is not finite."""
-    return tuple(round(value, 3) + 0.0 for value in values) if all(map(math.isfinite, values)) else None

@@ -1,0 +1,178 @@
+"""Who may drive which robot, and what it is given. Times are monotonic seconds."""
+
+import math
+from typing import Callable, Dict, List, Optional, Set
+
+from jetbot.text import enumeration
+
+from . import dead_man, protocol
+from .history import History
+from .rights import TEACHER, Client, Leases, StopRights
+from .snapshot import Snapshot, label
+
+LET_GO = "Let go, then drive again."
+NO_COMMAND = f"No command for {dead_man.TIMEOUT} s. {LET_GO}"
+
+
+class Control:
+    """Does what the clients ask for, in one thread.
+
+    robots: what they report (robots.discovery.Robots), which ``check`` reads once for all clients;
+    drivers: what commands them (robots.publishers.Drivers).
+    """
+
+    def __init__(self, robots, drivers):
+        self._robots, self._drivers = robots, drivers
+        self.snapshot: Snapshot = robots.snapshot()  # as of the last check
+        self._leases, self._stop_rights, self._history = Leases(), StopRights(), History(robots.forget_result)
+        self._names: Dict[int, str] = {}
+        self._must_lift: Set[int] = set()
+        self._checked_at, self._stale_until = math.inf, -math.inf
+        self._actions: Dict[type, Callable] = {
+            protocol.Drive: self._on_drive, protocol.Take: self._on_take, protocol.Reset: self._on_reset,
+            protocol.EngageStop: self._on_engage_stop, protocol.ReleaseStop: self._on_release_stop,
+            protocol.Name: self._on_name}
+
+    def handle(self, client: Client, message: protocol.Message, now: float) -> Optional[dict]:
+        """Do what a client asks for; return None, or a message of the socket that says why not."""
+        self._names.setdefault(client.id, client.name)
+        self._note_interruption(now)
+        refusal = self._actions[type(message)](client, message, now)
+        if refusal and isinstance(message, protocol.Drive):
+            return {"type": "lift", "robot": message.robot, "text": refusal}
+        return protocol.notice(refusal) if refusal else None
+
+    def leave(self, client: int) -> None:
+        """The client's socket is closed: its robot stops at once, and is free."""
+        self._free(self._leases.robot_of(client))
+        self._names.pop(client, None)
+        self._must_lift.discard(client)
+
+    def check(self, now: float) -> List[dict]:
+        """End the leases of silent clients and of robots that cannot be driven; call it 20 times a second.
+
+        Return messages of the socket for all clients.
+        """
+        self._note_interruption(now)
+        self._checked_at = now
+        self.snapshot = self._robots.snapshot()
+        for robot in self._leases.robots():
+            if self.snapshot.problem(robot) or self._leases.has_expired(robot, now):
+                self._free(robot)
+        self._stop_rights.update(self.snapshot.is_stopped)
+        return self._history.update(self.snapshot.robots, now)
+
+    def robots(self) -> List[dict]:
+        """Return the robots of the message "robots"."""
+        return [robot.description() for robot in self.snapshot.robots.values()]
+
+    def state(self) -> dict:
+        """Return the message "state"."""
+        states = {robot.id: robot.state(self._driver(robot.id)) for robot in self.snapshot.robots.values()}
+        return {"type": "state", "emergency": self.snapshot.emergency, "robots": states}
+
+    def history(self) -> List[dict]:
+        """Return the messages that a new page needs besides "robots" and "state"."""
+        return self._history.messages()
+
+    # What a client asks for; each returns why that is refused, or "".
+
+    def _on_drive(self, client, message, now):
+        robot = message.robot
+        if not (message.forward or message.left):
+            return self._on_let_go(client, robot, now)
+        refusal = self._refusal(client, robot, now)
+        if not refusal:
+            self._lease(client, robot, now, driving=True)
+            velocity = self.snapshot.robots[robot].velocity(message.forward, message.left)
+            refusal = "" if self._drivers.drive(robot, velocity, now) else NO_COMMAND
+        if refusal:
+            self._must_lift.add(client.id)
+            if self._leases.driver(robot) == client.id:
+                self._drivers.let_go(robot)
+        return refusal
+
+    def _on_let_go(self, client, robot, now):
+        self._must_lift.discard(client.id)
+        if self._leases.driver(robot) == client.id:
+            self._drivers.let_go(robot)
+            self._lease(client, robot, now, driving=False)
+        return ""
+
+    def _on_take(self, client, message, now):
+        robot = message.robot
+        if client.role != TEACHER:
+            return "Only a teacher can take a robot."
+        if robot in self.snapshot.robots and self._leases.driver(robot) != client.id:
+            self._free(robot)
+            self._lease(client, robot, now, driving=False)
+        return self.snapshot.ended(robot)
+
+    def _on_engage_stop(self, client, message, now):
+        robot = message.robot
+        refusal = self.snapshot.ended(robot) or self._stop_rights.engage(client, robot)
+        if not refusal:
+            self._robots.set_emergency_stop(robot, True)
+            self.snapshot = self._robots.snapshot()
+            for each in self._leases.robots() if robot is None else [robot]:
+                self._free(each)
+        return refusal
+
+    def _on_release_stop(self, client, message, now):
+        refusal = self._stop_rights.release(client, message.robot)
+        if not refusal:
+            self._robots.set_emergency_stop(message.robot, False)
+            self.snapshot = self._robots.snapshot()
+        return refusal
+
+    def _on_reset(self, client, message, now):
+        if client.role != TEACHER:
+            return "Only a teacher can put robots back."
+        chosen = [robot for robot in self.snapshot.robots.values()
+                  if robot.simulated and message.robot in (None, robot.id)]
+        for robot in chosen:
+            self._history.reset(robot.id, now)
+        silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]
+        if silent:
+            return f"{enumeration(silent)} {'has' if len(silent) == 1 else 'have'} not answered yet."
+        return "" if chosen else "Only simulated robots can be put back."
+
+    def _on_name(self, client, message, now):
+        self._names[client.id] = message.name.strip() or client.name
+        return ""
+
+    def _note_interruption(self, now):
+        """Drive nothing for a moment if this process was frozen: old commands waited in the sockets."""
+        if now - self._checked_at >= dead_man.TIMEOUT:
+            self._stale_until = now + dead_man.TIMEOUT
+
+    def _refusal(self, client, robot, now) -> str:
+        """Return why the client may not drive this robot now, or ""."""
+        if not client.may_drive(robot):
+            return f"With your code, you can drive only {label(client.robot)}."
+        if now < self._stale_until:
+            return f"The cockpit was interrupted. {LET_GO}"
+        driver = self._leases.driver(robot)
+        if driver not in (None, client.id):
+            return f"{self._names[driver]} drives {label(robot)}."
+        return self.snapshot.problem(robot) or (LET_GO if client.id in self._must_lift else "")
+
+    def _lease(self, client, robot, now, driving):
+        """Give a free robot to the client, or go on; its other robot stops, and is free."""
+        other = self._leases.robot_of(client.id)
+        if other not in (None, robot):
+            self._free(other)
+            self._must_lift.discard(client.id)
+        self._leases.renew(robot, client.id, now, driving)
+
+    def _free(self, robot):
+        """Stop the robot and end its lease. Who drove it meanwhile must lift the finger before driving again."""
+        lease = self._leases.end(robot)
+        if lease:
+            self._drivers.let_go(robot)
+            if lease.driving:
+                self._must_lift.add(lease.client)
+
+    def _driver(self, robot):
+        driver = self._leases.driver(robot)
+        return None if driver is None else {"id": driver, "name": self._names[driver]}

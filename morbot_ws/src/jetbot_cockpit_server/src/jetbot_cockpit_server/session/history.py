@@ -1,0 +1,118 @@
+"""What is kept of the robots for pages that open later, as messages of the socket: trails, scenes and scores."""
+
+import math
+from collections import deque
+from typing import Callable, Deque, Dict, List, NamedTuple, Optional, Tuple
+
+from .snapshot import Robot, Shape, Task, label
+
+STEP = 0.03       # m between two points of a trail
+JUMP = 0.2        # m between two poses that no robot drives: it was put somewhere else;
+MAX_SPEED = 1.0   # m/s: and more, if the time between the two was long
+RESET_TIME = 0.5  # s until a robot that is put back is at its start
+MAX_POINTS = 500  # of a trail; the oldest are dropped
+
+
+class Trail:
+    """Where one robot has driven."""
+
+    def __init__(self):
+        self.points: Deque[Tuple[float, float]] = deque(maxlen=MAX_POINTS)
+        self._last: Optional[Tuple[float, float]] = None
+        self._at, self._reset_at = 0.0, math.inf
+
+    def reset(self, now: float) -> None:
+        """The robot is asked to go back to its start: the trail starts again there, however near that is."""
+        self._reset_at = now + RESET_TIME
+
+    def update(self, x: float, y: float, now: float) -> bool:
+        """The robot is at this point, in m. Return whether the trail starts again, because it was put there."""
+        point = x, y
+        starts_again = now >= self._reset_at or self._has_jumped(point, now)
+        if starts_again:
+            self.points.clear()
+        if now >= self._reset_at:
+            self._reset_at = math.inf
+        self._last, self._at = point, now
+        if not self.points or math.dist(point, self.points[-1]) >= STEP:
+            self.points.append(point)
+        return starts_again
+
+    def _has_jumped(self, point, now):
+        return self._last is not None and math.dist(point, self._last) > JUMP + MAX_SPEED * (now - self._at)
+
+
+class Score(NamedTuple):
+    """A row of the class's best. task: its title; robot: the robot's label; score: 0 to 100; seconds: of the drive."""
+
+    task: str
+    robot: str
+    score: float
+    seconds: Optional[float]
+
+    @property
+    def rank(self) -> Tuple[float, float]:
+        """Is smaller for the better of two in one task: points count, then the time, which a drive may not have."""
+        return -self.score, math.inf if self.seconds is None else self.seconds
+
+
+class Scores:
+    """The best of each robot in each task."""
+
+    def __init__(self):
+        self._best: Dict[Tuple[str, str], Score] = {}  # by robot and name of the task
+
+    def add(self, robot: str, task: Optional[Task]) -> bool:
+        """Take a robot's task; return whether that is a better score."""
+        if not task or task.score is None:
+            return False
+        key, score = (robot, task.name), Score(task.title, label(robot), task.score, task.seconds)
+        if key in self._best and score.rank >= self._best[key].rank:
+            return False
+        self._best[key] = score
+        return True
+
+    def messages(self) -> List[dict]:
+        """Return the message with all scores, the best of each task first; none before the first score."""
+        rows = sorted(self._best.values(), key=lambda row: (row.task, row.rank, row.robot))
+        return [{"type": "scores", "scores": [row._asdict() for row in rows]}] if rows else []
+
+
+class History:
+    """restarted: called with the id of each robot that was put somewhere else, such as back to its start."""
+
+    def __init__(self, restarted: Callable[[str], None]):
+        self._restarted = restarted
+        self._trails: Dict[str, Trail] = {}
+        self._scenes: Dict[str, Tuple[Shape, ...]] = {}
+        self._scores = Scores()
+
+    def reset(self, robot: str, now: float) -> None:
+        """The robot is asked to go back to its start."""
+        if robot in self._trails:
+            self._trails[robot].reset(now)
+
+    def update(self, robots: Dict[str, Robot], now: float) -> List[dict]:
+        """Take all robots as they are now; return messages with what has changed. now: in monotonic seconds."""
+        self._trails = {robot: self._trails.get(robot) or Trail() for robot in robots}
+        restarts = [robot.id for robot in robots.values()
+                    if robot.pose and self._trails[robot.id].update(*robot.pose[:2], now)]
+        for robot in restarts:
+            self._restarted(robot)
+        before, self._scenes = self._scenes, {robot.id: robot.shapes for robot in robots.values()}
+        scenes = [scene(robot, shapes) for robot, shapes in self._scenes.items() if shapes != before.get(robot, ())]
+        better = [self._scores.add(robot.id, robot.task) for robot in robots.values()]
+        return [trail(robot, []) for robot in restarts] + scenes + (self._scores.messages() if any(better) else [])
+
+    def messages(self) -> List[dict]:
+        """Return messages with all of it; also of an empty scene: a page may have missed that it is gone."""
+        return ([trail(robot, each.points) for robot, each in self._trails.items()]
+                + [scene(robot, shapes) for robot, shapes in self._scenes.items()] + self._scores.messages())
+
+
+def trail(robot: str, points) -> dict:
+    return {"type": "trail", "robot": robot, "points": [list(point) for point in points]}
+
+
+def scene(robot: str, shapes: Tuple[Shape, ...]) -> dict:
+    return {"type": "scene", "robot": robot, "shapes": [shape._asdict() for shape in shapes]}
