@@ -8,11 +8,11 @@ import time
 
 import pytest
 
-from jetbot_cockpit_server.access import Access, make_grants
-from jetbot_cockpit_server.handout import make_card
-from jetbot_cockpit_server.hub import Hub
-from jetbot_cockpit_server.listeners import listen
-from jetbot_cockpit_server.server import Server
+from jetbot_cockpit_server.session.hub import Hub
+from jetbot_cockpit_server.web.access import Access, make_grants
+from jetbot_cockpit_server.web.addresses import listen
+from jetbot_cockpit_server.web.handout import make_card
+from jetbot_cockpit_server.web.server import Server
 from web_client import WebSocket, request
 
 WITHIN = 10.0  # s, less than hubs.GONE_AFTER
@@ -57,7 +57,7 @@ class Cockpit:
         self.access = Access(self.port, ["class.test"], GRANTS)
         self.control = StandIn()
         self.server = Server(sockets, self.access, Hub(
-            self.control, [make_card(grant, "class.test", self.port) for grant in GRANTS]))
+            self.control, [make_card(grant, "class.test", self.port).message() for grant in GRANTS]))
         self.server.start()
 
     def headers(self, name="localhost", **headers):

@@ -7,7 +7,7 @@ import pytest
 import rospy
 
 from jetbot.wait import wait_until
-from jetbot_cockpit_server.drive import Drive
+from jetbot_cockpit_server.robots.publishers import Drivers
 
 TIMEOUT = 5.0  # s
 
@@ -41,32 +41,32 @@ def threads():
 
 
 def test_a_release_is_one_zero_and_then_the_publisher_has_ended(publisher):
-    drive = Drive()
-    assert drive.command("/red", (0.5, 0.1), time.monotonic())
+    drivers = Drivers()
+    assert drivers.drive("/red", (0.5, 0.1), time.monotonic())
     wait_until(lambda: publisher.published, TIMEOUT)
-    drive.release("/red")
-    drive.close()
+    drivers.let_go("/red")
+    drivers.close()
     assert publisher.published == [(0.5, 0.1), (0.0, 0.0)]
     assert (publisher.opened, publisher.ended) == (["/red/cmd_vel"], [1])
     assert wait_until(lambda: not threads(), TIMEOUT)
 
 
 def test_silence_is_one_zero_too(publisher):
-    drive = Drive()
-    assert drive.command("/red", (0.5, 0.1), time.monotonic())
+    drivers = Drivers()
+    assert drivers.drive("/red", (0.5, 0.1), time.monotonic())
     assert wait_until(lambda: publisher.ended, TIMEOUT)
     assert publisher.published[-1] == (0.0, 0.0)
-    assert not drive.command("/red", (0.5, 0.1), time.monotonic())
+    assert not drivers.drive("/red", (0.5, 0.1), time.monotonic())
 
 
 def test_a_command_while_the_publisher_ends_is_driven_and_waited_for(publisher):
-    drive = Drive()
-    publisher.at_end.append(lambda: drive.command("/red", (0.2, 0.0), time.monotonic()))
-    drive.command("/red", (0.5, 0.0), time.monotonic())
-    drive.release("/red")
+    drivers = Drivers()
+    publisher.at_end.append(lambda: drivers.drive("/red", (0.2, 0.0), time.monotonic()))
+    drivers.drive("/red", (0.5, 0.0), time.monotonic())
+    drivers.let_go("/red")
     assert wait_until(lambda: (0.2, 0.0) in publisher.published, TIMEOUT)
     assert len(threads()) == 1
-    drive.close()
+    drivers.close()
     assert publisher.published[-1] == (0.0, 0.0)
     assert len(publisher.ended) == 2
 
@@ -76,5 +76,5 @@ def test_a_shutdown_of_the_node_ends_the_thread(publisher, monkeypatch):
         raise rospy.ROSException("publish() to a closed topic")
 
     monkeypatch.setattr(publisher, "publish", closed)
-    Drive().command("/red", (0.5, 0.0), time.monotonic())
+    Drivers().drive("/red", (0.5, 0.0), time.monotonic())
     assert wait_until(lambda: publisher.ended and not threads(), TIMEOUT)

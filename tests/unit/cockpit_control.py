@@ -5,10 +5,11 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 
 import pytest
 
-from jetbot_cockpit_server.control import Client, Control
-from jetbot_cockpit_server.dead_man import DeadMan
-from jetbot_cockpit_server.protocol import Drive
-from jetbot_cockpit_server.view import Robot, Snapshot
+from jetbot_cockpit_server.session.control import Control
+from jetbot_cockpit_server.session.dead_man import DeadMan
+from jetbot_cockpit_server.session.protocol import Drive
+from jetbot_cockpit_server.session.rights import Client
+from jetbot_cockpit_server.session.snapshot import Robot, Snapshot
 
 ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")
 OWN = Client(4, "pupil 4", "pupil", "/blue")
@@ -29,7 +30,7 @@ class FakeRobots:
     def change(self, name, **fields):
         self.now = self.now._replace(robots={**self.now.robots, name: self.now.robots[name]._replace(**fields)})
 
-    def stop(self, robot, engaged):
+    def set_emergency_stop(self, robot, engaged):
         if robot is None:
             self.now = self.now._replace(emergency=engaged)
         else:
@@ -43,19 +44,19 @@ class FakeRobots:
         return self.were_reset.count(robot) == 1
 
 
-class FakeDrive:
+class FakeDrivers:
     """What each robot is driven at, with the real switch."""
 
     def __init__(self):
         self.velocities, self._switches = {}, {}
 
-    def command(self, robot, velocity, now):
+    def drive(self, robot, velocity, now):
         accepted = self._switches.setdefault(robot, DeadMan()).feed(now)
         self.velocities[robot] = velocity if accepted else STOPPED
         return accepted
 
-    def release(self, robot):
-        self._switches.setdefault(robot, DeadMan()).release()
+    def let_go(self, robot):
+        self._switches.setdefault(robot, DeadMan()).let_go()
         self.velocities[robot] = STOPPED
 
 
@@ -63,8 +64,8 @@ class Cockpit:
     """Control, and pads that are held down as the pages hold them."""
 
     def __init__(self):
-        self.robots, self.drive, self.time = FakeRobots(), FakeDrive(), 100.0
-        self.control = Control(self.robots, self.drive)
+        self.robots, self.drivers, self.time = FakeRobots(), FakeDrivers(), 100.0
+        self.control = Control(self.robots, self.drivers)
         self.control.check(self.time)
 
     def do(self, client, message):
@@ -90,7 +91,7 @@ class Cockpit:
         return messages
 
     def drives(self, robot="/red"):
-        return self.drive.velocities.get(robot, STOPPED)
+        return self.drivers.velocities.get(robot, STOPPED)
 
     def driver(self, robot="/red"):
         return self.control.state()["robots"][robot]["driver"]

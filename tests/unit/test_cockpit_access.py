@@ -2,18 +2,19 @@
 
 import pytest
 
-from jetbot_cockpit_server.access import ALPHABET, MAX_WRONG_IN_ALL, Access, TooManyTries, make_grants
+from jetbot_cockpit_server.web.access import ALPHABET, MAX_WRONG_IN_ALL, Access, TooManyTries, make_grants
 
+GRANTS = make_grants(2)
 PUPILS_ADDRESS, OTHER_ADDRESS, OWN_ADDRESS = "192.168.1.7", "192.168.1.8", "192.168.1.42"
 
 
 @pytest.fixture
 def access():
-    return Access(8080, ["robot.local"], make_grants(2))
+    return Access(8080, ["robot.local"], GRANTS)
 
 
-def code_of(access, label):
-    return next(grant.code for grant in access._grants if grant.label == label)
+def code_of(label):
+    return next(grant.code for grant in GRANTS if grant.label == label)
 
 
 def test_codes_are_short_for_pupils_and_new_at_each_start():
@@ -31,7 +32,7 @@ def test_without_a_number_of_robots_one_code_is_for_all_pupils():
 
 
 def test_a_code_may_be_typed_in_small_letters_and_with_spaces(access):
-    code = code_of(access, "jetbot_02")
+    code = code_of("jetbot_02")
     grant = access.log_in(f" {code[:3].lower()} {code[3:]}-", PUPILS_ADDRESS, now=0.0)
     assert (grant.role, grant.robot) == ("pupil", "/jetbot_02")
 
@@ -42,7 +43,7 @@ def test_a_wrong_code_gives_nothing(access, code):
 
 
 def test_five_wrong_codes_a_minute_from_one_address(access):
-    code = code_of(access, "teacher")
+    code = code_of("teacher")
     for second in range(5):
         assert access.log_in("WRONG", PUPILS_ADDRESS, now=second) is None
     with pytest.raises(TooManyTries):
@@ -56,18 +57,13 @@ def test_many_addresses_try_no_more_than_a_hundred_codes_a_minute(access):
     for number in range(MAX_WRONG_IN_ALL):
         access.log_in("WRONG", f"10.0.0.{number}", now=0.0)
     with pytest.raises(TooManyTries):
-        access.log_in(code_of(access, "teacher"), OTHER_ADDRESS, now=1.0)
-    assert access.log_in(code_of(access, "teacher"), OTHER_ADDRESS, now=60.0)
-
-
-def test_right_codes_are_not_counted(access):
-    for _ in range(200):
-        assert access.log_in(code_of(access, "jetbot_01"), PUPILS_ADDRESS, now=0.0)
+        access.log_in(code_of("teacher"), OTHER_ADDRESS, now=1.0)
+    assert access.log_in(code_of("teacher"), OTHER_ADDRESS, now=60.0)
 
 
 def test_a_cookie_gives_what_its_code_gave(access):
     for label in "teacher", "jetbot_01":
-        grant = access.log_in(code_of(access, label), PUPILS_ADDRESS, now=0.0)
+        grant = access.log_in(code_of(label), PUPILS_ADDRESS, now=0.0)
         assert access.grant(grant.cookie, PUPILS_ADDRESS, "robot.local:8080") == grant
 
 
@@ -83,11 +79,12 @@ def test_a_browser_of_this_computer_is_a_teacher(access, peer, host):
     assert access.grant(None, peer, host).role == "teacher"
 
 
-@pytest.mark.parametrize("host", ["localhost:8080", "LOCALHOST:8080", "127.0.0.1:8080", "[::1]:8080",
-                                  "robot.local:8080", f"{OWN_ADDRESS}:8080"])
-def test_the_page_has_these_hosts_and_origins(access, host):
-    assert access.accepts_host(host, OWN_ADDRESS)
-    assert access.accepts_origin(f"http://{host.lower()}", OWN_ADDRESS)
+@pytest.mark.parametrize("host, own_address", [
+    *((host, OWN_ADDRESS) for host in ("localhost:8080", "LOCALHOST:8080", "127.0.0.1:8080", "[::1]:8080",
+                                       "robot.local:8080", f"{OWN_ADDRESS}:8080")), ("[fd00::7]:8080", "fd00::7")])
+def test_the_page_has_these_hosts_and_origins(access, host, own_address):
+    assert access.accepts_host(host, own_address)
+    assert access.accepts_origin(f"http://{host.lower()}", own_address)
 
 
 @pytest.mark.parametrize("host", [None, "", "localhost", "localhost:80", "localhost:8081", "localhost:8080.evil.test",
@@ -108,6 +105,3 @@ def test_on_port_80_browsers_leave_out_the_port():
     access = Access(80, [], [])
     assert access.accepts_host("localhost", "127.0.0.1") and access.accepts_origin("http://[::1]", "::1")
 
-
-def test_an_address_of_ipv6_is_reached_in_brackets(access):
-    assert access.accepts_host("[fd00::7]:8080", "fd00::7")

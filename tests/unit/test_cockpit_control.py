@@ -1,12 +1,14 @@
-"""Who may drive which robot, with robots and a clock that are turned by hand."""
+"""Who drives, stops, takes and puts back which robot, with robots and a clock that are turned by hand."""
 
 import pytest
-from cockpit_control import ADA, BOB, STOPPED, TEACHER
+from cockpit_control import ADA, BOB, OWN, STOPPED, TEACHER, FakeRobots
 
-from jetbot_cockpit_server.protocol import Name, Stop, Take
-from jetbot_cockpit_server.view import Robot, program
+from jetbot_cockpit_server.session.protocol import EngageStop, Name, ReleaseStop, Reset, Take
+from jetbot_cockpit_server.session.snapshot import Robot, Snapshot, Task
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
+
+DONE = Task("metre", "One metre", "done", "went well", 4.0, 80.0)
 
 
 def test_full_deflection_is_full_power_in_the_units_of_each_robot(cockpit):
@@ -107,16 +109,125 @@ def test_who_drives_another_robot_stops_the_first(driven):
 def test_a_robot_that_there_never_was_is_not_driven(cockpit):
     assert cockpit.push(ADA, "/nobody")["text"] == "nobody has ended."
     assert cockpit.do(TEACHER, Take("/nobody"))["text"] == "nobody has ended."
-    assert cockpit.do(TEACHER, Stop("/nobody"))["text"] == "nobody has ended."
-    assert cockpit.drive.velocities == {}
+    assert cockpit.do(TEACHER, EngageStop("/nobody"))["text"] == "nobody has ended."
+    assert cockpit.drivers.velocities == {}
 
 
-@pytest.mark.parametrize("commanded_by, name", [
-    ("/jetbot_motion_control", "jetbot_motion_control"), ("/jetbot_cockpit", ""), ("nobody yet", ""), (None, "")])
-def test_the_program_that_drives_a_robot_has_its_name(commanded_by, name):
-    assert program(commanded_by, "/jetbot_cockpit") == name
+def test_a_teacher_takes_a_robot_and_the_finger_must_lift(driven):
+    assert driven.do(TEACHER, Take("/red")) is None
+    assert (driven.drives(), driven.driver()["id"]) == (STOPPED, TEACHER.id)
+    driven.control.leave(TEACHER.id)
+    driven.must_lift(ADA)
+
+
+def test_a_finger_that_was_up_when_the_teacher_took_drives_at_once_later(driven):
+    driven.lift(ADA)
+    driven.do(TEACHER, Take("/red"))
+    driven.control.leave(TEACHER.id)
+    assert driven.push(ADA) is None
+
+
+def test_a_pupil_takes_and_puts_back_nothing(driven):
+    assert driven.do(BOB, Take("/red"))["type"] == "notice"
+    assert driven.do(BOB, Reset())["type"] == "notice"
+    assert (driven.driver()["id"], driven.robots.were_reset) == (ADA.id, [])
+
+
+def test_a_pupil_with_a_robot_drives_and_stops_that_one_only(cockpit):
+    assert cockpit.push(OWN, "/red") == {
+        "type": "lift", "robot": "/red", "text": "With your code, you can drive only blue."}
+    assert cockpit.do(OWN, EngageStop("/red"))["type"] == "notice"
+    assert cockpit.do(OWN, ReleaseStop("/red"))["type"] == "notice"
+    assert cockpit.do(OWN, EngageStop("/blue")) is None
+    assert [robot.stopped for robot in cockpit.robots.now.robots.values()] == [False, True]
+    assert cockpit.do(OWN, ReleaseStop("/blue")) is None
+    cockpit.lift(OWN, "/blue")
+    assert cockpit.push(OWN, "/blue") is None
+
+
+@pytest.mark.parametrize("robot", [None, "/red"])
+def test_a_stop_ends_the_lease_and_the_finger_must_lift_after_its_release(driven, robot):
+    driven.do(TEACHER, EngageStop(robot))
+    assert (driven.drives(), driven.driver()) == (STOPPED, None)
+    assert "top" in driven.push(ADA, seconds=1)["text"]
+    driven.do(TEACHER, ReleaseStop(robot))
+    driven.must_lift(ADA)
+
+
+def test_anybody_stops_all_and_releases_that(driven):
+    assert driven.do(BOB, EngageStop()) is None
+    assert driven.control.state()["emergency"]
+    assert driven.do(ADA, ReleaseStop()) is None
+    assert not driven.control.state()["emergency"]
+
+
+def test_a_stop_by_a_teacher_is_released_by_a_teacher(driven):
+    driven.do(TEACHER, EngageStop())
+    driven.do(ADA, EngageStop())
+    driven.wait(1)
+    assert driven.do(ADA, ReleaseStop())["type"] == "notice"
+    assert driven.robots.now.emergency
+    assert driven.do(TEACHER, ReleaseStop()) is None
+    driven.do(ADA, EngageStop())
+    assert driven.do(ADA, ReleaseStop()) is None
+
+
+def test_a_stop_by_a_teacher_that_ros_has_released_is_forgotten(driven):
+    driven.do(TEACHER, EngageStop())
+    driven.robots.set_emergency_stop(None, False)
+    driven.wait(0.05)
+    driven.do(ADA, EngageStop())
+    assert driven.do(ADA, ReleaseStop()) is None
+
+
+def change(fake, **fields):
+    fake.now = fake.now._replace(**fields)
+
+
+@pytest.mark.parametrize("break_it, repair_it", [
+    (lambda robots: change(robots, emergency=True), lambda robots: change(robots, emergency=False)),
+    (lambda robots: change(robots, master=False), lambda robots: change(robots, master=True)),
+    (lambda robots: change(robots, robots={}), lambda robots: change(robots, robots=FakeRobots().now.robots)),
+    (lambda robots: robots.change("/red", answers=False), lambda robots: robots.change("/red", answers=True)),
+], ids=["emergency stop", "master", "robot gone", "robot does not answer"])
+def test_what_comes_back_while_a_finger_is_down_does_not_jump_off(driven, break_it, repair_it):
+    break_it(driven.robots)
+    driven.wait(0.05)
+    assert driven.drives() == STOPPED
+    repair_it(driven.robots)
+    driven.must_lift(ADA)
+
+
+def test_a_teacher_puts_back_simulated_robots(cockpit):
+    cockpit.robots.change("/blue", simulated=False)
+    cockpit.wait(0.05)
+    assert cockpit.do(TEACHER, Reset()) is None
+    assert cockpit.robots.were_reset == ["/red"]
+    assert cockpit.do(TEACHER, Reset("/blue"))["type"] == "notice"
+    assert cockpit.do(TEACHER, Reset("/red"))["text"] == "red has not answered yet."
 
 
 def test_ids_of_robots_become_short_printable_labels():
     assert [Robot(name).label for name in ("/", "/jetbot_01", "/a/b", "/\x1b[31m" + 99 * "x")] == [
         "robot", "jetbot_01", "a/b", "?[31m" + 35 * "x"]
+
+
+def test_robots_that_come_go_and_hang_are_named_once_in_the_terminal():
+    one, two, silent = (Snapshot({name: Robot(name, answers=answers) for name in names}) for names, answers in (
+        (["/red"], True), (["/red", "/blue"], True), (["/red", "/blue"], False)))
+    assert two.changes_since(Snapshot()) == ["on the page: red and blue"]
+    assert two.changes_since(two) == []
+    assert silent.changes_since(two) == ["not answering: red and blue"]
+    assert two.changes_since(silent) == ["answering again: red and blue"]
+    assert one.changes_since(two) == ["ended: blue"]
+
+
+def test_a_result_is_forgotten_when_the_robot_is_put_back(cockpit):
+    cockpit.robots.change("/red", pose=(1.0, 0.0, 0.0), task=DONE)
+    assert [message["type"] for message in cockpit.wait(0.05)] == ["scores"]
+    cockpit.do(TEACHER, Reset("/red"))
+    assert cockpit.control.state()["robots"]["/red"]["task"], "it has not reached its start yet"
+    cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
+    assert [message["type"] for message in cockpit.wait(0.05)] == ["trail"]
+    cockpit.wait(0.05)
+    assert cockpit.control.state()["robots"]["/red"]["task"] is None

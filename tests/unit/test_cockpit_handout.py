@@ -1,17 +1,34 @@
-"""The codes that the cockpit prints: for a terminal of 80 columns, and as QR codes."""
+"""How people get to the page: the codes that the cockpit prints, QR codes, and the browser of this desktop."""
+
+import os
+import signal
+import subprocess
+import sys
 
 import pytest
 
-from jetbot_cockpit_server import handout
-from jetbot_cockpit_server.access import make_grants
+from conftest import PYTHONPATH
+from jetbot.wait import wait_until
+from jetbot_cockpit_server.web import handout
+from jetbot_cockpit_server.web.access import make_grants
+from jetbot_cockpit_server.web.handout import PROGRAMS, open_browser
 
 ROWS = ["110", "010", "001"]
+URL = "http://localhost:8080/"
+BROWSER = """#!/bin/sh
+echo a browser prints; echo and complains >&2
+read line && echo "it reads $line" >{folder}/read
+ps -o ppid= -o sid= -o pid= $$ >{folder}/ids
+echo "$0 $@" >>{folder}/opened
+sleep 60
+"""
+OPEN = f"import sys; from jetbot_cockpit_server.web.handout import open_browser; open_browser({URL!r}); print('done')"
 MODULES = {"█": "00", "▀": "01", "▄": "10", " ": "11"}
 
 
 @pytest.fixture
 def cards(monkeypatch):
-    monkeypatch.setattr(handout, "qr_rows", lambda text: ROWS * 11)
+    monkeypatch.setattr(handout, "qr_rows", lambda text: ROWS)
     return [handout.make_card(grant, "192.168.100.200", 8080) for grant in make_grants(3)]
 
 
@@ -20,19 +37,6 @@ def test_each_code_stands_behind_its_label_in_an_address_that_can_be_opened(card
     assert [text.count(card.url) for card in cards] == [1] * 4
     assert cards[0].url == f"http://192.168.100.200:8080/#{cards[0].grant.code}"
     assert text.index("teacher") < text.index("jetbot_01") < text.index("jetbot_03")
-
-
-def test_two_stand_side_by_side_within_80_columns(cards):
-    lines = handout.text(cards).splitlines()
-    assert max(map(len, lines)) <= 80
-    assert [line for line in lines if "jetbot_01" in line] == [line for line in lines if "jetbot_02" in line]
-    assert not [line for line in lines if "teacher" in line and "jetbot_01" in line], "what pupils scan stands apart"
-
-
-def test_a_long_name_has_a_row_of_its_own(monkeypatch):
-    monkeypatch.setattr(handout, "qr_rows", lambda text: [])
-    cards = [handout.make_card(grant, "x" * 60, 8080) for grant in make_grants(2)]
-    assert handout.text(cards).count("http://") == 3
 
 
 @pytest.mark.parametrize("colors", [False, True])
@@ -58,7 +62,52 @@ def test_a_qr_code_is_a_square_of_modules():
     assert {len(row) for row in rows} == {len(rows)} and set("".join(rows)) == {"0", "1"}
 
 
-def test_the_page_draws_them_too(cards):
-    message = handout.message(cards)
-    assert message["type"] == "codes" and len(message["codes"]) == 4
-    assert set(message["codes"][0]) == {"label", "role", "robot", "url", "code", "rows"}
+def test_the_page_draws_them_too_and_never_gets_the_cookie(cards):
+    assert set(cards[0].message()) == {"label", "role", "robot", "url", "code", "rows"}
+
+
+@pytest.fixture
+def desktop(tmp_path):
+    """The environment of a desktop, with stand-ins for the programs that open a page."""
+    for name in PROGRAMS:
+        (tmp_path / name).write_text(BROWSER.format(folder=tmp_path))
+        (tmp_path / name).chmod(0o755)
+    yield {"PATH": f"{tmp_path}:/usr/bin:/bin", "DISPLAY": ":0", "PYTHONPATH": PYTHONPATH}
+    for session in ids(tmp_path)[1:2]:
+        os.killpg(session, signal.SIGKILL)
+
+
+def ids(folder):
+    """Return the parent, the session and the process of the browser that was opened; [] without one."""
+    file = folder / "ids"
+    return [int(word) for word in file.read_text().split()] if file.exists() else []
+
+
+def opened(folder):
+    return (folder / "opened").read_text().splitlines() if (folder / "opened").exists() else []
+
+
+@pytest.mark.parametrize("display", ["DISPLAY", "WAYLAND_DISPLAY"])
+def test_the_page_opens_once_where_there_is_a_desktop(desktop, tmp_path, display):
+    desktop.pop("DISPLAY")
+    assert open_browser(URL, {**desktop, display: "0"})
+    assert wait_until(lambda: opened(tmp_path), 10)
+    assert opened(tmp_path) == [f"{tmp_path}/xdg-open {URL}"]
+
+
+@pytest.mark.parametrize("change", [{"DISPLAY": ""}, {"SSH_CONNECTION": "10.0.0.2 5 10.0.0.1 22"}, {"PATH": "/none"}],
+                         ids=str)
+def test_without_a_desktop_or_a_browser_nothing_opens(desktop, tmp_path, change):
+    assert not open_browser(URL, {**desktop, **change})
+    assert not opened(tmp_path)
+
+
+def test_the_browser_is_silent_and_outlives_the_program_that_opened_it(desktop, tmp_path):
+    run = subprocess.run([sys.executable, "-c", OPEN], env=desktop, input="secret\n", text=True, timeout=30,
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+    assert run.stdout == "done\n"
+    assert wait_until(lambda: opened(tmp_path), 10)
+    parent, session, process = ids(tmp_path)
+    assert session != os.getsid(0) and parent not in (os.getpid(), session)
+    assert not (tmp_path / "read").exists()
+    os.kill(process, 0)

@@ -1,21 +1,26 @@
-"""The messages of the cockpit's socket: what is documented is understood, and nothing else."""
+"""The messages of the cockpit's socket: what docs/protocol.md lists is understood, and nothing else."""
 
 import json
+import re
 
 import pytest
+from test_docs import rows
 
-from jetbot_cockpit_server import protocol
-from jetbot_cockpit_server.limits import TokenBucket
-from jetbot_cockpit_server.protocol import ProtocolError, parse
+from conftest import ROOT
+from jetbot_cockpit_server.session import hub, protocol
+from jetbot_cockpit_server.session.protocol import ProtocolError, parse
+
+FROM_PAGE, FROM_COCKPIT = (ROOT / "docs/protocol.md").read_text().split("## The page sends")[1].split(
+    "## The cockpit sends")
 
 
 @pytest.mark.parametrize("fields, message", [
     ({"type": "drive", "robot": "/", "forward": 0.5, "left": -1}, protocol.Drive("/", 0.5, -1)),
     ({"type": "take", "robot": "/jetbot_01"}, protocol.Take("/jetbot_01")),
-    ({"type": "stop"}, protocol.Stop()),
-    ({"type": "stop", "robot": None}, protocol.Stop()),
-    ({"type": "stop", "robot": "/"}, protocol.Stop("/")),
-    ({"type": "release", "robot": "/"}, protocol.Release("/")),
+    ({"type": "stop"}, protocol.EngageStop()),
+    ({"type": "stop", "robot": None}, protocol.EngageStop()),
+    ({"type": "stop", "robot": "/"}, protocol.EngageStop("/")),
+    ({"type": "release", "robot": "/"}, protocol.ReleaseStop("/")),
     ({"type": "reset"}, protocol.Reset()),
     ({"type": "name", "name": "Ada Łovelace"}, protocol.Name("Ada Łovelace")),
     ({"type": "name", "name": "<b>Eve</b> + 🙂"}, protocol.Name("<b>Eve</b> + 🙂")),
@@ -54,13 +59,32 @@ def test_a_reason_fits_into_the_frame_that_closes_a_socket():
         assert len(str(error.value).encode()) <= 123
 
 
-def test_forty_messages_a_second_are_within_the_limit_and_more_are_not():
-    bucket = TokenBucket(rate=40, burst=50, now=0.0)
-    assert all(bucket.take(number / 40) for number in range(400))
-    assert not all(bucket.take(10 + number / 50) for number in range(400))
+def table(text):
+    """Return {type: fields} of a table of messages."""
+    return {row[0].strip("`"): re.findall(r"`(\w+)`", row[1])
+            for row in rows(text) if re.fullmatch(r"`(?!type`)\w+`", row[0])}
 
 
-def test_what_a_pause_of_the_network_held_back_is_within_the_limit():
-    bucket = TokenBucket(rate=40, burst=50, now=0.0)
-    assert [bucket.take(0.0) for _ in range(51)] == [True] * 50 + [False]
-    assert [bucket.take(60.0) for _ in range(51)] == [True] * 50 + [False]
+def examples(text):
+    """Return the JSON objects of a page's box."""
+    decoder, box, found = json.JSONDecoder(), re.search(r"```json\n(.*?)```", text, re.S)[1].strip(), []
+    while box:
+        example, end = decoder.raw_decode(box)
+        found.append(example)
+        box = box[end:].strip()
+    return found
+
+
+def test_the_documented_messages_of_the_page_are_those_that_are_accepted():
+    assert table(FROM_PAGE) == {kind: list(checks) for kind, (_, checks) in protocol.MESSAGES.items()}
+    assert [protocol.parse(json.dumps(example)) for example in examples(FROM_PAGE)]
+    assert [example["type"] for example in examples(FROM_PAGE)] == list(table(FROM_PAGE))
+
+
+def test_the_documented_examples_of_the_cockpit_have_the_fields_of_the_table():
+    assert {example.pop("type"): list(example) for example in examples(FROM_COCKPIT)} == table(FROM_COCKPIT)
+
+
+def test_the_documented_codes_are_those_with_which_a_socket_is_closed():
+    assert {int(row[0]) for row in rows(FROM_COCKPIT) if row[0].isdigit()} == {
+        hub.REFUSED, hub.LOG_IN, hub.FULL, hub.ENDED}

@@ -19,6 +19,7 @@ MODULES = {re.sub(r"(/__init__)?\.py$", "", file.relative_to(folder).as_posix())
 ROS = r"ros|genpy|\w+_msgs$|tf2|diagnostic_updater"
 PURE = {  # modules and packages, and what they must not import
     "jetbot": ROS,
+    "jetbot_cockpit_server.session": ROS + "|tornado|socket$|time$",
     "simulation.world": ROS,
     "simulation.diff_drive": ROS + "|time$",
     "simulation.simulated_robot": ROS + "|time$",

@@ -12,11 +12,11 @@ from std_srvs.srv import Empty, EmptyResponse
 from tf2_msgs.msg import TFMessage
 
 from harness import CONTROLLER, START_TIMEOUT, RobotTest, near, publishers
-from jetbot_cockpit_server.control import Client, Control
-from jetbot_cockpit_server.drive import Drive
-from jetbot_cockpit_server.protocol import Drive as Pad
-from jetbot_cockpit_server.protocol import Release, Reset, Stop
-from jetbot_cockpit_server.robots import Robots
+from jetbot_cockpit_server.robots.discovery import Robots
+from jetbot_cockpit_server.robots.publishers import Drivers
+from jetbot_cockpit_server.session.control import Control
+from jetbot_cockpit_server.session.protocol import Drive, EngageStop, ReleaseStop, Reset
+from jetbot_cockpit_server.session.rights import Client
 
 ADA, TEACHER = Client(1, "Ada", "pupil"), Client(2, "teacher", "teacher")
 LET_GO, NO_ANSWER = "Let go, then drive again.", "robot does not answer."
@@ -35,7 +35,7 @@ class CockpitDrive(RobotTest):
     @classmethod
     def setUpClass(cls):
         """Start one controller, and one cockpit, for all tests."""
-        cls.drive, cls.robots = Drive(), Robots()
+        cls.drivers, cls.robots = Drivers(), Robots()
         cls.host = RobotTest("setUp")
         cls.host.setUp()
         cls.addClassCleanup(cls.host.doCleanups)
@@ -49,18 +49,23 @@ class CockpitDrive(RobotTest):
     def setUp(self):
         super().setUp()
         self.bus, self.processes = self.host.bus, []
-        self.control = Control(self.robots, self.drive)
-        self.addCleanup(self.control.close)
-        checks = rospy.Timer(rospy.Duration(0.05), lambda _: self.control.check(time.monotonic()))
+        self.control, self.lock = Control(self.robots, self.drivers), threading.Lock()
+        self.addCleanup(self.drivers.close)
+        checks = rospy.Timer(rospy.Duration(0.05), self.check)
         self.addCleanup(checks.shutdown)
         self.wait_for(lambda: self.robot().get("answers") and self.robot()["status"].startswith("stopped: "),
                       START_TIMEOUT, "the cockpit to know the robot")
 
+    def check(self, _):
+        with self.lock:
+            self.control.check(time.monotonic())
+
     def do(self, client, message):
-        return self.control.handle(client, message, time.monotonic())
+        with self.lock:
+            return self.control.handle(client, message, time.monotonic())
 
     def lift(self):
-        self.do(ADA, Pad("/", 0.0, 0.0))
+        self.do(ADA, Drive("/", 0.0, 0.0))
 
     def robot(self):
         """Return the robot's state, {} if there is none."""
@@ -68,7 +73,7 @@ class CockpitDrive(RobotTest):
 
     def hold(self, forward=0.5):
         """Hold the pad down for one message of the page; return why that is refused, or ""."""
-        reply = self.do(ADA, Pad("/", forward, 0.0))
+        reply = self.do(ADA, Drive("/", forward, 0.0))
         return reply["text"] if reply else ""
 
     def push(self, forward):
@@ -94,10 +99,11 @@ class CockpitDrive(RobotTest):
         self.push(0.25)
         self.lift()
         self.push(-0.25)
-        self.control.leave(ADA.id)
+        with self.lock:
+            self.control.leave(ADA.id)
         self.wait_for_stop(within=1.0)
         self.push(0.5)
-        self.control.close()
+        self.drivers.close()
         self.wait_for_stop(within=1.0)
 
     def test_a_pad_that_falls_silent_stops_the_robot_and_must_be_released(self):
@@ -110,11 +116,11 @@ class CockpitDrive(RobotTest):
 
     def test_an_emergency_stop_that_anybody_releases(self):
         self.push(0.5)
-        self.do(ADA, Stop())
+        self.do(ADA, EngageStop())
         self.wait_for_stop(within=1.0)
         self.wait_for(lambda: self.robot()["status"].startswith("stopped: emergency stop"), 5.0, "its status")
         self.wait_for_refusal(RELEASE_FIRST)
-        self.do(ADA, Release())
+        self.do(ADA, ReleaseStop())
         self.wait_for_refusal(LET_GO)
         self.lift()
         self.push(0.5)
@@ -126,11 +132,11 @@ class CockpitDrive(RobotTest):
 
     def test_a_teacher_stops_one_robot(self):
         self.push(0.5)
-        self.do(TEACHER, Stop("/"))
+        self.do(TEACHER, EngageStop("/"))
         self.wait_for_stop(within=1.0)
         self.wait_for(lambda: self.robot()["status"].startswith("stopped: its own emergency stop"), 5.0, "its status")
         self.wait_for_refusal("robot: its own emergency stop. Release it first.")
-        self.do(TEACHER, Release("/"))
+        self.do(TEACHER, ReleaseStop("/"))
         self.wait_for_refusal(LET_GO)
         self.lift()
         self.push(0.5)

@@ -10,6 +10,7 @@ from jetbot_ros.ports import COCKPIT_PORT
 
 MAX_ROBOTS = 99
 MAX_PORT = 65535
+HOST = re.compile(r"[A-Za-z0-9.-]*|(?=.*:.*:)[0-9A-Fa-f:.]+")  # the second: an address of IPv6
 
 
 def integer_to(limit: int) -> Kind:
@@ -18,8 +19,8 @@ def integer_to(limit: int) -> Kind:
 
 
 def is_host(value: object) -> bool:
-    """Return whether this has the characters of a host's name or address; "" too."""
-    return isinstance(value, str) and bool(re.fullmatch(r"[A-Za-z0-9.:-]*", value))
+    """Return whether this has the characters of a host's name, of an IP address, or none."""
+    return isinstance(value, str) and bool(HOST.fullmatch(value))
 
 
 PARAMETERS = {

@@ -16,7 +16,7 @@ from jetbot import files
 from ..session.hub import LOG_IN, Hub, Viewer
 from .access import Access, TooManyTries
 
-WWW = files.shipped(__file__, "jetbot_cockpit_server", "www")
+WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit_server", "www")
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
 HEADERS = {"Content-Security-Policy": "default-src 'self'; frame-ancestors 'none'", "X-Frame-Options": "DENY",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cache-Control": "no-store"}
