@@ -1,17 +1,28 @@
 """simulation.launch: the robot has the controller's board and units; one node publishes odom, one sends its tf."""
 
 import math
+import os
 import pathlib
+import shutil
+import subprocess
+import unittest
 
 import rospy
 import tf2_ros
-from geometry_msgs.msg import Vector3
+from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry, Path
+from PIL import Image
 from sensor_msgs.msg import JointState
 from tf2_msgs.msg import TFMessage
 
-from harness import START_TIMEOUT, RobotTest, publishers
+from harness import START_TIMEOUT, RobotTest, publishers, read, twist
 from simulation.recording import pose_of
+
+ROBOTS = {"red": (0.5, 0.3, 0.0), "green": (0.0, 0.0, 0.1), "blue": (-0.5, -0.3, -0.5)}  # y in m; m/s, rad/s
+START_RVIZ = 60.0             # seconds, drawing without a graphics card
+VIEW = 420, 110, 1020, 700    # left, upper, right and lower edge of the 3D view, in pixels
+BACKGROUND = 235, 236, 238    # red, green, blue; as in simulation.rviz
+PIXELS = 100                  # fewer may be noise
 
 
 class SimulationLaunch(RobotTest):
@@ -21,36 +32,33 @@ class SimulationLaunch(RobotTest):
         self.launch("simulation", "simulation.launch", f"port:=fake:{self.bus}", "rviz:=false", *arguments)
         self.wait_for_controller()
 
+    def configured(self, text):
+        """Return the argument that names a configuration file with this text."""
+        config = pathlib.Path(self.folder, "robot.yaml")
+        config.write_text(text)
+        return f"config:={config}"
+
     def assert_drives(self, command, velocity):
         """Repeat the command until odom has this velocity in m/s and rad/s."""
         def driving():
             self.command(*command)
-            twist = self.odometry[-1].twist.twist if self.odometry else Odometry().twist.twist
-            return math.hypot(twist.linear.x - velocity[0], twist.angular.z - velocity[1]) < 0.02
+            return self.odometry and is_moving(self.odometry[-1], *velocity)
         self.wait_for(driving, START_TIMEOUT, f"a velocity of {velocity}")
-
-    def test_a_command_is_a_fraction_of_full_power(self):
-        self.simulate()
-        self.assert_drives((0.5, 0.1), (0.5 * 0.6, 2 * 0.1 * 0.6 / 0.1125))
-
-    def test_simulates_the_board_of_the_configuration_file(self):
-        config = pathlib.Path(self.folder, "robot.yaml")
-        config.write_text("board: waveshare_hat\ni2c_address: 0x61")
-        self.simulate(f"config:={config}")
-        self.assert_drives((0.5, 0.0), (0.3, 0.0))
 
     def assert_stops(self):
         """Command a stop, and wait until odom has it."""
         self.command(0)
         self.wait_for(lambda: self.odometry[-1].twist.twist.linear.x == 0, START_TIMEOUT, "the end of the motion")
 
+    def test_simulates_the_board_of_the_configuration_file_and_a_command_is_a_fraction_of_full_power(self):
+        self.simulate(self.configured("board: waveshare_hat\ni2c_address: 0x61"))
+        self.assert_drives((0.5, 0.1), (0.5 * 0.6, 2 * 0.1 * 0.6 / 0.1125))
+
     def test_open_loop_odometry_is_the_only_one_and_ends_where_the_robot_does(self):
-        config = pathlib.Path(self.folder, "robot.yaml")
-        config.write_text("{wheel_separation: 0.1125, max_speed: 0.6, publish_odom: true}")
         frames, transforms = tf2_ros.Buffer(), self.record("/tf", TFMessage)
         self.addCleanup(tf2_ros.TransformListener(frames).unregister)
         joints = self.record("joint_states", JointState)
-        self.simulate(f"config:={config}", "x:=1")
+        self.simulate(self.configured("{wheel_separation: 0.1125, max_speed: 0.6, publish_odom: true}"), "x:=1")
         self.assert_drives((0.4, 0.5), (0.4, 0.5))
         self.wait_for(lambda: self.command(0.4, 0.5) or self.odometry[-1].pose.pose.position.y > 0.2, START_TIMEOUT,
                       "a part of a circle")
@@ -79,6 +87,64 @@ class SimulationLaunch(RobotTest):
         self.wait_for(lambda: abs(paths[-1].poses[-1].pose.position.x - position(frames).x) < 0.2, START_TIMEOUT,
                       "the path to end where the robot is")
 
+    def test_three_robots_share_a_map_and_each_obeys_its_own_commands_in_si_units(self):
+        odometry = {name: self.record(f"/{name}/odom", Odometry) for name in ROBOTS}
+        commands = {name: rospy.Publisher(f"/{name}/cmd_vel", Twist, queue_size=1) for name in ROBOTS}
+        frames = tf2_ros.Buffer()
+        self.addCleanup(tf2_ros.TransformListener(frames).unregister)
+        self.start("roslaunch", "simulation", "three_robots.launch", "rviz:=false", "config:=si_units.yaml",
+                   env={**os.environ, "ROS_HOME": os.path.join(self.folder, "home")})
+        for name, (y, _, _) in ROBOTS.items():
+            self.wait_for(lambda name=name: frames.can_transform("map", f"{name}/left_wheel", rospy.Time()),
+                          START_TIMEOUT, f"{name} on the map")
+            where = frames.lookup_transform("map", f"{name}/base_link", rospy.Time()).transform.translation
+            self.assertEqual((where.x, where.y, where.z), (0, y, 0.03))
+        self.assertEqual(len({rospy.get_param(f"/{name}/robot_description") for name in ROBOTS}), 3, "colours")
+
+        def driving():
+            for name, (_, *velocity) in ROBOTS.items():
+                commands[name].publish(twist(*velocity))
+            return all(odometry[name] and is_moving(odometry[name][-1], *velocity)
+                       for name, (_, *velocity) in ROBOTS.items())
+
+        self.wait_for(driving, START_TIMEOUT, "each robot's own velocity")
+
+    @unittest.skipUnless(all(map(shutil.which, ("rviz", "Xvfb", "convert"))),
+                         "sudo apt install rviz xvfb imagemagick libgl1-mesa-dri")
+    def test_rviz_shows_the_robot_move(self):
+        launch = self.launch("simulation", "simulation.launch", "motion:=true", "linear:=0.3", "angular:=0.1",
+                             env={**os.environ, "DISPLAY": self.display(), "LIBGL_ALWAYS_SOFTWARE": "1"})
+        self.wait_for(lambda: len(self.pixels(is_background)) > 100000 and len(self.pixels(is_green)) > PIXELS,
+                      START_RVIZ, "the robot in RViz")
+        first = self.pixels(is_green)
+        self.wait_for(lambda: len(first ^ self.pixels(is_green)) > PIXELS, 30.0, "the robot's board to turn")
+        self.wait_for(lambda: len(self.pixels(is_orange)) > PIXELS, 5.0, "its path")
+        self.assertNotIn("[ERROR]", read(launch))
+
+    def display(self):
+        """Return the name of a new X display, which keeps its picture in a file."""
+        reading, writing = os.pipe()
+        self.start("Xvfb", "-displayfd", str(writing), "-screen", "0", "1100x800x24", "-fbdir", self.folder,
+                   pass_fds=[writing])
+        os.close(writing)
+        with os.fdopen(reading) as number:
+            return f":{number.readline().strip()}"
+
+    def pixels(self, is_wanted):
+        """Return the indices of the pixels in the 3D view whose (red, green, blue) is wanted.
+
+        They come from the display's file: a request to the display itself would make RViz wait.
+        """
+        file = pathlib.Path(self.folder, "screen.png")
+        subprocess.run(["convert", f"xwd:{self.folder}/Xvfb_screen0", str(file)], check=True)
+        return {i for i, color in enumerate(Image.open(file).convert("RGB").crop(VIEW).getdata()) if is_wanted(*color)}
+
+
+def is_moving(odometry, linear, angular):
+    """Return whether this is the odometry of a robot with this velocity in m/s and rad/s."""
+    velocity = odometry.twist.twist
+    return math.hypot(velocity.linear.x - linear, velocity.angular.z - angular) < 0.02
+
 
 def senders(transforms, child):
     """Return the names of the nodes that send this frame's transform."""
@@ -99,3 +165,15 @@ def position(frames):
     if not frames.can_transform("map", "left_wheel", rospy.Time()):
         return Vector3()
     return frames.lookup_transform("map", "left_wheel", rospy.Time()).transform.translation
+
+
+def is_background(*color):
+    return color == BACKGROUND
+
+
+def is_green(red, green, blue):  # the robot's board
+    return green > red + 30 and green > blue + 30
+
+
+def is_orange(red, green, blue):  # the path
+    return red > 180 and red > green + 60 and green > blue

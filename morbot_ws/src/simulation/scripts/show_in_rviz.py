@@ -10,9 +10,6 @@ import sys
 import tempfile
 from pathlib import Path
 
-from jetbot import files
-from jetbot.text import printable
-
 TRIES = 3  # without a graphics card it may crash at its start: Mesa draws into a window that X does not know yet
 
 
@@ -23,20 +20,16 @@ def add_namespace(config: str, name: str) -> str:
                   .replace("Target Frame: base_footprint", f"Target Frame: {json.dumps(frame)}"))
 
 
-def main(config: str = "", *ros_arguments: str) -> int:
+def main(config: str, *ros_arguments: str) -> int:
     if not shutil.which("rviz"):
         print("To see the robot here: sudo apt install rviz", flush=True)
         return 0
-    try:
-        text = files.read(config).decode()
-    except (OSError, ValueError) as error:
-        sys.exit(printable(f"{config or 'No file'} cannot be shown in RViz: {error}"))
     name = os.environ.get("ROS_NAMESPACE", "").strip("/")
-    title = f"MorBot {name.replace('/', ' ')}".strip()
+    title = f"MorBot {name.replace('/', ' ')}".strip()  # of the window: RViz takes the file's name
     with tempfile.TemporaryDirectory() as folder:
-        Path(folder, title).write_text(add_namespace(text, name))
+        Path(folder, title).write_text(add_namespace(Path(config).read_text(), name))
         for tries in range(1, TRIES + 1):
-            code = subprocess.call(["rviz", "-d", title, *ros_arguments], cwd=folder)  # the title of its window
+            code = subprocess.call(["rviz", "-d", title, *ros_arguments], cwd=folder)
             if code not in (-signal.SIGSEGV, -signal.SIGABRT):
                 break
             print(f"RViz crashed, {tries} of {TRIES} times", flush=True)

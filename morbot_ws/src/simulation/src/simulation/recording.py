@@ -2,9 +2,8 @@
 
 import contextlib
 import math
-from threading import Thread
 from time import monotonic
-from typing import Callable, Iterable, List, NamedTuple, Tuple, Union
+from typing import Iterable, List, NamedTuple, Tuple, Union
 
 import rosbag
 import rospy
@@ -16,7 +15,7 @@ from jetbot.wait import wait_until
 
 from .diff_drive import Pose
 
-ODOMETRY_TIMEOUT = 3.0  # s without odometry, then that is reported
+ODOMETRY_TIMEOUT = 3.0  # s without odometry, then there is no robot to record
 MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 
 
@@ -50,21 +49,19 @@ def check_bag(file: str) -> None:
             raise rosbag.ROSBagException(f"{file} is not a rosbag")
 
 
-def record(odom: str, cmd_vel: str, seconds: float, report_missing: Callable[[], None]) -> Recording:
-    """Return what these topics carry for some seconds, or until Ctrl-C. report_missing: called if no odometry arrives.
+def record(odom: str, cmd_vel: str, seconds: float) -> Recording:
+    """Return what these topics carry for some seconds, or until Ctrl-C, or until no odometry arrives at first.
 
-    Makes this process a node; a master must be running.
+    Makes this process a node until then; a master must be running.
     """
     messages, deadline = [], monotonic() + seconds
     with contextlib.suppress(KeyboardInterrupt):
-        rospy.init_node("draw_track", anonymous=True, disable_signals=True)  # rospy's own would ask the master
+        rospy.init_node("draw_track", anonymous=True, disable_signals=True)
         for topic, kind in (odom, Odometry), (cmd_vel, Twist):
             rospy.Subscriber(topic, kind, lambda message: messages.append((rospy.get_time(), message)))
-        if not wait_until(lambda: any(message._type == Odometry._type for _, message in messages),
-                          min(seconds, ODOMETRY_TIMEOUT)):
-            report_missing()
-        wait_until(rospy.is_shutdown, deadline - monotonic())
-    Thread(target=rospy.signal_shutdown, args=["the recording ends"], daemon=True).start()  # the master may be frozen
+        if wait_until(lambda: any(message._type == Odometry._type for _, message in messages), ODOMETRY_TIMEOUT):
+            wait_until(rospy.is_shutdown, deadline - monotonic())
+    rospy.signal_shutdown("the recording ends")
     return make_recording(list(messages))
 
 
