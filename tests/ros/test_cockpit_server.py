@@ -105,7 +105,7 @@ def test_what_a_page_sends_reaches_the_control_and_a_ping_returns(cockpit):
     page.send({"type": "ping", "sent": 12.5})
     assert page.receive("pong") == {"type": "pong", "sent": 12.5}
     client, message = cockpit.control.handled[-1]
-    assert (client.id, message) == (number, protocol.Drive("/", 1, 0))
+    assert (client.id, message) == (number, protocol.Message("drive", "/", 1, 0))
 
 
 def test_a_teacher_gets_the_codes_and_a_pupil_does_not(cockpit):

@@ -7,7 +7,7 @@ import pytest
 
 from jetbot_cockpit_server.session.control import Control
 from jetbot_cockpit_server.session.dead_man import DeadMan
-from jetbot_cockpit_server.session.protocol import Drive
+from jetbot_cockpit_server.session.protocol import Message
 from jetbot_cockpit_server.session.rights import Client
 from jetbot_cockpit_server.session.snapshot import Robot, Snapshot
 
@@ -74,14 +74,14 @@ class Cockpit:
     def push(self, client, robot="/red", forward=0.5, left=0.0, seconds=0.0):
         """Hold a pad off centre for so long; return the last reply."""
         end = self.time + seconds
-        reply = self.do(client, Drive(robot, forward, left))
+        reply = self.do(client, Message("drive", robot, forward, left))
         while self.time < end:
             self.wait(0.05)
-            reply = self.do(client, Drive(robot, forward, left))
+            reply = self.do(client, Message("drive", robot, forward, left))
         return reply
 
     def lift(self, client, robot="/red"):
-        return self.do(client, Drive(robot, 0.0, 0.0))
+        return self.do(client, Message("drive", robot))
 
     def wait(self, seconds):
         """Let this time pass; return what the last check reports."""

@@ -3,7 +3,7 @@
 import pytest
 from cockpit_control import ADA, BOB, OWN, STOPPED, TEACHER, FakeRobots
 
-from jetbot_cockpit_server.session.protocol import EngageStop, Name, ReleaseStop, Reset, Take
+from jetbot_cockpit_server.session.protocol import Message
 from jetbot_cockpit_server.session.snapshot import Robot, Snapshot, Task
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
@@ -23,7 +23,7 @@ def test_full_deflection_is_full_power_in_the_units_of_each_robot(cockpit):
 
 def test_the_driver_is_shown_with_the_name_it_gives_itself(driven):
     assert driven.driver() == {"id": 1, "name": "pupil 1"}
-    driven.do(ADA, Name(" Ada "))
+    driven.do(ADA, Message("name", name=" Ada "))
     assert driven.driver() == {"id": 1, "name": "Ada"}
     assert driven.driver("/blue") is None
 
@@ -89,7 +89,7 @@ def test_a_finger_that_returns_after_its_lease_has_ended_must_lift(driven):
 def test_a_switch_that_fired_does_not_hinder_the_next_driver(driven):
     driven.wait(0.35)
     driven.push(ADA)
-    driven.do(TEACHER, Take("/red"))
+    driven.do(TEACHER, Message("take", "/red"))
     assert driven.push(TEACHER) is None
     assert driven.drives() == (0.5, 0)
 
@@ -108,13 +108,13 @@ def test_who_drives_another_robot_stops_the_first(driven):
 
 def test_a_robot_that_there_never_was_is_not_driven(cockpit):
     assert cockpit.push(ADA, "/nobody")["text"] == "nobody has ended."
-    assert cockpit.do(TEACHER, Take("/nobody"))["text"] == "nobody has ended."
-    assert cockpit.do(TEACHER, EngageStop("/nobody"))["text"] == "nobody has ended."
+    assert cockpit.do(TEACHER, Message("take", "/nobody"))["text"] == "nobody has ended."
+    assert cockpit.do(TEACHER, Message("stop", "/nobody"))["text"] == "nobody has ended."
     assert cockpit.drivers.velocities == {}
 
 
 def test_a_teacher_takes_a_robot_and_the_finger_must_lift(driven):
-    assert driven.do(TEACHER, Take("/red")) is None
+    assert driven.do(TEACHER, Message("take", "/red")) is None
     assert (driven.drives(), driven.driver()["id"]) == (STOPPED, TEACHER.id)
     driven.control.leave(TEACHER.id)
     driven.must_lift(ADA)
@@ -122,62 +122,62 @@ def test_a_teacher_takes_a_robot_and_the_finger_must_lift(driven):
 
 def test_a_finger_that_was_up_when_the_teacher_took_drives_at_once_later(driven):
     driven.lift(ADA)
-    driven.do(TEACHER, Take("/red"))
+    driven.do(TEACHER, Message("take", "/red"))
     driven.control.leave(TEACHER.id)
     assert driven.push(ADA) is None
 
 
 def test_a_pupil_takes_and_puts_back_nothing(driven):
-    assert driven.do(BOB, Take("/red"))["type"] == "notice"
-    assert driven.do(BOB, Reset())["type"] == "notice"
+    assert driven.do(BOB, Message("take", "/red"))["type"] == "notice"
+    assert driven.do(BOB, Message("reset"))["type"] == "notice"
     assert (driven.driver()["id"], driven.robots.were_reset) == (ADA.id, [])
 
 
 def test_a_pupil_with_a_robot_drives_and_stops_that_one_only(cockpit):
     assert cockpit.push(OWN, "/red") == {
         "type": "lift", "robot": "/red", "text": "With your code, you can drive only blue."}
-    assert cockpit.do(OWN, EngageStop("/red"))["type"] == "notice"
-    assert cockpit.do(OWN, ReleaseStop("/red"))["type"] == "notice"
-    assert cockpit.do(OWN, EngageStop("/blue")) is None
+    assert cockpit.do(OWN, Message("stop", "/red"))["type"] == "notice"
+    assert cockpit.do(OWN, Message("release", "/red"))["type"] == "notice"
+    assert cockpit.do(OWN, Message("stop", "/blue")) is None
     assert [robot.stopped for robot in cockpit.robots.now.robots.values()] == [False, True]
-    assert cockpit.do(OWN, ReleaseStop("/blue")) is None
+    assert cockpit.do(OWN, Message("release", "/blue")) is None
     cockpit.lift(OWN, "/blue")
     assert cockpit.push(OWN, "/blue") is None
 
 
 @pytest.mark.parametrize("robot", [None, "/red"])
 def test_a_stop_ends_the_lease_and_the_finger_must_lift_after_its_release(driven, robot):
-    driven.do(TEACHER, EngageStop(robot))
+    driven.do(TEACHER, Message("stop", robot))
     assert (driven.drives(), driven.driver()) == (STOPPED, None)
     assert "top" in driven.push(ADA, seconds=1)["text"]
-    driven.do(TEACHER, ReleaseStop(robot))
+    driven.do(TEACHER, Message("release", robot))
     driven.must_lift(ADA)
 
 
 def test_anybody_stops_all_and_releases_that(driven):
-    assert driven.do(BOB, EngageStop()) is None
+    assert driven.do(BOB, Message("stop")) is None
     assert driven.control.state()["emergency"]
-    assert driven.do(ADA, ReleaseStop()) is None
+    assert driven.do(ADA, Message("release")) is None
     assert not driven.control.state()["emergency"]
 
 
 def test_a_stop_by_a_teacher_is_released_by_a_teacher(driven):
-    driven.do(TEACHER, EngageStop())
-    driven.do(ADA, EngageStop())
+    driven.do(TEACHER, Message("stop"))
+    driven.do(ADA, Message("stop"))
     driven.wait(1)
-    assert driven.do(ADA, ReleaseStop())["type"] == "notice"
+    assert driven.do(ADA, Message("release"))["type"] == "notice"
     assert driven.robots.now.emergency
-    assert driven.do(TEACHER, ReleaseStop()) is None
-    driven.do(ADA, EngageStop())
-    assert driven.do(ADA, ReleaseStop()) is None
+    assert driven.do(TEACHER, Message("release")) is None
+    driven.do(ADA, Message("stop"))
+    assert driven.do(ADA, Message("release")) is None
 
 
 def test_a_stop_by_a_teacher_that_ros_has_released_is_forgotten(driven):
-    driven.do(TEACHER, EngageStop())
+    driven.do(TEACHER, Message("stop"))
     driven.robots.set_emergency_stop(None, False)
     driven.wait(0.05)
-    driven.do(ADA, EngageStop())
-    assert driven.do(ADA, ReleaseStop()) is None
+    driven.do(ADA, Message("stop"))
+    assert driven.do(ADA, Message("release")) is None
 
 
 def change(fake, **fields):
@@ -201,10 +201,10 @@ def test_what_comes_back_while_a_finger_is_down_does_not_jump_off(driven, break_
 def test_a_teacher_puts_back_simulated_robots(cockpit):
     cockpit.robots.change("/blue", simulated=False)
     cockpit.wait(0.05)
-    assert cockpit.do(TEACHER, Reset()) is None
+    assert cockpit.do(TEACHER, Message("reset")) is None
     assert cockpit.robots.were_reset == ["/red"]
-    assert cockpit.do(TEACHER, Reset("/blue"))["type"] == "notice"
-    assert cockpit.do(TEACHER, Reset("/red"))["text"] == "red has not answered yet."
+    assert cockpit.do(TEACHER, Message("reset", "/blue"))["type"] == "notice"
+    assert cockpit.do(TEACHER, Message("reset", "/red"))["text"] == "red has not answered yet."
 
 
 def test_ids_of_robots_become_short_printable_labels():
@@ -225,7 +225,7 @@ def test_robots_that_come_go_and_hang_are_named_once_in_the_terminal():
 def test_a_result_is_forgotten_when_the_robot_is_put_back(cockpit):
     cockpit.robots.change("/red", pose=(1.0, 0.0, 0.0), task=DONE)
     assert [message["type"] for message in cockpit.wait(0.05)] == ["scores"]
-    cockpit.do(TEACHER, Reset("/red"))
+    cockpit.do(TEACHER, Message("reset", "/red"))
     assert cockpit.control.state()["robots"]["/red"]["task"], "it has not reached its start yet"
     cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
     assert [message["type"] for message in cockpit.wait(0.05)] == ["trail"]

@@ -198,7 +198,7 @@ def test_a_flood_ends_the_socket_but_each_stop_in_it_counts(hub, control):
         hub.receive(viewer, PING, 0.0)
     assert page.closed is None
     hub.receive(viewer, STOP, 0.0)
-    assert control.asked == [(1, protocol.EngageStop())]
+    assert control.asked == [(1, protocol.Message("stop"))]
     assert page.closed == (4000, "more than 40 messages per second") and control.left == [1]
 
 

@@ -15,7 +15,7 @@ from harness import CONTROLLER, START_TIMEOUT, RobotTest, near, publishers
 from jetbot_cockpit_server.robots.discovery import Robots
 from jetbot_cockpit_server.robots.publishers import Drivers
 from jetbot_cockpit_server.session.control import Control
-from jetbot_cockpit_server.session.protocol import Drive, EngageStop, ReleaseStop, Reset
+from jetbot_cockpit_server.session.protocol import Message
 from jetbot_cockpit_server.session.rights import Client
 
 ADA, TEACHER = Client(1, "Ada", "pupil"), Client(2, "teacher", "teacher")
@@ -65,7 +65,7 @@ class CockpitDrive(RobotTest):
             return self.control.handle(client, message, time.monotonic())
 
     def lift(self):
-        self.do(ADA, Drive("/", 0.0, 0.0))
+        self.do(ADA, Message("drive", "/", 0.0, 0.0))
 
     def robot(self):
         """Return the robot's state, {} if there is none."""
@@ -73,7 +73,7 @@ class CockpitDrive(RobotTest):
 
     def hold(self, forward=0.5):
         """Hold the pad down for one message of the page; return why that is refused, or ""."""
-        reply = self.do(ADA, Drive("/", forward, 0.0))
+        reply = self.do(ADA, Message("drive", "/", forward, 0.0))
         return reply["text"] if reply else ""
 
     def push(self, forward):
@@ -116,11 +116,11 @@ class CockpitDrive(RobotTest):
 
     def test_an_emergency_stop_that_anybody_releases(self):
         self.push(0.5)
-        self.do(ADA, EngageStop())
+        self.do(ADA, Message("stop"))
         self.wait_for_stop(within=1.0)
         self.wait_for(lambda: self.robot()["status"].startswith("stopped: emergency stop"), 5.0, "its status")
         self.wait_for_refusal(RELEASE_FIRST)
-        self.do(ADA, ReleaseStop())
+        self.do(ADA, Message("release"))
         self.wait_for_refusal(LET_GO)
         self.lift()
         self.push(0.5)
@@ -132,11 +132,11 @@ class CockpitDrive(RobotTest):
 
     def test_a_teacher_stops_one_robot(self):
         self.push(0.5)
-        self.do(TEACHER, EngageStop("/"))
+        self.do(TEACHER, Message("stop", "/"))
         self.wait_for_stop(within=1.0)
         self.wait_for(lambda: self.robot()["status"].startswith("stopped: its own emergency stop"), 5.0, "its status")
         self.wait_for_refusal("robot: its own emergency stop. Release it first.")
-        self.do(TEACHER, ReleaseStop("/"))
+        self.do(TEACHER, Message("release", "/"))
         self.wait_for_refusal(LET_GO)
         self.lift()
         self.push(0.5)
@@ -186,8 +186,8 @@ class CockpitDrive(RobotTest):
         self.addCleanup(service.shutdown)
         self.wait_for(lambda: self.control.robots()[0]["simulated"], 5.0, "the simulator")
         start = time.monotonic()
-        self.assertIsNone(self.do(TEACHER, Reset()))
+        self.assertIsNone(self.do(TEACHER, Message("reset")))
         self.push(0.5)
-        self.assertEqual(self.do(TEACHER, Reset())["text"], "robot has not answered yet.")
+        self.assertEqual(self.do(TEACHER, Message("reset"))["text"], "robot has not answered yet.")
         self.assertEqual(calls, [])
         self.assertLess(time.monotonic() - start, START_TIMEOUT / 2)

@@ -46,7 +46,7 @@ class Robots:
         if robot is None:
             self._emergency_stop.set(engaged)
         elif robot in self._robots:
-            self._robots[robot].stop.set(engaged)
+            self._robots[robot].emergency_stop.set(engaged)
 
     def reset(self, robot: str) -> bool:
         """Put a simulated robot back to its start; return False if it has not answered the last time yet."""

@@ -69,7 +69,7 @@ class RobotTopics:
         self._odom, self._moved_at = None, 0.0
         self._resetting: Optional[threading.Thread] = None
         self._map_topics = MapTopics(self._base, frames)
-        self.stop = EmergencyStop(f"{self._base}{CONTROLLER}/emergency_stop")
+        self.emergency_stop = EmergencyStop(f"{self._base}{CONTROLLER}/emergency_stop")
         self._status_subscriber = rospy.Subscriber(f"{self._base}{CONTROLLER}/status", String, self._on_status)
         self._subscribers = [
             self._status_subscriber,
@@ -78,7 +78,7 @@ class RobotTopics:
 
     def close(self) -> None:
         """End all subscriptions."""
-        self.stop.close()
+        self.emergency_stop.close()
         self._map_topics.close()
         for subscriber in self._subscribers:
             subscriber.unregister()
@@ -104,13 +104,15 @@ class RobotTopics:
         ended = self._status and not self.connected
         silent = now - self._active_at > ANSWER_TIMEOUT and (self._repeats or not self._status)
         answers = not (ended or master and silent)
+        status = self._status if answers else f"{label(self.name)} does not answer. Restart it, or resume it with fg."
+        stopped = self.emergency_stop.engaged or self.is_held_by(OWN_EMERGENCY_STOP)
         pose, speed = self._pose_and_speed(now)
         command, wheels = self._wheels if answers else (None, None)
+        shapes, task = self._map_topics.snapshot(now)
         return Robot(
-            self.name, self._color, self._geometry, self.simulated,
-            self._status if answers else f"{label(self.name)} does not answer. Restart it, or resume it with fg.",
-            self._level > 0, answers, self.stop.engaged or self.is_held_by(OWN_EMERGENCY_STOP), pose, speed, command,
-            wheels, self._program, *self._map_topics.snapshot(now))
+            self.name, color=self._color, geometry=self._geometry, simulated=self.simulated, status=status,
+            warning=self._level > 0, answers=answers, stopped=stopped, pose=pose, speed=speed, command=command,
+            wheels=wheels, program=self._program, shapes=shapes, task=task)
 
     def forget_result(self) -> None:
         """It was put back to its start: the score of its last drive is no longer shown."""

@@ -5,8 +5,9 @@ from typing import Callable, Dict, List, Optional, Set
 
 from jetbot.text import enumeration
 
-from . import dead_man, protocol
+from . import dead_man
 from .history import History
+from .protocol import Message, notice
 from .rights import TEACHER, Client, Leases, StopRights
 from .snapshot import Snapshot, label
 
@@ -28,19 +29,18 @@ class Control:
         self._names: Dict[int, str] = {}
         self._must_lift: Set[int] = set()
         self._checked_at, self._stale_until = math.inf, -math.inf
-        self._actions: Dict[type, Callable] = {
-            protocol.Drive: self._on_drive, protocol.Take: self._on_take, protocol.Reset: self._on_reset,
-            protocol.EngageStop: self._on_engage_stop, protocol.ReleaseStop: self._on_release_stop,
-            protocol.Name: self._on_name}
+        self._actions: Dict[str, Callable] = {
+            "drive": self._on_drive, "take": self._on_take, "stop": self._on_engage_stop,
+            "release": self._on_release_stop, "reset": self._on_reset, "name": self._on_name}
 
-    def handle(self, client: Client, message: protocol.Message, now: float) -> Optional[dict]:
+    def handle(self, client: Client, message: Message, now: float) -> Optional[dict]:
         """Do what a client asks for; return None, or a message of the socket that says why not."""
         self._names.setdefault(client.id, client.name)
         self._note_interruption(now)
-        refusal = self._actions[type(message)](client, message, now)
-        if refusal and isinstance(message, protocol.Drive):
+        refusal = self._actions[message.type](client, message, now)
+        if refusal and message.type == "drive":
             return {"type": "lift", "robot": message.robot, "text": refusal}
-        return protocol.notice(refusal) if refusal else None
+        return notice(refusal) if refusal else None
 
     def leave(self, client: int) -> None:
         """The client's socket is closed: its robot stops at once, and is free."""

@@ -2,7 +2,7 @@
 
 import itertools
 import json
-from typing import Callable, Dict, List, Optional, Protocol, Sequence
+from typing import Callable, Dict, List, Optional, Sequence
 
 from . import protocol
 from .control import Control
@@ -16,18 +16,6 @@ FRAME_INTERVAL = 0.05   # s between two frames
 STILL_INTERVAL = 1.0    # s between two frames while nothing changes, and between two pings
 ABSENT_AFTER = 3.0      # s without a sign of life: frames would only queue up
 GONE_AFTER = 15.0       # s without a sign of life: the socket is closed
-
-
-class Connection(Protocol):
-    """The socket of a client. ``is_backlogged``: whether something that was sent is still in this process."""
-
-    def send(self, text: str) -> None: ...
-
-    def ping(self) -> None: ...
-
-    def close(self, code: int, reason: str) -> None: ...
-
-    def is_backlogged(self) -> bool: ...
 
 
 class TokenBucket:
@@ -47,9 +35,9 @@ class TokenBucket:
 
 
 class Viewer:
-    """A client with a socket, and what its page shows."""
+    """A client with a socket (web.handlers.Socket), and what its page shows."""
 
-    def __init__(self, client: Client, connection: Connection, now: float):
+    def __init__(self, client: Client, connection, now: float):
         self.client, self.connection = client, connection
         self.bucket = TokenBucket(protocol.MAX_RATE, protocol.MAX_BURST, now)
         self.active_at = self.pinged_at = self.shown_at = now
@@ -83,7 +71,7 @@ class Hub:
         self._numbers = itertools.count(1)
         self._viewers: Dict[int, Viewer] = {}
 
-    def join(self, connection: Connection, role: str, robot: Optional[str], now: float) -> Optional[Viewer]:
+    def join(self, connection, role: str, robot: Optional[str], now: float) -> Optional[Viewer]:
         """Return the new client; None if there is no room. A teacher gets the place of the pupil who came last.
 
         robot: the only one that a pupil may drive, None: any.
@@ -112,7 +100,7 @@ class Hub:
         except protocol.ProtocolError as error:
             self.end(viewer, REFUSED, str(error))
             return
-        if within_limit or isinstance(message, protocol.EngageStop):  # a stop always counts
+        if within_limit or message.type == "stop":  # a stop always counts
             self._answer(viewer, message, now)
         if not within_limit:
             self.end(viewer, REFUSED, TOO_MANY)
@@ -160,9 +148,9 @@ class Hub:
             viewer.connection.send(dumps(reply))
 
     def _reply(self, client: Client, message: protocol.Message, now: float) -> Optional[dict]:
-        if isinstance(message, protocol.Ping):
+        if message.type == "ping":
             return {"type": "pong", "sent": message.sent}
-        if not isinstance(message, protocol.Codes):
+        if message.type != "codes":
             return self._control.handle(client, message, now)
         if client.role != TEACHER:
             return protocol.notice("Only a teacher can see the codes.")

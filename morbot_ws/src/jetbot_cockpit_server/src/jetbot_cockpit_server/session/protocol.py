@@ -2,7 +2,7 @@
 
 import json
 import unicodedata
-from typing import Any, Dict, NamedTuple, Optional, Union
+from typing import Any, Callable, Dict, NamedTuple, Optional, Union
 
 from jetbot.kinds import is_number
 
@@ -16,55 +16,19 @@ class ProtocolError(Exception):
     """A message is not of the documented form; the socket is closed with this reason."""
 
 
-class Drive(NamedTuple):
-    """Deflections in [-1, 1]: forward, and to the left. Both 0: the pad was let go."""
+class Message(NamedTuple):
+    """What a page sends. What its type does not have, or what was left out, has the default.
 
-    robot: str
-    forward: float
-    left: float
+    robot: a namespace, None: all robots; forward, left: deflections in [-1, 1], both 0: the pad was let go;
+    name: what the person wants to be called; sent: a number that is sent back at once.
+    """
 
-
-class Take(NamedTuple):
-    """A teacher takes the robot from whoever drives it."""
-
-    robot: str
-
-
-class EngageStop(NamedTuple):
-    """Engages the emergency stop of all robots, or of one."""
-
+    type: str
     robot: Optional[str] = None
-
-
-class ReleaseStop(NamedTuple):
-    """Ends that stop."""
-
-    robot: Optional[str] = None
-
-
-class Reset(NamedTuple):
-    """A teacher puts all simulated robots back to their starts, or one."""
-
-    robot: Optional[str] = None
-
-
-class Name(NamedTuple):
-    """What the person wants to be called."""
-
-    name: str
-
-
-class Ping(NamedTuple):
-    """Is answered at once, with the same number, so that the page can measure the round trip."""
-
-    sent: float
-
-
-class Codes(NamedTuple):
-    """A teacher asks for the addresses and codes to hand out."""
-
-
-Message = Union[Drive, Take, EngageStop, ReleaseStop, Reset, Name, Ping, Codes]
+    forward: float = 0.0
+    left: float = 0.0
+    name: str = ""
+    sent: float = 0.0
 
 
 def is_deflection(value: Any) -> bool:
@@ -88,16 +52,16 @@ def is_name(value: Any) -> bool:
         character.isprintable() or unicodedata.category(character) == "Cn" for character in value)
 
 
-# type: (class, {field: check}); a field whose class has a default may be left out
-MESSAGES: Dict[str, tuple] = {
-    "drive": (Drive, {"robot": is_robot, "forward": is_deflection, "left": is_deflection}),
-    "take": (Take, {"robot": is_robot}),
-    "stop": (EngageStop, {"robot": is_robot_or_all}),
-    "release": (ReleaseStop, {"robot": is_robot_or_all}),
-    "reset": (Reset, {"robot": is_robot_or_all}),
-    "name": (Name, {"name": is_name}),
-    "ping": (Ping, {"sent": is_number}),
-    "codes": (Codes, {}),
+# The fields of each type; one that may be None may be left out.
+MESSAGES: Dict[str, Dict[str, Callable[[Any], bool]]] = {
+    "drive": {"robot": is_robot, "forward": is_deflection, "left": is_deflection},
+    "take": {"robot": is_robot},            # a teacher takes the robot from whoever drives it
+    "stop": {"robot": is_robot_or_all},     # engages the emergency stop of all robots, or of one
+    "release": {"robot": is_robot_or_all},  # ends that stop
+    "reset": {"robot": is_robot_or_all},    # a teacher puts simulated robots back to their starts
+    "name": {"name": is_name},
+    "ping": {"sent": is_number},
+    "codes": {},                            # a teacher asks for the addresses and codes to hand out
 }
 
 
@@ -112,11 +76,10 @@ def parse(text: Union[str, bytes]) -> Message:
     kind = fields.pop("type", None) if isinstance(fields, dict) else None
     if kind not in list(MESSAGES):  # a list: what is not hashable may be there
         raise ProtocolError(f"a message is a JSON object with a type: {', '.join(MESSAGES)}")
-    message, checks = MESSAGES[kind]
-    missing = set(checks) - set(fields) - set(message._field_defaults)
-    if missing or not all(name in checks and checks[name](value) for name, value in fields.items()):
+    checks = MESSAGES[kind]
+    if not set(fields) <= set(checks) or not all(check(fields.get(name)) for name, check in checks.items()):
         raise ProtocolError(f"the fields of {kind} are: {', '.join(checks) or 'none'}")
-    return message(**fields)
+    return Message(kind, **fields)
 
 
 def notice(text: str) -> dict:

@@ -145,4 +145,5 @@ class Socket(Handler, WebSocketHandler):
             super().ping(data)
 
     def is_backlogged(self) -> bool:
+        """Return whether something that was sent is still in this process."""
         return self.ws_connection is None or self.ws_connection.stream.writing()
