@@ -14,7 +14,7 @@ LONGEST = [  # the longest first; as each process is given two at once, the seve
     "test_rostest[check_lesson]", "test_rostest[workshop]", "test_rostest[emergency_stop]",
     "test_rostest[calibration]", "test_rostest[standing_order]", "test_rostest[diagnostics]",
     "test_rostest[stop_at_shutdown]", "test_rostest[simulator]", "test_rostest[cockpit_launch]",
-    "test_rostest[start_errors]", "test_all_other_packages_are_built_and_work_also_in_an_open_shell",
+    "test_rostest[start_errors]", "test_all_other_packages_are_built_and_work",
     "test_rostest[simulation_launch]", "test_rostest[many_robots]"]
 IN_ONE_PROCESS = "tests/browser/"  # they share a world and its browsers
 

@@ -1,194 +1,132 @@
-"""What is built, with which packages, and what an interrupted build leaves; with a fake catkin_make."""
+"""A package that cannot be read or built is marked with the reason, and the others are built; no real catkin_make."""
 
 import os
-import shutil
-import time
 
 import pytest
-from test_packages import XML, add
 
-from build import BuildFailed, Spaces, update
-from state import STAMP
+pytest.importorskip("catkin_pkg")
+import build  # noqa: E402
 
-CATKIN_MAKE = """#!/bin/sh
-printf '%s\\n' "$@" >>{0}/calls
-for argument; do
-    case $argument in -DCATKIN_DEVEL_PREFIX=*) devel=${{argument#*=}} ;; *BLACKLIST*) left_out=$argument ;; esac
-done
-[ ! -e $devel/morbot.stamp ] || exit 9
-touch $devel/setup.sh
-mkdir -p $devel/share/mine/cmake $devel/share/workshop/cmake
-[ ! -e {0}/killed ] || exit 1
-for folder in {0}/src/lib*; do
-    name=${{folder##*/}}
-    case ";${{left_out#*=}};" in *";$name;"*) continue ;; esac
-    [ -d $folder ] || continue
-    printf -- '-- ==> add_subdirectory(%s)\nCMake Error at %s/CMakeLists.txt:1 (bad):\n' $name $name
-    exit 1
-done
-case $left_out in *mine*) exit 0 ;; esac
-grep -q Error {0}/src/mine/CMakeLists.txt || exit 0
-echo "-- ==> add_subdirectory(mine)"
-cat {0}/src/mine/CMakeLists.txt
-exit 1
+XML = """<?xml version="1.0"?>
+<package format="2">
+  <name>mine</name>
+  <version>0.0.1</version>
+  <description>Mine.</description>
+  <maintainer email="me@example.com">Me</maintainer>
+  <license>MIT</license>
+  <buildtool_depend>catkin</buildtool_depend>
+</package>
 """
-ERROR = 'CMake Error at mine/CMakeLists.txt:3 (bad):\n  Unknown CMake command "bad".\n'
+FIND_PACKAGE = """-- ==> add_subdirectory(scenarios/workshop)
+-- +++ processing catkin package: 'mine'
+-- ==> add_subdirectory(mine)
+-- Could NOT find no_such_pkg (missing: no_such_pkg_DIR)
+CMake Error at /usr/share/catkin/cmake/catkinConfig.cmake:82 (find_package):
+  Could not find a package configuration file provided by "no_such_pkg" with
+  any of the following names:
+
+Call Stack (most recent call first):
+  mine/CMakeLists.txt:10 (find_package)
+
+
+-- Configuring incomplete, errors occurred!
+"""
+COMPILER = """[ 50%] Building CXX object mine/CMakeFiles/node.dir/node.cpp.o
+/ws/src/mine/node.cpp:1:10: fatal error: nothing.h: No such file or directory
+make[2]: *** [mine/CMakeFiles/node.dir/build.make:76: mine/CMakeFiles/node.dir/node.cpp.o] Error 1
+"""
+CIRCULAR = """CMake Error at build/catkin_generated/order_packages.cmake:79 (message):
+  Circular dependency in subset of packages:
+
+  mine, other
+Call Stack (most recent call first):
+"""
+CATKIN_MAKE = """#!/bin/sh
+echo built >>{0}/builds
+[ ! -e {0}/log ] || [ -e {0}/src/mine/CATKIN_IGNORE ] || {{ cat {0}/log; exit 1; }}
+"""
 
 
 @pytest.fixture
-def spaces(tmp_path, monkeypatch):
-    """A workspace with the packages `workshop` and `mine`, built; ``calls`` holds catkin_make's arguments."""
+def source(tmp_path, monkeypatch):
+    """A source folder with the packages workshop and mine; catkin_make fails with the file ``log`` until mine is left
+    out.
+    """
+    add(tmp_path / "src/scenarios/workshop", XML.replace("mine", "workshop"))
+    add(tmp_path / "src/mine", XML)
+    (tmp_path / "build").mkdir()
     (tmp_path / "bin").mkdir()
-    for name, text in {"catkin_make": CATKIN_MAKE.format(tmp_path), "catkin_init_workspace": "#!/bin/sh\n"}.items():
-        (tmp_path / "bin" / name).write_text(text)
-        (tmp_path / "bin" / name).chmod(0o755)
+    (tmp_path / "bin/catkin_make").write_text(CATKIN_MAKE.format(tmp_path))
+    (tmp_path / "bin/catkin_make").chmod(0o755)
     monkeypatch.setenv("PATH", f"{tmp_path}/bin:{os.environ['PATH']}")
-    for name in "workshop", "mine":
-        add(tmp_path / "src" / name, XML.replace("mine", name))
-        (tmp_path / "src" / name / "CMakeLists.txt").write_text("catkin_package()\n")
-    spaces = Spaces(*(tmp_path / name for name in ("src", "build", "devel")))
-    update(spaces)
-    return spaces
+    return tmp_path / "src"
 
 
-def calls(spaces):
-    """Return the arguments of catkin_make since the last call, as one string."""
-    file = spaces.source.parent / "calls"
-    text = file.read_text() if file.exists() else ""
-    file.write_text("")
-    return text
+def add(folder, text):
+    folder.mkdir(parents=True)
+    (folder / "package.xml").write_text(text)
 
 
-def write(file, text):
-    """Write a file, and set back what tells when the last build was: the clock may be too coarse."""
-    file.write_text(text)
-    stamp = file.parents[2] / "devel" / STAMP
-    if stamp.exists():
-        os.utime(stamp, (time.time() - 10, time.time() - 10))
-    os.utime(file)
+def reasons(source):
+    """Build; return {folder: reason} of the packages that are left out."""
+    build.main(source, source.parent / "build", source.parent / "devel")
+    return {str(marker.parent.relative_to(source)): marker.read_text() for marker in source.rglob(build.MARKER)}
 
 
-def problems(spaces):
-    return (spaces.devel / "morbot.problems").read_text()
+def test_nothing_is_left_out_of_a_healthy_workspace(source):
+    assert reasons(source) == {}
 
 
-def searched(spaces):
-    return (spaces.devel / ".catkin").read_text()
+@pytest.mark.parametrize("now, then, reason", [
+    ("</license>", "", "mismatched tag: line 9"), (XML, "", "no element found"), ("Mine.", "black & white", "line 5"),
+    ("  <version>0.0.1</version>\n", "", 'exactly one "version" tag'),
+    ("</package>", "<export><build_type>ament_python</build_type></export></package>", "is for ament_python")])
+def test_a_package_that_catkin_cannot_read(source, now, then, reason):
+    (source / "mine/package.xml").write_text(XML.replace(now, then))
+    (folder, sentence), = reasons(source).items()
+    assert folder == "mine" and reason in sentence
+    assert sentence.startswith(f"morbot: {source}/mine is left out: ") and sentence.endswith("then: ./morbot setup\n")
+    assert sentence.count("\n") == 1
 
 
-def test_a_healthy_workspace_is_built_as_catkin_make_alone_does_it(spaces):
-    arguments = calls(spaces).splitlines()
-    assert arguments[:6] == ["-C", str(spaces.source.parent), "--source", str(spaces.source), "--build",
-                             str(spaces.build)]
-    assert arguments[-1] == "-DCATKIN_BLACKLIST_PACKAGES="
-    assert problems(spaces) == "" and searched(spaces) == str(spaces.source)
+@pytest.mark.parametrize("log, reason", [
+    (FIND_PACKAGE, 'mine/CMakeLists.txt:10 CMake Error at /usr/share/catkin/cmake/catkinConfig.cmake:82 '
+                   '(find_package): Could not find a package configuration file provided by "no_such_pkg"'),
+    (COMPILER, "/ws/src/mine/node.cpp:1:10: fatal error: nothing.h: No such file or directory"),
+    (CIRCULAR, "Circular dependency in subset of packages: mine, other")])
+def test_a_package_that_cannot_be_built(source, log, reason):
+    (source.parent / "log").write_text(log)
+    (folder, sentence), = reasons(source).items()
+    assert folder == "mine" and reason in sentence
+    assert (source.parent / "builds").read_text() == 2 * "built\n"
 
 
-def test_a_package_xml_that_breaks_leaves_the_last_build_in_use(spaces):
-    calls(spaces)
-    (spaces.source / "mine/package.xml").write_text("<package>")
-    update(spaces)
-    assert calls(spaces) == ""
-    assert "<package> has no end" in problems(spaces)
-    stand_in = spaces.devel / "stand_ins/mine"
-    assert searched(spaces) == f"{spaces.source / 'workshop'};{stand_in}"
-    assert (stand_in / "package.xml").read_text() == XML
-    assert (stand_in / "CMakeLists.txt").samefile(spaces.source / "mine/CMakeLists.txt")
+def test_a_corrected_package_is_built_again(source):
+    (source / "mine/package.xml").write_text("<package>")
+    assert reasons(source)
+    (source / "mine/package.xml").write_text(XML)
+    assert reasons(source) == {}
 
 
-def test_nothing_stands_in_for_a_package_that_was_deleted_or_renamed(spaces):
-    (spaces.source / "workshop/package.xml").write_text("<package>")
-    shutil.rmtree(spaces.source / "mine")
-    add(spaces.source / "other", XML)
-    (spaces.source / "other/CMakeLists.txt").touch()
-    update(spaces)
-    assert searched(spaces) == f"{spaces.source / 'other'};{spaces.devel / 'stand_ins/workshop'}"
+def test_a_marker_of_the_users_own_stays(source):
+    (source / "mine/package.xml").write_text("<package>")
+    (source / "mine/CATKIN_IGNORE").write_text("")
+    assert reasons(source) == {"mine": ""}
 
 
-def test_with_a_broken_package_xml_the_first_build_is_of_links_to_the_others(spaces):
-    shutil.rmtree(spaces.devel)
-    (spaces.source / "mine/package.xml").write_text("<package>")
-    update(spaces)
-    view = spaces.build / "view/src"
-    assert str(view) in calls(spaces).splitlines()
-    assert os.listdir(view) == ["workshop"] and os.readlink(view / "workshop") == str(spaces.source / "workshop")
-    assert searched(spaces) == str(spaces.source / "workshop")
+def test_of_two_packages_of_one_name_the_copy_is_left_out(source):
+    add(source / "a_copy", XML.replace("mine", "workshop"))
+    (folder, sentence), = reasons(source).items()
+    assert folder == "a_copy" and f"has the same <name> as {source}/scenarios/workshop" in sentence
 
 
-def test_a_corrected_package_is_built_again(spaces):
-    write(spaces.source / "mine/package.xml", "<package>")
-    update(spaces)
-    calls(spaces)
-    write(spaces.source / "mine/package.xml", XML)
-    update(spaces)
-    assert "-DCATKIN_BLACKLIST_PACKAGES=\n" in calls(spaces)
-    assert problems(spaces) == "" and searched(spaces) == str(spaces.source)
+def test_a_package_xml_that_hides_all_others_is_named(source):
+    (source / "package.xml").write_text(XML)
+    with pytest.raises(SystemExit, match="hides all packages in its folder: mv .*/src/package.xml ~"):
+        reasons(source)
 
 
-def test_a_package_that_fails_is_left_out_and_the_others_are_built(spaces):
-    calls(spaces)
-    write(spaces.source / "mine/CMakeLists.txt", ERROR)
-    update(spaces)
-    assert calls(spaces).splitlines()[-1] == "-DCATKIN_BLACKLIST_PACKAGES=mine"
-    assert problems(spaces) == (f"morbot: {spaces.source}/mine/CMakeLists.txt, line 3: there is no command bad: "
-                                "correct its name. Until then, mine is not built.\n")
-    assert searched(spaces) == str(spaces.source)
-    assert (spaces.devel / STAMP).read_text().splitlines() == [str(spaces.source), str(spaces.source / "workshop")]
-
-
-def test_a_package_of_ros_2_is_left_out(spaces):
-    write(spaces.source / "mine/package.xml",
-          XML.replace("</package>", "<export><build_type>ament_python</build_type></export></package>"))
-    update(spaces)
-    assert "package.xml is for ament_python, which ROS 1 does not build" in problems(spaces)
-
-
-def test_a_package_that_does_not_call_catkin_package(spaces):
-    add(spaces.source / "quiet", XML.replace("mine", "quiet"))
-    (spaces.source / "quiet/CMakeLists.txt").write_text("project(quiet)\n")
-    update(spaces)
-    assert "quiet/CMakeLists.txt does not call catkin_package()" in problems(spaces)
-
-
-@pytest.mark.parametrize("marker", ["repository/quiet/AMENT_IGNORE", "repository/COLCON_IGNORE"])
-def test_a_package_that_catkin_ignores_is_no_problem(spaces, marker):
-    add(spaces.source / "repository/quiet", XML.replace("mine", "quiet"))
-    (spaces.source / marker).touch()
-    update(spaces)
-    assert problems(spaces) == ""
-    calls(spaces)
-    update(spaces)
-    assert calls(spaces) == ""
-
-
-@pytest.mark.parametrize("text", ["", "# later\n"])
-def test_an_empty_file_does_not_count_as_the_package_that_was_built_before(spaces, text):
-    update(spaces)
-    write(spaces.source / "mine/CMakeLists.txt", text)
-    update(spaces)
-    assert "mine/CMakeLists.txt does not call catkin_package()" in problems(spaces)
-
-
-def test_a_repository_of_many_packages_that_fail_does_not_take_an_hour(spaces):
-    for number in range(100, 130):
-        add(spaces.source / f"lib{number}", XML.replace("mine", f"lib{number}"))
-    calls(spaces)
-    update(spaces)
-    assert calls(spaces).count("-C\n") < 20
-    assert problems(spaces).splitlines()[-1] == (
-        "morbot: All packages that were never built are left out until these are corrected.")
-    assert (spaces.devel / STAMP).read_text().splitlines()[1:] == [str(spaces.source / name)
-                                                                   for name in ("mine", "workshop")]
-
-
-def test_an_interrupted_build_leaves_no_stamp_and_is_not_continued(spaces):
-    cache = spaces.build / "CMakeCache.txt"
-    cache.write_text("of the good build")
-    (spaces.source.parent / "killed").touch()
-    write(spaces.source / "mine/setup.py", "")
-    with pytest.raises(BuildFailed):
-        update(spaces)
-    assert cache.exists() and not (spaces.devel / STAMP).exists()
-    (spaces.source.parent / "killed").unlink()
-    update(spaces)
-    assert not cache.exists() and (spaces.devel / STAMP).exists()
+def test_a_failure_of_no_package_ends_the_build(source):
+    (source.parent / "log").write_text("cp: error writing: No space left on device\n")
+    with pytest.raises(SystemExit, match="No space left on device\n\nmorbot: the build failed"):
+        reasons(source)

@@ -1,4 +1,4 @@
-"""Several users of one computer do not disturb each other: master, home and build, with a fake id."""
+"""Several users of one computer: whose home, whose build, which master; with a fake id."""
 
 import os
 import stat
@@ -12,8 +12,7 @@ SCRIPT = """set -eu
 fail() {{ echo "$*" >&2; exit 1; }}
 id() {{ [ "$1" != -u ] && echo pupil || echo {user}; }}
 here={here} workspace={here}/morbot_ws command=shell
-. "{root}/setup/environment.sh"
-. "{root}/setup/build.sh"
+. "{root}/setup/workspace.sh"
 {commands}
 """
 
@@ -33,22 +32,11 @@ def shell(tmp_path):
     return run
 
 
-def master(shell, user, **environment):
-    return shell("environment; echo ${ROS_MASTER_URI:-none}", user, **environment)
-
-
-def test_the_first_user_and_root_have_the_usual_master(shell):
-    assert master(shell, 0) == master(shell, 1000) == "none"
-
-
-def test_other_users_have_masters_of_their_own(shell):
-    uris = {master(shell, user) for user in (1001, 1002, 30001)}
-    assert len(uris) == 3 and all(12000 <= int(uri.rpartition(":")[2]) < 32000 for uri in uris)
-    assert master(shell, 1001) in uris
-
-
-def test_a_master_that_is_set_is_used(shell):
-    assert master(shell, 1001, ROS_MASTER_URI="http://robot:11311") == "http://robot:11311"
+@pytest.mark.parametrize("user", [0, 1000, 1001])
+def test_all_users_have_the_usual_master_or_the_one_that_is_set(shell, user):
+    assert shell("environment; echo ${ROS_MASTER_URI:-none}", user) == "none"
+    uri = "http://robot:11311"
+    assert shell("environment; echo $ROS_MASTER_URI", user, ROS_MASTER_URI=uri) == uri
 
 
 @pytest.mark.parametrize("uri, port", [
@@ -68,6 +56,7 @@ def test_settings_are_in_the_users_home(shell):
     assert shell("environment; echo ${ROS_HOME:-none}") == "none"
 
 
+@pytest.mark.skipif(os.getuid() == 0, reason="root may write all")
 def test_without_a_home_settings_and_logs_are_in_a_folder_of_the_user(shell, tmp_path):
     place = shell("environment; echo $ROS_HOME", os.getuid(), HOME="/nonexistent", TMPDIR=str(tmp_path))
     assert place == f"{tmp_path}/morbot-{os.getuid()}/ros"
@@ -77,13 +66,6 @@ def test_without_a_home_settings_and_logs_are_in_a_folder_of_the_user(shell, tmp
 def test_a_cache_folder_that_is_named_is_made(shell, tmp_path):
     place = shell("choose_cache; echo $cache", XDG_CACHE_HOME=str(tmp_path / "xdg"))
     assert place == f"{tmp_path}/xdg/morbot" and os.path.isdir(place)
-
-
-@pytest.mark.skipif(os.getuid() == 0, reason="root may read all")
-def test_a_build_whose_folder_cannot_be_read_is_not_used(shell, tmp_path):
-    (tmp_path / "morbot_ws/build").mkdir(parents=True)
-    (tmp_path / "morbot_ws/build").chmod(0)
-    assert "/.cache/morbot/" in shell("is_built() { true; }; choose_build; echo $build")
 
 
 @pytest.mark.parametrize("closed, built, place", [
@@ -99,11 +81,42 @@ def test_a_workspace_that_a_user_may_not_write_is_built_in_their_home(shell, tmp
     assert chosen == f"{tmp_path}/{place.format(tmp_path)}" and os.path.isdir(chosen)
 
 
-@pytest.mark.parametrize("source, kept", [("{}/morbot_ws/src", True), ("{}/morbot_ws/build/view/src", True),
-                                          ("/elsewhere/MorBot/morbot_ws/src", False)])
-def test_a_build_of_another_folder_is_removed_also_without_its_setup_sh(shell, tmp_path, source, kept):
-    devel = tmp_path / "morbot_ws/devel"
-    devel.mkdir(parents=True)
-    (devel / "morbot.stamp").write_text(f"{source.format(tmp_path)}\n")
-    assert shell("python3() { echo builds; }; choose_build; build") == "builds"
-    assert devel.exists() == kept
+BUILD = "python3() { echo builds; mkdir -p $devel; touch $devel/setup.sh; }; choose_build; build"
+
+
+@pytest.fixture
+def workspace(tmp_path):
+    (tmp_path / "morbot_ws/src/mine").mkdir(parents=True)
+    (tmp_path / "morbot_ws/src/mine/package.xml").touch()
+    return tmp_path / "morbot_ws"
+
+
+def test_only_what_has_changed_is_built_again(shell, workspace):
+    assert shell(BUILD) == "builds"
+    (workspace / "src/mine/__pycache__").mkdir()
+    (workspace / "src/mine/node.py").touch()
+    assert shell(BUILD) == ""
+    (workspace / "src/mine/CMakeLists.txt").touch()
+    assert shell(BUILD) == "builds"
+    (workspace / "src/mine").rename(workspace / "src/yours")
+    assert shell(BUILD) == "builds"
+
+
+def test_setup_tries_again_what_was_left_out(shell, workspace):
+    assert shell(BUILD) == "builds"
+    (workspace / "src/mine/CATKIN_IGNORE").write_text("morbot: the reason\n")
+    assert shell(BUILD) == "" and shell("left_out") == "morbot: the reason"
+    assert shell(f"command=setup; {BUILD}") == "builds"
+
+
+def test_a_build_of_another_folder_and_an_interrupted_one_are_removed(shell, workspace):
+    assert shell(BUILD) == "builds"
+    (workspace / "build/CMakeCache.txt").touch()
+    (workspace / "devel/morbot.stamp").write_text("/elsewhere/MorBot/morbot_ws/src/mine/package.xml 1.0\n")
+    (workspace / "devel/old").touch()
+    shell(BUILD)
+    assert not (workspace / "devel/old").exists() and not (workspace / "build/CMakeCache.txt").exists()
+    (workspace / "build/CMakeCache.txt").touch()
+    (workspace / "devel/morbot.stamp").unlink()
+    shell(BUILD)
+    assert not (workspace / "build/CMakeCache.txt").exists()

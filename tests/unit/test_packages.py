@@ -8,7 +8,6 @@ pytest.importorskip("catkin_pkg")
 
 from jetbot_tools.manifest import Problem, read_package  # noqa: E402
 from jetbot_tools.packages import find_packages  # noqa: E402
-from state import search_path  # noqa: E402
 
 XML = """<?xml version="1.0"?>
 <package format="2">
@@ -39,10 +38,9 @@ def names(source, known=()):
     return [package.name for package in find_packages(source, known)[0]]
 
 
-def test_in_a_healthy_workspace_ros_searches_its_folder(source):
+def test_a_healthy_workspace(source):
     packages, problems = find_packages(source)
     assert [package.name for package in packages] == ["mine", "workshop"] and problems == []
-    assert search_path(source, source, packages, problems) == [source]
 
 
 @pytest.mark.parametrize("now, then, problem", [
@@ -63,7 +61,6 @@ def test_a_package_xml_that_cannot_be_read(source, now, then, problem):
     packages, [sentence] = find_packages(source)
     assert sentence.startswith(f"{file}{problem}")
     assert sentence.endswith(" Until then, the package is used as it was last built, or left out.")
-    assert search_path(source, source, packages, [sentence]) == [source / "scenarios/workshop"]
 
 
 @pytest.mark.parametrize("make, problem", [
@@ -133,12 +130,6 @@ def test_a_package_xml_beside_packages_does_not_hide_them(source, folder, text):
     file.write_text(text)
     packages, [sentence] = find_packages(source)
     assert sentence == f"{file} hides the packages in its folder from ROS: mv {file} ~"
-    assert search_path(source, source, packages, [sentence]) == [source / "mine", source / "scenarios/workshop"]
-
-
-def test_the_search_path_is_never_empty(source):
-    """An open shell could not replace an empty one later."""
-    assert search_path(source, source, [], ["all are broken"]) == [source]
 
 
 def test_a_folder_with_catkin_ignore_is_not_read(source):
