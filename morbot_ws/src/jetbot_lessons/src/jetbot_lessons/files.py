@@ -78,6 +78,9 @@ def _not_searched(place: Path, name: str) -> str:
     root = workspace()
     marker = ignore_marker(place, root)
     if marker:
+        reason = read(marker).decode(errors="replace").strip()
+        if reason.startswith("morbot: "):  # written by ./morbot setup
+            return reason[len("morbot: "):]
         return f"ROS and catkin ignore {place}: rm {quote(str(marker))}, then ./morbot setup"
     if root in place.parents and not any((parent / MANIFEST).exists() for parent in place.parents):
         return (f"{place / MANIFEST} names another package: write <name>{name}</name> there, "
