@@ -51,7 +51,7 @@ def page_latencies(folder: Path) -> List[float]:
             latencies += [] if latency is None else [latency]
             missed += latency is None
             if missed > MISSED:
-                raise RuntimeError(f"the robot does not obey the page, which shows {page.everything()!r}")
+                raise RuntimeError(f"the robot does not obey the page, which shows {page.text_of('body')!r}")
     return latencies
 
 

@@ -17,7 +17,7 @@ from selenium.webdriver.common.keys import Keys
 from jetbot.wait import wait_until
 from processes import end_with_parent
 
-from .world import FOREIGN, NAME
+from .world import NAME
 
 # chromedriver's own switches, without which a hidden tab is slowed down as it is for everybody
 EXCLUDED = ["disable-background-timer-throttling", "disable-renderer-backgrounding",
@@ -27,11 +27,11 @@ KEYS = {"ArrowUp": Keys.ARROW_UP, "ArrowDown": Keys.ARROW_DOWN, "ArrowLeft": Key
         "Enter": Keys.ENTER}
 CAUSED_BY_TESTS = "/favicon.ico", "willReadFrequently"  # a picture in a tab of its own; the map's pixels that are read
 END_TIMEOUT = 20.0  # s
-HOSTS = f"MAP {NAME} 127.0.0.1, MAP {FOREIGN} 127.0.0.1"
-# Keeps the newest commands that the page sends, and when it has met the newest event; other pages of this origin can
-# read that, too.
+# Keeps the socket, and for other pages of this origin the newest commands that the page sends, and when it has met the
+# newest event.
 KEEP_SENT = """if (location.protocol === "http:") { const send = WebSocket.prototype.send, sent = [];
     WebSocket.prototype.send = function (text) {
+        window.socket = this;
         const {type, forward, left} = JSON.parse(text);
         if (type === "drive") {
             sent.push([(performance.timeOrigin + performance.now()) / 1000, forward, left]);
@@ -63,7 +63,7 @@ class Chromium:
     def __init__(self, profile: Path):
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")
-        for argument in ("headless=new", f"user-data-dir={profile}", f"host-resolver-rules={HOSTS}",
+        for argument in ("headless=new", f"user-data-dir={profile}", f"host-resolver-rules=MAP {NAME} 127.0.0.1",
                          "remote-debugging-pipe",  # the browser ends with chromedriver
                          *["no-sandbox"] * (os.geteuid() == 0)):
             options.add_argument(f"--{argument}")
@@ -80,13 +80,9 @@ class Chromium:
                        mobile=touch)
         self._devtools("Emulation.setTouchEmulationEnabled", enabled=touch, maxTouchPoints=5)
 
-    def run(self, script: str):
-        """Run JavaScript in the page, and return what it returns."""
-        return self.driver.execute_script(script)
-
-    def run_async(self, script: str, *arguments):
-        """Run JavaScript in the page; return what it hands to its last argument, a function."""
-        return self.driver.execute_async_script(script, *arguments)
+    def run(self, script: str, *arguments):
+        """Run JavaScript in the page with these arguments, and return what it returns."""
+        return self.driver.execute_script(script, *arguments)
 
     def touch_event(self, kind: str, *points: Tuple[float, float]) -> None:
         """Send touchStart, touchMove, touchEnd or touchCancel, with the fingers that touch at these (x, y) in px."""
@@ -105,6 +101,11 @@ class Chromium:
     def let_go(self, key: str) -> None:
         """Let a key go."""
         ActionChains(self.driver, duration=0).key_up(KEYS.get(key, key)).perform()
+
+    def tap(self, key: str) -> None:
+        """Press a key, and let it go."""
+        self.press(key)
+        self.let_go(key)
 
     def sent(self) -> List[Command]:
         """Return the newest commands that the page in the first tab sent; the tab in front may show another page."""

@@ -66,21 +66,9 @@ function paleTexts() {
   });
 }
 
-// Returns whether a pixel of the map has this colour, without "#".
-function showsOnMap(color) {
-  const map = document.getElementById("map");
-  const { data } = map.getContext("2d").getImageData(0, 0, map.width, map.height);
-  const [red, green, blue] = channels(`#${color}`);
-  for (let index = 0; index < data.length; index += 4) {
-    if (data[index] === red && data[index + 1] === green && data[index + 2] === blue) return true;
-  }
-  return false;
-}
-
-// Returns [how large the chosen robot is, how far its middle is from the map's], in pixels, or null.
-function robotOnMap() {
-  const map = document.getElementById("map");
-  const [red, green, blue] = channels(getComputedStyle(document.documentElement).getPropertyValue("--robot"));
+// Returns [the number of the map's pixels that have this colour, x, y of their middle].
+function pixelsOnMap(map, color) {
+  const [red, green, blue] = channels(color);
   const { data } = map.getContext("2d").getImageData(0, 0, map.width, map.height);
   let [number, x, y] = [0, 0, 0];
   for (let index = 0; index < data.length; index += 4) {
@@ -89,5 +77,18 @@ function robotOnMap() {
     x += index / 4 % map.width;
     y += Math.floor(index / 4 / map.width);
   }
-  return number ? [Math.sqrt(number), Math.hypot(x / number - map.width / 2, y / number - map.height / 2)] : null;
+  return [number, x / number, y / number];
+}
+
+// Returns whether a pixel of the map has this colour.
+function showsOnMap(color) {
+  return pixelsOnMap(document.getElementById("map"), color)[0] > 0;
+}
+
+// Returns [how large the chosen robot is, how far its middle is from the map's], in pixels, or null.
+function robotOnMap() {
+  const map = document.getElementById("map");
+  const color = getComputedStyle(document.documentElement).getPropertyValue("--robot");
+  const [number, x, y] = pixelsOnMap(map, color);
+  return number ? [Math.sqrt(number), Math.hypot(x - map.width / 2, y - map.height / 2)] : null;
 }

@@ -2,9 +2,9 @@
 
 from contextlib import suppress
 from pathlib import Path
-from typing import Callable, Dict, List, NamedTuple, Optional
+from typing import Callable, Dict, List, Optional, Tuple
 
-from selenium.common.exceptions import InvalidArgumentException, StaleElementReferenceException
+from selenium.common.exceptions import InvalidArgumentException
 from selenium.webdriver.common.by import By
 
 from jetbot.wait import wait_until
@@ -13,23 +13,15 @@ from .chromium import Chromium
 
 PHONE = (390, 844)  # px
 PAGE_TIMEOUT = 20.0  # s for what a page shows; other tests may run meanwhile
-LOOKS = Path(__file__).with_name("looks.js")
+LOOKS = Path(__file__).with_name("looks.js").read_text()
 CONTROLS = "a[href], button, input, select, [tabindex]:not([tabindex='-1'])"
 
 
-class OnMap(NamedTuple):
-    """The chosen robot on the map. size: of the square of as many pixels; offset: from the middle of the map; in px."""
-
-    size: float
-    offset: float
-
-
 class Page(Chromium):
-    """A browser with the page of a cockpit."""
+    """A browser with the page of a cockpit. A control is named by its id, other elements by a CSS selector."""
 
     def open(self, url: str, robot: str = "") -> None:
-        """Open the page again on a phone, wait until it is connected, and choose a robot."""
-        self.leave()
+        """Open the page on a phone, wait until it is connected, and choose a robot."""
         self.screen(*PHONE)
         self.driver.get(url)
         self.wait_for_link()
@@ -60,24 +52,35 @@ class Page(Chromium):
         """Return the element with this id."""
         return self.driver.find_element(By.ID, name)
 
+    def value(self, name: str) -> str:
+        """Return the value of a control."""
+        return self.run(f"return document.getElementById('{name}').value")
+
     def text(self, name: str) -> str:
         """Return the visible text of the element with this id."""
-        with suppress(StaleElementReferenceException):
-            return self.element(name).text
-        return ""
+        return self.text_of(f"#{name}")
 
-    def everything(self) -> str:
-        """Return all visible text."""
-        return self.driver.find_element(By.TAG_NAME, "body").text
+    def text_of(self, selector: str) -> str:
+        """Return the visible text of an element."""
+        return self.run("const found = document.querySelector(arguments[0]);"
+                        "return found?.checkVisibility() ? found.innerText.trim() : ''", selector)
+
+    def has(self, selector: str) -> bool:
+        """Return whether such an element exists."""
+        return self.run("return document.querySelector(arguments[0]) !== null", selector)
 
     def wait_for(self, condition: Callable[[], object], what: str, within: float = PAGE_TIMEOUT) -> None:
         """Fail unless the condition becomes true within this many seconds; what: its description."""
         assert wait_until(condition, within, 0.03), \
-            f"waited {within} s for {what}; the page shows {self.everything()!r}, its console {self.errors()}"
+            f"waited {within} s for {what}; the page shows {self.text_of('body')!r}, its console {self.errors()}"
 
     def wait_for_text(self, name: str, text: str) -> None:
         """Fail unless the element with this id soon shows this text."""
         self.wait_for(lambda: text.lower() in self.text(name).lower(), f"{text!r} in #{name}")
+
+    def receive(self, message: dict) -> None:
+        """Let the page receive a message that the cockpit has not sent."""
+        self.run("socket.onmessage({data: JSON.stringify(arguments[0])})", message)
 
     def touch(self, forward: float = 1.0, left: float = 0.0) -> None:
         """Put a finger on the middle of the pad, and move it; 1 is the edge."""
@@ -94,11 +97,15 @@ class Page(Chromium):
         with suppress(InvalidArgumentException):
             self.touch_event("touchEnd")
 
-    def on_pad(self, forward: float, left: float):
+    def on_pad(self, forward: float, left: float) -> Tuple[float, float]:
         """Return a place on the pad as (x, y) in px."""
-        box = self.run("return document.getElementById('pad').getBoundingClientRect().toJSON()")
-        radius = min(box["width"], box["height"]) / 2
-        return box["x"] + box["width"] / 2 - left * radius, box["y"] + box["height"] / 2 - forward * radius
+        (x, y), radius = self.place_of("#pad"), self.run("return document.getElementById('pad').clientWidth / 2")
+        return x - left * radius, y - forward * radius
+
+    def place_of(self, selector: str) -> Tuple[float, float]:
+        """Return the middle of an element as (x, y) in px."""
+        return tuple(self.run("const box = document.querySelector(arguments[0]).getBoundingClientRect();"
+                              "return [box.x + box.width / 2, box.y + box.height / 2]", selector))
 
     def gamepad(self, x: float, y: float) -> None:
         """Plug in a gamepad whose left stick is here: -1 is left, and forward."""
@@ -116,54 +123,29 @@ class Page(Chromium):
         self.run(f"const control = document.getElementById('{name}'); control.value = '{value}';"
                  "for (const type of ['input', 'change']) control.dispatchEvent(new Event(type, {bubbles: true}))")
 
-    def rename(self, name: str) -> None:
-        """Say what the person is called."""
-        field = self.element("name")
+    def type(self, name: str, text: str) -> None:
+        """Replace what is in a text field, and press Enter."""
+        field = self.element(name)
         field.clear()
-        field.send_keys(name + "\n")
+        field.send_keys(text + "\n")
 
-    def log_in(self, code: str) -> None:
-        """Type a code, and send it."""
-        field = self.element("code")
-        field.clear()
-        field.send_keys(code + "\n")
+    def click(self, selector: str) -> None:
+        """Click on an element."""
+        self.driver.find_element(By.CSS_SELECTOR, selector).click()
 
     def controls(self) -> List[str]:
         """Return the ids of the visible controls that a person can use now."""
         return [element.get_attribute("id") for element in self.driver.find_elements(By.CSS_SELECTOR, CONTROLS)
                 if element.is_displayed() and element.is_enabled() and element.get_attribute("id")]
 
-    def tab_through(self) -> List[str]:
-        """Return the ids of what has the focus in turn while the Tab key is pressed, until it begins again."""
-        reached = []
-        while len(reached) < 60 and reached.count("stop") < 2:
-            reached.append(self.tab())
-        return reached
-
     def tab(self) -> str:
         """Press the Tab key; return the id of what has the focus then."""
-        self.press("Tab")
-        self.let_go("Tab")
+        self.tap("Tab")
         return self.run("return document.activeElement.id")
 
     def tab_to(self, name: str) -> None:
         """Press the Tab key until the element with this id has the focus."""
         assert any(self.tab() == name for _ in range(60)), f"the Tab key does not reach #{name}"
-
-    def click(self, selector: str) -> None:
-        """Click on the element that this CSS selector finds."""
-        self.driver.find_element(By.CSS_SELECTOR, selector).click()
-
-    def text_of(self, selector: str) -> str:
-        """Return the visible text of the element that this CSS selector finds."""
-        with suppress(StaleElementReferenceException):
-            return self.driver.find_element(By.CSS_SELECTOR, selector).text
-        return ""
-
-    def place_of(self, selector: str):
-        """Return the middle of the element that this CSS selector finds, as (x, y) in px."""
-        return tuple(self.run(f"const box = document.querySelector(\"{selector}\").getBoundingClientRect();"
-                              "return [box.x + box.width / 2, box.y + box.height / 2]"))
 
     def resize(self, width: int, height: int, touch: bool = True) -> None:
         """Show the page on a screen of this size in px; touch: whether it is a touch screen."""
@@ -186,14 +168,13 @@ class Page(Chromium):
         """Return the visible texts whose contrast is below WCAG's AA: 4.5, of large texts 3."""
         return self._looks("paleTexts")
 
-    def robot_on_map(self) -> Optional["OnMap"]:
-        """Return where the chosen robot is on the map, by its colour's pixels."""
-        found = self._looks("robotOnMap")
-        return OnMap(*found) if found else None
+    def robot_on_map(self) -> Optional[Tuple[float, float]]:
+        """Return how large the chosen robot is on the map, and how far its middle is from the map's, in px."""
+        return self._looks("robotOnMap")
 
     def shows_on_map(self, color: str) -> bool:
-        """Return whether a pixel of the map has this colour: "ff0000"."""
+        """Return whether a pixel of the map has this colour: "#ff0000"."""
         return self._looks("showsOnMap", color)
 
     def _looks(self, function, *arguments):
-        return self.driver.execute_script(f"{LOOKS.read_text()}\nreturn {function}(...arguments)", *arguments)
+        return self.run(f"{LOOKS}\nreturn {function}(...arguments)", *arguments)

@@ -4,7 +4,7 @@ import signal
 import time
 
 from .conftest import ROBOT
-from .world import LONGEST_GAP
+from .world import LONGEST_GAP, moving
 
 
 def test_a_browser_that_freezes_and_continues_drives_only_after_the_finger_has_lifted(victim, world):
@@ -13,7 +13,7 @@ def test_a_browser_that_freezes_and_continues_drives_only_after_the_finger_has_l
             victim.signal(signal.SIGSTOP)
     finally:
         victim.signal(signal.SIGCONT)
-    world.stay_stopped(ROBOT, for_seconds=0.6)
+    world.stay_stopped(ROBOT)
     victim.move(0.9, 0.1)
     world.stay_stopped(ROBOT)
     victim.lift()
@@ -22,23 +22,14 @@ def test_a_browser_that_freezes_and_continues_drives_only_after_the_finger_has_l
         victim.lift()
 
 
-def test_a_page_that_hangs(victim, world):
-    with world.stops(ROBOT, what="the page's hang"):
-        victim.run("setTimeout(() => { for (const end = Date.now() + 1200; Date.now() < end;); })")
-    world.stay_stopped(ROBOT, for_seconds=1.2)
-    victim.lift()
-    world.drive(victim, ROBOT)
-    victim.lift()
-    world.wait_for_stop(ROBOT)
-
 
 def test_the_switch_does_not_fire_while_a_finger_drives(page, world):
     world.drive(page, ROBOT, wanted=lambda left, right: left > 0.4)
     start = time.time()
-    time.sleep(2.0)
+    world.stay(moving, ROBOT, for_seconds=1.0)
     commands = [command.time for command in page.sent() if command.time > start]
     if not world.paused(page, start):  # else this computer is too busy to say
-        assert len(commands) > 30, "the page sends 20 commands per second"
+        assert len(commands) > 15, "the page sends 20 commands per second"
         assert world.record.since(ROBOT, start) == [], f"gaps of {LONGEST_GAP} s at most do not stop a robot"
 
 
@@ -53,7 +44,6 @@ def test_a_cockpit_that_is_killed_and_restarted(page, world):
     world.stay_stopped(ROBOT)
     page.lift()
     world.drive(page, ROBOT)
-    page.lift()
     page.errors()  # refused connections
 
 

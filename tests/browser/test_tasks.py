@@ -3,10 +3,10 @@
 import pytest
 
 from .conftest import ROBOT
-from .test_page import DESKTOP, FINGER, MOUSE, TOUCH_SCREENS
+from .test_page import DESKTOP, TOUCH_SCREENS, check_screen
 
 PARTS = "pad", "stop", "release", "status", "task", "map", "right-formula"
-COURSE_COLOR = "c4a3ff"  # of the goal, in the dark
+COURSE_COLOR = "#c4a3ff"  # of the goal, in the dark
 COURSE = """markers:
 - {action: 3}
 - {header: {frame_id: map}, ns: course, type: 4, scale: {x: 0.01}, points: [{x: 0.0}, {x: 0.5}]}
@@ -51,33 +51,30 @@ def test_a_task_is_shown_and_gone_when_its_judge_is_killed(page, judge):
 
 
 def test_a_long_task_leaves_room_on_every_screen(page, pupil, judge, world):
-    world.drive(page, ROBOT)
+    world.drive(page, ROBOT)  # the wheels' formula takes its room
     page.lift()
-    world.wait_for_stop(ROBOT)
     judge("done", "a loss that nobody has ever shortened, " * 7)
     for each in page, pupil:
         each.wait_for_text("task", "nobody has ever shortened")
         for screen in [*TOUCH_SCREENS, DESKTOP]:
-            each.resize(*screen, touch=screen != DESKTOP)
-            each.wait_for(lambda each=each: each.fits(*PARTS),
-                          f"all on the screen of {screen}")
-            assert each.small_controls(MOUSE if screen == DESKTOP else FINGER) == [], screen
+            check_screen(each, screen, *PARTS)
 
 
 def test_a_score_stays_without_its_judge_until_the_robot_is_put_back(page, pupil, judge, world):
     judge("done", "Largest loss: too late.")
-    page.wait_for_text("task", "87.3 points, 3.4 s\nLargest loss: too late.")
-    assert page.run("return document.getElementById('task-news').textContent") == \
+    page.wait_for_text("task-result", "87.3 points, 3.4 s")
+    page.wait_for_text("task-text", "Largest loss: too late.")
+    assert page.element("task-news").get_attribute("textContent") == \
         "One <b>metre</b>: 87.3 points, 3.4 s. Largest loss: too late.", "what a screen reader says, once"
     judge.kill()
-    pupil.element("show-scores").click()
+    pupil.click("#show-scores")
     pupil.wait_for_text("scores", "87.3")
     assert pupil.fits("stop", "close-scores") and ROBOT in pupil.text("scores")
-    pupil.element("close-scores").click()
+    pupil.click("#close-scores")
     world.drive(page, ROBOT)
     page.lift()
     world.wait_for_stop(ROBOT)
     assert page.text("task")
-    page.element("reset").click()
+    page.click("#reset")
     page.wait_for(lambda: not page.text("task"), "the score to be gone")
     assert page.element("show-scores").is_displayed(), "the best stay"

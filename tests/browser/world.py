@@ -18,12 +18,11 @@ from processes import end, free_port, start
 
 from .wheels import Speeds, WheelRecord
 
-NAME = "class.test"     # a name of this computer that needs a code; the browsers of the tests resolve it to 127.0.0.1
-FOREIGN = "evil.test"   # another one, which the cockpit does not know
-OBEY_TIMEOUT = 2.0      # s until what a person does turns a wheel
-STOP_TIMEOUT = 0.7      # s; the cockpit's switch fires after 0.3 s; the rest is for a busy computer
-LONGEST_GAP = 0.2       # s between two commands of a page, above which the switch may rightly fire
-TRIES = 5               # on a busy computer
+NAME = "class.test"  # a name of this computer that needs a code; the browsers of the tests resolve it to 127.0.0.1
+OBEY_TIMEOUT = 2.0   # s until what a person does has moved a robot
+STOP_TIMEOUT = 0.7   # s; the cockpit's switch fires after 0.3 s; the rest is for a busy computer
+LONGEST_GAP = 0.2    # s between two commands of a page, above which the switch may rightly fire
+TRIES = 5            # on a busy computer
 
 Condition = Callable[[float, float], bool]  # for the speeds left, right
 
@@ -117,34 +116,26 @@ class World:
         self.hold(page, lambda: page.touch(forward, left), page.lift, robot, wanted)
 
     def hold(self, page, press: Callable, let_go: Callable, robot: str, wanted: Condition = moving) -> None:
-        """Press, and fail unless the wheels turn as wanted soon.
+        """Press, and fail unless the wheels turn as wanted soon."""
+        self._press_until(page, press, let_go, lambda: wanted(*self.wheels(robot)))
 
-        Only if the page or this process paused meanwhile, which lets the switch fire, let go, and press again.
-        """
+    def drive_until(self, condition: Callable[[], object], page) -> None:
+        """Put a finger on the pad of a page, and fail unless the condition becomes true soon."""
+        self._press_until(page, page.touch, page.lift, condition)
+
+    def _press_until(self, page, press, let_go, condition):
+        """Only if the page or this process paused meanwhile, which lets the switch fire, let go, and press again."""
         for _ in range(TRIES):
             start = time.time()
             press()
-            if wait_until(lambda: wanted(*self.wheels(robot)), OBEY_TIMEOUT):
+            if wait_until(condition, OBEY_TIMEOUT):
                 return
             if not self.paused(page, start):
                 break
             let_go()
         raise AssertionError(
-            f"{robot} turns its wheels at {self.wheels(robot)}, the page shows {page.everything()!r}, it "
-            f"sent {page.sent()[-5:]}{self._logs()}")
-
-    def drive_until(self, condition: Callable[[], object], what: str, page, robot: str) -> None:
-        """Drive ahead until the condition is true, and longer; what: its description."""
-        for _ in range(TRIES):
-            start = time.time()
-            self.drive(page, robot)
-            wait_until(lambda: condition() or self.wheels(robot) == STOPPED, START_TIMEOUT, 0.05)
-            if condition():
-                return
-            if not self.paused(page, start):
-                break
-            page.lift()
-        raise AssertionError(f"waited for {what}; the page shows {page.everything()!r}{self._logs()}")
+            f"the wheels turn at {[self.wheels(robot) for robot in self.robots]}, the page sent {page.sent()[-5:]}, "
+            f"and shows {page.text_of('body')!r}{self._logs()}")
 
     def paused(self, page, start: float) -> bool:
         """Return whether the page or this process paused since then for so long that the switch may rightly fire."""
@@ -152,7 +143,7 @@ class World:
         return self.record.paused_at > start or any(later - earlier > LONGEST_GAP
                                                     for earlier, later in zip(times, times[1:]))
 
-    def stay(self, wanted: Condition, *robots: str, for_seconds: float = 0.4) -> None:
+    def stay(self, wanted: Condition, *robots: str, for_seconds: float = 0.25) -> None:
         """Fail if the speeds (left, right) of the robots' wheels are not as wanted for this many seconds."""
         start = time.time()
         time.sleep(for_seconds)
@@ -160,13 +151,13 @@ class World:
             seen = [self.wheels(robot), *(change.speeds for change in self.record.since(robot, start))]
             assert all(wanted(*speeds) for speeds in seen), f"{robot} turned its wheels at {seen}{self._logs()}"
 
-    def stay_stopped(self, *robots: str, for_seconds: float = 0.4) -> None:
+    def stay_stopped(self, *robots: str, for_seconds: float = 0.25) -> None:
         """Fail if a wheel of a robot turns within this many seconds."""
         self.stay(lambda *wheels: wheels == STOPPED, *robots, for_seconds=for_seconds)
 
-    def emergency_stop(self, *options: str) -> None:
+    def emergency_stop(self) -> None:
         """Stop all robots as ./morbot stop does."""
-        assert self.start(program("jetbot_tools", "emergency_stop.py"), *options).wait(START_TIMEOUT) == 0
+        assert self.start(program("jetbot_tools", "emergency_stop.py")).wait(START_TIMEOUT) == 0
 
     def publish_status(self, name: str, status: str) -> subprocess.Popen:
         """Start a node that publishes a controller's status in this namespace, as a controller, and nothing else."""
