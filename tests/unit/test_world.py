@@ -31,12 +31,10 @@ def test_the_footprint_holds_the_drawn_robot():
 @pytest.mark.parametrize("world, pose, clearance", [
     (EMPTY, Pose(), math.inf),
     (WALL, Pose(), 1 - FRONT),
-    (WALL, Pose(0.0, 0.0, math.pi), 1 - BACK),
     (WALL, Pose(0.0, 0.0, math.pi / 2), 1 - SIDE),
     (WALL, Pose(0.0, 0.0, math.pi / 4), 1 - (FRONT + SIDE) / math.sqrt(2)),
     (WALL, Pose(2.0, 0.0, 0.0), 1 - BACK),
     (WALL, Pose(1.0, 2.0, 0.0), 1 - SIDE),
-    (WALL, Pose(0.9, 0.0, 0.0), 0.1 - FRONT),
     (WALL, Pose(1.0, 0.0, 0.3), 0.0),
     (POST, Pose(), math.hypot(1 - FRONT, 1 - SIDE)),
     (POST, Pose(1.02, 1.01, 0.5), 0.0)])
@@ -69,11 +67,14 @@ def test_tape_is_round_where_it_bends_and_straight_where_it_ends(point, outside)
     assert bent.reflectance(*point) == pytest.approx(max(0.0, min(1.0, 0.5 + outside / 0.01)))
 
 
-def test_tape_that_leads_back_to_its_start_has_no_end_and_a_point_twice_is_no_mistake():
+def test_tape_that_leads_back_to_its_start_has_no_end():
     around = World(lines=(((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 0.0)),), line_width=0.02)
     assert around.reflectance(-0.01, 0.0) == pytest.approx(0.5)
-    for line in (((0.0, 0.0), (0.0, 0.0)), ((0.0, 0.0), (0.0, 0.0), (1.0, 0.0))):
-        assert World(lines=(line,), line_width=0.02).reflectance(-0.01, 0.0) == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("line", [((0.0, 0.0), (0.0, 0.0)), ((0.0, 0.0), (0.0, 0.0), (1.0, 0.0))])
+def test_a_point_twice_is_no_mistake(line):
+    assert World(lines=(line,), line_width=0.02).reflectance(-0.01, 0.0) == pytest.approx(0.5)
 
 
 @pytest.mark.parametrize("pose, eyes", [
@@ -96,23 +97,17 @@ def test_yaml_is_a_world_at_its_origin():
 
 @pytest.mark.parametrize("text, reason", [
     ("", "it holds no walls: and no lines:"),
-    ("[]", "it holds no walls: and no lines:"),
-    ("walls:", "walls must be a list of polylines, each a list of points [x, y], not None"),
     ("walls: 3", "walls must be a list of polylines, each a list of points [x, y], not 3"),
     ("lines: [[[0, 0]]]", "polyline 1 of lines must be a list of two points [x, y] or more, not [[0, 0]]"),
     ("walls: [[0, 0], [1, 0]]", "point 1 in polyline 1 of walls must be [x, y] in m, within 1000, not 0"),
     ("walls: [[[0, 0], [.nan, 0]]]", "point 2 in polyline 1 of walls must be [x, y] in m, within 1000, not [nan, 0]"),
-    ("walls: [[[0, 0], [2e3, 0]]]", "point 2 in polyline 1 of walls must be [x, y] in m, within 1000, not "),
-    ("walls: [[[0, 0], [yes, 0]]]", "point 2 in polyline 1 of walls must be [x, y] in m, within 1000, not [True, 0]"),
     ("wals: []", "there is no wals: in a world. The keys are walls, lines, line_width and origin"),
-    ("1: 2", "there is no 1: in a world. The keys are walls, lines, line_width and origin"),
     ("walls: &a [[[0, 0], [1, 1]]]\nlines: *a", "write each point out, without *"),
     ("line_width: 0", "line_width must be a number of metres above 0, 1 at most, not 0"),
     ("origin: [0, 0]", "origin must be [x, y, yaw] in m and rad, within 1000, not [0, 0]"),
     ("walls: !!python/name:os.system 1", "line 1: could not determine a constructor for the tag "),
     ("walls: [", "line 1: expected the node content, but found '<stream end>'"),
     ("[" * 60000, "there are too many [ around each other"),
-    ("x: 2020-99-99", "month must be in 1..12"),
     ("\0", "special characters are not allowed"),
     (f"walls: [[{'[0, 0], ' * 1001}]]", "its walls and lines have more than 1000 points"),
     ("#" * 65537, "it is larger than 64 kB")], ids=lambda value: ascii(value)[:30])
@@ -152,19 +147,12 @@ def test_in_the_arena_the_robots_of_a_class_are_free_at_their_starts():
     assert min(arena.clearance(Pose(-x, y, 0.0)) for x in range(3) for y in (-2, -1, 0, 1, 2)) > 0.3
 
 
-def test_the_gap_to_park_in_leaves_47_mm_on_each_side_at_the_goal():
-    assert load("parking.yaml").clearance(Pose(1.1, 0.4, 0.0)) == pytest.approx(0.11 - SIDE)
-
-
 def test_the_tape_to_follow_is_straights_and_arcs_of_0_4_m():
     (tape,) = load("line.yaml").lines
-    left = [(0.4 + 0.4 * math.sin(angle), 0.4 - 0.4 * math.cos(angle)) for angle in degrees(90)]
-    right = [(1.2 - 0.4 * math.cos(angle), 0.4 + 0.4 * math.sin(angle)) for angle in degrees(90)]
-    for point, wanted in zip(tape, [(0, 0), *left, *right[1:], (1.5, 0.8)]):
-        assert point == pytest.approx(wanted, abs=1e-6)
-    assert len(tape) == 93
-
-
-def degrees(end):
-    """Return the angles from 0 to this many degrees, every 2 degrees, in rad."""
-    return [math.radians(angle) for angle in range(0, end + 1, 2)]
+    angles = [math.radians(angle) for angle in range(0, 91, 2)]
+    left = [(0.4 + 0.4 * math.sin(angle), 0.4 - 0.4 * math.cos(angle)) for angle in angles]
+    right = [(1.2 - 0.4 * math.cos(angle), 0.4 + 0.4 * math.sin(angle)) for angle in angles]
+    wanted = [(0, 0), *left, *right[1:], (1.5, 0.8)]
+    assert len(tape) == len(wanted)
+    for point, place in zip(tape, wanted):
+        assert point == pytest.approx(place, abs=1e-6)

@@ -36,6 +36,7 @@ def to_frame(pose: Pose, point: Point) -> Point:
 
 
 WHEEL_SEPARATION = 0.1125  # m; NVIDIA's model of the JetBot in Isaac Sim
+WHEEL_RADIUS = 0.03       # m; of the same model
 FULL_SPEED = 0.6           # m/s at full power, about, of a 5 V JetBot with 60 mm wheels
 
 

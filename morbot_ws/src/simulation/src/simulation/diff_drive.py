@@ -3,7 +3,7 @@
 import math
 from typing import Dict, NamedTuple, Optional, Tuple
 
-from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, Pose, mix
+from jetbot.kinematics import FULL_SPEED, WHEEL_RADIUS, WHEEL_SEPARATION, Pose, mix
 
 from .world import EMPTY, RADIUS, World
 
@@ -23,7 +23,7 @@ class Body(NamedTuple):
     """A robot's size and motors; ``simulation.parameters`` has the meaning and the source of each number."""
 
     wheel_separation: float = WHEEL_SEPARATION  # m
-    wheel_diameter: float = 0.06                # m, of the left wheel
+    wheel_diameter: float = 2 * WHEEL_RADIUS    # m, of the left wheel
     wheel_ratio: float = 1.0
     max_speed: float = FULL_SPEED               # m/s, of the left wheel
     motor_lag: float = 0.1                      # s

@@ -15,6 +15,7 @@ from .world import Polyline, World
 SHIPPED = files.shipped(__file__, "simulation", "worlds")
 MAX_POINTS = 1000  # of all walls and lines
 MAX_PLACE = 1000   # m
+MAX_DEPTH = 4      # a point is in a polyline, in a list of them, in the world
 
 
 def is_list_of(value: object, length: int) -> bool:
@@ -61,8 +62,6 @@ def parse(text: Union[str, bytes], source: str = "the world") -> World:
     try:
         values = _read(text)
         _check(values)
-    except RecursionError:
-        raise InvalidValue(f"{source} cannot be used: there are too many [ around each other") from None
     except (yaml.YAMLError, ValueError, OverflowError) as error:
         raise InvalidValue(f"{source} cannot be used: {_reason(error)}") from None
     world = World(*(_polylines(values.get(name, [])) for name in ("walls", "lines")))
@@ -79,11 +78,16 @@ def dump(world: World) -> str:
 
 
 def _read(text: Union[str, bytes]) -> Dict[object, object]:
-    """Return what YAML holds, by its keys; raise YAMLError, ValueError, OverflowError or RecursionError."""
+    """Return what YAML holds, by its keys; raise YAMLError, ValueError or OverflowError."""
     if len(text) > files.MAX_SIZE:
         raise ValueError(f"it is larger than {files.MAX_SIZE // 1024} kB")
-    if any(isinstance(token, yaml.AliasToken) for token in yaml.scan(text)):  # a few lines would be a million points
-        raise ValueError("write each point out, without *")
+    depth = 0
+    for event in yaml.parse(text):  # before anything is made of it: a few lines can be a million points
+        depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+        if isinstance(event, yaml.AliasEvent):
+            raise ValueError("write each point out, without *")
+        if depth > MAX_DEPTH:
+            raise ValueError("there are too many [ around each other")
     values = yaml.safe_load(text)
     if not isinstance(values, dict):
         raise ValueError("it holds no walls: and no lines:")

@@ -3,7 +3,7 @@
 from typing import NamedTuple, Tuple
 
 from jetbot.guard.process import HEARTBEAT_TIMEOUT
-from jetbot.kinematics import Pose, clamp
+from jetbot.kinematics import WHEEL_RADIUS, Pose, clamp
 from jetbot.motor import Motor
 
 from ..control.state import STOPPED
@@ -14,7 +14,6 @@ MAX_GAP = HEARTBEAT_TIMEOUT  # s between two reports after which the guard has s
 MAX_SPEED = 100.0            # m/s and
 MIN_SEPARATION = 0.001       # m: so that all sums stay finite, whatever the parameters are
 DRIFT = 0.1                  # see ``Deviation``: an estimate; speeds vary with the battery
-WHEEL_RADIUS = 0.03          # m; NVIDIA's model of the JetBot in Isaac Sim
 
 Pair = Tuple[float, float]  # left, right
 
