@@ -10,6 +10,7 @@ from typing import Callable, Iterator, List, NamedTuple, Sequence, Tuple
 from unittest.mock import patch
 
 from jetbot.boards import find_board
+from jetbot.connection import open_board
 from jetbot.fake import chip_file
 from jetbot.fake.bus import FakeBus, power_on
 
@@ -33,7 +34,7 @@ class Command(NamedTuple):
 def open_driver(implementation: str, folder: str) -> Callable[[float, float], object]:
     """Return the function that drives the robot on the fake bus in a folder at the speeds left, right in [-1, 1]."""
     if implementation == "driver":
-        return find_board("jetbot").open(f"fake:{folder}").drive
+        return open_board(find_board("jetbot"), f"fake:{folder}").drive
     return importlib.import_module(implementation).open_driver(folder)
 
 

@@ -24,7 +24,7 @@ PYTHONPATH = os.pathsep.join(MODULES)
 signal.signal(signal.SIGHUP, signal.SIG_DFL)  # for the programs that tests start, also below nohup, which ignores it
 sys.path[:0] = [*MODULES, str(ROOT / "setup")]
 
-from jetbot import fake, guard, i2c, open_robots, robot  # noqa: E402
+from jetbot import fake, guard, i2c, robot  # noqa: E402
 from jetbot.fake.bus import FakeBus  # noqa: E402
 
 
@@ -88,8 +88,7 @@ def make_robot(folder, monkeypatch):
         return robots[-1]
 
     yield make
-    for each in robots:
-        open_robots.close(each)
+    robot.close_all(robots)
 
 
 @pytest.fixture

@@ -3,7 +3,7 @@
 import errno
 import functools
 
-from jetbot.fake.motors import ROBOTS
+from jetbot.boards import BOARDS
 
 EVERY = (1 << 4096) - 1  # each of the 4096 counts of a period, as a bit
 NACK_AND_STOP, BROWN_OUT, CUT = "not acknowledged, then STOP", "brown-out", "cable cut, no STOP"
@@ -118,7 +118,7 @@ def wheels(registers, board):
         return tuple((0x80 - registers[drive]) / 0x80 if registers[0x70] else 0.0 for drive in (0x20, 0x21))
     if registers[0] & 0x10:
         return 0.0, 0.0
-    left, right = ROBOTS[board].left, ROBOTS[board].right
+    left, right = BOARDS[board].left, BOARDS[board].right
     return speed(left, registers[part(left)]), speed(right, registers[part(right)])
 
 

@@ -8,6 +8,7 @@ import pytest
 from conftest import registers
 from jetbot import BusError, InvalidValue
 from jetbot.boards import find_board
+from jetbot.connection import open_board, stop_board
 from jetbot.fake import chip_file
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
@@ -46,7 +47,7 @@ PAIRS = list(itertools.product(SPEEDS, SPEEDS))
 
 @pytest.mark.parametrize("name, address, speeds, outputs", CASES)
 def test_registers(folder, name, address, speeds, outputs):
-    board = find_board(name).open(f"fake:{folder}")
+    board = open_board(find_board(name), f"fake:{folder}")
     for earlier in ((0.7, -0.2), (-0.7, 0.2), (1, 1), (0, 0)):
         board.drive(*earlier)
         board.drive(*speeds)
@@ -56,7 +57,7 @@ def test_registers(folder, name, address, speeds, outputs):
 
 @pytest.mark.parametrize("name", ["jetbot", "adafruit", "waveshare", "waveshare_hat"])
 def test_never_both_directions_at_once_and_few_transfers(folder, wire, name):
-    board = find_board(name).open(f"fake:{folder}")
+    board = open_board(find_board(name), f"fake:{folder}")
     for before, after in itertools.product(PAIRS, PAIRS):
         board.drive(*before)
         wire.bits.clear()
@@ -70,7 +71,7 @@ def test_never_both_directions_at_once_and_few_transfers(folder, wire, name):
 
 
 def test_any_change_of_speed_ahead_takes_at_most_three_transfers_and_160_bits(folder, wire):
-    board = find_board("jetbot").open(f"fake:{folder}")
+    board = open_board(find_board("jetbot"), f"fake:{folder}")
     random = Random(1)
     board.drive(0.5, 0.5)
     for _ in range(300):
@@ -82,7 +83,7 @@ def test_any_change_of_speed_ahead_takes_at_most_three_transfers_and_160_bits(fo
 
 
 def test_a_repeated_command_takes_no_transfer(folder, wire):
-    board = find_board("jetbot").open(f"fake:{folder}")
+    board = open_board(find_board("jetbot"), f"fake:{folder}")
     board.drive(0.3, -0.4)
     wire.bits.clear()
     board.drive(0.3, -0.4)
@@ -93,7 +94,7 @@ def test_a_repeated_command_takes_no_transfer(folder, wire):
     ("jetbot", [2 + 9 * (3 + length) for length in (2, 1, 24, 16)]),  # MODE1 and MODE2, PRE_SCALE, two spans of outputs
     ("sparkfun", [2 + 9 * 4] * 5)])
 def test_each_verification_is_one_transfer_and_successive_ones_read_all(folder, wire, name, transfers):
-    board = find_board(name).open(f"fake:{folder}")
+    board = open_board(find_board(name), f"fake:{folder}")
     wire.bits.clear()
     for _ in transfers:
         board.verify()
@@ -104,7 +105,7 @@ def test_each_verification_is_one_transfer_and_successive_ones_read_all(folder, 
     *(("jetbot", 0x60, *change) for change in ((0x00, 0x11), (0x01, 0x14), (0xFE, 0x1E), (0x09, 0x00), (0x26, 0x55))),
     *(("sparkfun", 0x5D, *change) for change in ((0x70, 0), (0x1F, 0), (0x20, 0x80), (0x21, 0), (0x76, 50)))])
 def test_a_changed_register_is_restored(folder, name, address, register, value):
-    board = find_board(name).open(f"fake:{folder}")
+    board = open_board(find_board(name), f"fake:{folder}")
     board.drive(0.5, 0.5)
     good = registers(folder, address)
     chip_file(folder, address).write_bytes(good[:register] + bytes([value]) + good[register + 1:])
@@ -118,7 +119,7 @@ def test_a_changed_register_is_restored(folder, name, address, register, value):
 @pytest.mark.parametrize("name, step", [("jetbot", 1 / 4096), ("waveshare_hat", 1 / 4096), ("sparkfun", 1 / 128),
                                         ("jetbot_pro", 0.001)])
 def test_half_a_step_of_the_board_is_rounded_to_0(folder, name, step):
-    board = find_board(name).open(f"fake:{folder}")
+    board = open_board(find_board(name), f"fake:{folder}")
     assert board.resolution == step
     for part, sign in itertools.product((0, 0.3, 0.4, 0.6, 0.7, 1), (1, -1)):
         board.drive(part * step, sign * part * step)
@@ -128,14 +129,14 @@ def test_half_a_step_of_the_board_is_rounded_to_0(folder, name, step):
 
 @pytest.mark.parametrize("board", ["jetbot", "adafruit"])
 def test_opening_a_board_stops_what_turned(folder, board):
-    find_board("adafruit").open(f"fake:{folder}").drive(1, 1)
-    find_board(board).open(f"fake:{folder}")
+    open_board(find_board("adafruit"), f"fake:{folder}").drive(1, 1)
+    open_board(find_board(board), f"fake:{folder}")
     assert wheel_speeds(folder) == (0, 0)
 
 
 @pytest.mark.parametrize("address", [0x61, "0x61"])
 def test_a_board_at_another_address(folder, address):
-    board = find_board("adafruit", address).open(f"fake:{folder}")
+    board = open_board(find_board("adafruit", address), f"fake:{folder}")
     board.drive(0.5, -0.25)
     assert wheel_speeds(folder, "adafruit", 0x61) == (0.5, -0.25)
     assert wheel_speeds(folder) == (0, 0)
@@ -145,16 +146,16 @@ def test_another_chip_is_not_driven(folder, monkeypatch):
     monkeypatch.delenv("MORBOT", raising=False)
     power_on(folder)
     with pytest.raises(BusError) as error:
-        find_board("waveshare", 0x41).open(f"fake:{folder}")
+        open_board(find_board("waveshare", 0x41), f"fake:{folder}")
     assert str(error.value) == (
         f"The chip at 0x41 on fake:{folder} is not the motor board: it does not hold what it is sent. "
         "To find the board, run: rosrun jetbot_tools doctor.py")
 
 
 def test_the_guard_stops_a_board_without_reading_it(folder, wire, monkeypatch):
-    find_board("adafruit").open(f"fake:{folder}").drive(1, 1)
+    open_board(find_board("adafruit"), f"fake:{folder}").drive(1, 1)
     monkeypatch.setattr(wire, "read_i2c_block_data", None)
-    find_board("adafruit").stop(f"fake:{folder}")
+    stop_board(find_board("adafruit"), f"fake:{folder}")
     assert wheel_speeds(folder) == (0, 0)
 
 

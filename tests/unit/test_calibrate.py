@@ -127,7 +127,7 @@ def test_a_motion_ends_when_the_guard_is_lost_or_the_program_was_held_up(monkeyp
 def test_a_jetbot_pro_is_asked_how_the_robot_moved(monkeypatch, ahead, turned, wiring):
     answers = iter([ahead, turned])
     monkeypatch.setattr("builtins.input", lambda question: next(answers))
-    pro = wizard.WIZARDS["jetbot_pro"](board="jetbot_pro")
+    pro = wizard.wizard_for("jetbot_pro")
     monkeypatch.setattr(pro, "drive_until_key", lambda announcement, motion: None)
     assert pro.find_motors()
     assert tuple(pro.parameters[name] for name in ("swap_motors", "invert_left", "invert_right")) == wiring

@@ -1,30 +1,55 @@
-"""The recipe for a board in CONTRIBUTING.md, followed as it is written."""
+"""The recipe for a board in CONTRIBUTING.md, followed as it is written: a row, and nothing else."""
 
 import re
 
 import pytest
 
-from conftest import ROOT
-from jetbot import boards
-from jetbot.fake import motors
+from conftest import ROOT, registers
+from jetbot import Robot, boards
+from jetbot.boards import BOARDS
+from jetbot.connection import stop_board
 from jetbot.fake.bus import power_on
+from jetbot.fake.motors import wheel_speeds
+from jetbot_control_node import parameters as controller
+from jetbot_tools.calibration.wizard import wizard_for
+from jetbot_tools.doctor.checkup import check_bus, verdict
+from simulation import parameters as simulation
 
 RECIPE = (ROOT / "CONTRIBUTING.md").read_text().split("## A board")[1].split("\n## ")[0]
+HALF, HIGH, OFF = "00000008", "00100000", "00000010"
 
 
 @pytest.fixture
-def myboard(monkeypatch):
-    """The name of the board that the recipe adds."""
-    rows = re.findall(r"```python\n(.*?)```", RECIPE, re.S)
-    for table, module, row in zip((boards.BOARDS, motors.ROBOTS), (boards, motors), rows):
-        for name, board in eval(f"{{{row}}}", dict(vars(module))).items():
-            monkeypatch.setitem(table, name, board)
-    return "myboard"
-
-
-def test_a_board_is_two_rows(myboard, folder):
+def place(monkeypatch, folder):
+    """A fake bus, on which the board of the recipe is plugged in."""
+    row, = re.findall(r"```python\n(.*?)```", RECIPE, re.S)
+    for name, board in eval(f"{{{row}}}", dict(vars(boards))).items():
+        monkeypatch.setitem(BOARDS, name, board)
     power_on(folder)
-    driver = boards.BOARDS[myboard].open(f"fake:{folder}")
-    for speeds in ((0.5, -0.25), (-1, 1), (0, 0)):
-        driver.drive(*speeds)
-        assert motors.wheel_speeds(folder, myboard) == speeds
+    return f"fake:{folder}"
+
+
+def test_the_new_board_drives_and_its_motors_are_simulated(place, folder):
+    with Robot("myboard", place, guard=False) as robot:
+        for speeds in ((-1, 1), (0, 0), (0.5, -0.25)):
+            robot.set_motors(*speeds)
+            assert wheel_speeds(folder, "myboard") == speeds
+        outputs = [registers(folder, 0x61)[6 + 4 * output:][:4].hex() for output in range(4, 10)]
+        assert outputs == [HIGH, OFF, HALF, OFF, HIGH, "00000004"]
+        stop_board(BOARDS["myboard"], place)  # as the guard does
+        assert wheel_speeds(folder, "myboard") == (0, 0)
+
+
+def test_the_doctor_finds_the_new_board(place, folder):
+    for file in folder.glob("0x*"):
+        if file.name != "0x61":
+            file.unlink()
+    for board in "", "myboard":
+        assert "board:=myboard" in verdict(check_bus(place, board=board)).command
+    assert not any(check.command for check in check_bus(place, board="sparkfun"))
+
+
+def test_the_new_board_is_calibrated_and_has_parameters(place):
+    assert wizard_for("myboard", i2c_bus=place).parameters["pwm_frequency"] == 50
+    assert controller.checked({"board": "myboard"})["board"] == "myboard"
+    assert simulation.resolve({"board": "myboard", "i2c_bus": place})["board"] == "myboard"

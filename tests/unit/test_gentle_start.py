@@ -3,8 +3,10 @@
 import pytest
 
 from conftest import registers
+from jetbot.boards import BOARDS
 from jetbot.fake.bus import power_on
-from jetbot.fake.motors import ROBOTS, STOPPED
+from jetbot.fake.chips import chip_class
+from jetbot.fake.motors import STOPPED
 from jetbot_control_node.control.ramp import MAX_STEP, Ramp
 from jetbot_control_node.control.state import Sender
 from jetbot_control_node.control.supervisor import Supervisor
@@ -19,8 +21,8 @@ class Drive:
     """A supervisor with a limit of 1 m/s^2 and a robot on the fake bus, whose wheels are recorded."""
 
     def __init__(self, robot, folder, board, wire):
-        self.robot, self.chip, self.folder, self.wire, self.now = robot, ROBOTS[board], folder, wire, 0.0
-        self.file, self.stopped = f"0x{self.chip.address:02x}", self.registers()
+        self.robot, self.board, self.folder, self.wire, self.now = robot, BOARDS[board], folder, wire, 0.0
+        self.file, self.stopped = f"0x{self.board.address:02x}", self.registers()
         self.supervisor = Supervisor(robot, lambda x, z: robot.set_motors(x - z, x + z), 1.0, Ramp(1.0))
         self.supervisor.step(0.0, woken=False)
 
@@ -46,7 +48,7 @@ class Drive:
         self.run(1.0)
 
     def registers(self):
-        return registers(self.folder, self.chip.address)
+        return registers(self.folder, self.board.address)
 
     def note(self):
         """Record the wheels at a moment without a transfer."""
@@ -54,7 +56,8 @@ class Drive:
 
     def speeds(self):
         """Return the speeds (left, right) of the wheels after each transfer."""
-        return [tuple(self.chip.chip.speed(state, wheel, 0.0) for wheel in (self.chip.left, self.chip.right))
+        speed = chip_class(self.board.chip).speed
+        return [tuple(speed(state, wheel, 0.0) for wheel in (self.board.left, self.board.right))
                 for state in self.wire.states]
 
     def assert_gentle(self, first=STOPPED):

@@ -9,6 +9,7 @@ import pytest
 
 from jetbot import BusError, InvalidValue, i2c
 from jetbot.boards import find_board
+from jetbot.connection import open_board
 from jetbot.errors import BusStuck, BusTooSlow, FatalError, NoAnswer, NotFound, PermissionDenied
 from jetbot.fake.bus import FakeBus
 from jetbot.fake.motors import wheel_speeds
@@ -134,7 +135,7 @@ def slow(monkeypatch):
 
 
 def test_the_second_slow_transfer_in_a_row_ends_the_program_once(folder, slow):
-    board = find_board("adafruit").open(f"fake:{folder}")
+    board = open_board(find_board("adafruit"), f"fake:{folder}")
     board.drive(1, 1)
     slow += [0.2] * 100
     board.verify()
@@ -146,7 +147,7 @@ def test_the_second_slow_transfer_in_a_row_ends_the_program_once(folder, slow):
 
 
 def test_one_slow_transfer_now_and_then_is_accepted(folder, slow):
-    board = find_board("adafruit").open(f"fake:{folder}")
+    board = open_board(find_board("adafruit"), f"fake:{folder}")
     slow += [0.2, 0.01] * 10
     for _ in range(20):
         board.verify()
@@ -154,4 +155,4 @@ def test_one_slow_transfer_now_and_then_is_accepted(folder, slow):
 
 def test_a_slow_bus_is_set_up_all_the_same(folder, slow):
     slow += [0.2] * 100
-    find_board("sparkfun").open(f"fake:{folder}").close()
+    open_board(find_board("sparkfun"), f"fake:{folder}").close()

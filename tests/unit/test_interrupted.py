@@ -10,7 +10,7 @@ from interrupted import BROWN_OUT, CUT, NACK_AND_STOP, InterruptedPCA9685, Inter
 
 from jetbot import BusError, i2c
 from jetbot.boards import find_board, pca9685
-from jetbot.i2c import I2CDevice
+from jetbot.connection import connect, open_board
 
 BUS = "/dev/i2c-1"
 ROBOTS = {"jetbot": ("adafruit", "waveshare"), "adafruit": ("adafruit",), "waveshare": ("waveshare",),
@@ -92,7 +92,7 @@ def drive(chip, driver, speeds):
 @pytest.mark.parametrize("board", ROBOTS)
 def test_random_changes(chip, board):
     random, before = Random(1), (0, 0)
-    driver = find_board(board).open(BUS)
+    driver = open_board(find_board(board), BUS)
     for _ in range(CHANGES):
         after = tuple(random.choice((random.uniform(-1, 1), max(-1.0, speed - random.random() / 10), *TABLE))
                       for speed in before)
@@ -105,7 +105,7 @@ def test_random_changes(chip, board):
 @pytest.mark.parametrize("board", ROBOTS)
 def test_every_byte_of_every_change_of_a_table(chip, board):
     random, pairs = Random(1), [*itertools.product(TABLE, repeat=2)]
-    driver = find_board(board).open(BUS)
+    driver = open_board(find_board(board), BUS)
     for left, right in zip(pairs, random.sample(pairs, len(pairs))):
         before, after = zip(left, right)
         driver.drive(*before)
@@ -125,10 +125,10 @@ def test_every_byte_of_the_set_up_and_the_first_command(chip, board, fault, freq
     before, after = (0.5, -0.5), (STEP, STEP)
 
     def new_driver():
-        return find_board(board).driver(I2CDevice(BUS, find_board(board).address), frequency)
+        return connect(find_board(board), BUS, frequency)
 
     for byte in range(length(chip, new_driver().drive, *after)):
-        drive(chip, find_board(board).open(BUS), before)
+        drive(chip, open_board(find_board(board), BUS), before)
         chip.seen.clear()
         chip.interrupt(byte, *fault)
         drive(chip, new_driver(), after)
@@ -138,10 +138,10 @@ def test_every_byte_of_the_set_up_and_the_first_command(chip, board, fault, freq
 @pytest.mark.parametrize("board", ROBOTS)
 @pytest.mark.parametrize("fault", [NACK_AND_STOP, BROWN_OUT, CUT])
 def test_every_byte_while_the_board_is_opened(chip, board, fault):
-    for byte in range(length(chip, find_board(board).open, BUS)):
+    for byte in range(length(chip, open_board, find_board(board), BUS)):
         chip.registers[:] = chip.POWER_ON
         chip.interrupt(byte, fault)
-        driver = find_board(board).open(BUS)
+        driver = open_board(find_board(board), BUS)
         driver.drive(0.5, -0.5)
         assert {speeds(bytes(chip.registers), board)} == {(0.5, -0.5) * len(ROBOTS[board])}
 
@@ -149,7 +149,7 @@ def test_every_byte_while_the_board_is_opened(chip, board, fault):
 @pytest.mark.parametrize("board", ROBOTS)
 def test_after_a_failed_change_the_next_command_first_stops_the_wheels(chip, board):
     before, after, next_one = (1, 0.5), (0.5, -1), (-1, -0.5)
-    driver = find_board(board).open(BUS)
+    driver = open_board(find_board(board), BUS)
     driver.drive(*before)
     for byte in range(length(chip, driver.drive, *after)):
         drive(chip, driver, before)

@@ -14,8 +14,9 @@ from conftest import TELEMETRY
 from jetbot import BusError, InvalidValue
 from jetbot.boards import find_board
 from jetbot.boards.jetbot_pro import FrameReader, frame, velocity
+from jetbot.connection import open_board
 from jetbot.errors import FatalError
-from jetbot.fake.jetbot_pro import JetBotPro, decode
+from jetbot.fake.chips import JetBotPro, decode
 from jetbot.serial_link import SerialLink
 from jetbot.wait import wait_until
 
@@ -63,7 +64,7 @@ def read(end, count):
 
 def test_driving_sends_changes_and_keep_alive_repeats(port):
     end, name = port
-    board = find_board("jetbot_pro").open(name)
+    board = open_board(find_board("jetbot_pro"), name)
     settings = frame(0x12, 350, 120, 0) + frame(0x13, 1000, 1000)
     assert read(end, 31) == settings + velocity(0, 0)
     board.drive(0.4, 0.6)
@@ -77,7 +78,7 @@ def test_a_frame_that_is_cut_at_any_byte_drives_at_no_speed_that_was_not_command
     """The board may take the next frames for the rest of that one, if the sum fits. What is lost counts as zero."""
     random, sent = Random(1), []
     monkeypatch.setattr(SerialLink, "write", lambda link, data: sent.append(data))
-    driver = find_board("jetbot_pro").open("/dev/ttyACM0")
+    driver = open_board(find_board("jetbot_pro"), "/dev/ttyACM0")
     for _ in range(CHANGES):
         wheels = random.uniform(-2, 2), random.uniform(-2, 2)
         with monkeypatch.context() as patch, pytest.raises(BusError):
@@ -96,7 +97,7 @@ def test_a_frame_that_is_cut_at_any_byte_drives_at_no_speed_that_was_not_command
 
 def test_telemetry_in_units(port):
     end, name = port
-    board = find_board("jetbot_pro").open(name)
+    board = open_board(find_board("jetbot_pro"), name)
     telemetry = []
     board.listen(telemetry.append)
     os.write(end, b"noise" + frame(0x01) + TELEMETRY)  # whole, but too short for telemetry
@@ -110,7 +111,7 @@ def test_telemetry_in_units(port):
 def test_a_file_is_no_port(tmp_path):
     (tmp_path / "port").touch()
     with pytest.raises(BusError, match="is not a serial port. Give a serial device such as /dev/ttyACM0.$"):
-        find_board("jetbot_pro").open(str(tmp_path / "port"))
+        open_board(find_board("jetbot_pro"), str(tmp_path / "port"))
 
 
 @pytest.mark.parametrize("url", [
@@ -134,7 +135,7 @@ def test_without_a_file_descriptor_left_the_program_ends(monkeypatch):
 
 
 def test_closing_while_it_listens_leaves_the_port_closed(port):
-    driver = find_board("jetbot_pro").open(port[1])
+    driver = open_board(find_board("jetbot_pro"), port[1])
     driver.listen(lambda telemetry: None)
     assert is_open(port[1])
     driver.close()
@@ -143,7 +144,7 @@ def test_closing_while_it_listens_leaves_the_port_closed(port):
 
 def test_who_listens_may_close(port):
     end, name = port
-    driver = find_board("jetbot_pro").open(name)
+    driver = open_board(find_board("jetbot_pro"), name)
     driver.listen(lambda telemetry: driver.close())
     os.write(end, TELEMETRY)
     assert wait_until(lambda: not is_open(name), TIMEOUT)

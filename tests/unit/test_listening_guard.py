@@ -10,10 +10,11 @@ import pytest
 from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_until_killed, keep_alive, kill, stopped
 
 from conftest import PYTHONPATH
-from jetbot import Robot, guard, open_robots
+from jetbot import Robot, guard
 from jetbot.errors import GuardError
 from jetbot.fake.motors import wheel_speeds
 from jetbot.guard.__main__ import is_in_use
+from jetbot.robot import open_robots
 from jetbot.wait import wait_until
 
 pytestmark = pytest.mark.usefixtures("guards_restart_at_once")

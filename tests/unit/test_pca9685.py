@@ -10,7 +10,7 @@ from jetbot.i2c import I2CDevice
 
 @pytest.fixture
 def chip(folder, wire):
-    chip = PCA9685(I2CDevice(f"fake:{folder}", 0x60), [range(8, 14), range(0, 4)], 1526)
+    chip = PCA9685(I2CDevice(f"fake:{folder}", 0x60), 1526, [range(8, 14), range(0, 4)])
     chip.start()
     wire.bits.clear()
     wire.states.clear()
@@ -29,7 +29,7 @@ def test_is_awake_at_1526_hz_after_start(chip, folder):
 def test_a_chip_in_any_state_is_set_up(folder):
     power_on(folder)
     (folder / "0x60").write_bytes(bytes([0xA0, 0x14]) + bytes([0, 0x10, 0, 0]) * 63 + bytes(2))
-    PCA9685(I2CDevice(f"fake:{folder}", 0x60), [range(4)], 1526).start()
+    PCA9685(I2CDevice(f"fake:{folder}", 0x60), 1526, [range(4)]).start()
     state = registers(folder)
     assert (state[0x00], state[0x01], state[0xFE]) == (0x20, 0x04, 3)
     assert state[0x06:0x46] == bytes([0, 0, 0, 0x10]) * 4 + bytes([0, 0x10, 0, 0]) * 12
@@ -37,9 +37,9 @@ def test_a_chip_in_any_state_is_set_up(folder):
 
 def test_outputs_are_off_before_the_chip_sleeps_and_wakes(folder, wire):
     spans = [range(8), range(8, 16)]
-    PCA9685(I2CDevice(f"fake:{folder}", 0x60), spans, 1526).set_outputs(dict.fromkeys(range(16), 4096))
+    PCA9685(I2CDevice(f"fake:{folder}", 0x60), 1526, spans).set_outputs(dict.fromkeys(range(16), 4096))
     wire.states.clear()
-    PCA9685(I2CDevice(f"fake:{folder}", 0x60), spans, 50).start()
+    PCA9685(I2CDevice(f"fake:{folder}", 0x60), 50, spans).start()
     off = [state[0x09:0x46:4] == bytes([0x10] * 16) for state in wire.states]
     assert not any(state[0x00] & 0x10 for state in wire.states[:off.index(True)])
     assert all(off[off.index(True):])

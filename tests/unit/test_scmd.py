@@ -9,6 +9,7 @@ import pytest
 from conftest import registers
 from jetbot import BusError
 from jetbot.boards import find_board
+from jetbot.connection import open_board
 from jetbot.errors import NotReady
 from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.chips import SCMD
@@ -18,7 +19,7 @@ from jetbot.i2c import I2CDevice
 
 @pytest.fixture
 def board(folder):
-    return find_board("sparkfun").open(f"fake:{folder}")
+    return open_board(find_board("sparkfun"), f"fake:{folder}")
 
 
 @pytest.mark.parametrize("left, right, drive", [
@@ -30,7 +31,7 @@ def test_drive_bytes(board, folder, left, right, drive):
 
 
 def test_both_wheels_in_one_transfer_and_none_for_a_repeated_command(folder, wire):
-    board = find_board("sparkfun").open(f"fake:{folder}")
+    board = open_board(find_board("sparkfun"), f"fake:{folder}")
     wire.bits.clear()
     board.drive(0.5, 0.25)
     board.drive(0.5, 0.25)
@@ -40,7 +41,7 @@ def test_both_wheels_in_one_transfer_and_none_for_a_repeated_command(folder, wir
 def test_wheel_by_wheel_where_the_chip_takes_no_blocks(folder, monkeypatch):
     write = SCMD.write
     monkeypatch.setattr(SCMD, "write", lambda registers, register, data: write(registers, register, data[:1]))
-    find_board("sparkfun").open(f"fake:{folder}").drive(0.5, -0.25)
+    open_board(find_board("sparkfun"), f"fake:{folder}").drive(0.5, -0.25)
     assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
 
 
@@ -51,7 +52,7 @@ def test_a_chip_that_refuses_blocks(folder, monkeypatch):
     write_block = FakeBus.write_i2c_block_data
     monkeypatch.setattr(FakeBus, "write_byte_data", lambda bus, *args: write_block(bus, *args[:2], [args[2]]))
     monkeypatch.setattr(FakeBus, "write_i2c_block_data", write)
-    find_board("sparkfun").open(f"fake:{folder}").drive(0.5, -0.25)
+    open_board(find_board("sparkfun"), f"fake:{folder}").drive(0.5, -0.25)
     assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
 
 
@@ -76,14 +77,14 @@ def test_opening_waits_until_the_chip_is_ready(not_ready, folder, monkeypatch):
         (folder / "0x5d").write_bytes(SCMD.POWER_ON)
 
     monkeypatch.setattr("jetbot.wait.time.sleep", become_ready)
-    find_board("sparkfun").open(f"fake:{folder}").drive(0.5, 0.5)
+    open_board(find_board("sparkfun"), f"fake:{folder}").drive(0.5, 0.5)
     assert wheel_speeds(folder, "sparkfun") == (0.5, 0.5)
 
 
 def test_a_chip_that_never_becomes_ready_is_reported(not_ready, folder, monkeypatch):
-    monkeypatch.setattr("jetbot.boards.READY_TIMEOUT", 0.05)
+    monkeypatch.setattr("jetbot.connection.READY_TIMEOUT", 0.05)
     with pytest.raises(NotReady):
-        find_board("sparkfun").open(f"fake:{folder}")
+        open_board(find_board("sparkfun"), f"fake:{folder}")
 
 
 def test_the_timer_is_off_until_it_is_fed(board, folder):
@@ -117,7 +118,7 @@ def test_a_brown_out_and_another_program_are_repaired_and_counted(board, folder,
     board.drive(0.5, 0.5)
     good = registers(folder, 0x5D)
     if another:
-        find_board("sparkfun").open(f"fake:{folder}")
+        open_board(find_board("sparkfun"), f"fake:{folder}")
     state = bytearray(registers(folder, 0x5D))
     for register, value in changes.items():
         state[register] = value
@@ -156,5 +157,5 @@ def test_another_chip_at_the_address(folder, monkeypatch):
     close = Mock()
     monkeypatch.setattr(I2CDevice, "close", close)
     with pytest.raises(BusError, match="^The chip at 0x5d on fake:.* is not a SparkFun motor driver. Choose another"):
-        find_board("sparkfun").open(f"fake:{folder}")
+        open_board(find_board("sparkfun"), f"fake:{folder}")
     close.assert_called_once()

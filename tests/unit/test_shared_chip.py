@@ -7,6 +7,7 @@ from shared_chip import SharedPCA9685
 
 from jetbot import BusError, i2c
 from jetbot.boards import find_board
+from jetbot.connection import open_board
 from jetbot.guard.process import try_to_stop
 
 BUS, SERVO = "/dev/i2c-1", 15
@@ -37,7 +38,7 @@ def is_driving(chip, board):
 
 def start(board, pwm_frequency=50):
     """Return the driver of a board, driving."""
-    driver = find_board(board).open(BUS, pwm_frequency)
+    driver = open_board(find_board(board), BUS, pwm_frequency)
     driver.drive(0.5, -0.3)
     return driver
 
@@ -110,7 +111,7 @@ def test_a_chip_in_any_state_stops_and_drives_after_the_start(chip, board):
     for mode1, mode2 in STATES:
         for register, value in (0x01, mode2), (0x00, mode1):
             chip.write_byte_data(0x60, register, value)
-        driver = find_board(board).open(BUS, 50)
+        driver = open_board(find_board(board), BUS, 50)
         assert not is_driving(chip, board)
         driver.drive(0.5, -0.3)
         assert (chip.memory[0x00], chip.memory[0x01], chip.memory[0xFE]) == (0x20, 0x04, 121)

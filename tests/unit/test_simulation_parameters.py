@@ -7,7 +7,7 @@ import pytest
 
 from conftest import SIMULATION, SOURCE
 from jetbot import InvalidValue
-from jetbot.fake.motors import ROBOTS
+from jetbot.boards import BOARDS
 from jetbot_control_node.parameters import load
 from simulation.diff_drive import JETBOT
 from simulation.parameters import PARAMETERS, fake_folder, resolve
@@ -18,7 +18,7 @@ BODY = SIMULATION / "config/jetbot.yaml"
 @pytest.mark.parametrize("name, value, must", [
     ("i2c_bus", 1, "fake, or fake:FOLDER"),
     ("port", "/dev/ttyACM0", "fake, or fake:FOLDER"),
-    ("board", "lego", f"one of {', '.join(ROBOTS)}"),
+    ("board", "lego", f"one of {', '.join(BOARDS)}"),
     ("wheel_ratio", 0, "a number above 0"),
 ])
 def test_bad_values(name, value, must):

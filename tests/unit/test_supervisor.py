@@ -7,6 +7,7 @@ import pytest
 
 from jetbot import JetbotError
 from jetbot.boards import BOARDS
+from jetbot.connection import stop_board
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.guard.process import HEARTBEAT_TIMEOUT
@@ -88,7 +89,7 @@ def test_after_a_freeze_nobody_is_blamed_for_what_the_guard_has_stopped(
     supervisor = supervise(robot, statuses)
     supervisor.state = supervisor.state.command(0.5 * driving, 0.0, PUPIL._replace(latched=True), 0.0)
     steps(supervisor, 0.0, 0.9)
-    BOARDS[board].stop(f"fake:{folder}")
+    stop_board(BOARDS[board], f"fake:{folder}")
     steps(supervisor, 3.0, 0.9)
     assert wheel_speeds(folder, board) == pytest.approx((0.5 * driving, 0.5 * driving), abs=0.004)
     assert len(statuses) == 1

@@ -14,7 +14,7 @@ from sensor_msgs.msg import Imu
 from tf2_msgs.msg import TFMessage
 
 from harness import CONTROLLER, START_TIMEOUT, RobotTest
-from jetbot.fake.jetbot_pro import JetBotPro
+from jetbot.fake.chips import JetBotPro
 
 STOPPED = (0, 0)  # mm/s, mrad/s
 

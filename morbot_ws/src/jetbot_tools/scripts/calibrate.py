@@ -11,12 +11,13 @@ from typing import Any, Dict, List, Optional
 
 from jetbot import JetbotError
 from jetbot.boards import BOARDS, find_board
+from jetbot.connection import locate
 from jetbot.host import doctor_command, model, robot_bus
 from jetbot.lock import lock_board
 from jetbot.text import printable
 from jetbot_control_node.parameters import PARAMETERS, is_fake
 from jetbot_tools.calibration.settings import as_yaml, output_file, write
-from jetbot_tools.calibration.wizard import WIZARDS, Wizard
+from jetbot_tools.calibration.wizard import wizard_for
 from jetbot_tools.doctor.computer import Check, check_users
 from jetbot_tools.doctor.motor_board import check_board
 from jetbot_tools.options import add_options, fake_advice, parse
@@ -25,7 +26,7 @@ from jetbot_tools.terminal import YES_OR_NO, choose
 
 def find_boards(i2c_address: Optional[int], **place: Any) -> List[str]:
     """Return the names of the boards that answer on the i2c_bus, else on the port; raise JetbotError if none does."""
-    places = {board: row.place(**place) for board, row in BOARDS.items() if board != "jetbot"}  # two of them
+    places = {board: locate(row, **place) for board, row in BOARDS.items() if board != "jetbot"}  # two of them
     for each in dict.fromkeys(places.values()):
         checks = {board: check_board(board, i2c_address=i2c_address, **place)
                   for board in places if places[board] == each}
@@ -50,8 +51,8 @@ def calibrate(boards: List[str], i2c_address: Optional[int], **place: Any) -> Di
     address = {} if i2c_address is None else {"i2c_address": i2c_address}
     for board in boards:
         row = find_board(board, i2c_address)
-        with lock_board(row.place(**place), row.address):
-            wizard = WIZARDS.get(board, Wizard)(board=board, **place, **address)
+        with lock_board(locate(row, **place), row.address):
+            wizard = wizard_for(board, **place, **address)
             print(f"\nTrying the board {board}.")
             if wizard.find_motors():
                 wizard.tune()
@@ -75,7 +76,7 @@ def main() -> None:
     place = {"i2c_bus": options.i2c_bus, "port": options.port or PARAMETERS["port"].default}
     boards = [options.board] if options.board else find_boards(options.i2c_address, **place)
     file = output_file(options.output, is_fake({"board": boards[0], **place}))
-    for check in check_users(find_board(boards[0]).place(**place)):
+    for check in check_users(locate(find_board(boards[0]), **place)):
         if not check.ok:
             print(check)
     text = as_yaml(calibrate(boards, options.i2c_address, **place))

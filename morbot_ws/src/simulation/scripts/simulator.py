@@ -11,7 +11,8 @@ import sys
 import rospy
 
 from jetbot import InvalidValue
-from jetbot.fake.motors import ROBOTS, Motors
+from jetbot.boards import BOARDS
+from jetbot.fake.motors import Motors
 from jetbot.text import printable
 from jetbot_ros.command_line import private_parameters, public_words
 from jetbot_ros.master import require_master
@@ -28,7 +29,7 @@ def main() -> None:
     rospy.init_node("jetbot_simulator", argv=public_words())
     given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config", "body"]))
     motors = Motors(fake_folder(given, rospy.get_namespace()), given["board"], given["i2c_address"])
-    closed_loop = ROBOTS[given["board"]].closed_loop
+    closed_loop = BOARDS[given["board"]].driver.closed_loop
     model = DiffDriveModel(Body(*(given[name] for name in Body._fields)), Pose(given["x"], given["y"], given["yaw"]),
                            load(given["world"]) if given["world"] else EMPTY, closed_loop)
     # A board with a closed loop measures its motion, but not the angles of its wheels.

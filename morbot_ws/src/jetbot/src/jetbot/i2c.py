@@ -151,13 +151,9 @@ def explain_fake(error: OSError, bus: str, address: int) -> BusError:
     if error.errno in (errno.EROFS, errno.EACCES, errno.ENOTDIR, errno.ENOSPC):
         return PermissionDenied(f"the fake bus {bus} cannot be used: {error.strerror}",
                                 "Name another folder: fake:FOLDER", error.errno)
-    from .fake.chips import PCA9685  # here: no real robot needs them
-    from .fake.motors import ROBOTS
-    extra = None if address in [robot.address for robot in ROBOTS.values()] else address
-    advice = f"To plug it in: {fake.power_on_command(fake.folder_of(bus), extra)}"
-    if address not in PCA9685.ADDRESSES:
-        advice = "A fake motor board is at 0x40 to 0x77."
-    return NoAnswer(f"no answer from 0x{address:02x} on {bus}", address_advice(address) + advice, error.errno)
+    from .fake.bus import plug_in_advice  # here: no real robot needs it
+    return NoAnswer(f"no answer from 0x{address:02x} on {bus}",
+                    address_advice(address) + plug_in_advice(fake.folder_of(bus), address), error.errno)
 
 
 def address_advice(address: int) -> str:

@@ -19,7 +19,7 @@ CREDENTIALS = struct.Struct("3i")  # struct ucred of unix(7): process, user, gro
 
 
 def lock_board(place: str, address: Optional[int]) -> socket.socket:
-    """Return a lock on the board at this ``Board.place`` and I2C address; it is held until it is closed.
+    """Return a lock on the board at this place (``connection.locate``) and I2C address; it is held until it is closed.
 
     Raises JetbotError if another program holds it. The lock is the name of an abstract socket, unix(7): it reaches all
     users, and the containers that share this network namespace (``network_mode: host``).

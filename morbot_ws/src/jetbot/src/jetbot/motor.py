@@ -1,33 +1,38 @@
 """One wheel of a Robot: from a speed to the duty of its motor."""
 
 import math
-from typing import Any
+from typing import Any, Callable, Dict
 
 from .boards import MotorDriver
 from .kinds import FINITE, NUMBER, check_duties
 from .kinematics import clamp
 
-STOPPED = (0.0, 0.0)  # what the driver is given for two motors that are off
 RESIDUE = 1e-9  # speeds this small are rounding errors, as of 0.1 + 0.2 - 0.3: zero, also with a min_duty
 
 
 class Motor:
-    """One wheel of a Robot. Its docstring describes alpha, inverted, min_duty and max_duty."""
+    """One wheel of a Robot, whose docstring describes alpha, inverted, min_duty and max_duty.
 
-    def __init__(self, robot, alpha: float, inverted: bool, min_duty: float, max_duty: float):
+    speeds: {Motor: speed} as commanded, which the motors of a robot share; drive: is called with such a dict to change
+    it and to drive the wheels in it.
+    """
+
+    def __init__(self, speeds: Dict["Motor", float], drive: Callable[[Dict["Motor", float]], None], alpha: float,
+                 inverted: bool, min_duty: float, max_duty: float):
         check_duties(min_duty, max_duty)
-        self._robot = robot
+        self._speeds, self._drive = speeds, drive
         self._inverted, self.min_duty, self.max_duty = inverted, float(min_duty), float(max_duty)
         self.alpha = alpha
+        speeds[self] = 0.0
 
     @property
     def value(self) -> float:
         """The speed last set, 1 full forward. Setting it drives the wheel."""
-        return self._robot._speeds[self]
+        return self._speeds[self]
 
     @value.setter
     def value(self, speed: float) -> None:
-        self._robot._set_speeds({self: speed})
+        self._drive({self: speed})
 
     @property
     def alpha(self) -> float:

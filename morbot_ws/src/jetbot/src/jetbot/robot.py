@@ -1,15 +1,19 @@
 """``Robot``: two motors, by the names of the JetBot library."""
 
+import atexit
+import contextlib
 import os
 import threading
-from typing import Optional, Tuple, Union
+from typing import Callable, Dict, Iterable, List, Optional, Tuple, Union
 
-from . import open_robots
 from .boards import DEFAULT_PORT, DEFAULT_PWM_FREQUENCY, find_board
+from .connection import locate, open_board
 from .errors import GuardError, InvalidValue, JetbotError
 from .guard import Guard, NoGuard
 from .kinds import BOOLEAN, PWM_FREQUENCY
-from .motor import STOPPED, Motor, checked, negated, turn_cut_off
+from .motor import Motor, checked, negated, turn_cut_off
+
+STOPPED = (0.0, 0.0)  # what the driver is given for two motors that are off
 
 
 class Robot:
@@ -42,23 +46,26 @@ class Robot:
         for name, value in ("swap_motors", swap_motors), ("invert_left", invert_left), ("invert_right", invert_right):
             BOOLEAN.check(f"the option {name}", value)
         PWM_FREQUENCY.check("the pwm_frequency", pwm_frequency)
-        self.left_motor = Motor(self, left_motor_alpha, invert_left, min_duty, max_duty)
-        self.right_motor = Motor(self, right_motor_alpha, invert_right, min_duty, max_duty)
+        self._speeds: Dict[Motor, float] = {}  # as they were commanded
+        self.left_motor = Motor(self._speeds, self._drive, left_motor_alpha, invert_left, min_duty, max_duty)
+        self.right_motor = Motor(self._speeds, self._drive, right_motor_alpha, invert_right, min_duty, max_duty)
         self._outputs = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)
-        self._speeds = dict.fromkeys(self._outputs, 0.0)
-        self._given = STOPPED  # what the driver was given last, as of ``_outputs``; 0 while that is not known
+        self._given: Optional[Tuple[float, ...]] = None  # what the driver holds, as of ``_outputs``; None: not known
         self._lock = threading.RLock()  # a signal handler may come in between, in the same thread
         self.resumes = True  # False: a board that has lost its speeds is left stopped until the next command
         self._closed = False
         row = find_board(board, i2c_address)
-        place = row.place(i2c_bus, port)
-        self.driver = row.open(place, pwm_frequency)
+        place = locate(row, i2c_bus, port)
+        self.driver = open_board(row, place, pwm_frequency)
         self._guard = Guard(board, place, row.address) if guard else NoGuard()
-        open_robots.add(self)
+        link = self.driver.link
+        close_all(robot for robot in open_robots if (robot.driver.link.name, robot.driver.link.address)
+                  == (link.name, link.address))  # such as a notebook's cell leaves behind when it is run again
+        open_robots.append(self)
 
     def set_motors(self, left_speed: float, right_speed: float) -> None:
         """Drive both wheels at these speeds."""
-        self._set_speeds({self.left_motor: left_speed, self.right_motor: right_speed})
+        self._drive({self.left_motor: left_speed, self.right_motor: right_speed})
 
     def forward(self, speed: float = 1.0) -> None:
         """Drive straight forward."""
@@ -83,7 +90,7 @@ class Robot:
     def verify(self) -> None:
         """Read back a part of what the board holds, in one transfer, and restore what it lost."""
         with self._lock:
-            self._apply(self.driver.verify, self._stop_if_lost)
+            self._update(self.driver.verify)
 
     def keep_alive(self) -> None:
         """Feed the watchdogs: the guard, and the board's own timer.
@@ -93,7 +100,7 @@ class Robot:
         """
         with self._lock:
             try:
-                self._apply(self.driver.keep_alive, self._stop_if_lost)
+                self._update(self.driver.keep_alive)
             finally:
                 if not self._closed:
                     self._guard.heartbeat()
@@ -108,12 +115,13 @@ class Robot:
                 return
             self._closed = True
             self._clear_speeds()  # for the command that a signal handler interrupts
-            self._given = STOPPED
+            self._given = None
             try:
                 self.driver.drive(0, 0)
                 self._guard.dismiss()
             finally:
-                open_robots.remove(self)
+                if self in open_robots:
+                    open_robots.remove(self)
                 self._guard.leave()
                 self.driver.close()
 
@@ -132,7 +140,7 @@ class Robot:
     @property
     def duties(self) -> Tuple[float, float]:
         """What the wheels (left, right) are given now: duties in [-1, 1], of a closed loop m/s; 0 if not known."""
-        duties = {motor: motor.duty_of(given) for motor, given in zip(self._outputs, self._given)}
+        duties = {motor: motor.duty_of(given) for motor, given in zip(self._outputs, self._given or STOPPED)}
         return duties[self.left_motor], duties[self.right_motor]
 
     @property
@@ -140,8 +148,8 @@ class Robot:
         """Whether both wheels are at full power, or max_duty, the same way: the turn that was commanded is cut off."""
         return turn_cut_off(self.left_motor, self.right_motor, self.driver)
 
-    def _set_speeds(self, speeds):
-        """Drive the wheels in ``speeds``, a dict of Motor: speed; the others keep theirs. Wait for the guard."""
+    def _drive(self, speeds: Dict[Motor, float]) -> None:
+        """Drive these wheels at new speeds; the other one keeps its own. Wait for the guard, with stopped wheels."""
         try:
             speeds = {motor: checked(speed) for motor, speed in speeds.items()}
         except InvalidValue:
@@ -149,8 +157,7 @@ class Robot:
             raise
         self._speeds.update(speeds)  # both at once: a signal handler or another thread may come at any moment
         with self._lock:
-            self._apply()
-            if self._is_commanded() and not self._guard.is_up():
+            if not self._update():
                 self._wait_for_guard()
 
     def _wait_for_guard(self):
@@ -159,31 +166,28 @@ class Robot:
         except GuardError:
             self._clear_speeds()
             raise
-        self._apply()
+        self._update()
 
-    def _apply(self, *actions):
-        """Run the actions, then drive both motors."""
+    def _update(self, action: Callable[[], None] = lambda: None) -> bool:
+        """Run the action, then give the driver the speeds that are commanded, or 0 if there is no guard.
+
+        Returns whether the wheels may turn. A board that already holds these speeds is sent nothing.
+        """
         if self._closed:
             raise JetbotError("this robot is closed", "Make a new Robot().")
-        while True:
-            self._given = STOPPED
-            for action in actions:
-                action()
-            permitted = self._permitted()
-            self.driver.drive(*permitted)
-            self._given = permitted
-            if permitted == self._permitted():  # else a signal handler has set other speeds meanwhile
-                return
-
-    def _stop_if_lost(self):
-        if not (self.resumes or self.driver.in_sync):
-            self._clear_speeds()
-
-    def _permitted(self):
-        """Return what the driver may be given now: what is commanded, but 0 if there is no guard or no robot."""
-        if self._is_commanded() and not self._closed and self._guard.is_up():
-            return tuple(motor.output(self.driver) for motor in self._outputs)
-        return STOPPED
+        commanded, permitted = None, True
+        while commanded != list(self._speeds.values()):  # again if a signal handler has set other speeds meanwhile
+            action()
+            if not (self.resumes or self.driver.in_sync):
+                self._clear_speeds()
+            commanded = list(self._speeds.values())
+            permitted = not any(commanded) or self._guard.is_up()
+            outputs = tuple(motor.output(self.driver) for motor in self._outputs) if permitted else STOPPED
+            if outputs != self._given or not self.driver.in_sync:
+                self._given = None  # until it went through
+                self.driver.drive(*outputs)
+                self._given = outputs
+        return permitted
 
     def _is_commanded(self):
         return any(self._speeds.values())
@@ -196,3 +200,24 @@ class Robot:
 
     def __exit__(self, *_):
         self.close()
+
+
+open_robots: List[Robot] = []  # of this process; the last one of a board
+
+
+def close_all(robots: Iterable[Robot]) -> None:
+    """Close robots; those whose boards do not answer are left to their guards."""
+    for robot in list(robots):
+        with contextlib.suppress(JetbotError):
+            robot.close()
+
+
+def detach_all() -> None:
+    """In a forked child: leave every Robot to the parent."""
+    for robot in open_robots:
+        robot.detach()
+    open_robots.clear()
+
+
+atexit.register(close_all, open_robots)
+os.register_at_fork(after_in_child=detach_all)

@@ -10,6 +10,7 @@ import rospy
 
 from jetbot import JetbotError, Robot, fake
 from jetbot.boards import find_board
+from jetbot.connection import locate
 from jetbot.lock import lock_board
 from jetbot.supply import find_supply
 from jetbot_ros.command_line import private_parameters
@@ -36,7 +37,7 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
              "invert_right", "min_duty", "max_duty", "pwm_frequency")
     places = {name: fake.expand(str(parameters[name]), rospy.get_namespace()) for name in ("i2c_bus", "port")}
     board = find_board(parameters["board"], parameters["i2c_address"])
-    lock = lock_board(board.place(**places), board.address)  # before Robot() stops the wheels, which may be another's
+    lock = lock_board(locate(board, **places), board.address)  # before Robot() stops the wheels, which may be another's
     robot = Robot(**{name: parameters[name] for name in names}, **places)
     robot.lock = lock  # until this process ends
     return robot

@@ -3,8 +3,8 @@
 from typing import Dict
 
 from jetbot import fake
-from jetbot.boards import find_board
-from jetbot.fake.motors import ROBOTS
+from jetbot.boards import BOARDS, find_board
+from jetbot.connection import locate
 from jetbot.kinds import ADDRESS, FRACTION, NUMBER, POSITIVE, SECONDS, Kind
 from jetbot_control_node import parameters as controller
 from jetbot_control_node.parameters import is_fake_place
@@ -16,7 +16,7 @@ SHARED = ("board", "i2c_address", "publish_odom")  # that the controller's file 
 FAKE = Kind(is_fake_place, "fake, or fake:FOLDER")
 
 PARAMETERS = {
-    "board": Parameter("jetbot", Kind(lambda value: value in list(ROBOTS), f"one of {', '.join(ROBOTS)}"),
+    "board": Parameter("jetbot", Kind(lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}"),
                        "motor board that the controller drives; jetbot is simulated with Adafruit's layout"),
     "i2c_bus": Parameter("fake", FAKE, "I2C bus that the controller drives: fake or fake:FOLDER"),
     "i2c_address": Parameter(None, ADDRESS, "I2C address of the board that the controller drives"),
@@ -60,4 +60,4 @@ def resolve(typed: Dict[str, object]) -> Dict[str, object]:
 def fake_folder(parameters: Dict[str, object], namespace: str) -> str:
     """Return the folder of the fake bus or port that the board is on. namespace: the node's."""
     i2c_bus, port = (fake.expand(parameters[name], namespace) for name in ("i2c_bus", "port"))
-    return fake.folder_of(find_board(parameters["board"]).place(i2c_bus, port))
+    return fake.folder_of(locate(find_board(parameters["board"]), i2c_bus, port))

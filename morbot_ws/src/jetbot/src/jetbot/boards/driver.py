@@ -1,11 +1,9 @@
 """The contract between a robot and its motor board."""
 
 import abc
-from typing import Callable, NamedTuple, Sequence, Tuple, Union
+from typing import Any, Callable, NamedTuple, Sequence, Tuple
 
-from ..i2c import I2CDevice
-from ..serial_link import SerialLink
-
+Link = Any  # an I2CDevice or a SerialLink; a fake bus behind one knows all boards, so no board may import them
 DEFAULT_PWM_FREQUENCY = 1526  # Hz, the most that a PCA9685 can do; the JetBot library asks for 1600
 
 
@@ -27,8 +25,10 @@ class MotorDriver(abc.ABC):
 
     A driver holds no clock and no thread but that of ``listen``; its caller decides when. Every method but ``close``
     may raise BusError; after one, the next ``drive`` sets the board up again.
-    pwm_frequency: in Hz; a board whose frequency is fixed ignores it.
+    pwm_frequency: in Hz; a board whose frequency is fixed ignores it. wirings: see PwmMotors.
     """
+
+    chip_name = ""  # as the doctor calls the chip on an I2C bus
 
     limit = 1.0  # largest |wheel speed| that the board accepts; Robot clamps a speed to it, and nothing else does
     resolution = 0.0  # the board's step of a wheel speed: half a step or less is rounded to 0
@@ -39,8 +39,14 @@ class MotorDriver(abc.ABC):
     in_sync = True   # whether the board holds what it was sent, as far as is known; else the next ``drive`` restores it
     keep_alive_interval = 0.25  # s: how often ``keep_alive`` is due while the wheels turn
 
-    def __init__(self, link: Union[I2CDevice, SerialLink], pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
+    def __init__(self, link: Link, pwm_frequency: float = DEFAULT_PWM_FREQUENCY,
+                 wirings: Sequence[Any] = ()):
         self.link = link
+
+    @staticmethod
+    def recognizes(link: Link) -> bool:
+        """Return whether the chip that answers there is one for this driver. It is only read. Raise BusError."""
+        return False
 
     @abc.abstractmethod
     def start(self) -> None:

@@ -8,11 +8,10 @@ import math
 import struct
 import threading
 import time
-from typing import Callable, Iterator, Tuple
+from typing import Any, Callable, Iterator, Tuple
 
 from ..errors import BusError
-from ..serial_link import SerialLink
-from .driver import DEFAULT_PWM_FREQUENCY, MotorDriver, Telemetry
+from .driver import Link, MotorDriver, Telemetry
 
 HEADER = b"\xaa\x55"
 MIN_FRAME, MAX_FRAME = 5, 64                    # bytes; the longest that the board sends, telemetry, has 45
@@ -42,8 +41,8 @@ class JetBotPro(MotorDriver):
                "pwm_frequency", "publish_odom")
     keep_alive_interval = 0.04  # s; so a lost frame is soon repeated
 
-    def __init__(self, link: SerialLink, pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
-        super().__init__(link, pwm_frequency)
+    def __init__(self, link: Link, *settings: Any):
+        super().__init__(link, *settings)
         self._sent = None
         self._closed = False
         self._listener = None

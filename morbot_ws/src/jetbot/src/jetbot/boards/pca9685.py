@@ -1,10 +1,11 @@
 """The PCA9685: sixteen PWM outputs of 12 bits on an I2C bus. Names and facts: NXP data sheet, rev. 4."""
 
+import functools
 import itertools
 import time
 from typing import Dict, List, Sequence
 
-from ..i2c import I2CDevice
+from .driver import Link
 
 MODE1 = 0x00
 MODE1_RESTART = 0x80    # the chip sets it when it sleeps with outputs on; writing 1, awake, lets them go on
@@ -13,6 +14,7 @@ MODE1_SLEEP = 0x10      # oscillator and outputs off
 MODE1_POWER_ON = 0x11   # asleep, answers to the address of all such chips
 MODE2 = 0x01
 MODE2_OUTDRV = 0x04     # outputs drive high and low; they change at the STOP of a transfer, as OCH (0x08) is 0
+SUBADDRESSES = {0x02: 0xE2, 0x03: 0xE4, 0x04: 0xE8}  # SUBADR1 to SUBADR3: value at power-on
 LED0_ON_L = 0x06        # four registers per output: ON_L, ON_H, OFF_L, OFF_H
 LED_FULL = 0x10         # in ON_H: always on; in OFF_H: always off, and off wins
 PRE_SCALE = 0xFE        # writable only asleep
@@ -44,14 +46,19 @@ class PCA9685:
 
     resets = overwritten = 0
 
-    def __init__(self, link: I2CDevice, groups: Sequence[Sequence[int]], pwm_frequency: float):
-        self._link = link
+    def __init__(self, link: Link, pwm_frequency: float, groups: Sequence[Sequence[int]]):
+        self.link = link
         self._outputs = [output for group in groups for output in group]
         self._prescale = prescale(pwm_frequency)
         self._spans = [range(LED0_ON_L + 4 * min(group), LED0_ON_L + 4 * max(group) + 4) for group in groups]
         self._blocks = itertools.cycle([range(MODE1, MODE2 + 1), range(PRE_SCALE, PRE_SCALE + 1), *self._spans])
         self._sent = None  # the registers as the chip holds them; None: not known
         self._differs = None  # what ``verify`` read instead of what was sent
+
+    @staticmethod
+    def recognizes(link: Link) -> bool:
+        """Return whether the chip that answers holds what a PCA9685 does and motor programs leave; it is only read."""
+        return all(link.read(register) == value for register, value in SUBADDRESSES.items())
 
     @property
     def in_sync(self) -> bool:
@@ -63,17 +70,17 @@ class PCA9685:
         A chip that runs as wanted is not put to sleep, which would interrupt the other outputs.
         """
         self.stop()
-        mode1 = self._link.read(MODE1)
+        mode1 = self.link.read(MODE1)
         self._count_fault(mode1)
-        if mode1 & MODE1_SLEEP or self._link.read(PRE_SCALE) != self._prescale:
+        if mode1 & MODE1_SLEEP or self.link.read(PRE_SCALE) != self._prescale:
             self._set_prescale()
         elif mode1 & ~MODE1_RESTART != MODE1_AI:
-            self._link.write(MODE1, [MODE1_AI])
+            self.link.write(MODE1, [MODE1_AI])
         sent = bytearray(REGISTERS)
         sent[MODE1], sent[MODE2], sent[PRE_SCALE] = MODE1_AI, MODE2_OUTDRV, self._prescale
         for span in self._spans:
             sent[span.start:span.stop] = OFF * (len(span) // 4)
-            self._link.write(span.start, sent[span.start:span.stop])
+            self.link.write(span.start, sent[span.start:span.stop])
         self._sent = sent
 
     def stop(self) -> None:
@@ -83,9 +90,9 @@ class PCA9685:
         it may invert the outputs, or let them wait for all four registers.
         """
         self._sent = None
-        self._link.write(MODE2, [MODE2_OUTDRV])
+        self.link.write(MODE2, [MODE2_OUTDRV])
         for output in self._outputs:
-            self._link.write(LED0_ON_L + 4 * output + OFF_H, [LED_FULL])
+            self.link.write(LED0_ON_L + 4 * output + OFF_H, [LED_FULL])
 
     def set_outputs(self, duties: Dict[int, int]) -> None:
         """Set outputs to duties, {output: 0 to 4096}, in 4096ths; start the chip first if its state is unknown."""
@@ -99,7 +106,7 @@ class PCA9685:
             return
         self._sent = None  # until all of it went through
         for piece in transfers(sent, wanted, self._spans):
-            self._link.write(piece.start, wanted[piece.start:piece.stop])
+            self.link.write(piece.start, wanted[piece.start:piece.stop])
         self._sent = wanted
 
     def verify(self) -> None:
@@ -111,7 +118,7 @@ class PCA9685:
         if sent is None:
             return
         block = next(self._blocks)
-        held = bytearray(self._link.read_block(block.start, len(block)))
+        held = bytearray(self.link.read_block(block.start, len(block)))
         if block.start == MODE1:
             held[0] &= ~MODE1_RESTART
         if held == sent[block.start:block.stop]:
@@ -125,9 +132,9 @@ class PCA9685:
 
     def _set_prescale(self):
         for register, value in (MODE1, MODE1_AI | MODE1_SLEEP), (PRE_SCALE, self._prescale), (MODE1, MODE1_AI):
-            self._link.write(register, [value])
+            self.link.write(register, [value])
         time.sleep(OSCILLATOR_START)
-        self._link.write(MODE1, [MODE1_RESTART | MODE1_AI])
+        self.link.write(MODE1, [MODE1_RESTART | MODE1_AI])
 
     def _count_fault(self, mode1):
         """Count why ``verify`` found the chip changed; mode1: what its MODE1 holds now."""
@@ -144,6 +151,7 @@ def prescale(pwm_frequency: float) -> int:
     return round(OSCILLATOR / FULL_DUTY / pwm_frequency) - 1
 
 
+@functools.lru_cache(maxsize=None)
 def encode(duty: int) -> bytes:
     """Return an output's four registers: on at the start of each period, off after ``duty`` 4096ths of it."""
     if duty == 0:

@@ -2,8 +2,7 @@
 
 from typing import Dict, List, NamedTuple, Optional, Sequence
 
-from ..i2c import I2CDevice
-from .driver import DEFAULT_PWM_FREQUENCY, MotorDriver
+from .driver import DEFAULT_PWM_FREQUENCY, Link, MotorDriver
 from .pca9685 import FULL_DUTY, PCA9685
 
 
@@ -52,43 +51,19 @@ WAVESHARE = Wiring(left=HBridge(forward=1, backward=0), right=HBridge(forward=2,
 WAVESHARE_HAT = Wiring(left=HBridge(forward=2, backward=1, pwm=0), right=HBridge(forward=4, backward=3, pwm=5))
 
 
-class PwmMotors(MotorDriver):
+class PwmMotors(PCA9685, MotorDriver):
     """Drives motors on a PCA9685 in one wiring or, if the boards cannot be distinguished, in several at once."""
 
     resolution = 1 / FULL_DUTY
+    chip_name = "PCA9685"
 
-    def __init__(self, link: I2CDevice, pwm_frequency: float = DEFAULT_PWM_FREQUENCY, *, wirings: Sequence[Wiring]):
-        super().__init__(link, pwm_frequency)
+    def __init__(self, link: Link, pwm_frequency: float = DEFAULT_PWM_FREQUENCY, wirings: Sequence[Wiring] = ()):
+        super().__init__(link, pwm_frequency, [wiring.outputs for wiring in wirings])
         self._wirings = wirings
-        self._chip = PCA9685(link, [wiring.outputs for wiring in wirings], pwm_frequency)
-
-    @property
-    def resets(self) -> int:
-        return self._chip.resets
-
-    @property
-    def overwritten(self) -> int:
-        return self._chip.overwritten
-
-    @property
-    def in_sync(self) -> bool:
-        return self._chip.in_sync
-
-    def start(self) -> None:
-        self._chip.start()
-
-    def stop(self) -> None:
-        self._chip.stop()
 
     def drive(self, left: float, right: float) -> None:
         duties = {}
         for wiring in self._wirings:
             duties.update(wiring.left.duties(left))
             duties.update(wiring.right.duties(right))
-        self._chip.set_outputs(duties)
-
-    def verify(self) -> None:
-        self._chip.verify()
-
-    def invalidate(self) -> None:
-        self._chip.invalidate()
+        self.set_outputs(duties)

@@ -4,10 +4,10 @@ Registers and bits by the names of SparkFun's firmware, https://github.com/spark
 """
 
 import itertools
+from typing import Any
 
 from ..errors import BusError, NoAnswer, NotReady
-from ..i2c import I2CDevice
-from .driver import DEFAULT_PWM_FREQUENCY, MotorDriver
+from .driver import Link, MotorDriver
 
 ID = 0x01
 ID_WORD = 0xA9
@@ -28,22 +28,27 @@ class ScmdMotors(MotorDriver):
 
     resolution = 1 / 0x80
     ignores = ("pwm_frequency",)
+    chip_name = "SparkFun motor driver"
 
-    def __init__(self, link: I2CDevice, pwm_frequency: float = DEFAULT_PWM_FREQUENCY):
-        super().__init__(link, pwm_frequency)
+    def __init__(self, link: Link, *settings: Any):
+        super().__init__(link, *settings)
         self._sent = None  # the drive bytes as the chip holds them; None: not known
         self._timeout = 0  # FSAFE_TIME as the chip holds it
         self._has_blocks = False
         self._verified = itertools.cycle([DRIVER_ENABLE, MA_DRIVE, FSAFE_CTRL, MB_DRIVE, FSAFE_TIME])
         self._differs = False  # whether something else was read than was sent
 
+    @staticmethod
+    def recognizes(link: Link) -> bool:
+        return link.read(ID) == ID_WORD
+
     @property
     def in_sync(self) -> bool:
         return self._sent is not None
 
     def start(self) -> None:
-        if self.link.read(ID) != ID_WORD:
-            raise NoAnswer(f"the chip at 0x{self.link.address:02x} on {self.link.name} is not a SparkFun motor driver",
+        if not self.recognizes(self.link):
+            raise NoAnswer(f"the chip at 0x{self.link.address:02x} on {self.link.name} is not a {self.chip_name}",
                            "Choose another board.")
         self._count_fault()
         self.link.write(DRIVER_ENABLE, [0])

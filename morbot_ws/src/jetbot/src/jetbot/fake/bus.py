@@ -19,11 +19,11 @@ import time
 from pathlib import Path
 from typing import List, Optional, Sequence, Union
 
+from ..boards import BOARDS
 from ..errors import BusError
-from . import Folder, chip_file
-from .chips import INA219, PCA9685
-from .files import check_chip, open_file, read_text
-from .motors import ROBOTS
+from . import Folder, chip_file, power_on_command
+from .chip_files import check_chip, open_file, read_text
+from .chips import INA219, PCA9685, chip_class
 
 SENSORS = {0x41: INA219}  # beside a robot's chip
 CLOCK_RANGE = (10.0, 1e7)  # Hz
@@ -37,7 +37,7 @@ def power_on(folder: Folder, address: Optional[int] = None) -> None:
     Path(folder).mkdir(parents=True, exist_ok=True)
     plugged = {int(file.name, 16) for file in Path(folder).glob("0x[0-7][0-9a-f]")}
     extra = {address}.intersection(PCA9685.ADDRESSES)
-    for each in plugged | {*SENSORS, *(robot.address for robot in ROBOTS.values())} | extra:
+    for each in plugged | {*SENSORS, *(board.address for board in BOARDS.values())} | extra:
         file = chip_file(folder, each)
         chip = chip_at(each) if each == address else chip_in(file, each)
         new = file.with_suffix(f".{os.getpid()}")
@@ -144,8 +144,16 @@ def chip_in(file: Union[int, Path], address: Optional[int]) -> type:
 
 
 def chip_at(address: Optional[int]) -> type:
-    """Return the class of a motor board's chip at this address: of a robot, or a PCA9685; None: on the serial port."""
-    return next((robot.chip for robot in ROBOTS.values() if robot.address == address), PCA9685)
+    """Return the class of a motor board's chip at this address: a board's own, or a PCA9685; None: the serial port."""
+    return next((chip_class(board.chip) for board in BOARDS.values() if board.address == address), PCA9685)
+
+
+def plug_in_advice(folder: Folder, address: int) -> str:
+    """Return how to plug a motor board's chip in at an address where there is none."""
+    if address not in PCA9685.ADDRESSES:
+        return "A fake motor board is at 0x40 to 0x77."
+    extra = None if address in [board.address for board in BOARDS.values()] else address
+    return f"To plug it in: {power_on_command(folder, extra)}"
 
 
 def number_in(request: str) -> Optional[int]:

@@ -6,8 +6,8 @@ import time
 
 from . import Folder, chip_file
 from .bus import power_on
-from .files import check_chip, open_file, read_chip
-from .jetbot_pro import JetBotPro, decode
+from .chip_files import check_chip, open_file, read_chip
+from .chips import JetBotPro, decode
 
 TELEMETRY_INTERVAL = 1 / 30  # s
 FRAME = len(JetBotPro.POWER_ON)  # bytes

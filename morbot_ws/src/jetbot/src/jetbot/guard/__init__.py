@@ -22,7 +22,8 @@ WAIT_TIMEOUT = 5.0        # s
 class Guard:
     """The driving process's side of its guard, which it replaces if that is killed or hangs. All but ``wait`` is quick.
 
-    board: a name in ``boards.BOARDS``; place: its ``Board.place``; address: its I2C address, None for the board's own.
+    board: a name in ``boards.BOARDS``; place: as ``connection.locate`` returns it; address: its I2C address, None for
+    the board's own.
     Raises GuardError if no guard can be started, but does not wait for it.
     """
 

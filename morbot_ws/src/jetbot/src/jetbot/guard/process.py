@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Optional
 
 from ..boards import Board, find_board
+from ..connection import stop_board
 
 STOPPED = b"s"            # the driving process has stopped the wheels, and needs no guard any more
 HEARTBEAT = b"h"          # it does not hang
@@ -41,7 +42,7 @@ def main(connection: socket.socket, board: str, place: str, address: str = "") -
 def guard(connection: socket.socket, board: Board, place: str) -> None:
     """Stop the wheels when the driving process at the other end of the connection ends, and while it hangs.
 
-    place: the ``Board.place`` of the board.
+    place: the ``connection.locate`` the board.
     """
     prepare()
     answer(connection)
@@ -103,7 +104,7 @@ def stop(board: Board, place: str) -> None:
 def try_to_stop(board: Board, place: str, reported: Optional[Exception]) -> Optional[Exception]:
     """Stop the wheels; return what has failed, or None. It is reported, unless another failure has been before."""
     try:
-        board.stop(place)
+        stop_board(board, place)
     except Exception as failure:  # not only a BusError: whatever has failed, the wheels may still turn
         if reported is None:
             report(f"jetbot: the wheels may still turn: {getattr(failure, 'reason', failure)}")

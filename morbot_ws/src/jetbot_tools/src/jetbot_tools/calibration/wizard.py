@@ -3,18 +3,18 @@
 import time
 from typing import Any, List, Optional, Sequence
 
+from jetbot.boards import BOARDS
 from jetbot.errors import InvalidValue, JetbotError
 from jetbot.robot import Robot
 from jetbot_control_node.status.summary import GEOMETRY
 
-from ..doctor.identify import has_chip
 from ..terminal import YES_OR_NO, choose, key_pressed, offset, single_keys
 from . import tape_measure
 from .corrections import ALPHAS, base_wiring, curvature_of, motor_wiring, trim
 from .motions import DRIVE_SPEED, Step, constant_speed, gentle
 
-# Hz, for a PCA9685. Adafruit, "Improve Low-Speed Performance of Brushed DC Motors": 50 to 100 Hz; TT motors then start
-# at a duty several times lower than at 1600 Hz.
+# Hz, where it can be set. Adafruit, "Improve Low-Speed Performance of Brushed DC Motors": 50 to 100 Hz; TT motors then
+# start at a duty several times lower than at 1600 Hz.
 PWM_FREQUENCY = 50
 TURN_SPEED = 0.5  # fraction of full power
 TURN_TIME = 0.8   # s
@@ -31,7 +31,8 @@ class Wizard:
     wiring = staticmethod(motor_wiring)
 
     def __init__(self, **known: Any):
-        self.parameters = {**known, "pwm_frequency": PWM_FREQUENCY} if has_chip(known["board"], "PCA9685") else known
+        fixed = "pwm_frequency" in BOARDS[known["board"]].driver.ignores
+        self.parameters = known if fixed else {**known, "pwm_frequency": PWM_FREQUENCY}
 
     def drive_until_key(self, announcement: str, motion: Sequence[Step]) -> Optional[Step]:
         """Wait for Enter, then drive one step after the other.
@@ -130,4 +131,6 @@ class BaseWizard(Wizard):
         """Do nothing: the board takes m/s and rad/s, measures its wheels and keeps them equally fast."""
 
 
-WIZARDS = {"jetbot_pro": BaseWizard}  # for the other boards: Wizard
+def wizard_for(board: str, **known: Any) -> Wizard:
+    """Return the Wizard for a robot with this board. known: the parameters that say where it is."""
+    return (BaseWizard if BOARDS[board].driver.closed_loop else Wizard)(board=board, **known)

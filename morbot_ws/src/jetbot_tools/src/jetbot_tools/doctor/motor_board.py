@@ -8,13 +8,14 @@ from typing import List, Sequence, Union
 from jetbot import host
 from jetbot.boards import BOARDS, find_board
 from jetbot.boards.jetbot_pro import JetBotPro
+from jetbot.connection import locate
 from jetbot.errors import BusError, JetbotError, NoAnswer
 from jetbot.i2c import I2CDevice, bus_name
 from jetbot.serial_link import SerialLink
 
 from ..options import launch_command
 from .computer import Check
-from .identify import boards_with, has_chip, motor_chip, power_monitor
+from .identify import boards_with, driver_for, power_monitor
 
 TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many frames in that time
 
@@ -31,7 +32,7 @@ CLOCK_STRETCHING = ("It stretches the clock, which a Raspberry Pi 4 or older mis
 def check_board(board: str, i2c_bus: Union[int, str], port: str, i2c_address: Union[int, str, None] = None) -> Check:
     """Check that a board answers on its bus or port; raise InvalidValue for an unknown board or a bad bus."""
     row = find_board(board, i2c_address)
-    place = row.place(i2c_bus, port)
+    place = locate(row, i2c_bus, port)
     if not row.address:
         return check_serial(place)
     try:
@@ -68,16 +69,15 @@ def check_chip(bus: Union[int, str], address: int, board: str = "") -> Check:
     """Check which motor boards the chip at an address can be, or whether the one that is named; raise JetbotError."""
     name = f"0x{address:02x} on {bus_name(bus)}"
     with contextlib.closing(I2CDevice(bus, address)) as device:
-        chip = motor_chip(device)
-        monitor = "" if chip else power_monitor(device)
-    boards = boards_with(chip, address)
+        driver = driver_for(device)
+        monitor = "" if driver else power_monitor(device)
+    boards = boards_with(driver, address)
     condition = CONDITION.format(address) if boards == ["waveshare_hat"] else ""
     if board:
-        boards = [board] if has_chip(board, chip) else []
+        boards = [board] if BOARDS[board].driver is driver else []
     if not boards:
-        sparkfun = board == "sparkfun" or address == BOARDS["sparkfun"].address
-        wanted = "SparkFun motor driver" if sparkfun else "PCA9685"
-        found = f"an {monitor}, which measures the supply" if monitor else f"not a {wanted}"
+        wanted = board or next((each for each, row in BOARDS.items() if row.address == address), "jetbot")
+        found = f"an {monitor}, which measures the supply" if monitor else f"not a {BOARDS[wanted].driver.chip_name}"
         return Check(name, False, f"the chip that answers is {found}", clock_advice(address))
     own = BOARDS[boards[0]].address
     command = launch_command(board=boards[0], i2c_bus=bus, i2c_address=None if address == own else f"0x{address:02x}")
