@@ -66,13 +66,6 @@ def write(name, topic=TRUTH, length=1.0, make=odometry):
     return Path(name)
 
 
-def write_commands(name, topic="/cmd_vel"):
-    with rosbag.Bag(name, "w") as bag:
-        for number in range(34):
-            bag.write(topic, forward(0.5), rospy.Time.from_sec(100 + number / 10))
-        bag.write(topic, forward(0.0), rospy.Time.from_sec(103.4))
-
-
 def table(text):
     """Return the rows of a table, without its header."""
     return [tuple(row.values()) for row in csv.DictReader(text.splitlines())]

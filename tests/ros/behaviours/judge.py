@@ -41,7 +41,7 @@ class Judge(RobotTest):
         self.simulator = self.start(SIMULATOR, f"_i2c_bus:=fake:{self.bus}", "_x:=2", "_yaw:=1")
         self.controller()
 
-    def judge(self, task="metre"):
+    def judge(self, task):
         """Start the judge."""
         return self.start(JUDGE, task, cwd=self.folder)
 
@@ -75,27 +75,23 @@ class Judge(RobotTest):
         self.assertEqual((bag.result.score, bag.source), (float(exact), ""))
         self.assertEqual(score, f"{bag.result.score:.1f}")
 
-    def test_a_judge_that_is_ended_by_a_signal_gives_the_world_back(self):
+    def test_what_interrupts_a_drive_ends_no_judge_and_a_signal_gives_the_world_back(self):
         worlds = self.record("world", MarkerArray, lambda array: len(array.markers))
         judge = self.judge("park")
         self.wait_for_lines(judge, READY)
         self.assertEqual(worlds[-1], 2)  # one clears the drawing, one is a wall
-        os.kill(judge.pid, signal.SIGTERM)
-        self.assertEqual(judge.wait(START_TIMEOUT), 130)
-        self.wait_for(lambda: worlds[-1] == 1, 5.0, "the world without walls")
-
-    def test_an_emergency_stop_and_a_second_judge_end_no_judge_and_ctrl_c_does(self):
-        judge = self.judge()
-        self.wait_for_lines(judge, READY)
-        second = self.judge()
+        second = self.judge("metre")
         self.assertEqual(second.wait(START_TIMEOUT), 1)
         self.assertRegex(read(second), r"^/judge judges this robot already\. End it first: .*\n$")
         self.emergency_stop(True)
         self.wait_for_lines(judge, READY, RELEASE)
         self.emergency_stop(False)
         self.wait_for_lines(judge, READY, RELEASE, READY)
-        os.killpg(self.simulator.pid, signal.SIGKILL)
+        os.killpg(self.simulator.pid, signal.SIGSTOP)
         self.wait_for(lambda: "The simulator does not answer." in read(judge), START_TIMEOUT, "a sentence")
-        os.kill(judge.pid, signal.SIGINT)
+        os.killpg(self.simulator.pid, signal.SIGCONT)
+        self.wait_for(lambda: read(judge).splitlines()[-1] == READY, START_TIMEOUT, "the next start")
+        os.kill(judge.pid, signal.SIGTERM)
         self.assertEqual(judge.wait(START_TIMEOUT), 130)
         self.assertEqual(read(judge).splitlines()[-1], "Cancelled.")
+        self.wait_for(lambda: worlds[-1] == 1, START_TIMEOUT, "the world without walls")

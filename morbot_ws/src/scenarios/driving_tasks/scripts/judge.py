@@ -9,7 +9,6 @@ if __name__ == "__main__":
 
 try:
     import contextlib
-    import os
     from argparse import Namespace
     from pathlib import Path
     from typing import Iterator, List
@@ -78,7 +77,7 @@ def draw(mark: Mark, given: Namespace) -> None:
     """Draw the picture of a drive; without one, its score still counts."""
     try:
         from driving_tasks.report import picture
-        file = picture_file(mark, given)
+        file = given.picture or picture_file(mark, given)
         picture.draw(mark.result, str(file))
     except ImportError:
         show("No picture was drawn. Install what draws it: sudo apt install python3-matplotlib")
@@ -90,14 +89,13 @@ def draw(mark: Mark, given: Namespace) -> None:
 
 
 def picture_file(mark: Mark, given: Namespace) -> Path:
-    """Return the file of the picture, in a folder that exists. Raises OSError for a link that was not typed."""
-    if given.picture:
-        return Path(given.picture)
-    folder, name = Path(given.pictures or "."), f"{mark.name if given.pictures else mark.task}.png"
-    if os.path.realpath(folder / name) != os.path.join(os.path.realpath(folder), name):
-        raise OSError(f"{folder / name} is a link")
-    (folder / name).parent.mkdir(parents=True, exist_ok=True)
-    return folder / name
+    """Return the file of a picture whose name was not typed. Raises OSError if it is a link."""
+    file = Path(given.pictures, f"{mark.name}.png") if given.pictures else Path(f"{mark.task}.png")
+    folder = Path(given.pictures or ".").resolve()
+    if file.resolve() != folder / file.relative_to(given.pictures or "."):
+        raise OSError(f"{file} is a link")
+    file.parent.mkdir(parents=True, exist_ok=True)
+    return file
 
 
 def show(sentence: str) -> None:

@@ -6,37 +6,35 @@ import sys
 from pathlib import Path
 from typing import List
 
-import rosgraph
-
-from jetbot import InvalidValue
 from jetbot.text import closest, enumeration, printable
 
 from .scoring.tasks import TASKS
 
-EPILOG = """Without TASK: lists the tasks. Without --bag and --program: judges the simulated robot that drives now."""
-UNITS = "units of the commands, of a bag with nothing else or of programs: a YAML file such as si_units.yaml"
+ROBOT_NAME = re.compile(r"/?[A-Za-z]\w*(?:/\w+)*/?", re.ASCII)
 
 
 def parse_arguments(words: List[str]) -> argparse.Namespace:
     """Return what was typed; end the program with one sentence if it cannot be meant so."""
-    parser = _Parser(prog="judge.py", description="Measures how a robot drives a task.", epilog=EPILOG,
-                     allow_abbrev=False)
+    parser = _Parser(prog="judge.py", description="Measures how a robot drives a task.", allow_abbrev=False,
+                     epilog="Without TASK: lists the tasks. Without --bag and --program: judges the simulated robot "
+                            "that drives now.")
     parser.add_argument("task", nargs="?", type=_task, metavar="TASK")
     parser.add_argument("--robot", nargs="+", type=_robot, default=[], metavar="NAME",
                         help="the robots' namespaces (default: the only one there is)")
     source = parser.add_mutually_exclusive_group()
-    source.add_argument("--bag", type=_path, metavar="PATH",
+    source.add_argument("--bag", type=_file(), metavar="PATH",
                         help="judge a rosbag, or each in a folder; nothing in it is executed")
-    source.add_argument("--program", type=_path, metavar="PATH",
+    source.add_argument("--program", type=_file(), metavar="PATH",
                         help="run a program, or each in a folder, and judge its drive")
-    parser.add_argument("--config", default="", metavar="FILE", help=UNITS)
+    parser.add_argument("--config", default="", metavar="FILE", help="units of the commands, of a bag with nothing "
+                        "else or of programs: a YAML file such as si_units.yaml")
     parser.add_argument("--picture", type=_file(".png"), metavar="FILE.png", help="of one drive (default: TASK.png)")
-    parser.add_argument("--pictures", type=_path, metavar="FOLDER", help="a picture of each drive goes here")
+    parser.add_argument("--pictures", type=_file(), metavar="FOLDER", help="a picture of each drive goes here")
     parser.add_argument("--csv", type=_file(".csv"), metavar="FILE.csv",
                         help="the marks; those of several drives are printed, too")
     parser.add_argument("--record", type=_file(".bag"), metavar="FILE.bag", help="record what is judged now")
     given = parser.parse_args(words)
-    _check(given)
+    _check(parser, given)
     return given
 
 
@@ -62,38 +60,33 @@ def _task(text):
 
 
 def _robot(text):
-    if not rosgraph.names.is_legal_name(text):
+    if not ROBOT_NAME.fullmatch(text):
         raise argparse.ArgumentTypeError(f"A robot's name is a name of ROS, not {text}.")
     return text.strip("/")
 
 
-def _path(text):
-    if not text:
-        raise argparse.ArgumentTypeError("The name of a file is missing.")
-    return text
-
-
-def _file(suffix):
-    """Return what checks the name of a file that is written: it takes the place of no other kind of file."""
+def _file(suffix=""):
+    """Return what checks the name of a file: one that is written takes the place of no other kind of file."""
     def check(text):
+        if not text:
+            raise argparse.ArgumentTypeError("The name of a file is missing.")
         if not text.endswith(suffix):
-            raise argparse.ArgumentTypeError(f"Its name must end in {suffix}, not {text or 'nothing'}.")
+            raise argparse.ArgumentTypeError(f"Its name must end in {suffix}, not {text}.")
         return text
     return check
 
 
-def _check(given):
-    """Raise InvalidValue for options that contradict each other, or that lack the task."""
-    if not given.task:
-        if any(vars(given).values()):
-            raise InvalidValue("the task is missing", f"The tasks are {enumeration(list(TASKS))}.")
-        return
-    live, single = not (given.bag or given.program), is_single(given)
-    for option, possible, reason in (
-            ("record", live, "--record is for a robot that drives now"),
-            ("config", not live, "--config belongs to --bag or --program: the robot that drives now has its own"),
-            ("picture", single, "--picture is for one drive; for several, use --pictures FOLDER")):
-        if getattr(given, option) and not possible:
-            raise InvalidValue(reason)
-    if len(given.robot) > 1 and not live or given.robot and given.program:
-        raise InvalidValue("--robot names one robot of a bag, and none of a program")
+def _check(parser, given):
+    """End the program for options that contradict each other, or that lack the task."""
+    live = not (given.bag or given.program)
+    for impossible, reason in (
+            (not given.task and any(vars(given).values()),
+             f"the task is missing. The tasks are {enumeration(list(TASKS))}."),
+            (given.record and not live, "--record is for a robot that drives now."),
+            (given.config and live,
+             "--config belongs to --bag or --program: the robot that drives now has its own."),
+            (given.picture and not is_single(given), "--picture is for one drive; for several, use --pictures FOLDER."),
+            (given.robot and (given.program or given.bag and len(given.robot) > 1),
+             "--robot names one robot of a bag, and none of a program.")):
+        if impossible:
+            parser.error(reason)

@@ -2,7 +2,7 @@
 
 import io
 import math
-from typing import List, Sequence, Tuple
+from typing import List, Sequence
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -17,10 +17,8 @@ from ..scoring.penalties import Loss
 from ..scoring.recorder import Drive
 from ..scoring.score import NEGLIGIBLE, NO_LOSS, Result
 
-WIDTH = 10                # inches
-DPI = 100
-TEXT = 0.34               # inches of each line below the picture
-MARGIN = 0.15             # m around what is drawn
+WIDTH, HEIGHT = 10, 7     # inches, of the floor
+TEXT = 0.34               # inches of each line below it
 MAX_POINTS = 5000         # of the driven line that are drawn
 NEAR = 0.05               # m; the numbers of places that are nearer to each other would cover each other
 HEADINGS = 8              # along the driven line
@@ -33,29 +31,17 @@ TAPE = {"color": "0.75", "linewidth": 12, "solid_capstyle": "butt"}
 def draw(result: Result, file: str) -> None:
     """Draw a result into a PNG file, 1000 pixels wide, in one step. Raises OSError."""
     task, drive, losses = result.task, result.drive, [loss for loss in result.losses if loss.points >= NEGLIGIBLE]
-    world = task.load_world()
-    (left, right), (bottom, top) = limits = extent(task.course, drive, world)
-    height = WIDTH * min(1.0, max(0.35, (top - bottom) / (right - left)))
     below = TEXT * max(1, len(losses)) + 0.3
-    figure = Figure(figsize=(WIDTH, height + below), constrained_layout=True)
+    figure = Figure(figsize=(WIDTH, HEIGHT + below), constrained_layout=True)
     figure.suptitle(f"{task.title}: {result.score:.1f} of 100 points in {drive.seconds:.1f} s", fontsize=16)
-    floor, text = figure.subplots(2, gridspec_kw={"height_ratios": (height, below)})
-    draw_world(floor, world)
+    floor, text = figure.subplots(2, gridspec_kw={"height_ratios": (HEIGHT, below)})
+    draw_world(floor, task.load_world())
     draw_drive(floor, task.course, drive)
-    floor.set(xlim=limits[0], ylim=limits[1], xlabel="x (m)", ylabel="y (m)")
     mark_losses(floor, losses)
     list_losses(text, losses)
     picture = io.BytesIO()
-    figure.savefig(picture, format="png", dpi=DPI)
+    figure.savefig(picture, format="png", dpi=100)
     files.replace(file, picture.getvalue())
-
-
-def extent(course: Course, drive: Drive, world: World) -> Tuple[Point, Point]:
-    """Return the range of x and of y that the picture shows, in m."""
-    corners = [corner for pose in (Pose(), course.goal, drive.end) for corner in outline(pose)]
-    walls = [point for line in world.walls + world.lines for point in line]
-    points = [*course.points, *(pose[:2] for pose in drive.poses), *corners, *walls]
-    return tuple((min(values) - MARGIN, max(values) + MARGIN) for values in zip(*points))
 
 
 def draw_drive(axes: Axes, course: Course, drive: Drive) -> None:
@@ -69,6 +55,7 @@ def draw_drive(axes: Axes, course: Course, drive: Drive) -> None:
                         (course.goal, {"edgecolor": ORANGE, "linestyle": "--", "label": "goal"}),
                         (drive.end, {"edgecolor": BLUE, "label": "stop"})):
         draw_robot(axes, pose, style)
+    axes.set(xlabel="x (m)", ylabel="y (m)")
     axes.set_aspect("equal", "datalim")
     axes.grid(alpha=0.3)
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=7, frameon=False)

@@ -12,7 +12,7 @@ from ..report.marks import Mark
 from ..scoring.recorder import DONE, DRIVING, WAITING, NoDrive, Recorder, Sample
 from ..scoring.score import rate
 from ..scoring.tasks import Task
-from .judged_robot import SimulatedRobot
+from .judged_robot import JudgedRobot
 
 INVITATION = "Drive when you are ready."
 AT_START = 0.001         # m or rad: a pose so close to the start is there
@@ -29,16 +29,17 @@ class Attempt:
     """Judges the first drive of a robot that nothing interrupts; after an interruption, the robot starts again.
 
     show: prints a sentence for the person who drives. mark: the result, once it is known. ready: whether the robot
-    is at its start, and may drive; ready_at: the stamp from which on it was, in s.
+    is at its start, and may drive; start: the last sample before it might.
     """
 
-    def __init__(self, task: Task, robot: SimulatedRobot, show: Callable[[str], None]):
+    def __init__(self, task: Task, robot: JudgedRobot, show: Callable[[str], None]):
         self._task, self.robot, self._show = task, robot, show
         self._announcement = Announcement(robot.namespace, task)
-        self._recorder, self._start, self._fed_at, self._announced_at = Recorder(task.time_limit), Pose(), 0.0, 0.0
+        self._recorder, self._fed_at, self._announced_at = Recorder(task.time_limit), 0.0, 0.0
         self._last_report, self._steps = "", self._run()
         self.mark: Optional[Mark] = None
-        self.ready, self.ready_at = False, 0.0
+        self.start: Optional[Sample] = None
+        self.ready = False
 
     @property
     def has_driven(self) -> bool:
@@ -89,13 +90,13 @@ class Attempt:
         """Put the robot at its start, and the task's world around it."""
         yield from self.robot.put_at_start()
         self._check_obstacle()
-        self._start = self.robot.pose
-        self.robot.set_world(dump(self._task.load_world().placed(self._start)))
+        self.robot.set_world(dump(self._task.load_world().placed(self.robot.latest.pose)))
         while not self.robot.has_world:
             self._check_obstacle()
             yield
-        self._recorder, self.ready_at = Recorder(self._task.time_limit), self.robot.time
-        self._announcement.draw(self._start)
+        self.start, self._recorder = self.robot.latest, Recorder(self._task.time_limit)
+        self._recorder.feed(self.start)
+        self._announcement.draw(self.start.pose)
         self._invite()
 
     def _invite(self):
@@ -120,7 +121,7 @@ class Attempt:
         if was_driving and gap > MAX_GAP:
             raise Interrupted(f"{gap:.1f} s of the drive were not measured, because the simulator or the judge paused.")
         if self._recorder.feed(sample) == WAITING:
-            if not is_near(self._recorder.frame, self._start):
+            if not is_near(self._recorder.frame, self.start.pose):
                 raise Interrupted("The robot was put elsewhere, so the drive does not count.")
             if was_driving:
                 self._report("The robot was put back to its start.")

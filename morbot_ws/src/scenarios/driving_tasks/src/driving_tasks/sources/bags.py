@@ -3,7 +3,7 @@
 import os
 import re
 from pathlib import Path
-from typing import Dict, Iterator, List, NamedTuple, Optional, Tuple
+from typing import Dict, Iterator, List, Optional, Tuple
 
 import genpy.dynamic
 import rosbag
@@ -23,24 +23,12 @@ from .folders import find_files
 from .replay import read_config, replay
 
 MAX_SIZE = 200  # MB
-MAX_NAMES = 5   # of robots that a sentence lists
 SUFFIXES = (".bag", ".bag.active")  # rosbag renames the second to the first when it ends
 TOPIC = re.compile(r"/?(?:(.+)/)?(jetbot_simulator/ground_truth|odom|cmd_vel)")
 Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, or commands
 
 
-class Source(NamedTuple):
-    """A topic from which a drive is known: its name for people, and the message that it carries."""
-
-    name: str
-    message: type
-
-
-SOURCES = {  # the most exact one first
-    "jetbot_simulator/ground_truth": Source("", Odometry),
-    "odom": Source("odometry", Odometry),
-    "cmd_vel": Source("commands", Twist),
-}
+SOURCES = {"jetbot_simulator/ground_truth": "", "odom": "odometry", "cmd_vel": "commands"}  # the most exact one first
 
 
 def judge_bags(task: Task, path: str, robot: Optional[str] = None, config: str = "") -> Iterator[Mark]:
@@ -69,9 +57,8 @@ def sample_of(message: Odometry) -> Sample:
 def _judge(task, file, robot, settings) -> Tuple[Result, str]:
     """Return the result of the drive in a bag, and the name of its source. This runs in a child."""
     topic, track = _choose(_read(file), robot)
-    if SOURCES[topic].message is Twist:
-        track = replay(track, task, **settings)
-    return judge(task, track), SOURCES[topic].name
+    samples = replay(track, task, **settings) if topic == "cmd_vel" else track
+    return judge(task, samples), SOURCES[topic]
 
 
 def _read(file: str) -> Tracks:
@@ -95,7 +82,7 @@ def _read(file: str) -> Tracks:
 
 def _forbid_code():
     """Let rosbag use installed messages only: it would run Python code that it makes from a definition in the bag."""
-    rosbag.bag._message_types.update({source.message._md5sum: source.message for source in SOURCES.values()})
+    rosbag.bag._message_types.update({message._md5sum: message for message in (Odometry, Twist)})
     genpy.dynamic.generate_dynamic = _refuse
 
 
@@ -123,19 +110,16 @@ class _Bag(rosbag.Bag):
 def _tracks(bag: rosbag.Bag) -> Tracks:
     tracks = {}
     for topic, message, time in bag.read_messages(connection_filter=_is_known):
-        value = sample_of(message) if message._type == Odometry._type else _command(time.to_sec(), message)
+        value = (sample_of(message) if message._type == Odometry._type else
+                 (time.to_sec(), message.linear.x, message.angular.z))
         tracks.setdefault(TOPIC.fullmatch(topic).groups(""), []).append(value)
     return tracks
 
 
 def _is_known(topic, kind, md5sum, _definition, _header):
     known = TOPIC.fullmatch(topic)
-    message = SOURCES[known[2]].message if known else None
+    message = Twist if known and known[2] == "cmd_vel" else Odometry
     return known and (kind, md5sum) == (message._type, message._md5sum)
-
-
-def _command(time, twist):
-    return time, twist.linear.x, twist.angular.z
 
 
 def _choose(tracks: Tracks, robot: Optional[str]) -> Tuple[str, List]:
@@ -144,9 +128,8 @@ def _choose(tracks: Tracks, robot: Optional[str]) -> Tuple[str, List]:
     if not robots:
         raise ValueError("It holds no drive: record odom or cmd_vel with it.")
     if robot is None and len(robots) > 1 or robot not in (None, *robots):
-        names = [each or "a robot without a name" for each in robots[:MAX_NAMES]]
-        names += ["others"] * (len(robots) > MAX_NAMES)
-        raise ValueError(f"It holds {printable(enumeration(names))}: choose one with --robot NAME.")
+        names = enumeration([each or "a robot without a name" for each in robots])
+        raise ValueError(f"It holds {printable(names)}: choose one with --robot NAME.")
     robot = robots[0] if robot is None else robot
     topic = next(topic for topic in SOURCES if (robot, topic) in tracks)
     return topic, tracks[robot, topic]

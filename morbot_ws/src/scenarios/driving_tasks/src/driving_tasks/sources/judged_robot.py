@@ -13,7 +13,6 @@ from std_srvs.srv import Empty
 from visualization_msgs.msg import MarkerArray
 
 from jetbot import InvalidValue
-from jetbot.kinematics import Pose
 from jetbot.text import enumeration, printable
 from jetbot_ros.holds import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
@@ -60,14 +59,13 @@ def label(namespace: str) -> str:
     return namespace.strip("/") or "robot"
 
 
-class SimulatedRobot:
+class JudgedRobot:
     """``poll`` reads what has arrived; the rest returns what is known by then. Needs an initialized node."""
 
     def __init__(self, namespace: str):
         self.namespace, self.name = namespace, label(namespace)
         self.samples: List[Sample] = []  # what the last poll has read: the newest ground truth, oldest first
-        self.pose: Optional[Pose] = None
-        self.time = 0.0  # s, stamp of the pose
+        self.latest: Optional[Sample] = None  # of all
         self._arrived, self._silent_polls, self._moved_at, self._moves = deque(), 0, 0.0, 0
         self._status, self._worlds, self._known_worlds = "", 0, 0
         simulator = f"{namespace}/jetbot_simulator"
@@ -89,16 +87,16 @@ class SimulatedRobot:
         self.samples = [sample_of(self._arrived.popleft()) for _ in range(len(self._arrived))]
         self._silent_polls = 0 if self.samples else self._silent_polls + 1
         for sample in self.samples:
-            if self.pose is None or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.pose)):
+            if not self.latest or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.latest.pose)):
                 self._moved_at, self._moves = sample.time, self._moves + 1
             elif self.has_stopped:
                 self._moves = 0
-            self.pose, self.time = sample.pose, sample.time
+            self.latest = sample
 
     @property
     def has_stopped(self) -> bool:
         """Whether the robot has not moved for STOPPED_AFTER seconds."""
-        return self.pose is not None and self.time - self._moved_at >= STOPPED_AFTER
+        return self.latest is not None and self.latest.time - self._moved_at >= STOPPED_AFTER
 
     @property
     def is_controlled(self) -> bool:
@@ -134,8 +132,8 @@ class SimulatedRobot:
         call.start()
         while call.is_alive() and not self.obstacle:
             yield
-        called_at = self.time
-        while not (self.has_stopped and self.time - called_at >= STOPPED_AFTER or self.obstacle):
+        called_at = self.latest.time
+        while not (self.has_stopped and self.latest.time - called_at >= STOPPED_AFTER or self.obstacle):
             yield
 
     def _call_reset(self):

@@ -20,7 +20,7 @@ from jetbot_ros.master import NO_ANSWER, condition_of, is_registered, require_ma
 from ..report.marks import Mark
 from ..scoring.tasks import Task
 from .attempt import Attempt
-from .judged_robot import SimulatedRobot, choose_robots, label, simulated_robots
+from .judged_robot import JudgedRobot, choose_robots, label, simulated_robots
 
 NAME = "judge"
 POLL_INTERVAL = 0.05    # s
@@ -43,7 +43,7 @@ def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None)
     if record:
         check_record(record, namespaces)
     init_node(namespaces)
-    robots = [SimulatedRobot(namespace) for namespace in namespaces]
+    robots = [JudgedRobot(namespace) for namespace in namespaces]
     attempts = [Attempt(task, robot, reporter(robot, robots)) for robot in robots]
     recording = Recording(attempts[0]) if record else None
     try:
@@ -95,7 +95,7 @@ def init_node(namespaces: Sequence[str]) -> None:
     rospy.init_node(NAME, argv=[], disable_signals=True)  # rospy's own handlers would ask the master
 
 
-def reporter(robot: SimulatedRobot, robots: Sequence[SimulatedRobot]) -> Callable[[str], None]:
+def reporter(robot: JudgedRobot, robots: Sequence[JudgedRobot]) -> Callable[[str], None]:
     """Return what prints a sentence about a robot, with its name if there are others."""
     prefix = f"{robot.name}: " if len(robots) > 1 else ""
     return lambda sentence: print(prefix + sentence, flush=True)
@@ -138,7 +138,7 @@ def is_known() -> bool:
         return False
 
 
-def close(robots: Sequence[SimulatedRobot]) -> None:
+def close(robots: Sequence[JudgedRobot]) -> None:
     """Give the robots their worlds back, and end the node."""
     with contextlib.suppress(rospy.ROSException):  # rospy has ended the node
         for robot in robots:
@@ -168,6 +168,6 @@ class Recording:
             bag_file = Path(folder, "drive.bag")
             with rosbag.Bag(str(bag_file), "w") as bag:
                 for topic, message, time in list(self._messages):
-                    if time.to_sec() >= self._attempt.ready_at:
+                    if time.to_sec() >= self._attempt.start.time:
                         bag.write(topic, message, time)
             files.replace(file, bag_file.read_bytes())

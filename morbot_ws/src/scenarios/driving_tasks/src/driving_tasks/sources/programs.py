@@ -24,7 +24,7 @@ from ..report.marks import Mark
 from ..scoring.tasks import Task
 from .attempt import INVITATION, Attempt
 from .folders import find_files
-from .judged_robot import SimulatedRobot
+from .judged_robot import JudgedRobot
 from .live import POLL_INTERVAL, init_node
 from .replay import read_config
 
@@ -85,7 +85,7 @@ class Trial:
             if not wait_until(lambda: is_reachable(os.environ["ROS_MASTER_URI"]), START_TIMEOUT):
                 return self._mark("Its ROS master does not start.")
         init_node([""])
-        return self._judge(Attempt(self._task, SimulatedRobot(""), self._sentences.append))
+        return self._judge(Attempt(self._task, JudgedRobot(""), self._sentences.append))
 
     def _judge(self, attempt):
         problem = ""
