@@ -10,7 +10,6 @@ import pytest
 from cockpit_server import DRIVE, PING, WITHIN, Cockpit
 from jetbot.wait import wait_until
 from jetbot_cockpit_server.session import hub as hubs
-from jetbot_cockpit_server.session import protocol
 from jetbot_cockpit_server.web import server as servers
 from web_client import PING as PING_FRAME
 from web_client import connect, head, request
@@ -18,9 +17,7 @@ from web_client import connect, head, request
 pytest_plugins = ["cockpit_server"]  # its fixtures
 
 
-@pytest.mark.parametrize("message", [
-    b"", b"x", b"[]", b"{}", b'{"type": "fly"}', b'{"type": "drive"}', b'{"type": "ping", "sent": NaN}',
-    b'{"type": "ping", "sent": 1%s}' % (b"0" * 400), b"x" * 1001, b"x" * 8000, b"x" * 100_000], ids=len)
+@pytest.mark.parametrize("message", [b"x", b"{}", b"x" * 1001, b"x" * 100_000], ids=len)
 def test_a_message_of_another_form_ends_the_socket_and_stops_the_robot(cockpit, message):
     page = cockpit.page()
     number = page.receive("hello")["id"]
@@ -30,26 +27,6 @@ def test_a_message_of_another_form_ends_the_socket_and_stops_the_robot(cockpit, 
     closed = page.wait_for_close()
     assert closed.code in ((4000,) if len(message) <= 8000 else (1009, None))
     assert wait_until(lambda: number in cockpit.control.left, WITHIN)
-
-
-def test_too_many_messages_end_the_socket_but_a_stop_among_them_counts(cockpit):
-    page = cockpit.page()
-    number = page.receive("hello")["id"]
-    with contextlib.suppress(ConnectionError):
-        for _ in range(80):
-            page.send({"type": "stop"})
-    closed = page.wait_for_close()
-    assert (closed.code, closed.reason) == (4000, hubs.TOO_MANY)
-    stops = [message for client, message in cockpit.control.handled if client.id == number]
-    assert stops == [protocol.Message("stop")] * len(stops) and len(stops) > protocol.MAX_BURST
-
-
-def test_the_pages_rate_after_a_pause_of_the_network_is_no_flood(cockpit):
-    page = cockpit.page()
-    for _ in range(45):
-        page.send(PING)
-    for _ in range(45):
-        assert page.receive("pong")
 
 
 def test_pings_of_the_protocol_are_no_way_around_the_limit(cockpit):
@@ -122,6 +99,9 @@ def test_more_connections_than_there_is_room_for_end_and_those_that_there_are_st
     monkeypatch.setattr(servers, "MAX_CONNECTIONS", 2)
     page, idle = fresh.page(), connect(fresh.port)
     assert connect(fresh.port).recv(1) == b""
+    idle.setblocking(False)
+    with pytest.raises(BlockingIOError):  # it is still open
+        idle.recv(1)
     page.send(PING)
     assert page.receive("pong")
     idle.close()

@@ -4,7 +4,7 @@ import logging
 
 import pytest
 
-from cockpit_server import DRIVE, FIRST_PUPIL, GRANTS, TEACHER
+from cockpit_server import DRIVE, FIRST_PUPIL, TEACHER
 from jetbot_cockpit_server.session import protocol
 from web_client import UPGRADE, request
 
@@ -106,14 +106,6 @@ def test_what_a_page_sends_reaches_the_control_and_a_ping_returns(cockpit):
     assert page.receive("pong") == {"type": "pong", "sent": 12.5}
     client, message = cockpit.control.handled[-1]
     assert (client.id, message) == (number, protocol.Message("drive", "/", 1, 0))
-
-
-def test_a_teacher_gets_the_codes_and_a_pupil_does_not(cockpit):
-    teacher, pupil = cockpit.page(), cockpit.page("class.test", Cookie=cockpit.cookie(FIRST_PUPIL))
-    for page in teacher, pupil:
-        page.send({"type": "codes"})
-    assert [card["code"] for card in teacher.receive("codes")["codes"]] == [grant.code for grant in GRANTS]
-    assert pupil.receive("notice")["text"] == "Only a teacher can see the codes."
 
 
 def test_nothing_is_logged_that_a_client_can_cause(caplog, cockpit):

@@ -20,7 +20,7 @@ from jetbot_cockpit_server.session.rights import Client
 
 ADA, TEACHER = Client(1, "Ada", "pupil"), Client(2, "teacher", "teacher")
 LET_GO, NO_ANSWER = "Let go, then drive again.", "robot does not answer."
-RELEASE_FIRST = "Emergency stop. Release it first."
+RELEASE_FIRST, RELEASE_OWN_FIRST = "Emergency stop. Release it first.", "its own emergency stop. Release it first."
 
 
 def wait_for_page(condition):
@@ -96,8 +96,6 @@ class CockpitDrive(RobotTest):
         self.lift()
         self.wait_for_stop(within=1.0)
         self.wait_for(lambda: not publishers("/cmd_vel"), 5.0, "the publisher to end")
-        self.push(0.25)
-        self.lift()
         self.push(-0.25)
         with self.lock:
             self.control.leave(ADA.id)
@@ -106,40 +104,25 @@ class CockpitDrive(RobotTest):
         self.drivers.close()
         self.wait_for_stop(within=1.0)
 
-    def test_a_pad_that_falls_silent_stops_the_robot_and_must_be_released(self):
-        self.push(0.5)
-        self.wait_for_stop(within=1.0)
-        self.wait_for_refusal(LET_GO)
-        self.wheels_stay(0, 0, for_seconds=0.3)
-        self.lift()
-        self.push(0.5)
+    def test_the_emergency_stop_of_all_and_that_of_one(self):
+        for client, robot, status, refusal in ((ADA, None, "emergency stop", RELEASE_FIRST),
+                                               (TEACHER, "/", "its own emergency stop", RELEASE_OWN_FIRST)):
+            self.push(0.5)
+            self.do(client, Message("stop", robot))
+            self.wait_for_stop(within=1.0)
+            self.wait_for(lambda status=status: self.robot()["status"].startswith(f"stopped: {status}"), 5.0, status)
+            self.wait_for_refusal(refusal)
+            self.do(client, Message("release", robot))
+            self.wait_for_refusal(LET_GO)
+            self.lift()
 
-    def test_an_emergency_stop_that_anybody_releases(self):
-        self.push(0.5)
-        self.do(ADA, Message("stop"))
-        self.wait_for_stop(within=1.0)
-        self.wait_for(lambda: self.robot()["status"].startswith("stopped: emergency stop"), 5.0, "its status")
-        self.wait_for_refusal(RELEASE_FIRST)
-        self.do(ADA, Message("release"))
-        self.wait_for_refusal(LET_GO)
-        self.lift()
+    def test_an_emergency_stop_by_another_program(self):
         self.push(0.5)
         self.emergency_stop(True)
         self.wait_for_stop(within=1.0)
         self.wait_for_refusal(RELEASE_FIRST)
         self.emergency_stop(False)
         self.wait_for(lambda: not self.control.state()["emergency"], 5.0, "the release")
-
-    def test_a_teacher_stops_one_robot(self):
-        self.push(0.5)
-        self.do(TEACHER, Message("stop", "/"))
-        self.wait_for_stop(within=1.0)
-        self.wait_for(lambda: self.robot()["status"].startswith("stopped: its own emergency stop"), 5.0, "its status")
-        self.wait_for_refusal("robot: its own emergency stop. Release it first.")
-        self.do(TEACHER, Message("release", "/"))
-        self.wait_for_refusal(LET_GO)
-        self.lift()
-        self.push(0.5)
 
     def test_a_robot_that_freezes_or_is_killed_does_not_answer_and_does_not_jump_off_later(self):
         self.push(0.5)
