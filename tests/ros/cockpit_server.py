@@ -11,7 +11,7 @@ import pytest
 from jetbot_cockpit_server.session.hub import Hub
 from jetbot_cockpit_server.web.access import Access, make_grants
 from jetbot_cockpit_server.web.addresses import listen
-from jetbot_cockpit_server.web.handout import make_card
+from jetbot_cockpit_server.web.handout import Card
 from jetbot_cockpit_server.web.server import Server
 from web_client import WebSocket, request
 
@@ -57,7 +57,7 @@ class Cockpit:
         self.access = Access(self.port, ["class.test"], GRANTS)
         self.control = StandIn()
         self.server = Server(sockets, self.access, Hub(
-            self.control, [make_card(grant, "class.test", self.port).message() for grant in GRANTS]))
+            self.control, [Card(grant, "class.test", self.port).message() for grant in GRANTS]))
         self.server.start()
 
     def headers(self, name="localhost", **headers):

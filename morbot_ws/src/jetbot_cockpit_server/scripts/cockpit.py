@@ -51,7 +51,7 @@ class Cockpit:
         grants = make_grants(given["robots"]) if given["lan"] else []
         names = [given["name"]] if given["name"] else addresses.lan_addresses()
         self.access = Access(self.port, [*names, *addresses.host_names()] if given["lan"] else [], grants)
-        self.cards = [handout.make_card(grant, (names or ["localhost"])[0], self.port) for grant in grants]
+        self.cards = [handout.Card(grant, (names or ["localhost"])[0], self.port) for grant in grants]
 
         # What clients ask for goes into the control, and what the robots report comes out
         self.drivers = Drivers()
@@ -92,7 +92,8 @@ class Cockpit:
         print(f"The cockpit, for a browser on this computer: {url}", flush=True)
         if self.cards:
             sys.stdout.reconfigure(errors="replace")  # a terminal may lack the blocks of the QR codes
-            print(f"For others:\n{handout.text(self.cards, sys.stdout.isatty())}", flush=True)
+            cards = [card.text(sys.stdout.isatty()) for card in self.cards]
+            print("For others:", *cards, sep="\n", flush=True)
         if self.browser == "auto":
             handout.open_browser(url)
 
