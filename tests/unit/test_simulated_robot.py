@@ -5,7 +5,7 @@ import pytest
 from jetbot.fake.motors import Motors
 from jetbot.kinematics import Pose
 from simulation.diff_drive import DiffDriveModel
-from simulation.simulated_robot import LASTING, MAX_STEPS, SimulatedRobot, StallReport, StepClock
+from simulation.simulated_robot import MAX_STEPS, SimulatedRobot, StallReport, StepClock
 from simulation.world import FOOTPRINT, World
 
 SECOND = 100  # steps
@@ -100,7 +100,7 @@ def test_a_stall_is_reported_again_when_it_returns_or_another_wheel_stalls_too()
 
 
 def test_a_ramp_that_passes_through_the_dead_band_is_no_stall():
-    assert reports((LASTING - 0.1, 0.01, 0.04), (0.1, 0, 0), (LASTING, 0.01, 0.01)) == [None] * 3
+    assert reports((0.4, 0.01, 0.04), (0.1, 0, 0), (0.4, 0.01, 0.01)) == [None] * 3
 
 
 def test_each_10_ms_is_a_step_and_the_stamps_are_whole_steps_apart():
