@@ -15,7 +15,7 @@ def make_package(tmp_path, monkeypatch):
     monkeypatch.setattr(packages, "__file__", str(tmp_path / "src/jetbot_lessons/src/jetbot_lessons/packages.py"))
     (tmp_path / "src/jetbot_lessons").mkdir(parents=True)
     (tmp_path / "src/jetbot_lessons/package.xml").write_text(PACKAGE_XML.replace("mine", "jetbot_lessons"))
-    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "src/jetbot_lessons"))  # a list, while another is broken
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "src"))
     monkeypatch.setenv("CMAKE_PREFIX_PATH", str(tmp_path / "devel"))
     (tmp_path / "devel/share/mine/cmake").mkdir(parents=True)
     folder = tmp_path / "src/mine"

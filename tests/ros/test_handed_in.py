@@ -5,7 +5,7 @@ import time
 
 import pytest
 
-from jetbot_lessons import files, limited, marking
+from jetbot_lessons import lessons, marking, package_files, packages
 from lesson_package import DRIVE, LAUNCH, PACKAGE_XML, SCRIPT, make_package
 
 
@@ -66,18 +66,18 @@ def test_hostile_folder_gets_a_row_and_is_not_executed(mine, monkeypatch, file, 
 @pytest.mark.parametrize("happens, reason", [
     (os.abort, "It needs more than "), (lambda: time.sleep(60), "It takes more than 1 s.")])
 def test_file_that_ends_or_stops_its_reader_gets_a_row(mine, monkeypatch, happens, reason):
-    monkeypatch.setattr(limited, "LIMITS", limited.LIMITS._replace(wall_time=1))
-    monkeypatch.setattr(files, "check_scripts", lambda package: happens())
+    monkeypatch.setattr(lessons, "LIMITS", lessons.LIMITS._replace(wall_time=1))
+    monkeypatch.setattr(package_files, "check_scripts", lambda package: happens())
     assert f" cannot be checked: {reason}" in mark(7, mine)
 
 
 def test_launch_file_that_is_an_xml_bomb(mine):
     (mine / LAUNCH).write_text(BOMB)
-    assert files.check_launch_files("mine") == f"{mine / LAUNCH} is not XML: it defines the entity l0: " \
+    assert package_files.check_launch_files("mine") == f"{mine / LAUNCH} is not XML: it defines the entity l0: " \
                                                "remove <!ENTITY ...>"
 
 
 def test_package_xml_bomb_in_the_workspace(mine):
     (mine / "package.xml").write_text(BOMB)
-    problem = files.check_exists("jetbot_lessons", "make it")
-    assert problem.startswith(f"{mine}/package.xml, line 1: it defines the entity l0: ")
+    problem = lessons.described(packages.check_exists, "jetbot_lessons", "make it")
+    assert problem.startswith(f"{mine}/package.xml cannot be read: it defines the entity l0: ")

@@ -5,16 +5,9 @@ import re
 
 import pytest
 
-from jetbot_lessons import answers, files, packages
+from jetbot_lessons import answers, lessons, package_files, packages
+from jetbot_lessons.package_files import check_launch_files, check_scripts
 from lesson_package import DRIVE, INCLUDE, LAUNCH, PACKAGE_XML, SCRIPT, make_package
-
-
-def exists(package):
-    return files.check_exists(package, "make it")
-
-
-def depends(package):
-    return files.check_depends(package, "rospy", "geometry_msgs")
 
 
 @pytest.fixture
@@ -23,8 +16,16 @@ def mine(tmp_path, monkeypatch):
     return make_package(tmp_path, monkeypatch)
 
 
+def exists(package):
+    return lessons.described(packages.check_exists, package, "make it")
+
+
+def depends(package):
+    return package_files.check_depends(package, "rospy", "geometry_msgs")
+
+
 def test_nothing_is_missing(mine):
-    for check in exists, depends, files.check_scripts, files.check_built, files.check_launch_files:
+    for check in exists, depends, check_scripts, packages.check_built, check_launch_files:
         assert check("mine") is None
 
 
@@ -51,34 +52,20 @@ def test_package_that_catkin_ignores(mine, place, name):
     assert exists("mine") == f"ROS and catkin ignore {mine}: rm {marker}, then ./morbot setup"
 
 
-def test_copied_package(mine):
-    copy = mine.with_name("a copy")
-    copy.mkdir()
-    (copy / "package.xml").write_text(PACKAGE_XML)
-    assert exists("mine").startswith(f"{copy}/package.xml has the same <name> as {mine}: write ")
-
-
-def test_a_link_that_leads_back_is_named_and_not_followed_forever(mine):
-    for name in "one", "two":
-        (mine.parent / name).symlink_to(mine.parent)
-    link = mine.parent / "one"
-    assert exists("mine") == f"{link} leads to a folder that ROS searches already: rm {link}"
+def test_package_that_setup_has_left_out(mine):
+    (mine / "CATKIN_IGNORE").write_text(f"morbot: {mine} is left out: it is broken. Correct it, then: ./morbot setup\n")
+    assert exists("mine") == f"{mine} is left out: it is broken. Correct it, then: ./morbot setup"
 
 
 def test_package_of_ros_is_not_the_pupils(mine, monkeypatch):
-    assert files.check_own("mine") is None
-    monkeypatch.setattr(files, "folder", lambda name: packages.Path("/usr/share/rospy"))
-    assert files.check_own("rospy") == "rospy comes with ROS, in /usr/share/rospy: type the name of your own package"
+    assert packages.check_own("mine") is None
+    monkeypatch.setattr(packages, "folder", lambda name: packages.Path("/usr/share/rospy"))
+    assert packages.check_own("rospy") == "rospy comes with ROS, in /usr/share/rospy: type the name of your own package"
 
 
 def test_package_where_ros_does_not_search(mine):
     elsewhere = mine.rename(mine.parents[1] / "mine")
     assert exists("mine") == f"ROS does not search {elsewhere.parent} for packages: mv {elsewhere} {mine.parent}"
-
-
-def test_package_xml_that_hides_the_package(mine):
-    (mine.parent / "package.xml").write_text(PACKAGE_XML.replace("mine", "other"))
-    assert exists("mine").startswith(f"{mine.parent}/package.xml hides the packages in its folder from ROS: mv ")
 
 
 @pytest.mark.parametrize("file, text, check, problem", [
@@ -88,25 +75,25 @@ def test_package_xml_that_hides_the_package(mine):
      "write <name>mine</name> there, and project(mine) in CMakeLists.txt"),
     ("package.xml", PACKAGE_XML.replace("<depend>geometry_msgs</depend>", ""), depends, "{0}/package.xml does not name "
      "geometry_msgs: add <exec_depend>geometry_msgs</exec_depend> before </package>"),
-    (LAUNCH, None, files.check_launch_files,
+    (LAUNCH, None, check_launch_files,
      "There is no launch file in {0}/launch: put one there, with a name that ends in .launch"),
-    (LAUNCH, "<launch/>", files.check_launch_files,
+    (LAUNCH, "<launch/>", check_launch_files,
      f"{{0}}/{LAUNCH} does not include the controller: add {INCLUDE} below <launch>"),
-    (LAUNCH, f"<launch>{INCLUDE.replace('true', 'false')}</launch>", files.check_launch_files, f"{{0}}/{LAUNCH} "
+    (LAUNCH, f"<launch>{INCLUDE.replace('true', 'false')}</launch>", check_launch_files, f"{{0}}/{LAUNCH} "
      'does not pass its arguments on to the controller: write pass_all_args="true" in its <include>'),
-    (LAUNCH, "<launch>", files.check_launch_files, f"{{0}}/{LAUNCH} is not XML: no element found: line 1, column 8"),
-    (DRIVE, None, files.check_scripts,
+    (LAUNCH, "<launch>", check_launch_files, f"{{0}}/{LAUNCH} is not XML: no element found: line 1, column 8"),
+    (DRIVE, None, check_scripts,
      "There is no script in {0}/scripts: put one there, with a name that ends in .py"),
-    *((DRIVE, text, files.check_scripts,
+    *((DRIVE, text, check_scripts,
        f"drive.py does not begin with #!/usr/bin/env python3: make that the first line of {{0}}/{DRIVE}")
       for text in ("print()\n", "\n#!")),
-    *((DRIVE, text, files.check_scripts, f"{{0}}/{DRIVE} is empty: write your program into it, and save it")
+    *((DRIVE, text, check_scripts, f"{{0}}/{DRIVE} is empty: write your program into it, and save it")
       for text in ("", " \n")),
-    *((DRIVE, text, files.check_scripts, "drive.py holds no command yet: write your program into it, and save it")
+    *((DRIVE, text, check_scripts, "drive.py holds no command yet: write your program into it, and save it")
       for text in ("#!/usr/bin/env python3", "#!/usr/bin/env python3\n# Drives.\n")),
-    (DRIVE, SCRIPT.replace("\n", "\r\n"), files.check_scripts,
+    (DRIVE, SCRIPT.replace("\n", "\r\n"), check_scripts,
      rf"drive.py has Windows line endings: sed -i 's/\r$//' {{0}}/{DRIVE}"),
-    *((DRIVE, f"{first}\n", files.check_scripts,
+    *((DRIVE, f"{first}\n", check_scripts,
        f"drive.py begins with {first}, which does not start ROS's Python: write #!/usr/bin/env python3")
       for first in ("#!/usr/bin/env snake", "#!/usr/bin/env python9", "#!usr/bin/env python3", "#!/usr/bin/env",
                     "#!/bin/nothing", "#!/bin/sh", "#!"))])
@@ -117,7 +104,7 @@ def test_problem_of_a_file(mine, file, text, check, problem):
 
 def test_not_built(mine):
     (mine.parents[1] / "devel").rename(mine.parents[1] / "elsewhere")
-    assert files.check_built("mine") == "mine is not built: ./morbot setup"
+    assert packages.check_built("mine") == "mine is not built: ./morbot setup"
 
 
 @pytest.mark.parametrize("text", [
@@ -127,48 +114,48 @@ def test_not_built(mine):
 def test_package_xml_describes_no_package(mine, text, wanted):
     (mine / "package.xml").write_bytes(text)
     problem = exists(wanted)
-    assert problem.startswith(f"{mine}/package.xml") and problem.isprintable()
-    assert problem.endswith(". Until then, the package is used as it was last built, or left out.")
+    assert problem.startswith(f"{mine}/package.xml cannot be read: ") and problem.isprintable()
+    assert problem.endswith(": correct that, then ./morbot setup")
 
 
 @pytest.mark.parametrize("line, where", [
     ("while True", r" \(drive\.py, line 3\)"), ("if 1:\nprint()", r" \(drive\.py, line 4\)"), ("\0", "")])
 def test_script_that_python_cannot_read(mine, line, where):
     (mine / DRIVE).write_text(f"{SCRIPT}{line}\n")
-    assert re.fullmatch(rf"Python cannot read drive\.py: [^\n]+{where}", files.check_scripts("mine"))
+    assert re.fullmatch(rf"Python cannot read drive\.py: [^\n]+{where}", check_scripts("mine"))
 
 
 def test_script_that_is_no_file(mine):
     script = mine / DRIVE
     script.unlink()
     script.symlink_to("nowhere")
-    assert files.check_scripts("mine") == f"{script} is a link to nowhere, which does not exist: rm {script}"
+    assert check_scripts("mine") == f"{script} is a link to nowhere, which does not exist: rm {script}"
     script.unlink()
     script.mkdir()
-    assert files.check_scripts("mine") == f"{script} is not a file: mv {script} ~"
+    assert check_scripts("mine") == f"{script} is not a file: mv {script} ~"
 
 
 @pytest.mark.parametrize("name", [".drive.py", ".#drive.py", "notes.txt"])
 def test_hidden_and_other_files_are_no_scripts(mine, name):
     (mine / "scripts" / name).symlink_to("nowhere")
-    assert files.check_scripts("mine") is None
+    assert check_scripts("mine") is None
 
 
 @pytest.mark.parametrize("first", ["#!/usr/bin/env python3 ", "#!/usr/bin/python3 -u", "#!/usr/bin/env -S python3 -u"])
 def test_first_lines_that_start(mine, first):
     (mine / DRIVE).write_text(f"{first}\nprint()\n")
-    assert files.check_scripts("mine") is None
+    assert check_scripts("mine") is None
 
 
 def test_script_is_not_executable(mine):
     (mine / DRIVE).chmod(0o644)
-    assert files.check_scripts("mine") == f"drive.py is not executable: chmod +x {mine / DRIVE}"
+    assert check_scripts("mine") == f"drive.py is not executable: chmod +x {mine / DRIVE}"
 
 
 def test_advice_works_where_a_folder_has_a_space(mine):
     folder = mine.rename(mine.with_name("my car"))
     (folder / DRIVE).chmod(0o644)
-    assert files.check_scripts("mine") == f"drive.py is not executable: chmod +x '{folder / DRIVE}'"
+    assert check_scripts("mine") == f"drive.py is not executable: chmod +x '{folder / DRIVE}'"
 
 
 @pytest.mark.parametrize("make, reasons", [
@@ -178,7 +165,7 @@ def test_advice_works_where_a_folder_has_a_space(mine):
 def test_what_is_not_a_small_file_is_not_read(mine, file, make, reasons):
     (mine / file).unlink()
     make(mine / file)
-    problem = exists("mine") or files.check_launch_files("mine") or files.check_scripts("mine")
+    problem = exists("mine") or check_launch_files("mine") or check_scripts("mine")
     assert problem.startswith(tuple(f"{mine / file}{reason}" for reason in reasons))
 
 

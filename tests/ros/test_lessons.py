@@ -3,128 +3,105 @@
 import os
 import queue
 import runpy
-import signal
 import socket
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-import rosgraph
+from geometry_msgs.msg import Twist
 
-from jetbot_lessons import graph, master, nodes, packages
-from jetbot_lessons.class_options import parse_class
+from jetbot.fake.bus import power_on
+from jetbot_lessons import graph, motion
+from jetbot_lessons.motion import check_command
+from lesson_package import make_package
 
 SCRIPT = Path(__file__).parents[2] / "morbot_ws/src/jetbot_lessons/scripts/check_lesson.py"
-parse_arguments = runpy.run_path(str(SCRIPT))["parse_arguments"]
+parse = runpy.run_path(str(SCRIPT))["parse"]
 FROZEN = "does not answer: continue it (after Ctrl-Z: fg), or stop it and start it with roscore"
 STOP_IT = "stop it with Ctrl-C in its terminal"
-
-
-@pytest.mark.parametrize("arguments", [[], ["0"], ["10"], ["one"], ["-1"], ["\u00b2"], ["1", "mine", "yours"]])
-def test_no_such_lesson(arguments):
-    with pytest.raises(SystemExit, match=r"^Which lesson, 1 to 9\? Type: rosrun jetbot_lessons check_lesson\.py N, and "
-                                         "from lesson 7 on the name of your package$"):
-        parse_arguments(arguments)
+CHECK = "rosrun jetbot_lessons check_lesson.py"
 
 
 @pytest.mark.parametrize("arguments, problem", [
-    ("9 --folders ada --csv metre.bag", "Argument --csv: its name must end in .csv, not metre.bag"),
+    *((words, f"Which lesson, 1 to 9? Type: {CHECK} N, and from lesson 7 on the name of your package")
+      for words in ("", "0", "10", "one", "-1", "\u00b2")),
+    *((number, f"Lesson {number} is about your own package. Type: {CHECK} {number} ITS_NAME") for number in "79"),
+    ("1 mine yours", "Unrecognized arguments: yours. Type: "), ("1 --color", "Unrecognized arguments: --color. Type: "),
+    ("9 --folders ada --csv metre.bag", "Argument --csv: its name must end in .csv, not metre.bag. Type: "),
     ("9 --folders ada --csv /nowhere/a.csv", "Argument --csv: /nowhere/a.csv cannot be written: "),
-    ("9 --robots red", "Lesson 9 cannot be checked like this"), ("6 --folders ada", "Lesson 6 cannot be checked like")])
-def test_options_for_a_class_that_cannot_be_meant_so(arguments, problem):
+    ("9 --robots red", "Lesson 9 cannot be checked like this. Type: "),
+    ("6 --folders ada", "Lesson 6 cannot be checked like this. Type: "),
+    ("3 --csv a.csv", "Lesson 3 cannot be checked like this. Type: ")])
+def test_what_cannot_be_meant_is_refused(tmp_path, monkeypatch, arguments, problem):
+    monkeypatch.chdir(tmp_path)
     with pytest.raises(SystemExit) as ended:
-        parse_class(arguments.split(), "check_lesson.py")
-    assert str(ended.value).startswith(problem)
-    assert ". Type: check_lesson.py N --robots NAME ... for lessons 2 to 6, " in str(ended.value)
+        parse(arguments.split())
+    assert str(ended.value).startswith(problem) and "\n" not in str(ended.value)
 
 
-@pytest.mark.parametrize("number", ["7", "9"])
-def test_lesson_needs_a_package(number):
-    with pytest.raises(SystemExit, match=rf"^Lesson {number} is about your own package\. "
-                                         rf"Type: rosrun jetbot_lessons check_lesson\.py {number} ITS_NAME$"):
-        parse_arguments([number])
-
-
-def test_lesson_and_package():
-    assert parse_arguments(["3"]) == (3,)
-    assert parse_arguments(["8", "mine"]) == (8, "mine")
-
-
-def check(**options):
-    """Run check_lesson.py 1; return its exit code and what it reports."""
-    done = subprocess.run([sys.executable, str(SCRIPT), "1"], stderr=subprocess.PIPE, text=True, **options)
-    return done.returncode, done.stderr
-
-
-@pytest.mark.parametrize("open_output, reason", [
-    (lambda: open("/dev/full", "w"), "No space left on device"), (lambda: closed_pipe(), "Broken pipe")])
-def test_result_that_cannot_be_printed(open_output, reason, tmp_path):
-    with open_output() as output:
-        (tmp_path / "lesson_1.txt").write_text("rospy geometry_msgs jetbot_control_node")
-        result = check(stdout=output, env={**os.environ, "PYTHONUNBUFFERED": ""}, cwd=tmp_path)
-        assert result == (1, f"Lesson 1: the result cannot be printed: {reason}\n")
-
-
-def closed_pipe():
-    reading, writing = os.pipe()
-    os.close(reading)
-    return os.fdopen(writing, "w")
+@pytest.mark.parametrize("arguments, options", [
+    ("3", {"lesson": 3, "package": None}), ("8 mine", {"lesson": 8, "package": "mine"}),
+    ("3 --robots red blue", {"lesson": 3, "robots": ["red", "blue"]}),
+    ("9 --folders ada ben", {"lesson": 9, "folders": ["ada", "ben"]})])
+def test_what_is_checked(arguments, options):
+    assert {**vars(parse(arguments.split())), **options} == vars(parse(arguments.split()))
 
 
 def test_ctrl_c_while_it_imports(tmp_path):
-    (tmp_path / "rosgraph.py").write_text(f"import os\nos.kill(os.getpid(), {signal.SIGINT})\n")
-    assert check(env={**os.environ, "PYTHONPATH": str(tmp_path)}) == (-signal.SIGINT, "")
+    (tmp_path / "rosgraph.py").write_text("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n")
+    done = subprocess.run([sys.executable, str(SCRIPT), "1"], stderr=subprocess.PIPE, text=True,
+                          env={**os.environ, "PYTHONPATH": str(tmp_path)}, check=False)
+    assert (done.returncode, done.stderr) == (-2, "")
 
 
-@pytest.fixture
-def silent_master(monkeypatch):
-    """The address of a port that accepts connections, and answers nothing."""
-    monkeypatch.setattr(nodes, "TIMEOUT", 0.2)
+def test_a_master_that_is_frozen_or_missing(monkeypatch):
+    monkeypatch.setattr("jetbot_ros.master.TIMEOUT", 0.2)
     with socket.create_server(("localhost", 0)) as server:
         uri = f"http://localhost:{server.getsockname()[1]}"
         monkeypatch.setenv("ROS_MASTER_URI", uri)
-        yield uri
+        monkeypatch.setattr(graph, "ask_master", lambda *_: (_ for _ in ()).throw(socket.timeout))
+        assert graph.check_master() == f"The ROS master at {uri} {FROZEN}"
+    monkeypatch.undo()
+    monkeypatch.setenv("ROS_MASTER_URI", uri)
+    assert graph.check_master("it") == f"No ROS master at {uri}: start one in another terminal with it"
 
 
-def test_frozen_master(silent_master):
-    assert master.check_master("roscore") == f"The ROS master at {silent_master} {FROZEN}"
-
-
-def test_master_that_freezes_ends_the_check(silent_master, monkeypatch):
-    answers, problems = iter([True, True, False, False]), queue.Queue()
-    monkeypatch.setattr(master, "is_online", lambda: next(answers))
-    monkeypatch.setattr(master, "ASK_INTERVAL", 0.0)
-    master.report_loss(problems.put)
-    assert problems.get(timeout=10) == f"The ROS master at {silent_master} {FROZEN}"
+def test_a_master_that_freezes_ends_the_check(monkeypatch):
+    answers, problems = iter([None, None, "busy", None, "frozen", "frozen"]), queue.Queue()
+    monkeypatch.setattr(graph, "check_master", lambda: next(answers))
+    monkeypatch.setattr(graph, "ASK_INTERVAL", 0.0)
+    graph.report_loss(problems.put)
+    assert problems.get(timeout=10) == "frozen" and not list(answers)
 
 
 @pytest.fixture
 def mine(tmp_path, monkeypatch):
-    """The folder of a package."""
-    monkeypatch.setattr(packages, "workspace", lambda: tmp_path)
-    folder = tmp_path / "mine"
-    (folder / "scripts").mkdir(parents=True)
-    (folder / "package.xml").write_text("<package><name>mine</name></package>")
-    return folder
+    """The folder of a package with nothing missing."""
+    return make_package(tmp_path, monkeypatch)
 
 
 @pytest.fixture
 def running(mine, monkeypatch):
     """A graph in which /dead does not answer, /speed is a String, and two roslaunches run robot and mine, and other."""
-    now = graph.Graph({"/cmd_vel": ["/mine/drive", "/dead", "/other"], "/speed": ["/mine/drive", "/mine/again"],
-                       "/map": ["/dead"], "/rosout": ["/mine/again"]},
-                      {"/cmd_vel": ["/robot"], "/red/cmd_vel": ["/red/car"]})
-    monkeypatch.setattr(graph, "snapshot", lambda: now)
-    monkeypatch.setattr(graph, "pid", lambda node: 1 if node in now.nodes and node != "/dead" else None)
+    publishers = {"/cmd_vel": ["/mine/drive", "/dead", "/other"], "/speed": ["/mine/drive", "/mine/again"],
+                  "/map": ["/dead"], "/rosout": ["/mine/again"]}
+    monkeypatch.setattr(graph, "system_state", lambda: [
+        publishers, {"/cmd_vel": ["/robot"], "/red/cmd_vel": ["/red/car"]}, {}])
+    monkeypatch.setattr(graph, "is_alive", lambda node: node in graph.nodes() and node != "/dead")
     monkeypatch.setattr(graph, "command_of", lambda node: [Path(f"/devel/lib{node}")])
-    monkeypatch.setattr(graph, "ask", lambda node, method: [["/speed", "std_msgs/String"]])
+    monkeypatch.setattr(graph, "types_of", lambda node: {"/speed": "std_msgs/String"})
     monkeypatch.setattr(graph, "launched", lambda namespace: [{"robot", "mine"}, {"other"}])
-    return monkeypatch
+    return publishers
 
 
 @pytest.mark.parametrize("check, arguments, problem", [
+    (graph.check_node, ("/robot", "rosrun it"), None),
     (graph.check_node, ("/car", "rosrun it"), "/red/car runs in a namespace: start it without one"),
+    (graph.check_node, ("/bus", "rosrun it"), "There is no node /bus: start it in another terminal with rosrun it"),
+    (graph.check_node, ("/dead", "rosrun it"), "The node /dead was killed or hangs: start it again with rosrun it; "
+     "if it hangs, stop it first (after Ctrl-Z: fg, then Ctrl-C)"),
+    (graph.check_subscribes, ("/robot", "/cmd_vel"), None),
     (graph.check_subscribes, ("/robot", "/speed"),
      "/robot does not subscribe to /speed: was it started in a namespace, or was /speed remapped?"),
     (graph.check_no_other_publisher, ("/cmd_vel",), f"/mine/drive publishes on /cmd_vel: {STOP_IT}, then try again"),
@@ -139,6 +116,7 @@ def running(mine, monkeypatch):
     (graph.check_publishes, ("mine", "/cmd_vel", "rosrun it"), None),
     (graph.check_publishes, ("mine", "/map", "rosrun it"),
      "/mine/again publishes on /speed, not on /map: use that in rospy.Publisher"),
+    (graph.check_type, ("/cmd_vel", "geometry_msgs/Twist"), None),
     (graph.check_type, ("/speed", "geometry_msgs/Twist"), "/mine/drive publishes std_msgs/String on /speed, "
      f"not geometry_msgs/Twist: {STOP_IT}; in a script of your own, pass that type to rospy.Publisher"),
     (graph.check_launched_together, ("robot", "mine"), None),
@@ -150,13 +128,14 @@ def test_problem_in_the_graph(running, check, arguments, problem):
 
 
 def test_node_without_a_publisher(running):
-    running.setattr(graph, "snapshot", lambda: graph.Graph({"/rosout": ["/mine/drive"]}, {}))
+    running.clear()
+    running["/rosout"] = ["/mine/drive"]
     assert graph.check_publishes("mine", "/cmd_vel", "rosrun it") == (
         "/mine/drive has no rospy.Publisher: make one for /cmd_vel, and call its publish in a loop")
 
 
-def test_node_does_not_run(running):
-    running.setattr(graph, "command_of", lambda node: [])
+def test_node_does_not_run(running, monkeypatch):
+    monkeypatch.setattr(graph, "command_of", lambda node: [])
     assert graph.check_publishes("mine", "/cmd_vel", "rosrun it") == (
         "No node of mine runs; /dead was killed or hangs (fg, then Ctrl-C, stops it): "
         "start it in another terminal with rosrun it; if it ends by itself, that terminal shows why")
@@ -176,10 +155,9 @@ def command_of(mine, monkeypatch):
         process = subprocess.Popen([sys.executable, *arguments], cwd=folder, stdin=subprocess.PIPE,
                                    stdout=subprocess.PIPE)
         process.stdout.readline()  # it runs
-        monkeypatch.setattr(rosgraph.Master, "lookupNode", lambda *_: "http://localhost:1/")
-        monkeypatch.setattr(nodes, "pid", lambda node: process.pid)
-        monkeypatch.setattr(nodes, "_listener", lambda uri: Path("/proc", str(process.pid)))
-        command = nodes.command_of("/mine")
+        monkeypatch.setattr(graph, "address_of", lambda node: "http://localhost:1/")
+        monkeypatch.setattr(graph, "ask", lambda server, method: process.pid)
+        command = graph.command_of("/mine")
         process.communicate(b"\n")
         return command
 
@@ -195,3 +173,73 @@ def test_argument_is_not_taken_for_the_script(mine, command_of):
 def test_where_a_script_was_started(mine, command_of, command, folder):
     (mine / "scripts/drive.py").write_text("print(flush=True)\ninput()")
     assert graph.belongs(command_of(mine / folder, command.format(mine)), "mine")
+
+
+@pytest.mark.parametrize("answer", [None, 5, "text", [], [1, "", -1.5], [["x"]], {"a": 1}.items()], ids=repr)
+def test_an_answer_that_is_none_names_no_program_and_no_types(monkeypatch, answer):
+    monkeypatch.setattr(graph, "address_of", lambda node: "http://localhost:1/")
+    monkeypatch.setattr(graph, "ask", lambda server, method: answer)
+    assert graph.command_of("/forged") == [] and graph.types_of("/forged") in ({}, {"a": 1})
+
+
+@pytest.mark.parametrize("x, z, problem", [
+    (0.5, 0.0, "has linear.x 0.5, so the robot drives forward: leave linear.x at 0"),
+    (-0.5, -0.05, "has linear.x -0.5, so the robot drives backward: leave linear.x at 0"),
+    (0.0, 0.05, "has angular.z 0.05, which turns the robot to the left: write a number below 0"),
+    (0.0, 0.0, "has angular.z 0, which turns no wheel: write -0.01 or less"),
+    (0.0, -0.001, "has angular.z -0.001, which turns no wheel: write -0.01 or less"),
+    (0.0, -0.5, "has angular.z -0.5, which is fast: write a number between -0.2 and 0"),
+    (float("nan"), -0.05, "has linear.x nan and angular.z -0.05: write numbers")])
+def test_command_that_does_not_turn_the_robot_on_the_spot_right_and_slowly(x, z, problem):
+    assert check_command(x, z).startswith(f"Your command {problem}")
+
+
+@pytest.mark.parametrize("z", [-0.01, -0.05, -0.2])
+def test_command_that_does(z):
+    assert check_command(0.0, z) is None
+
+
+@pytest.fixture
+def motors(monkeypatch, tmp_path):
+    """What the controller of a robot on a fake bus reports about its motors; its wheels stand."""
+    values = {"bus": f"fake:{tmp_path}/bus", "board": "jetbot", "settings": "no file of settings"}
+    power_on(tmp_path / "bus")
+    monkeypatch.setattr(motion, "init_node", lambda: None)
+    monkeypatch.setattr(motion, "motor_diagnostics", lambda namespace: values)
+    monkeypatch.setattr(motion, "RESPONSE_TIMEOUT", 0.0)
+    return values
+
+
+@pytest.mark.parametrize("status, settings, problem", [
+    ("driving", "", "The wheels do not turn, and the controller reports 'driving'; was it started with a parameter "
+     "such as invert_left?"),
+    ("driving", "settings from a.yaml", "The wheels do not turn, and the controller reports 'driving'; it has settings "
+     "from a.yaml: start it without that file"),
+    ("stopped: emergency stop", "", "The wheels do not turn, and the controller reports 'stopped: emergency stop'; "
+     "release it with rostopic pub -1 /emergency_stop std_msgs/Bool false"),
+    ("stopped: no command yet", "", "The wheels do not turn, and the controller reports 'stopped: no command yet'")])
+def test_why_the_wheels_do_not_turn(motors, monkeypatch, status, settings, problem):
+    motors["settings"] = settings
+    monkeypatch.setattr(motion, "status", lambda namespace: status)
+    assert motion.check_wheels_turn() == problem
+
+
+@pytest.mark.parametrize("count, problem", [
+    (0, "The program that publishes on /cmd_vel sends nothing: stop it with Ctrl-C, and repeat your command "),
+    (1, "Your command arrives only once: stop it with Ctrl-C, and repeat your command "),
+    (10, "The wheels do not follow your command: at x 0 and z -0.05 they turn at 0.00 and 0.00, not 0.05 and -0.05, ")])
+def test_wheels_that_do_not_obey(motors, monkeypatch, count, problem):
+    command = Twist()
+    command.angular.z = -0.05
+    monkeypatch.setattr(motion, "record_commands", lambda topic: [(0.0, command)] * count)
+    monkeypatch.setattr(motion, "status", lambda namespace: "driving")
+    assert motion.check_turn().startswith(problem)
+
+
+@pytest.mark.parametrize("times, problem", [
+    ([0.1 * n for n in range(15)], None),
+    ([0.2 * n for n in range(8)], "mine publishes 5.0 times a second, not 10: fix"),
+    ([0.0], "mine publishes 0.0 times a second, not 10: fix")])
+def test_rate_of_the_commands(monkeypatch, times, problem):
+    monkeypatch.setattr(motion, "record_commands", lambda topic: [(time, None) for time in times])
+    assert motion.check_rate("mine", 10, "fix", "/cmd_vel") == problem

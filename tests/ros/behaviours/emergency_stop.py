@@ -7,8 +7,7 @@ import time
 import rospy
 from std_msgs.msg import Bool, String
 
-from harness import START_TIMEOUT, RobotTest, program, read
-from jetbot_lessons.graph import snapshot
+from harness import START_TIMEOUT, RobotTest, program, publishers, read
 
 
 class EmergencyStop(RobotTest):
@@ -78,7 +77,7 @@ class EmergencyStop(RobotTest):
 
     def test_an_older_release_that_arrives_late_does_not_free_a_joining_robot(self):
         release = self.start("rostopic", "pub", "/emergency_stop", "std_msgs/Bool", "false")
-        self.wait_for(lambda: len(snapshot().publishers["/emergency_stop"]) == 2, START_TIMEOUT, "the release")
+        self.wait_for(lambda: len(publishers("/emergency_stop")) == 2, START_TIMEOUT, "the release")
         self.emergency_stop(True)
         os.killpg(release.pid, signal.SIGSTOP)
         self.controller()

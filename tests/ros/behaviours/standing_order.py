@@ -3,8 +3,7 @@
 import os
 import signal
 
-from harness import START_TIMEOUT, RobotTest
-from jetbot_lessons.graph import snapshot
+from harness import START_TIMEOUT, RobotTest, publishers
 
 STOP_TIMEOUT = 1.2  # s, from the end of its program to the stop
 
@@ -45,7 +44,7 @@ class StandingOrder(RobotTest):
 
     def test_a_restarted_controller_waits_until_it_is_repeated(self):
         order = self.order()
-        self.wait_for(lambda: snapshot().publishers.get("/cmd_vel"), START_TIMEOUT, "the order")
+        self.wait_for(lambda: publishers("/cmd_vel"), START_TIMEOUT, "the order")
         self.controller()
         self.texts = self.status()
         self.wait_for(lambda: self.texts and "is from before, repeat it" in self.texts[-1], 5.0,

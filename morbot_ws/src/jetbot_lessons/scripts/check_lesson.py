@@ -8,39 +8,65 @@ import signal
 import sys
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # while it imports, and at its end, Ctrl-C prints no traceback
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # while it imports, Ctrl-C prints no traceback
 
 try:
     import os
-    from typing import Callable, List, NoReturn, Optional, Tuple, TypeVar, Union
+    from argparse import ArgumentParser, ArgumentTypeError, Namespace
+    from typing import List, NoReturn, Optional
 
     import rospy
 
+    from driving_tasks.report import marks
+    from jetbot import files
     from jetbot.host import by_morbot
     from jetbot.text import printable
-    from jetbot_lessons.class_options import is_class, parse_class
-    from jetbot_lessons.marking import DONE, as_csv, describe, mark_class, write_rows
-    from jetbot_lessons.master import report_loss
-    from jetbot_lessons.table import FIRST_OWN, LAST, first_problem
+    from jetbot_lessons.graph import report_loss
+    from jetbot_lessons.lessons import FIRST_OWN, LAST, WITH_ROBOT, first_problem
+    from jetbot_lessons.marking import DONE, Row, describe, mark_folders, mark_robots
 except ImportError as error:
     sys.exit(f"{error}: open a shell with ./morbot shell, and type rosrun jetbot_lessons check_lesson.py N there.")
 
 COMMAND = by_morbot("check", "rosrun jetbot_lessons check_lesson.py")
-USAGE = (f"Which lesson, 1 to {LAST}? Type: {COMMAND} N, "
-         f"and from lesson {FIRST_OWN} on the name of your package")
-T = TypeVar("T")
+PUPILS_USAGE = f"{COMMAND} N, and from lesson {FIRST_OWN} on the name of your package"
+TEACHERS_USAGE = (f"{COMMAND} N --robots NAME ... for lessons {WITH_ROBOT[0]} to {WITH_ROBOT[-1]}, "
+                  f"N --folders FOLDER ... for {FIRST_OWN} to {LAST}, with --csv FILE.csv to write a file")
 CANCELLED = 128 + signal.SIGINT  # exit code, as shells have it
 
 
-def parse_arguments(arguments: List[str]) -> Tuple[Union[int, str], ...]:
-    """Return the lesson's number and the package's name, if it has one; raise SystemExit for bad arguments."""
-    number, *names = arguments or [""]
-    if number not in map(str, range(1, LAST + 1)) or len(names) > 1:
-        sys.exit(USAGE)
-    if int(number) >= FIRST_OWN and not names:
-        sys.exit(f"Lesson {number} is about your own package. "
-                 f"Type: {COMMAND} {number} ITS_NAME")
-    return int(number), *names
+def parse(arguments: List[str]) -> Namespace:
+    """Return lesson, package, robots, folders and csv; raise SystemExit, with one sentence, for bad arguments."""
+    parser = ArgumentParser(usage=f"{PUPILS_USAGE}; for a class, {TEACHERS_USAGE}", description="Checks a lesson.")
+    parser.error = lambda message: sys.exit(
+        printable(f"{message[0].upper()}{message[1:]}. Type: {PUPILS_USAGE}; for a class, {TEACHERS_USAGE}"))
+    parser.add_argument("lesson", nargs="?", metavar="N", help=f"the lesson, 1 to {LAST}")
+    parser.add_argument("package", nargs="?", help="the name of your package")
+    of_class = parser.add_mutually_exclusive_group()
+    of_class.add_argument("--robots", nargs="+", default=[], metavar="NAME", help="namespaces of robots of this master")
+    of_class.add_argument("--folders", nargs="+", default=[], metavar="FOLDER",
+                          help="packages that were handed in; nothing in them is executed")
+    parser.add_argument("--csv", type=csv_file, metavar="FILE.csv", help="write the table of a class into this file")
+    options = parser.parse_args(arguments)
+    if options.lesson not in map(str, range(1, LAST + 1)):
+        sys.exit(f"Which lesson, 1 to {LAST}? Type: {PUPILS_USAGE}")
+    options.lesson = int(options.lesson)
+    if options.robots or options.folders or options.csv:
+        if options.lesson not in (WITH_ROBOT if options.robots else range(FIRST_OWN, LAST + 1)):
+            parser.error(f"lesson {options.lesson} cannot be checked like this")
+    elif options.lesson >= FIRST_OWN and not options.package:
+        sys.exit(f"Lesson {options.lesson} is about your own package. Type: {COMMAND} {options.lesson} ITS_NAME")
+    return options
+
+
+def csv_file(name: str) -> str:
+    """Return the name of the file for the table; raise ArgumentTypeError before a class is checked, and not after."""
+    if not name.endswith(".csv"):
+        raise ArgumentTypeError(f"its name must end in .csv, not {name or 'nothing'}")
+    try:
+        files.check_writable(name)
+    except OSError as error:
+        raise ArgumentTypeError(f"{name} cannot be written: {error.strerror}") from None
+    return name
 
 
 def give_up(number: int, problem: str) -> NoReturn:
@@ -49,56 +75,37 @@ def give_up(number: int, problem: str) -> NoReturn:
     os._exit(1)
 
 
-def check_pupil(arguments: List[str]) -> Optional[str]:
-    """Check one pupil's work, and print "done"; return the message if it is not. Raise KeyboardInterrupt at Ctrl-C."""
-    number, *own = parse_arguments(arguments)
-    report_loss(lambda problem: give_up(number, problem))
-    problem = cancellable(lambda: describe(lambda: first_problem(number, *own)))
-    problem = problem or write(f"Lesson {number}: done.\n")
-    return problem and f"Lesson {number}: {problem}"
+def check_pupil(lesson: int, package: Optional[str]) -> int:
+    """Check one pupil's work, and print "done", or what is missing; return the exit code."""
+    problem = describe(lambda: first_problem(lesson, package or ""))
+    print(printable(f"Lesson {lesson}: {problem or 'done.'}"), file=sys.stderr if problem else sys.stdout)
+    return 1 if problem else 0
 
 
-def check_class(arguments: List[str]) -> Optional[str]:
-    """Check a class's work, and print or write a table; return the message of a failure, "" if not all have done it."""
-    options = parse_class(arguments, COMMAND)
-    if options.robots:
-        report_loss(lambda problem: give_up(options.lesson, problem))
-    rows = cancellable(lambda: list(mark_class(options)))
-    problem = write(as_csv(rows))
+def check_class(options: Namespace) -> int:
+    """Check a class's work, and print or write a table; return the exit code, 0 if all have done it."""
+    rows = list(mark_robots(options.lesson, options.robots) if options.robots else
+                mark_folders(options.lesson, options.folders))
+    print(end=marks.to_csv(Row._fields, rows), flush=True)
     if options.csv:
-        problem = write_rows(rows, options.csv) or problem or write(f"Wrote {options.csv}.\n")
-    return problem or (None if all(row.done == DONE for row in rows) else "")
+        marks.write(options.csv, Row._fields, rows)
+        print(f"Wrote {options.csv}.")
+    return 0 if all(row.done == DONE for row in rows) else 1
 
 
-def cancellable(function: Callable[[], T]) -> T:
-    """Return what a function returns; raise KeyboardInterrupt at Ctrl-C."""
+def main() -> int:
+    options = parse(rospy.myargv()[1:])
+    if not options.folders:
+        report_loss(lambda problem: give_up(options.lesson, problem))
     signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
-        return function()
-    finally:
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
-
-
-def write(text: str) -> Optional[str]:
-    """Print the result; return the problem if it cannot be printed."""
-    try:
-        print(end=text, flush=True)
-    except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # else Python complains at its end
-        return f"the result cannot be printed: {error.strerror}"
-    return None
-
-
-def main() -> None:
-    arguments = rospy.myargv()[1:]
-    try:
-        problem = (check_class if is_class(arguments) else check_pupil)(arguments)
+        if options.robots or options.folders:
+            return check_class(options)
+        return check_pupil(options.lesson, options.package)
     except KeyboardInterrupt:
         print("Cancelled.", file=sys.stderr)
-        sys.exit(CANCELLED)
-    if problem is not None:
-        sys.exit(printable(problem) or 1)
+        return CANCELLED
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -8,7 +8,7 @@ from typing import Dict, Iterator, List
 from jetbot.files import read
 
 from . import Problem
-from .packages import folder, parse, workspace
+from .packages import MANIFEST, folder, parse, workspace
 
 ANSWER = "lesson_1.txt"
 
@@ -36,7 +36,7 @@ def check_needed(package: str) -> Problem:
 
 def _problems(package: str, file: Path, names: List[str]) -> Iterator[str]:
     """Yield what is wrong with these names of packages."""
-    manifest = folder(package) / "package.xml"
+    manifest = folder(package) / MANIFEST
     needed, others = _dependencies(manifest)
     for name in names:
         if name in needed:

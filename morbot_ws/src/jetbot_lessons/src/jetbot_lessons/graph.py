@@ -1,46 +1,113 @@
 """Checks of the running system: what the ROS master, its nodes and roslaunch report."""
 
 import contextlib
+import os
+import socket
+import time
 from pathlib import Path
-from typing import Dict, Iterator, List, NamedTuple, Optional, Set
+from threading import Thread
+from typing import Callable, Dict, Iterator, List, Optional, Set
+from urllib.parse import urlsplit
 from xmlrpc.client import Fault
 
 import rosgraph
 
 from jetbot.text import enumeration
+from jetbot_ros.master import (
+    ALIVE,
+    NO_ANSWER,
+    address_of,
+    ask,
+    ask_master,
+    condition_of,
+    master_uri,
+    proxy,
+    system_state,
+)
 
 from . import Problem
-from .files import folder
-from .nodes import CALLER, NO_ANSWER, ask, command_of, connect, pid
+from .packages import folder
+
+ASK_INTERVAL = 1.0  # s
 
 
-class Graph(NamedTuple):
-    """The nodes that publish on each topic, and those that subscribe to it."""
+def check_master(start: str = "roscore") -> Problem:
+    """Return the problem, or None if a master runs; ``start`` is the command that starts one."""
+    try:
+        ask_master("getPid")
+    except socket.timeout:
+        return (f"The ROS master at {master_uri()} does not answer: continue it (after Ctrl-Z: fg), "
+                f"or stop it and start it with {start}")
+    except NO_ANSWER:
+        return f"No ROS master at {master_uri()}: start one in another terminal with {start}"
+    return None
 
-    publishers: Dict[str, List[str]]
-    subscribers: Dict[str, List[str]]
 
-    @property
-    def nodes(self) -> List[str]:
-        """The names of all nodes with a topic, sorted."""
-        return sorted({node for nodes in (*self.publishers.values(), *self.subscribers.values()) for node in nodes})
+def report_loss(callback: Callable[[str], None]) -> None:
+    """In a thread, call back with the problem if a master no longer answers, for which rospy would wait forever."""
+    Thread(target=_wait_for_problem, args=[callback], daemon=True).start()
 
 
-def snapshot() -> Graph:
-    """Return the present Graph; raise rosgraph.MasterException without a master."""
-    publishers, subscribers, _ = rosgraph.Master(CALLER).getSystemState()
-    return Graph(dict(publishers), dict(subscribers))
+def _wait_for_problem(callback):
+    problem = check_master()
+    if problem:  # the checks report it
+        return
+    while not problem:
+        time.sleep(ASK_INTERVAL)
+        problem = check_master() and check_master()  # a second question: it may have been busy
+    callback(problem)
+
+
+def publishers_of(topic: str) -> List[str]:
+    """Return the nodes that publish on a topic; those that have died are among them."""
+    return system_state()[0].get(topic, [])
+
+
+def nodes() -> List[str]:
+    """Return the names of all nodes with a topic, sorted; those that have died are among them."""
+    publishers, subscribers, _ = system_state()
+    return sorted({node for names in (*publishers.values(), *subscribers.values()) for node in names})
+
+
+def is_alive(node: str) -> bool:
+    """Return whether a node answers."""
+    return condition_of(node) == ALIVE
+
+
+def pid(node: str) -> Optional[int]:
+    """Return the process id that a node reports, on its computer; None for a node that does not answer."""
+    with contextlib.suppress(*NO_ANSWER):
+        return ask(proxy(address_of(node)), "getPid")
+    return None
+
+
+def command_of(node: str) -> List[Path]:
+    """Return the interpreter and the script of a node on this computer; nothing for another computer's node."""
+    with contextlib.suppress(*NO_ANSWER):
+        uri = address_of(node)
+        if rosgraph.network.is_local_address(urlsplit(uri).hostname):
+            process = Path("/proc", str(ask(proxy(uri), "getPid")))
+            working_folder = (process / "cwd").resolve()
+            words = [os.fsdecode(word) for word in (process / "cmdline").read_bytes().split(b"\0")]
+            return [(working_folder / word).resolve() for word in words if word and not word.startswith("-")][:2]
+    return []
+
+
+def belongs(command: List[Path], package: str) -> bool:
+    """Return whether the command starts a script of the package: its source, or catkin's copy."""
+    home = folder(package).resolve()
+    return any(path.parent.name == package or home in path.parents for path in command)
 
 
 def check_node(name: str, start: str) -> Problem:
     """Return the problem, or None if the node runs; ``start`` is the command that starts it."""
-    if pid(name) is not None:
+    if is_alive(name):
         return None
-    nodes = snapshot().nodes
-    if name in nodes:
+    known = nodes()
+    if name in known:
         return (f"The node {name} was killed or hangs: start it again with {start}; "
                 "if it hangs, stop it first (after Ctrl-Z: fg, then Ctrl-C)")
-    elsewhere = [node for node in nodes if node.endswith(name)]
+    elsewhere = [node for node in known if node.endswith(name)]
     if elsewhere:
         return f"{elsewhere[0]} runs in a namespace: start it without one"
     return f"There is no node {name}: start it in another terminal with {start}"
@@ -48,62 +115,62 @@ def check_node(name: str, start: str) -> Problem:
 
 def check_subscribes(node: str, topic: str) -> Problem:
     """Return the problem, or None if the node subscribes to the topic."""
-    if node in snapshot().subscribers.get(topic, ()):
+    if node in system_state()[1].get(topic, ()):
         return None
     return f"{node} does not subscribe to {topic}: was it started in a namespace, or was {topic} remapped?"
 
 
 def check_type(topic: str, wanted: str) -> Problem:
     """Return the problem, or None if all publishers of the topic publish messages of this type."""
-    for node in snapshot().publishers.get(topic, ()):
-        given = _types(node).get(topic, wanted)
+    for node in publishers_of(topic):
+        given = types_of(node).get(topic, wanted)
         if given != wanted:
             return (f"{node} publishes {given} on {topic}, not {wanted}: stop it with Ctrl-C in its terminal; "
                     "in a script of your own, pass that type to rospy.Publisher")
     return None
 
 
-def _types(node: str) -> Dict[str, str]:
-    """Return the type of each topic on which the node says it publishes."""
-    with contextlib.suppress(TypeError, ValueError):  # no answer, or not a list of pairs
-        return dict(ask(node, "getPublications"))
+def types_of(node: str) -> Dict[str, str]:
+    """Return the type of each topic on which the node says it publishes; nothing for a node that does not answer."""
+    with contextlib.suppress(*NO_ANSWER):
+        return dict(ask(proxy(address_of(node)), "getPublications"))
     return {}
 
 
 def check_no_other_publisher(topic: str, package: Optional[str] = None) -> Problem:
     """Return the problem, or None if only one node of the package publishes on the topic; dead nodes do not count."""
-    publishers = snapshot().publishers.get(topic, ())
+    publishers = publishers_of(topic)
     own = [node for node in publishers if package and belongs(command_of(node), package)]
     for node in publishers:
-        if node not in own[:1] and pid(node) is not None:
+        if node not in own[:1] and is_alive(node):
             return f"{node} publishes on {topic}: stop it with Ctrl-C in its terminal, then try again"
     return None
 
 
 def check_commanded(topic: str, fix: str) -> Problem:
     """Return the problem, or None if exactly one running node publishes on the topic; ``fix`` is how to start it."""
-    registered = snapshot().publishers.get(topic, ())
-    nodes = [node for node in registered if pid(node) is not None]
-    if not nodes:
+    registered = publishers_of(topic)
+    alive = list(filter(is_alive, registered))
+    if not alive:
         hanging = "".join(f", but {node} was killed or hangs (fg, then Ctrl-C, stops it)" for node in registered)
         return f"Nobody publishes on {topic}{hanging}: {fix}"
-    if len(nodes) > 1:
-        return f"{enumeration(nodes)} publish on {topic}: stop all but one of them with Ctrl-C in their terminals"
+    if len(alive) > 1:
+        return f"{enumeration(alive)} publish on {topic}: stop all but one of them with Ctrl-C in their terminals"
     return None
 
 
 def check_publishes(package: str, topic: str, start: str) -> Problem:
     """Return the problem, or None if a node of the package publishes on the topic; ``start`` is how to start it."""
-    graph = snapshot()
-    own = [node for node in graph.nodes if belongs(command_of(node), package)]
-    if set(own).intersection(graph.publishers.get(topic, ())):
+    publishers = system_state()[0]
+    own = [node for node in nodes() if belongs(command_of(node), package)]
+    if set(own).intersection(publishers.get(topic, ())):
         return None
     if not own:
         hanging = "".join(f"; {node} was killed or hangs (fg, then Ctrl-C, stops it)"
-                          for node in graph.publishers.get(topic, ()) if pid(node) is None)
+                          for node in publishers.get(topic, ()) if not is_alive(node))
         return (f"No node of {package} runs{hanging}: start it in another terminal with {start}; "
                 "if it ends by itself, that terminal shows why")
-    others = sorted(name for name, nodes in graph.publishers.items() if own[0] in nodes and name != "/rosout")
+    others = sorted(name for name, names in publishers.items() if own[0] in names and name != "/rosout")
     if not others:
         return f"{own[0]} has no rospy.Publisher: make one for {topic}, and call its publish in a loop"
     return f"{own[0]} publishes on {' and '.join(others)}, not on {topic}: use that in rospy.Publisher"
@@ -120,8 +187,8 @@ def check_launched_together(*packages: str, namespace: str = "") -> Problem:
 def launched(namespace: str = "") -> List[Set[str]]:
     """Return for each roslaunch of this master the packages whose nodes it runs in the namespace, or below it."""
     try:
-        uris = rosgraph.Master(CALLER).getParam("/roslaunch/uris").values()
-    except (rosgraph.MasterError, AttributeError):  # none, or something else of this name
+        uris = ask_master("getParam", "/roslaunch/uris").values()
+    except (LookupError, AttributeError):  # none, or something else of this name
         return []
     return [set(_packages_of(uri, namespace)) for uri in uris]
 
@@ -129,15 +196,9 @@ def launched(namespace: str = "") -> List[Set[str]]:
 def _packages_of(uri: str, namespace: str) -> Iterator[str]:
     """Yield the packages whose nodes the roslaunch at this address runs; nothing once it has ended."""
     with contextlib.suppress(*NO_ANSWER):
-        launch = connect(uri)
+        launch = proxy(uri)
         for name, _ in launch.list_processes()[2][0]:
             if not f"/{name}".startswith(f"{namespace}/"):
                 continue
             with contextlib.suppress(Fault):  # of the master itself, which is in no package
                 yield str(launch.process_info(name)[2]["package"])
-
-
-def belongs(command: List[Path], package: str) -> bool:
-    """Return whether the command starts a script of the package: its source, or catkin's copy."""
-    home = folder(package).resolve()
-    return any(path.parent.name == package or home in path.parents for path in command)

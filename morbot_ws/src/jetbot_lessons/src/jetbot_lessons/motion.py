@@ -1,5 +1,6 @@
 """Checks of the motion: the commands that arrive, and the wheels, on the fake bus or on a real robot."""
 
+import math
 import sys
 import time
 from functools import partial
@@ -14,10 +15,9 @@ from jetbot import fake
 from jetbot.boards import BOARDS
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
-from jetbot_tools.terminal import choose
+from jetbot_tools.terminal import YES_OR_NO, choose
 
 from . import Problem
-from .turn import check_command
 
 RATE_WINDOW = 1.5        # s in which the rate is measured
 RATE_TOLERANCE = 0.1     # fraction of the rate
@@ -25,6 +25,9 @@ KEY_TIMEOUT = 20.0       # s for the user to press a key
 SPEED_TOLERANCE = 0.005  # of full power; less than a step of any board
 RESPONSE_TIMEOUT = 1.5   # s for the wheels to respond, or a publisher to connect
 REPORT_TIMEOUT = 5.0     # s for the controller to report
+MAX_TURN = 0.2           # of full power, in lesson 3's exercise: turn on the spot, to the right, and slowly
+MIN_TURN = 0.01          # of full power; less may turn no wheel
+EXAMPLE = "for example '{angular: {z: -0.05}}'"
 REPEAT = "repeat your command ten times per second with rostopic pub -r 10"
 
 Wheels = Callable[[], Tuple[float, float]]  # returns the speeds of the left and the right wheel
@@ -80,6 +83,22 @@ def check_turn(namespace: str = "") -> Problem:
     return problem or _check_wheels_obey(namespace, command.linear.x, command.angular.z)
 
 
+def check_command(x: float, z: float) -> Problem:
+    """Return the problem, or None if this command, linear.x and angular.z, is that of lesson 3's exercise."""
+    if not (math.isfinite(x) and math.isfinite(z)):
+        return f"Your command has linear.x {x:g} and angular.z {z:g}: write numbers, {EXAMPLE}"
+    if x:
+        return (f"Your command has linear.x {x:g}, so the robot drives {'forward' if x > 0 else 'backward'}: "
+                "leave linear.x at 0, and it turns on the spot")
+    if z > 0:
+        return f"Your command has angular.z {z:g}, which turns the robot to the left: write a number below 0"
+    if z > -MIN_TURN:
+        return f"Your command has angular.z {z:g}, which turns no wheel: write {-MIN_TURN} or less, {EXAMPLE}"
+    if z < -MAX_TURN:
+        return f"Your command has angular.z {z:g}, which is fast: write a number between {-MAX_TURN} and 0, {EXAMPLE}"
+    return None
+
+
 def _check_wheels_obey(namespace: str, x: float, z: float) -> Problem:
     """Return the problem, or None if the wheels turn as commanded at this moment; ask a real robot's user."""
     motors = motor_diagnostics(namespace)
@@ -96,7 +115,7 @@ def _check_wheels_obey(namespace: str, x: float, z: float) -> Problem:
 def _ask_what_it_does() -> Problem:
     if not (sys.stdin and sys.stdout):  # closed
         raise EOFError
-    if choose("Does the robot turn on the spot, to the right (the left wheel forward)?", {"yes": True, "no": False}):
+    if choose("Does the robot turn on the spot, to the right (the left wheel forward)?", YES_OR_NO):
         return None
     return "The wheels do not follow your command: run rosrun jetbot_tools doctor.py, then calibrate.py"
 

@@ -1,22 +1,27 @@
-"""The packages that ROS and catkin find, read one by one: one that cannot be read does not hide the others."""
+"""The packages that ROS and catkin find; what strangers hand in is read without entities, links or waiting."""
 
+import itertools
 import os
+import re
 import xml.etree.ElementTree as ET
+from difflib import get_close_matches
 from pathlib import Path
+from shlex import quote
 from typing import List, Optional, Union
 from xml.parsers import expat
 
 from catkin_pkg.package import InvalidPackage, Package, parse_package
+from catkin_pkg.packages import DEFAULT_IGNORE_MARKERS, find_package_paths
 
 from jetbot.files import read
-from jetbot_tools.manifest import MANIFEST
-from jetbot_tools.packages import find_folders, find_packages, ignore_marker
 
 from . import Problem
 
 NameOrFolder = Union[str, Path]  # of a package
-XML_ERRORS = (ET.ParseError, expat.ExpatError, AttributeError, ValueError, LookupError, AssertionError, OSError,
-              RecursionError)  # of any XML parser
+MANIFEST = "package.xml"
+NAME = re.compile(r"[A-Za-z][\w-]{,254}", re.ASCII)  # also of a folder
+LEFT_OUT = "morbot: "  # begins what ./morbot setup writes into the CATKIN_IGNORE of a package that it leaves out
+MAX_ENTRIES = 1000     # files and folders
 
 
 def workspace() -> Path:
@@ -31,7 +36,7 @@ def _search_path() -> List[Path]:
 
 def manifests(root: Path) -> List[Path]:
     """Return each package.xml below a folder that ROS and catkin do not ignore, in the order of their paths."""
-    return [place / MANIFEST for place in find_folders(root)[0] if not ignore_marker(place, root)]
+    return sorted(root / place / MANIFEST for place in find_package_paths(str(root)))
 
 
 def find(name: str) -> List[Path]:
@@ -53,16 +58,24 @@ def folder(package: NameOrFolder) -> Path:
     return found[0]
 
 
-def name_in(file: Path) -> Optional[str]:
-    """Return the name of the package that this package.xml describes; None if it cannot be read."""
+def find_handed_in(given: Path) -> Path:
+    """Return the package's folder: the one given, or the only one in it with a package.xml; raise InvalidPackage."""
     try:
-        return read_xml(file).findtext("name").strip()
-    except XML_ERRORS:
-        return None
+        with os.scandir(given) as entries:
+            inside = sorted(Path(entry) for entry in itertools.islice(entries, MAX_ENTRIES)
+                            if entry.is_dir(follow_symlinks=False))
+    except OSError as error:
+        raise InvalidPackage(f"{given} is no folder that can be read: {error.strerror}") from None
+    found = [place for place in (given, *inside) if os.path.lexists(place / MANIFEST)]
+    if len(found) > 1 and found[0] != given:
+        raise InvalidPackage(f"{given} has {len(found)} packages: give the folder of one")
+    if not found:
+        raise InvalidPackage(f"There is no package in {given}: hand in the package's folder, with its {MANIFEST}")
+    return found[0]
 
 
 def read_xml(file: Path) -> ET.Element:
-    """Return the root of a small XML file. Raise one of XML_ERRORS, also for a file that defines entities.
+    """Return the root of a small XML file. Raise any error of a parser, also for a file that defines entities.
 
     These may expand to more than the memory holds, and no file of ROS needs them.
     """
@@ -81,13 +94,82 @@ def parse(file: Path) -> Package:
     try:
         read_xml(file)  # it may be a FIFO, for which parse_package waits, or a bomb
         return parse_package(str(file), warnings=[])
-    except OSError as error:
-        raise InvalidPackage(f"{file} cannot be read: {error.strerror}") from None
-    except (InvalidPackage, *XML_ERRORS) as error:
-        reason = " ".join(str(getattr(error, "msg", error)).split())
+    except Exception as error:  # catkin_pkg raises AttributeError, AssertionError and others, too
+        reason = getattr(error, "strerror", None) or " ".join(str(getattr(error, "msg", error)).split())
         raise InvalidPackage(f"{file} cannot be read: {reason}: correct that, then ./morbot setup") from None
 
 
-def check_workspace() -> Problem:
-    """Return the problem, or None if ROS and catkin can read each package of the workspace."""
-    return next(iter(find_packages(workspace())[1]), None)
+def name_in(file: Path) -> Optional[str]:
+    """Return the name of the package that this package.xml describes; None if it cannot be read."""
+    try:
+        return read_xml(file).findtext("name").strip()
+    except Exception:  # of a parser, or there is no name
+        return None
+
+
+def check_exists(package: str, source: str) -> Problem:
+    """Return the problem, or None if ROS and catkin find the package; ``source`` is how to get it.
+
+    Raise InvalidPackage for a package.xml of the workspace that cannot be read: ROS could not find any package.
+    """
+    if not NAME.fullmatch(Path(package).name):
+        return "A package's name begins with a letter and has letters, digits and _: type the name of yours"
+    for file in manifests(workspace()):
+        parse(file)
+    places = find(package)
+    if not places:
+        return _not_found(package, source)
+    return None if (places[0] / "CMakeLists.txt").exists() else _incomplete(places[0], "CMakeLists.txt", source)
+
+
+def _incomplete(place: Path, file: str, source: str) -> str:
+    return f"{place} has no {file}: mv {quote(str(place))} ~, then {source}"
+
+
+def _not_found(package: str, source: str) -> str:
+    name, root = Path(package).name, workspace()
+    names = sorted(filter(None, map(name_in, manifests(root))))
+    same = [known for known in names if known.lower() == name.lower()]
+    outside = [parent / name / MANIFEST for parent in root.parents]
+    hidden = [file for file in (*root.rglob(MANIFEST), *filter(Path.exists, outside))
+              if name in (file.parent.name, name_in(file))]
+    if hidden and not same:
+        return _not_searched(hidden[0].parent, name)
+    similar = same or get_close_matches(name, names, 1)
+    if similar:
+        return f"There is no package {package}, but there is {similar[0]}: type that name, or {source}"
+    for place in root / name, root / "scenarios" / name:
+        if place.is_dir():
+            return _incomplete(place, MANIFEST, source)
+    return f"There is no package {package} in {root}: {source}"
+
+
+def _not_searched(place: Path, name: str) -> str:
+    """Return why the package in this folder is not found under this name."""
+    root = workspace()
+    searched = [parent for parent in (place, *place.parents) if root in (parent, *parent.parents)]
+    for marker in (parent / each for parent in searched for each in sorted(DEFAULT_IGNORE_MARKERS)):
+        if marker.exists():
+            text = read(marker).decode(errors="replace")
+            return (text[len(LEFT_OUT):].strip() if text.startswith(LEFT_OUT) else
+                    f"ROS and catkin ignore {place}: rm {quote(str(marker))}, then ./morbot setup")
+    if searched:
+        return (f"{place / MANIFEST} names another package: write <name>{name}</name> there, "
+                f"and project({name}) in CMakeLists.txt")
+    return f"ROS does not search {place.parent} for packages: mv {quote(str(place))} {quote(str(root))}"
+
+
+def check_own(package: str) -> Problem:
+    """Return the problem, or None if the package does not belong to ROS itself."""
+    place = folder(package)
+    if workspace() in place.parents or {Path("/usr"), Path("/opt")}.isdisjoint(place.parents):
+        return None
+    return f"{package} comes with ROS, in {place}: type the name of your own package"
+
+
+def check_built(package: str) -> Problem:
+    """Return the problem, or None if catkin_make has built the package."""
+    prefixes = os.environ.get("CMAKE_PREFIX_PATH", "").split(":")
+    if any(Path(prefix, "share", package, "cmake").exists() for prefix in prefixes):
+        return None
+    return f"{package} is not built: ./morbot setup"

@@ -1,104 +1,44 @@
-"""Checks of a package's files."""
+"""Checks of what is in a package: package.xml, scripts, launch files, the recorded drive. Nothing is executed."""
 
 import ast
 import os
-import re
 import shutil
-from difflib import get_close_matches
 from pathlib import Path
 from shlex import quote
 
+from driving_tasks.scoring.tasks import TASKS
 from jetbot.files import read
-from jetbot_tools.packages import ignore_marker
 
 from . import Problem
-from .packages import (
-    MANIFEST,
-    XML_ERRORS,
-    NameOrFolder,
-    check_workspace,
-    find,
-    folder,
-    manifests,
-    name_in,
-    parse,
-    read_xml,
-    workspace,
-)
+from .packages import MANIFEST, MAX_ENTRIES, NameOrFolder, folder, parse, read_xml
 
 CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch"
 SHEBANG = "#!/usr/bin/env python3"
 MAX_SCRIPT = 1024 * 1024  # bytes
-NAME = re.compile(r"[A-Za-z][\w-]{,254}", re.ASCII)  # also of a folder
+TASK = "metre"
+BAG = f"{TASK}.bag"
+NEEDED = 60.0  # points of 100
+RECORD = f"rosrun driving_tasks judge.py {TASK} --record"
 
 
-def check_exists(package: str, source: str) -> Problem:
-    """Return the problem, or None if ROS and catkin find the package; ``source`` is how to get it."""
-    if not NAME.fullmatch(Path(package).name):
-        return "A package's name begins with a letter and has letters, digits and _: type the name of yours"
-    problem = check_workspace()
-    if problem:
-        return problem
-    places = find(package)
-    if not places:
-        return _not_found(package, source)
-    return None if (places[0] / "CMakeLists.txt").exists() else _incomplete(places[0], "CMakeLists.txt", source)
-
-
-def check_own(package: str) -> Problem:
-    """Return the problem, or None if the package does not belong to ROS itself."""
-    place = folder(package)
-    if workspace() in place.parents or {Path("/usr"), Path("/opt")}.isdisjoint(place.parents):
-        return None
-    return f"{package} comes with ROS, in {place}: type the name of your own package"
-
-
-def _incomplete(place: Path, file: str, source: str) -> str:
-    return f"{place} has no {file}: mv {quote(str(place))} ~, then {source}"
-
-
-def _not_found(package: str, source: str) -> str:
-    name, root = Path(package).name, workspace()
-    names = sorted(filter(None, map(name_in, manifests(root))))
-    similar = [known for known in names if known.lower() == name.lower()] or get_close_matches(name, names, 1)
-    if similar:
-        return f"There is no package {package}, but there is {similar[0]}: type that name, or {source}"
-    outside = [parent / name / MANIFEST for parent in root.parents]
-    for file in [*root.rglob(MANIFEST), *filter(Path.exists, outside)]:
-        if name in (file.parent.name, name_in(file)):
-            return _not_searched(file.parent, name)
-    for place in root / name, root / "scenarios" / name:
-        if place.is_dir():
-            return _incomplete(place, MANIFEST, source)
-    return f"There is no package {package} in {root}: {source}"
-
-
-def _not_searched(place: Path, name: str) -> str:
-    """Return why the package in this folder is not found under this name."""
-    root = workspace()
-    marker = ignore_marker(place, root)
-    if marker:
-        reason = read(marker).decode(errors="replace").strip()
-        if reason.startswith("morbot: "):  # written by ./morbot setup
-            return reason[len("morbot: "):]
-        return f"ROS and catkin ignore {place}: rm {quote(str(marker))}, then ./morbot setup"
-    if root in place.parents and not any((parent / MANIFEST).exists() for parent in place.parents):
-        return (f"{place / MANIFEST} names another package: write <name>{name}</name> there, "
-                f"and project({name}) in CMakeLists.txt")
-    return f"ROS does not search {place.parent} for packages: mv {quote(str(place))} {quote(str(root))}"
-
-
-def check_built(package: str) -> Problem:
-    """Return the problem, or None if catkin_make has built the package."""
-    prefixes = os.environ.get("CMAKE_PREFIX_PATH", "").split(":")
-    if any(Path(prefix, "share", package, "cmake").exists() for prefix in prefixes):
-        return None
-    return f"{package} is not built: ./morbot setup"
+def check_handed_in(place: Path) -> Problem:
+    """Return the problem, or None if the package's folder is complete and small, and no link leads out of it."""
+    home, count = place.resolve(), 0
+    for parent, folders, names in os.walk(place):
+        for path in (Path(parent, name) for name in sorted(folders + names)):
+            count += 1
+            if count > MAX_ENTRIES:
+                return f"{place} has more than {MAX_ENTRIES:,} files: hand in the package alone"
+            if path.is_symlink() and home not in Path(os.path.realpath(path)).parents:
+                return f"{path} is a link that leads out of the package: hand in the file itself"
+    if not (place / "CMakeLists.txt").is_file():
+        return f"There is no CMakeLists.txt in {place}: hand in the whole package"
+    return None
 
 
 def check_depends(package: NameOrFolder, *names: str) -> Problem:
     """Return the problem, or None if package.xml names these packages as dependencies."""
-    file = folder(package) / "package.xml"
+    file = folder(package) / MANIFEST
     known = {dependency.name for dependency in parse(file).exec_depends}
     return next((f"{file} does not name {name}: add <exec_depend>{name}</exec_depend> before </package>"
                  for name in names if name not in known), None)
@@ -167,7 +107,7 @@ def _check_launch_file(file: Path) -> Problem:
                    if include.get("file") == CONTROLLER_LAUNCH]
     except OSError as error:
         return f"{file} cannot be read: {error.strerror}"
-    except XML_ERRORS as error:
+    except Exception as error:  # of a parser
         return f"{file} is not XML: {error}"
     if not passing:
         return (f"{file} does not include the controller: "
@@ -175,3 +115,21 @@ def _check_launch_file(file: Path) -> Problem:
     if "true" not in passing:
         return f'{file} does not pass its arguments on to the controller: write pass_all_args="true" in its <include>'
     return None
+
+
+def check_drive(package: NameOrFolder) -> Problem:
+    """Return the problem, or None if the bag in the package is a drive with NEEDED points."""
+    bag = folder(package) / BAG
+    if not bag.is_file():
+        return f"There is no file {bag}: record your drive with {RECORD} {bag}"
+    from driving_tasks.sources.bags import judge_bag  # here: rosbag takes long to import
+    mark = judge_bag(TASKS[TASK], str(bag))
+    if not mark.result:
+        return f"{bag} has no score: {mark.problem}"
+    if mark.source:
+        return f"{bag} holds no ground truth, but {mark.source}: record your drive with {RECORD} {bag}"
+    score = round(mark.result.score, 1)
+    if score >= NEEDED:
+        return None
+    return (f"{BAG} has {score:.1f} of 100 points, and {NEEDED:.0f} are needed: "
+            f"it {mark.result.largest_loss}; improve your program, and record it again")

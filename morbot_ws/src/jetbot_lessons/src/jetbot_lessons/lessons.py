@@ -1,11 +1,14 @@
-"""The table of the lessons: what each checks, in this order."""
+"""What each lesson checks, in this order."""
 
 from functools import partial
 from pathlib import Path
 from typing import Callable, Dict, List
 
-from . import Problem, answers, drive, files, graph, handed_in, master, motion
-from .limited import limited
+from catkin_pkg.package import InvalidPackage
+
+from driving_tasks import contained
+
+from . import Problem, answers, graph, motion, package_files, packages
 from .packages import NameOrFolder
 
 FIRST_OWN, LAST = 7, 9  # the lessons about the pupil's own package
@@ -18,32 +21,50 @@ IN_A_LOOP = "publish in a loop, with rate = rospy.Rate(10) and rate.sleep()"
 GET_KEYBOARD = "get it with git clone and ./morbot setup, as in lesson 4"
 EXERCISE = "in another terminal, start the exercise's rostopic pub -r 10, and leave it running"
 
+LIMITS = contained.Limits(memory=1000, cpu_time=10, wall_time=30)  # of a check of files that others wrote
+
 Checks = List[Callable[[], Problem]]
+
+
+def limited(check: Callable[..., Problem], package: object, *arguments: object) -> Callable[[], Problem]:
+    """Return a function that returns the check's problem, or why the check did not end: it runs in a child process."""
+    def run():
+        outcome = contained.run(described, check, package, *arguments, limits=LIMITS)
+        return f"The files of {package} cannot be checked: {outcome.problem}" if outcome.problem else outcome.value
+    return run
+
+
+def described(check: Callable[..., Problem], *arguments: object) -> Problem:
+    """Return the problem that a check finds, also where it cannot read the package."""
+    try:
+        return check(*arguments)
+    except InvalidPackage as error:
+        return str(error)
 
 
 def contents(package: NameOrFolder, *dependencies: str) -> Checks:
     """Return the checks of the files of a package that drives the robot."""
-    return [limited(files.check_depends, package, "rospy", "geometry_msgs", *dependencies),
-            limited(files.check_scripts, package)]
+    return [limited(package_files.check_depends, package, "rospy", "geometry_msgs", *dependencies),
+            limited(package_files.check_scripts, package)]
 
 
 def package(name: str, *dependencies: str) -> Checks:
     """Return the checks of a package that drives the robot."""
-    return [partial(files.check_exists, name, "create it with catkin_create_pkg, as in lesson 7"),
+    return [partial(packages.check_exists, name, "create it with catkin_create_pkg, as in lesson 7"),
             *contents(name, *dependencies),
-            partial(files.check_built, name)]
+            partial(packages.check_built, name)]
 
 
 def own_package(name: str, *dependencies: str) -> Checks:
     """Return the checks of the package that the pupil has made."""
     exists, *others = package(name, *dependencies)
-    return [exists, partial(files.check_own, name), *others]
+    return [exists, partial(packages.check_own, name), *others]
 
 
 def controller(start: str, namespace: str, start_master: str = "") -> Checks:
     """Return the checks of the running controller; start: what starts it, and the master if nothing else does."""
     node, topic = f"{namespace}/jetbot_controller", f"{namespace}/cmd_vel"
-    return [partial(master.check_master, start_master or start),
+    return [partial(graph.check_master, start_master or start),
             partial(graph.check_node, node, start),
             partial(graph.check_subscribes, node, topic),
             partial(graph.check_type, topic, "geometry_msgs/Twist")]
@@ -77,7 +98,7 @@ def robot_lessons(namespace: str) -> Dict[int, Checks]:
         2: controller(run, namespace, "roscore"),
         3: [*controller(run, namespace, "roscore"), partial(graph.check_commanded, topic, EXERCISE),
             partial(motion.check_turn, namespace)],
-        4: [*([] if namespace else [partial(files.check_exists, KEYBOARD, GET_KEYBOARD)]),
+        4: [*([] if namespace else [partial(packages.check_exists, KEYBOARD, GET_KEYBOARD)]),
             *controller(run, namespace, "roscore"),
             partial(graph.check_node, keyboard, f"rosrun {KEYBOARD} {KEYBOARD}.py"),
             partial(motion.check_key, keyboard, topic)],
@@ -94,9 +115,9 @@ def own_lessons(own: str) -> Dict[int, Checks]:
                    f"roslaunch {own}, the name of your launch file and, without a robot, i2c_bus:=fake")
     return {
         7: [*own_package(own), *controller(LAUNCH, ""), *drives(own, run)],
-        8: [*own_package(own, ROBOT), limited(files.check_launch_files, own), *controller(launch, ""),
+        8: [*own_package(own, ROBOT), limited(package_files.check_launch_files, own), *controller(launch, ""),
             partial(graph.check_launched_together, ROBOT, own), *drives(own, launch)],
-        9: [*own_package(own), partial(drive.check_drive, own)],
+        9: [*own_package(own), partial(package_files.check_drive, own)],
     }
 
 
@@ -105,11 +126,12 @@ def handed_in_package(place: Path) -> Dict[int, Checks]:
 
     Nothing in the folder is executed.
     """
-    known = [limited(handed_in.check_files, place), *contents(place)]
+    known = [limited(package_files.check_handed_in, place), *contents(place)]
     return {
         7: known,
-        8: [*known, limited(files.check_depends, place, ROBOT), limited(files.check_launch_files, place)],
-        9: [*known, partial(drive.check_drive, place)],
+        8: [*known, limited(package_files.check_depends, place, ROBOT),
+            limited(package_files.check_launch_files, place)],
+        9: [*known, partial(package_files.check_drive, place)],
     }
 
 
