@@ -1,1 +1,1 @@
-"""Programs for the owner of a robot: the doctor and the calibration; and what is wrong with packages."""
+"""Programs for the owner of a robot: the doctor, the calibration, and the emergency stop."""
