@@ -125,7 +125,8 @@ def test_a_square_of_four_metres_ends_where_the_simulated_robot_does(supervisor,
 def test_whatever_stops_the_wheels_stops_the_odometry(supervisor, reckoning, folder, monkeypatch, stop):
     now = drive(supervisor, 0.4, 0.0, 0.0, 1.0)
     stop(supervisor, folder, monkeypatch)
-    for _ in range(40):
+    end = now + 1.2
+    while now < end:
         now = supervisor.step(now, woken=False)
     assert not reckoning.motion.moving
     assert 0.39 < reckoning.motion.x < 0.4 * 2.2

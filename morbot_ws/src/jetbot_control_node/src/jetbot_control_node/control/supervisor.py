@@ -17,8 +17,7 @@ from .state import STOPPED, Sender, State
 
 STOPPED_INTERVAL = 0.4       # s between two heartbeats while it is stopped; the guard's timeout is a second
 RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried again
-VERIFY_AFTER_COMMAND = 0.15  # s between two verifications right after a command, when the next is not due soon
-VERIFY_IDLE = 0.24           # s between two verifications at any other moment
+UPKEEP_AFTER_COMMAND = 0.15  # s between two verifications and heartbeats right after a command, as no other is due soon
 FREEZE = 0.7                 # s between two steps after which this program was frozen, and with it its questions
 #                              and heartbeats; the guard stops the wheels 0.75 s after a step at the earliest
 GUARD_START_TIMEOUT = 5.0    # s until a guard that does not start is reported
@@ -59,7 +58,7 @@ class Supervisor:
         self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
         self._ending, self._failure = False, None
         self._step = Step(-math.inf, self.state, None, STOPPED, STOPPED)
-        self._fed_at = self._verified_at = -math.inf
+        self._kept_up_at = -math.inf
         self._stepped_at = math.inf  # there is no step yet, and so no gap after it
 
     def command(self, linear: float, angular: float, sender: Sender) -> None:
@@ -136,46 +135,39 @@ class Supervisor:
         self._stepped_at = now
         with self._lock:
             self.state = state = self.state.check_timeout(now)
-        velocity, fault = self._drive_and_verify(state, now, woken)
         interval = self.robot.driver.keep_alive_interval if state.driving else STOPPED_INTERVAL
-        fed = self._keep_alive(now, interval)
+        due = now >= self._kept_up_at + (min(interval, UPKEEP_AFTER_COMMAND) if woken else interval)
+        velocity, fault = self._try_to_drive(state, now, due)
+        due = due or fault is NO_GUARD  # a heartbeat starts another guard
+        if due:
+            self._kept_up_at = now
+            with contextlib.suppress(BusError):  # the next drive reports it
+                self.robot.keep_alive()
         duties = self.robot.duties
         if self._ramp.acceleration_limit and not any(duties):
             self._ramp.reset()  # whatever has stopped the wheels
-        self._show(Step(now, state, fault, velocity, duties), fed)
-        return min(self._fed_at + interval, state.deadline, now + self._pause(fault))
+        self._show(Step(now, state, fault, velocity, duties), due)
+        return min(self._kept_up_at + interval, state.deadline, now + self._pause(fault))
 
     def _pause(self, fault):
         if fault:
             return RETRY_INTERVAL
         return STEP_INTERVAL if self._ramp.active else math.inf
 
-    def _drive_and_verify(self, state, now, woken):
+    def _try_to_drive(self, state, now, verify):
         """Drive, or stop if there is no guard; return what was driven, and the fault."""
         try:
             if state.driving and not self.robot.guarded:
                 self._drive(*STOPPED)
-                self._fed_at = -math.inf  # now: a heartbeat starts another guard
                 return STOPPED, NO_GUARD
             velocity = self._ramp.limit(state.velocity, now)
             self._drive(*velocity)
-            # After a command, or if none came for a while: so that no command waits for it
-            if now - self._verified_at >= (VERIFY_AFTER_COMMAND if woken else VERIFY_IDLE):
-                self._verified_at = now
+            if verify:
                 self.robot.verify()
         except BusError as error:
             self.faults += not isinstance(self._step.fault, BusError)
             return STOPPED, error
         return velocity, None
-
-    def _keep_alive(self, now, interval):
-        """Feed the board's timer and the guard, if that is due; return whether it was."""
-        if now - self._fed_at < interval:
-            return False
-        self._fed_at = now
-        with contextlib.suppress(BusError):  # the next drive reports it
-            self.robot.keep_alive()
-        return True
 
     def _show(self, step, anyway=True):
         """Show a step to the watchers, if it differs from the last one."""

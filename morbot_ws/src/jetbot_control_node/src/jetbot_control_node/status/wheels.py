@@ -41,11 +41,11 @@ class WheelsPublisher:
     def _run(self):
         with contextlib.suppress(rospy.ROSException):  # a shutdown closes the topic meanwhile
             while not rospy.is_shutdown():
-                time.sleep(CHANGING_INTERVAL)
-                self._changed.wait(STEADY_INTERVAL - CHANGING_INTERVAL)
+                self._changed.wait(STEADY_INTERVAL)
                 self._changed.clear()
                 if self._publisher.get_num_connections():
                     self._publisher.publish(self._message())
+                    time.sleep(CHANGING_INTERVAL)
 
     def _message(self):
         velocity, duties = self._driven
