@@ -1,8 +1,9 @@
-"""The recipe for a board in CONTRIBUTING.md, followed as it is written: a row, and nothing else."""
+"""The recipes for a parameter and for a board in CONTRIBUTING.md, followed as they are written."""
 
 import re
 
 import pytest
+from parameter_lines import lines_of, unread
 
 from conftest import ROOT, registers
 from jetbot import Robot, boards
@@ -15,7 +16,8 @@ from jetbot_tools.calibration.wizard import wizard_for
 from jetbot_tools.doctor.checkup import check_bus, verdict
 from simulation import parameters as simulation
 
-RECIPE = (ROOT / "CONTRIBUTING.md").read_text().split("## A board")[1].split("\n## ")[0]
+PAGE = (ROOT / "CONTRIBUTING.md").read_text()
+RECIPE = PAGE.split("## A board")[1].split("\n## ")[0]
 HALF, HIGH, OFF = "00000008", "00100000", "00000010"
 
 
@@ -53,3 +55,11 @@ def test_the_new_board_is_calibrated_and_has_parameters(place):
     assert wizard_for("myboard", i2c_bus=place).parameters["pwm_frequency"] == 50
     assert controller.checked({"board": "myboard"})["board"] == "myboard"
     assert simulation.resolve({"board": "myboard", "i2c_bus": place})["board"] == "myboard"
+
+
+def test_a_parameter_is_a_row_three_lines_and_a_reader():
+    recipe = PAGE.split("## A parameter")[1].split("\n## ")[0]
+    row, *lines = re.findall(r"```\w*\n(.*?)\n```", recipe, re.S)
+    (name, parameter), = eval(f"{{{row}}}", dict(vars(controller))).items()
+    assert lines_of(name, parameter) == tuple("\n".join(lines).splitlines())
+    assert unread([name]) == {name}

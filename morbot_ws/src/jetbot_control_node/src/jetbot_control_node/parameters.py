@@ -2,7 +2,7 @@
 
 import os
 from pathlib import Path
-from typing import Collection, Dict, Union
+from typing import Collection, Dict, Optional, Union
 
 from jetbot import InvalidValue, fake, files
 from jetbot.boards import BOARDS, DEFAULT_PORT, find_board
@@ -71,12 +71,32 @@ def default_file() -> Path:
 
 def load(file: Union[str, Path]) -> Dict[str, object]:
     """Return the parameters in a YAML file; raise InvalidValue if it cannot be read or holds something else."""
-    from .flat_yaml import parse  # here: doctor.py reports that YAML's package is missing
+    import yaml  # here: doctor.py reports that it is missing
     try:
-        return parse(files.read(file))
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-    raise InvalidValue(f"the file {file} cannot be used: {reason}", "Fix it, or name another file by its whole path.")
+        values = yaml.safe_load(files.read(file))
+        reason = content_problem(values)
+    except yaml.MarkedYAMLError as error:
+        reason = f"line {error.problem_mark.line + 1}: {error.problem}"
+    except (OSError, ValueError, OverflowError, RecursionError, yaml.YAMLError) as error:
+        reason = getattr(error, "strerror", None) or str(error).partition("\n")[0]
+    if reason:
+        raise InvalidValue(f"the file {file} cannot be used: {reason.rstrip('.')}",
+                           "Fix it, or name another file by its whole path.")
+    return values
+
+
+def content_problem(values: object) -> Optional[str]:
+    """Return the problem of what a YAML file holds, or None if each name has one plain value."""
+    if not (isinstance(values, dict) and values):
+        return "it holds no parameters"
+    for name, value in values.items():
+        if not isinstance(name, str):
+            return f"{name} is not a name"
+        if value in ("", None):
+            return f"it gives {name} no value"
+        if isinstance(value, (list, dict)):  # which aliases may make too large to print
+            return f"it gives {name} more than one value"
+    return None
 
 
 def resolve(typed: Dict[str, object]) -> Dict[str, object]:
