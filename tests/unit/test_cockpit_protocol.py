@@ -78,6 +78,8 @@ def test_the_documented_examples_of_the_cockpit_have_the_fields_of_the_table():
     assert {example.pop("type"): list(example) for example in examples(FROM_COCKPIT)} == table(FROM_COCKPIT)
 
 
-def test_the_documented_codes_are_those_with_which_a_socket_is_closed():
-    assert {int(row[0]) for row in rows(FROM_COCKPIT) if row[0].isdigit()} == {
-        hub.REFUSED, hub.LOG_IN, hub.FULL, hub.ENDED}
+def test_why_a_socket_is_closed_is_documented_with_its_limits():
+    closings = [row for row in rows(FROM_COCKPIT) if row[0].isdigit()]
+    assert {int(code) for code, _ in closings} == {hub.REFUSED, hub.LOG_IN, hub.FULL, hub.ENDED}
+    assert [int(limit) for _, reason in closings for limit in re.findall(r"\d+", reason)] == [
+        protocol.MAX_MESSAGE, protocol.MAX_RATE, protocol.MAX_BURST, hub.GONE_AFTER, hub.MAX_CLIENTS]

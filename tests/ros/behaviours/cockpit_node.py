@@ -68,6 +68,11 @@ class CockpitNode(RobotTest):
 
         page = self.page(port)
         self.drive(page)
+        cockpit.send_signal(signal.SIGSTOP)  # the controller notices it
+        self.wait_for_stop(2.0)
+        cockpit.send_signal(signal.SIGCONT)
+        self.wheels_stay(0, 0, for_seconds=0.3)
+        self.drive(page)
         start = time.monotonic()
         cockpit.send_signal(signal.SIGTERM)
         self.wait_for_stop(1.0)

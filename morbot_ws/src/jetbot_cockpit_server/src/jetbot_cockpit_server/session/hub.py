@@ -29,9 +29,10 @@ class TokenBucket:
         """Count a message; return whether it is within the limit."""
         self._tokens = min(self._burst, self._tokens + (now - self._filled_at) * self._rate)
         self._filled_at = now
-        within_limit = self._tokens >= 1
-        self._tokens -= within_limit
-        return within_limit
+        if self._tokens < 1:
+            return False
+        self._tokens -= 1
+        return True
 
 
 class Viewer:
