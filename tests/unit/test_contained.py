@@ -76,6 +76,7 @@ def test_the_child_ends_with_the_program(signum, printed):
         children = Path(f"/proc/{parent.pid}/task/{parent.pid}/children")
         assert wait_until(children.read_text, 10)
         child = Path(f"/proc/{children.read_text().strip()}/stat")
+        assert wait_until(lambda: os.getsid(int(child.parent.name)) == int(child.parent.name), 5)
         os.killpg(parent.pid, signum)
         assert parent.communicate(timeout=10)[0] == printed
     assert wait_until(lambda: not child.exists() or " Z " in child.read_text(), 5)
