@@ -12,8 +12,7 @@ from jetbot_control_node.parameters import checked, default_file, load
 
 from ..options import launch_command
 from .computer import Check, check_cockpit_port, check_host, check_module, check_supply, check_users
-from .identify import jumper_addresses
-from .motor_board import check_board, check_chips, check_serial
+from .motor_board import check_board, check_chips, check_serial, jumper_addresses
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial", "tornado"]
 NEEDED_BY_SOME = ["smbus2", "serial", "tornado"]  # by boards on an I2C bus, on a serial port; by the cockpit

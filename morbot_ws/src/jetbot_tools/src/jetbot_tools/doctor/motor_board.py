@@ -3,19 +3,19 @@
 import contextlib
 import errno
 import threading
-from typing import List, Sequence, Union
+from typing import List, Optional, Sequence, Type, Union
 
 from jetbot import host
-from jetbot.boards import BOARDS, find_board
+from jetbot.boards import BOARDS, MotorDriver, find_board
 from jetbot.boards.jetbot_pro import JetBotPro
 from jetbot.connection import locate
 from jetbot.errors import BusError, JetbotError, NoAnswer
 from jetbot.i2c import I2CDevice, bus_name
 from jetbot.serial_link import SerialLink
+from jetbot.supply import CONFIGURATION, read_word
 
 from ..options import launch_command
 from .computer import Check
-from .identify import boards_with, driver_for, power_monitor
 
 TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many frames in that time
 
@@ -27,6 +27,13 @@ CONDITION = "the chip at 0x{:02x} is Waveshare's Motor Driver HAT and no servo b
 CLOCK_STRETCHING = ("It stretches the clock, which a Raspberry Pi 4 or older mishandles. If transfers fail, write to "
                     "its config.txt dtparam=i2c_arm=off and dtoverlay=i2c-gpio,bus=3,i2c_gpio_sda=2,i2c_gpio_scl=3, "
                     "restart it, and use i2c_bus:=3")
+
+# CONFIGURATION of the power monitors, 16 bits, at power-on (Texas Instruments SBOS448, SBOS576).
+CONFIGURATIONS = {0x399F: "INA219", 0x7127: "INA3221"}
+MONITOR_ADDRESSES = range(0x40, 0x50)
+
+# Not from 0x70 on: a read begins with the byte of a register, which would switch a multiplexer (TCA9548A).
+JUMPER_ADDRESSES = range(0x40, 0x70)
 
 
 def check_board(board: str, i2c_bus: Union[int, str], port: str, i2c_address: Union[int, str, None] = None) -> Check:
@@ -90,6 +97,36 @@ def clock_advice(address: int) -> str:
     if address == BOARDS["sparkfun"].address and host.mishandles_clock_stretching(host.model()):
         return CLOCK_STRETCHING
     return ""
+
+
+def jumper_addresses(board: str = "") -> List[int]:
+    """Return the JUMPER_ADDRESSES that a board's jumpers select; all of them if none is named."""
+    return [address for address in JUMPER_ADDRESSES if not board or address in BOARDS[board].jumpers]
+
+
+def driver_for(chip: I2CDevice) -> Optional[Type[MotorDriver]]:
+    """Return the driver of the motor board that the chip belongs to, None for any other chip; raise JetbotError.
+
+    At a JetBot's own address, any other chip is taken for its board's: Linux's test chip, i2c-stub, holds only zeros.
+    """
+    for driver in dict.fromkeys(row.driver for row in BOARDS.values()):
+        if driver.recognizes(chip):
+            return driver
+    return BOARDS["jetbot"].driver if chip.address == BOARDS["jetbot"].address else None
+
+
+def power_monitor(chip: I2CDevice) -> str:
+    """Return "INA219" or "INA3221" for one as it is at power-on, "" for any other chip; raise JetbotError."""
+    if chip.address not in MONITOR_ADDRESSES:
+        return ""
+    return CONFIGURATIONS.get(read_word(chip, CONFIGURATION), "")
+
+
+def boards_with(driver: Optional[Type[MotorDriver]], address: int) -> List[str]:
+    """Return the boards with this driver whose address this is, then those whose jumpers select it."""
+    own = [board for board, row in BOARDS.items() if row.driver is driver and row.address == address]
+    return own + [board for board, row in BOARDS.items()
+                  if row.driver is driver and address in row.jumpers and board not in own]
 
 
 def check_serial(port: str) -> Check:
