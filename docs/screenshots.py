@@ -5,7 +5,6 @@ Type: ./morbot shell docs/screenshots.py [PICTURE ...]. It needs chromium, chrom
 imagemagick.
 """
 
-import base64
 import contextlib
 import os
 import subprocess
@@ -19,13 +18,12 @@ from typing import Iterator, Tuple
 
 import rospy
 from geometry_msgs.msg import Twist
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
-from selenium.webdriver.support.ui import WebDriverWait
 
 DOCS = Path(__file__).resolve().parent
-sys.path.append(str(DOCS.parent / "tests/ros"))
-from processes import end, end_on_sigterm, end_with_parent, free_port, start  # noqa: E402
+sys.path += [str(DOCS.parent / "tests"), str(DOCS.parent / "tests/ros")]
+from browser.page import Page  # noqa: E402
+
+from processes import end, end_on_sigterm, free_port, start  # noqa: E402
 
 PHONE, DESKTOP = (390, 844, 2), (1280, 800, 1)  # width and height in CSS pixels; pixels per CSS pixel
 COLORS = 128            # of a PNG
@@ -81,69 +79,34 @@ def wait_for_page(address: str) -> None:
 
 def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -> None:
     """Open the page, drive an eight with the pad, a circle in a class, and save what the page shows meanwhile."""
-    with browser(size) as driver:
-        driver.get(address)
-        WebDriverWait(driver, START_TIMEOUT).until(
-            lambda page: len(page.find_elements("css selector", "#robot option")) == robots)
-        touch(driver, "touchStart", center_of(driver)[:2])
+    width, height, scale = size
+    with tempfile.TemporaryDirectory() as profile, contextlib.closing(Page(Path(profile))) as page:
+        page.media(prefers_color_scheme="light")
+        page.open(address)
+        page.screen(width, height, touch=width < height, scale=scale)
+        page.wait_for(lambda: len(page.robots()) == robots, "all robots", START_TIMEOUT)
         for forward, left, seconds in EIGHT if robots == 1 else EIGHT[:1]:
-            drive(driver, forward, left, seconds)
+            drive(page, forward, left, seconds)
         if robots > 1:
-            driver.execute_script("document.getElementById('fit').click()")
+            page.run("document.getElementById('fit').click()")
             time.sleep(STEP)
-        save(driver, DOCS / name)
-        touch(driver, "touchEnd")
+        save(page, DOCS / name)
 
 
-def drive(driver: webdriver.Chrome, forward: float, left: float, seconds: float) -> None:
+def drive(page: Page, forward: float, left: float, seconds: float) -> None:
     """Push the pad until the robot has driven for so long; on a busy computer, the dead man's switch may stop it."""
-    status, notice, driven = *(driver.find_element("id", name) for name in ("status", "notice")), 0.0
-    while driven < seconds or notice.is_displayed():
-        x, y, radius = center_of(driver)
-        touch(driver, "touchMove", (x - left * radius, y - forward * radius))
+    page.touch(forward, left)
+    driven = 0.0
+    while driven < seconds or page.text("notice"):
         time.sleep(STEP)
-        if status.text.startswith("driving"):
+        if page.text("status").startswith("driving"):
             driven += STEP
         else:
-            touch(driver, "touchEnd")
-            touch(driver, "touchStart", (x, y))
+            page.touch(forward, left)
 
 
-def center_of(driver: webdriver.Chrome) -> Tuple[float, float, float]:
-    """Return x and y of the pad's center, and its radius."""
-    pad = driver.find_element("id", "pad").rect
-    return pad["x"] + pad["width"] / 2, pad["y"] + pad["height"] / 2, pad["width"] / 2
-
-
-@contextlib.contextmanager
-def browser(size: Tuple[int, int, int]) -> Iterator[webdriver.Chrome]:
-    """Run a headless Chromium with a screen of this size, and touch."""
-    options = webdriver.ChromeOptions()
-    for argument in ("--headless=new", "--hide-scrollbars", "--remote-debugging-pipe",  # it ends with chromedriver
-                     *(["--no-sandbox"] if os.geteuid() == 0 else [])):
-        options.add_argument(argument)
-    service = Service("/usr/bin/chromedriver", popen_kw={"preexec_fn": end_with_parent})
-    driver = webdriver.Chrome(service=service, options=options)
-    try:
-        width, height, scale = size
-        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": width, "height": height, "deviceScaleFactor": scale, "mobile": width < height})
-        driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
-        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
-            "features": [{"name": "prefers-color-scheme", "value": "light"}]})
-        yield driver
-    finally:
-        driver.quit()
-
-
-def touch(driver: webdriver.Chrome, kind: str, *places: Tuple[float, float]) -> None:
-    """Touch the page with one finger there, or with none."""
-    driver.execute_cdp_cmd("Input.dispatchTouchEvent", {
-        "type": kind, "touchPoints": [{"x": x, "y": y} for x, y in places]})
-
-
-def save(driver: webdriver.Chrome, path: Path) -> None:
-    png = base64.b64decode(driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})["data"])
+def save(page: Page, path: Path) -> None:
+    png = page.driver.get_screenshot_as_png()
     subprocess.run(["convert", "png:-", "-strip", "+dither", "-colors", str(COLORS), f"PNG8:{path}"],
                    input=png, check=True)
     print(f"{path.name}: {path.stat().st_size / 1000:.0f} kB")

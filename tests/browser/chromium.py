@@ -74,9 +74,9 @@ class Chromium:
         self._watch_tab()
         self._driver_process, self._service = service.process.pid, service
 
-    def screen(self, width: int, height: int, touch: bool = True) -> None:
-        """Make the tab in front a phone's touch screen of this size in px, or a desktop's."""
-        self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+    def screen(self, width: int, height: int, touch: bool = True, scale: float = 1.0) -> None:
+        """Make the tab in front a phone's touch screen of this size in px, or a desktop's; scale: pixels per px."""
+        self._devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale,
                        mobile=touch)
         self._devtools("Emulation.setTouchEmulationEnabled", enabled=touch, maxTouchPoints=5)
 
