@@ -27,8 +27,7 @@ KEYS = {"ArrowUp": Keys.ARROW_UP, "ArrowDown": Keys.ARROW_DOWN, "ArrowLeft": Key
         "Enter": Keys.ENTER}
 CAUSED_BY_TESTS = "/favicon.ico", "willReadFrequently"  # a picture in a tab of its own; the map's pixels that are read
 END_TIMEOUT = 20.0  # s
-# Keeps the socket, and for other pages of this origin the newest commands that the page sends, and when it has met the
-# newest event.
+# Keeps the socket, and for other pages of this origin the newest commands that the page sends.
 KEEP_SENT = """if (location.protocol === "http:") { const send = WebSocket.prototype.send, sent = [];
     WebSocket.prototype.send = function (text) {
         window.socket = this;
@@ -38,11 +37,7 @@ KEEP_SENT = """if (location.protocol === "http:") { const send = WebSocket.proto
             localStorage.setItem("sent", JSON.stringify(sent.slice(-100)));
         }
         send.call(this, text);
-    };
-    for (const type of ["click", "keydown", "keyup", "pointerup", "pointercancel", "visibilitychange", "pagehide"]) {
-        addEventListener(type, () => localStorage.setItem("met", (performance.timeOrigin + performance.now()) / 1000),
-                         true);
-    } }"""
+    }; }"""
 
 
 class Command(NamedTuple):
@@ -110,10 +105,6 @@ class Chromium:
     def sent(self) -> List[Command]:
         """Return the newest commands that the page in the first tab sent; the tab in front may show another page."""
         return [Command(*each) for each in json.loads(self.run("return localStorage.getItem('sent')") or "[]")]
-
-    def met_at(self) -> float:
-        """Return when that page has met the newest click, key, end of a touch, or its own end."""
-        return float(self.run("return localStorage.getItem('met')"))
 
     def new_tab(self, url: str = "about:blank") -> None:
         """Open a tab in front of the page."""

@@ -27,7 +27,7 @@ def test_a_teacher_takes_a_robot_from_a_pupil_who_is_told(page, pupil, world):
     pupil.type("name", "Ben")
     world.drive(pupil, ROBOT)
     page.wait_for_text("driver", "Ben drives it")
-    with world.stops(ROBOT, what="the teacher's click on Take over", page=page):
+    with world.stops(ROBOT, what="the teacher's click on Take over"):
         page.click("#take")
     pupil.wait_for_text("notice", f"Ada has taken {ROBOT}")
     pupil.move(0.9, 0.1)

@@ -45,7 +45,7 @@ def test_a_pupils_button_stops_all_robots_and_release_lets_none_start_by_itself(
     pupil.choose(OTHER_ROBOT)
     world.drive(page, ROBOT)
     world.drive(pupil, OTHER_ROBOT)
-    with world.stops(ROBOT, OTHER_ROBOT, what="a pupil's click on STOP", page=pupil):
+    with world.stops(ROBOT, OTHER_ROBOT, what="a pupil's click on STOP"):
         pupil.click("#stop")
     for each in page, pupil:
         wait_for_stop(each)
@@ -59,7 +59,7 @@ def test_a_pupils_button_stops_all_robots_and_release_lets_none_start_by_itself(
 @pytest.mark.parametrize("key", ["Escape", "Space"])
 def test_a_key_stops_and_what_is_still_held_does_not_drive_after_the_release(key, page, world):
     world.hold(page, lambda: page.press("ArrowUp"), lambda: page.let_go("ArrowUp"), ROBOT)
-    with world.stops(ROBOT, what=key, page=page):
+    with world.stops(ROBOT, what=key):
         page.tap(key)
     wait_for_stop(page)
     release(page)
@@ -85,7 +85,7 @@ def test_an_emergency_stop_from_ros_is_shown_and_released(page, world):
 def test_a_second_finger_stops_and_releases(page, world):
     world.drive(page, ROBOT, *HELD)
     touch_with_second_finger(page, "#stop")
-    world.wait_for_stop(ROBOT, within=1.0)
+    world.wait_for_stop(ROBOT)
     wait_for_stop(page)
     lift_second_finger(page, "#stop")
     touch_with_second_finger(page, "#release")

@@ -39,12 +39,6 @@ class WheelRecord:
         """Return the robot's changes after this time."""
         return [change for change in self._changes[robot] if change.time > start]
 
-    def stopped_at(self, robot: str) -> float:
-        """Return when the wheels, which are at zero now, came there."""
-        change = self._changes[robot][-1]
-        assert change.speeds == STOPPED, f"{robot} turns its wheels at {change.speeds}"
-        return change.time
-
     def close(self) -> None:
         """End the thread."""
         self._over.set()

@@ -92,24 +92,16 @@ class World:
             f"{[self.wheels(robot) for robot in self.robots]}{self._logs()}"
 
     @contextmanager
-    def stops(self, *robots: str, what: str, page=None) -> Iterator[None]:
-        """Fail unless what is done in this context stops these robots in time, and they stay stopped a while.
-
-        The time counts from the event that the page meets, without a page from the beginning of this context. Print it.
-        """
-        start = time.time()
+    def stops(self, *robots: str, what: str) -> Iterator[None]:
+        """Fail unless what is done in this context stops these robots in time, and they stay stopped a while."""
         yield
         for robot in robots:
-            self.wait_for(lambda robot=robot: self.wheels(robot) == STOPPED, STOP_TIMEOUT, f"{robot} to stop")
-        self.stay_stopped(*robots, for_seconds=0.2)
-        start = page.met_at() if page else start
-        elapsed = max(self.record.stopped_at(robot) for robot in robots) - start
-        print(f"{', '.join(robots)}: stopped {1000 * elapsed:.0f} ms after {what}")
-        assert elapsed <= STOP_TIMEOUT, f"{robots} stopped {elapsed:.2f} s after {what}{self._logs()}"
+            self.wait_for_stop(robot, what)
+        self.stay_stopped(*robots)
 
-    def wait_for_stop(self, robot: str, within: float = STOP_TIMEOUT) -> None:
-        """Fail unless both wheels of a robot stop within this many seconds."""
-        self.wait_for(lambda: self.wheels(robot) == STOPPED, within, f"{robot} to stop")
+    def wait_for_stop(self, robot: str, what: str = "it was commanded") -> None:
+        """Fail unless both wheels of a robot stop in time."""
+        self.wait_for(lambda: self.wheels(robot) == STOPPED, STOP_TIMEOUT, f"{robot} to stop after {what}")
 
     def drive(self, page, robot: str, forward: float = 1.0, left: float = 0.0, wanted: Condition = moving) -> None:
         """Put a finger on the pad of a page, and leave it there once the wheels turn as wanted."""

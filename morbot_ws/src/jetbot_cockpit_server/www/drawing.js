@@ -4,8 +4,9 @@
 const MIN_CELL = 48; // pixels
 
 // Like the simulation's model: the origin is the middle of the axle.
+export const WHEEL_SEPARATION = 0.1125; // m
 const BODY = [-0.095, -0.0475, 0.13, 0.095];
-const WHEEL = { length: 0.06, width: 0.012, offset: 0.05625 };
+const WHEEL = { length: 0.06, width: 0.012 };
 const CAMERA = [0.028, -0.013, 0.012, 0.026];
 const NOSE = 0.06; // where the arrows start
 const ARROW_TIME = 0.8; // s that an arrow looks ahead
@@ -72,7 +73,7 @@ export function drawRobot(context, pose, color, colors, pixel) {
   atPose(context, pose, () => {
     context.fillStyle = colors.tyre;
     for (const side of [1, -1]) {
-      const place = [-WHEEL.length / 2, side * WHEEL.offset - WHEEL.width / 2];
+      const place = [-WHEEL.length / 2, side * WHEEL_SEPARATION / 2 - WHEEL.width / 2];
       addRounded(context, [...place, WHEEL.length, WHEEL.width], 0.004);
       context.fill();
     }

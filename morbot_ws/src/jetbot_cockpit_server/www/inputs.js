@@ -120,7 +120,6 @@ export function watchGamepads(deflect) {
 }
 
 function readStick() {
-  const gamepads = navigator.getGamepads().filter((gamepad) => gamepad?.connected);
-  const used = gamepads.find(({ axes }) => Math.hypot(axes[0], axes[1]) > IN_USE);
+  const used = navigator.getGamepads().filter(Boolean).find(({ axes }) => Math.hypot(axes[0], axes[1]) > IN_USE);
   return used ? [-used.axes[1], -used.axes[0]] : [0, 0];
 }

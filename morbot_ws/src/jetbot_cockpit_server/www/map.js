@@ -1,11 +1,11 @@
 // The map from above: grid, trails, robots, and the chosen robot's commanded and actual speed.
 
 import { element, setText, signed } from "./dom.js";
-import { drawArrow, drawGrid, drawRing, drawRobot, drawScene, drawTrail } from "./drawing.js";
-import { nominalSpeed } from "./panel.js";
+import { drawArrow, drawGrid, drawRing, drawRobot, drawScene, drawTrail, WHEEL_SEPARATION } from "./drawing.js";
 import { Viewport } from "./viewport.js";
 
 const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual", "course"];
+const FULL_SPEED = 0.6; // m/s of a JetBot's wheel at full power
 const MIN_RADIUS = 9; // pixels at which a robot is found
 const TAP_RADIUS = 28; // pixels
 
@@ -168,4 +168,11 @@ export class RobotMap {
     const place = pose ? `the robot is at x ${signed(pose[0])} m, y ${signed(pose[1])} m` : "its place is not known";
     this.canvas.setAttribute("aria-label", `Map from above: ${place}`);
   }
+}
+
+// Returns the speed [m/s, rad/s] that a command asks for: in the workshop's units it is one of power.
+function nominalSpeed([x, z], { workshop }) {
+  if (!workshop) return [x, z];
+  const [left, right] = [x - z, x + z].map((power) => FULL_SPEED * Math.max(-1, Math.min(1, power)));
+  return [(left + right) / 2, (right - left) / WHEEL_SEPARATION];
 }

@@ -4,8 +4,6 @@
 import { element, inSeconds, setClass, setText, signed } from "./dom.js";
 import { leaveView } from "./views.js";
 
-const FULL_SPEED = 0.6; // m/s of a JetBot's wheel at full power, as the simulation has it
-const WHEEL_SEPARATION = 0.1125; // m
 const SIDES = [["left", "−", -1], ["right", "+", 1]];
 
 // problem: why there is no connection, or ""
@@ -83,13 +81,6 @@ function showBar(name, value, expected) {
   bar.style.transform = `scaleX(${Math.max(-1, Math.min(1, value ?? 0))})`;
   const shown = Math.abs(value - expected) < 0.011 ? expected : value;
   setText(element(`${name}-value`), value === undefined ? "–" : signed(shown));
-}
-
-// Returns the speed [m/s, rad/s] that a command asks for: in the workshop's units it is one of power.
-export function nominalSpeed([x, z], { workshop }) {
-  if (!workshop) return [x, z];
-  const [left, right] = [x - z, x + z].map((power) => FULL_SPEED * Math.max(-1, Math.min(1, power)));
-  return [(left + right) / 2, (right - left) / WHEEL_SEPARATION];
 }
 
 // The robot's task: its title, what its judge says, the time, and the score at the end.
