@@ -39,13 +39,12 @@ def test_nothing_but_the_pages_files_is_served(cockpit, path):
     assert request(cockpit.port, "GET", path, cockpit.headers()).status == 404
 
 
-def test_a_page_by_a_foreign_name_is_not_found(cockpit):
+@pytest.mark.parametrize("method, path, headers", [("GET", "/", {}), ("GET", "/socket", UPGRADE), ("POST", "/login", {})])
+@pytest.mark.parametrize("host", ["", "evil.test", "evil.test:{port}", "localhost", "localhost:{port}, evil.test"])
+def test_a_page_by_a_foreign_name_is_not_found(cockpit, method, path, headers, host):
     """DNS rebinding: a foreign page's name is resolved to this computer's address."""
-    for host in "", "evil.test", f"evil.test:{cockpit.port}", "localhost", f"localhost:{cockpit.port}, evil.test":
-        headers = {**cockpit.headers(), "Host": host}
-        assert request(cockpit.port, "GET", "/", headers).status == 404, host
-        assert request(cockpit.port, "GET", "/socket", {**headers, **UPGRADE}).status == 404, host
-        assert request(cockpit.port, "POST", "/login", headers).status == 404, host
+    headers = {**cockpit.headers(), **headers, "Host": host.format(port=cockpit.port)}
+    assert request(cockpit.port, method, path, headers).status in (400, 404)  # 400: newer Tornados check its form, too
 
 
 def test_a_foreign_page_gets_no_socket_and_no_post(cockpit):
