@@ -134,14 +134,6 @@ def test_opening_a_board_stops_what_turned(folder, board):
     assert wheel_speeds(folder) == (0, 0)
 
 
-@pytest.mark.parametrize("address", [0x61, "0x61"])
-def test_a_board_at_another_address(folder, address):
-    board = open_board(find_board("adafruit", address), f"fake:{folder}")
-    board.drive(0.5, -0.25)
-    assert wheel_speeds(folder, "adafruit", 0x61) == (0.5, -0.25)
-    assert wheel_speeds(folder) == (0, 0)
-
-
 def test_another_chip_is_not_driven(folder, monkeypatch):
     monkeypatch.delenv("MORBOT", raising=False)
     power_on(folder)

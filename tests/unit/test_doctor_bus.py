@@ -49,7 +49,6 @@ def plug_in(monkeypatch):
 
 
 @pytest.mark.parametrize("address, chip, boards, command", [
-    (0x61, PCA9685, "jetbot or adafruit or waveshare", "i2c_address:=0x61"),
     (0x6F, PCA9685, "jetbot or adafruit or waveshare", "i2c_address:=0x6f"),
     (0x58, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x58"),
     (0x63, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x63"),

@@ -62,11 +62,6 @@ def test_a_block_fills_registers_only_with_auto_increment(bus, folder, mode1, ou
     assert registers(folder)[0x06:0x09].hex() == outputs
 
 
-def test_a_block_that_sets_auto_increment_uses_it_at_once(bus, folder):
-    bus.write_i2c_block_data(0x60, 0x00, [0x30, 0x14])
-    assert registers(folder)[:2].hex() == "3014"
-
-
 @pytest.mark.parametrize("mode1, values", [(0x11, [0x11, 0x11, 0x11]), (0x31, [0x31, 0x04, 0xE2])])
 def test_a_block_is_read_from_one_register_without_auto_increment(bus, mode1, values):
     bus.write_byte_data(0x60, 0x00, mode1)
@@ -98,11 +93,6 @@ def test_no_output_while_asleep(bus, folder):
     assert PCA9685.duty(registers(folder), 0) == 0
     bus.write_byte_data(0x60, 0x00, 0x20)
     assert PCA9685.duty(registers(folder), 0) == 1
-
-
-def test_all_outputs_at_once(bus, folder):
-    bus.write_byte_data(0x60, 0xFD, 0x07)
-    assert registers(folder)[0x09:0x46:4] == bytes([0x07] * 16)
 
 
 @pytest.mark.parametrize("backward, forward, speed", [

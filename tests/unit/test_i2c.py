@@ -32,7 +32,7 @@ FAKE = 'Without a robot, use Robot(i2c_bus="fake"), or type first: export JETBOT
     (errno.EBUSY, BusError, "0x60 on /dev/i2c-1 is in use by a kernel driver. Unload that driver."),
     (errno.ETIMEDOUT, BusStuck, "The bus /dev/i2c-1 is stuck. Switch the robot off and on, and check the wires."),
     *((number, NoAnswer, "No answer from 0x60 on /dev/i2c-1. Is the motor board plugged in and its battery on? "
-       "This computer has /dev/i2c-0. " + FAKE) for number in (errno.ENXIO, errno.EREMOTEIO))])
+       "This computer has /dev/i2c-0. " + FAKE) for number in (errno.ENXIO, errno.EREMOTEIO, errno.EAGAIN))])
 def test_each_failure_has_its_class_and_sentence(number, kind, sentence):
     error = explain(OSError(number, ""), "/dev/i2c-1", 0x60)
     assert (type(error), error.errno, str(error)) == (kind, number, sentence)
@@ -73,7 +73,7 @@ def test_a_lasting_failure_is_reported(folder):
 
 
 @pytest.mark.parametrize("address, advice", [
-    (0x61, "To plug it in: python3 -m jetbot.fake {} --i2c-address 0x61"),
+    (0x6A, "To plug it in: python3 -m jetbot.fake {} --i2c-address 0x6a"),
     (61, "Do you mean 0x61? A fake motor board is at 0x40 to 0x77.")])
 def test_a_board_at_another_address_that_is_missing(folder, address, advice):
     I2CDevice(f"fake:{folder}", 0x60).read(0)
@@ -82,9 +82,7 @@ def test_a_board_at_another_address_that_is_missing(folder, address, advice):
     assert str(error.value) == f"No answer from 0x{address:02x} on fake:{folder}. {advice.format(folder)}"
 
 
-def test_an_address_that_was_typed_without_0x(folder):
-    with pytest.raises(BusError, match="No answer from 0x3d on .* Do you mean 0x61?"):
-        I2CDevice(f"fake:{folder}", 61).read(0)
+def test_an_address_that_was_typed_without_0x():
     assert explain(OSError(errno.EREMOTEIO, ""), "/dev/i2c-1", 61).advice.startswith("Do you mean 0x61? Is the motor ")
 
 
@@ -113,10 +111,6 @@ def test_a_program_without_a_file_descriptor_left(folder):
     finally:
         resource.setrlimit(resource.RLIMIT_NOFILE, limits)
     assert device.read(0) == 0x11
-
-
-def test_a_lost_arbitration_is_no_answer():
-    assert type(explain(OSError(errno.EAGAIN, ""), "/dev/i2c-1", 0x60)) is NoAnswer
 
 
 @pytest.fixture

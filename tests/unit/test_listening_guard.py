@@ -125,7 +125,3 @@ def test_a_listener_deletes_no_file(tmp_path, listener):
     (tmp_path / "guard").write_text("notes")
     assert listener().wait(TIMEOUT) == 1
     assert (tmp_path / "guard").read_text() == "notes"
-
-
-def test_nobody_listens_on_a_socket_that_is_gone(tmp_path):
-    assert not is_in_use(str(tmp_path / "guard"))

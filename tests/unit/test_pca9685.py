@@ -21,11 +21,6 @@ def output(folder, number):
     return registers(folder)[0x06 + 4 * number:][:4].hex(" ")
 
 
-def test_is_awake_at_1526_hz_after_start(chip, folder):
-    state = registers(folder)
-    assert (state[0x00], state[0x01], state[0xFE]) == (0x20, 0x04, 3)
-
-
 def test_a_chip_in_any_state_is_set_up(folder):
     power_on(folder)
     (folder / "0x60").write_bytes(bytes([0xA0, 0x14]) + bytes([0, 0x10, 0, 0]) * 63 + bytes(2))
@@ -59,19 +54,6 @@ def test_a_small_change_sends_one_byte(chip, wire):
     wire.bits.clear()
     chip.set_outputs({8: 0x101})
     assert wire.bits == [2 + 9 * 3]
-
-
-def test_outputs_of_a_span_switch_in_one_transfer(chip, wire):
-    chip.set_outputs({8: 100, 13: 4096, 0: 7, 3: 9})
-    assert len(wire.bits) == 2
-
-
-def test_a_missing_chip_is_reported_at_every_attempt(chip, folder):
-    chip.set_outputs({8: 100})
-    (folder / "0x60").unlink()
-    for action in (chip.verify, lambda: chip.set_outputs({8: 100})):
-        with pytest.raises(OSError):
-            action()
 
 
 def test_after_a_command_that_failed_halfway_all_is_sent(chip, folder, monkeypatch):

@@ -78,13 +78,6 @@ def test_what_is_no_speed_is_refused_and_stops(make_robot, folder, action, speed
     assert wheel_speeds(folder) == (0, 0)
 
 
-def test_one_wrong_speed_of_two_stops_both(make_robot, folder):
-    robot = make_robot()
-    with pytest.raises(InvalidValue):
-        robot.set_motors(0.5, math.nan)
-    assert wheel_speeds(folder) == (0, 0)
-
-
 @pytest.mark.parametrize("alpha", [math.nan, math.inf, "1.0", None, True])
 def test_what_is_no_alpha_is_refused(make_robot, folder, alpha):
     with pytest.raises(ValueError, match="^An alpha must be a number, not "):
@@ -139,18 +132,6 @@ def test_close_stops_may_be_repeated_and_ends_the_robot(make_robot, folder):
     assert wheel_speeds(folder) == (0, 0)
     with pytest.raises(JetbotError, match="^This robot is closed."):
         robot.forward()
-
-
-def test_with_stops_at_the_end(make_robot, folder):
-    with make_robot() as robot:
-        robot.forward()
-    assert wheel_speeds(folder) == (0, 0)
-
-
-def test_duties_without_a_range_between(make_robot, folder):
-    with pytest.raises(InvalidValue, match="^The min_duty, 0.6, must be below the max_duty, 0.6. Lower "):
-        make_robot(min_duty=0.6, max_duty=0.6)
-    assert not folder.exists(), "the board is not touched"
 
 
 def test_a_board_at_another_address_and_pwm_frequency(make_robot, folder):

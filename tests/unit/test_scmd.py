@@ -38,20 +38,16 @@ def test_both_wheels_in_one_transfer_and_none_for_a_repeated_command(folder, wir
     assert wire.bits == [2 + 9 * 4]
 
 
-def test_wheel_by_wheel_where_the_chip_takes_no_blocks(folder, monkeypatch):
+@pytest.mark.parametrize("refused", [False, True])
+def test_wheel_by_wheel_where_the_chip_takes_no_blocks(folder, monkeypatch, refused):
     write = SCMD.write
-    monkeypatch.setattr(SCMD, "write", lambda registers, register, data: write(registers, register, data[:1]))
-    open_board(find_board("sparkfun"), f"fake:{folder}").drive(0.5, -0.25)
-    assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
 
+    def write_one(registers, register, data):
+        if refused and len(data) > 1:
+            raise OSError(121, "Remote I/O error")
+        write(registers, register, data[:1])
 
-def test_a_chip_that_refuses_blocks(folder, monkeypatch):
-    def write(bus, address, register, data):
-        raise OSError(121, "Remote I/O error")
-
-    write_block = FakeBus.write_i2c_block_data
-    monkeypatch.setattr(FakeBus, "write_byte_data", lambda bus, *args: write_block(bus, *args[:2], [args[2]]))
-    monkeypatch.setattr(FakeBus, "write_i2c_block_data", write)
+    monkeypatch.setattr(SCMD, "write", write_one)
     open_board(find_board("sparkfun"), f"fake:{folder}").drive(0.5, -0.25)
     assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
 

@@ -116,9 +116,3 @@ def test_a_chip_in_any_state_stops_and_drives_after_the_start(chip, board):
         driver.drive(0.5, -0.3)
         assert (chip.memory[0x00], chip.memory[0x01], chip.memory[0xFE]) == (0x20, 0x04, 121)
         assert list(map(chip.high, OUTPUTS[board])) == wanted
-
-
-@pytest.mark.parametrize("frequency, pre_scale", [(1526, 3), (1000, 5), (200, 30), (50, 121), (24, 253)])
-def test_pre_scale_of_a_frequency(chip, frequency, pre_scale):
-    start("jetbot", frequency)
-    assert chip.memory[0xFE] == pre_scale  # data sheet, 7.3.5: round(25 MHz / 4096 / f) - 1
