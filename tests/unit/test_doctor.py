@@ -39,8 +39,8 @@ def test_a_computer_with_nothing():
 
 def test_a_board_that_answers(folder):
     power_on(folder)
-    for address in (0x40, 0x41, 0x5D):
-        chip_file(folder, address).unlink()
+    for chip in set(folder.glob("0x*")) - {chip_file(folder, 0x60)}:
+        chip.unlink()
     assert lines(f"fake:{folder}")[2:] == [
         f"ok  0x60 on fake:{folder}: answers, and can be a board jetbot or adafruit or waveshare. "
         "jetbot drives both layouts; Waveshare's boards from before August 2020 have Adafruit's.",

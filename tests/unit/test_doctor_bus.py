@@ -6,6 +6,7 @@ import pytest
 from examined import lines, make_bare
 
 from jetbot import host, i2c
+from jetbot.boards import BOARDS
 from jetbot_tools.doctor import checkup, motor_board
 
 PCA9685 = {0x00: 0x11, 0x01: 0x04, 0x02: 0xE2, 0x03: 0xE4, 0x04: 0xE8}
@@ -128,15 +129,15 @@ def test_other_addresses_are_read_on_the_robots_bus_alone(plug_in, monkeypatch):
     monkeypatch.setattr(host, "buses", lambda: [0])
     bus = plug_in({})
     lines()
-    assert set(bus.read) == {0x40, 0x5D, 0x60}
+    assert set(bus.read) == {row.address for row in BOARDS.values() if row.address}
     monkeypatch.setattr(host, "buses", lambda: [1])
     lines()
     assert set(range(0x40, 0x70)) == set(bus.read)
 
 
 def test_an_address_that_is_typed_is_the_only_one(plug_in):
-    bus = plug_in({0x60: PCA9685, 0x61: PCA9685})
-    assert lines(1, address=0x61)[-1].endswith(f"{LAUNCH} i2c_address:=0x61")
+    bus = plug_in({0x60: PCA9685, 0x6E: PCA9685})
+    assert lines(1, address=0x6E)[-1].endswith(f"{LAUNCH} i2c_address:=0x6e")
     assert 0x60 not in bus.read
     assert lines(1, address=0x62)[2].startswith("NOT 0x62 on /dev/i2c-1: no answer from 0x62 on /dev/i2c-1.")
 
