@@ -121,11 +121,28 @@ def test_between_two_commands_ten_times_a_second_nothing_is_verified(supervisor,
     assert wire.bits == []
 
 
-def test_a_brown_out_is_repaired_within_half_a_second(supervisor, folder):
+def switch_all_outputs_off(folder):
+    """What another program may write: full off, in all of the chip's outputs."""
+    chip = folder / "0x60"
+    chip.write_bytes(chip.read_bytes()[:6] + bytes([0, 0, 0, 0x10]) * 16 + chip.read_bytes()[70:])
+
+
+@pytest.mark.parametrize("disturb", [power_on, switch_all_outputs_off], ids=["brown-out", "another program"])
+def test_what_the_board_has_lost_is_restored_within_half_a_second(supervisor, folder, disturb):
     go(supervisor)
-    power_on(folder)
-    steps(supervisor, 0.05, 0.4)
+    disturb(folder)
+    assert wheel_speeds(folder) == STOPPED
+    steps(supervisor, 0.05, 0.45)
     assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
+
+
+def test_while_driving_the_boards_own_timer_is_fed(make_robot, folder, statuses):
+    robot = make_robot(board="sparkfun")
+    supervisor = supervise(robot, statuses)
+    supervisor.state = supervisor.state.command(0.5, 0.0, PUPIL._replace(latched=True), 0.0)
+    robot.driver.keep_alive = Mock(wraps=robot.driver.keep_alive)
+    moments = steps(supervisor, 0.0, 0.9)
+    assert robot.driver.keep_alive.call_count == len(moments) >= 4
 
 
 def test_the_guard_is_fed_while_the_board_does_not_answer(supervisor, robot, folder):

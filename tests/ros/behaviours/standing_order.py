@@ -37,6 +37,14 @@ class StandingOrder(RobotTest):
         self.wait_for_stop(within=0.15)
         self.wait_for(lambda: "has ended" in self.texts[-1], 1.0, f"the reason in {self.texts}")
 
+    def test_a_repeated_command_ends_with_its_program_too(self):
+        self.controller(cmd_vel_timeout=0)
+        self.commands().unregister()
+        publisher = self.publisher()
+        self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
+        os.killpg(publisher.pid, signal.SIGKILL)
+        self.wait_for_stop(within=0.15)
+
     def test_a_newer_command_replaces_it(self):
         self.driven_by_an_order(cmd_vel_timeout=0.5)
         self.drive_at(0.25)
