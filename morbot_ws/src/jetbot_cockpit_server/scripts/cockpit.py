@@ -27,7 +27,7 @@ from jetbot_cockpit_server.web import addresses, handout
 from jetbot_cockpit_server.web.access import Access, make_grants
 from jetbot_cockpit_server.web.server import Server
 from jetbot_ros import lifecycle
-from jetbot_ros.command_line import fake_advice, private_parameters
+from jetbot_ros.node_parameters import fake_advice, private_parameters
 
 POLL_INTERVAL = 0.25    # s
 NO_ROBOT_AFTER = 5.0    # s after the start until the lack of robots is reported

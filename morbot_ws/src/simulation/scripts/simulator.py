@@ -14,8 +14,8 @@ from jetbot import InvalidValue
 from jetbot.boards import BOARDS
 from jetbot.fake.motors import Motors
 from jetbot.text import printable
-from jetbot_ros.command_line import private_parameters, public_words
 from jetbot_ros.master import require_master
+from jetbot_ros.node_parameters import private_parameters, public_words
 from simulation.diff_drive import Body, DiffDriveModel, Pose
 from simulation.parameters import PARAMETERS, fake_folder, resolve
 from simulation.simulated_robot import SimulatedRobot

@@ -5,7 +5,7 @@ from typing import Dict
 
 from jetbot import InvalidValue
 from jetbot.kinds import BOOLEAN, Kind
-from jetbot_ros.parameters import Parameter, check_values
+from jetbot_ros.node_parameters import Parameter, check_values
 from jetbot_ros.ports import COCKPIT_PORT
 
 MAX_ROBOTS = 99

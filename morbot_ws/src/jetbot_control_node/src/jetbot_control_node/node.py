@@ -13,8 +13,8 @@ from jetbot.boards import find_board
 from jetbot.connection import locate
 from jetbot.lock import lock_board
 from jetbot.supply import find_supply
-from jetbot_ros.command_line import private_parameters
 from jetbot_ros.master import is_registered, register
+from jetbot_ros.node_parameters import private_parameters
 
 from .control import watch
 from .control.supervisor import Supervisor

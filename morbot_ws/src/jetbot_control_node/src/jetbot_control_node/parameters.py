@@ -20,7 +20,7 @@ from jetbot.kinds import (
     Kind,
 )
 from jetbot.text import closest
-from jetbot_ros.parameters import Parameter, check_values, given
+from jetbot_ros.node_parameters import Parameter, check_values, given
 
 SHIPPED = files.shipped(__file__, "jetbot_control_node", "config")
 MAX_BUS = 2**20 - 1  # Linux's minor numbers have 20 bits

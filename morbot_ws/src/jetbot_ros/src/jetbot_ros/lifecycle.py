@@ -11,9 +11,9 @@ import rospy
 
 from jetbot import InvalidValue, JetbotError
 
-from .command_line import fake_advice, public_words
 from .master import require_master, require_name
 from .network import bound_headers, stay_on_this_host
+from .node_parameters import fake_advice, public_words
 
 
 def init_node(name: str) -> None:

@@ -8,7 +8,7 @@ from jetbot.connection import locate
 from jetbot.kinds import ADDRESS, FRACTION, NUMBER, POSITIVE, SECONDS, Kind
 from jetbot_control_node import parameters as controller
 from jetbot_control_node.parameters import is_fake_place
-from jetbot_ros.parameters import Parameter, check_values, given
+from jetbot_ros.node_parameters import Parameter, check_values, given
 
 from .diff_drive import JETBOT
 

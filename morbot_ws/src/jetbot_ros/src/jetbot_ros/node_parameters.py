@@ -1,17 +1,47 @@
-"""A node's private parameters: those typed after its name (_name:=value), then those on the master.
+"""A node's parameters: a row each, checked; their values from the command line (_name:=value), then from the master.
 
 rospy puts the typed ones on the master, where they outlive the node and reach the next one. These nodes keep them.
 """
 
 import contextlib
 import sys
-from typing import Collection, Dict, List
+from typing import Collection, Dict, List, NamedTuple
 
 import yaml
 
 from jetbot import InvalidValue
+from jetbot.kinds import Kind, check_duties
 
 from .launcher import LAUNCHED
+
+
+class Parameter(NamedTuple):
+    """A row: the default, what a value must be, what it means, and its unit."""
+
+    default: object
+    kind: Kind
+    doc: str
+    unit: str = ""
+
+
+def check_values(values: Dict[str, object], parameters: Dict[str, Parameter]) -> Dict[str, object]:
+    """Return all parameters: the values that are given, else the defaults. Raise InvalidValue for a bad value."""
+    values = given(values)
+    unknown = sorted(set(values) - set(parameters), key=str)
+    if unknown:
+        raise InvalidValue(f"there is no parameter {unknown[0]}", f"The parameters are {', '.join(parameters)}.")
+    for name, row in parameters.items():
+        if name in values:
+            row.kind.check(f"the parameter {name}", values[name])
+    values = {name: values.get(name, row.default) for name, row in parameters.items()}
+    if "max_duty" in values:
+        check_duties(values["min_duty"], values["max_duty"])
+    return values
+
+
+def given(values: Dict[str, object]) -> Dict[str, object]:
+    """Return the values without those that are "", as a launch file passes on what was not typed."""
+    return {name: value for name, value in values.items() if value != ""}
 
 
 def public_words() -> List[str]:
