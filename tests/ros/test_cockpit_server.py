@@ -39,7 +39,8 @@ def test_nothing_but_the_pages_files_is_served(cockpit, path):
     assert request(cockpit.port, "GET", path, cockpit.headers()).status == 404
 
 
-@pytest.mark.parametrize("method, path, headers", [("GET", "/", {}), ("GET", "/socket", UPGRADE), ("POST", "/login", {})])
+@pytest.mark.parametrize("method, path, headers", [
+    ("GET", "/", {}), ("GET", "/socket", UPGRADE), ("POST", "/login", {})])
 @pytest.mark.parametrize("host", ["", "evil.test", "evil.test:{port}", "localhost", "localhost:{port}, evil.test"])
 def test_a_page_by_a_foreign_name_is_not_found(cockpit, method, path, headers, host):
     """DNS rebinding: a foreign page's name is resolved to this computer's address."""
