@@ -19,8 +19,8 @@ from jetbot_ros.master import is_reachable, master_uri, require_master, require_
 from jetbot_ros.ports import COCKPIT_PORT, is_free, processes_on
 
 FILES = ("config", "body", "world")  # arguments that may be a file in the current folder
-MASTER_PORT = 11311
-OTHERS_MASTER = (f"The ROS master on port {MASTER_PORT} is another user's. For one of your own, in each terminal: "
+MASTER = "http://localhost:11311"  # where ROS looks for it
+OTHERS_MASTER = (f"The ROS master at {MASTER} is another user's. For one of your own, in each terminal: "
                  "export ROS_MASTER_URI=http://localhost:11411")
 PORTS = range(COCKPIT_PORT, COCKPIT_PORT + 100)  # for the cockpit's page: the first one that no program has
 
@@ -40,8 +40,9 @@ def word_problem(words: Iterable[str], known: Iterable[str]) -> Optional[str]:
 
 
 def is_others_master() -> bool:
-    """Return whether another user's program has the ROS master's usual port, and no other port was asked for."""
-    return not (os.environ.get("ROS_MASTER_URI") or is_free(MASTER_PORT) or processes_on(MASTER_PORT))
+    """Return whether another user's program has the ROS master's usual port, and no other address was given."""
+    port = int(MASTER.rpartition(":")[2])
+    return master_uri().rstrip("/") == MASTER and not is_free(port) and not processes_on(port)
 
 
 def start_problem(nodes: Iterable[str]) -> Optional[str]:

@@ -52,10 +52,10 @@ def test_a_launch_file_that_cannot_be_read_is_one_problem(tmp_path, monkeypatch,
 
 
 def test_a_master_of_another_user_is_named_with_the_export_that_helps(monkeypatch):
-    monkeypatch.delenv("ROS_MASTER_URI", raising=False)
     monkeypatch.setattr(run, "processes_on", lambda port: [])
     with socket.create_server(("localhost", 0)) as server:
-        monkeypatch.setattr(run, "MASTER_PORT", server.getsockname()[1])
+        monkeypatch.setattr(run, "MASTER", f"http://localhost:{server.getsockname()[1]}")
+        monkeypatch.setenv("ROS_MASTER_URI", run.MASTER)  # as ROS's own setup.sh does
         assert "another user's" in run.start_problem([]) and "export ROS_MASTER_URI=" in run.start_problem([])
         monkeypatch.setenv("ROS_MASTER_URI", "http://localhost:1")
         assert run.start_problem([]) is None, "the master that is asked for is used"
