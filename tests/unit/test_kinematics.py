@@ -11,7 +11,7 @@ from jetbot.kinematics import FULL_SPEED, WHEEL_RADIUS, WHEEL_SEPARATION, mix
 MEASURES = {"wheel_separation": WHEEL_SEPARATION, "wheel_diameter": 2 * WHEEL_RADIUS, "max_speed": FULL_SPEED,
             "WHEEL_SEPARATION": WHEEL_SEPARATION, "FULL_SPEED": FULL_SPEED}
 REPEATED = [("jetbot_control_node/config/si_units.yaml", 2), ("simulation/config/jetbot.yaml", 3),
-            ("jetbot_cockpit_server/www/panel.js", 2)]
+            ("jetbot_cockpit_server/www/*.js", 2)]
 
 
 @pytest.mark.parametrize("x, z, left, right", [
@@ -35,8 +35,9 @@ def test_huge_commands_stay_finite():
     assert mix(1e308, -1e308, wheel_separation=1e308, max_speed=1e-300) == (largest, -largest)
 
 
-@pytest.mark.parametrize("file, count", REPEATED)
-def test_a_file_that_repeats_the_measures_agrees(file, count):
-    repeated = re.findall(r"^(?:const )?(\w+)(?:: | = )([\d.]+)", (PACKAGES / file).read_text(), re.M)
+@pytest.mark.parametrize("files, count", REPEATED)
+def test_files_that_repeat_the_measures_agree(files, count):
+    text = "\n".join(file.read_text() for file in PACKAGES.glob(files))
+    repeated = re.findall(r"^(?:export )?(?:const )?(\w+)(?:: | = )([\d.]+)", text, re.M)
     found = [MEASURES[name] == float(number) for name, number in repeated if name in MEASURES]
     assert found == [True] * count
