@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import unittest
 from pathlib import Path
-from typing import Callable, List, Tuple
+from typing import Callable, List, Optional, Tuple
 
 import rosgraph
 import rospy
@@ -18,6 +18,7 @@ from std_msgs.msg import Bool, String
 
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
+from jetbot_ros.master import NO_ANSWER, address_of, ask, proxy
 from processes import SHUTDOWN_TIMEOUT, end, free_port, start  # noqa: F401 (tests import them from here)
 
 START_TIMEOUT = 60  # s for processes to start and to end; thirty controllers of another test may start meanwhile
@@ -148,6 +149,13 @@ def find_processes(text: str, name: str = "") -> List[int]:
             if text in (path / "cmdline").read_text() and name in (path / "comm").read_text():
                 ids.append(int(path.name))
     return ids
+
+
+def pid(node: str) -> Optional[int]:
+    """Return the process id that a node reports; None for a node that does not answer."""
+    with contextlib.suppress(*NO_ANSWER):
+        return ask(proxy(address_of(node)), "getPid")
+    return None
 
 
 def publishers(topic: str) -> List[str]:

@@ -11,8 +11,7 @@ from pathlib import Path
 import rospy
 from std_msgs.msg import String
 
-from harness import START_TIMEOUT, RobotTest, find_processes, free_port, read
-from jetbot_lessons.graph import pid
+from harness import START_TIMEOUT, RobotTest, find_processes, free_port, pid, read
 
 RUN = Path(__file__).parents[3] / "setup/run.py"  # ./morbot run
 CLASS = ("/jetbot_01", "/jetbot_02")

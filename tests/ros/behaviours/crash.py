@@ -3,8 +3,7 @@
 import os
 import signal
 
-from harness import START_TIMEOUT, RobotTest, find_processes, read
-from jetbot_lessons.graph import pid
+from harness import START_TIMEOUT, RobotTest, find_processes, pid, read
 
 STOP_TIMEOUT = 1.5  # s, from the failure to the stop
 

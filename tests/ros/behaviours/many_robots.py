@@ -10,8 +10,7 @@ from roslaunch.config import ROSLaunchConfig
 from roslaunch.xmlloader import XmlLoader
 from rospkg import RosPack
 
-from harness import RobotTest, near, twist, wheel_speeds
-from jetbot_lessons.graph import pid
+from harness import RobotTest, near, pid, twist, wheel_speeds
 
 LAUNCH = RosPack().get_path("jetbot_control_node") + "/launch/many_robots.launch"
 ROBOTS = 30

@@ -74,13 +74,6 @@ def is_alive(node: str) -> bool:
     return condition_of(node) == ALIVE
 
 
-def pid(node: str) -> Optional[int]:
-    """Return the process id that a node reports, on its computer; None for a node that does not answer."""
-    with contextlib.suppress(*NO_ANSWER):
-        return ask(proxy(address_of(node)), "getPid")
-    return None
-
-
 def command_of(node: str) -> List[Path]:
     """Return the interpreter and the script of a node on this computer; nothing for another computer's node."""
     with contextlib.suppress(*NO_ANSWER):
