@@ -22,9 +22,10 @@ class Kind(NamedTuple):
 
 def is_finite(value: object) -> bool:
     """Return whether this is a finite number, of Python or another library."""
-    with suppress(TypeError, ValueError, OverflowError):  # an int that is too large for a float
+    try:
         return math.isfinite(value)
-    return False
+    except (TypeError, ValueError, OverflowError):  # OverflowError: an int that is too large for a float
+        return False
 
 
 def is_number(value: object) -> bool:
