@@ -84,6 +84,7 @@ def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -
         page.media(prefers_color_scheme="light")
         page.open(address)
         page.screen(width, height, touch=width < height, scale=scale)
+        page.driver.execute_cdp_cmd("Emulation.setScrollbarsHidden", {"hidden": True})
         page.wait_for(lambda: len(page.robots()) == robots, "all robots", START_TIMEOUT)
         for forward, left, seconds in EIGHT if robots == 1 else EIGHT[:1]:
             drive(page, forward, left, seconds)

@@ -1,5 +1,5 @@
-// Draws the map: the grid in pixels; robots, trails, arrows and what is around a robot in metres, x ahead, y to the left.
-// pixel: size of a pixel in metres.
+// Draws the map: the grid in pixels; robots, trails, arrows and what is around a robot in metres, x ahead, y to the
+// left. pixel: size of a pixel in metres.
 
 const MIN_CELL = 48; // pixels
 

@@ -60,8 +60,9 @@ export class RobotMap {
   // A robot's course has come: shows all of it instead of following the robot.
   showCourse(id) {
     const course = this.world.courseOf(id);
+    if (id !== this.world.chosen || !this.following || !course.length) return;
     const { pose } = this.world.state(id);
-    if (id === this.world.chosen && this.following && course.length) this.frame(() => pose ? [pose, ...course] : course);
+    this.frame(() => pose ? [pose, ...course] : course);
   }
 
   // Shows what places() returns, also when the map's size changes, until a person moves it.

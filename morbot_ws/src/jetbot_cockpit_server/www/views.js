@@ -31,8 +31,8 @@ export function leaveView(view) {
   if (document.body.dataset.view === view) showView("drive");
 }
 
-// Shows the addresses and codes that a teacher hands out, and can print. The teacher's own is shown only when asked for,
-// and is never printed: a class sees this page on a projector.
+// Shows the addresses and codes that a teacher hands out, and can print. The teacher's own is shown only when asked
+// for, and is never printed: a class sees this page on a projector.
 export function showCodes(codes) {
   setText(element("codes-text"), codes.length ? HOW : NO_CODES);
   const cards = (isWanted) => codes.filter(isWanted).map(card);
