@@ -18,6 +18,7 @@ import report
 import wire
 
 ROBOTS_RATE = 10  # commands per second
+PARTS = "wire", "node", "robots"
 
 Rows = Iterator[Tuple[str, str, float]]  # quantity, case, value
 # rates, floods: commands per second; clock: of the buses, in Hz
@@ -74,10 +75,12 @@ def cpu_rows(case: str, cpu: Sequence[float]) -> Rows:
     yield "CPU, guard alone (% of a core)", case, cpu[1]
 
 
-def measure(plan: Plan, implementations: Sequence[str]) -> Tuple[report.Figures, List[node.Failure]]:
+def measure(plan: Plan, implementations: Sequence[str],
+            parts: Sequence[str]) -> Tuple[report.Figures, List[node.Failure]]:
     """Return the figures and what failed; the implementations take turns, so that other load affects all alike."""
-    robots = [(report.ROBOTS, partial(measure_robots, count=count)) for count in plan.robots]
-    jobs = [(report.WIRE, measure_wire), *plan.runs * [(report.NODE, measure_node), *robots]]
+    robots = [("robots", report.ROBOTS, partial(measure_robots, count=count)) for count in plan.robots]
+    jobs = [("wire", report.WIRE, measure_wire), *plan.runs * [("node", report.NODE, measure_node), *robots]]
+    jobs = [job for part, *job in jobs if part in parts]
     figures, failures = report.Figures(), []
     with node.master():
         for (number, (section, job)), name in product(enumerate(jobs, 1), implementations):
@@ -92,11 +95,12 @@ def measure(plan: Plan, implementations: Sequence[str]) -> Tuple[report.Figures,
 
 
 def parse_arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="bench/run", description=f"{__doc__} Writes results.md and results.png.")
+    parser = argparse.ArgumentParser(prog="bench/run", description=f"{__doc__} Writes results.md.")
     parser.add_argument("--runs", type=int, help="how many runs the medians are of; 3, or 1 with --short")
     parser.add_argument("--short", action="store_true", help="measure less, to check that it works: a minute")
     parser.add_argument("--only", nargs="+", choices=wire.IMPLEMENTATIONS, default=wire.IMPLEMENTATIONS,
                         help="driver and floor take four minutes per run")
+    parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS, help="what to measure; everything")
     parser.add_argument("--clock", type=int, default=FULL.clock, help="of the buses, in Hz; 100000")
     parser.add_argument("--output", type=Path, default=Path(__file__).parent, help="the folder for the results")
     return parser.parse_args()
@@ -109,11 +113,10 @@ def main() -> int:
     for signum in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
         signal.signal(signum, lambda *_: sys.exit(1))
     Path("/proc/self/timerslack_ns").write_text("1")  # the fake bus sleeps for each bit: let it be exact, for all alike
-    figures, failures = measure(plan, given.only)
+    figures, failures = measure(plan, given.only, given.parts)
     given.output.mkdir(parents=True, exist_ok=True)
     (given.output / "results.md").write_text(report.text(figures, failures, plan))
-    report.draw(figures, given.output / "results.png")
-    progress(f"wrote {given.output}/results.md and results.png")
+    progress(f"wrote {given.output}/results.md")
     return 1 if failures else 0
 
 

@@ -1,4 +1,4 @@
-"""The measured figures as tables and as a picture."""
+"""The measured figures as tables."""
 
 import math
 import os
@@ -9,15 +9,12 @@ from pathlib import Path
 from statistics import median
 from typing import Dict, Sequence, Tuple
 
+from wire import IMPLEMENTATIONS
+
 WIRE = "What is written, on average"
 NODE = "One robot"
 ROBOTS = "Robots under one master, 10 commands per second each"
-COLORS = {"driver": "tab:blue", "script": "tab:orange", "floor": "tab:gray"}  # by implementation
 RATIOS = ("script", "driver"), ("driver", "floor")
-PANELS = (  # of the picture: section, the beginning of the quantity, scale
-    (WIRE, "bits", "linear"), (NODE, "to obey a stop", "log"), (NODE, "CPU, node", "linear"),
-    (NODE, "publish to last bit, p50", "log"), (NODE, "publish to last bit, p99", "log"),
-    (NODE, "software's share, p99", "log"))
 
 PAGE = """# How fast it is
 
@@ -59,7 +56,7 @@ def text(figures: Figures, failures: Sequence, plan) -> str:
 
 def table(medians: Dict[Tuple[str, str], Dict[str, float]]) -> str:
     """Return a Markdown table: a column per implementation and per ratio of two of them."""
-    names = [name for name in COLORS if any(name in values for values in medians.values())]
+    names = [name for name in IMPLEMENTATIONS if any(name in values for values in medians.values())]
     ratios = [pair for pair in RATIOS if set(pair) <= set(names)]
     lines = [["", "", *names, *map(" : ".join, ratios)], ["---", "---", *["---:"] * len([*names, *ratios])]]
     for (quantity, case), values in medians.items():
@@ -80,21 +77,3 @@ def machine() -> str:
     ros = subprocess.run(["rosversion", "rospy"], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
     return (f"{model[1] if model else platform.machine()}, {os.cpu_count()} cores, Linux {platform.release()}, "
             f"Python {platform.python_version()}, rospy {ros}")
-
-
-def draw(figures: Figures, file: Path) -> None:
-    """Draw the panels into a PNG file: a group of bars per case, a bar per implementation."""
-    from matplotlib.figure import Figure  # here: the tables, and their tests, do without it
-    figure = Figure(figsize=(14, 7.5), constrained_layout=True)
-    for axes, (section, quantity, scale) in zip(figure.subplots(2, 3).flat, PANELS):
-        rows = {row: values for row, values in figures.medians(section).items() if row[0].startswith(quantity)}
-        for place, (name, color) in enumerate(COLORS.items()):
-            heights = [values.get(name, math.nan) for values in rows.values()]
-            bars = axes.bar([group + 0.27 * (place - 1) for group in range(len(rows))], heights, 0.25, color=color,
-                            label=name)
-            axes.bar_label(bars, map(number, heights), fontsize=8)
-        axes.set(title=list(rows)[0][0], yscale=scale)
-        axes.set_ylim(0.1 if scale == "log" else 0, 1.3 * axes.get_ylim()[1])
-        axes.set_xticks(range(len(rows)), [case for _, case in rows])
-    figure.axes[0].legend(frameon=False)
-    figure.savefig(file, dpi=90)

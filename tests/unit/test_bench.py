@@ -25,7 +25,7 @@ def figures(monkeypatch):
     figures = report.Figures()
     for driver, script, floor in ((2, 30, 1), (4, 10, 1), (3, 20, 1)):
         for case in "10 Hz", "50 Hz":
-            for name, value in zip(report.COLORS, (driver, script, floor)):
+            for name, value in zip(report.IMPLEMENTATIONS, (driver, script, floor)):
                 figures.add("node", name, "delay (ms)", case, value)
                 figures.add("node", name, "CPU (%)", case, 10 * value)
     return figures
