@@ -54,7 +54,7 @@ def open_browser(url: str, environment: Mapping[str, str] = os.environ) -> bool:
         return False
     program = next(filter(None, (shutil.which(name, path=environment.get("PATH")) for name in PROGRAMS)), None)
     if program:
-        # The shell ends at once, so that the browser is no child of this process
+        # The shell ends at once, so that the browser is no child of this process; its "&" leaves it nothing to read
         subprocess.run(["sh", "-c", '"$0" "$1" &', program, url], env=dict(environment), start_new_session=True,
-                       stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
     return bool(program)
