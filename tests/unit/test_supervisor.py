@@ -49,7 +49,9 @@ def steps(supervisor, start, seconds):
     moments, now = [], start
     while now < start + seconds:
         moments.append(now)
-        now = supervisor.step(now, woken=False) + 0.0001
+        due = supervisor.step(now, woken=False)
+        assert due > now, "it would not sleep"
+        now = due + 0.0001
     return moments
 
 
@@ -70,6 +72,13 @@ def test_no_further_command_stops_within_the_timeout(supervisor, folder, statuse
     steps(supervisor, 0.0, 1.1)
     assert wheel_speeds(folder) == STOPPED
     assert statuses == ["driving", "stopped: no command for 1.0 s (repeat it: rostopic pub -r 10)"]
+
+
+def test_the_timeout_is_not_left_to_the_next_heartbeat(supervisor, folder):
+    supervisor.state = supervisor.state._replace(timeout=0.6)
+    go(supervisor)
+    steps(supervisor, 0.0, 0.61)
+    assert wheel_speeds(folder) == STOPPED
 
 
 def test_a_standing_order_outlives_a_freeze_of_this_program(supervisor, folder):

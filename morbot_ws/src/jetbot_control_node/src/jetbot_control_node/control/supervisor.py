@@ -11,9 +11,8 @@ from jetbot import BusError, JetbotError, Robot
 from jetbot.wait import wait_until
 from jetbot_ros.holds import Hold
 
-from .command_log import CommandLog
 from .ramp import STEP_INTERVAL, Ramp
-from .state import STOPPED, Sender, State
+from .state import STOPPED, CommandLog, Sender, State
 
 STOPPED_INTERVAL = 0.4       # s between two heartbeats while it is stopped; the guard's timeout is a second
 RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried again
