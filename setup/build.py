@@ -5,7 +5,6 @@ next build removes the file and tries again. A CATKIN_IGNORE with another text i
 """
 
 import glob
-import os
 import re
 import subprocess
 import sys
@@ -64,7 +63,6 @@ def catkin_make(source: Path, build: Path, devel: Path) -> str:
         code = subprocess.run(
             ["catkin_make", "-C", source.parent, "--source", source, "--build", build,
              f"-DCATKIN_DEVEL_PREFIX={devel}", "-DPYTHON_EXECUTABLE=/usr/bin/python3"],
-            env={**os.environ, "CMAKE_POLICY_VERSION_MINIMUM": "3.5"},  # CMake 4 refuses catkin's own files without it
             stdout=output, stderr=subprocess.STDOUT, check=False).returncode
     return log.read_text(errors="replace") if code else ""
 

@@ -93,18 +93,6 @@ container_advice() {
             echo "docker is there, but closed to you: sudo usermod -aG docker $(id -un), and log in again" ;;
         *"daemon running"*) echo "docker is there, but not running: sudo systemctl enable --now docker" ;;
         *podman*) echo "podman is there, but does not work; see: podman ps" ;;
-        *) echo "with docker or podman, it runs in a container: $(how_to_install)" ;;
-    esac
-}
-
-how_to_install() {
-    case " $(uname -s) $(os_release ID ID_LIKE | tr '\n' ' ')" in
-        *" Darwin "*) echo "https://docs.docker.com/desktop" ;;
-        *" fedora "* | *" rhel "*) echo "sudo dnf install podman" ;;
-        *" arch "*) echo "sudo pacman -S podman" ;;
-        *suse*) echo "sudo zypper install podman" ;;
-        *" alpine "*) echo "sudo apk add podman" ;;
-        *" debian "* | *" ubuntu "*) echo "sudo apt install docker.io && sudo usermod -aG docker $(id -un)" ;;
-        *) echo "https://podman.io/docs/installation" ;;
+        *) echo "with docker or podman, it runs in a container: https://podman.io/docs/installation" ;;
     esac
 }

@@ -83,8 +83,7 @@ install_missing() {
     echo "morbot: installing" $missing
     as_root apt-get update -qq || fail "apt-get cannot reach its package sources (see above)"
     is_known $missing || fail "apt cannot find$(unknown_packages); $(source_advice)"
-    { as_root env DEBIAN_FRONTEND=noninteractive \
-        apt-get install -y -qq --no-install-recommends -o APT::Status-Fd=1 $missing || echo failed; } | show_progress ||
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing ||
         fail "apt-get could not install these packages (see above)"
 }
 
@@ -99,24 +98,6 @@ source_advice() {
         *ros-noetic-*) echo "first add the source of ROS Noetic: http://wiki.ros.org/noetic/Installation/Ubuntu" ;;
         *) echo "on Ubuntu and its derivatives, try: sudo add-apt-repository universe" ;;
     esac
-}
-
-# Shows apt's status lines (kind:package:percent:text) as a percentage; elsewhere than on a terminal, every tenth one.
-# Fails if apt did.
-show_progress() {
-    shown=
-    while IFS=: read -r kind _ percent _; do
-        case $kind in
-            failed) return 1 ;;
-            dlstatus) progress="fetched ${percent%.*} %" ;;
-            pmstatus) progress="installed ${percent%.*} %" ;;
-            *) continue ;;
-        esac
-        [ "$progress" != "$shown" ] || continue
-        if [ -t 1 ]; then printf '\rmorbot: %s   ' "$progress"; else echo "morbot: $progress" | grep '0 %' || :; fi
-        shown=$progress
-    done
-    [ ! -t 1 ] || echo
 }
 
 as_root() {

@@ -9,6 +9,7 @@ environment() {
     [ -n "${ROS_IP:-}" ] || : "${ROS_HOSTNAME:=localhost}"  # listen on the loopback interface alone
     ROS_ETC_DIR=$workspace/etc      # its roscore.xml does not start rosout, which listens on every interface
     : "${LANG:=C.UTF-8}"
+    export CMAKE_POLICY_VERSION_MINIMUM=3.5  # CMake 4 refuses catkin's own files without it
     export PYTHONUNBUFFERED=1       # a node's output appears at once, through a pipe too
     export PATH ROS_HOSTNAME ROS_ETC_DIR LANG
     choose_ros_home

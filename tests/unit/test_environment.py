@@ -104,9 +104,17 @@ def test_only_what_has_changed_is_built_again(shell, workspace):
 
 def test_setup_tries_again_what_was_left_out(shell, workspace):
     assert shell(BUILD) == "builds"
+    assert shell(f"command=setup; {BUILD}") == ""
     (workspace / "src/mine/CATKIN_IGNORE").write_text("morbot: the reason\n")
     assert shell(BUILD) == "" and shell("left_out") == "morbot: the reason"
     assert shell(f"command=setup; {BUILD}") == "builds"
+
+
+def test_a_build_that_fails_is_made_again_and_the_last_one_stays_in_use(shell, workspace):
+    assert shell(BUILD) == "builds"
+    (workspace / "src/mine/CMakeLists.txt").touch()
+    assert shell("python3() { return 1; }; choose_build; build 2>&1") == "morbot: going on with the last build"
+    assert shell(BUILD) == "builds"
 
 
 def test_a_build_of_another_folder_and_an_interrupted_one_are_removed(shell, workspace):

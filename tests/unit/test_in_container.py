@@ -106,7 +106,7 @@ def test_the_image_is_one_that_the_docker_can_run(morbot, system, server, base):
 
 
 @pytest.mark.parametrize("engines, advice", [
-    ({}, "with docker or podman, it runs in a container: sudo dnf install podman\n"),
+    ({}, "with docker or podman, it runs in a container: https://podman.io/docs/installation\n"),
     ({"docker": {**WORKING, "ps": "echo 'permission denied while trying to connect' >&2; exit 1"}},
      "docker is there, but closed to you: sudo usermod -aG docker pupil, and log in again\n"),
     ({"docker": {**WORKING, "ps": "echo 'Is the docker daemon running?' >&2; exit 1"}},
