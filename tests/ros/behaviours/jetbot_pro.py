@@ -83,12 +83,6 @@ class JetBotProTest(RobotTest):
             self.wait_for_velocity((x, z))
         self.assertFalse(self.board.bad)
 
-    def test_a_steady_command_is_repeated_20_times_per_second(self):
-        self.publisher()
-        self.wait_for_velocity((500, 0), within=START_TIMEOUT)
-        count = len(self.board.velocities)
-        self.wait_for(lambda: len(self.board.velocities) > count + 40, 2.0, "more than 20 frames per second")
-
     def test_stops_at_the_timeout_and_at_shutdown(self):
         self.drive_at(0.5)
         self.wait_for_velocity(STOPPED, within=0.8)
