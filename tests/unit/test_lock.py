@@ -9,12 +9,12 @@ import pytest
 
 from conftest import MODULES
 from jetbot import JetbotError
-from jetbot.lock import lock_board
+from jetbot.connection import lock_board
 
 HOLD = f"""
 import sys
 sys.path[:0] = {MODULES!r}
-from jetbot.lock import lock_board
+from jetbot.connection import lock_board
 lock = lock_board(sys.argv[1], 0x60)
 print("locked", flush=True)
 sys.stdin.read()
@@ -74,5 +74,7 @@ def test_a_device_has_one_lock_whatever_its_name(port, tmp_path):
         lock_board(str(tmp_path / "serial"), None)
 
 
-def test_a_board_that_does_not_exist_is_not_the_locks_business(tmp_path):
-    lock_board(str(tmp_path / "tty" / ("A" * 200)), None).close()
+def test_long_names_are_told_apart(tmp_path):
+    long = f"{tmp_path}/{'A' * 200}"
+    lock_board(f"{long}/1", None)
+    lock_board(f"{long}/2", None).close()

@@ -11,9 +11,8 @@ from typing import Any, Dict, List, Optional
 
 from jetbot import JetbotError
 from jetbot.boards import BOARDS, find_board
-from jetbot.connection import locate
+from jetbot.connection import locate, lock_board
 from jetbot.host import doctor_command, model, robot_bus
-from jetbot.lock import lock_board
 from jetbot.text import printable
 from jetbot_control_node.parameters import PARAMETERS, is_fake
 from jetbot_tools.calibration.settings import as_yaml, output_file, write

@@ -1,12 +1,18 @@
-"""From a board and where it is to its driver, ready to drive."""
+"""From a board and where it is to its driver, ready to drive; and the lock by which one program drives it."""
 
 import contextlib
+import errno
+import hashlib
+import os
+import socket
 import time
-from typing import Callable, Union
+from pathlib import Path
+from typing import Callable, Optional, Union
 
+from . import fake
 from .boards import DEFAULT_PWM_FREQUENCY, Board, MotorDriver
 from .errors import JetbotError, NoAnswer, NotReady
-from .host import doctor_command
+from .host import doctor_command, peer_of, program_name
 from .i2c import I2CDevice, bus_name
 from .serial_link import SerialLink
 
@@ -69,3 +75,42 @@ def when_ready(action: Callable[[], None]) -> None:
             if time.monotonic() > deadline:
                 raise
         time.sleep(READY_INTERVAL)
+
+
+def lock_board(place: str, address: Optional[int]) -> socket.socket:
+    """Return a lock on the board at this place, a ``locate``, and I2C address; it is held until it is closed.
+
+    Raises JetbotError if another program holds it. The lock is the name of an abstract socket, unix(7): it reaches all
+    users, and the containers that share this network namespace (``network_mode: host``).
+    """
+    name = f"\0jetbot {hashlib.sha256(identity(place).encode()).hexdigest()} {address}".encode()
+    lock = socket.socket(socket.AF_UNIX)
+    try:
+        lock.bind(name)
+        lock.listen()  # so that ``holder`` can connect
+    except OSError as error:
+        lock.close()
+        if error.errno != errno.EADDRINUSE:
+            raise
+        board = f"0x{address:02x} on {place}" if address else place
+        raise JetbotError(f"another program{holder(name)} already drives {board}", "End that first.") from None
+    return lock
+
+
+def identity(place: str) -> str:
+    """Return what names the board's bus or port, whatever path leads to it."""
+    path = Path(os.path.realpath(fake.folder_of(place) or place))
+    return f"device {path.stat().st_rdev}" if path.is_char_device() else str(path)
+
+
+def holder(name: bytes) -> str:
+    """Return " (PROGRAM, process N)" for the process that holds the lock, "" if that cannot be seen."""
+    with socket.socket(socket.AF_UNIX) as probe:
+        probe.setblocking(False)
+        try:
+            probe.connect(name)
+        except OSError:
+            return ""
+        pid, _ = peer_of(probe)
+    program = program_name(pid)
+    return f" ({program}, process {pid})" if program else ""

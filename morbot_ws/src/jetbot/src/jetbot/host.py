@@ -7,8 +7,9 @@ import os
 import re
 import shlex
 import socket
+import struct
 from pathlib import Path
-from typing import List, Optional, Set, Union
+from typing import List, Optional, Set, Tuple, Union
 
 from .text import printable
 
@@ -20,6 +21,11 @@ ROBOT_BUS = {"orin": 7, "thor": 7, "xavier": 8, "jetson agx": 8, "jetson nano": 
 
 # The display of the JetBot library's images: its systemd unit, and how that starts it (create_stats_service.py).
 DISPLAY_SERVICE = (b"jetbot_stats.service", b"jetbot.apps.stats", b"jetbot/apps/stats.py")
+
+
+def peer_of(connection: socket.socket) -> Tuple[int, int]:
+    """Return the process and the user at the other end of a unix socket; the process is 0 in another container."""
+    return struct.unpack("3i", connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i")))[:2]
 
 
 def program_name(pid: int, proc: Path = Path("/proc")) -> str:

@@ -10,8 +10,7 @@ import rospy
 
 from jetbot import JetbotError, Robot, fake
 from jetbot.boards import find_board
-from jetbot.connection import locate
-from jetbot.lock import lock_board
+from jetbot.connection import locate, lock_board
 from jetbot.supply import find_supply
 from jetbot_ros.master import is_registered, register
 from jetbot_ros.node_parameters import private_parameters

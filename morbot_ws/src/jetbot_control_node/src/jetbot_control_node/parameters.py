@@ -127,12 +127,12 @@ def find_file(config: object, simulated: Collection[str]) -> str:
     if config != "":
         file = os.path.abspath(os.path.expanduser(str(config)))
         shipped = SHIPPED / str(config)
-        if not files.is_missing(file):
+        if os.path.lexists(file):
             return file
         if shipped.is_file():
             return str(shipped)
         raise no_file(str(config))
-    return "" if simulated or files.is_missing(default_file()) else os.path.abspath(default_file())
+    return "" if simulated or not os.path.lexists(default_file()) else os.path.abspath(default_file())
 
 
 def no_file(config: str) -> InvalidValue:

@@ -123,6 +123,7 @@ class INA219:
     Register n is in the bytes 2 n and 2 n + 1. It measures what its bus voltage is set to: V / 0.004 from bit 3 on.
     """
 
+    ADDRESS = 0x41  # beside a robot's chip
     POWER_ON = bytes.fromhex("399F 0000 5E8A 0000 0000 0000")  # 12.1 V
     WRITABLE = (0, 5)
 

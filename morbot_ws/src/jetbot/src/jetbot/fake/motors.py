@@ -7,7 +7,7 @@ from typing import Optional, Tuple, Union
 from ..boards import find_board
 from ..errors import BusError
 from . import Folder, chip_file
-from .chip_files import read_chip
+from .bus import read_chip
 from .chips import PCA9685, chip_class
 
 STOPPED = (0.0, 0.0)  # speeds (left, right)

@@ -5,8 +5,7 @@ import os
 import time
 
 from . import Folder, chip_file
-from .bus import power_on
-from .chip_files import check_chip, open_file, read_chip
+from .bus import power_on, read_chip
 from .chips import JetBotPro, decode
 
 TELEMETRY_INTERVAL = 1 / 30  # s
@@ -32,12 +31,9 @@ class FakePort:
 
     def write(self, data: bytes) -> None:
         frame = self._board.receive(data)
-        chip = open_file(self._file, os.O_RDWR)  # FileNotFoundError: unplugged
-        try:
-            check_chip(chip, self._file, FRAME)
-            os.pwrite(chip, frame, 0)
-        finally:
-            os.close(chip)
+        read_chip(self._file, FRAME)  # FileNotFoundError: unplugged
+        with open(self._file, "r+b", buffering=0) as chip:
+            chip.write(frame)
 
     def read(self, size: int) -> bytes:
         """Return the next telemetry frame, whatever the size asked for; b"" when none is due within the timeout."""

@@ -1,9 +1,10 @@
 """All checks in their order, and the verdict: whether a robot could drive, and how."""
 
+import os
 from pathlib import Path
 from typing import Iterator, List, Optional, Union
 
-from jetbot import fake, files, host
+from jetbot import fake, host
 from jetbot.boards import BOARDS, DEFAULT_PORT
 from jetbot.errors import JetbotError
 from jetbot.i2c import I2CDevice, bus_name
@@ -41,7 +42,7 @@ def all_checks(i2c_bus: Union[int, str, None], port: Optional[str], i2c_address:
     yield from check_cockpit_port()
     file = default_file()
     simulated = any(fake.folder_of(fake.expand(str(place))) for place in (i2c_bus, port))
-    if not files.is_missing(file) and not simulated:
+    if os.path.lexists(file) and not simulated:
         yield check_file(file)
     on_bus = bool(BOARDS[board].address) if board else i2c_bus is not None or port is None
     found = False
