@@ -51,11 +51,11 @@ def main() -> None:
 @contextlib.contextmanager
 def launched(package: str, file: str, *arguments: str) -> Iterator[str]:
     """Run a launch file, with a master and a port of its own. Return the page's address."""
-    port, ros_port = free_port(), free_port()
-    os.environ.update(ROS_MASTER_URI=f"http://localhost:{ros_port}", ROS_HOSTNAME="localhost")
+    port = free_port()
+    os.environ.update(ROS_MASTER_URI=f"http://localhost:{free_port()}", ROS_HOSTNAME="localhost")
     with tempfile.TemporaryDirectory() as home:
         option = "port" if package == "jetbot_cockpit" else "cockpit_port"
-        command = ["roslaunch", "-p", str(ros_port), package, file, *arguments, f"{option}:={port}"]
+        command = ["roslaunch", package, file, *arguments, f"{option}:={port}"]
         process = start(command, Path(home, "roslaunch.log"), env={**os.environ, "HOME": home, "ROS_HOME": home})
         try:
             wait_for_page(f"http://localhost:{port}")

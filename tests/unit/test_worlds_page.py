@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from test_docs import numbers, rows, section
 
 from conftest import ROOT
 from jetbot import InvalidValue
@@ -30,9 +31,9 @@ def test_each_shipped_world_and_each_key_is_listed():
 
 
 def test_the_numbers_are_those_of_the_code():
-    assert f"from {-FOOTPRINT.left} m behind its axle to {FOOTPRINT.right} m ahead" in PAGE
-    assert f"{FOOTPRINT.top} m to each side" in PAGE
-    assert f"{LINE_WIDTH} unless it is given" in PAGE and f"{MAX_POINTS:,} points" in PAGE
+    assert {-FOOTPRINT.left, FOOTPRINT.right, FOOTPRINT.top} <= numbers(section(PAGE, "Walls"))
+    assert numbers(next(row[1] for row in rows(PAGE) if row[0] == "`line_width`")) == {LINE_WIDTH}
+    assert MAX_POINTS in numbers(section(PAGE, "Write a world"))
 
 
 def test_what_it_says_of_a_mistake_is_what_the_simulator_says():
