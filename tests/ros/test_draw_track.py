@@ -48,27 +48,14 @@ def test_no_odometry_of_this_robot(draw, bag, robot, odom):
     assert draw(bag, robot) == f"{bag.filename} holds no nav_msgs/Odometry on {odom}. Another robot's: --robot NAME"
 
 
-@pytest.mark.parametrize("topics, sentence", [
-    ([], "Nothing is published on /odom. Start a simulated robot: roslaunch simulation simulation.launch"),
-    ([["/red/odom", Odometry._type], ["/blue/odom", "std_msgs/String"]],
-     "Nothing is published on /odom. Choose another robot: --robot red"),
-    ([["/odom", Odometry._type]], "Nothing arrives on /odom. Is the program that publishes it frozen (Ctrl-Z)? "
-                                  "Continue it with fg.")])
-def test_why_no_odometry_arrives(monkeypatch, topics, sentence):
-    advice = runpy.run_path(str(PROGRAM))["advice"]
-    monkeypatch.setitem(advice.__globals__, "ask_master", lambda method, subgraph: topics)
-    assert advice("/odom") == sentence
-
-
 def test_recording_cut_short(draw, bag):
     bag.flush()
     assert draw(bag) == (
         f"Nothing was drawn: the recording of {bag.filename} was cut short. Fix it: rosbag reindex {bag.filename}")
 
 
-@pytest.mark.parametrize("make", [
-    os.mkfifo, os.mkdir, lambda file: file.write_text("\x1b[2J"),
-    lambda file: file.write_bytes(b"#ROSBAG V2.0\n" + b"\7" * 5000)])
+@pytest.mark.parametrize("make", [os.mkfifo, lambda file: file.write_text("\x1b[2J"),
+                                  lambda file: file.write_bytes(b"#ROSBAG V2.0\n" + b"\7" * 5000)])
 def test_what_is_not_a_bag_gets_one_sentence(draw, bag, tmp_path, make):
     bag.close()
     os.unlink(bag.filename)
@@ -78,9 +65,8 @@ def test_what_is_not_a_bag_gets_one_sentence(draw, bag, tmp_path, make):
     assert os.listdir(tmp_path) == ["drive.bag"]
 
 
-@pytest.mark.parametrize("make", [os.mkdir, os.mkfifo, lambda file: os.symlink("/dev/full", file)])
-def test_only_a_file_is_drawn_into(draw, bag, tmp_path, make):
+def test_only_a_file_is_drawn_into(draw, bag, tmp_path):
     bag.close()
-    make(tmp_path / "track.png")
+    os.mkfifo(tmp_path / "track.png")
     assert draw(bag).startswith("Nothing was drawn: ")
     assert sorted(os.listdir(tmp_path)) == ["drive.bag", "track.png"]

@@ -5,7 +5,7 @@ import pytest
 from jetbot.fake.motors import Motors
 from jetbot.kinematics import Pose
 from simulation.diff_drive import DiffDriveModel
-from simulation.simulated_robot import MAX_STEPS, SimulatedRobot, StallReport, StepClock
+from simulation.simulated_robot import SimulatedRobot, StepClock, describe_stall
 from simulation.world import FOOTPRINT, World
 
 SECOND = 100  # steps
@@ -64,69 +64,39 @@ def test_a_contact_is_reported_once_and_the_world_of_the_start_returns(simulate,
     assert simulated.model.world == WALL
 
 
-def test_a_stall_is_reported_once_with_advice(simulate, make_robot):
+def test_a_stall_is_reported_once_each_time_it_lasts(simulate, make_robot):
     robot, simulated = make_robot(board="adafruit"), simulate()
-    robot.set_motors(0.047, -0.047)
-    assert [sentence for _ in range(2 * SECOND) for sentence in simulated.step(1)] == [STALL]
+
+    def reports(speed, seconds):
+        robot.set_motors(speed, -speed)
+        return [sentence for _ in range(round(seconds * SECOND)) for sentence in simulated.step(1)]
+
+    assert reports(0.047, 0.4) == [], "a ramp passes through the dead band"
+    assert reports(0.06, 1) == []
+    assert reports(0.047, 2) == [STALL]
+    assert reports(0.06, 1) == [] and simulated.model.velocity[1] < -0.05
+    assert reports(0.047, 2) == [STALL]
     assert simulated.model.velocity == (0, 0)
-    robot.set_motors(0.06, -0.06)
-    assert simulated.step(SECOND) == []
-    assert simulated.model.velocity[1] < -0.05
 
 
-def reports(*moments, fixed_pwm=False):
-    """Return what is reported of each of these, (seconds, left duty, right duty), one after the other; 0: no stall."""
-    report = StallReport()
-    return [report.update({name: duty for name, duty in (("left", left), ("right", right)) if duty}, fixed_pwm, seconds)
-            for seconds, left, right in moments]
-
-
-@pytest.mark.parametrize("left, right, sentence", [
-    (-0.5 * 0.1125 / 2 / 0.6, 0.5 * 0.1125 / 2 / 0.6, STALL),
-    (-0.0002, 0, STALL.replace("wheels get 4.7 %", "left wheel gets 0.02 %")),
-    (0, 0.04, STALL.replace("wheels get 4.7 %", "right wheel gets 4 %"))])
-def test_the_wheels_and_the_larger_duty_are_named(left, right, sentence):
-    assert reports((1.0, left, right)) == [sentence]
-
-
-def test_a_frequency_that_is_fixed_is_no_advice():
-    assert reports((1.0, 0.04, 0), fixed_pwm=True)[0].endswith("too little to turn: raise min_duty")
-
-
-def test_a_stall_is_reported_again_when_it_returns_or_another_wheel_stalls_too():
-    stall = 1.0, 0.047, 0.047
-    assert reports(stall, (1.0, 0.03, 0.03), (1.0, 0, 0), stall) == [STALL, None, None, STALL]
-    assert reports((1.0, 0.047, 0), stall)[-1] == STALL
-
-
-def test_a_ramp_that_passes_through_the_dead_band_is_no_stall():
-    assert reports((0.4, 0.01, 0.04), (0.1, 0, 0), (0.4, 0.01, 0.01)) == [None] * 3
+@pytest.mark.parametrize("duties, fixed_pwm, sentence", [
+    ({"left": -0.0469, "right": 0.047}, False, STALL),
+    ({"left": -0.0002}, False, STALL.replace("wheels get 4.7 %", "left wheel gets 0.02 %")),
+    ({"right": 0.047}, True, "the right wheel gets 4.7 % of full power, too little to turn: raise min_duty")])
+def test_the_wheels_and_the_larger_duty_are_named_with_advice(duties, fixed_pwm, sentence):
+    assert describe_stall(duties, fixed_pwm) == sentence
 
 
 def test_each_10_ms_is_a_step_and_the_stamps_are_whole_steps_apart():
-    clock = StepClock(START, DAY)
-    assert [clock.update(START + now * MS, DAY + now * MS) for now in (9, 10, 19, 31, 60)] == [0, 1, 0, 2, 3]
-    assert (clock.steps, clock.stamp) == (6, DAY + 60 * MS)
+    clock = StepClock(START)
+    assert [clock.update(START + now * MS) for now in (9, 10, 19, 31, 60, 3065)] == [0, 1, 0, 2, 3, 300]
+    assert clock.stamp == START + 3060 * MS
+    assert [clock.remaining(START + now * MS, 2) for now in (3060, 3065, 3085)] == [0.02, 0.015, 0.015]
 
 
-def test_the_loop_waits_for_whole_steps_since_the_start():
-    clock = StepClock(START + 7 * MS, DAY)
-    assert [clock.remaining(START + now * MS, 2) for now in (7, 8, 26, 27)] == [0.02, 0.019, 0.001, 0.02]
-
-
-def test_a_pause_is_made_up_for_in_parts():
-    clock = StepClock(START, DAY)
-    parts = [clock.update(START + 2505 * MS, DAY + 2505 * MS) for _ in range(4)]
-    assert parts == [MAX_STEPS, MAX_STEPS, 50, 0]
-    assert clock.stamp == DAY + 2500 * MS
-
-
-@pytest.mark.parametrize("change", [DAY, -DAY // 2])
-def test_the_stamps_follow_a_clock_that_is_set_and_no_small_difference(change):
-    clock = StepClock(START, DAY)
-    clock.update(START + 10 * MS, DAY + 900 * MS)
-    assert clock.stamp == DAY + 10 * MS
-    clock.update(START + 20 * MS, DAY + change)
-    assert clock.stamp == DAY + change
-    clock.update(START + 30 * MS, DAY + change + 11 * MS)
-    assert clock.stamp == DAY + change + 10 * MS
+@pytest.mark.parametrize("change", [DAY, -DAY])
+def test_no_step_is_due_where_the_clock_is_set_and_the_stamps_follow_it(change):
+    clock = StepClock(START + DAY)
+    assert [clock.update(START + DAY + change + now * MS) for now in (0, 10)] == [0, 1]
+    assert clock.stamp == START + DAY + change + 10 * MS
+    assert 0 < clock.remaining(START, 2) <= 0.02

@@ -11,7 +11,7 @@ from std_msgs.msg import Float32MultiArray, String
 from std_srvs.srv import Empty
 from visualization_msgs.msg import Marker, MarkerArray
 
-from harness import START_TIMEOUT, RobotTest, program, publishers, read
+from harness import START_TIMEOUT, RobotTest, program, read
 from jetbot import Robot
 from simulation.recording import pose_of
 from simulation.world import FOOTPRINT
@@ -84,17 +84,6 @@ class Simulator(RobotTest):
         self.wait_for(lambda: pose_of(self.odometry[-1]) == (1, 0.4, 0), 5.0, "the start")
         world.publish("")
         self.wait_for(lambda: self.drawn[-1] == [("walls", 4)], 5.0, "the world of the start")
-
-    def test_a_controller_that_publishes_odom_takes_over_and_its_last_odometry_is_a_stop(self):
-        controller = self.controller(publish_odom=True, cmd_vel_timeout=0)
-        for topic in ("/odom", "/joint_states"):
-            self.wait_for(lambda topic=topic: publishers(topic) == ["/jetbot_controller"], START_TIMEOUT, topic)
-        warning = "odom is not in metres: add config:=si_units.yaml"
-        self.wait_for(lambda: warning in self.logs(), START_TIMEOUT, warning)
-        self.command(0.5)
-        self.wait_for_speed(0.5, self.odometry)  # in the workshop's units, not those of the simulated robot
-        controller.send_signal(signal.SIGINT)
-        self.wait_for_speed(0.0, self.odometry)
 
     def test_its_track_is_drawn_at_ctrl_c(self):
         picture = Path(self.folder, "track.png")

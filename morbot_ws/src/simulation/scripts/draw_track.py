@@ -7,12 +7,11 @@ import sys
 
 import rosbag
 import rospy
-from nav_msgs.msg import Odometry
 
 from jetbot import files
 from jetbot.text import printable
-from jetbot_ros.master import ask_master, require_master
-from simulation.recording import Recording, read_bag, record
+from jetbot_ros.master import require_master
+from simulation.recording import read_bag, record
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -26,35 +25,19 @@ def parse_arguments() -> argparse.Namespace:
     return parser.parse_args(rospy.myargv()[1:])
 
 
-def advice(odom: str) -> str:
-    """Return why no odometry arrives on this topic, and what to do. Raise OSError for a master that is gone."""
-    topics = dict(ask_master("getPublishedTopics", ""))
-    if odom in topics:
-        return f"Nothing arrives on {odom}. Is the program that publishes it frozen (Ctrl-Z)? Continue it with fg."
-    others = sorted(topic[1:-len("/odom")] for topic, kind in topics.items()
-                    if kind == Odometry._type and topic.endswith("/odom"))
-    if any(others):
-        return f"Nothing is published on {odom}. Choose another robot: --robot {others[-1]}"
-    return f"Nothing is published on {odom}. Start a simulated robot: roslaunch simulation simulation.launch"
-
-
-def record_robot(odom: str, cmd_vel: str, seconds: float) -> Recording:
-    """Record the robot that drives now; end the program if there is no master, or nothing to record."""
-    require_master()
-    print(printable(f"Recording {odom} for {seconds:g} s; Ctrl-C ends earlier and draws what there is."), flush=True)
-    recording = record(odom, cmd_vel, seconds)
-    if not recording.velocities:
-        sys.exit(printable(advice(odom)))
-    return recording
-
-
 def main() -> None:
     given = parse_arguments()
     files.check_writable(given.png)
     odom, cmd_vel = (f"/{given.robot}/{name}".replace("//", "/") for name in ("odom", "cmd_vel"))
-    recording = read_bag(given.bag, odom, cmd_vel) if given.bag else record_robot(odom, cmd_vel, given.seconds)
+    if given.bag:
+        recording, missing = read_bag(given.bag, odom, cmd_vel), f"{given.bag} holds no nav_msgs/Odometry on {odom}."
+    else:
+        require_master()
+        print(f"Recording {odom} for {given.seconds:g} s; Ctrl-C ends earlier and draws what there is.", flush=True)
+        recording = record(odom, cmd_vel, given.seconds)
+        missing = f"Nothing arrives on {odom}. Start a simulated robot: roslaunch simulation simulation.launch."
     if not recording.velocities:
-        sys.exit(printable(f"{given.bag} holds no nav_msgs/Odometry on {odom}. Another robot's: --robot NAME"))
+        sys.exit(printable(f"{missing} Another robot's: --robot NAME"))
     from simulation.drawing import draw  # here: it takes longer to import than all the rest
     draw(recording, given.png)
     print(printable(f"Drew {given.png}."))

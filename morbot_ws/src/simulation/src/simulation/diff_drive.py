@@ -1,7 +1,7 @@
 """A differential-drive robot: two motors, the pose that results, and the walls that stop it. No ROS, and no clock."""
 
 import math
-from typing import Dict, NamedTuple, Optional, Tuple
+from typing import Dict, NamedTuple, Tuple
 
 from jetbot.kinematics import FULL_SPEED, WHEEL_RADIUS, WHEEL_SEPARATION, Pose, mix
 
@@ -67,71 +67,28 @@ class Motor:
         self.distance -= rest
 
 
-class Collision:
-    """The walls of a world, for one robot.
-
-    touching: whether the robot has been stopped by a wall, and has not been ``SEPARATED`` from it since.
-    """
-
-    def __init__(self, world: World):
-        self._world = world
-        self._pose: Optional[Pose] = None  # after the last motion
-        self._margin = 0.0                 # m that each point of the robot may move from there and touch no wall
-        self.touching = False
-
-    def drive(self, pose: Pose, left: float, right: float, wheel_separation: float) -> Tuple[Pose, float]:
-        """Return where the robot is after its wheels have rolled, and the fraction of the way that it drove.
-
-        That is 1.0 unless a wall stops it; a robot that is on a wall already drives on. All lengths in m.
-        """
-        travel = abs(left + right) / 2 + RADIUS * abs(right - left) / wheel_separation  # of no point is it more
-        if pose == self._pose and travel < self._margin and not self.touching:  # too far from all walls
-            self._pose, self._margin = pose.integrate_arc(left, right, wheel_separation), self._margin - travel
-            return self._pose, 1.0
-        self._pose, driven, self._margin = self._advance(pose, left, right, wheel_separation, travel)
-        self.touching = driven < 1 or (self.touching and self._margin < SEPARATED)
-        return self._pose, driven
-
-    def _advance(self, start: Pose, left: float, right: float, wheel_separation: float,
-                 travel: float) -> Tuple[Pose, float, float]:
-        """Return the last pose before a wall, its fraction of the way, and its clearance: conservative advancement.
-
-        A robot that moves no farther than its clearance touches nothing, so each part of the way is that long.
-        """
-        pose, driven, clearance = start, 0.0, self._world.clearance(start)
-        while driven < 1:
-            part = max(clearance - RESOLUTION, RESOLUTION) / travel if travel else 1.0
-            next_driven = min(1.0, driven + part)
-            next_pose = start.integrate_arc(left * next_driven, right * next_driven, wheel_separation)
-            next_clearance = self._world.clearance(next_pose)
-            if next_clearance <= 0 < clearance:  # there it would touch
-                break
-            pose, driven, clearance = next_pose, next_driven, next_clearance
-        return pose, driven, clearance
-
-
 class DiffDriveModel:
     """A robot with this body, at rest at ``pose`` in a world, whose walls stop it.
 
     closed_loop: whether the board controls the speeds of the wheels. Otherwise it sets their duties.
-    left, right: its motors.
+    left, right: its motors; touching: whether a wall has stopped it, and it has not been ``SEPARATED`` from it since.
     """
 
     def __init__(self, body: Body = JETBOT, pose: Pose = ORIGIN, world: World = EMPTY, closed_loop: bool = False):
         self._body, self._closed_loop = body, closed_loop
-        self.place(pose)
         self.enter(world)
+        self.place(pose)
 
     def place(self, pose: Pose) -> None:
         """Put the robot at this pose, at rest and as new: its wheels have no speed and have not turned."""
         body = self._body
-        self.pose = pose
+        self.pose, self.touching = pose, False
         self.left, self.right = (Motor(max_speed, body.motor_lag, 0.0 if self._closed_loop else body.dead_band)
                                  for max_speed in (body.max_speed, body.max_speed * body.wheel_ratio))
 
     def enter(self, world: World) -> None:
         """Put this world around the robot, in the place of the one that it is in."""
-        self.world, self._collision = world, Collision(world)
+        self.world, self.touching = world, False
 
     def step(self, speeds: Pair, seconds: float = STEP, pwm_frequency: float = PWM_FREQUENCY) -> None:
         """Drive for some seconds at the board's wheel speeds (left, right), at a PWM frequency in Hz, up to a wall.
@@ -142,20 +99,32 @@ class DiffDriveModel:
         if self._closed_loop:
             left, right = mix((left + right) / 2, (right - left) / 2, self._body.wheel_separation, self._body.max_speed)
         left, right = self.left.step(left, seconds, pwm_frequency), self.right.step(right, seconds, pwm_frequency)
-        self.pose, driven = self._collision.drive(self.pose, left, right, self._body.wheel_separation)
-        if driven < 1:
-            self.left.block(left * (1 - driven))
-            self.right.block(right * (1 - driven))
+        if left or right:
+            self._drive(left, right)
+
+    def _drive(self, left: float, right: float) -> None:
+        """Move as the wheels have rolled, in m, up to a wall: by conservative advancement.
+
+        A robot that moves no farther than its clearance touches nothing, so each part of the way is that long. One that
+        is on a wall already drives on.
+        """
+        width, start, clearance = self._body.wheel_separation, self.pose, self.world.clearance(self.pose)
+        travel, driven = abs(left + right) / 2 + RADIUS * abs(right - left) / width, 0.0  # no point moves farther
+        while driven < 1:
+            next_driven = min(1.0, driven + max(clearance - RESOLUTION, RESOLUTION) / travel)
+            next_pose = start.integrate_arc(left * next_driven, right * next_driven, width)
+            next_clearance = self.world.clearance(next_pose)
+            if next_clearance <= 0 < clearance:  # there it would touch
+                self.left.block(left * (1 - driven))
+                self.right.block(right * (1 - driven))
+                break
+            self.pose, driven, clearance = next_pose, next_driven, next_clearance
+        self.touching = driven < 1 or (self.touching and clearance < SEPARATED)
 
     @property
     def moving(self) -> bool:
         """Whether a wheel turns."""
         return bool(self.left.speed or self.right.speed)
-
-    @property
-    def touching(self) -> bool:
-        """Whether the robot touches a wall, or has touched one and is still near it."""
-        return self._collision.touching
 
     @property
     def velocity(self) -> Tuple[float, float]:

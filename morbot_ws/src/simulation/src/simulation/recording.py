@@ -16,7 +16,6 @@ from jetbot.wait import wait_until
 from .diff_drive import Pose
 
 ODOMETRY_TIMEOUT = 3.0  # s without odometry, then there is no robot to record
-MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 
 
 class Recording(NamedTuple):
@@ -30,7 +29,7 @@ class Recording(NamedTuple):
 def read_bag(file: str, odom: str, cmd_vel: str) -> Recording:
     """Return what a rosbag holds on these topics; raise OSError or ROSBagException if it cannot be read."""
     types = {odom: Odometry._type, cmd_vel: Twist._type}
-    check_bag(file)
+    files.check_regular(file)  # rosbag waits for a FIFO
     try:
         with rosbag.Bag(file) as bag:  # its topics are as their publishers wrote them: odom or /odom
             return make_recording((time.to_sec(), message) for topic, message, time in bag.read_messages()
@@ -39,14 +38,6 @@ def read_bag(file: str, odom: str, cmd_vel: str) -> Recording:
         raise rosbag.ROSBagException(f"the recording of {file} was cut short. Fix it: rosbag reindex {file}") from None
     except Exception as error:  # rosbag raises many kinds for a damaged file
         raise rosbag.ROSBagException(f"{file} cannot be read as a rosbag: {error}") from None
-
-
-def check_bag(file: str) -> None:
-    """Raise OSError or ROSBagException unless a file begins as a rosbag; rosbag itself waits for a FIFO."""
-    files.check_regular(file)
-    with open(file, "rb") as bag:
-        if bag.read(len(MAGIC)) != MAGIC:
-            raise rosbag.ROSBagException(f"{file} is not a rosbag")
 
 
 def record(odom: str, cmd_vel: str, seconds: float) -> Recording:

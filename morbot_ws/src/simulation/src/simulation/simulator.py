@@ -1,6 +1,7 @@
 """The simulator: advances a simulated robot in time, publishes it, and obeys ``~set_pose``, ``~reset``, ``~world``."""
 
 import time
+from itertools import count
 from threading import Lock
 from typing import Collection
 
@@ -14,21 +15,20 @@ from jetbot.text import printable
 
 from .diff_drive import Pose
 from .simulated_robot import SimulatedRobot, StepClock
-from .topics import SharedTopics, TrueTopics
+from .topics import Topics
 from .world_files import MAX_PLACE, parse
 
 CYCLE = 2           # steps between two looks at the motors, and between two messages while a wheel turns
-STOPPED_CYCLE = 10  # steps between two messages while none does
+STOPPED_CYCLES = 5  # between two messages while none does
 
 
 class Simulator:
-    """The node's loop around a robot. others: as for SharedTopics."""
+    """The node's loop around a robot. others: as for Topics."""
 
     def __init__(self, robot: SimulatedRobot, others: Collection[str]):
         self._robot, self._lock = robot, Lock()
-        self._clock, self._published_at = StepClock(time.monotonic_ns(), rospy.Time.now().to_nsec()), -STOPPED_CYCLE
         self._prefix, self._printed = f"{rospy.get_namespace().strip('/')} ".lstrip(), ""
-        self._topics = SharedTopics(others, robot.model.pose), TrueTopics(robot.model.world)
+        self._topics = Topics(others, robot.model)
         rospy.Subscriber("~set_pose", Pose2D, self._on_set_pose, queue_size=1)
         rospy.Subscriber("~world", String, self._on_world, queue_size=1)
         rospy.Service("~reset", Empty, self._on_reset)
@@ -46,7 +46,7 @@ class Simulator:
     def _place(self, *pose):
         with self._lock:
             self._robot.place(*pose)
-            self._topics[1].clear_path()
+            self._topics.clear_path()
 
     def _on_world(self, message):
         try:
@@ -56,31 +56,30 @@ class Simulator:
             return
         with self._lock:
             self._robot.enter(world)
-            self._topics[1].draw(self._robot.model.world)
+            self._topics.draw(self._robot.model.world)
 
     def spin(self) -> None:
         """Step and publish, and print once per second, until the node is shut down."""
         rospy.Timer(rospy.Duration(1.0), self._print_state)
-        while not rospy.is_shutdown():
+        clock = StepClock(now())
+        for cycle in count():
+            if rospy.is_shutdown():
+                return
             with self._lock:
                 was_moving = self._robot.model.moving
-                self._step()
-                if was_moving or self._robot.model.moving or self._clock.steps - self._published_at >= STOPPED_CYCLE:
-                    self._publish()
-            time.sleep(self._clock.remaining(time.monotonic_ns(), CYCLE))  # rospy.Rate would take more than the step
-
-    def _step(self):
-        """Advance the robot by the steps that are due."""
-        for sentence in self._robot.step(self._clock.update(time.monotonic_ns(), rospy.Time.now().to_nsec())):
-            rospy.logwarn(self._prefix + sentence)
-
-    def _publish(self):
-        self._published_at = self._clock.steps
-        for topics in self._topics:
-            topics.publish(rospy.Time(0, self._clock.stamp), self._robot.model)
+                for sentence in self._robot.step(clock.update(now())):
+                    rospy.logwarn(self._prefix + sentence)
+                if was_moving or self._robot.model.moving or cycle % STOPPED_CYCLES == 0:
+                    self._topics.publish(rospy.Time(0, clock.stamp), self._robot.model)
+            time.sleep(clock.remaining(now(), CYCLE))  # rospy.Rate would take more than the step
 
     def _print_state(self, _):
         """Print the robot's state if it has changed."""
         if self._robot.state != self._printed:
             self._printed = self._robot.state
             print(self._prefix + self._printed, flush=True)
+
+
+def now() -> int:
+    """Return the time in ns."""
+    return rospy.Time.now().to_nsec()

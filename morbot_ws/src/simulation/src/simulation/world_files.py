@@ -10,12 +10,11 @@ from jetbot.kinds import Kind, is_number
 from jetbot.kinematics import Pose
 from jetbot.text import enumeration
 
-from .world import Polyline, World
+from .world import LINE_WIDTH, Polyline, World
 
 SHIPPED = files.shipped(__file__, "simulation", "worlds")
 MAX_POINTS = 1000  # of all walls and lines
 MAX_PLACE = 1000   # m
-MAX_DEPTH = 4      # a point is in a polyline, in a list of them, in the world
 
 
 def is_list_of(value: object, length: int) -> bool:
@@ -61,12 +60,12 @@ def parse(text: Union[str, bytes], source: str = "the world") -> World:
     """
     try:
         values = _read(text)
-        _check(values)
-    except (yaml.YAMLError, ValueError, OverflowError) as error:
+        world = World(_polylines(values, "walls"), _polylines(values, "lines"),
+                      float(values.get("line_width", LINE_WIDTH)))
+        if sum(map(len, world.walls + world.lines)) > MAX_POINTS:
+            raise InvalidValue(f"its walls and lines have more than {MAX_POINTS} points")
+    except (yaml.YAMLError, ValueError, OverflowError, RecursionError) as error:
         raise InvalidValue(f"{source} cannot be used: {_reason(error)}") from None
-    world = World(*(_polylines(values.get(name, [])) for name in ("walls", "lines")))
-    if "line_width" in values:
-        world = world._replace(line_width=float(values["line_width"]))
     return world.placed(Pose(*map(float, values.get("origin", Pose()))))
 
 
@@ -77,37 +76,31 @@ def dump(world: World) -> str:
                            "line_width": world.line_width})
 
 
-def _read(text: Union[str, bytes]) -> Dict[object, object]:
-    """Return what YAML holds, by its keys; raise YAMLError, ValueError or OverflowError."""
+def _read(text: Union[str, bytes]) -> Dict[str, object]:
+    """Return a world's values by their keys; raise YAMLError, ValueError, OverflowError or RecursionError."""
     if len(text) > files.MAX_SIZE:
         raise ValueError(f"it is larger than {files.MAX_SIZE // 1024} kB")
-    depth = 0
-    for event in yaml.parse(text):  # before anything is made of it: a few lines can be a million points
-        depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
-        if isinstance(event, yaml.AliasEvent):
-            raise ValueError("write each point out, without *")
-        if depth > MAX_DEPTH:
-            raise ValueError("there are too many [ around each other")
     values = yaml.safe_load(text)
+    if any(isinstance(token, yaml.AliasToken) for token in yaml.scan(text)):  # a few lines can be a million points
+        raise ValueError("write each point out, without *")
     if not isinstance(values, dict):
         raise ValueError("it holds no walls: and no lines:")
-    return values
-
-
-def _check(values: Dict[object, object]) -> None:
-    """Raise InvalidValue unless these are a world's."""
     for key, value in values.items():
         if key not in KEYS:
             raise InvalidValue(f"there is no {key}: in a world. The keys are {enumeration(list(KEYS))}")
         KEYS[key].check(key, value)
-    polylines = [(f"polyline {number} of {key}", polyline) for key in ("walls", "lines")
-                 for number, polyline in enumerate(values.get(key, []), 1)]
-    for name, polyline in polylines:
+    return values
+
+
+def _polylines(values: Dict[str, object], key: str) -> Tuple[Polyline, ...]:
+    """Return the polylines under a key; raise InvalidValue."""
+    polylines = values.get(key, [])
+    for number, polyline in enumerate(polylines, 1):
+        name = f"polyline {number} of {key}"
         POLYLINE.check(name, polyline)
-        for number, point in enumerate(polyline, 1):
-            POINT.check(f"point {number} in {name}", point)
-    if sum(len(polyline) for _, polyline in polylines) > MAX_POINTS:
-        raise InvalidValue(f"its walls and lines have more than {MAX_POINTS} points")
+        for index, point in enumerate(polyline, 1):
+            POINT.check(f"point {index} in {name}", point)
+    return tuple(tuple((float(x), float(y)) for x, y in polyline) for polyline in polylines)
 
 
 def _reason(error: Exception) -> str:
@@ -116,8 +109,3 @@ def _reason(error: Exception) -> str:
     if mark:
         return f"line {mark.line + 1}: {error.problem}"
     return (getattr(error, "reason", None) or str(error)).partition("\n")[0].rstrip(".")
-
-
-def _polylines(values: List[List[List[float]]]) -> Tuple[Polyline, ...]:
-    """Return YAML's lists of points as polylines."""
-    return tuple(tuple((float(x), float(y)) for x, y in polyline) for polyline in values)

@@ -12,7 +12,7 @@ from nav_msgs.msg import Odometry
 
 from jetbot import files
 from jetbot.text import enumeration, printable
-from simulation.recording import MAGIC, pose_of
+from simulation.recording import pose_of
 
 from .. import contained
 from ..report.marks import Mark
@@ -23,6 +23,7 @@ from .folders import find_files
 from .replay import read_config, replay
 
 MAX_SIZE = 200  # MB
+MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 SUFFIXES = (".bag", ".bag.active")  # rosbag renames the second to the first when it ends
 TOPIC = re.compile(r"/?(?:(.+)/)?(jetbot_simulator/ground_truth|odom|cmd_vel)")
 Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, or commands
