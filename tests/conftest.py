@@ -8,14 +8,7 @@ import pytest
 sys.path.append(str(Path(__file__).parent / "ros"))
 from processes import end_on_sigterm  # noqa: E402
 
-BEHAVIOURS = "tests/ros/test_rostests.py"
-LONGEST = [  # the longest first; as each process is given two at once, the seventh waits for the first
-    "test_your_own_package_and_the_other_pages", "test_first_lessons",
-    "test_rostest[check_lesson]", "test_rostest[workshop]", "test_rostest[emergency_stop]",
-    "test_rostest[calibration]", "test_rostest[standing_order]", "test_rostest[diagnostics]",
-    "test_rostest[stop_at_shutdown]", "test_rostest[simulator]", "test_rostest[cockpit_launch]",
-    "test_rostest[start_errors]", "test_all_other_packages_are_built_and_work",
-    "test_rostest[simulation_launch]", "test_rostest[many_robots]"]
+LONGEST = ("test_pages.py", "test_first_lessons.py", "test_rostests.py")  # files of the longest tests
 IN_ONE_PROCESS = "tests/browser/"  # they share a world and its browsers
 
 
@@ -25,9 +18,8 @@ def pytest_configure():
 
 
 def pytest_collection_modifyitems(items):
-    """Start with the longest tests, then the other behaviours: no process is left with one at the end."""
-    order = {name: number for number, name in enumerate(LONGEST)}
-    items.sort(key=lambda item: (order.get(item.name, len(order)), not item.nodeid.startswith(BEHAVIOURS)))
+    """Start with the longest tests: no process is left with one at the end."""
+    items.sort(key=lambda item: not item.location[0].endswith(LONGEST))
 
 
 @pytest.hookimpl(optionalhook=True)  # pytest-xdist may be missing

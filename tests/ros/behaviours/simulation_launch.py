@@ -12,11 +12,9 @@ import tf2_ros
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry, Path
 from PIL import Image
-from sensor_msgs.msg import JointState
 from tf2_msgs.msg import TFMessage
 
 from harness import START_TIMEOUT, RobotTest, publishers, read, twist
-from simulation.recording import pose_of
 
 ROBOTS = {"red": (0.5, 0.3, 0.0), "green": (0.0, 0.0, 0.1), "blue": (-0.5, -0.3, -0.5)}  # y in m; m/s, rad/s
 START_RVIZ = 60.0             # seconds, drawing without a graphics card
@@ -56,7 +54,6 @@ class SimulationLaunch(RobotTest):
     def test_open_loop_odometry_is_the_only_one_and_ends_where_the_robot_does(self):
         frames, transforms = tf2_ros.Buffer(), self.record("/tf", TFMessage)
         self.addCleanup(tf2_ros.TransformListener(frames).unregister)
-        joints = self.record("joint_states", JointState)
         self.simulate(self.configured("{wheel_separation: 0.1125, max_speed: 0.6, publish_odom: true}"), "x:=1")
         self.assert_drives((0.4, 0.5), (0.4, 0.5))
         self.wait_for(lambda: self.command(0.4, 0.5) or self.odometry[-1].pose.pose.position.y > 0.2, START_TIMEOUT,
@@ -67,9 +64,6 @@ class SimulationLaunch(RobotTest):
         self.assertEqual(senders(transforms, "base_footprint"), {"/jetbot_controller"})
         self.assertEqual(senders(transforms, "true_base_footprint"), {"/jetbot_simulator"})
         self.wait_for(lambda: near(frames, "base_footprint", "true_base_footprint", 0.1), 5.0, "the robot to arrive")
-        self.assertGreater(self.odometry[-1].pose.covariance[0], self.odometry[0].pose.covariance[0])
-        left, right = joints[-1].position
-        self.assertAlmostEqual((right - left) * 0.03 / 0.1125, pose_of(self.odometry[-1]).yaw, delta=0.05)
 
     def test_the_controller_of_a_jetbot_pro_alone_publishes_odom_and_its_tf_and_they_agree_with_the_path(self):
         frames, transforms, paths = tf2_ros.Buffer(), self.record("/tf", TFMessage), self.record("path", Path)

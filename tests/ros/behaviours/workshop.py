@@ -9,11 +9,9 @@ import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 
-from harness import START_TIMEOUT, RobotTest, program, wheel_speeds
-from jetbot_control_node.control.state import MANUAL_PRIORITY
+from harness import START_TIMEOUT, RobotTest, wheel_speeds
 
 LAUNCH = "workshop", "workshop_jetbot_controller.launch"
-SCENARIO = program("workshop", "jetbot_motion_control.py")
 HEAD = """
 import rospy
 from geometry_msgs.msg import Twist
@@ -51,8 +49,8 @@ class Workshop(RobotTest):
         self.launch(*LAUNCH)
         self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
         received = self.record("/cmd_vel", Twist, lambda twist: (time.monotonic(), twist))
-        self.wait_for(lambda: len(received) > 30, START_TIMEOUT, "31 commands")
-        self.assertAlmostEqual(30 / (received[30][0] - received[0][0]), 10, delta=0.5)
+        self.wait_for(lambda: len(received) > 20, START_TIMEOUT, "21 commands")
+        self.assertAlmostEqual(20 / (received[20][0] - received[0][0]), 10, delta=0.5)
         self.assertEqual({(twist.linear.x, twist.angular.z) for _, twist in received}, {(0.5, 0.1)})
 
     def test_its_launch_file_passes_arguments_on_to_both_nodes(self):
@@ -64,32 +62,15 @@ class Workshop(RobotTest):
         self.assertEqual(publishers["/red/cmd_vel"], ["/red/jetbot_motion_control"])
         self.assertEqual(subscribers["/red/cmd_vel"], ["/red/jetbot_controller"])
 
-    def test_it_waits_for_5_s_after_a_person_at_the_cockpit_whatever_ended_that(self):
-        texts = self.status()
-        self.controller(cmd_vel_timeout=0)
-        self.start(SCENARIO)
-        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
-        cockpit = self.start(SCENARIO, "__name:=jetbot_cockpit", "_linear:=-0.2", "_angular:=0.0")
-        self.wait_for_wheels(-0.2, -0.2, within=START_TIMEOUT)
-        ended = time.monotonic()
-        os.killpg(cockpit.pid, signal.SIGKILL)
-        self.wait_for_stop(within=0.5)
-        self.wait_for_status(texts, "stopped: /jetbot_cockpit has ended, /jetbot_motion_control waits for the cockpit")
-        self.wait_for_wheels(0.4, 0.6, within=MANUAL_PRIORITY + 1)
-        self.assertGreater(time.monotonic() - ended, MANUAL_PRIORITY - 0.5)
-
-    def test_the_workshops_controllers_drive_and_their_end_stops_the_wheels(self):
-        for script in AS_A_CLASS, AS_FUNCTIONS:
-            for ending in signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL:
-                self.drive_and_stop(script, ending)
-
-    def drive_and_stop(self, script, ending):
-        environment = {**os.environ, "JETBOT_I2C_BUS": f"fake:{self.bus}"}
-        process = self.start(sys.executable, "-c", HEAD + script, env=environment)
-        self.wait_for_controller()
-        self.command(0.5, 0.1)
-        self.wait_for_wheels(0.4, 0.6)
-        process.send_signal(ending)
-        process.wait(START_TIMEOUT)
-        self.wait_for_stop(within=1.5)
-        self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the script to unsubscribe")
+    def test_its_own_controller_scripts_drive_and_their_end_stops_the_wheels(self):
+        for script, ending in ((AS_A_CLASS, signal.SIGINT), (AS_A_CLASS, signal.SIGKILL),
+                               (AS_FUNCTIONS, signal.SIGTERM), (AS_FUNCTIONS, signal.SIGHUP)):
+            environment = {**os.environ, "JETBOT_I2C_BUS": f"fake:{self.bus}"}
+            process = self.start(sys.executable, "-c", HEAD + script, env=environment)
+            self.wait_for_controller()
+            self.command(0.5, 0.1)
+            self.wait_for_wheels(0.4, 0.6)
+            process.send_signal(ending)
+            process.wait(START_TIMEOUT)
+            self.wait_for_stop(within=1.5)
+            self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the script to unsubscribe")
