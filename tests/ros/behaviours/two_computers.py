@@ -37,10 +37,11 @@ class TwoComputers(RobotTest):
         return self.start("ip", "netns", "exec", self.names[host], *command, env={**os.environ, **variables})
 
     def driven_by_the_laptop(self, *options):
-        """Start a robot, and on the laptop rostopic pub with these options; wait until it drives."""
+        """Start a robot, then on the laptop rostopic pub with these options; wait until it drives."""
         self.start_on("robot", "roslaunch", "jetbot_control_node", "jetbot_controller.launch",
                       f"i2c_bus:=fake:{self.bus}")
-        self.wait_for(lambda: os.path.exists(self.bus), START_TIMEOUT, "the controller")
+        # A standing order that the master knows before the controller subscribes is old, and moves nothing
+        self.wait_for(lambda: "stopped: no command yet" in self.logs(), START_TIMEOUT, "the controller to subscribe")
         self.start_on("laptop", "rostopic", "pub", *options, "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.5}}")
         self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
 

@@ -3,17 +3,13 @@
 from typing import NamedTuple, Tuple
 
 from jetbot.guard.process import HEARTBEAT_TIMEOUT
-from jetbot.kinematics import WHEEL_RADIUS, Pose, clamp
+from jetbot.kinematics import WHEEL_RADIUS, Pose
 from jetbot.motor import Motor
 
 from ..control.state import STOPPED
 from ..control.supervisor import Step
-from .motion import Deviation, Velocity
 
 MAX_GAP = HEARTBEAT_TIMEOUT  # s between two reports after which the guard has stopped the wheels
-MAX_SPEED = 100.0            # m/s and
-MIN_SEPARATION = 0.001       # m: so that all sums stay finite, whatever the parameters are
-DRIFT = 0.1                  # see ``Deviation``: an estimate; speeds vary with the battery
 
 Pair = Tuple[float, float]  # left, right
 
@@ -21,16 +17,19 @@ Pair = Tuple[float, float]  # left, right
 class Motion(NamedTuple):
     """Where the robot is at the monotonic time ``at``, and how its wheels turn. Immutable.
 
-    x, y: m; yaw: rad, to the left, within half a turn; deviation: how uncertain they are;
+    x, y: m; yaw: rad, to the left, within half a turn; path_length, total_rotation: in sum, m and rad;
     speeds: of the wheels, m/s; distances: that they have rolled, m, negative for backward.
+    drift: the error of a path or a rotation, as a fraction of it; an estimate: speeds vary with the battery.
     """
 
     wheel_separation: float
+    drift: float = 0.1
     at: float = 0.0
     x: float = 0.0
     y: float = 0.0
     yaw: float = 0.0
-    deviation: Deviation = Deviation(DRIFT)
+    path_length: float = 0.0
+    total_rotation: float = 0.0
     speeds: Pair = STOPPED
     distances: Pair = (0.0, 0.0)
 
@@ -40,10 +39,10 @@ class Motion(NamedTuple):
         return self.speeds != STOPPED
 
     @property
-    def velocity(self) -> Velocity:
-        """The robot's velocity, as the motion of one second."""
+    def velocity(self) -> Pair:
+        """The robot's velocity: forward in m/s, to the left in rad/s."""
         left, right = self.speeds
-        return Velocity(1.0, (left + right) / 2, (right - left) / self.wheel_separation)
+        return (left + right) / 2, (right - left) / self.wheel_separation
 
     @property
     def joints(self) -> Tuple[Pair, Pair]:
@@ -56,14 +55,15 @@ class Motion(NamedTuple):
 
         After ``MAX_GAP``, as of a program that was frozen, the wheels have stopped.
         """
-        frozen, seconds = now - self.at > MAX_GAP, clamp(max(0.0, now - self.at), MAX_GAP)
-        _, forward, turn = self.velocity
+        frozen, seconds = now - self.at > MAX_GAP, min(max(0.0, now - self.at), MAX_GAP)
+        forward, turn = self.velocity
         left, right = rolled = tuple(speed * seconds for speed in self.speeds)
         pose = Pose(self.x, self.y, self.yaw).integrate_arc(left, right, self.wheel_separation)
         return self._replace(
             at=now, **pose._asdict(), speeds=STOPPED if frozen else self.speeds,
             distances=tuple(map(sum, zip(self.distances, rolled))),
-            deviation=self.deviation.grow(forward * seconds, turn * seconds))
+            path_length=self.path_length + abs(forward * seconds),
+            total_rotation=self.total_rotation + abs(turn * seconds))
 
 
 class DeadReckoning:
@@ -74,9 +74,8 @@ class DeadReckoning:
 
     def __init__(self, left: Motor, right: Motor, max_speed: float, wheel_separation: float):
         self._motors, self._max_speed = (left, right), max_speed
-        self.motion = Motion(max(wheel_separation, MIN_SEPARATION))
+        self.motion = Motion(wheel_separation)
 
     def __call__(self, step: Step) -> None:
-        speeds = tuple(clamp(self._max_speed * motor.speed_of(duty), MAX_SPEED)
-                       for motor, duty in zip(self._motors, step.duties))
+        speeds = tuple(self._max_speed * motor.speed_of(duty) for motor, duty in zip(self._motors, step.duties))
         self.motion = self.motion.advance(step.at)._replace(speeds=speeds)

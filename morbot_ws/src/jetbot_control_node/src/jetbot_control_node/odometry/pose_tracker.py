@@ -4,8 +4,6 @@ import math
 from collections import deque
 from typing import Optional, Tuple
 
-from .motion import Deviation, Velocity
-
 COUNTER_RANGE = 0x10000  # mm and mrad after which the board's int16 counters wrap
 YAW_RANGE = 2000 * math.pi  # mrad: a board may also wrap its yaw at a full turn
 RESTART_RANGE = 100      # mm and mrad: the counters of a board that has just restarted are below
@@ -13,7 +11,6 @@ MAX_RATES = (2000, 2000, 10000)  # mm/s, mm/s and mrad/s, which no JetBot reache
 MAX_GAP = 0.12           # s: a longer gap in the telemetry says no more about a restart
 BURST_INTERVAL = 0.01    # s within which telemetry frames count as one: the serial port may hold some back
 WINDOW = 0.04            # s, at least, over which velocities are averaged
-DRIFT = 0.05             # see ``Deviation``: an estimate for uncalibrated encoders
 
 Counts = Tuple[int, int, int]  # x, y in mm; yaw in mrad
 
@@ -21,14 +18,17 @@ Counts = Tuple[int, int, int]  # x, y in mm; yaw in mrad
 class PoseTracker:
     """Adds up what the board counts, without a jump when its counters wrap or it restarts.
 
-    x, y: m; yaw: rad, to the left, unbounded; deviation: how uncertain they are;
-    velocity: over the last ``WINDOW`` or longer; None while it is not known.
+    x, y: m; yaw: rad, to the left, unbounded; path_length, total_rotation: in sum, m and rad;
+    velocity: forward in m/s, to the left in rad/s, over the last ``WINDOW`` or longer.
+    drift: the error of a path or a rotation, as a fraction of it; an estimate for uncalibrated encoders.
     """
+
+    drift = 0.05
 
     def __init__(self):
         self.x = self.y = self.yaw = 0.0
-        self.deviation = Deviation(DRIFT)
-        self.velocity: Optional[Velocity] = None
+        self.path_length = self.total_rotation = 0.0
+        self.velocity = 0.0, 0.0
         self._counts: Optional[Counts] = None
         self._updated_at = 0.0
         self._rotation = 0.0     # rad, from the board's axes to these
@@ -53,7 +53,8 @@ class PoseTracker:
         forward, _ = rotate(dx, dy, -(self.yaw + turn / 2))
         self.x, self.y, self.yaw = self.x + dx, self.y + dy, self.yaw + turn
         self._forward += forward
-        self.deviation = self.deviation.grow(forward, turn)
+        self.path_length += abs(forward)
+        self.total_rotation += abs(turn)
 
     def _append_sample(self, now):
         samples = self._samples
@@ -63,8 +64,9 @@ class PoseTracker:
         if samples:  # the last burst is complete now
             while len(samples) > 2 and samples[-1][0] - samples[1][0] >= WINDOW:
                 samples.popleft()
-            velocity = Velocity(*(last - first for first, last in zip(samples[0], samples[-1])))
-            self.velocity = velocity if velocity.seconds >= WINDOW else None
+            seconds, forward, turn = (last - first for first, last in zip(samples[0], samples[-1]))
+            if seconds >= WINDOW:
+                self.velocity = forward / seconds, turn / seconds
         samples.append([now, self._forward, self.yaw])
 
 

@@ -1,12 +1,12 @@
 """Publishes a robot's odometry, measured or open-loop, and the IMU of a board that has one."""
 
 import contextlib
+import math
 import threading
 import time
-from typing import Dict, List, Optional, Union
+from typing import Dict, List, Union
 
 import rospy
-from geometry_msgs.msg import TwistWithCovariance
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu, JointState
 
@@ -16,11 +16,13 @@ from jetbot_ros import messages
 
 from ..control.supervisor import Step
 from .dead_reckoning import DeadReckoning, Motion
-from .motion import RESOLUTION, Velocity
 from .pose_tracker import PoseTracker
 
 GYRO_ERROR = 0.09         # rad/s, and
 ACCELERATION_ERROR = 0.8  # m/s^2: zero offsets of uncalibrated sensors (5 deg/s and 80 mg for an MPU-9250)
+RESOLUTION = 0.001        # m and rad
+SPEED_RESOLUTION = 0.025  # m/s and rad/s: RESOLUTION in pose_tracker.WINDOW
+MAX_YAW_ERROR = math.pi / 3 ** 0.5  # rad: of a yaw that may be any
 UNKNOWN = 1e6             # variance of what is not measured
 MOVING_INTERVAL = 1 / 30  # s between two messages of open-loop odometry while a wheel turns
 STOPPED_INTERVAL = 1.0    # s, while none does
@@ -102,28 +104,19 @@ class OpenLoopOdometry:
 
 def odometry(stamp: rospy.Time, motion: Union[PoseTracker, Motion]) -> Odometry:
     """Return the pose and velocity, with covariances that grow with the path."""
-    odom = messages.odometry(stamp, motion)
-    deviation = motion.deviation
-    odom.pose.covariance = diagonal(deviation.position ** 2, deviation.yaw ** 2)
-    odom.twist = twist(motion.velocity, deviation.drift)
+    linear, angular = motion.velocity
+    odom = messages.odometry(stamp, motion, linear, angular)
+    odom.pose.covariance = diagonal(RESOLUTION + motion.drift * motion.path_length,
+                                    min(RESOLUTION + motion.drift * motion.total_rotation, MAX_YAW_ERROR))
+    odom.twist.covariance = diagonal(SPEED_RESOLUTION + motion.drift * abs(linear),
+                                     SPEED_RESOLUTION + motion.drift * abs(angular))
     return odom
 
 
-def twist(velocity: Optional[Velocity], drift: float) -> TwistWithCovariance:
-    """Return the velocity with its covariance. drift: see ``Deviation``."""
-    if velocity is None:
-        return TwistWithCovariance(covariance=diagonal(UNKNOWN, UNKNOWN))
-    seconds, forward, turn = velocity
-    result = TwistWithCovariance(covariance=diagonal(*(
-        (RESOLUTION / seconds) ** 2 + (drift * change / seconds) ** 2 for change in (forward, turn))))
-    result.twist.linear.x, result.twist.angular.z = forward / seconds, turn / seconds
-    return result
-
-
 def diagonal(position: float, yaw: float) -> List[float]:
-    """Return a covariance matrix of x, y, z, roll, pitch, yaw, of which only x, y and yaw are known."""
+    """Return a covariance matrix of x, y, z, roll, pitch, yaw. position: of x and y, the standard deviation."""
     covariance = [0.0] * 36
-    covariance[0::7] = [position, position, UNKNOWN, UNKNOWN, UNKNOWN, yaw]
+    covariance[0::7] = [position ** 2, position ** 2, UNKNOWN, UNKNOWN, UNKNOWN, yaw ** 2]
     return covariance
 
 
