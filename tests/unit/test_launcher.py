@@ -1,4 +1,4 @@
-"""A node ends with the roslaunch that started it, also one that was killed early, and knows a suspended terminal."""
+"""A node ends with the roslaunch that started it, and knows a suspended terminal."""
 
 import contextlib
 import errno
@@ -76,12 +76,6 @@ def test_runs_as_long_as_roslaunch_does(chain):
     assert node.report() == (True, False)
 
 
-def test_roslaunch_was_killed_before_the_first_line(chain):
-    node = chain()
-    node.kill()
-    assert node.report() == (True, False)
-
-
 def test_a_program_between_survives_roslaunch(chain):
     node = chain(child=["sh", "-c", '"$@"; true', "xterm", *LAUNCHED])
     assert node.report() == (False, False)
@@ -95,21 +89,15 @@ def test_a_node_that_roslaunch_has_not_started_does_not_end_with_its_parent(chai
     assert node.report() == (False, False)
 
 
-def test_a_suspended_terminal_and_fg(chain):
-    node = chain()
+@pytest.mark.parametrize("above", [[], ["sh", "-c", '"$@"; true', "shell"]], ids=["roslaunch", "the shell above it"])
+def test_a_suspended_terminal_and_fg(chain, above):
+    node = chain(roslaunch=[*above, sys.executable, "-c", ROSLAUNCH])
     assert node.report() == (False, False)
     node.suspend()
     assert node.report() == (False, True)
     os.kill(node.roslaunch.pid, signal.SIGCONT)
     os.waitid(os.P_PID, node.roslaunch.pid, os.WCONTINUED)
     assert node.report() == (False, False)
-
-
-def test_a_suspended_shell_above_roslaunch(chain):
-    node = chain(roslaunch=["sh", "-c", '"$@"; true', "shell", sys.executable, "-c", ROSLAUNCH])
-    assert node.report() == (False, False)
-    node.suspend()
-    assert node.report() == (False, True)
 
 
 def test_without_proc_only_the_end_of_the_parent_is_known(monkeypatch):

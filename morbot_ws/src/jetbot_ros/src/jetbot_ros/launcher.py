@@ -7,20 +7,13 @@ PARENT = os.getppid()  # before all imports that take a while: roslaunch may be 
 
 import contextlib
 import sys
-from typing import List, NamedTuple
+from typing import Dict
 
 from jetbot.errors import EXHAUSTED, OutOfResources
 
 LAUNCHED = any(argument.startswith("__log:=") for argument in sys.argv)  # roslaunch adds this argument
 
 STOPPED = "T"  # a state of proc(5): by SIGSTOP or Ctrl-Z, not by a debugger
-
-
-class Process(NamedTuple):
-    """A process: its id, and its state by proc(5)."""
-
-    pid: int
-    state: str
 
 
 class Launcher:
@@ -31,48 +24,26 @@ class Launcher:
 
     def __init__(self, parent: int = PARENT, launched: bool = LAUNCHED):
         self._parent, self._launched = parent, launched
-        chain = ancestors()
-        self._roslaunch = next((process.pid for process in chain if runs_python(process.pid)), None)
-        self._orphan = self._roslaunch is None and is_orphan(chain)
+        self._roslaunch = next(filter(runs_python, ancestors()), parent)  # a launch-prefix such as xterm may be below
         self.poll()
 
     def poll(self) -> None:
         chain = ancestors()
-        self.suspended = any(process.state == STOPPED for process in chain)
-        self.ended = self._launched and (self._orphan or os.getppid() != self._parent or self._is_without(chain))
-
-    def _is_without(self, chain):
-        """Return whether roslaunch is missing in the chain; a launch-prefix such as xterm may be between."""
-        pids = [process.pid for process in chain]
-        return 1 in pids and self._roslaunch is not None and self._roslaunch not in pids
+        self.suspended = STOPPED in chain.values()
+        self.ended = self._launched and (os.getppid() != self._parent or 1 in chain and self._roslaunch not in chain)
 
 
-def is_orphan(chain: List[Process]) -> bool:
-    """Return whether roslaunch, which is not in the chain, had ended before this process read its parent's id.
-
-    A launch-prefix may have handed this process over to a terminal's program; then it has that terminal.
-    """
-    return bool(chain) and chain[-1].pid == 1 and not has_terminal()
-
-
-def has_terminal() -> bool:
-    """Return whether this process has a controlling terminal; roslaunch gives none to its nodes."""
-    with contextlib.suppress(OSError), open("/dev/tty"):
-        return True
-    return False
-
-
-def ancestors() -> List[Process]:
-    """Return the processes above this one, the parent first, as far as this user can read them.
+def ancestors() -> Dict[int, str]:
+    """Return the ids of the processes above this one, the parent first, with their states by proc(5).
 
     Raise OutOfResources without a file descriptor: then no emergency stop could connect either.
     """
-    chain, pid = [], os.getppid()
+    chain, pid = {}, os.getppid()
     try:
         while pid:
             with open(f"/proc/{pid}/stat", "rb", buffering=0) as stat:
                 state, parent = stat.read().rpartition(b")")[2].split()[:2]
-            chain.append(Process(pid, state.decode()))
+            chain[pid] = state.decode()
             pid = int(parent)
     except OSError as error:  # it has just ended, or there is no /proc
         if error.errno in EXHAUSTED:
