@@ -1,68 +1,50 @@
-#!/usr/bin/env python3
-"""Measures how a class drives by the cockpit: class.launch, and for each simulated robot a client that drives it.
+"""A class that drives by the cockpit: class.launch, and for each simulated robot a client that drives it."""
 
-./morbot shell python3 bench/cockpit.py [--robots 15] [--seconds 30]
-
-Each client sends 20 commands per second, every one with a new speed. What a robot gets is read from its fake bus.
-"""
-
-import argparse
 import asyncio
 import json
-import mmap
-import os
 import re
-import sys
-import tempfile
-import threading
 import time
 from collections import Counter
-from contextlib import contextmanager
 from pathlib import Path
-from statistics import median
-from typing import Dict, Iterator, List, Sequence, Tuple
+from typing import Awaitable, Callable, Dict, List, Sequence, Tuple
 
+import launched
 from tornado.httpclient import HTTPRequest
 from tornado.websocket import websocket_connect
+from wire import OUTPUTS
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "tests/ros"))
-from jetbot.fake import chip_file, default_folder  # noqa: E402
-from jetbot.fake.motors import STOPPED, wheel_speeds  # noqa: E402
-from processes import end, end_on_sigterm, free_port, start  # noqa: E402
+from jetbot.fake import default_folder
+from jetbot.fake.motors import STOPPED, wheel_speeds
 
 RATE, STOPS = 20, 10  # commands per second of each client; how often all are stopped
 START_TIMEOUT = 180.0  # s
 POLL_INTERVAL = 0.002  # s
-OUTPUTS = slice(0x06, 0x46)  # the chip's registers of all outputs
-TICKS = os.sysconf("SC_CLK_TCK")  # of CPU time per second
-PROGRAM = re.compile(r"jetbot\.guard|\w+(?=\.py\b)|rosmaster")
+PROGRAM = re.compile(r"jetbot\.guard|\w+(?=\.py\b)")
+
+Clients = Sequence["Client"]
 
 
 class Client:
-    """Drives one robot, and counts what the cockpit sends. name: of the robot."""
+    """Drives one robot, every command with a new speed, and counts the poses that the cockpit sends."""
 
     def __init__(self, name: str):
-        self.name, self.folder = name, default_folder(name)
-        self.sent, self.received, self.pose = 0.0, Counter(), None
+        self.name, self.bus = name, default_folder(name)
+        self.sent, self.pose, self.poses = 0.0, None, 0
 
     async def join(self, host: str) -> None:
         """Connect, once the cockpit listens, and drive until the wheels turn."""
-        request = HTTPRequest(f"ws://{host}/socket", headers={"Origin": f"http://{host}"})
-        self.socket = None
+        request, self.socket = HTTPRequest(f"ws://{host}/socket", headers={"Origin": f"http://{host}"}), None
         while not self.socket:
             try:
                 self.socket = await websocket_connect(request)
             except OSError:
                 await asyncio.sleep(0.5)
         self.listener = asyncio.ensure_future(self._listen())
-        turned = False
-        while not turned:
+        while wheel_speeds(self.bus) == STOPPED:
+            await self.release()  # a drive that the cockpit has refused goes on being refused until then
+            await asyncio.sleep(0.5)
             await self.drive(0.5)
-            turned = wheel_speeds(self.folder) != STOPPED
-            await self.release()
-            await asyncio.sleep(1.0)
-        with chip_file(self.folder, 0x60).open("rb") as chip:
-            self.chip = mmap.mmap(chip.fileno(), 0, prot=mmap.PROT_READ)
+        self.chip = launched.open_chip(self.bus)
 
     async def drive(self, seconds: float) -> None:
         start = time.monotonic()
@@ -79,70 +61,34 @@ class Client:
 
     async def _listen(self):
         while True:
-            text = await self.socket.read_message()
-            if text is None:
-                self.received["closed"] += 1
-                return
-            message = json.loads(text)
-            self.received[message["type"]] += 1
+            message = json.loads(await self.socket.read_message())
             state = message["robots"].get(self.name) if message["type"] == "state" else None
             if state and state["pose"] != self.pose:
                 self.pose = state["pose"]
-                self.received["pose"] += 1
+                self.poses += 1
 
 
-@contextmanager
-def watching(clients: Sequence[Client]) -> Iterator[List[Tuple[float, bool]]]:
-    """Yield a list that grows while chips change: the ms since their client sent, and whether the robot stopped.
-
-    The stop of a robot that is driven is a wrong firing of the cockpit's dead man's switch.
-    """
-    changes, over = [], threading.Event()
-
-    def poll():
-        last = {client: client.chip[OUTPUTS] for client in clients}
-        while not over.wait(POLL_INTERVAL):
-            for client, outputs in last.items():
-                if client.chip[OUTPUTS] != outputs:
-                    changes.append((1000 * (time.monotonic() - client.sent), wheel_speeds(client.folder) == STOPPED))
-                    last[client] = client.chip[OUTPUTS]
-
-    thread = threading.Thread(target=poll)
-    thread.start()
-    try:
-        yield changes
-    finally:
-        over.set()
-        thread.join()
+async def watch(clients: Clients, changes: List[Tuple[float, bool]]) -> None:
+    """Add, whenever a chip changes, the ms since its client sent, and whether its wheels are at zero."""
+    last = {client: client.chip[OUTPUTS] for client in clients}
+    while True:
+        await asyncio.sleep(POLL_INTERVAL)
+        for client, outputs in last.items():
+            if client.chip[OUTPUTS] != outputs:
+                changes.append((1000 * (time.monotonic() - client.sent), wheel_speeds(client.bus) == STOPPED))
+                last[client] = client.chip[OUTPUTS]
 
 
-def cpu_times(home: str) -> Dict[str, Tuple[int, float]]:
-    """Return {program: (number of processes, s of CPU time of all)} of those with this ROS_HOME."""
-    times = {}
-    for process in Path("/proc").glob("[0-9]*"):
-        try:
-            if f"ROS_HOME={home}\0".encode() not in (process / "environ").read_bytes():
-                continue
-            program = PROGRAM.search((process / "cmdline").read_text().replace("\0", " "))
-            fields = (process / "stat").read_text().rpartition(")")[2].split()
-        except OSError:  # it has just ended
-            continue
-        kind = program.group() if program else "roslaunch"
-        number, used = times.get(kind, (0, 0.0))
-        times[kind] = number + 1, used + (int(fields[11]) + int(fields[12])) / TICKS
-    return times
-
-
-async def all_of(clients: Sequence[Client], action) -> None:
+async def all_of(clients: Clients, action: Callable[["Client"], Awaitable[None]]) -> None:
     await asyncio.gather(*map(action, clients))
 
 
-async def stop(clients: Sequence[Client]) -> float:
+async def stop(clients: Clients) -> float:
     """Let all drive, and one of them stop all; return the ms until all wheels are at zero."""
     await all_of(clients, lambda client: client.drive(0.5))
     start = time.monotonic()
     await clients[0].send(type="stop")
-    while any(wheel_speeds(client.folder) != STOPPED for client in clients):
+    while any(wheel_speeds(client.bus) != STOPPED for client in clients):
         await asyncio.sleep(POLL_INTERVAL)
     elapsed = time.monotonic() - start
     await clients[0].send(type="release")
@@ -151,53 +97,35 @@ async def stop(clients: Sequence[Client]) -> float:
     return 1000 * elapsed
 
 
-def row(what: str, milliseconds: Sequence[float]) -> str:
-    """Return a row of a table in Markdown: median, 99th percentile, number of samples."""
-    ordered = sorted(milliseconds)
-    return f"| {what} | {median(ordered):.1f} | {ordered[int(0.99 * (len(ordered) - 1))]:.1f} | {len(ordered)} |"
+def programs(roslaunch: int) -> Dict[int, str]:
+    """Return {process: program} of the nodes and their guards."""
+    nodes = launched.children(roslaunch)
+    processes = nodes + [child for node in nodes for child in launched.children(node)]
+    found = {process: PROGRAM.search(Path(f"/proc/{process}/cmdline").read_text()) for process in processes}
+    return {process: match.group() for process, match in found.items() if match}
 
 
-async def measure(host: str, robots: int, seconds: float, home: str) -> None:
-    """Print the figures of a class."""
-    clients = [Client(f"/jetbot_{number:02d}") for number in range(1, robots + 1)]
+async def measure_class(host: str, count: int, seconds: float, roslaunch: int):
+    """Return software's delays and stops in ms, new poses per second, and {program: CPU of each in % of a core}."""
+    clients = [Client(f"/jetbot_{number:02d}") for number in range(1, count + 1)]
     await asyncio.wait_for(all_of(clients, lambda client: client.join(host)), START_TIMEOUT)
-    for client in clients:
-        client.received.clear()
-    before = cpu_times(home)
-    with watching(clients) as changes:
-        await all_of(clients, lambda client: client.drive(seconds))
-    cpu = {kind: (number, 100 * (used - before[kind][1]) / number / seconds)
-           for kind, (number, used) in cpu_times(home).items()}
+    running, changes = programs(roslaunch), []
+    before = {process: launched.cpu_time([process]) for process in running}
+    seen = [client.poses for client in clients]
+    watcher = asyncio.ensure_future(watch(clients, changes))
+    await all_of(clients, lambda client: client.drive(seconds))
+    watcher.cancel()
+    cpu, numbers = Counter(), Counter(running.values())
+    for process, program in running.items():
+        cpu[program] += 100 * (launched.cpu_time([process]) - before[process]) / seconds / numbers[program]
+    poses = min(client.poses - earlier for client, earlier in zip(clients, seen)) / seconds
     await all_of(clients, Client.release)
-    counts = [client.received for client in clients]
-    print("| | median | 99 % | samples |\n|---|---|---|---|")
-    print(row(f"{robots} clients: a client sends, the chip changes (ms)", [latency for latency, _ in changes]))
-    print(row(f"{robots} clients: stop to all wheels (ms)", [await stop(clients) for _ in range(STOPS)]))
-    print(f"\nWithin {seconds:.0f} s: wheels at zero while driven: {sum(stopped for _, stopped in changes)}, "
-          f"`lift` messages: {sum(each['lift'] for each in counts)}, closed sockets: "
-          f"{sum(each['closed'] for each in counts)}.\nNew poses of the own robot per second and client: at least "
-          f"{min(each['pose'] for each in counts) / seconds:.1f}.\n")
-    print("| process | number | CPU each (%) |\n|---|---|---|")
-    for kind, (number, percent) in sorted(cpu.items()):
-        print(f"| {kind} | {number} | {percent:.1f} |")
+    return changes, [await stop(clients) for _ in range(STOPS)], poses, cpu
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--robots", type=int, default=15)
-    parser.add_argument("--seconds", type=float, default=30.0)
-    options = parser.parse_args()
-    end_on_sigterm()
-    with tempfile.TemporaryDirectory(prefix="jetbot_") as home:
-        os.environ.update(ROS_MASTER_URI=f"http://localhost:{free_port()}", ROS_HOME=home)
-        port = free_port()
-        roslaunch = start(["roslaunch", "jetbot_cockpit", "class.launch", f"robots:={options.robots}",
-                           f"port:={port}"], Path(home, "roslaunch.log"))
-        try:
-            asyncio.run(measure(f"localhost:{port}", options.robots, options.seconds, home))
-        finally:
-            end([roslaunch])
-
-
-if __name__ == "__main__":
-    main()
+def measure(count: int, seconds: float):
+    """Start a class of ``count`` robots and return what measure_class returns."""
+    port = launched.free_port()
+    command = "roslaunch", "jetbot_cockpit", "class.launch", f"robots:={count}", f"port:={port}"
+    with launched.started(*command) as roslaunch:
+        return asyncio.run(measure_class(f"localhost:{port}", count, seconds, roslaunch))

@@ -1,4 +1,4 @@
-"""What an implementation writes for a command, and the time that the fake bus takes for a transfer."""
+"""What an implementation writes for a command, and a fake bus that takes the time of a real one. Without ROS."""
 
 import importlib
 import random
@@ -15,9 +15,7 @@ from jetbot.fake import chip_file
 from jetbot.fake.bus import FakeBus, power_on
 
 Speeds = Tuple[float, float]  # left, right, in [-1, 1]
-IMPLEMENTATIONS = "driver", "script", "floor"
-ADDRESS, LED0_ON_L = 0x60, 0x06
-OUTPUTS = slice(LED0_ON_L, 0x46)  # the registers of all outputs
+ADDRESS, OUTPUTS = 0x60, slice(0x06, 0x46)  # the chip, and its registers of all outputs
 
 
 class Command(NamedTuple):
@@ -42,13 +40,6 @@ def cruise(count: int) -> List[Speeds]:
     """Return the speeds of a robot that never stops; no pair twice, also in the script's 255 steps."""
     levels = [(level + 0.5) / 255 for level in range(26, 230)]
     return random.Random(1).sample(list(product(levels, levels)), count)
-
-
-SPEEDS = {  # by what the robot does
-    "new speeds": cruise(300),
-    "start, stop, reverse": random.Random(1).choices(list(product((-1, -0.5, 0, 0.5, 1), repeat=2)), k=300),
-    "the same speeds": [(0.5, 0.6)] * 300,
-}
 
 
 @contextmanager
