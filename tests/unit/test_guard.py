@@ -4,14 +4,12 @@ import contextlib
 import os
 import pty
 import signal
-import socket
 import subprocess
 
 import pytest
 from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_in_a_process, drive_until_killed, kill, start, stopped
 
 from conftest import PACKAGES, registers
-from jetbot import Robot
 from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.motors import wheel_speeds
 from jetbot.wait import wait_until
@@ -122,16 +120,3 @@ def test_the_guard_stops_the_wheels_while_nobody_reads_its_message(folder, make_
     assert wait_until(stopped(folder), STOP_TIMEOUT)
     os.close(stderr)
     os.close(other_end)
-
-
-def test_the_guard_needs_no_proc(folder):
-    ours, theirs = socket.socketpair()
-    process = start(folder, "import pathlib, socket; from jetbot.guard.process import main\n"
-                            "pathlib.Path.write_text = lambda *_: open('/nosuch/file')\n"
-                            f"main(socket.socket(fileno=0), 'jetbot', 'fake:{folder}')", stdin=theirs)
-    theirs.close()
-    robot = Robot(i2c_bus=f"fake:{folder}", guard=False)
-    robot.forward()
-    ours.close()
-    assert wait_until(stopped(folder), TIMEOUT)
-    assert process.wait() == 0

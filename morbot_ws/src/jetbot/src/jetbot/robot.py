@@ -31,7 +31,7 @@ class Robot:
     Speeds are in [-1, 1], 1 full forward, and clamped to that; a JetBot Pro takes m/s instead, up to 32.767. A speed
     that is not a finite number stops both wheels and raises InvalidValue (a ValueError); so does a bad option. A board
     that does not answer raises BusError (an OSError), and is set up again by the next call. The wheels turn only while
-    the guard is up: the first command waits for it, up to 5 s, then raises GuardError. The methods may be called from
+    the guard is up: the first command waits for it, up to 10 s, then raises GuardError. The methods may be called from
     any thread and any signal handler.
     """
 

@@ -4,19 +4,32 @@ A process that is killed can no longer stop anything. So a second one does, the 
 Each Robot starts one, unless JETBOT_GUARD names the socket of a guard that runs already (``python3 -m jetbot.guard``).
 """
 
+import contextlib
+import json
 import os
+import socket
+import subprocess
+import sys
 import time
-from functools import partial
 from typing import Callable, Optional
 
 from ..errors import GuardError
+from ..host import peer_of
 from ..wait import wait_until
-from .peer import connect, spawn
-from .process import HEARTBEAT
+from .process import ANSWER, EOF, HEARTBEAT, PING, STOPPED
 
-MAX_STARTS = 3            # starts in a row without an answer until no further one is tried
+PING_INTERVAL = 0.25      # s from an answer until the next is asked for
+ANSWER_TIMEOUT = 0.7      # s without an answer until a guard that has answered before counts as lost
 RESTART_INTERVAL = 1.0    # s
-WAIT_TIMEOUT = 5.0        # s
+TIMEOUT = 10.0            # s without a guard
+SHUTDOWN_TIMEOUT = 1.0    # s for the guard to end
+
+PATH = [os.path.abspath(entry) for entry in sys.path]  # now: the program may change its folder later
+CODE = f"""\
+import socket, sys
+sys.path = {PATH}
+from {__name__}.process import serve
+serve(socket.socket(fileno=0))"""
 
 
 class Guard:
@@ -28,68 +41,111 @@ class Guard:
     """
 
     def __init__(self, board: str, place: str, address: Optional[int] = None):
-        listener = os.environ.get("JETBOT_GUARD")
-        if listener:
-            self._open = partial(connect, listener, board, place, address)
-            self._advice = f"Start the guard that listens on {listener}, or unset JETBOT_GUARD."
-        else:
-            self._open = partial(spawn, board, place, address)
-            self._advice = "Close other programs, then start this one again."
-        self._peer, self._problem, self._starts = None, "", 0
+        self._robot = json.dumps([board, place, address]).encode() + b"\n"
+        self._listener = os.environ.get("JETBOT_GUARD")
+        self._process = None  # the guard's, if this program has started it
+        self._missing_since = None
         self._start()
-        if self._peer is None:
+        if self._problem:
             raise self._error()
 
     def is_up(self) -> bool:
-        """Return whether the guard is known to be up."""
-        return self._peer.is_up()
-
-    def renew(self) -> bool:
-        """Return whether the guard is up; if it is lost, start another, at most one in a second.
-
-        Raise GuardError after ``MAX_STARTS`` without an answer.
-        """
-        if self._peer.is_up():
-            self._starts = 0
-            return True
-        if self._problem or self._peer.problem:
-            if self._starts == MAX_STARTS:
-                raise self._error()
-            if time.monotonic() - self._started_at >= RESTART_INTERVAL:
-                self._start()
-        return False
+        """Return whether the guard has answered and does not owe an answer for too long; ask it now and then."""
+        if not self._problem:
+            self._receive(time.monotonic())
+        return self._up and not self._problem
 
     def wait(self, wanted: Callable[[], bool]) -> None:
-        """Wait until the guard is up, or no longer ``wanted``. Raise GuardError if that takes too long."""
-        if not wait_until(lambda: self.renew() or not wanted(), WAIT_TIMEOUT):
-            self._problem = self._problem or "it does not answer"
-            raise self._error()
+        """Wait until the guard is up, or no longer ``wanted``. Raise GuardError after ``TIMEOUT``."""
+        wait_until(lambda: self._renew() or not wanted(), 2 * TIMEOUT)
 
     def heartbeat(self) -> None:
-        """Feed the guard. Once fed, it must be fed again within a second. Raise GuardError if there is none."""
-        self.renew()
-        self._peer.ask(HEARTBEAT)
+        """Feed the guard. Once fed, it must be fed again within a second. Raise GuardError as ``wait`` does."""
+        self._renew()
+        self._ask(HEARTBEAT)
 
-    def dismiss(self) -> None:
-        """End the guard: the wheels are stopped."""
-        self._peer.dismiss()
+    def dismiss(self, timeout: float = SHUTDOWN_TIMEOUT) -> None:
+        """End the guard: the wheels are stopped, or another guard takes over. Kill it after ``timeout`` seconds."""
+        self._send(STOPPED)
+        self.leave()
+        if self._process is not None:
+            try:
+                self._process.wait(timeout)
+            except subprocess.TimeoutExpired:
+                self._process.kill()
+                with contextlib.suppress(subprocess.TimeoutExpired):  # a stuck transfer ends before it does
+                    self._process.wait(SHUTDOWN_TIMEOUT)
 
     def leave(self) -> None:
         """Leave it to the guard to stop the wheels."""
-        self._peer.leave()
+        self._connection.close()
 
     def _start(self):
-        self._starts, self._started_at = self._starts + 1, time.monotonic()
-        if self._peer is not None:
-            self._peer.dismiss(timeout=0)
+        self._up, self._problem = False, ""
+        self._started_at = self._answered_at = time.monotonic()
+        self._asked_at = self._started_at  # since when it owes an answer, or None
         try:
-            self._peer, self._problem = self._open(), ""
+            if self._listener:
+                self._connection = connect(self._listener)
+            else:
+                self._connection, self._process = spawn()
+            self._connection.sendall(self._robot)
+            self._connection.setblocking(False)
         except OSError as error:
             self._problem = error.strerror or str(error)
 
+    def _renew(self) -> bool:
+        """Return whether the guard is up; if it is lost, start another, at most one in a second."""
+        now = time.monotonic()
+        if self.is_up():
+            self._missing_since = None
+            return True
+        self._missing_since = self._missing_since or now
+        if now - self._missing_since > TIMEOUT:
+            self._missing_since = None
+            self._problem = self._problem or "it does not answer"
+            raise self._error()
+        if self._problem and now - self._started_at >= RESTART_INTERVAL:
+            self.dismiss(timeout=0)
+            self._start()
+        return False
+
     def _error(self):
+        advice = (f"Start the guard that listens on {self._listener}, or unset JETBOT_GUARD." if self._listener
+                  else "Close other programs, then start this one again.")
         return GuardError("the guard, which stops the wheels if this program dies, cannot be started: "
-                          + (self._problem or self._peer.problem), self._advice)
+                          f"{self._problem}", advice)
+
+    def _ask(self, message):
+        """Send a message that the guard answers."""
+        if self._asked_at is None:
+            self._asked_at = time.monotonic()
+        self._send(message)
+
+    def _send(self, message):
+        # It has just been killed, was dismissed meanwhile, or hangs. No SIGPIPE: the program may have its own handler.
+        with contextlib.suppress(OSError):
+            self._connection.send(message, socket.MSG_NOSIGNAL)
+
+    def _receive(self, now):
+        try:
+            answer = self._connection.recv(4096)
+        except BlockingIOError:
+            self._check_silence(now)
+            return
+        except OSError:  # it was killed before it has read everything
+            answer = EOF
+        if answer and not answer.strip(ANSWER):
+            self._up, self._asked_at, self._answered_at = True, None, now
+        else:
+            self._problem = answer.strip(ANSWER).decode(errors="replace") or "it has ended"
+
+    def _check_silence(self, now):
+        if self._asked_at is None:
+            if now - self._answered_at > PING_INTERVAL:
+                self._ask(PING)
+        elif self._up and now - self._asked_at > ANSWER_TIMEOUT:
+            self._problem = "it does not answer"
 
 
 class NoGuard:
@@ -103,3 +159,29 @@ class NoGuard:
         """Do nothing."""
 
     dismiss = leave = heartbeat
+
+
+def spawn():
+    """Start a guard process; return (the socket to it, the process). Raise OSError."""
+    ours, theirs = socket.socketpair()
+    with theirs:
+        process = subprocess.Popen(
+            [sys.executable, "-IS", "-c", CODE], stdin=theirs,
+            stdout=subprocess.DEVNULL,  # else whatever reads this program's output would wait for the guard to end
+            start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
+    return ours, process
+
+
+def connect(path: str) -> socket.socket:
+    """Return a socket to the guard that listens at this path; raise OSError, also if it is another user's."""
+    connection = socket.socket(socket.AF_UNIX)
+    connection.connect(path)
+    require_own(connection)
+    return connection
+
+
+def require_own(connection: socket.socket) -> None:
+    """Raise PermissionError unless the process at the other end of a unix socket belongs to this user."""
+    _, user = peer_of(connection)
+    if user != os.geteuid():
+        raise PermissionError(f"it belongs to the user {user}")

@@ -4,7 +4,6 @@ For a guard that nothing ends together with the program that drives: in a contai
 """
 
 import argparse
-import json
 import os
 import signal
 import socket
@@ -12,10 +11,8 @@ import sys
 import time
 from pathlib import Path
 
-from .. import fake
-from ..boards import find_board
-from .peer import require_own
-from .process import RETRY_INTERVAL, guard
+from . import require_own
+from .process import RETRY_INTERVAL, serve
 
 
 def bind(path: str) -> socket.socket:
@@ -40,27 +37,12 @@ def is_in_use(path: str) -> bool:
         return True
 
 
-def serve(connection: socket.socket) -> None:
-    """Guard the robot at the other end of a connection, whose first line names its board, place and I2C address."""
-    with connection.makefile("rb", buffering=0) as stream:  # no buffer: what follows the line are messages
-        board, place, address = json.loads(stream.readline())
-    row = find_board(board, address)
-    device = fake.folder_of(place) or place
-    if device.startswith("/") and not os.access(device, os.R_OK | os.W_OK):
-        connection.send(f"it may not use {device}".encode())
-    else:
-        guard(connection, row, place)
-
-
 def serve_in_child(listener: socket.socket, connection: socket.socket) -> None:
     """Serve a connection in a process of its own, which ends with it."""
     require_own(connection)
     if os.fork() == 0:
-        try:
-            listener.close()
-            serve(connection)
-        finally:
-            os._exit(0)
+        listener.close()
+        serve(connection)
 
 
 def main() -> None:

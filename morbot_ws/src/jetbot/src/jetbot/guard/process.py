@@ -5,6 +5,7 @@ process has reported that the wheels are stopped, the guard then stops them.
 """
 
 import contextlib
+import json
 import os
 import select
 import signal
@@ -15,6 +16,7 @@ import time
 from pathlib import Path
 from typing import Optional
 
+from .. import fake
 from ..boards import Board, find_board
 from ..connection import stop_board
 
@@ -22,21 +24,27 @@ STOPPED = b"s"            # the driving process has stopped the wheels, and need
 HEARTBEAT = b"h"          # it does not hang
 PING = b"p"               # it asks for an answer only
 ANSWER = b"."             # of the guard, to every message and when it has started
-EOF = b""                 # the driving process has ended
+EOF = b""                 # the process at the other end has ended
 HEARTBEAT_TIMEOUT = 1.0   # s after a heartbeat until the driving process counts as hung, unless another one comes
 RETRY_FOR = 600.0         # s to keep trying when the board does not answer
 RETRY_INTERVAL = 0.2      # s
 
 
-def main(connection: socket.socket, board: str, place: str, address: str = "") -> None:
-    """Guard a robot, then end this process at once: a thread that ``report`` has started may never end.
+def serve(connection: socket.socket) -> None:
+    """Guard the robot at the other end of a connection, then end this process.
 
-    board: a name in ``boards.BOARDS``; address: its I2C address, "" for the board's own.
+    The first line names its board, place and I2C address, as JSON.
     """
     try:
-        guard(connection, find_board(board, address or None), place)
+        with connection.makefile("rb", buffering=0) as stream:  # no buffer: what follows the line are messages
+            board, place, address = json.loads(stream.readline())
+        device = fake.folder_of(place) or place
+        if device.startswith("/") and not os.access(device, os.R_OK | os.W_OK):
+            connection.send(f"it may not use {device}".encode())
+        else:
+            guard(connection, find_board(board, address), place)
     finally:
-        os._exit(0)
+        os._exit(0)  # at once: a thread that ``report`` has started may never end
 
 
 def guard(connection: socket.socket, board: Board, place: str) -> None:
@@ -115,10 +123,4 @@ def try_to_stop(board: Board, place: str, reported: Optional[Exception]) -> Opti
 def report(sentence: str) -> None:
     """Print to stderr from a thread of its own, which waits if nobody reads: a full pipe, a terminal after Ctrl-S."""
     with contextlib.suppress(RuntimeError):  # the system has no thread left
-        threading.Thread(target=print_error, args=[sentence], daemon=True).start()
-
-
-def print_error(sentence: str) -> None:
-    """Print to stderr, if there is one."""
-    with contextlib.suppress(OSError, ValueError):
-        print(sentence, file=sys.stderr, flush=True)
+        threading.Thread(target=print, args=[sentence], kwargs={"file": sys.stderr, "flush": True}, daemon=True).start()
