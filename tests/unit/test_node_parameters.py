@@ -5,7 +5,7 @@ import sys
 import pytest
 
 from jetbot import InvalidValue
-from jetbot.errors import NotFound
+from jetbot.errors import BusError
 from jetbot_ros import node_parameters
 from jetbot_ros.node_parameters import from_master, parse_word, private_parameters, public_words
 
@@ -58,5 +58,5 @@ def test_what_an_earlier_roslaunch_left_on_the_master_does_not_count(on_master, 
 @pytest.mark.parametrize("launched, advice", [(False, "add: _i2c_bus:=fake"), (True, "add: i2c_bus:=fake")])
 def test_advice_is_what_its_reader_can_type(monkeypatch, launched, advice):
     monkeypatch.setattr(node_parameters, "LAUNCHED", launched)
-    error = NotFound("no bus", option="i2c_bus")
+    error = BusError("no bus", option="i2c_bus")
     assert error.text(node_parameters.fake_advice) == f"No bus. Without a robot, {advice}"

@@ -45,14 +45,6 @@ class BusError(JetbotError, OSError):
         self.errno, self.strerror = errno, reason
 
 
-class NotFound(BusError):
-    """There is no such bus or port."""
-
-
-class PermissionDenied(BusError):
-    """This user may not open the bus or the port."""
-
-
 class NoAnswer(BusError):
     """The bus works, but the board does not answer, or another chip does."""
 
@@ -75,10 +67,6 @@ class OutOfResources(FatalError):
     def __init__(self, error: OSError):
         super().__init__(f"out of file descriptors or memory: {os.strerror(error.errno)}",
                          "End other programs, or raise the limits of this one.")
-
-
-class BusTooSlow(FatalError):
-    """The bus works, but so slowly that a stop would come too late."""
 
 
 class GuardError(FatalError):

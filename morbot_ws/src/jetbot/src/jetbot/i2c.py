@@ -7,18 +7,7 @@ import time
 from typing import Any, List, Sequence, Union
 
 from . import fake
-from .errors import (
-    EXHAUSTED,
-    BusError,
-    BusStuck,
-    BusTooSlow,
-    InvalidValue,
-    JetbotError,
-    NoAnswer,
-    NotFound,
-    OutOfResources,
-    PermissionDenied,
-)
+from .errors import EXHAUSTED, BusError, BusStuck, FatalError, InvalidValue, JetbotError, NoAnswer, OutOfResources
 from .host import bus_advice, kernel_driver, permission_advice
 
 TRIES = 3  # a single failed transfer is noise; three in a row are a fault
@@ -30,7 +19,7 @@ class I2CDevice:
     bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; address: 7 bits.
     transfers, errors: how many transfers were tried, and how many of them failed.
     tries: how often a transfer is tried.
-    time_limit: s that a transfer may take. The second one in a row that takes longer raises BusTooSlow; those after it
+    time_limit: s that a transfer may take. The second one in a row that takes longer raises FatalError; those after it
     do not, so that the wheels can be stopped.
     The bus is opened at the first transfer, and again after a failure. Raises OutOfResources if it cannot be.
     """
@@ -89,7 +78,7 @@ class I2CDevice:
     def _check_duration(self, duration):
         self._slow = self._slow + 1 if duration > self.time_limit else 0
         if self._slow == 2:
-            raise BusTooSlow(f"the bus {self.name} is too slow to stop the robot in time: {duration:.2f} s a transfer",
+            raise FatalError(f"the bus {self.name} is too slow to stop the robot in time: {duration:.2f} s a transfer",
                              "Switch the robot off and on, and check the wires.")
 
 
@@ -125,13 +114,14 @@ def explain(error: OSError, bus: str, address: int) -> JetbotError:
         return explain_fake(error, bus, address)
     if error.errno == errno.EBUSY:
         return explain_held(bus, address)
-    kind, reason, advice = {
-        errno.ENOENT: (NotFound, f"there is no I2C bus {bus}", bus_advice()),
-        errno.EACCES: (PermissionDenied, f"no permission to open {bus}", permission_advice(bus, "i2c")),
-        errno.ETIMEDOUT: (BusStuck, f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires."),
-    }.get(error.errno, (NoAnswer, f"no answer from 0x{address:02x} on {bus}",
-                        f"{address_advice(address)}Is the motor board plugged in and its battery on? {bus_advice()}"))
-    return kind(reason, advice, error.errno, option="i2c_bus" if kind in (NotFound, NoAnswer) else "")
+    if error.errno == errno.ENOENT:
+        return BusError(f"there is no I2C bus {bus}", bus_advice(), errno.ENOENT, option="i2c_bus")
+    if error.errno == errno.EACCES:
+        return BusError(f"no permission to open {bus}", permission_advice(bus, "i2c"), errno.EACCES)
+    if error.errno == errno.ETIMEDOUT:
+        return BusStuck(f"the bus {bus} is stuck", "Switch the robot off and on, and check the wires.", errno.ETIMEDOUT)
+    advice = f"{address_advice(address)}Is the motor board plugged in and its battery on? {bus_advice()}"
+    return NoAnswer(f"no answer from 0x{address:02x} on {bus}", advice, error.errno, option="i2c_bus")
 
 
 def explain_held(bus: str, address: int) -> BusError:
@@ -149,8 +139,8 @@ def explain_held(bus: str, address: int) -> BusError:
 def explain_fake(error: OSError, bus: str, address: int) -> BusError:
     """Return the BusError for an OSError of a fake bus."""
     if error.errno in (errno.EROFS, errno.EACCES, errno.ENOTDIR, errno.ENOSPC):
-        return PermissionDenied(f"the fake bus {bus} cannot be used: {error.strerror}",
-                                "Name another folder: fake:FOLDER", error.errno)
+        return BusError(f"the fake bus {bus} cannot be used: {error.strerror}",
+                        "Name another folder: fake:FOLDER", error.errno)
     from .fake.bus import plug_in_advice  # here: no real robot needs it
     return NoAnswer(f"no answer from 0x{address:02x} on {bus}",
                     address_advice(address) + plug_in_advice(fake.folder_of(bus), address), error.errno)

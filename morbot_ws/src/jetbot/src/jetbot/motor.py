@@ -1,10 +1,10 @@
 """One wheel of a Robot: from a speed to the duty of its motor."""
 
 import math
-from typing import Any, Callable, Dict
+from typing import Callable, Dict
 
 from .boards import MotorDriver
-from .kinds import FINITE, NUMBER, check_duties
+from .kinds import NUMBER, check_duties
 from .kinematics import clamp
 
 RESIDUE = 1e-9  # speeds this small are rounding errors, as of 0.1 + 0.2 - 0.3: zero, also with a min_duty
@@ -76,17 +76,3 @@ def turn_cut_off(left: Motor, right: Motor, driver: MotorDriver) -> bool:
     speeds = [motor.alpha * motor.value for motor in (left, right)]
     saturated = min(speeds) >= driver.limit or max(speeds) <= -driver.limit
     return saturated and left.value != right.value and not driver.closed_loop
-
-
-def checked(speed: Any) -> float:
-    """Return the speed as a float; raise InvalidValue for anything but a finite number."""
-    FINITE.check("a speed", speed)
-    return float(speed)
-
-
-def negated(speed: Any) -> Any:
-    """Return -speed; what cannot be negated is returned as it is, for ``checked`` to refuse."""
-    try:
-        return -speed
-    except TypeError:
-        return speed

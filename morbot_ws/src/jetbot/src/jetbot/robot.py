@@ -10,8 +10,8 @@ from .boards import DEFAULT_PORT, DEFAULT_PWM_FREQUENCY, find_board
 from .connection import locate, open_board
 from .errors import GuardError, InvalidValue, JetbotError
 from .guard import Guard, NoGuard
-from .kinds import BOOLEAN, PWM_FREQUENCY
-from .motor import Motor, checked, negated, turn_cut_off
+from .kinds import BOOLEAN, FINITE, PWM_FREQUENCY
+from .motor import Motor, turn_cut_off
 
 STOPPED = (0.0, 0.0)  # what the driver is given for two motors that are off
 
@@ -73,15 +73,15 @@ class Robot:
 
     def backward(self, speed: float = 1.0) -> None:
         """Drive straight backward."""
-        self.set_motors(negated(speed), negated(speed))
+        self.forward(-self._checked(speed))
 
     def left(self, speed: float = 1.0) -> None:
         """Turn left on the spot."""
-        self.set_motors(negated(speed), speed)
+        self.set_motors(-self._checked(speed), speed)
 
     def right(self, speed: float = 1.0) -> None:
         """Turn right on the spot."""
-        self.set_motors(speed, negated(speed))
+        self.set_motors(speed, -self._checked(speed))
 
     def stop(self) -> None:
         """Stop both motors; they coast."""
@@ -150,15 +150,20 @@ class Robot:
 
     def _drive(self, speeds: Dict[Motor, float]) -> None:
         """Drive these wheels at new speeds; the other one keeps its own. Wait for the guard, with stopped wheels."""
-        try:
-            speeds = {motor: checked(speed) for motor, speed in speeds.items()}
-        except InvalidValue:
-            self.stop()
-            raise
+        speeds = {motor: self._checked(speed) for motor, speed in speeds.items()}
         self._speeds.update(speeds)  # both at once: a signal handler or another thread may come at any moment
         with self._lock:
             if not self._update():
                 self._wait_for_guard()
+
+    def _checked(self, speed):
+        """Return the speed as a float; stop both wheels and raise InvalidValue for anything but a finite number."""
+        try:
+            FINITE.check("a speed", speed)
+        except InvalidValue:
+            self.stop()
+            raise
+        return float(speed)
 
     def _wait_for_guard(self):
         try:

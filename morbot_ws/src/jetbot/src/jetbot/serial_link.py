@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from . import fake
-from .errors import EXHAUSTED, BusError, InvalidValue, JetbotError, NoAnswer, NotFound, OutOfResources, PermissionDenied
+from .errors import EXHAUSTED, BusError, InvalidValue, JetbotError, NoAnswer, OutOfResources
 from .host import permission_advice
 
 # Of pyserial's other URLs, spy:// writes files, alt:// and hwgrep:// choose a class or a device by themselves.
@@ -92,13 +92,12 @@ def explain(error: Exception, name: str) -> JetbotError:
     number = getattr(error, "errno", None)
     if number in EXHAUSTED:
         return OutOfResources(error)
-    if Path(name).exists() and not Path(name).is_char_device():
-        return NotFound(f"{name} is not a serial port", "Give a serial device such as /dev/ttyACM0.", errno.ENOTTY)
-    plugged = "Is the board plugged in and switched on?"
-    kind, reason, advice = {
-        errno.ENOENT: (NotFound, f"there is no serial port {name}", plugged),
-        errno.EACCES: (PermissionDenied, f"no permission to open {name}", permission_advice(name, "dialout")),
-    }.get(number, (NoAnswer, f"no answer from {name}", plugged))
     if fake.folder_of(name):
-        return kind(reason, f"To plug it in: {fake.power_on_command(fake.folder_of(name))}", number)
-    return kind(reason, advice, number, option="port" if kind in (NotFound, NoAnswer) else "")
+        advice = f"To plug it in: {fake.power_on_command(fake.folder_of(name))}"
+        return NoAnswer(f"no answer from {name}", advice, number)
+    if number == errno.EACCES:
+        return BusError(f"no permission to open {name}", permission_advice(name, "dialout"), number)
+    if Path(name).exists() and not Path(name).is_char_device():
+        return BusError(f"{name} is not a serial port", "Give a serial device such as /dev/ttyACM0.", number)
+    reason = f"there is no serial port {name}" if number == errno.ENOENT else f"no answer from {name}"
+    return NoAnswer(reason, "Is the board plugged in and switched on?", number, option="port")

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import Callable, Iterator, NamedTuple, Optional, Union
 
-from . import fake, files
+from . import fake
 from .errors import JetbotError
 from .i2c import I2CDevice
 from .serial_link import SerialLink
@@ -112,16 +112,8 @@ def on_computer(sysfs: Path) -> Iterator[Supply]:
     for file in sysfs.glob("bus/i2c/drivers/ina3221x/6-0040/iio*device*/in_voltage0_input"):
         yield Supply("ina3221x of this computer", partial(read_millivolts, file))
     for file in sysfs.glob("class/hwmon/hwmon*/in0_lcrit_alarm"):
-        if hwmon_name(file.parent) == "rpi_volt":
+        if (file.parent / "name").read_text().strip() == "rpi_volt":
             yield Supply("rpi_volt of this computer", partial(read_alarm, file))
-
-
-def hwmon_name(folder: Path) -> str:
-    """Return the name of a sensor of Linux's hwmon; "" if it has none."""
-    try:
-        return files.read(folder / "name").decode(errors="replace").strip()
-    except OSError:
-        return ""
 
 
 def read_millivolts(file: Path) -> Reading:
@@ -137,11 +129,9 @@ def read_alarm(file: Path) -> Reading:
 def read_integer(file: Path) -> int:
     """Return the number in a file of sysfs; raise JetbotError."""
     try:
-        return int(files.read(file, max_size=32))
-    except OSError as error:
-        raise JetbotError(f"{file} cannot be read: {error.strerror}") from None
-    except ValueError:
-        raise JetbotError(f"{file} holds no whole number") from None
+        return int(file.read_text())
+    except (OSError, ValueError) as error:
+        raise JetbotError(f"{file} cannot be read: {getattr(error, 'strerror', error)}") from None
 
 
 def voltage(volts: float, source: str) -> float:
