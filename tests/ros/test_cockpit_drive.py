@@ -47,28 +47,39 @@ def test_a_release_is_one_zero_and_then_the_publisher_has_ended(publisher):
     drivers.let_go("/red")
     drivers.close()
     assert publisher.published == [(0.5, 0.1), (0.0, 0.0)]
-    assert (publisher.opened, publisher.ended) == (["/red/cmd_vel"], [1])
-    assert wait_until(lambda: not threads(), TIMEOUT)
+    assert wait_until(lambda: publisher.ended and not threads(), TIMEOUT)
+    assert publisher.opened == ["/red/cmd_vel"]
+    assert publisher.published == [(0.5, 0.1), (0.0, 0.0)]
 
 
 def test_silence_is_one_zero_too(publisher):
     drivers = Drivers()
     assert drivers.drive("/red", (0.5, 0.1), time.monotonic())
     assert wait_until(lambda: publisher.ended, TIMEOUT)
-    assert publisher.published[-1] == (0.0, 0.0)
+    assert publisher.published == [(0.5, 0.1), (0.0, 0.0)]
     assert not drivers.drive("/red", (0.5, 0.1), time.monotonic())
 
 
-def test_a_command_while_the_publisher_ends_is_driven_and_waited_for(publisher):
+def test_a_command_while_the_publisher_ends_is_driven_by_another(publisher):
     drivers = Drivers()
     publisher.at_end.append(lambda: drivers.drive("/red", (0.2, 0.0), time.monotonic()))
     drivers.drive("/red", (0.5, 0.0), time.monotonic())
     drivers.let_go("/red")
     assert wait_until(lambda: (0.2, 0.0) in publisher.published, TIMEOUT)
-    assert len(threads()) == 1
     drivers.close()
     assert publisher.published[-1] == (0.0, 0.0)
-    assert len(publisher.ended) == 2
+    assert wait_until(lambda: not threads(), TIMEOUT)
+    assert len(publisher.opened) == len(publisher.ended) == 2
+
+
+def test_a_robot_that_is_driven_again_soon_keeps_its_publisher(publisher):
+    drivers = Drivers()
+    for speed in 0.5, 0.2:
+        assert drivers.drive("/red", (speed, 0.0), time.monotonic())
+        assert wait_until(lambda speed=speed: (speed, 0.0) in publisher.published, TIMEOUT)
+        drivers.let_go("/red")
+        assert wait_until(lambda: publisher.published[-1] == (0.0, 0.0), TIMEOUT)
+    assert len(publisher.opened) == 1
 
 
 def test_a_shutdown_of_the_node_ends_the_thread(publisher, monkeypatch):

@@ -6,9 +6,8 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 import pytest
 
 from jetbot_cockpit_server.session.control import Control
-from jetbot_cockpit_server.session.dead_man import DeadMan
 from jetbot_cockpit_server.session.protocol import Message
-from jetbot_cockpit_server.session.rights import Client
+from jetbot_cockpit_server.session.rights import Client, DeadMan
 from jetbot_cockpit_server.session.snapshot import Robot, Snapshot
 
 ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")
@@ -35,9 +34,6 @@ class FakeRobots:
             self.now = self.now._replace(emergency=engaged)
         else:
             self.change(robot, stopped=engaged)
-
-    def forget_result(self, robot):
-        self.change(robot, task=None)
 
     def reset(self, robot):
         self.were_reset.append(robot)

@@ -4,6 +4,7 @@ import pytest
 from cockpit_control import ADA, BOB, OWN, STOPPED, TEACHER, FakeRobots
 
 from jetbot_cockpit_server.session.protocol import Message
+from jetbot_cockpit_server.session.rights import DeadMan
 from jetbot_cockpit_server.session.snapshot import Robot, Snapshot, Task
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
@@ -145,6 +146,14 @@ def test_a_pupil_with_a_robot_drives_and_stops_that_one_only(cockpit):
     assert cockpit.push(OWN, "/blue") is None
 
 
+def test_the_switch_of_a_robot_that_is_not_driven_never_fires():
+    switch = DeadMan()
+    assert switch.remaining(0.0) is None and not switch.check(1e9)
+    assert switch.feed(10.0) and switch.remaining(10.1) == pytest.approx(0.2)
+    switch.let_go()
+    assert switch.remaining(10.1) is None and not switch.check(1e9)
+
+
 @pytest.mark.parametrize("robot", [None, "/red"])
 def test_a_stop_ends_the_lease_and_the_finger_must_lift_after_its_release(driven, robot):
     driven.do(TEACHER, Message("stop", robot))
@@ -154,34 +163,45 @@ def test_a_stop_ends_the_lease_and_the_finger_must_lift_after_its_release(driven
     driven.must_lift(ADA)
 
 
-def test_anybody_stops_all_and_releases_that(driven):
-    assert driven.do(BOB, Message("stop")) is None
-    assert driven.control.state()["emergency"]
-    assert driven.do(ADA, Message("release")) is None
-    assert not driven.control.state()["emergency"]
-
-
-def test_a_stop_by_a_teacher_is_released_by_a_teacher(driven):
-    driven.do(TEACHER, Message("stop"))
-    driven.do(ADA, Message("stop"))
-    driven.wait(1)
-    assert driven.do(ADA, Message("release"))["type"] == "notice"
-    assert driven.robots.now.emergency
-    assert driven.do(TEACHER, Message("release")) is None
-    driven.do(ADA, Message("stop"))
-    assert driven.do(ADA, Message("release")) is None
-
-
-def test_a_stop_by_a_teacher_that_ros_has_released_is_forgotten(driven):
-    driven.do(TEACHER, Message("stop"))
-    driven.robots.set_emergency_stop(None, False)
-    driven.wait(0.05)
-    driven.do(ADA, Message("stop"))
-    assert driven.do(ADA, Message("release")) is None
-
-
 def change(fake, **fields):
     fake.now = fake.now._replace(**fields)
+
+
+def pupils_may_release(cockpit):
+    """Let a pupil stop and release all; return whether that ends the stop."""
+    cockpit.do(BOB, Message("stop"))
+    assert cockpit.control.state()["emergency"]
+    cockpit.wait(0.05)
+    cockpit.do(ADA, Message("release"))
+    return not cockpit.control.state()["emergency"]
+
+
+def test_anybody_stops_all_and_releases_that(driven):
+    assert pupils_may_release(driven)
+
+
+@pytest.mark.parametrize("stop", [
+    lambda cockpit: cockpit.do(TEACHER, Message("stop")),
+    lambda cockpit: cockpit.do(ADA, Message("stop")) or cockpit.do(TEACHER, Message("stop")),
+    lambda cockpit: change(cockpit.robots, emergency=True),
+    lambda cockpit: cockpit.do(ADA, Message("stop")) or change(cockpit.robots, stopped_elsewhere=frozenset([None])),
+], ids=["a teacher's", "a teacher's after a pupil's", "before the cockpit", "a terminal's after a pupil's"])
+def test_a_stop_that_is_not_a_pupils_alone_is_released_by_a_teacher(driven, stop):
+    stop(driven)
+    driven.wait(0.05)
+    assert not pupils_may_release(driven)
+    assert driven.do(TEACHER, Message("release")) is None
+    change(driven.robots, stopped_elsewhere=frozenset())
+    driven.wait(0.05)
+    assert pupils_may_release(driven)
+
+
+def test_a_pupils_stop_that_a_terminal_has_released_is_forgotten(driven):
+    driven.do(ADA, Message("stop"))
+    change(driven.robots, emergency=False)
+    driven.wait(0.05)
+    change(driven.robots, emergency=True)
+    assert driven.do(ADA, Message("release"))["type"] == "notice"
 
 
 @pytest.mark.parametrize("break_it, repair_it", [

@@ -12,13 +12,8 @@ DONE = Task("metre", "One metre", "done", "went well", 4.0, 80.0)
 
 
 @pytest.fixture
-def restarted():
-    return []
-
-
-@pytest.fixture
-def history(restarted):
-    return History(restarted.append)
+def history():
+    return History()
 
 
 def at(x, name="/red", **fields):
@@ -48,10 +43,21 @@ def test_a_robot_that_drives_leaves_a_trail_and_one_that_stands_a_point(history)
     assert (points(history)["/blue"], points(history)["/new"]) == ([[2, 0]], [])
 
 
-def test_a_robot_that_is_put_somewhere_else_starts_its_trail_again(history, restarted):
+def test_a_robot_that_is_put_somewhere_else_starts_its_trail_again(history):
     update(history, at(1.0))
     assert update(history, at(0.0), now=0.05) == [NEW_TRAIL]
-    assert (points(history), restarted) == ({"/red": [[0, 0]]}, ["/red"])
+    assert points(history) == {"/red": [[0, 0]]}
+
+
+@pytest.mark.parametrize("state, shown", [("ready", True), ("driving", True), ("done", False), ("cancelled", False)])
+def test_a_result_and_its_course_are_forgotten_when_the_robot_is_put_back_and_a_task_begins(history, state, shown):
+    task = DONE._replace(state=state)
+    update(history, at(1.0, task=task, shapes=(COURSE,)))
+    assert history.task(at(1.0, task=task)) == task
+    update(history, at(0.0, task=task, shapes=(COURSE,)), now=0.05)
+    assert history.task(at(0.0, task=task)) == (task if shown else None)
+    assert [message["shapes"] for message in of_type("scene", history)] == [SCENE["shapes"] if shown else []]
+    assert history.task(at(0.0, task=DONE._replace(seconds=9.0))), "the next one"
 
 
 def test_a_robot_that_is_put_back_near_its_start_starts_again_once_it_is_there(history):
@@ -78,7 +84,7 @@ def test_the_oldest_points_are_dropped_and_robots_that_ended_too(history):
 
 
 def test_a_scene_is_sent_when_it_changes_and_not_otherwise(history):
-    course, empty = Robot("/red", shapes=(COURSE,)), {**SCENE, "shapes": []}
+    course, empty = Robot("/red", shapes=(COURSE,), task=DONE._replace(score=None)), {**SCENE, "shapes": []}
     assert update(history, course) == [SCENE] and update(history, course) == []
     assert update(history, Robot("/red")) == [empty]
     assert of_type("scene", history) == [empty], "a page may have missed that nothing is there"

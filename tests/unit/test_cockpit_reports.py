@@ -105,20 +105,11 @@ def test_a_frozen_judges_drive_is_gone_after_a_while_until_it_goes_on():
     assert frozen.current(True, 10.0).seconds == 4.0
 
 
-def test_a_score_stays_until_the_next_task_or_until_the_robot_is_put_back():
+def test_a_score_stays_until_the_next_task():
     done = tracker(DONE)
     assert done.current(False, 1000.0) == DONE
     done.update(READY, 1000.0)
     assert done.current(True, 2000.0) == READY, "a judge that waits may wait for long"
-    done.update(DONE, 2000.0)
-    done.forget_result()
-    assert done.current(True, 2000.1) is None
-
-
-def test_a_task_begins_although_its_judge_puts_the_robot_to_the_start():
-    ready = tracker(READY)
-    ready.forget_result()
-    assert ready.current(True, 0.1) == READY
 
 
 @pytest.mark.parametrize("commanded_by, name", [

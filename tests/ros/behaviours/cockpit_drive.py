@@ -121,6 +121,7 @@ class CockpitDrive(RobotTest):
         self.emergency_stop(True)
         self.wait_for_stop(within=1.0)
         self.wait_for_refusal(RELEASE_FIRST)
+        self.assertEqual(self.do(ADA, Message("release"))["type"], "notice")
         self.emergency_stop(False)
         self.wait_for(lambda: not self.control.state()["emergency"], 5.0, "the release")
 

@@ -39,7 +39,9 @@ class Robots:
         answered = now - self._answered_at < MASTER_TIMEOUT
         views = {name: robot.snapshot(now, answered) for name, robot in robots.items()}
         held = any(views[name].answers and robot.is_held_by(EMERGENCY_STOP) for name, robot in robots.items())
-        return Snapshot(views, answered, self._emergency_stop.engaged or held)
+        stops = {None: self._emergency_stop, **{name: robot.emergency_stop for name, robot in robots.items()}}
+        elsewhere = frozenset(name for name, stop in stops.items() if stop.by_others)
+        return Snapshot(views, answered, self._emergency_stop.engaged or held, elsewhere)
 
     def set_emergency_stop(self, robot: Optional[str], engaged: bool) -> None:
         """Engage or release the emergency stop of all robots (None), or of one."""
@@ -51,11 +53,6 @@ class Robots:
     def reset(self, robot: str) -> bool:
         """Put a simulated robot back to its start; return False if it has not answered the last time yet."""
         return robot in self._robots and self._robots[robot].reset()
-
-    def forget_result(self, robot: str) -> None:
-        """A robot was put back to its start: the score of its last drive is no longer shown."""
-        if robot in self._robots:
-            self._robots[robot].forget_result()
 
     def _run(self):
         while not rospy.is_shutdown():

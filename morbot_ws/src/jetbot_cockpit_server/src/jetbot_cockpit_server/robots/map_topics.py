@@ -63,14 +63,10 @@ class MapTopics:
         for subscriber in (self._subscriber, self._world.subscriber, self._course.subscriber):
             subscriber.unregister()
 
-    def forget_result(self) -> None:
-        """The robot was put back to its start: a result is no longer shown."""
-        self._tracker.forget_result()
-
     def snapshot(self, now: float) -> Tuple[Tuple[Shape, ...], Optional[Task]]:
-        """Return the shapes around the robot, and its task; a course is drawn only with a task."""
-        task = self._tracker.current(self._subscriber.get_num_connections() > 0, now)
-        return self._world.shapes() + (self._course.shapes() if task else ()), task
+        """Return the shapes around the robot, and its task."""
+        return (self._world.shapes() + self._course.shapes(),
+                self._tracker.current(self._subscriber.get_num_connections() > 0, now))
 
     def _on_task(self, message):
         values = {item.key: item.value for item in message.values}

@@ -4,14 +4,15 @@ import contextlib
 import threading
 import time
 import warnings
-from typing import Dict, Tuple
+from typing import Dict, Optional, Tuple
 
 import rospy
 from geometry_msgs.msg import Twist
 
-from ..session.dead_man import DeadMan
+from ..session.rights import DeadMan
 
 SEND_TIMEOUT = 0.1      # s until a subscriber that reads nothing is disconnected
+LINGER = 0.5            # s from the zero to the publisher's end: the master is asked nothing while all robots stop
 SHUTDOWN_TIMEOUT = 0.5  # s for the last zeros
 ZERO = (0.0, 0.0)
 
@@ -34,7 +35,7 @@ class Drivers:
         return self._drivers[robot].drive(velocity, now)
 
     def let_go(self, robot: str) -> None:
-        """Publish one zero, and end the publisher."""
+        """Publish one zero, and then nothing more."""
         if robot in self._drivers:
             self._drivers[robot].let_go()
 
@@ -56,8 +57,9 @@ class Driver(rospy.SubscribeListener):
     def __init__(self, robot: str):
         self._topic = f"{robot.rstrip('/')}/cmd_vel"
         self._dead_man = DeadMan()
-        self._velocity = ZERO
+        self._velocity = ZERO  # unless the robot is driven
         self._pending = False  # something is to be sent
+        self._runs = False     # the thread
         self._condition = threading.Condition()
         self.idle = threading.Event()
         self.idle.set()
@@ -68,9 +70,10 @@ class Driver(rospy.SubscribeListener):
             if not self._dead_man.feed(now):
                 return False
             self._send(velocity)
-            if self.idle.is_set():
-                self.idle.clear()
-                threading.Thread(target=self._run, name=self._topic, daemon=True).start()
+            self.idle.clear()
+            if not self._runs:
+                self._runs = True
+                threading.Thread(target=self._publish, name=self._topic, daemon=True).start()
         return True
 
     def let_go(self) -> None:
@@ -88,37 +91,32 @@ class Driver(rospy.SubscribeListener):
         self._velocity, self._pending = velocity, True
         self._condition.notify()
 
-    def _run(self):
-        with contextlib.suppress(rospy.ROSException):  # a shutdown closes the topic meanwhile
-            while True:
-                self._publish()
-                with self._condition:
-                    if self._velocity == ZERO:  # not driven again meanwhile
-                        self.idle.set()
-                        return
-
     def _publish(self):
-        """Publish until the robot is let go, and a zero then; end the publisher."""
+        """Publish until the robot is not driven any more; end the publisher."""
         publisher = rospy.Publisher(self._topic, Twist, self, tcp_nodelay=True, queue_size=None)
         try:
-            velocity = None
-            while velocity != ZERO:
-                velocity = self._next()
+            for velocity in iter(self._next, None):
                 limit_sending(publisher)
                 message = Twist()
                 message.linear.x, message.angular.z = velocity
                 publisher.publish(message)
+        except rospy.ROSException:
+            pass  # a shutdown has closed the topic
         finally:
             publisher.unregister()
 
-    def _next(self) -> Velocity:
-        """Wait for a command, or until the switch fires; return what the robot is to do."""
+    def _next(self) -> Optional[Velocity]:
+        """Wait for a command, or until the switch fires; return what the robot is to do, or None LINGER after zero."""
         with self._condition:
-            self._condition.wait_for(lambda: self._pending, self._dead_man.remaining(time.monotonic()))
+            if self._velocity == ZERO and not self._pending:
+                self.idle.set()
+            timeout = LINGER if self._velocity == ZERO else self._dead_man.remaining(time.monotonic())
+            self._condition.wait_for(lambda: self._pending, timeout)
+            if self._velocity != ZERO and self._dead_man.check(time.monotonic()):
+                self._send(ZERO)
+            self._runs = self._pending or self._velocity != ZERO
             self._pending = False
-            if self._dead_man.check(time.monotonic()):
-                self._velocity = ZERO
-            return self._velocity
+            return self._velocity if self._runs else None
 
 
 def limit_sending(publisher: rospy.Publisher) -> None:

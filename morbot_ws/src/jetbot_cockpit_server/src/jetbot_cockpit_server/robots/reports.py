@@ -11,7 +11,6 @@ from ..session.snapshot import Shape, Task, label
 CLOSED_LOOP = WHEEL_SEPARATION, FULL_SPEED  # of a JetBot Pro, which limits its wheels itself
 DRIVING, DONE = "driving", "done"
 STATES = ("ready", DRIVING, DONE, "cancelled")  # of a task
-ENDED = (DONE, "cancelled")
 MAX_TITLE = 60      # characters
 MAX_TEXT = 200      # characters
 MAX_SECONDS = 1e5
@@ -77,19 +76,13 @@ class TaskTracker:
 
     def __init__(self):
         self._task: Optional[Task] = None
-        self._forgotten: Optional[Task] = None
+        self._over: Optional[Task] = None  # one whose judge is gone
         self._updated_at = self._connected_at = -math.inf
 
     def update(self, task: Optional[Task], now: float) -> None:
         """Take what a judge has reported; any thread may call it."""
         self._updated_at = self._connected_at = now
         self._task = task
-
-    def forget_result(self) -> None:
-        """The robot was put back to its start: a result is no longer shown."""
-        task = self._task
-        if task and task.state in ENDED:
-            self._forgotten = task
 
     def current(self, connected: bool, now: float) -> Optional[Task]:
         """Return the task that is shown now, or None. connected: whether a judge publishes."""
@@ -100,8 +93,8 @@ class TaskTracker:
             gone = now - self._connected_at > GONE_AFTER
             silent = task.state == DRIVING and now - self._updated_at > SILENT_AFTER
             if gone or silent:
-                self._forgotten = task
-        return None if task is self._forgotten else task
+                self._over = task
+        return None if task is self._over else task
 
 
 def decode_shapes(markers: Iterable[Any], on_map: Callable[[str, Pose], Pose]) -> Tuple[Shape, ...]:

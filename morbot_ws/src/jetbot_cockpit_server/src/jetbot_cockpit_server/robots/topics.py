@@ -28,10 +28,13 @@ MAX_STATUS = 300      # characters
 
 
 class EmergencyStop:
-    """An emergency stop, of all robots or of one: a latched topic, which others publish too. engaged: its value."""
+    """An emergency stop, of all robots or of one: a latched topic, which others publish too.
+
+    engaged: its value; by_others: whether another program has engaged it, perhaps as well.
+    """
 
     def __init__(self, topic: str):
-        self.engaged = False
+        self.engaged = self.by_others = False
         self._latched = False
         self._publisher = rospy.Publisher(topic, Bool, queue_size=1, latch=True)
         self._subscriber = rospy.Subscriber(topic, Bool, self._on_message)
@@ -39,6 +42,7 @@ class EmergencyStop:
     def set(self, engaged: bool) -> None:
         """Publish it; robots that start later obey it too."""
         self.engaged = self._latched = engaged
+        self.by_others = self.by_others and engaged
         with contextlib.suppress(rospy.ROSException):  # closed: the robot has ended meanwhile, or this node
             self._publisher.publish(engaged)
 
@@ -50,7 +54,7 @@ class EmergencyStop:
     def _on_message(self, message):
         if message._connection_header.get("callerid") == rospy.get_name():
             return
-        self.engaged = message.data
+        self.engaged = self.by_others = message.data
         if self._latched and not message.data:  # else a robot that starts later would be stopped by a stop that is over
             self.set(False)
 
@@ -113,10 +117,6 @@ class RobotTopics:
             self.name, color=self._color, geometry=self._geometry, simulated=self.simulated, status=status,
             warning=self._level > 0, answers=answers, stopped=stopped, pose=pose, speed=speed, command=command,
             wheels=wheels, program=self._program, shapes=shapes, task=task)
-
-    def forget_result(self) -> None:
-        """It was put back to its start: the score of its last drive is no longer shown."""
-        self._map_topics.forget_result()
 
     def reset(self) -> bool:
         """Put the simulated robot back to its start, in a thread; return False while the last time still hangs."""

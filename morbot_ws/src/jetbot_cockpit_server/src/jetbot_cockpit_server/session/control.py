@@ -5,14 +5,13 @@ from typing import Callable, Dict, List, Optional, Set
 
 from jetbot.text import enumeration
 
-from . import dead_man
 from .history import History
 from .protocol import Message, notice
-from .rights import TEACHER, Client, Leases, StopRights
+from .rights import COMMAND_TIMEOUT, TEACHER, Client, Lease, StopRights
 from .snapshot import Snapshot, label
 
 LET_GO = "Let go, then drive again."
-NO_COMMAND = f"No command for {dead_man.TIMEOUT} s. {LET_GO}"
+NO_COMMAND = f"No command for {COMMAND_TIMEOUT} s. {LET_GO}"
 
 
 class Control:
@@ -25,7 +24,8 @@ class Control:
     def __init__(self, robots, drivers):
         self._robots, self._drivers = robots, drivers
         self.snapshot: Snapshot = robots.snapshot()  # as of the last check
-        self._leases, self._stop_rights, self._history = Leases(), StopRights(), History(robots.forget_result)
+        self._leases: Dict[str, Lease] = {}  # by robot
+        self._stop_rights, self._history = StopRights(), History()
         self._names: Dict[int, str] = {}
         self._must_lift: Set[int] = set()
         self._checked_at, self._stale_until = math.inf, -math.inf
@@ -44,7 +44,7 @@ class Control:
 
     def leave(self, client: int) -> None:
         """The client's socket is closed: its robot stops at once, and is free."""
-        self._free(self._leases.robot_of(client))
+        self._free(self._robot_of(client))
         self._names.pop(client, None)
         self._must_lift.discard(client)
 
@@ -56,10 +56,10 @@ class Control:
         self._note_interruption(now)
         self._checked_at = now
         self.snapshot = self._robots.snapshot()
-        for robot in self._leases.robots():
-            if self.snapshot.problem(robot) or self._leases.has_expired(robot, now):
+        for robot, lease in list(self._leases.items()):
+            if self.snapshot.problem(robot) or lease.has_expired(now):
                 self._free(robot)
-        self._stop_rights.update(self.snapshot.is_stopped)
+        self._stop_rights.update(self.snapshot.is_stopped_here)
         return self._history.update(self.snapshot.robots, now)
 
     def robots(self) -> List[dict]:
@@ -68,7 +68,8 @@ class Control:
 
     def state(self) -> dict:
         """Return the message "state"."""
-        states = {robot.id: robot.state(self._driver(robot.id)) for robot in self.snapshot.robots.values()}
+        states = {name: robot.state(self._describe_driver(name), self._history.task(robot))
+                  for name, robot in self.snapshot.robots.items()}
         return {"type": "state", "emergency": self.snapshot.emergency, "robots": states}
 
     def history(self) -> List[dict]:
@@ -88,13 +89,13 @@ class Control:
             refusal = "" if self._drivers.drive(robot, velocity, now) else NO_COMMAND
         if refusal:
             self._must_lift.add(client.id)
-            if self._leases.driver(robot) == client.id:
+            if self._driver(robot) == client.id:
                 self._drivers.let_go(robot)
         return refusal
 
     def _on_let_go(self, client, robot, now):
         self._must_lift.discard(client.id)
-        if self._leases.driver(robot) == client.id:
+        if self._driver(robot) == client.id:
             self._drivers.let_go(robot)
             self._lease(client, robot, now, driving=False)
         return ""
@@ -103,18 +104,19 @@ class Control:
         robot = message.robot
         if client.role != TEACHER:
             return "Only a teacher can take a robot."
-        if robot in self.snapshot.robots and self._leases.driver(robot) != client.id:
+        if robot in self.snapshot.robots and self._driver(robot) != client.id:
             self._free(robot)
             self._lease(client, robot, now, driving=False)
         return self.snapshot.ended(robot)
 
     def _on_engage_stop(self, client, message, now):
         robot = message.robot
-        refusal = self.snapshot.ended(robot) or self._stop_rights.engage(client, robot)
+        refusal = self.snapshot.ended(robot) or self._stop_rights.engage(
+            client, robot, self.snapshot.is_stopped(robot))
         if not refusal:
             self._robots.set_emergency_stop(robot, True)
             self.snapshot = self._robots.snapshot()
-            for each in self._leases.robots() if robot is None else [robot]:
+            for each in list(self._leases) if robot is None else [robot]:
                 self._free(each)
         return refusal
 
@@ -143,8 +145,8 @@ class Control:
 
     def _note_interruption(self, now):
         """Drive nothing for a moment if this process was frozen: old commands waited in the sockets."""
-        if now - self._checked_at >= dead_man.TIMEOUT:
-            self._stale_until = now + dead_man.TIMEOUT
+        if now - self._checked_at >= COMMAND_TIMEOUT:
+            self._stale_until = now + COMMAND_TIMEOUT
 
     def _refusal(self, client, robot, now) -> str:
         """Return why the client may not drive this robot now, or ""."""
@@ -152,27 +154,33 @@ class Control:
             return f"With your code, you can drive only {label(client.robot)}."
         if now < self._stale_until:
             return f"The cockpit was interrupted. {LET_GO}"
-        driver = self._leases.driver(robot)
+        driver = self._driver(robot)
         if driver not in (None, client.id):
             return f"{self._names[driver]} drives {label(robot)}."
         return self.snapshot.problem(robot) or (LET_GO if client.id in self._must_lift else "")
 
     def _lease(self, client, robot, now, driving):
         """Give a free robot to the client, or go on; its other robot stops, and is free."""
-        other = self._leases.robot_of(client.id)
+        other = self._robot_of(client.id)
         if other not in (None, robot):
             self._free(other)
             self._must_lift.discard(client.id)
-        self._leases.renew(robot, client.id, now, driving)
+        self._leases[robot] = Lease(client.id, now, driving)
 
     def _free(self, robot):
         """Stop the robot and end its lease. Who drove it meanwhile must lift the finger before driving again."""
-        lease = self._leases.end(robot)
+        lease = self._leases.pop(robot, None)
         if lease:
             self._drivers.let_go(robot)
             if lease.driving:
                 self._must_lift.add(lease.client)
 
-    def _driver(self, robot):
-        driver = self._leases.driver(robot)
+    def _driver(self, robot) -> Optional[int]:
+        return self._leases[robot].client if robot in self._leases else None
+
+    def _describe_driver(self, robot) -> Optional[dict]:
+        driver = self._driver(robot)
         return None if driver is None else {"id": driver, "name": self._names[driver]}
+
+    def _robot_of(self, client: int) -> Optional[str]:
+        return next((robot for robot, lease in self._leases.items() if lease.client == client), None)

@@ -2,7 +2,7 @@
 
 import math
 from collections import deque
-from typing import Callable, Deque, Dict, List, NamedTuple, Optional, Tuple
+from typing import Deque, Dict, List, NamedTuple, Optional, Tuple
 
 from .snapshot import Robot, Shape, Task, label
 
@@ -79,11 +79,11 @@ class Scores:
 
 
 class History:
-    """restarted: called with the id of each robot that was put somewhere else, such as back to its start."""
+    """All of it, by the robots' ids."""
 
-    def __init__(self, restarted: Callable[[str], None]):
-        self._restarted = restarted
+    def __init__(self):
         self._trails: Dict[str, Trail] = {}
+        self._forgotten: Dict[str, Optional[Task]] = {}
         self._scenes: Dict[str, Tuple[Shape, ...]] = {}
         self._scores = Scores()
 
@@ -92,17 +92,24 @@ class History:
         if robot in self._trails:
             self._trails[robot].reset(now)
 
+    def task(self, robot: Robot) -> Optional[Task]:
+        """Return the robot's task; not the result of a drive after which it was put somewhere else."""
+        return None if robot.task is self._forgotten.get(robot.id) else robot.task
+
     def update(self, robots: Dict[str, Robot], now: float) -> List[dict]:
         """Take all robots as they are now; return messages with what has changed. now: in monotonic seconds."""
         self._trails = {robot: self._trails.get(robot) or Trail() for robot in robots}
-        restarts = [robot.id for robot in robots.values()
+        restarts = [robot for robot in robots.values()
                     if robot.pose and self._trails[robot.id].update(*robot.pose[:2], now)]
-        for robot in restarts:
-            self._restarted(robot)
-        before, self._scenes = self._scenes, {robot.id: robot.shapes for robot in robots.values()}
+        self._forgotten.update((robot.id, robot.task) for robot in restarts if robot.task and robot.task.has_ended)
+        before, self._scenes = self._scenes, {robot.id: self._scene(robot) for robot in robots.values()}
         scenes = [scene(robot, shapes) for robot, shapes in self._scenes.items() if shapes != before.get(robot, ())]
         better = [self._scores.add(robot.id, robot.task) for robot in robots.values()]
-        return [trail(robot, []) for robot in restarts] + scenes + (self._scores.messages() if any(better) else [])
+        return [trail(robot.id, []) for robot in restarts] + scenes + (self._scores.messages() if any(better) else [])
+
+    def _scene(self, robot: Robot) -> Tuple[Shape, ...]:
+        """Return what is drawn around the robot: a course only with its task."""
+        return tuple(shape for shape in robot.shapes if self.task(robot) or shape.kind not in ("course", "goal"))
 
     def messages(self) -> List[dict]:
         """Return messages with all of it; also of an empty scene: a page may have missed that it is gone."""

@@ -1,9 +1,10 @@
-"""Who may drive and stop which robot: roles, leases, and emergency stops that only a teacher releases."""
+"""Who may drive and stop which robot, and when driving is over. Times are monotonic seconds."""
 
-from typing import Callable, Dict, List, NamedTuple, Optional, Set
+from typing import Callable, NamedTuple, Optional, Set
 
 PUPIL, TEACHER = "pupil", "teacher"
-LEASE_TIMEOUT = 5.0  # s without a command after which a robot is free again
+LEASE_TIMEOUT = 5.0    # s without a command after which a robot is free again
+COMMAND_TIMEOUT = 0.3  # s without a command after which a robot that is driven stops
 
 
 class Client(NamedTuple):
@@ -24,71 +25,72 @@ class Client(NamedTuple):
 
 
 class Lease(NamedTuple):
-    """A client's right to drive a robot. driving: whether its newest command moves the robot."""
+    """A client's right to drive a robot, which has one driver. driving: whether its newest command moves the robot."""
 
     client: int
     commanded_at: float
     driving: bool
 
+    def has_expired(self, now: float) -> bool:
+        """Return whether the driver has not commanded the robot for LEASE_TIMEOUT."""
+        return now - self.commanded_at >= LEASE_TIMEOUT
 
-class Leases:
-    """Who drives which robot: one driver per robot. Times are monotonic seconds."""
+
+class DeadMan:
+    """A robot's switch: it fires when commands stop arriving while the robot is driven; then the pad must be let go."""
 
     def __init__(self):
-        self._leases: Dict[str, Lease] = {}
+        self._fed_at: Optional[float] = None  # None: not driven
+        self._fired = False
 
-    def robots(self) -> List[str]:
-        """Return the robots that have a driver."""
-        return list(self._leases)
+    def feed(self, now: float) -> bool:
+        """A command has arrived. Return whether it may be driven: not after the switch has fired."""
+        if self.check(now):
+            return False
+        self._fed_at = now
+        return True
 
-    def driver(self, robot: str) -> Optional[int]:
-        """Return the client that may drive the robot, or None if it is free."""
-        lease = self._leases.get(robot)
-        return lease.client if lease else None
+    def let_go(self) -> None:
+        """The pad was let go: the robot is not driven, and may be driven again."""
+        self._fed_at, self._fired = None, False
 
-    def robot_of(self, client: int) -> Optional[str]:
-        """Return the robot that the client may drive, or None."""
-        return next((robot for robot, lease in self._leases.items() if lease.client == client), None)
+    def check(self, now: float) -> bool:
+        """Return whether the switch has fired."""
+        self._fired = self._fired or self._fed_at is not None and now - self._fed_at >= COMMAND_TIMEOUT
+        return self._fired
 
-    def renew(self, robot: str, client: int, now: float, driving: bool) -> None:
-        """Give the robot, which is free or the client's own, to the client."""
-        self._leases[robot] = Lease(client, now, driving)
-
-    def end(self, robot: str) -> Optional[Lease]:
-        """Make the robot free; return the lease that has ended, or None."""
-        return self._leases.pop(robot, None)
-
-    def has_expired(self, robot: str, now: float) -> bool:
-        """Return whether the robot's driver has not commanded it for LEASE_TIMEOUT."""
-        return now - self._leases[robot].commanded_at >= LEASE_TIMEOUT
+    def remaining(self, now: float) -> Optional[float]:
+        """Return the seconds until the switch fires, or None if the robot is not driven."""
+        return None if self._fed_at is None else max(0.0, self._fed_at + COMMAND_TIMEOUT - now)
 
 
 class StopRights:
     """Who may engage and release an emergency stop: that of all robots (None), or a robot's own.
 
-    One that a teacher has engaged is released by a teacher; any other by anybody who may engage it.
+    A pupil releases only what pupils alone have engaged here: no stop by a teacher, and none from a terminal.
     """
 
     def __init__(self):
-        self._by_teacher: Set[Optional[str]] = set()
+        self._by_pupils: Set[Optional[str]] = set()
 
-    def engage(self, client: Client, robot: Optional[str]) -> str:
-        """Return why the client may not engage this stop, or ""."""
+    def engage(self, client: Client, robot: Optional[str], engaged: bool) -> str:
+        """Return why the client may not engage this stop, or "". engaged: whether it is already."""
         if not client.may_stop(robot):
             return "Only a teacher can stop a single robot. You can stop all."
         if client.role == TEACHER:
-            self._by_teacher.add(robot)
+            self._by_pupils.discard(robot)
+        elif not engaged:
+            self._by_pupils.add(robot)
         return ""
 
     def release(self, client: Client, robot: Optional[str]) -> str:
         """Return why the client may not release this stop, or ""."""
         if not client.may_stop(robot):
             return "Only a teacher can release a single robot."
-        if client.role != TEACHER and robot in self._by_teacher:
-            return "A teacher stopped this. Only a teacher can release it."
-        self._by_teacher.discard(robot)
+        if client.role != TEACHER and robot not in self._by_pupils:
+            return "No pupil stopped this here. Only a teacher can release it."
         return ""
 
-    def update(self, is_stopped: Callable[[Optional[str]], bool]) -> None:
-        """Forget the stops that somebody else has released, with ROS."""
-        self._by_teacher = set(filter(is_stopped, self._by_teacher))
+    def update(self, is_engaged_here: Callable[[Optional[str]], bool]) -> None:
+        """Forget the stops that are over, and those that another program has engaged as well."""
+        self._by_pupils = set(filter(is_engaged_here, self._by_pupils))

@@ -1,6 +1,6 @@
 """What the robots report, as immutable values, and how the messages of the socket carry it."""
 
-from typing import Dict, List, NamedTuple, Optional, Tuple
+from typing import Dict, FrozenSet, List, NamedTuple, Optional, Tuple
 
 from jetbot.text import enumeration
 
@@ -20,6 +20,11 @@ class Task(NamedTuple):
     text: str
     seconds: Optional[float] = None
     score: Optional[float] = None
+
+    @property
+    def has_ended(self) -> bool:
+        """Whether what is shown is a result."""
+        return self.state in ("done", "cancelled")
 
 
 class Shape(NamedTuple):
@@ -80,19 +85,22 @@ class Robot(NamedTuple):
                 "workshop": self.geometry and self.geometry == WORKSHOP,
                 "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated}
 
-    def state(self, driver: Optional[dict]) -> dict:
+    def state(self, driver: Optional[dict], task: Optional[Task]) -> dict:
         """Return its entry of the message "state"."""
         fields = "status", "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
-        task = self.task and self.task._asdict()
-        return {**{name: getattr(self, name) for name in fields}, "driver": driver, "task": task}
+        return {**{name: getattr(self, name) for name in fields}, "driver": driver, "task": task and task._asdict()}
 
 
 class Snapshot(NamedTuple):
-    """All robots at one moment. master: whether the ROS master answers; emergency: the stop of all robots."""
+    """All robots at one moment. master: whether the ROS master answers; emergency: the stop of all robots.
+
+    stopped_elsewhere: whose emergency stops another program has engaged, None: that of all.
+    """
 
     robots: Dict[str, Robot] = {}
     master: bool = True
     emergency: bool = False
+    stopped_elsewhere: FrozenSet[Optional[str]] = frozenset()
 
     def ended(self, robot: Optional[str]) -> str:
         """Return that this robot has ended, or "", also for all robots (None)."""
@@ -107,6 +115,10 @@ class Snapshot(NamedTuple):
     def is_stopped(self, robot: Optional[str]) -> bool:
         """Return whether the emergency stop of this robot, or of all (None), may be engaged."""
         return self.emergency if robot is None else robot not in self.robots or self.robots[robot].stopped
+
+    def is_stopped_here(self, robot: Optional[str]) -> bool:
+        """Return whether that stop may be engaged, and by no other program."""
+        return self.is_stopped(robot) and robot not in self.stopped_elsewhere
 
     def changes_since(self, before: "Snapshot") -> List[str]:
         """Return a sentence for the terminal for each way in which robots have come, ended or fallen silent."""
