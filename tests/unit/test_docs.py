@@ -9,7 +9,7 @@ from jetbot.boards import BOARDS, scmd
 from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE, WAVESHARE_HAT
 from jetbot.guard import process as guard
 from jetbot.host import ROBOT_BUS, robot_bus
-from jetbot_cockpit_server.session import dead_man
+from jetbot_cockpit_server.session.rights import COMMAND_TIMEOUT
 from jetbot_control_node.parameters import PARAMETERS
 
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
@@ -85,8 +85,8 @@ def test_the_bus_of_each_computer():
 
 @pytest.mark.parametrize("words, seconds", [
     ("heartbeat", guard.HEARTBEAT_TIMEOUT), ("`cmd_vel_timeout`", PARAMETERS["cmd_vel_timeout"].default),
-    ("whole computer", scmd.TIMEOUT / 100), ("freeze the browser", dead_man.TIMEOUT),
-    ("browser lets go", dead_man.TIMEOUT)])
+    ("whole computer", scmd.TIMEOUT / 100), ("freeze the browser", COMMAND_TIMEOUT),
+    ("browser lets go", COMMAND_TIMEOUT)])
 def test_safety_page_has_the_times_of_the_code(words, seconds):
     row = next(" ".join(row) for row in rows(SAFETY_PAGE) if words in " ".join(row))
     assert seconds in numbers(row)

@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import math
 from typing import Callable, Dict, List, Optional, Sequence
 
 from . import protocol
@@ -13,26 +14,10 @@ REFUSED, LOG_IN, FULL, ENDED = 4000, 4001, 4002, 1001  # why a socket is closed
 NO_ROOM = f"{MAX_CLIENTS} pages are connected already"
 TOO_MANY = f"more than {protocol.MAX_RATE} messages per second"
 FRAME_INTERVAL = 0.05   # s between two frames
+STOP_PAUSE = 0.1        # s without frames after a stop: first of all, it has to reach the wheels
 STILL_INTERVAL = 1.0    # s between two frames while nothing changes, and between two pings
 ABSENT_AFTER = 3.0      # s without a sign of life: frames would only queue up
 GONE_AFTER = 15.0       # s without a sign of life: the socket is closed
-
-
-class TokenBucket:
-    """Allows ``rate`` messages per second, and after a pause of the network ``burst`` at once."""
-
-    def __init__(self, rate: float, burst: int, now: float):
-        self._rate, self._burst = rate, burst
-        self._tokens, self._filled_at = float(burst), now
-
-    def take(self, now: float) -> bool:
-        """Count a message; return whether it is within the limit."""
-        self._tokens = min(self._burst, self._tokens + (now - self._filled_at) * self._rate)
-        self._filled_at = now
-        if self._tokens < 1:
-            return False
-        self._tokens -= 1
-        return True
 
 
 class Viewer:
@@ -40,14 +25,16 @@ class Viewer:
 
     def __init__(self, client: Client, connection, now: float):
         self.client, self.connection = client, connection
-        self.bucket = TokenBucket(protocol.MAX_RATE, protocol.MAX_BURST, now)
+        self.allowance = float(protocol.MAX_BURST)  # messages that it may send now
         self.active_at = self.pinged_at = self.shown_at = now
         self.state = self.robots = ""
 
     def record_activity(self, now: float) -> bool:
-        """Record a sign of life; return whether there are not too many."""
+        """Record a sign of life; return whether there are not too many: MAX_RATE, after a pause MAX_BURST at once."""
+        refilled = self.allowance + (now - self.active_at) * protocol.MAX_RATE
+        self.allowance = min(protocol.MAX_BURST, refilled) - 1
         self.active_at = now
-        return self.bucket.take(now)
+        return self.allowance >= 0
 
     def is_ready(self, now: float) -> bool:
         """Return whether the page takes what it is sent; a frozen browser or a bad network does not."""
@@ -70,6 +57,7 @@ class Hub:
     def __init__(self, control: Control, codes: Sequence[dict]):
         self._control, self._codes = control, codes
         self._numbers = itertools.count(1)
+        self._paused_until = -math.inf
         self._viewers: Dict[int, Viewer] = {}
 
     def join(self, connection, role: str, robot: Optional[str], now: float) -> Optional[Viewer]:
@@ -103,6 +91,8 @@ class Hub:
             return
         if within_limit or message.type == "stop":  # a stop always counts
             self._answer(viewer, message, now)
+        if message.type == "stop" and now >= self._paused_until + STILL_INTERVAL:  # not for ever, if they never end
+            self._paused_until = now + STOP_PAUSE
         if not within_limit:
             self.end(viewer, REFUSED, TOO_MANY)
 
@@ -128,6 +118,8 @@ class Hub:
 
     def tick(self, now: float) -> None:
         """Send everybody what has changed; call it every FRAME_INTERVAL."""
+        if now < self._paused_until:
+            return
         changes = list(map(dumps, self._control.check(now)))
         if not self._viewers:
             return
