@@ -57,19 +57,12 @@ def test_package_that_setup_has_left_out(mine):
     assert exists("mine") == f"{mine} is left out: it is broken. Correct it, then: ./morbot setup"
 
 
-def test_package_of_ros_is_not_the_pupils(mine, monkeypatch):
-    assert packages.check_own("mine") is None
-    monkeypatch.setattr(packages, "folder", lambda name: packages.Path("/usr/share/rospy"))
-    assert packages.check_own("rospy") == "rospy comes with ROS, in /usr/share/rospy: type the name of your own package"
-
-
 def test_package_where_ros_does_not_search(mine):
     elsewhere = mine.rename(mine.parents[1] / "mine")
     assert exists("mine") == f"ROS does not search {elsewhere.parent} for packages: mv {elsewhere} {mine.parent}"
 
 
 @pytest.mark.parametrize("file, text, check, problem", [
-    ("package.xml", None, exists, "{0} has no package.xml: mv {0} ~, then make it"),
     ("CMakeLists.txt", None, exists, "{0} has no CMakeLists.txt: mv {0} ~, then make it"),
     ("package.xml", PACKAGE_XML.replace("mine", "yours"), exists, "{0}/package.xml names another package: "
      "write <name>mine</name> there, and project(mine) in CMakeLists.txt"),
@@ -84,19 +77,16 @@ def test_package_where_ros_does_not_search(mine):
     (LAUNCH, "<launch>", check_launch_files, f"{{0}}/{LAUNCH} is not XML: no element found: line 1, column 8"),
     (DRIVE, None, check_scripts,
      "There is no script in {0}/scripts: put one there, with a name that ends in .py"),
-    *((DRIVE, text, check_scripts,
-       f"drive.py does not begin with #!/usr/bin/env python3: make that the first line of {{0}}/{DRIVE}")
-      for text in ("print()\n", "\n#!")),
-    *((DRIVE, text, check_scripts, f"{{0}}/{DRIVE} is empty: write your program into it, and save it")
-      for text in ("", " \n")),
-    *((DRIVE, text, check_scripts, "drive.py holds no command yet: write your program into it, and save it")
-      for text in ("#!/usr/bin/env python3", "#!/usr/bin/env python3\n# Drives.\n")),
+    (DRIVE, "print()\n", check_scripts,
+     f"drive.py does not begin with #!/usr/bin/env python3: make that the first line of {{0}}/{DRIVE}"),
+    (DRIVE, " \n", check_scripts, f"{{0}}/{DRIVE} is empty: write your program into it, and save it"),
+    (DRIVE, "#!/usr/bin/env python3\n# Drives.\n", check_scripts,
+     "drive.py holds no command yet: write your program into it, and save it"),
     (DRIVE, SCRIPT.replace("\n", "\r\n"), check_scripts,
      rf"drive.py has Windows line endings: sed -i 's/\r$//' {{0}}/{DRIVE}"),
     *((DRIVE, f"{first}\n", check_scripts,
        f"drive.py begins with {first}, which does not start ROS's Python: write #!/usr/bin/env python3")
-      for first in ("#!/usr/bin/env snake", "#!/usr/bin/env python9", "#!usr/bin/env python3", "#!/usr/bin/env",
-                    "#!/bin/nothing", "#!/bin/sh", "#!"))])
+      for first in ("#!/usr/bin/env python9", "#!usr/bin/env python3", "#!/bin/sh", "#!"))])
 def test_problem_of_a_file(mine, file, text, check, problem):
     (mine / file).unlink() if text is None else (mine / file).write_bytes(text.encode())
     assert check("mine") == problem.format(mine)
@@ -107,9 +97,7 @@ def test_not_built(mine):
     assert packages.check_built("mine") == "mine is not built: ./morbot setup"
 
 
-@pytest.mark.parametrize("text", [
-    b"<package", b"", b"<launch/>", b'<?xml version="1.0" encoding="foo"?><a/>', b"\xff",
-    b"<package><name>mine</name></package>"])
+@pytest.mark.parametrize("text", [b"<package", b"", b"<launch/>", b"\xff", b"<package><name>mine</name></package>"])
 @pytest.mark.parametrize("wanted", ["mine", "jetbot_lessons"])
 def test_package_xml_describes_no_package(mine, text, wanted):
     (mine / "package.xml").write_bytes(text)
@@ -126,19 +114,11 @@ def test_script_that_python_cannot_read(mine, line, where):
 
 
 def test_script_that_is_no_file(mine):
-    script = mine / DRIVE
-    script.unlink()
-    script.symlink_to("nowhere")
-    assert check_scripts("mine") == f"{script} is a link to nowhere, which does not exist: rm {script}"
-    script.unlink()
-    script.mkdir()
-    assert check_scripts("mine") == f"{script} is not a file: mv {script} ~"
-
-
-@pytest.mark.parametrize("name", [".drive.py", ".#drive.py", "notes.txt"])
-def test_hidden_and_other_files_are_no_scripts(mine, name):
-    (mine / "scripts" / name).symlink_to("nowhere")
+    (mine / "scripts/.#drive.py").symlink_to("nowhere")  # of an editor: no script
     assert check_scripts("mine") is None
+    script = mine / "scripts/a.py"
+    script.symlink_to("nowhere")
+    assert check_scripts("mine") == f"{script} is not a file: mv {script} ~"
 
 
 @pytest.mark.parametrize("first", ["#!/usr/bin/env python3 ", "#!/usr/bin/python3 -u", "#!/usr/bin/env -S python3 -u"])
@@ -147,12 +127,7 @@ def test_first_lines_that_start(mine, first):
     assert check_scripts("mine") is None
 
 
-def test_script_is_not_executable(mine):
-    (mine / DRIVE).chmod(0o644)
-    assert check_scripts("mine") == f"drive.py is not executable: chmod +x {mine / DRIVE}"
-
-
-def test_advice_works_where_a_folder_has_a_space(mine):
+def test_script_is_not_executable_in_a_folder_with_a_space(mine):
     folder = mine.rename(mine.with_name("my car"))
     (folder / DRIVE).chmod(0o644)
     assert check_scripts("mine") == f"drive.py is not executable: chmod +x '{folder / DRIVE}'"
@@ -176,7 +151,6 @@ def test_what_is_not_a_small_file_is_not_read(mine, file, make, reasons):
     ("<depend>rospy</depend>", "{0} has lines of package.xml: write the names alone, without <exec_depend>"),
     ("rospi geometry_msgs", "{0} names rospi, and {1} does not: do you mean rospy?"),
     ("rospy simulation", "{0} names simulation, and {1} does not: remove it"),
-    ("mine", "{0} names mine itself: write only the packages that it needs"),
     ("catkin", "mine needs catkin to be built, not when it runs: remove catkin from {0}"),
     ("roslaunch", "mine needs roslaunch to be tested, not when it runs: remove roslaunch from {0}")])
 def test_answer_of_lesson_1(mine, monkeypatch, text, problem):

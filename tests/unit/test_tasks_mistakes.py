@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from driving_pupil import BEND, SOLUTIONS, arc, one_after_the_other, ramp, run, solution, square, straight, turn
+from driving_pupil import BEND, arc, one_after_the_other, ramp, run, solution, square, straight, turn
 
 from driving_tasks.scoring.recorder import NoDrive
 from driving_tasks.scoring.score import judge
@@ -19,20 +19,6 @@ def test_a_good_program_scores_above_95(name):
     assert judge(TASKS[name], solution(name)).score > 95
 
 
-def scaled(program, factor):
-    """The same commands, each for so many times as long."""
-    def slower(robot, start):
-        commands = program(robot, start)
-        try:
-            while True:
-                linear, angular = next(commands)
-                for _ in range(factor):
-                    yield linear / factor, angular / factor
-        except StopIteration as end:
-            return end.value
-    return slower
-
-
 def at_once(speed, seconds):
     def program(robot, start):
         for _ in range(round(seconds / 0.05)):
@@ -46,19 +32,16 @@ def cut_corner(robot, start):
 
 
 PARK = one_after_the_other(arc(0.5, BEND, stop=False), arc(0.5, -BEND, stop=False))
-CCW, CW = (1, 1, 1, 1), (-1, -1, -1, -1)
+CCW = (1, 1, 1, 1)
 MISTAKES = [
     ("metre", straight(0.95), "stopped 5 cm short of the goal"),
     ("metre", straight(1.12), "stopped 12 cm past the goal"),
     ("metre", straight(-1.0), "stopped 200 cm short of the goal"),
     ("metre", one_after_the_other(straight(1.0), turn(8)), "pointed 8 degrees too far to the left at the end"),
-    ("metre", one_after_the_other(turn(-6), straight(1.0), turn(6)),
-     "stopped 10 cm right of the goal"),
     ("metre", straight(1.0, speed=0.1), "took 10.2 s; 3.3 s are enough"),
     ("quarter", turn(98), "turned 8 degrees too far at the end"),
     ("quarter", turn(70), "turned 20 degrees too little at the end"),
     ("quarter", turn(-90), "turned to the right, and not to the left"),
-    ("quarter", turn(450), "turned 360 degrees too far at the end"),
     ("quarter", one_after_the_other(straight(0.2), turn(90)), "stopped 20 cm right of the goal"),
     ("square", square(corner_3=98), "turned 8 degrees too far at corner 3"),
     ("square", square(corner_6=82), "turned 8 degrees too little at corner 6"),
@@ -67,32 +50,18 @@ MISTAKES = [
     ("square", square(side=1.06, side_7=1.1), "drove 10 cm too far on side 7, and 6.5 cm on average"),
     ("square", square(corners=CCW), "stopped before corner 5"),
     ("square", square(corners=CCW + CCW), "turned to the left at corner 5, and not to the right"),
-    ("square", square(corners=CW + CCW), "turned to the right at corner 1, and not to the left"),
-    ("square", straight(1.0), "stopped before corner 1"),
     ("square", one_after_the_other(square(), straight(0.5)), "drove on for 50 cm after corner 8"),
     ("circle", arc(0.55, 360), "was 5.1 cm off the line on average, 10 cm to the right at worst"),
     ("circle", arc(0.5, -360), "turned to the right, and not to the left"),
     ("circle", arc(0.5, 180), "turned 180 degrees too little at the end"),
-    ("circle", one_after_the_other(arc(0.5, 180), turn(180), arc(0.5, -180)),
-     "turned 180 degrees too little at the end"),
-    ("circle", arc(0.5, 350), "turned 10 degrees too little at the end"),
     ("circle", turn(360), "stayed 100 cm away from a part of the line"),
     ("s_bend", cut_corner, "was 4.4 cm off the line on average, 7.2 cm to the left at worst"),
-    ("s_bend", one_after_the_other(SOLUTIONS["s_bend"], turn(8)),
-     "pointed 8 degrees too far to the left at the end"),
-    ("s_bend", one_after_the_other(arc(0.625, -BEND, stop=False), arc(0.625, BEND)),
-     "stopped 100 cm right of the goal"),
     ("s_bend", arc(0.625, BEND), "stopped 50 cm short of the goal and 25 cm right of it"),
-    ("s_bend", scaled(SOLUTIONS["s_bend"], 2), "took 6.1 s; 3.9 s are enough"),
     ("smooth", at_once(0.3, 3.333), "sped up at 1.3 m/s^2, and 0.3 are allowed"),
     ("smooth", ramp(1.0, 0.45), "braked at 0.54 m/s^2, and 0.3 are allowed"),
-    ("smooth", ramp(0.9, 0.27), "stopped 10 cm short of the goal"),
     ("smooth", ramp(1.0, 0.05), "took 7.9 s; 4.3 s are enough"),
-    ("smooth", ramp(1.05, 0.27), "stopped 4.9 cm past the goal"),
     ("park", one_after_the_other(PARK, at_once(0.3, 2.0), straight(-0.065)), "touched a wall"),
     ("park", one_after_the_other(PARK, straight(0.2)), "stopped 10 cm short of the goal"),
-    ("park", straight(1.1), "stopped 40 cm right of the goal"),
-    ("follow", straight(0.4), "stopped 110 cm short of the goal and 80 cm right of it"),
     ("follow", straight(1.9566), "stopped 80 cm right of the goal and 46 cm past it"),
 ]
 

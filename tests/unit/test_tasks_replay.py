@@ -54,11 +54,8 @@ def test_the_same_commands_have_the_same_score_whenever_they_were_given():
     assert judge(METRE, replay(late, METRE)).score == pytest.approx(judge(METRE, replay(drive, METRE)).score, abs=0.3)
 
 
-NAN = math.nan
-
-
 @pytest.mark.parametrize("hostile", [
-    [], [(0.0, 0.0, 0.0)], [(NAN, 1.0, 1.0), (1.0, NAN, 0.0), (2.0, math.inf, 0.0)],
+    [], [(0.0, 0.0, 0.0)], [(math.nan, 1.0, 1.0), (1.0, math.nan, 0.0), (2.0, math.inf, 0.0)],
     [(number * 1e6, 0.01, 0.0) for number in range(5000)]], ids=["none", "zero", "not finite", "far apart"])
 def test_commands_that_move_nothing_are_no_drive(hostile):
     with pytest.raises(NoDrive):

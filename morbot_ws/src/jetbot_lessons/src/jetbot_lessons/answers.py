@@ -44,8 +44,6 @@ def _problems(package: str, file: Path, names: List[str]) -> Iterator[str]:
         similar = get_close_matches(name.lower(), needed, 1)
         if name in others:
             yield f"{package} needs {name} {others[name]}, not when it runs: remove {name} from {file}"
-        elif name == package:
-            yield f"{file} names {package} itself: write only the packages that it needs"
         elif similar:
             yield f"{file} names {name}, and {manifest} does not: do you mean {similar[0]}?"
         else:

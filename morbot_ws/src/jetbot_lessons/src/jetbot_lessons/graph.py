@@ -6,7 +6,7 @@ import socket
 import time
 from pathlib import Path
 from threading import Thread
-from typing import Callable, Dict, Iterator, List, Optional, Set
+from typing import Callable, Iterator, List, Optional, Set
 from urllib.parse import urlsplit
 from xmlrpc.client import Fault
 
@@ -104,30 +104,6 @@ def check_node(name: str, start: str) -> Problem:
     if elsewhere:
         return f"{elsewhere[0]} runs in a namespace: start it without one"
     return f"There is no node {name}: start it in another terminal with {start}"
-
-
-def check_subscribes(node: str, topic: str) -> Problem:
-    """Return the problem, or None if the node subscribes to the topic."""
-    if node in system_state()[1].get(topic, ()):
-        return None
-    return f"{node} does not subscribe to {topic}: was it started in a namespace, or was {topic} remapped?"
-
-
-def check_type(topic: str, wanted: str) -> Problem:
-    """Return the problem, or None if all publishers of the topic publish messages of this type."""
-    for node in publishers_of(topic):
-        given = types_of(node).get(topic, wanted)
-        if given != wanted:
-            return (f"{node} publishes {given} on {topic}, not {wanted}: stop it with Ctrl-C in its terminal; "
-                    "in a script of your own, pass that type to rospy.Publisher")
-    return None
-
-
-def types_of(node: str) -> Dict[str, str]:
-    """Return the type of each topic on which the node says it publishes; nothing for a node that does not answer."""
-    with contextlib.suppress(*NO_ANSWER):
-        return dict(ask(proxy(address_of(node)), "getPublications"))
-    return {}
 
 
 def check_no_other_publisher(topic: str, package: Optional[str] = None) -> Problem:

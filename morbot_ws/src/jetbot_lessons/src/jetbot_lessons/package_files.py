@@ -55,8 +55,6 @@ def check_scripts(package: NameOrFolder) -> Problem:
 
 def _check_script(path: Path) -> Problem:
     name = quote(str(path))
-    if path.is_symlink() and not path.exists():
-        return f"{path} is a link to {os.readlink(path)}, which does not exist: rm {name}"
     if not path.is_file():
         return f"{path} is not a file: mv {name} ~"
     try:

@@ -119,11 +119,9 @@ def check_exists(package: str, source: str) -> Problem:
     places = find(package)
     if not places:
         return _not_found(package, source)
-    return None if (places[0] / "CMakeLists.txt").exists() else _incomplete(places[0], "CMakeLists.txt", source)
-
-
-def _incomplete(place: Path, file: str, source: str) -> str:
-    return f"{place} has no {file}: mv {quote(str(place))} ~, then {source}"
+    if not (places[0] / "CMakeLists.txt").exists():
+        return f"{places[0]} has no CMakeLists.txt: mv {quote(str(places[0]))} ~, then {source}"
+    return None
 
 
 def _not_found(package: str, source: str) -> str:
@@ -138,9 +136,6 @@ def _not_found(package: str, source: str) -> str:
     similar = same or get_close_matches(name, names, 1)
     if similar:
         return f"There is no package {package}, but there is {similar[0]}: type that name, or {source}"
-    for place in root / name, root / "scenarios" / name:
-        if place.is_dir():
-            return _incomplete(place, MANIFEST, source)
     return f"There is no package {package} in {root}: {source}"
 
 
@@ -157,14 +152,6 @@ def _not_searched(place: Path, name: str) -> str:
         return (f"{place / MANIFEST} names another package: write <name>{name}</name> there, "
                 f"and project({name}) in CMakeLists.txt")
     return f"ROS does not search {place.parent} for packages: mv {quote(str(place))} {quote(str(root))}"
-
-
-def check_own(package: str) -> Problem:
-    """Return the problem, or None if the package does not belong to ROS itself."""
-    place = folder(package)
-    if workspace() in place.parents or {Path("/usr"), Path("/opt")}.isdisjoint(place.parents):
-        return None
-    return f"{package} comes with ROS, in {place}: type the name of your own package"
 
 
 def check_built(package: str) -> Problem:

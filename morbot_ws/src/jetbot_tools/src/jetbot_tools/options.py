@@ -72,10 +72,6 @@ def parse(parser: ArgumentParser, arguments: List[str]) -> Namespace:
 def unknown_word(typed: str, program: str, names: Iterable[str]) -> str:
     """Return what to type instead of a word that the program, which has options of these names, does not know."""
     name, value = re.match(r"[-_]*([\w-]*)[\s:=]*(.*)", typed, re.S).groups()
-    name = name.replace("-", "_")
-    if name in {*PARAMETERS, "config", "robot_name"}.difference(names):
-        return (f"{name} is an argument of the controller, not of {program}. Leave it out here; it belongs to: "
-                f"{launch_command(**{name: value or 'VALUE'})}")
-    meant = closest(name, names)
+    meant = closest(name.replace("-", "_"), names)
     advice = f"Did you mean {meant}:={value or 'VALUE'}?" if meant in PARAMETERS else f"See {program} --help"
     return f"There is no argument {typed}. {advice}"

@@ -10,8 +10,6 @@ from jetbot.text import closest, enumeration, printable
 
 from .scoring.tasks import TASKS
 
-ROBOT_NAME = re.compile(r"/?[A-Za-z]\w*(?:/\w+)*/?", re.ASCII)
-
 
 def parse_arguments(words: List[str]) -> argparse.Namespace:
     """Return what was typed; end the program with one sentence if it cannot be meant so."""
@@ -19,17 +17,17 @@ def parse_arguments(words: List[str]) -> argparse.Namespace:
                      epilog="Without TASK: lists the tasks. Without --bag and --program: judges the simulated robot "
                             "that drives now.")
     parser.add_argument("task", nargs="?", type=_task, metavar="TASK")
-    parser.add_argument("--robot", nargs="+", type=_robot, default=[], metavar="NAME",
+    parser.add_argument("--robot", nargs="+", type=lambda name: name.strip("/"), default=[], metavar="NAME",
                         help="the robots' namespaces (default: the only one there is)")
     source = parser.add_mutually_exclusive_group()
-    source.add_argument("--bag", type=_file(), metavar="PATH",
+    source.add_argument("--bag", metavar="PATH",
                         help="judge a rosbag, or each in a folder; nothing in it is executed")
-    source.add_argument("--program", type=_file(), metavar="PATH",
+    source.add_argument("--program", metavar="PATH",
                         help="run a program, or each in a folder, and judge its drive")
     parser.add_argument("--config", default="", metavar="FILE", help="units of the commands, of a bag with nothing "
                         "else or of programs: a YAML file such as si_units.yaml")
     parser.add_argument("--picture", type=_file(".png"), metavar="FILE.png", help="of one drive (default: TASK.png)")
-    parser.add_argument("--pictures", type=_file(), metavar="FOLDER", help="a picture of each drive goes here")
+    parser.add_argument("--pictures", metavar="FOLDER", help="a picture of each drive goes here")
     parser.add_argument("--csv", type=_file(".csv"), metavar="FILE.csv",
                         help="the marks; those of several drives are printed, too")
     parser.add_argument("--record", type=_file(".bag"), metavar="FILE.bag", help="record what is judged now")
@@ -46,7 +44,7 @@ def is_single(given: argparse.Namespace) -> bool:
 class _Parser(argparse.ArgumentParser):
     def error(self, message):
         """End the program with one sentence or two."""
-        sentence = re.sub(r"^argument (?:TASK: |--robot: )?", "", message)
+        sentence = re.sub(r"^argument (?:TASK: )?", "", message)
         advice = "" if sentence.endswith((".", "?")) else ". See judge.py --help."
         sys.exit(printable(sentence[0].upper() + sentence[1:] + advice))
 
@@ -59,17 +57,9 @@ def _task(text):
     raise argparse.ArgumentTypeError(f"There is no task {text}. {advice}")
 
 
-def _robot(text):
-    if not ROBOT_NAME.fullmatch(text):
-        raise argparse.ArgumentTypeError(f"A robot's name is a name of ROS, not {text}.")
-    return text.strip("/")
-
-
-def _file(suffix=""):
+def _file(suffix):
     """Return what checks the name of a file: one that is written takes the place of no other kind of file."""
     def check(text):
-        if not text:
-            raise argparse.ArgumentTypeError("The name of a file is missing.")
         if not text.endswith(suffix):
             raise argparse.ArgumentTypeError(f"Its name must end in {suffix}, not {text}.")
         return text

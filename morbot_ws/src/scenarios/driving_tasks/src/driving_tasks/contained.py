@@ -117,16 +117,13 @@ def _answer(answer, function, arguments, limits):
     try:
         outcome = Outcome(function(*arguments))
     except MemoryError:
-        outcome = _needs_memory(limits)
+        outcome = Outcome(problem=f"It needs more than {limits.memory} MB of memory.")
     except Exception as error:
         outcome = Outcome(problem=str(error) or f"It cannot be read: {type(error).__name__}.")
     finally:
         signal.signal(signal.SIGTERM, signal.SIG_IGN)  # nothing interrupts the end
         end_children()
-    try:
-        answer.send(outcome)
-    except MemoryError:
-        answer.send(_needs_memory(limits))
+    answer.send(outcome)
 
 
 def _end_with(parent, signum):
@@ -147,10 +144,6 @@ def _limit(limits):
         highest = resource.getrlimit(kind)[1]
         value = value if highest == resource.RLIM_INFINITY else min(value, highest)
         resource.setrlimit(kind, (value, value))
-
-
-def _needs_memory(limits):
-    return Outcome(problem=f"It needs more than {limits.memory} MB of memory.")
 
 
 def _reason(exit_code, limits):

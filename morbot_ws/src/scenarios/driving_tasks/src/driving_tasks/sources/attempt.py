@@ -18,7 +18,7 @@ INVITATION = "Drive when you are ready."
 AT_START = 0.001         # m or rad: a pose so close to the start is there
 MAX_GAP = 1.0            # s between two samples of a drive; what happened in a longer one is not known
 ANNOUNCE_INTERVAL = 0.2  # s of the drive
-DRIVES = "The robot drives"
+REPORT_POLLS = 20        # polls of a robot that does not stop, from one report to the next
 
 
 class Interrupted(Exception):
@@ -77,13 +77,15 @@ class Attempt:
 
     def _until_free(self):
         """Wait until the robot has stopped and nothing holds it."""
+        polls = 0
         while self.robot.obstacle or not self.robot.has_stopped:
+            polls += 1
             if self.robot.obstacle:
                 self._report(self.robot.obstacle)
-            elif self.robot.drives and not self._last_report.startswith(DRIVES):
+            elif self.robot.latest and polls % REPORT_POLLS == 0:
                 nodes = self.robot.commanders()
                 end = f" End what drives it: {enumeration(nodes)}" if nodes else ""
-                self._report(f"{DRIVES}. The judge waits until it has stopped.{end}")
+                self._report(f"The robot drives. The judge waits until it has stopped.{end}")
             yield
 
     def _prepare(self):

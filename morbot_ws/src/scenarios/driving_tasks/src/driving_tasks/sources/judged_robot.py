@@ -23,7 +23,6 @@ from .bags import sample_of
 SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
 STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
-MOVES = 3             # samples in motion until a robot drives; one that is put elsewhere has one
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
 MAX_STATUS = 200      # characters of the controller's status that are shown
 EMERGENCY = tuple(f"stopped: {hold.reason}" for hold in (EMERGENCY_STOP, OWN_EMERGENCY_STOP))
@@ -66,7 +65,7 @@ class JudgedRobot:
         self.namespace, self.name = namespace, label(namespace)
         self.samples: List[Sample] = []  # what the last poll has read: the newest ground truth, oldest first
         self.latest: Optional[Sample] = None  # of all
-        self._arrived, self._silent_polls, self._moved_at, self._moves = deque(), 0, 0.0, 0
+        self._arrived, self._silent_polls, self._moved_at = deque(), 0, 0.0
         self._status, self._worlds, self._known_worlds = "", 0, 0
         simulator = f"{namespace}/jetbot_simulator"
         self.truth_topic, self.command_topic = f"{simulator}/ground_truth", f"{namespace}/cmd_vel"
@@ -88,9 +87,7 @@ class JudgedRobot:
         self._silent_polls = 0 if self.samples else self._silent_polls + 1
         for sample in self.samples:
             if not self.latest or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.latest.pose)):
-                self._moved_at, self._moves = sample.time, self._moves + 1
-            elif self.has_stopped:
-                self._moves = 0
+                self._moved_at = sample.time
             self.latest = sample
 
     @property
@@ -102,11 +99,6 @@ class JudgedRobot:
     def is_controlled(self) -> bool:
         """Whether its controller runs."""
         return self._controller.get_num_connections() > 0
-
-    @property
-    def drives(self) -> bool:
-        """Whether the robot drives, or has stopped less than STOPPED_AFTER seconds ago."""
-        return self._moves >= MOVES
 
     @property
     def obstacle(self) -> str:

@@ -40,14 +40,15 @@ def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None)
     Raises JetbotError if there is nothing to judge, OSError if the record cannot be written.
     """
     namespaces = find(names)
+    if record and len(namespaces) > 1:
+        raise InvalidValue("a record is of one robot", "Name one: --robot NAME")
     if record:
-        check_record(record, namespaces)
+        files.check_writable(record)
     init_node(namespaces)
     robots = [JudgedRobot(namespace) for namespace in namespaces]
     attempts = [Attempt(task, robot, reporter(robot, robots)) for robot in robots]
     recording = Recording(attempts[0]) if record else None
     try:
-        check_only_judge(namespaces)  # again: two may have started at the same time
         for attempt in finished(attempts):
             if recording and attempt.mark.result:
                 recording.save(record)
@@ -73,19 +74,12 @@ def check_only_judge(namespaces: Sequence[str]) -> None:
     try:
         publishers = system_state()[0]
         others = [(node, namespace) for namespace in namespaces for node in publishers.get(f"{namespace}/task", ())
-                  if node != rospy.get_name() and condition_of(node)]
+                  if condition_of(node)]
     except NO_ANSWER:
         raise LOST from None
     for node, namespace in others:
         raise JetbotError(f"{node} judges {label(namespace) if namespace else 'this robot'} already",
                           "End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C.")
-
-
-def check_record(record: str, namespaces: Sequence[str]) -> None:
-    """Raise InvalidValue or OSError unless what is judged can be written to this file."""
-    if len(namespaces) > 1:
-        raise InvalidValue("a record is of one robot", "Name one: --robot NAME")
-    files.check_writable(record)
 
 
 def init_node(namespaces: Sequence[str]) -> None:
