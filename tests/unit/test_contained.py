@@ -14,7 +14,7 @@ from driving_tasks.contained import Limits, run
 from jetbot.wait import wait_until
 
 ENVIRONMENT = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-SMALL = Limits(memory=200, cpu_time=1, wall_time=5)
+SMALL = Limits(memory=200, cpu_time=1, wall_time=60)
 
 
 def fail():
