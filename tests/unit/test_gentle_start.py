@@ -32,7 +32,7 @@ class Drive:
     def step(self, elapsed=0.001):
         """Step after this time; return the pause until the next step."""
         self.now += elapsed
-        self.supervisor.confirm(PUPIL.name, self.now)
+        self.supervisor.confirm(PUPIL, self.now)
         return self.supervisor.step(self.now, woken=False) - self.now
 
     def run(self, seconds):
@@ -98,7 +98,7 @@ def test_once_the_speed_is_reached_nothing_is_sent_and_the_steps_are_as_rare_as_
 
 @pytest.mark.parametrize("stop", [
     lambda drive: drive.command(0.0), lambda drive: drive.command(float("nan")),
-    lambda drive: drive.supervisor.hold(EMERGENCY_STOP, True), lambda drive: drive.supervisor.disconnect(())],
+    lambda drive: drive.supervisor.hold(EMERGENCY_STOP, True), lambda drive: drive.supervisor.disconnect(PUPIL, False)],
     ids=["zero", "not finite", "emergency stop", "nobody is left"])
 def test_a_stop_is_obeyed_in_one_step_in_the_middle_of_a_ramp(drive, stop):
     drive.command(0.5)

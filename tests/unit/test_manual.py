@@ -7,7 +7,7 @@ import pytest
 from jetbot_control_node.control.state import MANUAL_PRIORITY, STOPPED, Sender, State
 from jetbot_ros.holds import EMERGENCY_STOP, OWN_EMERGENCY_STOP
 
-COCKPIT, SCENARIO = Sender("/jetbot_cockpit", manual=True), Sender("/jetbot_motion_control")
+COCKPIT, SCENARIO = Sender("/jetbot_cockpit", manual=True, number=1), Sender("/jetbot_motion_control", number=2)
 BY_HAND, MOTION = (0.2, -0.3), (0.5, 0.1)
 SOON = MANUAL_PRIORITY - 0.01
 DRIVING = State(timeout=1.0).command(*MOTION, SCENARIO, now=-1).command(*BY_HAND, COCKPIT, now=0)
@@ -24,8 +24,8 @@ def test_the_scenario_does_not_interrupt_a_person():
 @pytest.mark.parametrize("stopped", [
     DRIVING.command(0, 0, COCKPIT, now=0),                      # released
     DRIVING.command(math.nan, 0, COCKPIT, now=0),
-    DRIVING.disconnect({SCENARIO.name}),            # killed
-    HOLDING.disconnect({SCENARIO.name}),
+    DRIVING.disconnect(COCKPIT, others=True),            # killed
+    HOLDING.disconnect(COCKPIT, others=True),
     HOLDING.check_timeout(now=1.0),                       # frozen
     DRIVING.check_timeout(now=1.0),
     EMERGENCY.hold(EMERGENCY_STOP, False),

@@ -8,8 +8,8 @@ from jetbot_control_node.control.state import ANSWER_TIMEOUT, STOPPED, Sender, S
 from jetbot_ros.holds import EMERGENCY_STOP, NO_MASTER
 
 GO = (0.5, 0.1)
-PUPIL, OTHERS = Sender("/pupil"), {"/pupil", "/idle"}
-LATCHED = Sender("/pupil", latched=True)
+PUPIL, IDLE = Sender("/pupil", number=1), Sender("/idle", number=2)
+LATCHED = Sender("/pupil", latched=True, number=1)
 NEW = State(timeout=1.0)
 DRIVING, HOLDING = (State(timeout).command(*GO, PUPIL, now=0) for timeout in (1.0, 0))
 STANDING_ORDER = NEW.command(*GO, LATCHED, now=0)
@@ -21,24 +21,25 @@ TIMED_OUT = "stopped: no command for 1.0 s (repeat it: rostopic pub -r 10)"
 
 
 @pytest.mark.parametrize("state, velocity, reason, alarm", [
-    (DRIVING.disconnect(OTHERS), GO, "driving", False),
+    (DRIVING.disconnect(IDLE, others=True), GO, "driving", False),
     (NEW.check_timeout(now=100), STOPPED, "stopped: no command yet", False),
     (DRIVING.check_timeout(now=0.99), GO, "driving", False),
     (DRIVING.check_timeout(now=1), STOPPED, TIMED_OUT, True),
-    (DRIVING.disconnect(()), STOPPED, "stopped: nobody is left to send commands", True),
-    (HOLDING.disconnect(()), STOPPED, "stopped: nobody is left to send commands", True),
-    (HOLDING.disconnect({"/idle"}), STOPPED, "stopped: /pupil has ended", True),
-    (HOLDING.confirm("/pupil", 1e9).check_timeout(now=1e9), GO, "driving", False),
-    (STANDING_ORDER.confirm("/pupil", 8).check_timeout(now=8.9), GO, "driving", False),
+    (DRIVING.disconnect(PUPIL, others=False), STOPPED, "stopped: nobody is left to send commands", True),
+    (HOLDING.disconnect(PUPIL, others=False), STOPPED, "stopped: nobody is left to send commands", True),
+    (HOLDING.disconnect(PUPIL, others=True), STOPPED, "stopped: /pupil has ended", True),
+    (HOLDING.confirm(PUPIL, 1e9).check_timeout(now=1e9), GO, "driving", False),
+    (STANDING_ORDER.confirm(PUPIL, 8).check_timeout(now=8.9), GO, "driving", False),
     (STANDING_ORDER.check_timeout(now=1), STOPPED, "stopped: /pupil does not answer", True),
-    (STANDING_ORDER.confirm("/idle", 0.9).check_timeout(now=1), STOPPED, "stopped: /pupil does not answer",
+    (STANDING_ORDER.confirm(IDLE, 0.9).check_timeout(now=1), STOPPED, "stopped: /pupil does not answer",
      True),
-    (STANDING_ORDER.disconnect({"/idle"}), STOPPED, "stopped: /pupil has ended", True),
+    (STANDING_ORDER.disconnect(PUPIL, others=True), STOPPED, "stopped: /pupil has ended", True),
     (STANDING_ORDER.command(*GO, PUPIL, now=0.5).check_timeout(now=1.5), STOPPED, TIMED_OUT, True),
     (NEW.command(*GO, LATCHED._replace(old=True), now=0), STOPPED,
      "stopped: the command of /pupil is from before, repeat it", True),
     (DRIVING.command(0.1, 0, LATCHED._replace(old=True), now=0.1), GO, "driving", False),
-    (DRIVING.command(0, 0, PUPIL, now=0.1).disconnect(()), STOPPED, "stopped: the command is zero", False),
+    (DRIVING.command(0, 0, PUPIL, now=0.1).disconnect(PUPIL, others=False), STOPPED, "stopped: the command is zero",
+     False),
     (NEW.command(0.1 + 0.2 - 0.3, 0, PUPIL, now=0), STOPPED, "stopped: the command is zero", False),
     (EMERGENCY, STOPPED, "stopped: emergency stop", True),
     (EMERGENCY.command(*GO, PUPIL, now=0.1).check_timeout(now=0.2), STOPPED, "stopped: emergency stop", True),
@@ -58,17 +59,17 @@ def test_a_release_without_a_hold_changes_nothing():
 
 
 @pytest.mark.parametrize("stopped", [
-    DRIVING.check_timeout(now=5), DRIVING.disconnect(()),
+    DRIVING.check_timeout(now=5), DRIVING.disconnect(PUPIL, others=False),
     DRIVING.command(math.nan, 0, PUPIL, now=0.1), EMERGENCY.hold(EMERGENCY_STOP, False),
     STANDING_ORDER.check_timeout(now=5), NEW.command(*GO, LATCHED._replace(old=True), now=0)])
 def test_whatever_stopped_it_the_next_command_drives_again(stopped):
     assert stopped.velocity == STOPPED
-    assert stopped.command(*GO, PUPIL, now=6).velocity == GO
+    assert stopped.command(*GO, IDLE, now=6).velocity == GO
 
 
 @pytest.mark.parametrize("state, deadline", [
     (NEW, math.inf), (EMERGENCY, math.inf), (DRIVING, 1.0), (HOLDING, ANSWER_TIMEOUT),
-    (STANDING_ORDER.confirm("/pupil", 8), 8 + ANSWER_TIMEOUT)])
+    (STANDING_ORDER.confirm(PUPIL, 8), 8 + ANSWER_TIMEOUT)])
 def test_a_timeout_is_checked_when_it_is_due(state, deadline):
     assert state.deadline == deadline
 

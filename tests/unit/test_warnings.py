@@ -48,7 +48,7 @@ def test_a_standing_order_counts_until_its_program_ends(supervisor):
     supervisor.commands.record(Sender("/order", latched=True), now=0.0)
     command(supervisor, "/teleop", now=60.0)
     assert rivals_note(supervisor, now=60.1) == "2 programs command it: /order and /teleop"
-    supervisor.commands.keep({"/teleop", "/idle"})
+    supervisor.commands.forget("/order")
     assert rivals_note(supervisor, now=60.2) is None
 
 

@@ -6,7 +6,10 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
 
-from jetbot_ros.launcher import Launcher  # noqa: I001  first of all: it reads who has started this process
+from jetbot_ros import failures  # noqa: I001
+from jetbot_ros.launcher import Launcher  # early: it reads who has started this process
+
+failures.install()
 
 import math
 import os
@@ -70,6 +73,7 @@ class Cockpit:
         launcher = Launcher()
         while not ended.wait(POLL_INTERVAL) and not launcher.ended and self.server.is_alive():
             launcher.poll()
+            failures.check_vital_threads()
             self.log_changes()  # in this thread: a terminal that blocks holds up no client
         self.end()
 

@@ -6,7 +6,9 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
 
-from jetbot_ros import launcher  # noqa: F401, I001  first of all: it reads who has started this process
+from jetbot_ros import failures, launcher  # noqa: F401, I001  the launcher reads who has started this process
+
+failures.install()
 
 import rospy
 from geometry_msgs.msg import Twist
@@ -40,11 +42,15 @@ class JetBotController:
         self.commanders = Commanders("cmd_vel")
         emergency_stop.subscribe(self.supervisor)
         rospy.Subscriber("cmd_vel", Twist, self.cmd_vel_callback, queue_size=1, tcp_nodelay=True)
-        self.commanders.watch(self.supervisor)
+        self.commanders.watch(self.supervisor.disconnect)
+        self.commanders.settle()
+        self.commanders.keep_asking(self.supervisor)
 
     def cmd_vel_callback(self, msg):
         # Extract linear and angular velocity from the message
-        self.supervisor.command(msg.linear.x, msg.angular.z, self.commanders.sender(msg))
+        sender = self.commanders.sender(msg)
+        if sender:
+            self.supervisor.command(msg.linear.x, msg.angular.z, sender)
 
     def drive(self, linear_x, angular_z):
         # Calculate wheel speeds: left = x - z, right = x + z, unless the parameters give other units

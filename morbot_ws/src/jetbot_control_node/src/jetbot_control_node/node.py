@@ -12,6 +12,8 @@ from jetbot import JetbotError, Robot, fake
 from jetbot.boards import find_board
 from jetbot.connection import locate, lock_board
 from jetbot.supply import find_supply
+from jetbot.wait import wait_until
+from jetbot_ros import failures
 from jetbot_ros.master import is_registered, register
 from jetbot_ros.node_parameters import private_parameters
 
@@ -23,6 +25,7 @@ from .status.supply_watch import SupplyWatch
 from .status.wheels import WheelsPublisher
 
 SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
+STOP_TIMEOUT = 0.5      # s for the robot to be stopped when something in this process broke; then its guard stops it
 
 
 def read_parameters() -> Dict[str, object]:
@@ -72,29 +75,30 @@ def run(supervisor: Supervisor, report: Report) -> int:
     """
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, supervisor.end)
+    failures.before_end.append(lambda: (supervisor.end(), wait_until(lambda: supervisor.closed, STOP_TIMEOUT)))
     rospy.on_shutdown(supervisor.end)  # another node has taken this one's name
     watch.start(supervisor, watch.MasterWatch(is_registered, register))
-    failures, ended, unregistered = [], threading.Event(), threading.Event()
+    errors, ended, unregistered = [], threading.Event(), threading.Event()
     threading.Thread(target=give_up, args=[ended], daemon=True).start()  # now: at the end, no thread may be left
     rospy.core.add_shutdown_hook(lambda _: unregistered.set())  # rospy calls it last
-    threading.Thread(target=supervise, args=[supervisor, report, failures, ended], daemon=True).start()
+    threading.Thread(target=supervise, args=[supervisor, report, errors, ended], daemon=True).start()
     try:
         report.spin()
     finally:
         supervisor.end()
         ended.wait()         # the robot is stopped;
         unregistered.wait()  # after that, give_up limits the time
-    for failure in failures:
-        raise failure
+    for error in errors:
+        raise error
     return 0 if supervisor.closed else 1
 
 
-def supervise(supervisor: Supervisor, report: Report, failures: List[JetbotError], ended: threading.Event) -> None:
+def supervise(supervisor: Supervisor, report: Report, errors: List[JetbotError], ended: threading.Event) -> None:
     """Drive until the node ends, then end it; note what went wrong, but log nothing: the terminal may block."""
     try:
         supervisor.run()
-    except JetbotError as failure:
-        failures.append(failure)
+    except JetbotError as error:
+        errors.append(error)
     finally:
         ended.set()
         report.end()

@@ -19,6 +19,7 @@ from rospy.impl.tcpros_pubsub import TCPROSHandler
 from jetbot import InvalidValue, JetbotError
 from jetbot.host import is_loopback, is_this_host
 
+from . import failures
 from .master import require_master, require_name
 from .node_parameters import fake_advice, public_words
 
@@ -38,6 +39,7 @@ def init_node(name: str) -> None:
     bound_headers()
     # rospy's own signal handlers talk to the master before anything stops, and wait forever if that hangs.
     rospy.init_node(name, argv=public_words(), disable_signals=True)
+    failures.keep_vital_threads()  # rospy's: one registers and connects, one accepts connections
     namespace = rospy.get_namespace()
     if not re.fullmatch(r"/([A-Za-z]\w*/)*", namespace, re.ASCII):  # ROS's programs in C++ refuse any other
         raise InvalidValue(f"a robot cannot be named {namespace.strip('/')}",

@@ -19,7 +19,6 @@ NO_ANSWER = (OSError, HTTPException, Error, ExpatError, ValueError, TypeError, L
 SECOND_ONE = {  # by the last part of a node's name: what to do instead of starting a second one
     "jetbot_cockpit": "Its page has all robots of this ROS master.",
     "jetbot_controller": "A second robot is launched with robot_name:=NAME."}
-_master = None
 
 
 class BoundedTransport(Transport):
@@ -127,14 +126,9 @@ def require_name(node: str) -> None:
 
 
 def is_registered() -> bool:
-    """Return whether the master knows this node; raise NO_ANSWER. For one thread."""
+    """Return whether the master knows this node, and accepts new connections; raise NO_ANSWER."""
     import rospy  # here: it takes long
-    global _master
-    _master = _master or proxy(master_uri())  # keeps its connection
-    try:
-        return ask(_master, "lookupNode", rospy.get_name()) == rospy.get_node_uri()
-    except LookupError:
-        return False
+    return address_of(rospy.get_name()) == rospy.get_node_uri()
 
 
 def register() -> None:

@@ -20,18 +20,19 @@ class EmergencyStop:
         rospy.Subscriber(topic, Bool, self._callback, queue_size=1, tcp_nodelay=True)
 
     def _callback(self, msg):
-        # A release from before this node's start, which its publisher has latched, ends no emergency stop
-        old = self._commanders.sender(msg).old
-        if msg.data or not old:
+        # A release from before this node's start, or before an interruption, ends no emergency stop
+        sender = self._commanders.sender(msg)
+        if msg.data or (sender and not sender.old):
             self._supervisor.hold(self._hold, msg.data)
 
-    def wait_for_latched(self) -> None:
+    def settle(self) -> None:
         """Wait for what was latched before this node started, a second at most; a stop is then in force."""
-        if any(msg.data for msg in self._commanders.wait_for_latched()):
+        self._commanders.watch()
+        if any(msg.data for msg in self._commanders.settle()):
             self._supervisor.hold(self._hold, True)
 
 
 def subscribe(supervisor: Supervisor) -> None:
     """Subscribe to TOPICS; on return, an earlier emergency stop is in force."""
     for stop in [EmergencyStop(topic, hold, supervisor) for topic, hold in TOPICS.items()]:
-        stop.wait_for_latched()
+        stop.settle()

@@ -1,13 +1,14 @@
 """What decides whether the robot may move. No ROS, no thread and no clock: times are monotonic seconds, handed in."""
 
 import math
-from typing import Collection, Dict, List, NamedTuple, Optional, Set, Tuple
+from typing import Dict, List, NamedTuple, Optional, Set, Tuple
 
 from jetbot_ros.holds import HOLDS, Hold
 
 STOPPED = (0.0, 0.0)
 ANSWER_TIMEOUT = 1.0  # s that a program whose command is held may leave unanswered whether it still runs
 MANUAL_PRIORITY = 5.0  # s after a manual command in which those of other programs are ignored
+MAX_ENDED = 100       # numbers of ended connections that are kept
 RECENT = 1.5  # s between commands of two programs that contradict each other
 
 
@@ -17,12 +18,14 @@ class Sender(NamedTuple):
     latched: its command is a standing order, in force until the program ends, freezes or is cut off.
     old: ROS delivered a command again that is older than this node or than an interruption; it moves nothing.
     manual: a person drives by this program; its commands have priority over those of others.
+    number: of its connection; the same name with another number is another program.
     """
 
     name: str
     latched: bool = False
     old: bool = False
     manual: bool = False
+    number: int = 0
 
 
 class State(NamedTuple):
@@ -31,7 +34,8 @@ class State(NamedTuple):
     timeout: seconds without a command after which the robot stops; 0 holds the last command.
     velocity: (linear in m/s, angular in rad/s), always finite; alarm: whether something other than a command stopped
     the robot; sender: of the newest command, which arrived at ``commanded_at``; confirmed_at: when it was last known to
-    run, if its command is held; manual_at: when the newest manual command arrived, of zero too.
+    run, if its command is held; manual_at: when the newest manual command arrived, of zero too; ended: the numbers of
+    the connections that have ended last: a command of theirs may still be on its way.
 
     A hold takes precedence until it is released; then the newest command counts, until it is too old or its sender is
     gone. For MANUAL_PRIORITY seconds after a manual command, only manual ones count. Whatever stopped the robot, only a
@@ -47,6 +51,7 @@ class State(NamedTuple):
     sender: Optional[Sender] = None
     confirmed_at: Optional[float] = None
     manual_at: float = -math.inf
+    ended: Tuple[int, ...] = ()
 
     @property
     def driving(self) -> bool:
@@ -54,9 +59,9 @@ class State(NamedTuple):
         return self.velocity != STOPPED
 
     @property
-    def held_for(self) -> Optional[str]:
-        """The name of the sender whose command is driven without being repeated, or None."""
-        return self.sender.name if self.driving and (self.sender.latched or not self.timeout) else None
+    def held_for(self) -> Optional[Sender]:
+        """The sender whose command is driven without being repeated, or None."""
+        return self.sender if self.driving and (self.sender.latched or not self.timeout) else None
 
     @property
     def deadline(self) -> float:
@@ -71,6 +76,8 @@ class State(NamedTuple):
 
     def command(self, linear: float, angular: float, sender: Sender, now: float) -> "State":
         """A command has arrived; one that is not finite stops the robot."""
+        if sender.number in self.ended:
+            return self
         if sender.old:
             return self._refuse(sender)
         if not sender.manual and self.is_manual(now):
@@ -103,17 +110,18 @@ class State(NamedTuple):
         cause = holds[0].reason if holds else f"no command since {hold.released}"
         return self._stop(cause)._replace(holds=holds)
 
-    def confirm(self, name: Optional[str], asked_at: float) -> "State":
-        """The program of this name has answered a question that was asked at ``asked_at``."""
-        if name is None or name != self.held_for:
+    def confirm(self, sender: Optional[Sender], asked_at: float) -> "State":
+        """This program has answered a question that was asked at ``asked_at``."""
+        if not sender or not self.held_for or sender.number != self.held_for.number:
             return self
         return self._replace(confirmed_at=max(asked_at, self.confirmed_at))
 
-    def disconnect(self, senders: Collection[str]) -> "State":
-        """A program can no longer send commands; ``senders`` are the names of those that still can."""
-        if not self.driving or self.sender.name in senders:
-            return self
-        return self._stop(f"{self.sender.name} has ended" if senders else "nobody is left to send commands")
+    def disconnect(self, sender: Sender, others: bool) -> "State":
+        """This program can no longer send commands. others: whether another one can."""
+        state = self._replace(ended=(*self.ended[1 - MAX_ENDED:], sender.number))
+        if not self.driving or self.sender.number != sender.number:
+            return state
+        return state._stop(f"{sender.name} has ended" if others else "nobody is left to send commands")
 
     def check_timeout(self, now: float) -> "State":
         """Some time has passed."""
@@ -127,7 +135,7 @@ class State(NamedTuple):
 
 
 class CommandLog:
-    """Who sends commands, and how many there were. ``record`` and ``keep`` may be called from any thread."""
+    """Who sends commands, and how many there were. ``record`` and ``forget`` may be called from any thread."""
 
     def __init__(self):
         self.count = 0
@@ -141,10 +149,9 @@ class CommandLog:
         if sender.manual:
             self._manual.add(sender.name)
 
-    def keep(self, senders: Collection[str]) -> None:
-        """Forget all programs but these, which can still send commands."""
-        for name in set(self._commanded_at) - set(senders):
-            self._commanded_at.pop(name, None)
+    def forget(self, name: str) -> None:
+        """The program of this name can no longer send commands."""
+        self._commanded_at.pop(name, None)
 
     def recent(self, now: float) -> List[str]:
         """Return the names of the programs that command the robot now."""

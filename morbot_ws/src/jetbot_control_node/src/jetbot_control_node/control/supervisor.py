@@ -5,7 +5,7 @@ import math
 import queue
 import threading
 import time
-from typing import Callable, Collection, List, NamedTuple, Optional, Tuple
+from typing import Callable, List, NamedTuple, Optional, Tuple
 
 from jetbot import BusError, JetbotError, Robot
 from jetbot.wait import wait_until
@@ -75,16 +75,16 @@ class Supervisor:
             self.state = self.state.hold(hold, engaged)
         self._wake()
 
-    def confirm(self, name: Optional[str], asked_at: float) -> None:
-        """Accept that the program of this name has answered a question that was asked at ``asked_at``."""
+    def confirm(self, sender: Optional[Sender], asked_at: float) -> None:
+        """Accept that this program has answered a question that was asked at ``asked_at``."""
         with self._lock:
-            self.state = self.state.confirm(name, asked_at)
+            self.state = self.state.confirm(sender, asked_at)
 
-    def disconnect(self, senders: Collection[str]) -> None:
-        """Accept that of all programs only these, by their names, can still send commands."""
-        self.commands.keep(senders)
+    def disconnect(self, sender: Sender, others: bool) -> None:
+        """Accept that this program can no longer send commands. others: whether another one can."""
+        self.commands.forget(sender.name)
         with self._lock:
-            self.state = self.state.disconnect(senders)
+            self.state = self.state.disconnect(sender, others)
         self._wake()
 
     def fail(self, failure: JetbotError) -> None:

@@ -1,0 +1,93 @@
+"""The one place that ends a process in which something broke. Install it first: a start may fail for lack of memory.
+
+A node that goes on without one of its threads may be deaf to an emergency stop. So an exception that ends a thread, a
+thread that cannot be started, and one of rospy's that has ended, end the process. Before that, what it drives is
+stopped; after it, its guard does that.
+"""
+
+import contextlib
+import errno
+import logging
+import os
+import sys
+import threading
+from typing import Callable, List, Set
+
+LACKS = (errno.ENOMEM, errno.ENFILE, errno.EMFILE, errno.ENOSPC, errno.EAGAIN)
+ADVICE = "Is this computer out of memory, processes, file descriptors or disk space?"
+
+before_end: List[Callable[[], None]] = []  # called before the process ends; each may take a moment
+_ending, _unwritten = threading.Event(), threading.Event()
+_vital: Set[threading.Thread] = set()
+_start = threading.Thread.start
+
+
+def install() -> None:
+    """From now on, end this process when something in it breaks."""
+    threading.excepthook = _thread_has_failed
+    threading.Thread.start = _start_or_end
+    sys.excepthook = _program_has_failed
+    logging.Handler.handleError = _log_has_failed
+
+
+def keep_vital_threads() -> None:
+    """From now on, ``check_vital_threads`` needs the threads that run now, but not this one."""
+    _vital.update(set(threading.enumerate()) - {threading.current_thread()})
+
+
+def check_vital_threads() -> None:
+    """End the process if one of them has ended."""
+    for thread in _vital:
+        if not thread.is_alive():
+            end(f"its thread {thread.name} has ended")
+
+
+def end(reason: object) -> None:
+    """Report the reason in one line, and end this process."""
+    if _ending.is_set():
+        return
+    _ending.set()
+    _print(f"[FATAL] {os.path.basename(sys.argv[0])} ends: {reason}. {ADVICE}")
+    for act in before_end:
+        with contextlib.suppress(Exception):
+            act()
+    os._exit(1)
+
+
+def _start_or_end(thread):
+    if thread.ident is not None:
+        return _start(thread)  # raises: a thread starts once
+    try:
+        return _start(thread)
+    except (RuntimeError, MemoryError) as error:
+        end(error)
+        raise
+
+
+def _thread_has_failed(failure):
+    if failure.exc_type is not SystemExit:
+        end(f"a thread has failed, {_described(failure.exc_value)}")
+
+
+def _program_has_failed(kind, error, traceback):
+    """Report a lack of resources in one line; anything else as Python does."""
+    lacks = isinstance(error, MemoryError) or getattr(error, "errno", None) in LACKS
+    if lacks or isinstance(error, ImportError) and "cannot open shared" not in str(error) and error.name is None:
+        end(_described(error))
+    sys.__excepthook__(kind, error, traceback)
+
+
+def _log_has_failed(handler, record):
+    """Report once that a log file cannot be written, as on a full disk, and not for each line."""
+    if not _unwritten.is_set():
+        _unwritten.set()
+        _print(f"[WARN] the log cannot be written: {_described(sys.exc_info()[1])}")
+
+
+def _described(error):
+    return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+
+
+def _print(line):
+    with contextlib.suppress(OSError):
+        os.write(2, f"{line}\n".encode(errors="replace"))

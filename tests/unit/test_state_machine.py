@@ -1,0 +1,109 @@
+"""The decision holds its promises in every order of events: tens of thousands are tried beside a small model."""
+
+import math
+
+import pytest
+
+from jetbot_control_node.control.state import ANSWER_TIMEOUT, MANUAL_PRIORITY, STOPPED, Sender, State
+from jetbot_ros.holds import HOLDS
+
+hypothesis = pytest.importorskip("hypothesis")
+from hypothesis import settings, strategies  # noqa: E402
+from hypothesis.stateful import Bundle, RuleBasedStateMachine, consumes, invariant, rule  # noqa: E402
+
+SPEEDS = strategies.sampled_from([0.0, 0.1, -0.5, math.nan, math.inf])
+
+
+class Decision(RuleBasedStateMachine):
+    """Programs come, command, freeze, go, and come back; holds begin and end; time passes.
+
+    The model knows only who is obeyed, how that program commands, and when it was last heard of.
+    """
+
+    connected = Bundle("connected")
+    ended = Bundle("ended")
+    timeout = 1.0
+
+    def __init__(self):
+        super().__init__()
+        self.now, self.state, self.numbers = 0.0, State(self.timeout), 0
+        self.obeyed, self.command_obeyed, self.heard_at = None, STOPPED, 0.0
+        self.holds, self.manual_at = set(), -math.inf
+
+    def obey(self, sender, velocity):
+        """A command that counts has arrived: the model follows it, unless it is zero or nonsense."""
+        go = not self.holds and all(map(math.isfinite, velocity)) and any(velocity)
+        self.obeyed, self.command_obeyed, self.heard_at = (sender if go else None), velocity, self.now
+
+    @rule(target=connected, latched=strategies.booleans(), manual=strategies.booleans(),
+          name=strategies.sampled_from(["/a", "/b"]))
+    def connect(self, latched, manual, name):
+        self.numbers += 1
+        return Sender(name, latched, manual=manual, number=self.numbers)
+
+    @rule(sender=connected, linear=SPEEDS, angular=SPEEDS)
+    def command(self, sender, linear, angular):
+        self.state = self.state.command(linear, angular, sender, self.now)
+        if sender.manual or self.now - self.manual_at >= MANUAL_PRIORITY:
+            self.manual_at = self.now if sender.manual else self.manual_at
+            self.obey(sender, (linear, angular)) if not self.holds else None
+
+    @rule(sender=connected, speed=SPEEDS)
+    def deliver_what_is_from_before(self, sender, speed):
+        driving = self.state.driving
+        self.state = self.state.command(speed, 0.0, sender._replace(latched=True, old=True), self.now)
+        assert self.state.driving == driving
+
+    @rule(sender=ended, speed=SPEEDS)
+    def deliver_what_an_ended_program_has_sent(self, sender, speed):
+        before = self.state
+        self.state = self.state.command(speed, 0.0, sender, self.now)
+        assert self.state == before
+
+    @rule(target=ended, sender=consumes(connected), others=strategies.booleans())
+    def disconnect(self, sender, others):
+        self.state = self.state.disconnect(sender, others)
+        if self.obeyed and self.obeyed.number == sender.number:
+            self.obeyed = None
+        return sender
+
+    @rule(sender=connected, delay=strategies.sampled_from([0.0, 0.3, 2.0]))
+    def answer(self, sender, delay):
+        self.state = self.state.confirm(sender, self.now - delay)
+        if self.obeyed and self.obeyed.number == sender.number and (sender.latched or not self.timeout):
+            self.heard_at = max(self.heard_at, self.now - delay)
+
+    @rule(hold=strategies.sampled_from(HOLDS), engaged=strategies.booleans())
+    def hold(self, hold, engaged):
+        self.state = self.state.hold(hold, engaged)
+        if engaged != (hold in self.holds):
+            self.obeyed = None
+        self.holds = self.holds | {hold} if engaged else self.holds - {hold}
+
+    @rule(seconds=strategies.sampled_from([0.01, 0.4, 0.99, 1.0, 6.0]))
+    def wait(self, seconds):
+        self.now += seconds
+        self.state = self.state.check_timeout(self.now)
+        if self.obeyed:
+            limit = ANSWER_TIMEOUT if self.obeyed.latched or not self.timeout else self.timeout
+            self.obeyed = self.obeyed if self.now - self.heard_at < limit else None
+
+    @invariant()
+    def drives_what_the_living_program_commands_and_nothing_else(self):
+        assert self.state.velocity == (self.command_obeyed if self.obeyed else STOPPED)
+        assert set(self.state.holds) == self.holds
+        assert self.state.driving == (self.state.reason == "driving")
+        assert self.state.deadline > self.now or not self.state.driving
+
+
+class HoldsTheLastCommand(Decision):
+    """The same with cmd_vel_timeout 0."""
+
+    timeout = 0.0
+
+
+settings.register_profile("tens of thousands", max_examples=150, stateful_step_count=50, deadline=None,
+                          derandomize=True, database=None)
+settings.load_profile("tens of thousands")
+TestDecision = Decision.TestCase
+TestHoldsTheLastCommand = HoldsTheLastCommand.TestCase
