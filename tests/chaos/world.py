@@ -72,9 +72,11 @@ class Scene:
 
     def ensure(self) -> None:
         """Start what is missing: master, robots, cockpit. Wait until the robots answer."""
-        if not self.living("master"):
+        if not self._master_answers():
+            for process in self.living("master"):
+                process.signal(signal.SIGKILL)
             self.start("master", "rosmaster", "--core", "-p", str(self.port))
-            self.wait(lambda: self.run("rosparam", "list").returncode == 0, "the master")
+            self.wait(self._master_answers, "the master")
             for process in self.living("launch", "cockpit"):
                 process.end()  # as a person does who restarts roscore
         for robot in self.names:
@@ -83,6 +85,11 @@ class Scene:
         if not self.living("cockpit"):
             self.start("cockpit", "rosrun", "jetbot_cockpit_server", "cockpit.py", f"_port:={self.page_port}")
             self._adopt_last("cockpit.py")
+
+    def _master_answers(self) -> bool:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            return bool(self.living("master")) and self.run("rosparam", "list", timeout=5).returncode == 0
+        return False
 
     def _launch(self, robot: str) -> None:
         for process in self.living("launch"):
