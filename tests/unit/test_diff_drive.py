@@ -28,14 +28,6 @@ def test_drives_the_arc_of_linear_and_angular_speed(linear, angular, steps):
     assert robot.velocity == pytest.approx((linear, angular))
 
 
-def test_wheels_turn_without_slipping():
-    robot = model()
-    robot.step((0.5, -1.0), 2.0)
-    angles, rates = robot.joints
-    assert angles == pytest.approx((2 * 0.3 / 0.03, -2 * 0.6 / 0.03))
-    assert rates == pytest.approx((0.3 / 0.03, -0.6 / 0.03))
-
-
 @pytest.mark.parametrize("linear, angular", [(0.5, 1.0), (-0.3, -0.7), (0.01, 0.0), (2.0, 0.0)])
 def test_closed_loop_drives_the_velocity_of_the_twist_without_a_dead_band(linear, angular):
     robot = model(dead_band=0.1, closed_loop=True)
@@ -56,10 +48,8 @@ def test_a_wheel_that_slows_down_is_at_rest_soon():
     robot = DiffDriveModel()
     robot.step((0.5, 0.5), 1.0)
     assert robot.moving
-    for _ in range(200):
-        robot.step((0.0, 0.0))
+    robot.step((0.0, 0.0), 2.0)
     assert not robot.moving
-    assert robot.velocity == (0, 0)
 
 
 @pytest.mark.parametrize("frequency, starts_at", [(1600, 0.28), (25, 0.02)])
@@ -87,8 +77,8 @@ def test_a_smaller_right_wheel_turns_as_fast_and_drives_less_far(closed_loop, sp
     robot.step(speeds, 2.0)
     assert (robot.left.distance, robot.right.distance) == pytest.approx((0.6, 0.97 * 0.6))
     assert robot.pose.yaw == pytest.approx(-0.03 * 0.6 / SEPARATION)
-    for left, right in robot.joints:
-        assert left == pytest.approx(right)
+    angles, rates = robot.joints
+    assert (angles, rates) == (pytest.approx((20, 20)), pytest.approx((10, 10)))  # of 0.03 m in radius, at 0.3 m/s
 
 
 def test_a_robot_that_is_placed_while_it_rolls_is_at_rest_there_as_it_was_at_its_start():

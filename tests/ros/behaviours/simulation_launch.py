@@ -9,8 +9,8 @@ import unittest
 
 import rospy
 import tf2_ros
-from geometry_msgs.msg import Twist, Vector3
-from nav_msgs.msg import Odometry, Path
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
 from PIL import Image
 from tf2_msgs.msg import TFMessage
 
@@ -29,12 +29,6 @@ class SimulationLaunch(RobotTest):
         self.launch("simulation", "simulation.launch", f"port:=fake:{self.bus}", "rviz:=false", *arguments)
         self.wait_for_controller()
 
-    def configured(self, text):
-        """Return the argument that names a configuration file with this text."""
-        config = pathlib.Path(self.folder, "robot.yaml")
-        config.write_text(text)
-        return f"config:={config}"
-
     def assert_drives(self, command, velocity):
         """Repeat the command until odom has this velocity in m/s and rad/s."""
         def driving():
@@ -42,41 +36,33 @@ class SimulationLaunch(RobotTest):
             return self.odometry and is_moving(self.odometry[-1], *velocity)
         self.wait_for(driving, START_TIMEOUT, f"a velocity of {velocity}")
 
-    def assert_stops(self):
-        """Command a stop, and wait until odom has it."""
-        self.command(0)
-        self.wait_for(lambda: self.odometry[-1].twist.twist.linear.x == 0, START_TIMEOUT, "the end of the motion")
-
-    def test_simulates_the_board_of_the_configuration_file_and_a_command_is_a_fraction_of_full_power(self):
-        self.simulate(self.configured("board: waveshare_hat\ni2c_address: 0x61"))
-        self.assert_drives((0.5, 0.1), (0.5 * 0.6, 2 * 0.1 * 0.6 / 0.1125))
-
-    def test_open_loop_odometry_is_the_only_one_and_ends_where_the_robot_does(self):
+    def assert_one_odometry(self, joint_states, command, *arguments):
+        """Drive, and fail unless the controller alone publishes odom and its tf, and this one those of the wheels."""
         frames, transforms = tf2_ros.Buffer(), self.record("/tf", TFMessage)
         self.addCleanup(tf2_ros.TransformListener(frames).unregister)
-        self.simulate(self.configured("{wheel_separation: 0.1125, max_speed: 0.6, publish_odom: true}"), "x:=1")
-        self.assert_drives((0.4, 0.5), (0.4, 0.5))
-        self.wait_for(lambda: self.command(0.4, 0.5) or self.odometry[-1].pose.pose.position.y > 0.2, START_TIMEOUT,
+        self.simulate("x:=1", *arguments)
+        self.assert_drives(command, command)
+        self.wait_for(lambda: self.command(*command) or self.odometry[-1].pose.pose.position.y > 0.2, START_TIMEOUT,
                       "a part of a circle")
-        self.assert_stops()
+        self.command(0)
+        self.wait_for(lambda: self.odometry[-1].twist.twist.linear.x == 0, START_TIMEOUT, "the end of the motion")
         self.assertEqual(publishers("/odom"), ["/jetbot_controller"])
-        self.assertEqual(publishers("/joint_states"), ["/jetbot_controller"])
+        self.assertEqual(publishers("/joint_states"), [joint_states])
         self.assertEqual(senders(transforms, "base_footprint"), {"/jetbot_controller"})
         self.assertEqual(senders(transforms, "true_base_footprint"), {"/jetbot_simulator"})
         self.wait_for(lambda: near(frames, "base_footprint", "true_base_footprint", 0.1), 5.0, "the robot to arrive")
 
-    def test_the_controller_of_a_jetbot_pro_alone_publishes_odom_and_its_tf_and_they_agree_with_the_path(self):
-        frames, transforms, paths = tf2_ros.Buffer(), self.record("/tf", TFMessage), self.record("path", Path)
-        self.addCleanup(tf2_ros.TransformListener(frames).unregister)
-        self.simulate("board:=jetbot_pro", "x:=1", "publish_odom:=true")  # which is for other boards
-        self.assert_drives((2.0, 0.2), (2.0, 0.2))
-        self.assertEqual(publishers("/odom"), ["/jetbot_controller"])
-        self.assertEqual(publishers("/joint_states"), ["/jetbot_simulator"])
-        self.wait_for(lambda: position(frames).x > 2, START_TIMEOUT, "the simulated robot to drive")
-        self.assertEqual(senders(transforms, "base_footprint"), {"/jetbot_controller"})
-        self.assert_stops()
-        self.wait_for(lambda: abs(paths[-1].poses[-1].pose.position.x - position(frames).x) < 0.2, START_TIMEOUT,
-                      "the path to end where the robot is")
+    def test_simulates_the_board_of_the_configuration_file_and_a_command_is_a_fraction_of_full_power(self):
+        config = pathlib.Path(self.folder, "robot.yaml")
+        config.write_text("board: waveshare_hat\ni2c_address: 0x61")
+        self.simulate(f"config:={config}")
+        self.assert_drives((0.5, 0.1), (0.5 * 0.6, 2 * 0.1 * 0.6 / 0.1125))
+
+    def test_open_loop_odometry_is_the_only_one_and_ends_where_the_robot_does(self):
+        self.assert_one_odometry("/jetbot_controller", (0.4, 0.5), "config:=si_units.yaml", "publish_odom:=true")
+
+    def test_the_odometry_of_a_jetbot_pro_is_the_only_one_and_ends_where_the_robot_does(self):
+        self.assert_one_odometry("/jetbot_simulator", (1.0, 0.5), "board:=jetbot_pro", "publish_odom:=true")
 
     def test_three_robots_share_a_map_and_each_obeys_its_own_commands_in_si_units(self):
         odometry = {name: self.record(f"/{name}/odom", Odometry) for name in ROBOTS}
@@ -148,10 +134,3 @@ def near(frames, frame, other, distance):
         return False
     between = frames.lookup_transform(frame, other, rospy.Time()).transform.translation
     return math.hypot(between.x, between.y) < distance
-
-
-def position(frames):
-    """Return where the robot's left wheel is on the map, by tf; the origin before it is known."""
-    if not frames.can_transform("map", "left_wheel", rospy.Time()):
-        return Vector3()
-    return frames.lookup_transform("map", "left_wheel", rospy.Time()).transform.translation

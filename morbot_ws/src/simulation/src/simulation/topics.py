@@ -37,9 +37,13 @@ class Topics:
     def __init__(self, others: Collection[str], model: DiffDriveModel):
         drifts = "odom" in others
         frames = ("map", "true_base_footprint") if drifts else (frame_name("odom"), "base_footprint")
-        rows = {"odom": (Odometry, odometry_of), "joint_states": (JointState, joint_states_of),
-                "~ground_truth": (Odometry, ground_truth_of), "line": (Float32MultiArray, line_of),
-                "/tf": (TFMessage, lambda stamp, model: transforms(stamp, *frames, model.pose))}
+        rows = {
+            "odom": (Odometry, lambda stamp, model: odometry(stamp, model.pose, *model.velocity)),
+            "joint_states": (JointState, lambda stamp, model: joint_states(stamp, *model.joints)),
+            "~ground_truth": (Odometry, ground_truth),
+            "line": (Float32MultiArray,
+                     lambda _, model: Float32MultiArray(EYES_LAYOUT, model.world.line_sensor(model.pose))),
+            "/tf": (TFMessage, lambda stamp, model: transforms(stamp, *frames, model.pose))}
         self._live = [(rospy.Publisher(topic, kind, queue_size=10), message_of)
                       for topic, (kind, message_of) in rows.items() if topic not in others]
         self._path = rospy.Publisher("path", Path, queue_size=1, latch=True)
@@ -71,22 +75,11 @@ class Topics:
             self._path.publish(Path(header, list(self._poses)))
 
 
-def odometry_of(stamp: rospy.Time, model: DiffDriveModel) -> Odometry:
-    return odometry(stamp, model.pose, *model.velocity)
-
-
-def ground_truth_of(stamp: rospy.Time, model: DiffDriveModel) -> Odometry:
-    message = odometry_of(stamp, model)
+def ground_truth(stamp: rospy.Time, model: DiffDriveModel) -> Odometry:
+    """Return the robot's true pose, on the map."""
+    message = odometry(stamp, model.pose, *model.velocity)
     message.header.frame_id = "map"
     return message
-
-
-def joint_states_of(stamp: rospy.Time, model: DiffDriveModel) -> JointState:
-    return joint_states(stamp, *model.joints)
-
-
-def line_of(_, model: DiffDriveModel) -> Float32MultiArray:
-    return Float32MultiArray(EYES_LAYOUT, model.world.line_sensor(model.pose))
 
 
 def transforms(stamp: rospy.Time, parent: str, child: str, pose: Pose) -> TFMessage:

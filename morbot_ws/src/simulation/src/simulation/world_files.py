@@ -44,11 +44,10 @@ def load(name: str) -> World:
     file = SHIPPED / name if name in names() else os.path.abspath(os.path.expanduser(name))
     try:
         content = files.read(file)
-    except FileNotFoundError:
-        raise InvalidValue(f"there is no world {file}", f"The simulation has {enumeration(names())}. "
-                           "Name a file of your own by its whole path.") from None
     except (OSError, ValueError) as error:
-        raise InvalidValue(f"the world {file} cannot be used: {getattr(error, 'strerror', None) or error}") from None
+        raise InvalidValue(f"the world {file} cannot be used: {getattr(error, 'strerror', None) or error}",
+                           f"The simulation has {enumeration(names())}. Name a file of your own by its whole path."
+                           ) from None
     return parse(content, f"the world {file}")
 
 
