@@ -1,8 +1,10 @@
-"""Where ROS_HOSTNAME is localhost, only publishers of this computer are heard, and no connection can block the node."""
+"""Where ROS_HOSTNAME is localhost, only publishers of this computer are heard; nothing, and no flood, delays a stop."""
 
 import socket
 import struct
 import threading
+import time
+from pathlib import Path
 from xmlrpc.client import ServerProxy
 from xmlrpc.server import SimpleXMLRPCServer
 
@@ -12,6 +14,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from std_msgs.msg import String
 
 from harness import START_TIMEOUT, RobotTest, read
+from jetbot.fake.bus import power_on
 
 NUMBER = "2130706433"  # 127.0.0.1, written so that it counts as another computer's name
 CALLER = "/jetbot_controller"
@@ -41,7 +44,9 @@ class Publisher:
 class Connections(RobotTest):
     def setUp(self):
         super().setUp()
-        self.node = self.controller()
+        power_on(self.bus)
+        Path(self.bus, "clock").write_text("100000")
+        self.node = self.controller(cmd_vel_timeout=0)
         self.address = rosgraph.Master("/test").lookupNode(CALLER)
 
     def announce(self, publisher, host):
@@ -71,6 +76,16 @@ class Connections(RobotTest):
         rospy.wait_for_message("/jetbot_controller/status", String, START_TIMEOUT)
         rospy.wait_for_message("/diagnostics", DiagnosticArray, START_TIMEOUT)
         self.assertTrue(is_closed(silent[0], within=START_TIMEOUT))
+
+    def test_a_stop_after_5_s_of_1000_commands_a_second_waits_in_no_queue(self):
+        start = time.monotonic()
+        for i in range(5000):
+            self.command(0.3 + 0.4 * (i % 2), 0.1)
+            time.sleep(max(0, start + i / 1000 - time.monotonic()))
+        self.assertNotEqual(self.wheels(), (0, 0))
+        self.command(0)
+        self.wait_for_stop(within=0.1)
+        self.wheels_stay(0, 0, for_seconds=0.5)
 
 
 def is_closed(connection, within):

@@ -1,10 +1,11 @@
-"""The wheels stop when the controller itself is killed or frozen, with roslaunch and without."""
+"""The wheels stop when the controller, or roslaunch above it, is asked to end, killed or frozen."""
 
 import os
 import signal
 
-from harness import START_TIMEOUT, RobotTest, find_processes, pid, read
+from harness import START_TIMEOUT, RobotTest, find_processes, pid, publishers, read
 
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 STOP_TIMEOUT = 1.5  # s, from the failure to the stop
 
 
@@ -19,9 +20,41 @@ class Crash(RobotTest):
         """Return the process ids of the guards on this test's bus."""
         return find_processes(self.bus, "jetbot_guard")
 
-    def test_killed_below_roslaunch(self):
+    def launched_workshop(self):
+        """Start the workshop's launch file; wait until its robot drives."""
         launch = self.launch("workshop", "workshop_jetbot_controller.launch")
         self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
+        return launch
+
+    def test_the_node_is_asked_to_end(self):
+        texts = self.status()
+        for each in SIGNALS:
+            node = self.driving_controller()
+            self.wait_for_status(texts, "driving")  # so that this node's statuses arrive
+            node.send_signal(each)
+            self.wait_for_stop(within=0.7)
+            self.assertEqual(node.wait(START_TIMEOUT), 0)
+            self.assertNotIn("/jetbot_controller", publishers("/rosout"))
+            self.wait_for_status(texts, "stopped: the controller has ended")
+            self.wait_for(lambda: not self.commands().get_num_connections(), 5.0, "the node to unsubscribe")
+
+    def test_roslaunch_is_asked_to_end(self):
+        for each in SIGNALS:
+            launch = self.launched_workshop()
+            launch.send_signal(each)
+            self.wait_for_stop(within=0.7)
+            launch.wait(START_TIMEOUT)
+
+    def test_suspended_roslaunch(self):
+        launch = self.launched_workshop()
+        launch.send_signal(signal.SIGSTOP)
+        self.wait_for_stop(within=0.7)
+        self.wheels_stay(0, 0, for_seconds=0.5)
+        launch.send_signal(signal.SIGCONT)
+        self.wait_for_wheels(0.4, 0.6)
+
+    def test_killed_below_roslaunch(self):
+        launch = self.launched_workshop()
         os.kill(pid("/jetbot_controller"), signal.SIGKILL)
         self.wait_for_stop(within=STOP_TIMEOUT)
         self.wheels_stay(0, 0, for_seconds=1)

@@ -32,12 +32,10 @@ class Diagnostics(RobotTest):
                       f"{wanted} in /diagnostics")
 
     def test_levels_and_values(self):
-        controller = self.controller(cmd_vel_timeout=0)
+        controller = self.controller(cmd_vel_timeout=0.4)
         self.wait_for_level(DiagnosticStatus.OK, "stopped: no command yet")
-        for _ in range(30):
-            self.command(0.5)
-            rospy.sleep(0.05)
-        self.wait_for_level(DiagnosticStatus.OK, "driving")
+        self.wait_for(lambda: self.command(0.5) or self.latest().message == "driving" + self.hardware
+                      and self.values()["commands per second"] != "0.0", 5.0, "/diagnostics of a robot that drives")
         values = self.values()
         texts = [values[name] for name in ("board", "bus", "units", "settings")]
         self.assertEqual(texts, ["jetbot", f"fake:{self.bus}", UNITS, "no file of settings"])
@@ -48,7 +46,10 @@ class Diagnostics(RobotTest):
         self.assertGreater(int(values["transfers"]), 10)
         self.assertEqual(values["failed transfers"], "0")
         self.assertLess(float(values["age of the last command (s)"]), 3)
-        self.wait_for(lambda: self.values()["commands per second"] != "0.0", 5.0, "a rate of commands")
+        self.wait_for_level(DiagnosticStatus.WARN, "stopped: no command for 0.4 s (repeat it: rostopic pub -r 10)")
+        os.unlink(os.path.join(self.bus, "0x60"))
+        self.wait_for_level(DiagnosticStatus.ERROR, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")
+        power_on(self.bus)  # else the guard keeps trying for minutes
 
     def test_what_the_wheels_get_at_most_ten_times_a_second(self):
         self.controller(cmd_vel_timeout=0, left_motor_alpha=0.5)
@@ -64,14 +65,6 @@ class Diagnostics(RobotTest):
         self.wait_for(lambda: close(messages[-1].data, (0.5, 0.099, 0.2005, 0.599)), 5.0, "the last command's wheels")
         self.assertLessEqual(len(messages), 10 * (time.monotonic() - start) + 1)
 
-    def test_alarm_and_fault(self):
-        self.controller(cmd_vel_timeout=0.2)
-        self.command(0.5)
-        self.wait_for_level(DiagnosticStatus.WARN, "stopped: no command for 0.2 s (repeat it: rostopic pub -r 10)")
-        os.unlink(os.path.join(self.bus, "0x60"))
-        self.wait_for_level(DiagnosticStatus.ERROR, f"stopped: no answer from 0x60 on fake:{self.bus}, trying again")
-        power_on(self.bus)  # else the guard keeps trying for minutes
-
     def test_supply(self):
         batteries, texts = self.record("/battery", BatteryState), self.status()
         self.controller(cmd_vel_timeout=0)
@@ -79,30 +72,13 @@ class Diagnostics(RobotTest):
         self.assertAlmostEqual(batteries[-1].voltage, 12.1, places=3)
         self.assertAlmostEqual(batteries[-1].percentage, (12.1 - 9.0) / 3.6, places=3)
         self.assertTrue(batteries[-1].present and math.isnan(batteries[-1].current))
-        self.wait_for_next(batteries)
-        self.set_supply(0x5000)  # 10.24 V
-        self.command(0.5)
-        self.wait_for_status(texts, "driving, its supply dips from 12.1 to 10.2 V as the motors start: "
-                                    "set acceleration_limit:=1")
-        self.wait_for_status(texts, "driving")
-        self.set_supply(0x4650)  # 9.0 V
-        self.wait_for_status(texts, "driving, its battery is empty (9.0 V): charge it")
-        self.wait_for_status(texts, "driving")
-        self.wait_for_level(DiagnosticStatus.WARN, "driving, its battery is empty (9.0 V): charge it")
-        os.unlink(os.path.join(self.bus, "0x41"))
-        self.wait_for(lambda: math.isnan(batteries[-1].voltage), 5.0, "a battery without a voltage")
-        self.wait_for(lambda: self.values()["supply"] == f"unknown: no answer from 0x41 on fake:{self.bus}", 5.0,
-                      "the unplugged sensor in /diagnostics")
-        self.assertEqual((self.values()["supply dips"], self.wheels()), ("1", (0.5, 0.5)))
-
-    def wait_for_next(self, messages):
-        count = len(messages)
-        self.wait_for(lambda: len(messages) > count, 5.0, "another message")
-
-    def set_supply(self, bus_voltage):
         with open(os.path.join(self.bus, "0x41"), "r+b") as chip:
             chip.seek(4)
-            chip.write(bus_voltage.to_bytes(2, "big"))
+            chip.write(b"\x46\x50")  # 9.0 V
+        self.wait_for_status(texts, "stopped: no command yet, its battery is empty (9.0 V): charge it")
+        self.wait_for_level(DiagnosticStatus.WARN, "stopped: no command yet, its battery is empty (9.0 V): charge it")
+        os.unlink(os.path.join(self.bus, "0x41"))
+        self.wait_for(lambda: math.isnan(batteries[-1].voltage), 5.0, "a battery without a voltage")
 
 
 def close(values, wanted):

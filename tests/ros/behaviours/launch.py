@@ -1,4 +1,4 @@
-"""A node that cannot start logs one sentence, without a traceback, and its exit code is not 0."""
+"""What is typed wins over a file; a node that cannot start logs one sentence, and its exit code is not 0."""
 
 import os
 import sys
@@ -20,7 +20,16 @@ ERRORS = [  # a sentence, and the parameters that cause it
      "_i2c_bus:=fake", "__ns:=jetbot-07")]
 
 
-class StartErrors(RobotTest):
+class Launch(RobotTest):
+    def test_an_argument_wins_over_the_file_and_the_file_over_the_default(self):
+        file = Path(self.folder, "robot.yaml")
+        file.write_text("max_speed: 0.5\nleft_motor_alpha: 0.5\n")
+        self.launch("jetbot_control_node", "jetbot_controller.launch", f"config:={file}", "max_speed:=1.0",
+                    "left_motor_alpha:=")
+        self.wait_for_controller()
+        self.command(0.4)
+        self.wait_for_wheels(0.2, 0.4)
+
     def test_one_line(self):
         for sentence, *parameters in ERRORS:
             node = self.start(CONTROLLER, *parameters)
