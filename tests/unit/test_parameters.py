@@ -154,13 +154,12 @@ def test_a_place_that_is_named_counts(tmp_path, typed, config):
     (b"[board, jetbot]", "it holds no parameters"),
     (b"a: [", "line 1: expected the node content, but found '<stream end>'"),
     (b"[" * 65000, "maximum recursion depth exceeded"),
-    (b"max_speed: [1, 2]", "it gives max_speed more than one value"),
-    (b"a: &a [1]\nb: &b [*a, *a]\nc: [*b, *b]", "it gives a more than one value"),
+    (b"max_speed: [1, 2]", "it must give max_speed one value"),
+    (b"a: &a [1]\nb: &b [*a, *a]\nc: [*b, *b]", "it must give a one value"),
     (b"a: !!python/name:os.system x",
      "line 1: could not determine a constructor for the tag 'tag:yaml.org,2002:python/name:os.system'"),
-    (b"max_speed:", "it gives max_speed no value"),
-    (b"max_speed: ''", "it gives max_speed no value"),
-    (b"yes: 1", "True is not a name"),
+    (b"max_speed:", "it must give max_speed one value"),
+    (b"max_speed: ''", "it must give max_speed one value"),
     (b"a: 1\n\tb: 2", r"line 2: found character '\t' that cannot start any token"),
     (b"a: \xff", "unacceptable character #x00ff: invalid start byte"),
     (b"a: \x1b[2J", "unacceptable character #x001b: special characters are not allowed"),
@@ -180,7 +179,7 @@ def test_a_file_that_cannot_be_used(tmp_path, content, reason):
 
 @pytest.mark.parametrize("content", [
     b"max_speed: 2020-01-01", b"max_speed: .nan", b"max_speed: 1" + 400 * b"0", b"max_speed: 0x" + 5000 * b"f",
-    b"max_speed: " + 5000 * b"9", b"i2c_bus: 0x" + 5000 * b"f", b'board: "\\e[2J"', b"i2c_bus: true",
+    b"max_speed: " + 5000 * b"9", b"i2c_bus: 0x" + 5000 * b"f", b'board: "\\e[2J"', b"i2c_bus: true", b"yes: 1",
 ], ids=lambda content: repr(content)[:20])
 def test_an_odd_value_in_the_file_gets_one_short_sentence(tmp_path, content):
     (tmp_path / "robot.yaml").write_bytes(content)
@@ -196,16 +195,13 @@ def test_a_named_file_that_cannot_be_read(tmp_path, monkeypatch, name):
         resolve({"config": name})
 
 
-@pytest.mark.parametrize("name, where, advice", [
-    ("si_unit.yaml", " in {}, the folder in which this program runs", "Did you mean config:=si_units.yaml? "),
-    ("/nowhere/SI_Unit.yaml", "", "Did you mean config:=si_units.yaml? "),
-    *((name, " in {}, the folder in which this program runs", "") for name in ("~nobody_here/robot.yaml", None))])
-def test_a_named_file_that_is_missing(tmp_path, monkeypatch, name, where, advice):
+@pytest.mark.parametrize("name", ["si_unit.yaml", "~nobody_here/robot.yaml", None])
+def test_a_named_file_that_is_missing(tmp_path, monkeypatch, name):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(InvalidValue) as error:
         resolve({"config": name})
-    assert str(error.value) == (f"There is no file {name}{where.format(tmp_path)}. {advice}"
-                                "Name a file of your own by its whole path.")
+    assert str(error.value) == (f"There is no file {tmp_path}/{name}. Name a file of your own by its whole path; this "
+                                "package has si_units.yaml.")
 
 
 def test_the_file_in_ros_home_is_never_passed_over(ros_home):

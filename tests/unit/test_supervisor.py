@@ -15,7 +15,7 @@ from jetbot.wait import wait_until
 from jetbot_control_node.control.state import Sender
 from jetbot_control_node.control.supervisor import Supervisor
 from jetbot_control_node.status.status_line import StatusLine
-from jetbot_control_node.status.warnings import TOO_SLOW, Warnings, disturbances
+from jetbot_control_node.status.warnings import TOO_SLOW, disturbances
 from jetbot_ros.holds import EMERGENCY_STOP
 
 PUPIL = Sender("/pupil")
@@ -39,7 +39,7 @@ def supervisor(robot, statuses):
 def supervise(robot, statuses):
     """Return a supervisor of the robot; its statuses go to the list."""
     supervisor = Supervisor(robot, lambda x, z: robot.set_motors(x - z, x + z), 1.0)
-    line = StatusLine(supervisor, Warnings(supervisor), lambda status: statuses.append(status.text))
+    line = StatusLine(supervisor, lambda status: statuses.append(status.text))
     supervisor.watchers.append(line)
     return supervisor
 

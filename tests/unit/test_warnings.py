@@ -120,11 +120,14 @@ def test_a_status_has_notes_and_a_remark_where_they_matter(status, text, warning
 
 
 def test_a_status_is_reported_once_and_looked_at_again_when_something_changes_or_after_a_while(supervisor):
-    statuses, warnings = [], Mock(**{"notes.return_value": []})
-    line = StatusLine(supervisor, warnings, lambda status: statuses.append(status.text))
+    statuses, looked = [], []
+    supervisor.robot = Mock(at_full_power=False, **{"driver.resolution": 0.0002})
+    supervisor.robot.driver.configure_mock(resets=0, overwritten=0)
+    supervisor.faults = 0
+    line = StatusLine(supervisor, lambda status: statuses.append(status.text), looked.append)
     driving = supervisor.state.command(0.1, 0.0, Sender("/pupil"), now=0.0)
     stopped = driving.command(0.0, 0.0, Sender("/pupil"), now=0.15)
     for now, state in (0.0, driving), (0.1, driving), (0.15, stopped), (0.16 + LOOK_INTERVAL, stopped):
         line(Step(now, state, None, state.velocity, (0.1, 0.1)))
     assert statuses == ["driving", "stopped: the command is zero"]
-    assert warnings.notes.call_count == 3
+    assert looked == [0.0, 0.15, 0.16 + LOOK_INTERVAL]

@@ -19,7 +19,7 @@ from jetbot.kinds import (
     SECONDS,
     Kind,
 )
-from jetbot.text import closest
+from jetbot.text import enumeration
 from jetbot_ros.node_parameters import Parameter, check_values, given
 
 SHIPPED = files.shipped(__file__, "jetbot_control_node", "config")
@@ -90,12 +90,8 @@ def content_problem(values: object) -> Optional[str]:
     if not (isinstance(values, dict) and values):
         return "it holds no parameters"
     for name, value in values.items():
-        if not isinstance(name, str):
-            return f"{name} is not a name"
-        if value in ("", None):
-            return f"it gives {name} no value"
-        if isinstance(value, (list, dict)):  # which aliases may make too large to print
-            return f"it gives {name} more than one value"
+        if value in ("", None) or isinstance(value, (list, dict)):  # which aliases may make too large to print
+            return f"it must give {name} one value"
     return None
 
 
@@ -124,24 +120,16 @@ def find_file(config: object, simulated: Collection[str]) -> str:
 
     A name such as si_units.yaml, if there is no such file, is one of this package's. Raise InvalidValue if it is not.
     """
-    if config != "":
-        file = os.path.abspath(os.path.expanduser(str(config)))
-        shipped = SHIPPED / str(config)
-        if os.path.lexists(file):
-            return file
-        if shipped.is_file():
-            return str(shipped)
-        raise no_file(str(config))
-    return "" if simulated or not os.path.lexists(default_file()) else os.path.abspath(default_file())
-
-
-def no_file(config: str) -> InvalidValue:
-    """Return the error of a typed ``config`` that is no file."""
-    relative = not os.path.isabs(os.path.expanduser(config))
-    where = f" in {os.getcwd()}, the folder in which this program runs" if relative else ""
-    meant = closest(os.path.basename(config), os.listdir(SHIPPED))
-    return InvalidValue(f"there is no file {config}{where}", (f"Did you mean config:={meant}? " if meant else "")
-                        + "Name a file of your own by its whole path.")
+    if config == "":
+        return "" if simulated or not os.path.lexists(default_file()) else os.path.abspath(default_file())
+    file = os.path.abspath(os.path.expanduser(str(config)))
+    shipped = SHIPPED / str(config)
+    if os.path.lexists(file):
+        return file
+    if not shipped.is_file():
+        raise InvalidValue(f"there is no file {file}", "Name a file of your own by its whole path; this package has "
+                                                       f"{enumeration(sorted(os.listdir(SHIPPED)))}.")
+    return str(shipped)
 
 
 def checked(values: Dict[str, object]) -> Dict[str, object]:

@@ -1,4 +1,4 @@
-"""A colour for each robot, by its name: in RViz, and on the cockpit's map, readable on white and on black."""
+"""A colour for each robot, by its name: in RViz, and on the cockpit's map, which may be white or black."""
 
 import colorsys
 import re
@@ -16,8 +16,6 @@ PALETTE = ("004bff", "ff4b0f", "00a500", "ff00ff", "875a00", "b400a5", "2d96ff",
            "5a5aa5", "8700ff", "ff1e96", "b469f0", "0fa5a5", "c30f1e", "00785a", "c38700")
 NUMBERED = re.compile(r"jetbot_(\d+)")
 GOLDEN_RATIO = (5 ** 0.5 - 1) / 2  # its multiples spread hues evenly, however many there are
-LUMINANCES = (0.27, 0.13)          # these two have that contrast, too
-SATURATION = 0.9
 
 
 def color_of(name: str) -> Color:
@@ -33,20 +31,4 @@ def color_of(name: str) -> Color:
     number = int(numbered.group(1)) if numbered else zlib.crc32(name.encode())
     if 1 <= number <= len(PALETTE):
         return tuple(part / 255 for part in bytes.fromhex(PALETTE[number - 1]))
-    return _color(number * GOLDEN_RATIO % 1, LUMINANCES[number % 2])
-
-
-def luminance(color: Color) -> float:
-    """Return the relative luminance of a colour in sRGB, 0 to 1, as WCAG 2.1 defines it."""
-    linear = (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in color)
-    return sum(weight * part for weight, part in zip((0.2126, 0.7152, 0.0722), linear))
-
-
-def _color(hue, wanted):
-    """Return the colour of this hue (0 to 1) and luminance, by bisection over its lightness."""
-    low, high = 0.0, 1.0
-    for _ in range(16):
-        lightness = (low + high) / 2
-        color = colorsys.hls_to_rgb(hue, lightness, SATURATION)
-        low, high = (lightness, high) if luminance(color) < wanted else (low, lightness)
-    return color
+    return colorsys.hls_to_rgb(number * GOLDEN_RATIO % 1, 0.4, 0.9)

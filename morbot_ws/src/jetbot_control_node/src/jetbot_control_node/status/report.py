@@ -15,7 +15,6 @@ from ..control.supervisor import Supervisor
 from .status_line import Status, StatusLine
 from .summary import start_line, start_warnings, status_suffix, summary
 from .supply_watch import SupplyWatch
-from .warnings import Warnings
 
 DIAGNOSTICS_INTERVAL = 1.0  # s
 REPEAT_LOG = 1.0            # s before the same line is logged again
@@ -36,7 +35,7 @@ class Report:
         self._last = None
         self._ended = False
         self._counted = (0, time.monotonic())
-        self._line = StatusLine(supervisor, Warnings(supervisor, supply.note), self._change)
+        self._line = StatusLine(supervisor, self._change, supply.note)
         supervisor.watchers.append(self._line)
 
     def _change(self, status: Status):

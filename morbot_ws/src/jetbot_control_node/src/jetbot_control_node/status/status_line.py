@@ -1,12 +1,20 @@
 """What the robot does and why, in one sentence, rebuilt only when what it is made of has changed. No ROS here."""
 
 import math
-from typing import Callable, NamedTuple, Optional, Tuple
+from typing import Callable, List, NamedTuple, Optional, Tuple
 
 from jetbot import JetbotError
 
 from ..control.supervisor import Step, Supervisor
-from .warnings import Warnings, waiting_remark
+from .warnings import (
+    Disturbances,
+    Lasting,
+    disturbances,
+    full_power_note,
+    rivals_note,
+    too_slow_note,
+    waiting_remark,
+)
 
 LOOK_INTERVAL = 0.2  # s between two looks at the warnings while nothing else changes
 
@@ -38,10 +46,15 @@ class Status(NamedTuple):
 
 
 class StatusLine:
-    """The ``status`` of a supervisor, which it watches. on_change: called with each that reads differently."""
+    """The ``status`` of a supervisor, which it watches. on_change: called with each that reads differently.
 
-    def __init__(self, supervisor: Supervisor, warnings: Warnings, on_change: Callable[[Status], None]):
-        self._supervisor, self._warnings, self._on_change = supervisor, warnings, on_change
+    supply_note: returns what there is to say about the supply at a time, or None.
+    """
+
+    def __init__(self, supervisor: Supervisor, on_change: Callable[[Status], None],
+                 supply_note: Callable[[float], Optional[str]] = lambda now: None):
+        self._supervisor, self._on_change, self._supply_note = supervisor, on_change, supply_note
+        self._disturbances, self._too_slow = Disturbances(), Lasting()
         self.status = Status(supervisor.state.reason)
         self._text, self._made_of, self._looked_at = None, None, -math.inf
 
@@ -51,7 +64,15 @@ class StatusLine:
             return
         self._made_of, self._looked_at = made_of, step.at
         self.status = status = Status(step.state.reason, step.state.alarm, bool(step.state.holds), step.fault,
-                                      tuple(self._warnings.notes(step)), waiting_remark(self._supervisor, step.at))
+                                      tuple(self._notes(step)), waiting_remark(self._supervisor, step.at))
         if status.text != self._text:
             self._text = status.text
             self._on_change(status)
+
+    def _notes(self, step) -> List[str]:
+        """Return a sentence for each thing that a person should look at."""
+        now, robot = step.at, self._supervisor.robot
+        notes = [rivals_note(self._supervisor, now), self._supply_note(now), full_power_note(robot),
+                 self._too_slow.note(too_slow_note(robot, step.duties), now),
+                 *self._disturbances.notes(disturbances(self._supervisor), now)]
+        return [note for note in notes if note]

@@ -1,11 +1,11 @@
 """What the status reports beside "driving": programs that contradict each other, and what costs motion. No ROS here."""
 
-from typing import Callable, Dict, List, Optional, Sequence
+from typing import Dict, List, Optional, Sequence
 
 from jetbot import Robot
 from jetbot.text import enumeration
 
-from ..control.supervisor import Step, Supervisor
+from ..control.supervisor import Supervisor
 
 NOTE_FOR = 3.0  # s that a disturbance of the board is reported
 LASTING = 0.5   # s that a condition lasts until it is reported: a ramp passes through some
@@ -18,22 +18,6 @@ DISTURBANCES = {  # count: from how many on it is reported, and how
 }
 FULL_POWER, MAX_DUTY = "both wheels at full power", "both wheels at max_duty"
 TOO_SLOW = "the wheels get less than one step of the board, so they do not turn: "
-
-
-class Warnings:
-    """What a person should look at. supply_note: returns what there is to say about the supply at a time, or None."""
-
-    def __init__(self, supervisor: Supervisor, supply_note: Callable[[float], Optional[str]] = lambda now: None):
-        self._supervisor, self._robot, self._supply_note = supervisor, supervisor.robot, supply_note
-        self._disturbances, self._too_slow = Disturbances(), Lasting()
-
-    def notes(self, step: Step) -> List[str]:
-        """Return a sentence for each."""
-        now = step.at
-        notes = [rivals_note(self._supervisor, now), self._supply_note(now), full_power_note(self._robot),
-                 self._too_slow.note(too_slow_note(self._robot, step.duties), now),
-                 *self._disturbances.notes(disturbances(self._supervisor), now)]
-        return [note for note in notes if note]
 
 
 def rivals_note(supervisor: Supervisor, now: float) -> Optional[str]:
