@@ -19,6 +19,7 @@ from .supervisor import Supervisor
 ASK_INTERVAL = 0.25    # s between two questions whether a program still runs
 ANSWER_TIMEOUT = 0.6   # s for its answer; state.ANSWER_TIMEOUT allows for one that is late
 LATCHED_TIMEOUT = 1.0  # s for what older programs have latched to arrive at a node that has just started
+SETTLING_ANSWERS = 4   # of a program that has latched nothing: what it has latched is sent before its first answer
 MAX_NAME = 80          # characters of a name that are shown
 MANUAL_NODE = "jetbot_cockpit"  # what a person drives with, in whatever namespace
 
@@ -71,17 +72,17 @@ class Commanders:
         answers = dict.fromkeys(self._older, 0)
         wait_until(lambda: all(self._has_settled(node, answers) for node in list(self._older)),
                    LATCHED_TIMEOUT if self._older else 0.0, ASK_INTERVAL / 5)
-        for node in [node for node, count in answers.items() if count > 1]:
+        for node in [node for node, count in answers.items() if count == SETTLING_ANSWERS]:
             self._older.pop(node, None)
         return [connection.latch for connection in self._connections() if connection.latch]
 
     def _has_settled(self, node, answers):
-        """A program sends what it has latched before it answers a question that is asked on its connection."""
+        """Return whether what an older program has latched is here, or was never there."""
         connection = next((each for each in self._connections() if each.header and each.callerid_pub == node), None)
         if connection is None:
             return False
-        answers[node] += answers[node] < 2 and self._answers(connection)
-        return connection.latch is not None or not connection.is_latched or answers[node] > 1
+        answers[node] += answers[node] < SETTLING_ANSWERS and self._answers(connection)
+        return connection.latch is not None or not connection.is_latched or answers[node] == SETTLING_ANSWERS
 
     def watch(self, ended: Callable[[Sender, bool], None] = lambda sender, others: None) -> None:
         """From now on, call ``ended`` with each program that can no longer send, and whether another one can.
