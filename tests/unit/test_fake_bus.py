@@ -11,7 +11,7 @@ from conftest import registers
 from jetbot import BusError
 from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.chips import PCA9685
-from jetbot.fake.motors import STOPPED, pwm_frequency, wheel_speeds
+from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.fake.port import FakePort
 
 FULL, HALF, OFF = bytes([0, 0x10, 0, 0]), bytes([0, 0, 0, 0x08]), bytes([0, 0, 0, 0x10])  # one output's registers
@@ -71,26 +71,6 @@ def test_pre_scale_is_written_only_asleep(bus, mode1, pre_scale):
     bus.write_byte_data(0x60, 0x00, mode1)
     bus.write_byte_data(0x60, 0xFE, 3)
     assert bus.read_byte_data(0x60, 0xFE) == pre_scale
-
-
-@pytest.mark.parametrize("pre_scale, frequency", [(3, 1526), (121, 50), (255, 24)])
-def test_the_prescaler_sets_the_frequency_of_the_motors(bus, folder, pre_scale, frequency):
-    bus.write_byte_data(0x60, 0xFE, pre_scale)
-    assert pwm_frequency(folder) == pytest.approx(frequency, abs=0.5)
-
-
-@pytest.mark.parametrize("board", ["sparkfun", "jetbot_pro", "waveshare_hat"])
-def test_a_frequency_that_is_fixed_or_of_no_chip_is_unknown(bus, folder, board):
-    (folder / "0x40").unlink()
-    assert pwm_frequency(folder, board) is None
-
-
-def test_no_output_while_asleep(bus, folder):
-    bus.write_byte_data(0x60, 0x00, 0x30)
-    bus.write_i2c_block_data(0x60, 0x06, [0, 0x10, 0, 0])
-    assert PCA9685.duty(registers(folder), 0) == 0
-    bus.write_byte_data(0x60, 0x00, 0x20)
-    assert PCA9685.duty(registers(folder), 0) == 1
 
 
 @pytest.mark.parametrize("backward, forward, speed", [

@@ -51,14 +51,6 @@ def test_the_second_of_two_writes_within_a_tick_of_the_clock_counts(motors, robo
     assert motors.speeds() == STOPPED
 
 
-def test_a_write_after_a_long_time_counts(motors, robot, folder):
-    robot.forward(0.5)
-    age(folder / "0x60")
-    assert motors.speeds() == near(0.5)
-    robot.stop()
-    assert motors.speeds() == STOPPED
-
-
 def test_a_chip_that_is_unplugged_turns_no_wheel_until_it_is_back(motors, robot, folder):
     robot.forward(0.5)
     age(folder / "0x60")

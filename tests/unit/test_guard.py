@@ -7,7 +7,7 @@ import signal
 import subprocess
 
 import pytest
-from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_in_a_process, drive_until_killed, kill, start, stopped
+from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_in_a_process, drive_until_killed, kill, stopped
 
 from conftest import PACKAGES, registers
 from jetbot.fake.bus import FakeBus, power_on
@@ -58,14 +58,6 @@ def test_a_forked_child_does_not_keep_the_guard_waiting(folder):
 def test_wheels_stop_when_the_process_is_killed(folder, killer):
     kill(drive_until_killed(folder), killer)
     assert wait_until(stopped(folder), STOP_TIMEOUT)
-
-
-def test_a_board_at_another_address_stops_too(folder):
-    process = start(folder, "import time; from jetbot import Robot\n"
-                            "robot = Robot(i2c_address=0x61); robot.forward(); time.sleep(60)")
-    assert wait_until(lambda: folder.exists() and wheel_speeds(folder, "jetbot", 0x61) == (1, 1), TIMEOUT)
-    kill(process)
-    assert wait_until(lambda: wheel_speeds(folder, "jetbot", 0x61) == (0, 0), STOP_TIMEOUT)
 
 
 def test_a_servo_on_the_same_chip_keeps_its_pulse(folder):

@@ -98,7 +98,3 @@ def test_the_name_of_a_program(tmp_path, command, name):
     with subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.DEVNULL) as process:
         assert wait_until(lambda: host.program_name(process.pid) == name, timeout=5.0)
         process.kill()
-
-
-def test_the_name_of_no_program():
-    assert host.program_name(2**30) == ""

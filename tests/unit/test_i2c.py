@@ -1,7 +1,6 @@
 """Each failure of the bus is one sentence that names the place and what to do."""
 
 import errno
-import os
 import resource
 import time
 
@@ -82,22 +81,9 @@ def test_a_board_at_another_address_that_is_missing(folder, address, advice):
     assert str(error.value) == f"No answer from 0x{address:02x} on fake:{folder}. {advice.format(folder)}"
 
 
-def test_an_address_that_was_typed_without_0x():
-    assert explain(OSError(errno.EREMOTEIO, ""), "/dev/i2c-1", 61).advice.startswith("Do you mean 0x61? Is the motor ")
-
-
 def test_a_fake_bus_that_cannot_be_written():
     assert str(explain(OSError(errno.EROFS, "Read-only file system"), "fake:/ro", 0x60)) == (
         "The fake bus fake:/ro cannot be used: Read-only file system. Name another folder: fake:FOLDER")
-
-
-@pytest.mark.parametrize("number", [errno.EMFILE, errno.ENFILE, errno.ENOMEM])
-@pytest.mark.parametrize("bus", ["/dev/i2c-1", "fake:/bus"])
-def test_what_no_repetition_cures_ends_the_program(bus, number):
-    error = explain(OSError(number, ""), bus, 0x60)
-    assert isinstance(error, FatalError)
-    assert str(error) == (f"Out of file descriptors or memory: {os.strerror(number)}. "
-                          "End other programs, or raise the limits of this one.")
 
 
 def test_a_program_without_a_file_descriptor_left(folder):

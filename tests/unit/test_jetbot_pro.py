@@ -1,6 +1,5 @@
 """Frames of the JetBot Pro, to the byte, and how it finds them in noise."""
 
-import errno
 import os
 import termios
 from pathlib import Path
@@ -15,7 +14,6 @@ from jetbot import BusError, InvalidValue
 from jetbot.boards import find_board
 from jetbot.boards.jetbot_pro import FrameReader, frame, velocity
 from jetbot.connection import open_board
-from jetbot.errors import FatalError
 from jetbot.fake.chips import JetBotPro, decode
 from jetbot.serial_link import SerialLink
 from jetbot.wait import wait_until
@@ -126,12 +124,6 @@ def test_a_url_that_is_refused(url):
 def test_a_url_of_a_network_port(url):
     with pytest.raises(BusError, match="^No answer from "):
         SerialLink(url).write(b"x")
-
-
-def test_without_a_file_descriptor_left_the_program_ends(monkeypatch):
-    monkeypatch.setattr(serial.Serial, "open", Mock(side_effect=serial.SerialException(errno.EMFILE, "no port")))
-    with pytest.raises(FatalError, match="^Out of file descriptors or memory: Too many open files."):
-        SerialLink("/dev/ttyACM0").write(b"x")
 
 
 def test_closing_while_it_listens_leaves_the_port_closed(port):

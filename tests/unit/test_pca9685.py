@@ -49,13 +49,6 @@ def test_duty_in_registers(chip, folder, duty, wanted):
     assert output(folder, 9) == wanted
 
 
-def test_a_small_change_sends_one_byte(chip, wire):
-    chip.set_outputs({8: 0x100})
-    wire.bits.clear()
-    chip.set_outputs({8: 0x101})
-    assert wire.bits == [2 + 9 * 3]
-
-
 def test_after_a_command_that_failed_halfway_all_is_sent(chip, folder, monkeypatch):
     chip.set_outputs({8: 0x111, 13: 0x111})
     write = I2CDevice.write

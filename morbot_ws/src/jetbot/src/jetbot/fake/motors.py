@@ -57,9 +57,3 @@ def wheel_speeds(folder: Folder, board: str = "adafruit",
                  i2c_address: Union[int, str, None] = None) -> Tuple[float, float]:
     """Return the ``speeds`` of the robot's motors. Parameters: as for ``Motors``."""
     return Motors(folder, board, i2c_address).speeds()
-
-
-def pwm_frequency(folder: Folder, board: str = "adafruit",
-                  i2c_address: Union[int, str, None] = None) -> Optional[float]:
-    """Return the ``pwm_frequency`` of the robot's motors. Parameters: as for ``Motors``."""
-    return Motors(folder, board, i2c_address).pwm_frequency()
