@@ -30,42 +30,6 @@ function channels(color) {
   return [red, green, blue, alpha / 255];
 }
 
-function over([red, green, blue, alpha], ground) {
-  return [red, green, blue].map((value, index) => alpha * value + (1 - alpha) * ground[index]);
-}
-
-function groundOf(element) {
-  if (!element) return [255, 255, 255];
-  const own = channels(getComputedStyle(element).backgroundColor);
-  return own[3] === 1 ? own.slice(0, 3) : over(own, groundOf(element.parentElement));
-}
-
-function luminance(color) {
-  const [red, green, blue] = color.map((value) => value / 255)
-    .map((value) => value <= 0.03928 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
-  return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
-}
-
-function contrast(one, other) {
-  const [dark, light] = [luminance(one), luminance(other)].sort((a, b) => a - b);
-  return (light + 0.05) / (dark + 0.05);
-}
-
-function paleTexts() {
-  const own = (element) => [...element.childNodes].some(({ nodeType, data }) => nodeType === 3 && data.trim());
-  const texts = [...document.querySelectorAll("body *")].filter((element) => visible(element) && !element.disabled
-    && (own(element) || element.value || element.placeholder) && !element.closest("svg, option"));
-  return texts.flatMap((element) => {
-    const pseudo = element.placeholder && !element.value ? "::placeholder" : undefined;
-    const { color, fontSize, fontWeight } = getComputedStyle(element, pseudo);
-    const size = parseFloat(fontSize);
-    const least = size >= 24 || size >= 18.66 && fontWeight >= 700 ? 3 : 4.5;
-    const ground = groundOf(element);
-    const ratio = contrast(over(channels(color), ground), ground);
-    return ratio < least ? [`${nameOf(element)}: ${ratio.toFixed(2)}`] : [];
-  });
-}
-
 // Returns [the number of the map's pixels that have this colour, x, y of their middle].
 function pixelsOnMap(map, color) {
   const [red, green, blue] = channels(color);

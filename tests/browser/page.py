@@ -164,10 +164,6 @@ class Page(Chromium):
         """Return the visible controls that are smaller than this, in px."""
         return self._looks("smallControls", least)
 
-    def pale_texts(self) -> List[str]:
-        """Return the visible texts whose contrast is below WCAG's AA: 4.5, of large texts 3."""
-        return self._looks("paleTexts")
-
     def robot_on_map(self) -> Optional[Tuple[float, float]]:
         """Return how large the chosen robot is on the map, and how far its middle is from the map's, in px."""
         return self._looks("robotOnMap")

@@ -13,10 +13,6 @@ LONG_TEXTS = f"""document.getElementById('sentence').textContent = {LONG!r};
     document.getElementById('notice').hidden = false;
     document.getElementById('driver').textContent = '{"W" * 20} drives it';
     for (const each of document.querySelectorAll('#robot option, #fleet .label')) each.textContent = {NAME!r};"""
-LEVELS = "driving", "waiting", "warning", "stopped"
-SHOW_LEVEL = """for (const each of document.querySelectorAll('#status, #fleet li')) each.dataset.level = arguments[0];
-    document.getElementById('notice').textContent = 'a notice';
-    document.getElementById('notice').hidden = false;"""
 COUNT_MOVING = """return [...document.querySelectorAll('*')].filter(each => {
     const style = getComputedStyle(each);
     return style.animationName !== 'none' || style.transitionDuration.split(', ').some(time => time !== '0s');
@@ -70,21 +66,9 @@ def test_each_control_has_a_name_for_a_screen_reader(page):
     assert page.element("link").get_attribute("aria-live") == "off", "the round trip is not read out each second"
 
 
-def test_texts_can_be_read_and_nothing_moves_for_those_who_prefer_that(page):
-    page.resize(*DESKTOP)
+def test_nothing_moves_for_those_who_prefer_that(page):
+    page.media(prefers_reduced_motion="reduce")
     try:
-        for scheme in "light", "dark":
-            page.media(prefers_color_scheme=scheme, prefers_reduced_motion="reduce")
-            check_looks(page, scheme)
+        assert page.run(COUNT_MOVING) == 0
     finally:
         page.media()
-
-
-def check_looks(page, scheme):
-    for level in LEVELS:
-        page.run(SHOW_LEVEL, level)
-        assert page.pale_texts() == [], f"contrast below WCAG's AA while {level} in {scheme}"
-    assert page.run(COUNT_MOVING) == 0, "nothing moves for those who prefer that"
-    page.run("document.getElementById('login').hidden = false")
-    assert page.pale_texts() == []
-    page.run("document.getElementById('login').hidden = true")

@@ -38,24 +38,6 @@ def test_pings_of_the_protocol_are_no_way_around_the_limit(cockpit):
     assert page.wait_for_close().reason == hubs.TOO_MANY
 
 
-def test_a_killed_page_stops_its_robot_at_once(cockpit):
-    page = cockpit.page()
-    number = page.receive("hello")["id"]
-    page.close()
-    assert wait_until(lambda: number in cockpit.control.left, WITHIN)
-
-
-def test_frames_go_to_all_pages_twenty_times_a_second(fresh):
-    pages = [fresh.page() for _ in range(3)]
-    for page in pages:
-        page.receive("state")
-    start = time.monotonic()
-    for page in pages:
-        for _ in range(20):
-            page.receive("state")
-    assert 0.5 < time.monotonic() - start < 5
-
-
 def test_a_frozen_page_delays_nobody_and_is_disconnected(monkeypatch, fresh):
     """Its browser is stopped by SIGSTOP: its socket takes what its buffer holds, and answers no ping."""
     monkeypatch.setattr(hubs, "GONE_AFTER", 2.0)
@@ -86,13 +68,6 @@ def test_connections_that_send_nothing_or_half_a_request_end(monkeypatch):
         connection.sendall(data)
     assert [connection.recv(1) for connection in connections] == [b""] * len(connections)
     cockpit.server.end()
-
-
-def test_idle_connections_shut_nobody_out(fresh):
-    idle = [connect(fresh.port) for _ in range(150)]
-    assert request(fresh.port, "GET", "/", fresh.headers()).status == 200
-    for connection in idle:
-        connection.close()
 
 
 def test_more_connections_than_there_is_room_for_end_and_those_that_there_are_stay(monkeypatch, fresh):

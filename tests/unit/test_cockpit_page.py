@@ -9,6 +9,10 @@ from conftest import ROOT
 WWW = ROOT / "morbot_ws/src/jetbot_cockpit_server/www"
 PAGE = (WWW / "index.html").read_text()
 SCRIPTS = sorted(WWW.glob("*.js"))
+LIGHT, DARK = (dict(re.findall(r"--([\w-]+): (#\w{6})", block))
+               for block in re.findall(r":root \{(.*?)\}", (WWW / "style.css").read_text(), re.S))
+TEXTS = {"text": "ground surface calm-ground", "muted": "ground surface calm-ground", "accent": "ground surface",
+         "good": "surface good-ground", "warn": "surface warn-ground", "bad": "surface bad-ground"}
 
 
 @pytest.mark.parametrize("name", ["pad", "speed", "stop", "release", "status", "robot", "map", "wheels"])
@@ -37,3 +41,18 @@ def test_text_from_outside_stays_text():
     for script in SCRIPTS:
         assert not re.search(r"innerHTML|outerHTML|insertAdjacentHTML|document\.write|\beval\(|new Function",
                              script.read_text()), script
+
+
+def luminance(color):
+    """Return the relative luminance of "#rrggbb", as WCAG defines it."""
+    parts = [int(color[place:place + 2], 16) / 255 for place in (1, 3, 5)]
+    linear = [part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return sum(share * part for share, part in zip((0.2126, 0.7152, 0.0722), linear))
+
+
+@pytest.mark.parametrize("colors", [LIGHT, {**LIGHT, **DARK}], ids=["light", "dark"])
+@pytest.mark.parametrize("text", TEXTS)
+def test_texts_have_the_contrast_that_wcag_asks_for(colors, text):
+    for ground in TEXTS[text].split():
+        dark, light = sorted(map(luminance, (colors[text], colors[ground])))
+        assert (light + 0.05) / (dark + 0.05) >= 4.5, ground
