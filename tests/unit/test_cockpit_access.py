@@ -17,18 +17,15 @@ def code_of(label):
     return next(grant.code for grant in GRANTS if grant.label == label)
 
 
-def test_codes_are_short_for_pupils_and_new_at_each_start():
+def test_codes_are_short_for_pupils_of_one_robot_or_of_all_and_new_at_each_start():
     teacher, *pupils = make_grants(3)
     assert (teacher.role, teacher.robot, len(teacher.code)) == ("teacher", None, 10)
     assert [(pupil.role, pupil.robot, len(pupil.code)) for pupil in pupils] == [
         ("pupil", f"/jetbot_0{number}", 6) for number in (1, 2, 3)]
     assert set("".join(pupil.code for pupil in pupils)) <= set(ALPHABET) and not set("0O1IL") & set(ALPHABET)
+    assert [(grant.role, grant.robot) for grant in make_grants(0)] == [("teacher", None), ("pupil", None)]
     codes = [grant.code for _ in range(20) for grant in make_grants(3)]
     assert len(set(codes)) == len(codes)
-
-
-def test_without_a_number_of_robots_one_code_is_for_all_pupils():
-    assert [(grant.role, grant.robot) for grant in make_grants(0)] == [("teacher", None), ("pupil", None)]
 
 
 def test_a_code_may_be_typed_in_small_letters_and_with_spaces(access):
@@ -104,4 +101,3 @@ def test_an_origin_is_compared_exactly(access, origin):
 def test_on_port_80_browsers_leave_out_the_port():
     access = Access(80, [], [])
     assert access.accepts_host("localhost", "127.0.0.1") and access.accepts_origin("http://[::1]", "::1")
-

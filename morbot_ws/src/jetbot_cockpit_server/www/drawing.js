@@ -73,14 +73,12 @@ export function drawRobot(context, pose, color, colors, pixel) {
   atPose(context, pose, () => {
     context.fillStyle = colors.tyre;
     for (const side of [1, -1]) {
-      const place = [-WHEEL.length / 2, side * WHEEL_SEPARATION / 2 - WHEEL.width / 2];
-      addRounded(context, [...place, WHEEL.length, WHEEL.width], 0.004);
-      context.fill();
+      const across = side * WHEEL_SEPARATION / 2 - WHEEL.width / 2;
+      context.fillRect(-WHEEL.length / 2, across, WHEEL.length, WHEEL.width);
     }
     Object.assign(context, { fillStyle: color, strokeStyle: colors.ground, lineWidth: 1.5 * pixel });
-    addRounded(context, BODY, 0.014);
-    context.fill();
-    context.stroke();
+    context.fillRect(...BODY);
+    context.strokeRect(...BODY);
     context.fillStyle = colors.ground;
     fillPolygon(context, [[-0.03, 0.024], [-0.03, -0.024], [0.018, 0]]);
     context.fillStyle = colors.tyre;
@@ -95,16 +93,6 @@ function atPose(context, [x, y, yaw], draw) {
   context.rotate(yaw);
   draw();
   context.restore();
-}
-
-function addRounded(context, [x, y, width, height], radius) {
-  context.beginPath();
-  context.moveTo(x + radius, y);
-  context.arcTo(x + width, y, x + width, y + height, radius);
-  context.arcTo(x + width, y + height, x, y + height, radius);
-  context.arcTo(x, y + height, x, y, radius);
-  context.arcTo(x, y, x + width, y, radius);
-  context.closePath();
 }
 
 function fillPolygon(context, points) {

@@ -1,6 +1,6 @@
 // The socket to the cockpit. It reconnects by itself, measures the round trip, and ends a connection that is cut off.
 
-const RETRY_INTERVALS = [500, 1000, 2000, 4000, 8000]; // ms; the last one repeats
+const RETRY_INTERVAL = 1500; // ms, on average: not all pages at once
 const PING_INTERVAL = 1000; // ms
 const SILENCE_TIMEOUT = 3000; // ms; the cockpit sends its state at least once per second
 const BACKLOG = 300; // bytes that have not left this device: newer commands do not queue behind them
@@ -22,17 +22,12 @@ export class Link {
   // measured(ms)
   constructor({ receive, changed, refused, measured }) {
     Object.assign(this, { receive, changed, refused, measured });
-    this.failures = 0;
-    this.retry = null;
     this.socket = null;
     setInterval(() => this.check(), PING_INTERVAL);
-    addEventListener("online", () => this.hurry());
-    document.addEventListener("visibilitychange", () => this.hurry());
   }
 
   open() {
     clearTimeout(this.retry);
-    this.retry = null;
     const previous = this.socket;
     const scheme = location.protocol === "https:" ? "wss" : "ws";
     const socket = new WebSocket(`${scheme}://${location.host}/socket`);
@@ -61,7 +56,6 @@ export class Link {
 
   opened(socket) {
     if (socket !== this.socket) return socket.close();
-    this.failures = 0;
     this.changed("");
     this.check();
   }
@@ -78,9 +72,7 @@ export class Link {
     if (socket !== this.socket) return;
     this.socket = null;
     if (code === NO_COOKIE) return this.refused();
-    const wait = RETRY_INTERVALS[Math.min(this.failures, RETRY_INTERVALS.length - 1)];
-    this.failures += 1;
-    this.retry = setTimeout(() => this.open(), wait * (0.75 + Math.random() / 2));
+    this.retry = setTimeout(() => this.open(), RETRY_INTERVAL * (0.5 + Math.random()));
     this.changed(`${explain(code, reason)} This page tries again by itself.`);
   }
 
@@ -96,9 +88,5 @@ export class Link {
     const socket = this.socket;
     this.ended(socket, 0, "");
     socket.close();
-  }
-
-  hurry() {
-    if (this.retry !== null && !document.hidden) this.open();
   }
 }

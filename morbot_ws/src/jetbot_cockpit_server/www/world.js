@@ -2,7 +2,7 @@
 
 import { prepareShapes } from "./drawing.js";
 
-const TRAIL_STEP = 0.03; // m between two points, as in trail.py
+const TRAIL_STEP = 0.03; // m between two points, as in history.py
 const TRAIL_LENGTH = 500; // points
 
 const UNKNOWN = {

@@ -1,17 +1,15 @@
-"""What a judge and a simulator publish for the map: where odometry starts, a robot's task, its course, its world."""
+"""What a simulator and a judge publish for the map: where odometry starts, a robot's world and its course."""
 
-import time
-from typing import Dict, Optional, Tuple
+from typing import Dict, Tuple
 
 import rospy
-from diagnostic_msgs.msg import DiagnosticStatus
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 from jetbot.kinematics import Pose, from_frame
 
-from ..session.snapshot import Shape, Task
-from .reports import TaskTracker, decode_shapes, decode_task, yaw_of
+from ..session.snapshot import Shape
+from .reports import decode_shapes, yaw_of
 
 MAP = "map"
 
@@ -48,26 +46,3 @@ class Drawing:
 
     def _on_markers(self, message):
         self._shapes = decode_shapes(message.markers, self._frames.on_map)
-
-
-class MapTopics:
-    """Subscribes to the topics of one robot. base: its namespace without a slash at its end."""
-
-    def __init__(self, base: str, frames: Frames):
-        self._tracker = TaskTracker()
-        self._world, self._course = Drawing(f"{base}/world", frames), Drawing(f"{base}/task_course", frames)
-        self._subscriber = rospy.Subscriber(f"{base}/task", DiagnosticStatus, self._on_task, queue_size=1)
-
-    def close(self) -> None:
-        """End all subscriptions."""
-        for subscriber in (self._subscriber, self._world.subscriber, self._course.subscriber):
-            subscriber.unregister()
-
-    def snapshot(self, now: float) -> Tuple[Tuple[Shape, ...], Optional[Task]]:
-        """Return the shapes around the robot, and its task."""
-        return (self._world.shapes() + self._course.shapes(),
-                self._tracker.current(self._subscriber.get_num_connections() > 0, now))
-
-    def _on_task(self, message):
-        values = {item.key: item.value for item in message.values}
-        self._tracker.update(decode_task(message.name, message.message, values), time.monotonic())

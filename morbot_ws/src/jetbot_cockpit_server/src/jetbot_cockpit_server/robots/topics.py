@@ -17,8 +17,8 @@ from jetbot_ros.colors import color_of
 from jetbot_ros.holds import OWN_EMERGENCY_STOP, Hold
 
 from ..session.snapshot import Robot, label
-from .map_topics import Frames, MapTopics
-from .reports import geometry, program, rounded, yaw_of
+from .map_topics import Drawing, Frames
+from .reports import TaskTracker, decode_task, geometry, program, rounded, yaw_of
 
 CONTROLLER = "/jetbot_controller"
 SIMULATOR_RESET = "/jetbot_simulator/reset"
@@ -72,18 +72,19 @@ class RobotTopics:
         self._wheels = None, None  # command, duties
         self._odom, self._moved_at = None, 0.0
         self._resetting: Optional[threading.Thread] = None
-        self._map_topics = MapTopics(self._base, frames)
+        self._tracker = TaskTracker()
+        self._drawings = [Drawing(f"{self._base}/{topic}", frames) for topic in ("world", "task_course")]
         self.emergency_stop = EmergencyStop(f"{self._base}{CONTROLLER}/emergency_stop")
         self._status_subscriber = rospy.Subscriber(f"{self._base}{CONTROLLER}/status", String, self._on_status)
+        self._task_subscriber = rospy.Subscriber(f"{self._base}/task", DiagnosticStatus, self._on_task, queue_size=1)
         self._subscribers = [
-            self._status_subscriber,
+            self._status_subscriber, self._task_subscriber, *(drawing.subscriber for drawing in self._drawings),
             rospy.Subscriber(f"{self._base}{CONTROLLER}/wheels", Float32MultiArray, self._on_wheels, queue_size=1),
             rospy.Subscriber(f"{self._base}/odom", Odometry, self._on_odom, queue_size=1)]
 
     def close(self) -> None:
         """End all subscriptions."""
         self.emergency_stop.close()
-        self._map_topics.close()
         for subscriber in self._subscribers:
             subscriber.unregister()
 
@@ -112,7 +113,8 @@ class RobotTopics:
         stopped = self.emergency_stop.engaged or self.is_held_by(OWN_EMERGENCY_STOP)
         pose, speed = self._pose_and_speed(now)
         command, wheels = self._wheels if answers else (None, None)
-        shapes, task = self._map_topics.snapshot(now)
+        shapes = tuple(shape for drawing in self._drawings for shape in drawing.shapes())
+        task = self._tracker.current(self._task_subscriber.get_num_connections() > 0, now)
         return Robot(
             self.name, color=self._color, geometry=self._geometry, simulated=self.simulated, status=status,
             warning=self._level > 0, answers=answers, stopped=stopped, pose=pose, speed=speed, command=command,
@@ -142,6 +144,10 @@ class RobotTopics:
 
     def _on_odom(self, message):
         self._odom, self._moved_at = message, time.monotonic()
+
+    def _on_task(self, message):
+        values = {item.key: item.value for item in message.values}
+        self._tracker.update(decode_task(message.name, message.message, values), time.monotonic())
 
     def _pose_and_speed(self, now):
         odom = self._odom
