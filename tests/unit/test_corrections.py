@@ -26,7 +26,6 @@ PARAMETERS = {"left_motor_alpha": 1.0, "right_motor_alpha": 1.0, "max_speed": 0.
     (("left", 1), ("right", 1), False, False, False),
     (("left", -1), ("right", 1), False, True, False),
     (("right", 1), ("left", 1), True, False, False),
-    (("right", -1), ("left", 1), True, False, True),
     (("right", -1), ("left", -1), True, True, True),
 ])
 def test_motor_wiring(left_output, right_output, swap, left, right):

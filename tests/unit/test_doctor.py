@@ -58,14 +58,7 @@ def test_a_bus_that_cannot_be():
                                   "Give a number (1 for /dev/i2c-1), fake, or fake:FOLDER.")
 
 
-def test_a_port_that_is_named_is_checked_alone(monkeypatch):
-    monkeypatch.setattr(host, "buses", lambda: [1])
-    monkeypatch.setattr(checkup, "check_bus", pytest.fail)
-    assert lines(port="/dev/nothing")[-2].startswith("NOT /dev/nothing: there is no serial port")
-
-
 @pytest.mark.parametrize("module, noetic, advice", [
-    ("diagnostic_updater", False, "Install it with: sudo apt install python3-diagnostic-updater"),
     ("smbus2", True, "Install it with: pip3 install smbus2"),
     ("serial", True, "Install it with: sudo apt install python3-serial"),
     ("rospy", True, "Type: source {}/setup.bash   Or install it with: sudo apt install ros-noetic-rospy")])

@@ -39,7 +39,6 @@ def test_an_address_is_a_number(parser, argument):
       for address in ("0x80", "2", "sixty")),
     ("max_speed:=0.5", "There is no argument max_speed:=0.5. See doctor.py --help"),
     ("i2c_bus=fake", "There is no argument i2c_bus=fake. Did you mean i2c_bus:=fake?"),
-    ("i2c_buss:=fake", "There is no argument i2c_buss:=fake. Did you mean i2c_bus:=fake?"),
     ("--i2cbus=7", "There is no argument --i2cbus=7. Did you mean i2c_bus:=7?"),
     ("fake", "There is no argument fake. See doctor.py --help")])
 def test_what_cannot_be_meant_is_refused_with_one_sentence(parser, typed, sentence):

@@ -13,7 +13,7 @@ from jetbot_control_node.parameters import checked, default_file, load
 
 from ..options import launch_command
 from .computer import Check, check_cockpit_port, check_host, check_module, check_supply, check_users
-from .motor_board import check_board, check_chips, check_serial, jumper_addresses
+from .motor_board import JUMPER_ADDRESSES, check_board, check_chips, check_serial
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial", "tornado"]
 NEEDED_BY_SOME = ["smbus2", "serial", "tornado"]  # by boards on an I2C bus, on a serial port; by the cockpit
@@ -109,7 +109,8 @@ def check_bus(bus: Union[int, str], i2c_address: Optional[int] = None, board: st
     chips = check_chips(bus, addresses, board)
     boards = [chip for chip in chips if chip.ok]
     if other_addresses and i2c_address is None and not boards:
-        boards = [chip for chip in check_chips(bus, jumper_addresses(board), board) if chip.ok]
+        jumpers = [address for address in JUMPER_ADDRESSES if not board or address in BOARDS[board].jumpers]
+        boards = [chip for chip in check_chips(bus, jumpers, board) if chip.ok]
     return check_users(name) + (boards or chips)
 
 

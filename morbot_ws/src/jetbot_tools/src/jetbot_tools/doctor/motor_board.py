@@ -99,11 +99,6 @@ def clock_advice(address: int) -> str:
     return ""
 
 
-def jumper_addresses(board: str = "") -> List[int]:
-    """Return the JUMPER_ADDRESSES that a board's jumpers select; all of them if none is named."""
-    return [address for address in JUMPER_ADDRESSES if not board or address in BOARDS[board].jumpers]
-
-
 def driver_for(chip: I2CDevice) -> Optional[Type[MotorDriver]]:
     """Return the driver of the motor board that the chip belongs to, None for any other chip; raise JetbotError.
 
