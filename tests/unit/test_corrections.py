@@ -78,11 +78,6 @@ def squares(robot, parameters):
     return ends
 
 
-def test_a_good_robot_has_no_errors():
-    good = {"left": 0.6, "right": 0.6, "separation": 0.1125}
-    assert find_errors(squares(good, PARAMETERS)) == pytest.approx((0.0, 0.0), abs=1e-3)
-
-
 @pytest.mark.parametrize("ratio, separation", [(0.97, 1.08), (1.03, 1.08), (0.97, 0.92), (1.03, 0.92), (0.99, 1.3)])
 def test_two_rounds_of_squares_correct_trim_speed_and_separation(ratio, separation):
     robot = {"left": 0.6 / math.sqrt(ratio), "right": 0.6 * math.sqrt(ratio), "separation": 0.1125 * separation}

@@ -14,7 +14,7 @@ from ..scoring.recorder import DONE, DRIVING
 from ..scoring.score import Result
 from ..scoring.tasks import Task
 
-READY, CANCELLED = "ready", "cancelled"  # the other states
+READY, CANCELLED = "ready", "cancelled"  # states, beside DRIVING and DONE
 HEIGHT = 0.0015                    # m: above the lines on the floor, below the robot's path
 COURSE_WIDTH = Vector3(x=0.01)     # m
 ARROW = Vector3(0.15, 0.03, 0.03)  # m: length, width, height
@@ -29,21 +29,13 @@ class Announcement:
         self._state = rospy.Publisher(f"{namespace}/task", DiagnosticStatus, queue_size=10, latch=True)
         self._course = rospy.Publisher(f"{namespace}/task_course", MarkerArray, queue_size=10, latch=True)
 
-    def ready(self, message: str) -> None:
-        """The robot is at its start."""
-        self._publish(READY, message)
-
     def driving(self, seconds: float) -> None:
-        """The robot has been driving for so long."""
-        self._publish(DRIVING, f"{seconds:.0f} s", seconds=f"{seconds:.1f}")
+        """Publish that the robot has been driving for so long."""
+        self.publish(DRIVING, f"{seconds:.0f} s", seconds=f"{seconds:.1f}")
 
     def done(self, result: Result) -> None:
-        """The robot has a score."""
-        self._publish(DONE, result.sentence, seconds=f"{result.drive.seconds:.1f}", score=f"{result.score:.1f}")
-
-    def cancelled(self, message: str) -> None:
-        """The drive gets no score."""
-        self._publish(CANCELLED, message)
+        """Publish the robot's score."""
+        self.publish(DONE, result.sentence, seconds=f"{result.drive.seconds:.1f}", score=f"{result.score:.1f}")
 
     def draw(self, start: kinematics.Pose) -> None:
         """Show the course and its goal from this start on the map."""
@@ -58,7 +50,8 @@ class Announcement:
         """Show no course."""
         self._course.publish([Marker(action=Marker.DELETEALL)])
 
-    def _publish(self, state, message, **values):
+    def publish(self, state: str, message: str, **values: str) -> None:
+        """Publish a state with a sentence for people."""
         pairs = {"state": state, "title": self._task.title, **values}
         self._state.publish(DiagnosticStatus(level=DiagnosticStatus.OK, name=self._task.name, message=message,
                                              values=[KeyValue(*pair) for pair in pairs.items()]))

@@ -7,7 +7,7 @@ from jetbot.kinematics import Pose
 from jetbot.text import enumeration
 from simulation.world_files import dump
 
-from ..report.announcement import Announcement
+from ..report.announcement import CANCELLED, READY, Announcement
 from ..report.marks import Mark
 from ..scoring.recorder import DONE, DRIVING, WAITING, NoDrive, Recorder, Sample
 from ..scoring.score import rate
@@ -56,7 +56,7 @@ class Attempt:
         try:
             result = rate(self._task, self._recorder.finish())
         except NoDrive:
-            self._announcement.cancelled("Cancelled.")
+            self._announcement.publish(CANCELLED, "Cancelled.")
             self._announcement.clear()
             self.mark = Mark(self.robot.name, self._task.name, problem="The robot did not drive.")
         else:
@@ -72,7 +72,7 @@ class Attempt:
                 self.finish()
             except Interrupted as interruption:
                 self.ready, self._recorder = False, Recorder(self._task.time_limit)
-                self._announcement.cancelled(str(interruption))
+                self._announcement.publish(CANCELLED, str(interruption))
                 self._report(str(interruption))
 
     def _until_free(self):
@@ -103,7 +103,7 @@ class Attempt:
 
     def _invite(self):
         self.ready, self._announced_at = True, 0.0
-        self._announcement.ready(f"Drive when you are ready: {self._task.instruction}.")
+        self._announcement.publish(READY, f"Drive when you are ready: {self._task.instruction}.")
         self._report(INVITATION)
 
     def _measure(self):
