@@ -206,7 +206,7 @@ def test_forty_messages_a_second_and_what_a_pause_held_back_are_within_the_limit
 
 
 def test_a_stop_is_passed_on_first_and_frames_a_moment_later_however_many_stops_follow(hub, control):
-    page, viewer = join(hub)
+    page, viewer = join(hub, now=10.0)
     hub.tick(10.0)
     page.types()
     control.speed = 1
