@@ -63,3 +63,8 @@ def test_a_parameter_is_a_row_three_lines_and_a_reader():
     (name, parameter), = eval(f"{{{row}}}", dict(vars(controller))).items()
     assert lines_of(name, parameter) == tuple("\n".join(lines).splitlines())
     assert unread([name]) == {name}
+
+
+def test_the_behaviour_that_is_tested_by_hand_exists():
+    behaviour, = re.findall(r"test:=(\w+)", PAGE)
+    assert (ROOT / f"tests/ros/behaviours/{behaviour}.py").exists() and f"-k {behaviour} " in PAGE
