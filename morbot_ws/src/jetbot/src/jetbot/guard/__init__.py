@@ -88,7 +88,7 @@ class Guard:
             if self._listener:
                 self._connection = connect(self._listener)
             else:
-                self._connection, self._process = spawn()
+                self._connection, self._process = spawn(self._robot.decode())
             self._connection.sendall(self._robot)
             self._connection.setblocking(False)
         except OSError as error:
@@ -161,12 +161,12 @@ class NoGuard:
     dismiss = leave = heartbeat
 
 
-def spawn():
-    """Start a guard process; return (the socket to it, the process). Raise OSError."""
+def spawn(robot: str):
+    """Start a guard process; return (the socket to it, the process). robot: for who lists processes. Raise OSError."""
     ours, theirs = socket.socketpair()
     with theirs:
         process = subprocess.Popen(
-            [sys.executable, "-IS", "-c", CODE], stdin=theirs,
+            [sys.executable, "-IS", "-c", CODE, robot], stdin=theirs,
             stdout=subprocess.DEVNULL,  # else whatever reads this program's output would wait for the guard to end
             start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
     return ours, process
