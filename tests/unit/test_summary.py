@@ -37,7 +37,7 @@ def test_start_line(typed, config, robot, line):
 @pytest.mark.parametrize("robot, numbers", [(driver(), ("0.1125", "0.6")), (driver(closed_loop=True), ("", ""))])
 def test_the_numbers_by_which_others_scale_their_commands(robot, numbers):
     texts = summary({**checked({"wheel_separation": 0.1125, "max_speed": 0.6}), "config": ""}, robot)
-    assert (texts["wheel_separation"], texts["max_speed"]) == numbers
+    assert (texts["wheel_separation"], texts["max_speed"], texts["address"]) == (*numbers, "0x60")
 
 
 @pytest.mark.parametrize("board, typed, warnings", [
@@ -56,11 +56,6 @@ def test_what_does_not_do_what_is_expected_is_named_at_the_start(board, typed, w
 @pytest.mark.parametrize("board", BOARDS)
 def test_a_board_ignores_what_is_a_parameter(board):
     assert set(driver_of(board).ignores) <= set(PARAMETERS)
-
-
-@pytest.mark.parametrize("address, text", [(0x61, "0x61"), (None, "")])
-def test_the_address_is_named(address, text):
-    assert summary({**checked({}), "config": ""}, driver(address=address))["address"] == text
 
 
 @pytest.mark.parametrize("robot, end", [

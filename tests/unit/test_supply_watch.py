@@ -108,20 +108,13 @@ def test_what_is_small_or_long_after_the_start_is_no_dip(watch, sensor, reading,
     assert watch.dips == 0
 
 
-def test_a_supply_that_sinks_while_nothing_starts_is_no_dip(watch, sensor):
+@pytest.mark.parametrize("duties, dips", [((0.8, 0.9), 0), (BACK, 1)], ids=["faster", "reversed"])
+def test_wheels_that_turn_already_start_again_only_as_they_reverse(watch, sensor, duties, dips):
     start(watch, sensor, volts(12.0), now=1.0)
     sensor.reading = volts(11.0)
-    watch(step_of((0.8, 0.9), 5.0))  # faster, but the wheels turn already
+    watch(step_of(duties, 5.0))
     watch.read(now=5.1)
-    assert watch.dips == 0
-
-
-def test_a_reversal_starts_the_motors_again(watch, sensor):
-    start(watch, sensor, volts(11.9), now=1.0)
-    sensor.reading = volts(10.9)
-    watch(step_of(BACK, 5.0))
-    watch.read(now=5.1)
-    assert watch.dips == 1
+    assert watch.dips == dips
 
 
 def test_a_raspberry_pi_reports_an_undervoltage_some_seconds_later(watch, sensor):
@@ -164,8 +157,8 @@ def test_a_robot_whose_supply_nothing_measures():
 
 @pytest.fixture
 def moments(watch, monkeypatch):
-    """The moments of the thread's readings, one in each 1.5 s."""
-    monkeypatch.setattr(supply_watch, "INTERVAL", 1.5)
+    """The moments of the thread's readings, one in each 0.4 s."""
+    monkeypatch.setattr(supply_watch, "INTERVAL", 0.4)
     moments, over = [], threading.Event()
     threading.Thread(target=watch.run, args=[lambda reading: moments.append(time.monotonic()), over.is_set],
                      daemon=True).start()
@@ -173,25 +166,12 @@ def moments(watch, monkeypatch):
     over.set()
 
 
-def test_each_start_of_the_motors_has_a_reading_of_its_own(watch, moments):
-    assert START_DELAY <= delay_of_start(watch, moments, 1) < 1.2
-    assert START_DELAY <= delay_of_start(watch, moments, 3) < 1.2  # 2 is that of the start, 3 the next without one
-
-
-def delay_of_start(watch, moments, count):
-    """Start the motors right after so many readings; return the seconds until the next one."""
-    assert wait_until(lambda: len(moments) == count, 10.0, interval=0.001)
+def test_a_start_of_the_motors_has_a_reading_of_its_own_but_no_interval_has_two(watch, moments):
+    assert wait_until(lambda: moments, 10.0)
     begin = time.monotonic()
-    watch(step_of(AHEAD, begin))
-    watch(step_of(STOPPED, begin))
-    assert wait_until(lambda: len(moments) > count, 10.0)
-    return moments[count] - begin
-
-
-def test_however_often_the_motors_start_each_interval_has_one_reading(watch, moments):
-    begin = time.monotonic()
-    while time.monotonic() < begin + 4.0:
+    while len(moments) < 4:
         watch(step_of(AHEAD, time.monotonic()))
         watch(step_of(STOPPED, time.monotonic()))
         time.sleep(0.01)
-    assert 2 <= len(moments) <= (time.monotonic() - begin) / 1.5 + 2
+    assert START_DELAY <= moments[1] - begin < 0.4
+    assert moments[3] - begin >= 2 * 0.4

@@ -32,11 +32,6 @@ def command(supervisor, *names, now=0.0):
         supervisor.commands.record(Sender(name), now)
 
 
-def test_one_program_is_no_news(supervisor):
-    command(supervisor, "/pupil")
-    assert rivals_note(supervisor, now=0.1) is None
-
-
 def test_two_programs_are_both_named_while_both_send(supervisor):
     command(supervisor, "/teleop", "/circle")
     assert rivals_note(supervisor, now=0.1) == "2 programs command it: /circle and /teleop"
@@ -69,20 +64,15 @@ def test_who_waits_while_a_person_drives(supervisor):
     assert waiting_remark(supervisor, now=RECENT + 0.1) is None
 
 
-def test_what_costs_motion_is_reported_for_a_while():
+@pytest.mark.parametrize("counts, note", [
+    ({"resets": 1}, "its board has lost its settings (1 so far): check the battery and the plugs"),
+    ({"overwritten": 3}, "another program writes to its board (3 so far)"),
+    ({"faults": 2}, "its board keeps failing to answer (2 so far): check the wires")])
+def test_what_costs_motion_is_reported_for_a_while(counts, note):
     disturbances = Disturbances()
-    assert disturbances.notes(NONE, now=0.0) == []
-    reset = {**NONE, "resets": 1}
-    assert disturbances.notes(reset, now=1.0) == [
-        "its board has lost its settings (1 so far): check the battery and the plugs"]
-    assert disturbances.notes(reset, now=1.0 + NOTE_FOR) == []
-
-
-def test_one_fault_has_a_status_of_its_own_but_several_are_counted():
-    disturbances = Disturbances()
-    assert disturbances.notes({**NONE, "faults": 1}, now=0.0) == []
-    assert disturbances.notes({**NONE, "faults": 2}, now=9.0) == [
-        "its board keeps failing to answer (2 so far): check the wires"]
+    assert disturbances.notes({**NONE, "faults": 1}, now=0.0) == []  # one fault has a status of its own
+    assert disturbances.notes({**NONE, **counts}, now=9.0) == [note]
+    assert disturbances.notes({**NONE, **counts}, now=9.0 + NOTE_FOR) == []
 
 
 @pytest.mark.parametrize("closed_loop, advice", [(False, "raise min_duty"), (True, "command more")])

@@ -2,8 +2,9 @@
 
 import os
 import signal
+from pathlib import Path
 
-from harness import START_TIMEOUT, RobotTest, find_processes, pid, publishers, read
+from harness import START_TIMEOUT, RobotTest, pid, publishers, read
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 STOP_TIMEOUT = 1.5  # s, from the failure to the stop
@@ -16,9 +17,11 @@ class Crash(RobotTest):
         self.drive_at(0.5)
         return node
 
-    def guards(self):
-        """Return the process ids of the guards on this test's bus."""
-        return find_processes(self.bus, "jetbot_guard")
+    def guards(self, node):
+        """Return the process ids of a node's guards."""
+        children = [child for file in Path(f"/proc/{node.pid}/task").glob("*/children")
+                    for child in file.read_text().split()]
+        return [int(child) for child in children if Path(f"/proc/{child}/comm").read_text() == "jetbot_guard\n"]
 
     def launched_workshop(self):
         """Start the workshop's launch file; wait until its robot drives."""
@@ -62,10 +65,10 @@ class Crash(RobotTest):
 
     def test_killed_without_roslaunch_after_its_guard(self):
         node = self.driving_controller()
-        self.wait_for(self.guards, START_TIMEOUT, "the guard")
-        first = self.guards()
+        self.wait_for(lambda: self.guards(node), START_TIMEOUT, "the guard")
+        first = self.guards(node)
         os.kill(*first, signal.SIGKILL)
-        self.wait_for(lambda: self.guards() not in ([], first), 2.0, "another guard")
+        self.wait_for(lambda: set(self.guards(node)) - set(first), 2.0, "another guard")
         os.killpg(node.pid, signal.SIGKILL)
         self.wait_for_stop(within=STOP_TIMEOUT)
 

@@ -97,6 +97,7 @@ class JetBotProTest(RobotTest):
 
     def test_unplugged_and_plugged_in_again(self):
         texts = self.status()
+        self.wait_for(lambda: texts, START_TIMEOUT, "the first status")
         self.board.unplug()
         self.wait_for_status(texts, f"stopped: there is no serial port {self.link}, trying again")
         self.board.plug_in()
