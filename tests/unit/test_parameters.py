@@ -173,8 +173,9 @@ def test_a_file_that_cannot_be_used(tmp_path, content, reason):
     file.write_bytes(content)
     with pytest.raises(InvalidValue) as error:
         load(file)
-    assert str(error.value) == (f"The file {file} cannot be used: {reason}. "
-                                "Fix it, or name another file by its whole path.")
+    message = str(error.value)
+    assert message.startswith(f"The file {file} cannot be used: {reason}")  # some Pythons add where it was
+    assert message.endswith(". Fix it, or name another file by its whole path.")
 
 
 @pytest.mark.parametrize("content", [
