@@ -26,7 +26,7 @@ class MasterLost(RobotTest):
         self.wait_for(lambda: rosgraph.is_master_online(self.environment["ROS_MASTER_URI"]), START_TIMEOUT, "a master")
 
     def signal_master(self, signum):
-        for master in find_processes(self.port, "rosmaster"):
+        for master in find_processes(f"rosmaster\0--core\0-p\0{self.port}"):
             os.kill(master, signum)
 
     def controller_below(self):
@@ -43,7 +43,7 @@ class MasterLost(RobotTest):
         self.signal_master(signal.SIGKILL)
         self.wait_for_stop(within=STOP_TIMEOUT)
         self.assertIn("no ROS master, so no emergency stop could arrive", read(node))
-        self.wait_for(lambda: not find_processes(self.port, "roscore"), START_TIMEOUT, "roscore to end")
+        self.wait_for(lambda: not find_processes(f"roscore\0-p\0{self.port}"), START_TIMEOUT, "roscore to end")
         self.start_master()
         self.wait_for_wheels(0.4, 0.6)
         self.start("rostopic", "pub", "/emergency_stop", "std_msgs/Bool", "true", env=self.environment)

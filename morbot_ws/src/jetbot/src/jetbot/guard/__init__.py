@@ -89,8 +89,8 @@ class Guard:
                 self._connection = connect(self._listener)
             else:
                 self._connection, self._process = spawn(self._robot.decode())
-            self._connection.sendall(self._robot)
             self._connection.setblocking(False)
+            self._send(self._robot)
         except OSError as error:
             self._problem = error.strerror or str(error)
 
