@@ -8,7 +8,7 @@ import pytest
 sys.path.append(str(Path(__file__).parent / "ros"))
 from processes import end_on_sigterm  # noqa: E402
 
-LONGEST = ("test_pages.py", "test_first_lessons.py", "test_rostests.py")  # files of the longest tests
+LONGEST = ("test_pages.py", "test_rostests.py")  # files of the longest tests
 IN_ONE_PROCESS = "tests/browser/"  # they share a world and its browsers
 
 

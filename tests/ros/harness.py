@@ -62,7 +62,9 @@ class RobotTest(unittest.TestCase):
         """Start the controller on the fake bus with these parameters; wait until it subscribes."""
         process = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}",
                              *(f"_{name}:={value}" for name, value in parameters.items()))
-        self.wait_for_controller()
+        ready = self.commands().get_num_connections
+        self.wait_for(lambda: ready() or process.poll() is not None, START_TIMEOUT, "the controller to subscribe")
+        self.assertTrue(ready(), f"the controller has ended{self.logs()}")
         return process
 
     def wait_for_controller(self) -> None:

@@ -4,10 +4,14 @@ import pytest
 from lesson_pages import boxes
 from pupil import LESSONS, ROOT, follow
 
+DOCS = ROOT / "docs"
 
-def test_your_own_package_and_the_other_pages(tmp_path):
-    docs = ROOT / "docs"
-    follow([LESSONS[0], *LESSONS[6:], docs / "boards.md", docs / "safety.md"], tmp_path)  # the first opens terminals
+
+@pytest.mark.parametrize("pages", [
+    LESSONS[:6], [LESSONS[0], *LESSONS[6:]], [LESSONS[0], DOCS / "boards.md", DOCS / "safety.md"]],  # 1 opens terminals
+    ids=["first lessons", "own package", "other pages"])
+def test_pages(tmp_path, pages):
+    follow(pages, tmp_path)
 
 
 @pytest.mark.parametrize("text", [

@@ -17,7 +17,8 @@ NAMES = ["board", "i2c_bus"]
     ("_i2c_bus:=7", {"i2c_bus": 7}), ("_swap:=yes", {"swap": True}), ("_a:=b:=c", {"a": "b:=c"}), ("_board:=", {}),
     ("_config:=/a: b\x07.yaml", {"config": "/a: b\x07.yaml"}), ("_board:=[", {"board": "["}),
     ("_board:=" + "[" * 9000, {"board": "[" * 9000}),
-    ("__ns:=red", {}), ("__log:=/tmp/log", {}), ("cmd_vel:=/red/cmd_vel", {}), ("/a:=/b", {})])
+    ("__ns:=red", {}), ("__log:=/tmp/log", {}), ("cmd_vel:=/red/cmd_vel", {}), ("/a:=/b", {})],
+    ids=lambda value: ascii(value)[:30])
 def test_a_word_of_the_command_line(word, parameters):
     assert parse_word(word, NAMES) == parameters
 

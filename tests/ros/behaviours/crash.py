@@ -82,12 +82,14 @@ class Crash(RobotTest):
         self.wait_for_stop(within=STOP_TIMEOUT)
 
     def test_roslaunch_itself_killed(self):
-        launch = self.launch("jetbot_control_node", "jetbot_controller.launch", "cmd_vel_timeout:=0")
+        launch = self.launch("simulation", "simulation.launch", "cmd_vel_timeout:=0", "rviz:=false")
         self.wait_for_controller()
+        self.wait_for(lambda: pid("/jetbot_simulator"), START_TIMEOUT, "the simulator")
         self.drive_at(0.5)
         launch.kill()
         self.wait_for_stop(within=STOP_TIMEOUT)
-        self.wait_for(lambda: pid("/jetbot_controller") is None, START_TIMEOUT, "the controller to end, too")
+        for node in "/jetbot_controller", "/jetbot_simulator":
+            self.wait_for(lambda node=node: pid(node) is None, START_TIMEOUT, f"{node} to end, too")
 
     def test_frozen_controller(self):
         node = self.controller()

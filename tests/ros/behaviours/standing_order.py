@@ -51,8 +51,9 @@ class StandingOrder(RobotTest):
         self.wait_for_stop(within=1.0)
 
     def test_a_restarted_controller_waits_until_it_is_repeated(self):
+        before = set(publishers("/cmd_vel"))
         order = self.order()
-        self.wait_for(lambda: publishers("/cmd_vel"), START_TIMEOUT, "the order")
+        self.wait_for(lambda: set(publishers("/cmd_vel")) - before, START_TIMEOUT, "the order")
         self.controller()
         self.texts = self.status()
         self.wait_for(lambda: self.texts and "is from before, repeat it" in self.texts[-1], 5.0,

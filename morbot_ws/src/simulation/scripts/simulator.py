@@ -6,6 +6,8 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it
 
+from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
+
 import sys
 
 import rospy
@@ -24,6 +26,18 @@ from simulation.world import EMPTY
 from simulation.world_files import load
 
 
+def end_with_roslaunch() -> None:
+    """From now on, end this node with the roslaunch that has started it, also if that is killed."""
+    launcher = Launcher()
+
+    def check(_):
+        launcher.poll()
+        if launcher.ended:
+            rospy.signal_shutdown("roslaunch has ended")
+
+    rospy.Timer(rospy.Duration(1.0), check)
+
+
 def main() -> None:
     require_master()
     rospy.init_node("jetbot_simulator", argv=public_words())
@@ -34,7 +48,9 @@ def main() -> None:
                            load(given["world"]) if given["world"] else EMPTY, closed_loop)
     # A board with a closed loop measures its motion, but not the angles of its wheels.
     others = ["odom"] if closed_loop else ["odom", "joint_states"] if given["publish_odom"] else []
-    Simulator(SimulatedRobot(motors, model), others).spin()
+    simulator = Simulator(SimulatedRobot(motors, model), others)
+    end_with_roslaunch()
+    simulator.spin()
 
 
 if __name__ == "__main__":

@@ -11,14 +11,13 @@ import logging
 import os
 import sys
 import threading
-from typing import Callable, List, Set
+from typing import Callable, List
 
 LACKS = (errno.ENOMEM, errno.ENFILE, errno.EMFILE, errno.ENOSPC, errno.EAGAIN)
 ADVICE = "Is this computer out of memory, processes, file descriptors or disk space?"
 
 before_end: List[Callable[[], None]] = []  # called before the process ends; each may take a moment
 _ending, _unwritten = threading.Event(), threading.Event()
-_vital: Set[threading.Thread] = set()
 _start = threading.Thread.start
 
 
@@ -30,16 +29,15 @@ def install() -> None:
     logging.Handler.handleError = _log_has_failed
 
 
-def keep_vital_threads() -> None:
-    """From now on, ``check_vital_threads`` needs the threads that run now, but not this one."""
-    _vital.update(set(threading.enumerate()) - {threading.current_thread()})
-
-
-def check_vital_threads() -> None:
-    """End the process if one of them has ended."""
-    for thread in _vital:
-        if not thread.is_alive():
-            end(f"its thread {thread.name} has ended")
+def lasting(function: Callable, is_over: Callable[[], bool]) -> Callable:
+    """Return the function of a thread; if it returns before ``is_over``, the process ends."""
+    def run(*arguments):
+        try:
+            function(*arguments)
+        finally:
+            if not is_over():
+                end(f"{function.__qualname__} has ended")
+    return run
 
 
 def end(reason: object) -> None:

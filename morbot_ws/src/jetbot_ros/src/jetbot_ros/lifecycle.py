@@ -13,7 +13,8 @@ from urllib.parse import urlsplit
 import rosgraph
 import rospy
 from rospy.impl.masterslave import ROSHandler
-from rospy.impl.tcpros_base import TCPROSServer
+from rospy.impl.registration import RegManager
+from rospy.impl.tcpros_base import TCPROSServer, TCPServer
 from rospy.impl.tcpros_pubsub import TCPROSHandler
 
 from jetbot import InvalidValue, JetbotError
@@ -37,9 +38,10 @@ def init_node(name: str) -> None:
     require_name(rosgraph.names.resolve_name(rospy.names.get_mappings().get("__name", name), rospy.get_caller_id()))
     stay_on_this_host()
     bound_headers()
+    for kind, method in (RegManager, "start"), (TCPServer, "run"):  # rospy's threads that connect to others, and accept
+        setattr(kind, method, failures.lasting(getattr(kind, method), rospy.core.is_shutdown_requested))
     # rospy's own signal handlers talk to the master before anything stops, and wait forever if that hangs.
     rospy.init_node(name, argv=public_words(), disable_signals=True)
-    failures.keep_vital_threads()  # rospy's: one registers and connects, one accepts connections
     namespace = rospy.get_namespace()
     if not re.fullmatch(r"/([A-Za-z]\w*/)*", namespace, re.ASCII):  # ROS's programs in C++ refuse any other
         raise InvalidValue(f"a robot cannot be named {namespace.strip('/')}",

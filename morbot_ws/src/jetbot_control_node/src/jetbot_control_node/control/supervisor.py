@@ -105,6 +105,7 @@ class Supervisor:
         """Drive until ``end``, then close the robot. Raise JetbotError for what cannot be retried."""
         try:
             wait_until(lambda: self.robot.guarded or self._ending, GUARD_START_TIMEOUT)
+            self.confirm(self.state.held_for, time.monotonic())  # nobody was asked while the node started
             woken = False
             while not self._ending:
                 woken = self._sleep_until(self.step(time.monotonic(), woken))
