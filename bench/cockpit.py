@@ -44,6 +44,7 @@ class Client:
             await self.release()  # a drive that the cockpit has refused goes on being refused until then
             await asyncio.sleep(0.5)
             await self.drive(0.5)
+        await self.release()
         self.chip = launched.open_chip(self.bus)
 
     async def drive(self, seconds: float) -> None:

@@ -81,6 +81,13 @@ def test_the_timeout_is_not_left_to_the_next_heartbeat(supervisor, folder):
     assert wheel_speeds(folder) == STOPPED
 
 
+def test_a_frozen_program_has_no_more_time_to_answer_because_this_one_stutters(supervisor, folder):
+    supervisor.state = supervisor.state.command(0.5, 0.1, Sender("/pupil", latched=True), 0.0)
+    for moment in range(0, 12):
+        steps(supervisor, 0.9 * moment, 0.1)
+    assert wheel_speeds(folder) == STOPPED
+
+
 def test_a_standing_order_outlives_a_freeze_of_this_program(supervisor, folder):
     supervisor.state = supervisor.state.command(0.5, 0.1, Sender("/pupil", latched=True), 0.0)
     steps(supervisor, 0.0, 0.5)
@@ -98,6 +105,7 @@ def test_after_a_freeze_nobody_is_blamed_for_what_the_guard_has_stopped(
     supervisor = supervise(robot, statuses)
     supervisor.state = supervisor.state.command(0.5 * driving, 0.0, PUPIL._replace(latched=True), 0.0)
     steps(supervisor, 0.0, 0.9)
+    supervisor.confirm(PUPIL, 0.9)
     stop_board(BOARDS[board], f"fake:{folder}")
     steps(supervisor, 3.0, 0.9)
     assert wheel_speeds(folder, board) == pytest.approx((0.5 * driving, 0.5 * driving), abs=0.004)

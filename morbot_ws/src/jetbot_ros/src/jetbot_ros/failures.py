@@ -9,15 +9,20 @@ import contextlib
 import errno
 import logging
 import os
+import select
 import sys
 import threading
-from typing import Callable, List
+import time
+from typing import Callable, Dict, List
 
 LACKS = (errno.ENOMEM, errno.ENFILE, errno.EMFILE, errno.ENOSPC, errno.EAGAIN)
 ADVICE = "Is this computer out of memory, processes, file descriptors or disk space?"
 
+START_TIMEOUT = 1.0  # s
+
 before_end: List[Callable[[], None]] = []  # called before the process ends; each may take a moment
 _ending, _unwritten = threading.Event(), threading.Event()
+_starting: Dict[threading.Thread, float] = {}
 _start = threading.Thread.start
 
 
@@ -45,21 +50,35 @@ def end(reason: object) -> None:
     if _ending.is_set():
         return
     _ending.set()
-    _print(f"[FATAL] {os.path.basename(sys.argv[0])} ends: {reason}. {ADVICE}")
     for act in before_end:
         with contextlib.suppress(Exception):
             act()
+    _print(f"[FATAL] {os.path.basename(sys.argv[0])} ends: {reason}. {ADVICE}")
     os._exit(1)
+
+
+def check_starts() -> None:
+    """End the process if a thread does not start: without memory for its first line, its starter waits forever."""
+    if any(time.monotonic() - since > START_TIMEOUT for since in list(_starting.values())):
+        end("a thread does not start")
+
+
+def has_failed() -> bool:
+    """Return whether this process ends because something in it broke."""
+    return _ending.is_set()
 
 
 def _start_or_end(thread):
     if thread.ident is not None:
         return _start(thread)  # raises: a thread starts once
+    _starting[thread] = time.monotonic()
     try:
         return _start(thread)
     except (RuntimeError, MemoryError) as error:
         end(error)
         raise
+    finally:
+        _starting.pop(thread, None)
 
 
 def _thread_has_failed(failure):
@@ -87,5 +106,6 @@ def _described(error):
 
 
 def _print(line):
-    with contextlib.suppress(OSError):
-        os.write(2, f"{line}\n".encode(errors="replace"))
+    with contextlib.suppress(OSError, ValueError):
+        if select.select([], [2], [], 0)[1]:  # else nobody reads: a full pipe, a terminal after Ctrl-S
+            os.write(2, f"{line}\n".encode(errors="replace"))

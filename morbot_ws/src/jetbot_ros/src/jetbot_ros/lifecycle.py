@@ -99,7 +99,7 @@ def leave(code: int) -> None:
     """End the process now: rospy's threads, which have nothing left to do, would take another second."""
     with contextlib.suppress(OSError):  # the terminal is closed
         sys.stdout.flush()
-    os._exit(code)
+    os._exit(1 if failures.has_failed() else code)
 
 
 def main(start: Callable[[], int]) -> None:

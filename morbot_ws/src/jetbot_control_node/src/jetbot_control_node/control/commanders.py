@@ -94,7 +94,8 @@ class Commanders:
 
         def remove_connection(connection):
             remove(connection)
-            self._headers = {key: each for key, each in self._headers.items() if each is not connection}
+            for key in [key for key, each in list(self._headers.items()) if each is connection]:
+                self._headers.pop(key, None)
             sender = self._senders.pop(connection, None)
             if sender:
                 ended(sender, bool(topic.connections))

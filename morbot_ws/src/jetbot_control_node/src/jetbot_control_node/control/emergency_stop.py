@@ -20,10 +20,11 @@ class EmergencyStop:
         rospy.Subscriber(topic, Bool, self._callback, queue_size=1, tcp_nodelay=True)
 
     def _callback(self, msg):
-        # A release from before this node's start, or before an interruption, ends no emergency stop
+        if msg.data:
+            self._supervisor.hold(self._hold, True)
         sender = self._commanders.sender(msg)
-        if msg.data or (sender and not sender.old):
-            self._supervisor.hold(self._hold, msg.data)
+        if not msg.data and sender and not sender.old:  # one from before this node's start, or an interruption, is old
+            self._supervisor.hold(self._hold, False)
 
     def settle(self) -> None:
         """Wait for what was latched before this node started, a second at most; a stop is then in force."""

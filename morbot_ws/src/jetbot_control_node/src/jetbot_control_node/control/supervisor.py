@@ -129,8 +129,10 @@ class Supervisor:
 
         woken: whether something has just happened, such as a command.
         """
-        if now - self._stepped_at > FREEZE:
-            self.confirm(self.state.held_for, now)
+        gap = now - self._stepped_at
+        if gap > FREEZE:
+            if self.state.held_for:  # nobody could answer meanwhile; what is left of the time for that is left still
+                self.confirm(self.state.held_for, self.state.confirmed_at + gap)
             self.robot.driver.invalidate()  # the guard may have stopped the wheels meanwhile
         self._stepped_at = now
         with self._lock:

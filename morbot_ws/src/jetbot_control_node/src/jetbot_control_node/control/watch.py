@@ -5,6 +5,7 @@ import time
 from typing import Callable
 
 from jetbot import JetbotError
+from jetbot_ros import failures
 from jetbot_ros.holds import NO_MASTER, SUSPENDED, Hold
 from jetbot_ros.launcher import Launcher
 from jetbot_ros.master import NO_ANSWER
@@ -61,6 +62,7 @@ def start(supervisor: Supervisor, master: MasterWatch) -> None:
 def check(supervisor: Supervisor, launcher: Launcher, master: MasterWatch) -> float:
     """Check all once; return the seconds until the next check."""
     launcher.poll()
+    failures.check_starts()
     set_hold(supervisor, SUSPENDED, launcher.suspended)
     set_hold(supervisor, NO_MASTER, master.poll())
     if launcher.ended:
