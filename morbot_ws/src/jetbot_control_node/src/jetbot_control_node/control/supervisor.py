@@ -58,7 +58,7 @@ class Supervisor:
         self._ending, self._failure = False, None
         self._step = Step(-math.inf, self.state, None, STOPPED, STOPPED)
         self._kept_up_at = -math.inf
-        self._stepped_at = math.inf  # there is no step yet, and so no gap after it
+        self._stepped_at = self._due_at = math.inf  # there is no step yet, and so no gap after it
 
     def command(self, linear: float, angular: float, sender: Sender) -> None:
         """Accept a command: m/s forward and rad/s to the left."""
@@ -129,10 +129,9 @@ class Supervisor:
 
         woken: whether something has just happened, such as a command.
         """
-        gap = now - self._stepped_at
-        if gap > FREEZE:
-            if self.state.held_for:  # nobody could answer meanwhile; what is left of the time for that is left still
-                self.confirm(self.state.held_for, self.state.confirmed_at + gap)
+        if now - self._stepped_at > FREEZE:
+            if self.state.held_for:  # no answer could arrive meanwhile; what was left of the time for one is left still
+                self.confirm(self.state.held_for, self.state.confirmed_at + now - self._due_at)
             self.robot.driver.invalidate()  # the guard may have stopped the wheels meanwhile
         self._stepped_at = now
         with self._lock:
@@ -149,7 +148,8 @@ class Supervisor:
         if self._ramp.acceleration_limit and not any(duties):
             self._ramp.reset()  # whatever has stopped the wheels
         self._show(Step(now, state, fault, velocity, duties), due)
-        return min(self._kept_up_at + interval, state.deadline, now + self._pause(fault))
+        self._due_at = min(self._kept_up_at + interval, state.deadline, now + self._pause(fault))
+        return self._due_at
 
     def _pause(self, fault):
         if fault:
