@@ -95,10 +95,11 @@ def test_a_stop_overtakes_a_command_that_waits_for_the_guard(folder, monkeypatch
     assert wheel_speeds(folder) == (0, 0)
 
 
-@pytest.mark.parametrize("code, timeout, cause", [(SILENT, 0.2, "it does not answer"), ("", 1.0, "it has ended")])
+@pytest.mark.parametrize("code, timeout, cause", [(SILENT, 0.2, "it does not answer"), ("", 4.0, "it has ended")])
 def test_without_a_guard_nothing_turns_and_one_sentence_says_why(folder, monkeypatch, code, timeout, cause):
     monkeypatch.setattr(guard, "CODE", code)
     monkeypatch.setattr(guard, "TIMEOUT", timeout)
+    monkeypatch.setattr(guard, "RESTART_INTERVAL", 2 * timeout)
     with Robot(i2c_bus=f"fake:{folder}") as robot:
         with pytest.raises(GuardError, match=f"^The guard, .* cannot be started: .*{cause}.*\\. Close other"):
             robot.forward()
