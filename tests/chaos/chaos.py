@@ -30,16 +30,11 @@ class Violation(AssertionError):
     """The invariant does not hold."""
 
 
-def state_of(process: Process) -> str:
-    """Return a process's state by proc(5)."""
-    return Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()[0]
-
-
 def obeyed(scene: Scene, robot: str) -> List[Process]:
     """Return the programs whose speed the wheels have, and which run."""
     left, right = scene.wheels(robot)
-    return [each for each in scene.living(*COMMANDERS) if each.robot == robot and state_of(each) != "T"
-            and abs(SPEEDS.get(each.kind, 0.5) - left) < 0.02 and abs(left - right) < 0.02]
+    return [each for each in scene.living(*COMMANDERS) if each.robot == robot and each.state() != "T"
+            and abs(SPEEDS[each.kind] - left) < 0.02 and abs(left - right) < 0.02]
 
 
 def check_wheels(scene: Scene) -> None:
@@ -95,19 +90,18 @@ def check_words(scene: Scene) -> None:
             raise Violation(f"{log.name}:\n{text[-3000:]}")
 
 
-def play(scene: Scene, chance: random.Random) -> str:
-    """One round; return what happened."""
+def play(scene: Scene, chance: random.Random) -> None:
+    """Play one round."""
     scene.ensure()
     for robot in scene.names:
         scene.command(chance.choice(COMMANDERS[:3 if scene.pages else 2]), robot)
     time.sleep(chance.uniform(0.0, 3.0))  # some faults happen while programs start
-    happened, ends = [], []
+    ends = []
     for name in chance.sample(sorted(faults.FAULTS), chance.choice((1, 1, 2))):
         targets = [each for each in scene.living() if not faults.FAULTS[name].targets
                    or each.kind in faults.FAULTS[name].targets.split()]
         target = chance.choice(targets)
-        happened.append(f"{name} of {target}")
-        print(f"   {happened[-1]}", flush=True)
+        print(f"   {name} of {target}", flush=True)
         ends.append(faults.begin(name, scene, target))
         time.sleep(chance.uniform(0.0, 0.5))
     time.sleep(BOUND)
@@ -120,7 +114,6 @@ def play(scene: Scene, chance: random.Random) -> str:
     check_stop(scene)
     check_recovery(scene)
     check_words(scene)
-    return ", ".join(happened)
 
 
 def run(rounds: int, seed: int, keep: bool) -> int:

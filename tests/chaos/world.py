@@ -16,11 +16,11 @@ ROOT = Path(__file__).resolve().parents[2]
 START_TIMEOUT = 40.0  # s
 ROBOTS = ("red", "green", "blue")
 TWIST = "{linear: {x: %s}}"
-SPEEDS = {"order": 0.2, "repeat": 0.3, "program": 0.4}  # each commander has its own, so that the wheels tell who it is
+SPEEDS = {"order": 0.2, "repeat": 0.3, "page": 0.5}  # each commander has its own, so that the wheels tell who it is
 
 
 class Process:
-    """A process of the scene: ``kind`` is what it is; ``robot``, ``speed`` of a commander."""
+    """A process of the scene: ``kind`` is what it is; ``robot``: which it drives or commands."""
 
     def __init__(self, kind: str, popen: subprocess.Popen, command: Tuple[str, ...], robot: str = "", pid: int = 0):
         self.kind, self.popen, self.command, self.robot = kind, popen, command, robot
@@ -29,11 +29,15 @@ class Process:
     def __str__(self) -> str:
         return f"{self.kind} {self.robot}".strip()
 
+    def state(self) -> str:
+        """Return its state by proc(5), Z if it has ended."""
+        with contextlib.suppress(OSError):
+            return Path(f"/proc/{self.pid}/stat").read_text().rpartition(")")[2].split()[0]
+        return "Z"
+
     def alive(self) -> bool:
         """Return whether it runs, or is frozen."""
-        with contextlib.suppress(OSError):
-            return Path(f"/proc/{self.pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
-        return False
+        return self.state() != "Z"
 
     def signal(self, signum: int) -> None:
         with contextlib.suppress(ProcessLookupError):
@@ -127,11 +131,12 @@ class Scene:
 
     def command(self, kind: str, robot: str) -> Process:
         """Start a commander of this kind for a robot."""
-        topic, message = f"/{robot}/cmd_vel", TWIST % SPEEDS.get(kind, 0.5)
+        topic, message = f"/{robot}/cmd_vel", TWIST % SPEEDS[kind]
         commands: Dict[str, Tuple[str, ...]] = {
             "order": ("rostopic", "pub", topic, "geometry_msgs/Twist", message),
             "repeat": ("rostopic", "pub", "-r", "10", topic, "geometry_msgs/Twist", message),
-            "page": (sys.executable, str(ROOT / "tests/chaos/page.py"), str(self.page_port), f"/{robot}", "0.5"),
+            "page": (sys.executable, str(ROOT / "tests/chaos/page.py"), str(self.page_port), f"/{robot}",
+                     str(SPEEDS["page"])),
         }
         return self.start(kind, *commands[kind], robot=robot)
 
