@@ -11,6 +11,16 @@ working_tool() {
     return 1
 }
 
+# Where apt has it, and no container engine is installed; but nobody who wants to stop a robot waits for that.
+install_podman() {  # COMMAND
+    [ "$1" != stop ] && [ -n "$(family)" ] && [ -z "$(docker --version 2>/dev/null; podman --version 2>/dev/null)" ] ||
+        return 1
+    is_known podman || update_apt
+    is_known podman || return 1
+    echo "morbot: $reason; installing podman, to run in a container" >&2
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q podman >&2
+}
+
 build_image() {  # TARGET NAME
     # The OCI format has no health check; the images share layers.
     BUILDAH_FORMAT=docker BUILDAH_LAYERS=true "$tool" build --build-arg "BASE=$BASE" --target "$1" --tag "$2" \
@@ -19,8 +29,9 @@ build_image() {  # TARGET NAME
 
 # Runs a command of ./morbot in the container of this folder and user, which all their shells share.
 in_container() {  # COMMAND...
-    tool=$(working_tool docker podman) || fail "$(system_name) has no packages of ROS 1; $(container_advice)"
-    echo "morbot: $(system_name) has no packages of ROS 1; running in a container of $tool" >&2
+    tool=$(working_tool docker podman) || { install_podman "$1" && tool=$(working_tool podman); } ||
+        fail "$reason; $(container_advice)"
+    echo "morbot: $reason; running in a container of $tool" >&2
     container=$(
         ! command -v flock >/dev/null || flock 9
         find_container

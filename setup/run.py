@@ -22,6 +22,7 @@ FILES = ("config", "body", "world")  # arguments that may be a file in the curre
 MASTER = "http://localhost:11311"  # where ROS looks for it
 OTHERS_MASTER = (f"The ROS master at {MASTER} is another user's. For one of your own, in each terminal: "
                  "export ROS_MASTER_URI=http://localhost:11411")
+NO_NUMBER = re.compile(r"""could not convert string to float: (.*?)\. .*?<param name="(\w+)\"""", re.S)  # roslaunch's
 PORTS = range(COCKPIT_PORT, COCKPIT_PORT + 100)  # for the cockpit's page: the first one that no program has
 
 
@@ -74,7 +75,8 @@ def problem_of(package: str, file: str, words: List[str]) -> Optional[str]:
     except rospkg.ResourceNotFound as missing:
         return f"the package {missing.args[0]} is needed to run, and ROS does not find it"
     except roslaunch.RLException as error:
-        return str(error)
+        value = NO_NUMBER.search(str(error))
+        return f"{value[2]}:= is a number, and not {value[1]}" if value else str(error)
     required = [node.namespace + node.name for node in config.nodes if node.required]
     return word_problem(words, known) or start_problem(required)
 

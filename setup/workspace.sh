@@ -36,7 +36,8 @@ choose_cache() {
     cache=${XDG_CACHE_HOME:-$home/.cache}/morbot
     mkdir -p "$cache" 2>/dev/null && [ -w "$cache" ] && return
     cache=${TMPDIR:-/tmp}/morbot-$(id -u)
-    mkdir -p -m 700 "$cache" && [ -O "$cache" ] || fail "cannot write to $cache: set XDG_CACHE_HOME to a folder of yours"
+    mkdir -p -m 700 "$cache" && [ -O "$cache" ] || [ "$command" = stop ] ||  # a stop needs no folder
+        fail "cannot write to $cache: set XDG_CACHE_HOME to a folder of yours"
 }
 
 source_workspace() {
@@ -46,6 +47,12 @@ source_workspace() {
     . "$1/setup.sh"
     set -u
     export ROS_ETC_DIR="$etc"
+}
+
+# ROS's own, where it is not part of the system as Debian's is.
+source_ros() {
+    source_workspace "$opt_ros/one"
+    source_workspace "$opt_ros/noetic"
 }
 
 # A user who may not write there uses the workspace's own build while it is up to date, or else one of their own.

@@ -14,6 +14,7 @@ from jetbot.wait import wait_until
 MORBOT, ATTEND = ROOT / "morbot", ROOT / "docker/attend"
 FEDORA = 'ID=fedora\nVERSION_ID=40\nPRETTY_NAME="Fedora Linux 40"\n'
 JETPACK_4 = 'ID=ubuntu\nID_LIKE=debian\nVERSION_CODENAME=bionic\nPRETTY_NAME="Ubuntu 18.04.6 LTS"\n'
+UBUNTU_24 = 'ID=ubuntu\nID_LIKE=debian\nUBUNTU_CODENAME=noble\nPRETTY_NAME="Ubuntu 24.04.1 LTS"\n'
 NO_ROS = "morbot: Fedora Linux 40 has no packages of ROS 1; "
 ENGINE = """#!/bin/sh
 echo "${0##*/} $*" >>"$LOG"
@@ -28,7 +29,10 @@ case "$1 $2 $4" in
     "exec "*" /tmp/last_use") [ -e "$LOG.running" ] ;;
 esac
 """
-MISSING = {"version": "exit 127", "ps": "exit 127", "server": "", "build": "exit 127"}
+MISSING = {"version": "exit 127", "ps": ":", "server": "", "build": ":"}
+INSTALL_PODMAN = """#!/bin/sh
+sed -i 's/exit 127/echo podman version 4.9.3/' "${0%apt-get}podman"
+"""
 WORKING = {"version": "echo 'Docker version 24.0.5'", "ps": ":", "server": "24.0.5", "build": ":"}
 
 
@@ -39,9 +43,10 @@ def morbot(tmp_path):
     home.mkdir()
 
     def run(*arguments, system=FEDORA, docker=MISSING, podman=MISSING, uid=1234):
-        write_program(tmp_path / "docker", ENGINE % docker)
-        write_program(tmp_path / "podman", ENGINE % podman)
-        write_program(tmp_path / "apt-cache", "#!/bin/sh\nexit 100\n")
+        for name, engine in ("docker", docker), ("podman", podman):
+            write_program(tmp_path / name, ENGINE % engine)
+        write_program(tmp_path / "apt-cache", '#!/bin/sh\n[ "$*" = "show podman" ]\n')
+        write_program(tmp_path / "apt-get", INSTALL_PODMAN)
         write_program(tmp_path / "dpkg-query", "#!/bin/sh\nexit 1\n")
         write_program(tmp_path / "id", f"#!/bin/sh\n[ $1 = -un ] && echo pupil || echo {uid}\n")
         (tmp_path / "os-release").write_text(system)
@@ -77,6 +82,13 @@ def test_the_first_command_builds_the_image_and_starts_the_container_that_later_
     assert not [line for line in later if line.split()[1] in ("build", "run")]
     container = words_of(commands, "docker run").partition("--name ")[2].split()[0]
     assert f" {container} {ATTEND} " in later[-1]
+
+
+def test_podman_is_installed_where_apt_has_it_and_no_engine_is_there(morbot):
+    code, printed, commands = morbot("run", system=UBUNTU_24, uid=0)
+    assert code == 0
+    assert "morbot: Ubuntu 24.04.1 LTS has no packages of ROS 1; installing podman, to run in a container\n" in printed
+    assert commands[-1].startswith("podman exec ")
 
 
 def test_the_container_has_this_folder_the_users_settings_network_and_processes(morbot, tmp_path):

@@ -15,7 +15,7 @@ TOOLS = {
     "id": "echo 0",
     "python3": "exit 1",                                           # no smbus2
     "apt-cache": 'case "$*" in *$UNKNOWN*) exit 100 ;; esac',
-    "apt-get": 'echo apt-get "$@" >>"$LOG"',
+    "apt-get": 'case "$*" in *--simulate*) exit ${CONFLICT:-0} ;; esac; echo apt-get "$@" >>"$LOG"',
     "pip3": 'echo pip3 "$@" >>"$LOG"',
 }
 
@@ -34,7 +34,7 @@ def install(tmp_path):
         process = subprocess.run(["sh", str(MORBOT), "install"], text=True, stdout=subprocess.PIPE,
                                  stderr=subprocess.STDOUT, env={
             **os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "LOG": str(log), "UNKNOWN": unknown,
-            "OS_RELEASE": str(tmp_path / "os-release"), **environment})
+            "OS_RELEASE": str(tmp_path / "os-release"), "OPT_ROS": str(tmp_path / "ros"), **environment})
         return process.returncode, process.stdout, log.read_text()
 
     return run
@@ -43,24 +43,18 @@ def install(tmp_path):
 DEBIAN_12 = "ID=debian; VERSION_ID=12; VERSION_CODENAME=bookworm"
 UBUNTU_20 = "ID=ubuntu; ID_LIKE=debian; VERSION_ID=20.04; VERSION_CODENAME=focal; UBUNTU_CODENAME=focal"
 UBUNTU_22 = "ID=ubuntu; ID_LIKE=debian; VERSION_ID=22.04; VERSION_CODENAME=jammy; UBUNTU_CODENAME=jammy"
+UBUNTU_24 = "ID=ubuntu; ID_LIKE=debian; VERSION_ID=24.04; VERSION_CODENAME=noble; UBUNTU_CODENAME=noble"
 EVERYTHING = ""  # matches every package
 
 
 @pytest.mark.parametrize("os_release", [
     DEBIAN_12, UBUNTU_22,
     "ID=debian; VERSION_ID=13; VERSION_CODENAME=trixie",
-    "ID=debian; VERSION_CODENAME=trixie",  # while it was testing
-    "ID=ubuntu; ID_LIKE=debian; VERSION_ID=24.04; VERSION_CODENAME=noble; UBUNTU_CODENAME=noble",
-    "ID=raspbian; ID_LIKE=debian; VERSION_ID=12; VERSION_CODENAME=bookworm",
+    "ID=debian; VERSION_CODENAME=forky",  # while it is testing
     "ID=raspbian; ID_LIKE=debian; VERSION_ID=13; VERSION_CODENAME=trixie",
     'ID=linuxmint; ID_LIKE="ubuntu debian"; VERSION_ID=21.3; VERSION_CODENAME=virginia; UBUNTU_CODENAME=jammy',
-    'ID=linuxmint; ID_LIKE="ubuntu debian"; VERSION_ID=22; VERSION_CODENAME=wilma; UBUNTU_CODENAME=noble',
     "ID=linuxmint; ID_LIKE=debian; VERSION_ID=6; VERSION_CODENAME=faye; DEBIAN_CODENAME=bookworm",
-    "ID=linuxmint; ID_LIKE=debian; VERSION_ID=7; VERSION_CODENAME=gigi; DEBIAN_CODENAME=trixie",
-    'ID=pop; ID_LIKE="ubuntu debian"; VERSION_ID=24.04; VERSION_CODENAME=noble; UBUNTU_CODENAME=noble',
-    'ID=elementary; ID_LIKE="ubuntu debian"; VERSION_ID=7; VERSION_CODENAME=horus; UBUNTU_CODENAME=jammy',
-    'ID=zorin; ID_LIKE="ubuntu debian"; VERSION_ID=17; VERSION_CODENAME=jammy; UBUNTU_CODENAME=jammy',
-    'ID=neon; ID_LIKE="ubuntu debian"; VERSION_ID=22.04; VERSION_CODENAME=jammy; UBUNTU_CODENAME=jammy'])
+    'ID=elementary; ID_LIKE="ubuntu debian"; VERSION_ID=7; VERSION_CODENAME=horus; UBUNTU_CODENAME=jammy'])
 def test_systems_that_package_ros_themselves_and_their_derivatives(install, os_release):
     code, _, commands = install(os_release)
     assert code == 0
@@ -70,8 +64,7 @@ def test_systems_that_package_ros_themselves_and_their_derivatives(install, os_r
 
 @pytest.mark.parametrize("os_release", [
     UBUNTU_20,  # JetPack 5 too
-    'ID=linuxmint; ID_LIKE=ubuntu; VERSION_ID=20.3; VERSION_CODENAME=una; UBUNTU_CODENAME=focal',
-    "ID=zorin; ID_LIKE=ubuntu; VERSION_ID=16; VERSION_CODENAME=focal; UBUNTU_CODENAME=focal"])
+    'ID=linuxmint; ID_LIKE=ubuntu; VERSION_ID=20.3; VERSION_CODENAME=una; UBUNTU_CODENAME=focal'])
 def test_noetic(install, os_release):
     code, _, commands = install(os_release)
     assert code == 0
@@ -84,8 +77,22 @@ def test_noetic(install, os_release):
         "python3-(ros|tf2|.*-msgs|smbus2|segno)|lib|ros-noetic-(tornado|segno)|ros-(?!noetic)", name)]
 
 
+def test_ros_o_where_it_is_installed_already(install, tmp_path):
+    (tmp_path / "ros/one").mkdir(parents=True)
+    (tmp_path / "ros/one/setup.sh").touch()
+    code, _, commands = install(UBUNTU_24, unknown="python3-rospy")
+    assert code == 0
+    assert " ros-one-rospy " in commands and " python3-smbus2 " in commands and "pip3" not in commands
+
+
+def test_packages_that_exclude_ros_1_as_those_of_ros_2_do_are_left_as_they_are(install):
+    code, printed, commands = install(UBUNTU_22, CONFLICT="100")
+    assert code == 1
+    assert printed == "morbot: apt cannot install ROS 1 beside what is installed here, such as ROS 2\n"
+    assert "apt-get install -y" not in commands
+
+
 @pytest.mark.parametrize("os_release", [
-    "ID=debian; VERSION_CODENAME=forky",
     "ID=kali; ID_LIKE=debian; VERSION_ID=2025.4; VERSION_CODENAME=kali-rolling",
     "ID=ubuntu; ID_LIKE=debian; VERSION_ID=25.10; VERSION_CODENAME=questing; UBUNTU_CODENAME=questing"])
 def test_another_release_is_set_up_if_apt_knows_the_packages(install, os_release):
@@ -93,6 +100,15 @@ def test_another_release_is_set_up_if_apt_knows_the_packages(install, os_release
     assert code == 0 and " python3-rospy " in commands
     code, printed, _ = install(os_release, unknown=EVERYTHING)
     assert code == 1 and printed.endswith(" has no packages of ROS 1\n")
+
+
+@pytest.mark.parametrize("os_release", [
+    UBUNTU_24,  # Debian's packages were removed just before its release: https://bugs.launchpad.net/bugs/2063103
+    'ID=linuxmint; ID_LIKE="ubuntu debian"; VERSION_ID=22; VERSION_CODENAME=wilma; UBUNTU_CODENAME=noble',
+    'ID=pop; ID_LIKE="ubuntu debian"; VERSION_ID=24.04; VERSION_CODENAME=noble; UBUNTU_CODENAME=noble'])
+def test_ubuntu_24_has_no_ros_1(install, os_release):
+    code, printed, commands = install(os_release, unknown="python3-rospy")
+    assert code == 1 and printed.endswith(" has no packages of ROS 1\n") and not commands
 
 
 @pytest.mark.parametrize("os_release", [
@@ -121,12 +137,13 @@ def test_the_second_description_is_read_where_the_first_is_missing(install, tmp_
 
 @pytest.mark.parametrize("os_release, unknown, sentence", [
     (UBUNTU_20, "ros-noetic-", "; first add the source of ROS Noetic: http://wiki.ros.org/noetic/Install"),
-    (UBUNTU_22, "python3-rospy", "morbot: apt cannot find python3-rospy; on Ubuntu and its derivatives, try: sudo ")])
+    (UBUNTU_22, "python3-rospy", "morbot: apt cannot find python3-rospy; try: sudo add-apt-repository universe\n"),
+    (DEBIAN_12, "python3-rospy", "morbot: apt cannot find python3-rospy\n")])
 def test_packages_that_apt_cannot_find_are_named_and_nothing_is_installed(install, os_release, unknown, sentence):
     code, printed, commands = install(os_release, unknown)
     assert code == 1
     assert sentence in printed
-    assert "install" not in commands
+    assert "apt-get install" not in commands
 
 
 def test_without_sudo_one_sentence_says_what_an_administrator_types(install, tmp_path):
@@ -139,7 +156,7 @@ def test_without_sudo_one_sentence_says_what_an_administrator_types(install, tmp
 
 
 def test_a_failed_installation_ends_with_one_sentence(install, tmp_path):
-    (tmp_path / "apt-get").write_text('#!/bin/sh\n[ "$1" = update ]\n')
+    (tmp_path / "apt-get").write_text('#!/bin/sh\n[ "$1" = update ] || [ "$2" = --simulate ]\n')
     code, printed, _ = install(DEBIAN_12)
     assert code == 1 and printed.endswith("morbot: apt-get could not install these packages (see above)\n")
 
