@@ -15,7 +15,7 @@ from pupil_terminal import PS1, Terminal
 from harness import free_port
 
 ROOT = Path(__file__).parents[2]
-LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"))
+LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"), key=lambda page: int(page.name.partition("_")[0]))
 NOT_COPIED = ("build", "devel", "install", ".git", "__pycache__", "teleop_twist_keyboard", "my_scenario")
 WORKSPACE = ("ROS", "CMAKE", "PYTHON", "PKG_CONFIG", "LD_LIBRARY", "JETBOT")  # variables that a sourced one sets
 OFFLINE = re.compile(r"Could not resolve|unable to access|unable to look up|timed out")

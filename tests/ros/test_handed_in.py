@@ -48,14 +48,14 @@ BOMB = f'<!DOCTYPE l [<!ENTITY l0 "lol">{ENTITIES}]><launch>&l11;</launch>'
     ("\033[2J\n", lambda folder: folder.symlink_to("/"), r"\x1b[2J\n is a link that leads out of the package"),
     ("CMakeLists.txt", lambda file: None, "There is no CMakeLists.txt in "),
     ("many", lambda folder: [(folder / str(n)).mkdir(parents=True) for n in range(1000)],
-     "mine has more than 1,000 files")])
+     "mine has more than 1,000 files")], ids=lambda value: ascii(value)[:40] if isinstance(value, str) else None)
 def test_hostile_folder_gets_a_row_and_is_not_executed(mine, monkeypatch, file, content, problem):
     monkeypatch.chdir(mine)
     place = mine / file
     if place.exists():
         place.unlink()
     content(place) if callable(content) else place.write_text(content)
-    if (mine / DRIVE).exists():
+    if (mine / DRIVE).exists() and not (mine / DRIVE).is_symlink():  # it may lead to a file of root's
         (mine / DRIVE).chmod(0o755)
     found = mark(7, mine).replace(f"{mine.parent}/", "")
     assert found[:len(problem)] == problem and not (mine / "executed").exists()

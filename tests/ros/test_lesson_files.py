@@ -82,6 +82,10 @@ def test_package_where_ros_does_not_search(mine):
     (DRIVE, " \n", check_scripts, f"{{0}}/{DRIVE} is empty: write your program into it, and save it"),
     (DRIVE, "#!/usr/bin/env python3\n# Drives.\n", check_scripts,
      "drive.py holds no command yet: write your program into it, and save it"),
+    (DRIVE, f"{SCRIPT}def main():\n    pass\n\n\nmain\n", check_scripts,
+     "drive.py, line 7: main alone does nothing: write main()"),
+    (DRIVE, f"{SCRIPT}motion.linear = 0.3\n", check_scripts,
+     "drive.py, line 3: a number cannot be assigned to all of it: write linear.x = ..."),
     (DRIVE, SCRIPT.replace("\n", "\r\n"), check_scripts,
      rf"drive.py has Windows line endings: sed -i 's/\r$//' {{0}}/{DRIVE}"),
     *((DRIVE, f"{first}\n", check_scripts,
@@ -90,6 +94,14 @@ def test_package_where_ros_does_not_search(mine):
 def test_problem_of_a_file(mine, file, text, check, problem):
     (mine / file).unlink() if text is None else (mine / file).write_bytes(text.encode())
     assert check("mine") == problem.format(mine)
+
+
+@pytest.mark.parametrize("place", [".", "src", ".."])
+def test_a_script_in_another_folder_is_named(mine, place):
+    (mine / "src").mkdir()
+    astray = (mine / DRIVE).rename(mine.joinpath(place).resolve() / "zigzag.py")
+    assert check_scripts("mine") == (
+        f"{astray} is not in {mine}/scripts: mkdir -p {mine}/scripts && mv {astray} {mine}/scripts")
 
 
 def test_not_built(mine):

@@ -13,6 +13,7 @@ from geometry_msgs.msg import Twist
 
 from jetbot.fake.bus import power_on
 from jetbot_lessons import graph, motion
+from jetbot_lessons.lessons import LAST
 from jetbot_lessons.motion import check_command
 from lesson_package import make_package
 
@@ -24,8 +25,8 @@ CHECK = "rosrun jetbot_lessons check_lesson.py"
 
 
 @pytest.mark.parametrize("arguments, problem", [
-    *((words, f"Which lesson, 1 to 9? Type: {CHECK} N, and from lesson 7 on the name of your package")
-      for words in ("", "0", "10", "one")),
+    *((words, f"Which lesson, 1 to {LAST}? Type: {CHECK} N, and from lesson 7 on the name of your package")
+      for words in ("", "0", str(LAST + 1), "one")),
     *((number, f"Lesson {number} is about your own package. Type: {CHECK} {number} ITS_NAME") for number in "79"),
     ("1 mine yours", "Unrecognized arguments: yours. Type: "), ("1 --color", "Unrecognized arguments: --color. Type: "),
     ("9 --folders ada --csv metre.bag", "Argument --csv: its name must end in .csv, not metre.bag. Type: "),
@@ -219,10 +220,21 @@ def test_wheels_that_do_not_obey(motors, monkeypatch, count, problem):
     assert motion.check_turn().startswith(problem)
 
 
+@pytest.mark.parametrize("x, z, problem", [
+    (0.5, 0.5, None), (50, 0, "Your program commands linear.x 50 and angular.z 0, and a wheel has no more than full ")])
+def test_a_command_that_no_wheel_can_obey(monkeypatch, x, z, problem):
+    command = Twist()
+    command.linear.x, command.angular.z = x, z
+    monkeypatch.setattr(motion.rospy, "wait_for_message", lambda topic, kind, timeout: command)
+    assert (motion.check_power("/cmd_vel") or "").startswith(problem or "")
+    assert bool(motion.check_power("/cmd_vel")) == bool(problem)
+
+
 @pytest.mark.parametrize("times, problem", [
     ([0.1 * n for n in range(15)], None),
-    ([0.2 * n for n in range(8)], "mine publishes 5.0 times a second, not 10: fix"),
-    ([0.0], "mine publishes 0.0 times a second, not 10: fix")])
+    ([0.2 * n for n in range(8)], "mine publishes 5.0 times a second, not 10 times a second: fix"),
+    ([0.0], "mine publishes at most once a second, not 10 times a second: fix"),
+    ([], "mine publishes nothing, not 10 times a second: fix")])
 def test_rate_of_the_commands(monkeypatch, times, problem):
     monkeypatch.setattr(motion, "record_commands", lambda topic: [(time, None) for time in times])
     assert motion.check_rate("mine", 10, "fix", "/cmd_vel") == problem

@@ -60,3 +60,10 @@ def test_a_folder_that_is_too_deep_too_large_or_empty(tmp_path):
         (tmp_path / f"{number}.bag").touch()
     *found, last = find_files(tmp_path, ".bag")
     assert len(found) == 1000 and last.problem == "It holds more than 1,000 files: only these are judged."
+
+
+def test_a_second_round_goes_into_a_file_of_its_own(tmp_path):
+    file = tmp_path / "metre.csv"
+    names = [marks.write(str(file), ("name",), [(f"round {number}",)]) for number in (1, 2, 3)]
+    assert names == [str(tmp_path / name) for name in ("metre.csv", "metre_2.csv", "metre_3.csv")]
+    assert "round 1" in file.read_text("utf-8-sig") and "round 2" in (tmp_path / "metre_2.csv").read_text("utf-8-sig")

@@ -11,11 +11,11 @@ from driving_tasks import contained
 from . import Problem, answers, graph, motion, package_files, packages
 from .packages import NameOrFolder
 
-FIRST_OWN, LAST = 7, 9  # the lessons about the pupil's own package
+FIRST_OWN = 7  # lesson about the pupil's own package
 WITH_ROBOT = range(2, FIRST_OWN)  # the lessons about a robot that runs
-ROBOT, SCENARIO, KEYBOARD = "jetbot_control_node", "workshop", "teleop_twist_keyboard"
-RUN = f"rosrun {ROBOT} jetbot_controller.py _i2c_bus:=fake"
-LAUNCH = f"roslaunch {ROBOT} jetbot_controller.launch i2c_bus:=fake"
+CONTROLLER, SCENARIO, KEYBOARD = "jetbot_control_node", "workshop", "teleop_twist_keyboard"
+RUN = f"rosrun {CONTROLLER} jetbot_controller.py _i2c_bus:=fake"
+LAUNCH = f"roslaunch {CONTROLLER} jetbot_controller.launch i2c_bus:=fake"
 LAUNCH_SCENARIO = f"roslaunch {SCENARIO} workshop_jetbot_controller.launch i2c_bus:=fake"
 IN_A_LOOP = "publish in a loop, with rate = rospy.Rate(10) and rate.sleep()"
 GET_KEYBOARD = "get it with git clone and ./morbot setup, as in lesson 4"
@@ -67,7 +67,8 @@ def drives(name: str, start: str, fix: str = IN_A_LOOP, namespace: str = "") -> 
     sender = [partial(graph.check_publishes, name, topic, start), partial(graph.check_no_other_publisher, topic, name)]
     if namespace:  # the nodes of a class run on other computers, too, and which package they are of is not known here
         sender = [partial(graph.check_commanded, topic, f"start it with {start}")]
-    return [*sender, partial(motion.check_rate, name, 10, fix, topic), partial(motion.check_wheels_turn, namespace)]
+    return [*sender, partial(motion.check_rate, name, 10, fix, topic), partial(motion.check_power, topic),
+            partial(motion.check_wheels_turn, namespace)]
 
 
 def lessons(own: str = "", namespace: str = "") -> Dict[int, Checks]:
@@ -75,7 +76,7 @@ def lessons(own: str = "", namespace: str = "") -> Dict[int, Checks]:
 
     own: the name of the pupil's package; namespace: of the robot, such as "/jetbot_07", for the lessons WITH_ROBOT.
     """
-    known = package(ROBOT) + package(SCENARIO, ROBOT) + [partial(answers.check_needed, SCENARIO)]
+    known = package(CONTROLLER) + package(SCENARIO, CONTROLLER) + [partial(answers.check_needed, SCENARIO)]
     return {1: known, **robot_lessons(namespace), **own_lessons(own)}
 
 
@@ -93,9 +94,9 @@ def robot_lessons(namespace: str) -> Dict[int, Checks]:
             *controller(run, namespace, "roscore"),
             partial(graph.check_node, keyboard, f"rosrun {KEYBOARD} {KEYBOARD}.py"),
             partial(motion.check_key, keyboard, topic)],
-        5: [*controller(launch, namespace), partial(graph.check_launched_together, ROBOT, namespace=namespace)],
+        5: [*controller(launch, namespace), partial(graph.check_launched_together, CONTROLLER, namespace=namespace)],
         6: [*controller(launch_scenario, namespace),
-            partial(graph.check_launched_together, ROBOT, SCENARIO, namespace=namespace),
+            partial(graph.check_launched_together, CONTROLLER, SCENARIO, namespace=namespace),
             *drives(SCENARIO, launch_scenario, "start it without rate:=", namespace)],
     }
 
@@ -106,8 +107,8 @@ def own_lessons(own: str) -> Dict[int, Checks]:
                    f"roslaunch {own}, the name of your launch file and, without a robot, i2c_bus:=fake")
     return {
         7: [*package(own), *controller(LAUNCH, ""), *drives(own, run)],
-        8: [*package(own, ROBOT), limited(package_files.check_launch_files, own), *controller(launch, ""),
-            partial(graph.check_launched_together, ROBOT, own), *drives(own, launch)],
+        8: [*package(own, CONTROLLER), limited(package_files.check_launch_files, own), *controller(launch, ""),
+            partial(graph.check_launched_together, CONTROLLER, own), *drives(own, launch)],
         9: [*package(own), partial(package_files.check_drive, own)],
     }
 
@@ -120,7 +121,7 @@ def handed_in_package(place: Path) -> Dict[int, Checks]:
     known = [limited(package_files.check_handed_in, place), *contents(place)]
     return {
         7: known,
-        8: [*known, limited(package_files.check_depends, place, ROBOT),
+        8: [*known, limited(package_files.check_depends, place, CONTROLLER),
             limited(package_files.check_launch_files, place)],
         9: [*known, partial(package_files.check_drive, place)],
     }
@@ -134,3 +135,6 @@ def first_problem(lesson: int, own: str = "", namespace: str = "") -> Problem:
 def find_problem(checks: Checks) -> Problem:
     """Return the first problem of these checks, or None."""
     return next(filter(None, (check() for check in checks)), None)
+
+
+LAST = max(lessons())

@@ -43,7 +43,18 @@ def check_rate(sender: str, rate: float, fix: str, topic: str) -> Problem:
     measured = (len(times) - 1) / (times[-1] - times[0]) if len(times) > 1 else 0
     if abs(measured - rate) <= RATE_TOLERANCE * rate:
         return None
-    return f"{sender} publishes {measured:.1f} times a second, not {rate}: {fix}"
+    often = f"{measured:.1f} times a second" if measured else "at most once a second" if times else "nothing"
+    return f"{sender} publishes {often}, not {rate} times a second: {fix}"
+
+
+def check_power(topic: str) -> Problem:
+    """Return the problem, or None if the next command, in the workshop's units, is one that the wheels can obey."""
+    command = rospy.wait_for_message(topic, Twist, RESPONSE_TIMEOUT)
+    x, z = command.linear.x, command.angular.z
+    if abs(x) + abs(z) <= 1:
+        return None
+    return (f"Your program commands linear.x {x:g} and angular.z {z:g}, and a wheel has no more than full power, 1: "
+            "x - z and x + z must be between -1 and 1")
 
 
 def record_commands(topic: str) -> List[Tuple[float, Twist]]:

@@ -43,8 +43,7 @@ def main() -> int:
     finally:
         if given.csv and judged:
             judged.sort(key=lambda mark: given.robot.index(mark.name) if mark.name in given.robot else 0)
-            marks.write(given.csv, marks.COLUMNS, (mark.row for mark in judged))
-            show(f"Wrote {given.csv}.")
+            show(f"Wrote {marks.write(given.csv, marks.COLUMNS, (mark.row for mark in judged))}.")
     return 0 if judged and all(mark.result for mark in judged) else 1
 
 

@@ -2,6 +2,8 @@
 
 import csv
 import io
+import itertools
+import os
 import re
 from typing import Iterable, List, NamedTuple, Optional, Sequence
 
@@ -55,9 +57,16 @@ def to_csv(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
     return table.getvalue()
 
 
-def write(file: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
-    """Write a table into a file, in one step. Raises OSError."""
-    files.replace(file, to_csv(columns, rows).encode("utf-8-sig"))  # the mark tells spreadsheets that this is UTF-8
+def write(file: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """Write a table into a new file, in one step, and return its name. Raises OSError.
+
+    Marks are never overwritten: if metre.csv exists, it is metre_2.csv.
+    """
+    stem, suffix = os.path.splitext(file)
+    numbered = (f"{stem}_{number}{suffix}" for number in itertools.count(2))
+    unused = files.first_unused(itertools.chain([file], numbered))
+    files.replace(unused, to_csv(columns, rows).encode("utf-8-sig"))  # the mark tells spreadsheets that this is UTF-8
+    return unused
 
 
 def _cell(value):

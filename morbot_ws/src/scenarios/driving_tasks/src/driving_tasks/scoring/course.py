@@ -47,10 +47,7 @@ def s_bend(length: float, offset: float) -> Tuple[Arc, Arc]:
 
 def advance(pose: Pose, step: Step, share: float = 1.0) -> Pose:
     """Return where a robot at ``pose`` is after a share, in [0, 1], of a step. The heading is not normalized."""
-    angle = math.radians(step.degrees) * share
-    chord = step.length * share * (math.sin(angle / 2) / (angle / 2) if angle else 1.0)
-    direction = pose.yaw + angle / 2
-    return Pose(pose.x + chord * math.cos(direction), pose.y + chord * math.sin(direction), pose.yaw + angle)
+    return pose.advance(step.length * share, math.radians(step.degrees) * share)
 
 
 class Course(NamedTuple):
