@@ -108,9 +108,10 @@ class Page(Chromium):
                               "return [box.x + box.width / 2, box.y + box.height / 2]", selector))
 
     def gamepad(self, x: float, y: float) -> None:
-        """Plug in a gamepad whose left stick is here: -1 is left, and forward."""
+        """Plug in a gamepad whose left stick is held still here: -1 is left, and forward; its timestamp goes on."""
         self.run("const pad = {index: 0, id: 'test', connected: true, mapping: 'standard', buttons: [],"
-                 f" timestamp: 1, axes: [{x}, {y}, 0, 0]}}; navigator.getGamepads = () => [pad, null, null, null];"
+                 f" get timestamp() {{ return performance.now(); }}, axes: [{x}, {y}, 0, 0]}};"
+                 "navigator.getGamepads = () => [pad, null, null, null];"
                  "window.dispatchEvent(Object.assign(new Event('gamepadconnected'), {gamepad: pad}))")
 
     def unplug_gamepad(self) -> None:

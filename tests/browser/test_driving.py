@@ -1,6 +1,7 @@
 """What moves a robot: a finger on the pad, keys, a gamepad; each of them stops it when it ends, however it ends."""
 
 import re
+import time
 
 import pytest
 
@@ -136,6 +137,37 @@ def test_a_gamepads_stick_drives_until_it_is_let_go_or_the_gamepad_is_unplugged(
         world.hold(page, lambda: page.gamepad(0, -1), lambda: page.gamepad(0, 0), ROBOT, forward)
         with world.stops(ROBOT, what="the stick's release or the gamepad's end"):
             end()
+
+
+def test_a_gamepad_that_dies_stops_the_robot_until_its_stick_moves(page, world):
+    world.hold(page, lambda: page.gamepad(0, -1), lambda: page.gamepad(0, 0), ROBOT, forward)
+    world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, 2.0, "the robot to stop, whatever the gamepad's timestamp")
+    page.wait_for_text("notice", "Move the stick a little to go on")
+    world.stay_stopped(ROBOT)
+    world.hold(page, lambda: page.gamepad(0, -0.98), lambda: page.gamepad(0, 0), ROBOT, forward)
+    page.wait_for(lambda: not page.text("notice"), "the notice to go")
+
+
+def test_a_stick_that_was_held_during_a_break_must_return_to_the_centre(page, world):
+    world.hold(page, lambda: page.gamepad(0, -1), lambda: page.gamepad(0, 0), ROBOT, forward)
+    with world.stops(ROBOT, what="the page's loss of the focus"):
+        page.run("window.dispatchEvent(new Event('blur'))")
+    world.stay_stopped(ROBOT, for_seconds=1.6)  # it counts as held still now
+    page.gamepad(0, -0.98)
+    world.stay_stopped(ROBOT)
+
+
+TREMBLING = """const [dead] = navigator.getGamepads();
+    const live = {...dead, index: 1, get axes() { return [Math.random() / 100, -1, 0, 0]; }};
+    navigator.getGamepads = () => [dead, live, null, null]"""
+
+
+def test_a_stick_that_trembles_in_the_hand_drives_on_beside_a_dead_gamepad(page, world):
+    page.gamepad(0, -1)
+    page.wait_for_text("notice", "Move the stick")
+    world.hold(page, lambda: page.run(TREMBLING), lambda: page.gamepad(0, 0), ROBOT, forward)
+    start = time.time()
+    world.wait_for(lambda: page.sent()[-1].time > start + 2.0 or world.paused(page, start), 20.0, "2 s of commands")
 
 
 def test_the_slider_sets_how_fast_full_deflection_is_and_drives_nothing(page, world):

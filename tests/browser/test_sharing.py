@@ -1,5 +1,9 @@
 """One person drives a robot; the others watch, and see who drives. A teacher may do more."""
 
+import pytest
+
+from harness import START_TIMEOUT
+
 from .conftest import ROBOT
 
 NAME = "<b>Eve</b> & Ömer +1"
@@ -35,8 +39,35 @@ def test_a_teacher_takes_a_robot_from_a_pupil_who_is_told(page, pupil, world):
     world.drive(page, ROBOT)
 
 
+@pytest.fixture
+def scenario(world):
+    """A program that drives ROBOT."""
+    topic = f"/{ROBOT}/cmd_vel"
+    program = world.start("rostopic", "pub", "-r", "10", topic, "geometry_msgs/Twist", "{linear: {x: 0.3}}")
+    world.wait_for(lambda: drives(world), START_TIMEOUT, "the program to drive")
+    yield
+    world.kill(program)
+
+
+def drives(world):
+    return world.wheels(ROBOT)[0] == pytest.approx(0.3, abs=0.01)
+
+
+def test_a_program_drives_on_after_a_countdown_but_after_a_teachers_take_only_once_that_is_allowed(
+        page, pupil, world, scenario):
+    world.drive(pupil, ROBOT, -1.0, wanted=lambda left, right: left == right < 0)
+    pupil.lift()
+    for each in page, pupil:
+        each.wait_for_text("driver", "The program drives on in ")
+    page.click("#take")
+    pupil.wait_for_text("driver", "The program waits until a teacher presses Go on")
+    world.stay_stopped(ROBOT, for_seconds=6.0)
+    page.click("#go-on")
+    world.wait_for(lambda: drives(world), 10.0, "the program to drive on")
+
+
 def test_a_pupil_has_neither_fleet_nor_codes_nor_others_robots(pupil):
-    for name in "fleet", "show-fleet", "show-codes", "take", "reset":
+    for name in "fleet", "show-fleet", "show-codes", "take", "go-on", "reset":
         assert not pupil.element(name).is_displayed(), name
 
 

@@ -10,6 +10,8 @@ CONFIRM_TIMEOUT = 1.2  # s; the page waits 1 s
 KEEP_KINDS = """const send = WebSocket.prototype.send; window.kinds = [];
     WebSocket.prototype.send = function (text) { kinds.push(JSON.parse(text).type); send.call(this, text); }"""
 
+RELEASE_IS_DISABLED = "return document.querySelector('#release').disabled"
+
 
 def stop(page):
     page.click("#stop")
@@ -54,6 +56,13 @@ def test_a_pupils_button_stops_all_robots_and_release_lets_none_start_by_itself(
     page.lift()
     world.drive(page, ROBOT)
 
+
+def test_a_pupil_sees_that_the_teacher_stopped_and_waits_for_the_teacher(page, pupil, world):
+    page.click("#stop")
+    pupil.wait_for_text("status", "Your teacher stopped all robots.")
+    assert pupil.run(RELEASE_IS_DISABLED)
+    release(page)
+    pupil.wait_for(lambda: not pupil.run(RELEASE_IS_DISABLED), "a Release that can be pressed")
 
 
 @pytest.mark.parametrize("key", ["Escape", "Space"])

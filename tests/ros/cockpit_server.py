@@ -45,7 +45,7 @@ class StandIn:
 
     def state(self):
         status = f"{time.monotonic()} {'x' * self.state_size}"
-        return {"type": "state", "emergency": False, "robots": {}, "status": status}
+        return {"type": "state", "emergency": False, "pupils_release": False, "robots": {}, "status": status}
 
 
 class Cockpit:

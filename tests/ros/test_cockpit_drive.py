@@ -1,12 +1,14 @@
-"""The thread that drives a robot, with a stand-in for its publisher."""
+"""The thread that drives a robot, and its emergency stop, with a stand-in for their publishers."""
 
 import threading
 import time
+from types import SimpleNamespace
 
 import pytest
 import rospy
 
 from jetbot.wait import wait_until
+from jetbot_cockpit_server.robots import topics
 from jetbot_cockpit_server.robots.publishers import Drivers
 
 TIMEOUT = 5.0  # s
@@ -82,6 +84,16 @@ def test_a_robot_that_is_driven_again_soon_keeps_its_publisher(publisher):
     assert len(publisher.opened) == 1
 
 
+def test_programs_wait_by_zeros_until_they_may_drive_on(publisher):
+    drivers = Drivers()
+    assert drivers.resumes_in("/red", time.monotonic()) < 0
+    drivers.keep_waiting("/red", True)
+    assert wait_until(lambda: len(publisher.published) == 3, TIMEOUT)
+    assert set(publisher.published) == {(0.0, 0.0)} and 4 < drivers.resumes_in("/red", time.monotonic()) < 5
+    drivers.keep_waiting("/red", False)
+    assert wait_until(lambda: publisher.ended and not threads(), TIMEOUT)
+
+
 def test_a_shutdown_of_the_node_ends_the_thread(publisher, monkeypatch):
     def closed(*_):
         raise rospy.ROSException("publish() to a closed topic")
@@ -89,3 +101,18 @@ def test_a_shutdown_of_the_node_ends_the_thread(publisher, monkeypatch):
     monkeypatch.setattr(publisher, "publish", closed)
     Drivers().drive("/red", (0.5, 0.0), time.monotonic())
     assert wait_until(lambda: publisher.ended and not threads(), TIMEOUT)
+
+
+def test_a_release_that_was_on_its_way_when_the_stop_was_pressed_does_not_undo_it(monkeypatch):
+    published, subscribed, now = [], [], [100.0]
+    release = SimpleNamespace(data=False, _connection_header={"callerid": "/terminal"})
+    monkeypatch.setattr(rospy, "Publisher", lambda *_, **__: SimpleNamespace(publish=published.append))
+    monkeypatch.setattr(rospy, "Subscriber", lambda topic, kind, callback: subscribed.append(callback))
+    monkeypatch.setattr(topics.time, "monotonic", lambda: now[0])
+    stop = topics.EmergencyStop("/emergency_stop")
+    stop.set(True)
+    subscribed[0](release)
+    assert stop.engaged and published == [True, True]
+    now[0] += 1.0
+    subscribed[0](release)
+    assert not stop.engaged and published == [True, True, False]

@@ -8,15 +8,14 @@ DOCS = ROOT / "docs"
 
 
 @pytest.mark.parametrize("pages", [
-    LESSONS[:6], [LESSONS[0], *LESSONS[6:]], [LESSONS[0], DOCS / "boards.md", DOCS / "safety.md"]],  # 1 opens terminals
-    ids=["first lessons", "own package", "other pages"])
+    [*LESSONS[:6], DOCS / "boards.md", DOCS / "safety.md"], [LESSONS[0], *LESSONS[6:]]],  # lesson 1 opens terminals
+    ids=["first lessons", "own package"])
 def test_pages(tmp_path, pages):
     follow(pages, tmp_path)
 
 
 @pytest.mark.parametrize("text", [
-    "Somewhere:\n\n```sh\ntrue\n```\n", "```sh\ntrue\n```\n", "Terminal 1:\n```sh\ntrue\n```\n",
-    "Terminal 1, leave it:\n\n```sh\ntrue\n```\n"])
+    "```sh\ntrue\n```\n", "Terminal 1:\n```sh\ntrue\n```\n", "Terminal 1, leave it:\n\n```sh\ntrue\n```\n"])
 def test_a_box_of_no_known_kind_is_refused(tmp_path, text):
     page = tmp_path / "page.md"
     page.write_text(text)

@@ -20,7 +20,8 @@ class FakeRobots:
     """Robots as their snapshot says, which a test replaces."""
 
     def __init__(self):
-        self.now = Snapshot({name: Robot(name, geometry=WORKSHOP, simulated=True) for name in ("/red", "/blue")})
+        self.now = Snapshot({name: Robot(name, geometry=WORKSHOP, simulated=True, status="driving")
+                             for name in ("/red", "/blue")})
         self.were_reset = []
 
     def snapshot(self):
@@ -44,12 +45,18 @@ class FakeDrivers:
     """What each robot is driven at, with the real switch."""
 
     def __init__(self):
-        self.velocities, self._switches = {}, {}
+        self.velocities, self._switches, self.waiting, self.resume = {}, {}, set(), 0.0
 
     def drive(self, robot, velocity, now):
         accepted = self._switches.setdefault(robot, DeadMan()).feed(now)
         self.velocities[robot] = velocity if accepted else STOPPED
         return accepted
+
+    def keep_waiting(self, robot, waiting):
+        (self.waiting.add if waiting else self.waiting.discard)(robot)
+
+    def resumes_in(self, robot, now):
+        return self.resume
 
     def let_go(self, robot):
         self._switches.setdefault(robot, DeadMan()).let_go()

@@ -30,37 +30,45 @@ def test_codes_are_short_for_pupils_of_one_robot_or_of_all_and_new_at_each_start
 
 def test_a_code_may_be_typed_in_small_letters_and_with_spaces(access):
     code = code_of("jetbot_02")
-    grant = access.log_in(f" {code[:3].lower()} {code[3:]}-", PUPILS_ADDRESS, now=0.0)
+    grant = access.log_in(f" {code[:3].lower()} {code[3:]}-", PUPILS_ADDRESS, None, now=0.0)
     assert (grant.role, grant.robot) == ("pupil", "/jetbot_02")
 
 
 @pytest.mark.parametrize("code", ["", " ", "A", "ABCDEF", "\ud800", "ÄÖÜ", "x" * 900])
 def test_a_wrong_code_gives_nothing(access, code):
-    assert access.log_in(code, PUPILS_ADDRESS, now=0.0) is None
+    assert access.log_in(code, PUPILS_ADDRESS, None, now=0.0) is None
 
 
 def test_five_wrong_codes_a_minute_from_one_address(access):
     code = code_of("teacher")
     for second in range(5):
-        assert access.log_in("WRONG", PUPILS_ADDRESS, now=second) is None
+        assert access.log_in("WRONG", PUPILS_ADDRESS, None, now=second) is None
     with pytest.raises(TooManyTries):
-        access.log_in(code, PUPILS_ADDRESS, now=59.9)
-    assert access.log_in(code, OTHER_ADDRESS, now=59.9)
-    assert access.log_in(code, PUPILS_ADDRESS, now=60.0)
-    assert access.take_log() == [f"5 wrong codes from {PUPILS_ADDRESS}: none from there is looked at for a minute"]
+        access.log_in(code, PUPILS_ADDRESS, None, now=59.9)
+    assert access.log_in(code, OTHER_ADDRESS, None, now=59.9)
+    assert access.log_in(code, PUPILS_ADDRESS, None, now=60.0)
+    assert access.take_log() == [f"5 wrong codes from a browser at {PUPILS_ADDRESS}: it must wait for a minute"]
+
+
+def test_wrong_codes_of_one_browser_lock_out_no_other_behind_the_same_router(access):
+    for second in range(5):
+        access.log_in("WRONG", PUPILS_ADDRESS, "one", now=second)
+    with pytest.raises(TooManyTries):
+        access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "one", now=5.0)
+    assert access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "another", now=5.0)
 
 
 def test_many_addresses_try_no_more_than_a_hundred_codes_a_minute(access):
     for number in range(MAX_WRONG_IN_ALL):
-        access.log_in("WRONG", f"10.0.0.{number}", now=0.0)
+        access.log_in("WRONG", f"10.0.0.{number}", None, now=0.0)
     with pytest.raises(TooManyTries):
-        access.log_in(code_of("teacher"), OTHER_ADDRESS, now=1.0)
-    assert access.log_in(code_of("teacher"), OTHER_ADDRESS, now=60.0)
+        access.log_in(code_of("teacher"), OTHER_ADDRESS, None, now=1.0)
+    assert access.log_in(code_of("teacher"), OTHER_ADDRESS, None, now=60.0)
 
 
 def test_a_cookie_gives_what_its_code_gave(access):
     for label in "teacher", "jetbot_01":
-        grant = access.log_in(code_of(label), PUPILS_ADDRESS, now=0.0)
+        grant = access.log_in(code_of(label), PUPILS_ADDRESS, None, now=0.0)
         assert access.grant(grant.cookie, PUPILS_ADDRESS, "robot.local:8080") == grant
 
 

@@ -12,6 +12,10 @@ pytest_plugins = ["cockpit_control"]  # its fixtures
 DONE = Task("metre", "One metre", "done", "went well", 4.0, 80.0)
 
 
+def change(fake, **fields):
+    fake.now = fake.now._replace(**fields)
+
+
 def test_full_deflection_is_full_power_in_the_units_of_each_robot(cockpit):
     for geometry, (forward, turn) in {(2.0, 1.0): (1.0, 1.0), (0.1, 0.6): (0.6, 12.0), None: (1.0, 1.0)}.items():
         cockpit.robots.change("/red", geometry=geometry)
@@ -111,6 +115,54 @@ def test_a_finger_that_was_up_when_the_teacher_took_drives_at_once_later(driven)
     assert driven.push(ADA) is None
 
 
+def resumes(cockpit):
+    """Return in how many seconds a program drives red on, "held": not before a teacher says so."""
+    state = cockpit.control.state()["robots"]["/red"]
+    return "held" if state["held"] else state["resumes"]
+
+
+@pytest.fixture
+def commanded(driven):
+    """Red, which Ada has left while a program commands it, with 3.2 s to go."""
+    driven.lift(ADA)
+    driven.drivers.resume = 3.2
+    change(driven.robots, commanded=frozenset(["/red"]))
+    driven.robots.change("/red", status="stopped: the command is zero, /circle waits for the cockpit")
+    driven.wait(0.05)
+    return driven
+
+
+def test_the_seconds_until_a_program_drives_on_are_counted_where_one_waits(commanded):
+    assert resumes(commanded) == 4
+    for status in "stopped: the command is zero", "driving, /circle waits for the cockpit":
+        commanded.robots.change("/red", status=status)
+        commanded.wait(0.05)
+        assert resumes(commanded) is None
+
+
+@pytest.mark.parametrize("message", [Message("take", "/red"), Message("stop"), Message("stop", "/red")], ids=str)
+def test_a_teachers_take_or_stop_keeps_a_program_waiting_until_a_teacher_says_go_on(commanded, message):
+    commanded.do(TEACHER, message)
+    commanded.do(TEACHER, Message("release", message.robot))
+    commanded.wait(10)
+    assert (resumes(commanded), commanded.drivers.waiting) == ("held", {"/red"})
+    assert commanded.do(ADA, Message("go_on", "/red"))["text"] == "Only a teacher lets programs go on."
+    assert commanded.do(TEACHER, Message("go_on", "/red")) is None
+    assert (resumes(commanded), commanded.drivers.waiting) == (4, set())
+
+
+def test_a_program_that_ends_or_that_no_person_had_interrupted_is_not_kept_waiting(commanded):
+    commanded.do(TEACHER, Message("take", "/red"))
+    change(commanded.robots, commanded=frozenset())
+    commanded.wait(0.05)
+    assert commanded.drivers.waiting == set()
+    change(commanded.robots, commanded=frozenset(["/red"]))  # as the master has it, also of one that was killed
+    commanded.robots.change("/red", status="driving")
+    commanded.wait(0.05)
+    commanded.do(TEACHER, Message("stop"))
+    assert commanded.drivers.waiting == set()
+
+
 def test_a_pupil_takes_and_puts_back_nothing(driven):
     assert driven.do(BOB, Message("take", "/red"))["type"] == "notice"
     assert driven.do(BOB, Message("reset"))["type"] == "notice"
@@ -140,14 +192,11 @@ def test_the_switch_of_a_robot_that_is_not_driven_never_fires():
 @pytest.mark.parametrize("robot", [None, "/red"])
 def test_a_stop_ends_the_lease_and_the_finger_must_lift_after_its_release(driven, robot):
     driven.do(TEACHER, Message("stop", robot))
+    driven.wait(0.05)
     assert (driven.drives(), driven.driver()) == (STOPPED, None)
     assert "top" in driven.push(ADA, seconds=1)["text"]
     driven.do(TEACHER, Message("release", robot))
     driven.must_lift(ADA)
-
-
-def change(fake, **fields):
-    fake.now = fake.now._replace(**fields)
 
 
 def pupils_may_release(cockpit):
@@ -177,6 +226,18 @@ def test_a_stop_that_is_not_a_pupils_alone_is_released_by_a_teacher(driven, stop
     change(driven.robots, stopped_elsewhere=frozenset())
     driven.wait(0.05)
     assert pupils_may_release(driven)
+
+
+def test_a_stop_from_before_the_cockpit_stays_a_teachers_though_a_pupil_stops_before_the_robots_have_reported(driven):
+    reported = driven.robots.now.robots
+    for known in {}, {name: robot._replace(status="") for name, robot in reported.items()}:
+        driven.robots.now = driven.robots.now._replace(robots=known)
+        driven.wait(0.05)
+        driven.do(ADA, Message("stop"))
+        driven.robots.now = driven.robots.now._replace(robots=reported)
+        driven.wait(0.05)
+        assert driven.do(ADA, Message("release"))["type"] == "notice"
+        driven.do(TEACHER, Message("release"))
 
 
 def test_a_pupils_stop_that_a_terminal_has_released_is_forgotten(driven):

@@ -218,12 +218,21 @@ def test_a_stop_is_passed_on_first_and_frames_a_moment_later_however_many_stops_
     assert page.types() == ["state"]
 
 
-def test_there_is_room_for_64_pages_and_a_teacher_gets_the_place_of_the_newest_pupil(hub, control):
-    pages, viewers = zip(*(join(hub, PUPIL) for _ in range(64)))
+@pytest.mark.parametrize("robot, obeyed", [(None, [0, 0.7]), ("/other", [0.5, 0, 0.7])])
+def test_commands_are_obeyed_a_moment_after_a_stop_of_all_but_a_pad_that_is_let_go_at_once(hub, control, robot, obeyed):
+    _, viewer = join(hub, now=10.0)
+    hub.receive(viewer, json.dumps({"type": "stop", "robot": robot}), 10.0)
+    for time, forward in (10.0, 0.5), (10.01, 0), (10.11, 0.7):
+        hub.receive(viewer, json.dumps({"type": "drive", "robot": "/", "forward": forward, "left": 0}), time)
+    assert [message.forward for _, message in control.asked if message.type == "drive"] == obeyed
+
+
+def test_there_is_room_for_100_pages_and_a_teacher_gets_the_place_of_the_newest_pupil(hub, control):
+    pages, viewers = zip(*(join(hub, PUPIL) for _ in range(100)))
     page, viewer = join(hub, PUPIL)
     assert viewer is None and page.closed[0] == 4002
     assert join(hub, TEACHER)[1]
-    assert [number for number, each in enumerate(pages) if each.closed] == [63] and control.left == [64]
+    assert [number for number, each in enumerate(pages) if each.closed] == [99] and control.left == [100]
     hub.leave(viewers[0])
     assert join(hub, PUPIL)[1]
 

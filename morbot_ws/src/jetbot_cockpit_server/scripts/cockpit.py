@@ -6,10 +6,11 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
 
-from jetbot_ros import failures  # noqa: I001
-from jetbot_ros.launcher import Launcher  # early: it reads who has started this process
+from jetbot_ros import failures
 
 failures.install()
+
+from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
 
 import math
 import os

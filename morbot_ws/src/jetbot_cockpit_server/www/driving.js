@@ -52,6 +52,13 @@ export class Driving {
     else if (wasBlocked && !this.active) this.send(0, 0);
   }
 
+  // This input may be dead: one zero, until it reports something else. Returns whether it drove.
+  pause(source) {
+    const drove = source === this.source;
+    if (drove) this.end(true);
+    return drove;
+  }
+
   // The page cannot see the input any more (hidden, another window): one zero, and the input must return first.
   interrupt() {
     this.lift(true);

@@ -8,6 +8,7 @@ const DIRECTIONS = {
 };
 const POLL_INTERVAL = 50; // ms between two looks at the gamepads
 const IN_USE = 0.2; // share of the way to the edge
+const STILL = 1500; // ms; a dead gamepad's robot stops within 2 s
 
 // The joystick: one pointer, from the centre of a ring.
 export class Pad {
@@ -112,14 +113,28 @@ function belongsToTarget({ target, code }) {
   return slider || target instanceof HTMLSelectElement;
 }
 
-// Reports the left stick of the gamepad that is in use, only while this page has the focus.
-export function watchGamepads(deflect) {
+// Reports the left stick of the gamepad that is in use, only while this page has the focus. heldStill(): it is off
+// centre, but has reported the same for STILL: it may be dead. Its timestamp cannot tell: Chromium sets it at each poll
+// on Windows and macOS, at changes alone on Linux and Android.
+export function watchGamepads(deflect, heldStill) {
+  const seen = []; // what each gamepad has reported last, and since when
   let timer = null;
-  const report = () => document.hasFocus() && deflect(...readStick());
-  addEventListener("gamepadconnected", () => { timer ??= setInterval(report, POLL_INTERVAL); });
+  const moves = ({ index, axes }) => {
+    if (String(axes) !== seen[index]?.axes) seen[index] = { axes: String(axes), since: performance.now() };
+    return performance.now() - seen[index].since < STILL;
+  };
+  const report = () => {
+    const pads = navigator.getGamepads().filter(Boolean);
+    const used = pads.filter(moves).find(isOffCentre);
+    if (used) deflect(-used.axes[1], -used.axes[0]);
+    else if (pads.some(isOffCentre)) heldStill();
+    else deflect(0, 0);
+  };
+  addEventListener("gamepadconnected", () => {
+    timer ??= setInterval(() => document.hasFocus() && report(), POLL_INTERVAL);
+  });
 }
 
-function readStick() {
-  const used = navigator.getGamepads().filter(Boolean).find(({ axes }) => Math.hypot(axes[0], axes[1]) > IN_USE);
-  return used ? [-used.axes[1], -used.axes[0]] : [0, 0];
+function isOffCentre({ axes }) {
+  return Math.hypot(axes[0], axes[1]) > IN_USE;
 }

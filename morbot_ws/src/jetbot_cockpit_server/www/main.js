@@ -156,10 +156,11 @@ async function start() {
   link.open(); // after a wrong code, too: an earlier one may still hold
 }
 
-watchGamepads(deflect("gamepad"));
+watchGamepads(deflect("gamepad"), () => driving.pause("gamepad") && notice.show("Move the stick a little to go on"));
 prepareViews(() => send({ type: "codes" }));
 element("speed").addEventListener("input", setSpeed);
 element("take").addEventListener("click", () => send({ type: "take", robot: world.chosen }));
+element("go-on").addEventListener("click", () => send({ type: "go_on", robot: world.chosen }));
 element("reset").addEventListener("click", () => send({ type: "reset", robot: world.chosen }));
 addEventListener("blur", leave);
 addEventListener("pagehide", leave);

@@ -14,6 +14,7 @@ export function showPanel(world, problem) {
   setText(element("sentence"), text);
   element("status").dataset.level = level;
   setText(element("driver"), robot && !problem ? world.describeDriver(id) : "");
+  setClass(element("driver"), "soon", state.resumes);
   if (robot) document.documentElement.style.setProperty("--robot", robot.color);
   setClass(document.body, "offline", problem);
   showWheels(robot, state);
@@ -28,13 +29,14 @@ function currentStatus(world, id) {
   return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
 }
 
-function showTeachersTools(world, robot, { driver }) {
+function showTeachersTools(world, robot, { driver, resumes, held }) {
   const several = world.robots.length > 1;
   const fleet = world.teacher && several;
   element("fit").hidden = !several && !world.pointsOf(robot?.id).length;
   element("fleet").hidden = element("show-fleet").hidden = !fleet;
   element("show-codes").hidden = !world.me.codes;
-  element("take").hidden = !(world.teacher && driver && driver.id !== world.me.id);
+  element("take").hidden = !(world.teacher && (driver && driver.id !== world.me.id || resumes));
+  element("go-on").hidden = !(world.teacher && held);
   element("reset").hidden = !(world.teacher && robot?.simulated);
   setClass(document.body, "several", fleet);
   if (!fleet) leaveView("fleet");

@@ -60,6 +60,7 @@ export class Stops {
     const shortName = label && label.length <= MAX_NAME ? label : "it";
     setText(element("release"), alone ? `Release ${shortName}` : "Release");
     setClass(element("release"), "needed", alone || this.world.emergency);
+    element("release").disabled = this.world.mustWait;
     setClass(document.body, "emergency", this.world.emergency);
   }
 }

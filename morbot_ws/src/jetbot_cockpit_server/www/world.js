@@ -7,7 +7,8 @@ const TRAIL_LENGTH = 500; // points
 
 const UNKNOWN = {
   status: "", warning: false, answers: true, stopped: false,
-  pose: null, speed: null, command: null, wheels: null, driver: null, program: "", task: null,
+  pose: null, speed: null, command: null, wheels: null, program: "",
+  driver: null, resumes: null, held: false, task: null,
 };
 
 export class World {
@@ -19,6 +20,7 @@ export class World {
   trails = new Map();
   scenes = new Map(); // shapes, by the robot around which they are
   emergency = false;
+  pupilsRelease = false; // whether a pupil may end that stop
 
   get teacher() {
     return this.me.role === "teacher";
@@ -56,8 +58,8 @@ export class World {
     return [sentence(gone, "not running any more"), sentence(come, "running")].filter(Boolean).join(" ");
   }
 
-  update({ emergency, robots }) {
-    this.emergency = emergency;
+  update({ emergency, pupils_release: pupilsRelease, robots }) {
+    Object.assign(this, { emergency, pupilsRelease });
     this.states = robots;
     for (const [id, { pose }] of Object.entries(robots)) if (pose) this.append(id, pose);
   }
@@ -95,6 +97,12 @@ export class World {
     return this.states[id] ?? UNKNOWN;
   }
 
+  // Whether this page's person cannot end the stop that holds all robots, or the chosen one.
+  get mustWait() {
+    const { emergency, pupilsRelease } = this;
+    return !this.teacher && (emergency ? !pupilsRelease : this.state(this.chosen).stopped);
+  }
+
   // Whether this page's person drives the robot.
   isMine(id) {
     return this.state(id).driver?.id === this.me.id;
@@ -111,6 +119,7 @@ export class World {
     const { status, warning, answers, stopped } = this.state(id);
     const label = this.robot(id)?.label ?? "The robot";
     if (!answers) return { text: status || `${label} does not answer: look after its node.`, level: "warning" };
+    if (this.emergency && this.mustWait) return { text: "Your teacher stopped all robots.", level: "stopped" };
     if (this.emergency || stopped) return { text: status || "stopped: emergency stop", level: "stopped" };
     const level = warning ? "warning" : status.startsWith("stopped") ? "waiting" : "driving";
     return { text: status || "waiting for its status", level };
@@ -123,8 +132,11 @@ export class World {
     return answers && status.startsWith("driving") ? `${program || "A program"} drives` : "";
   }
 
-  // Returns who drives the robot, and what this page's person can do.
+  // Returns who drives the robot or will do so by itself, and what this page's person can do.
   describeDriver(id) {
+    const { resumes, held } = this.state(id);
+    if (held) return "The program waits until a teacher presses Go on";
+    if (resumes) return `The program drives on in ${resumes} s`;
     const name = this.nameDriver(id);
     if (this.isBlocked(id)) return name || "Nobody drives it";
     if (!name) return "Free to drive: drag the pad";

@@ -3,7 +3,7 @@
 import re
 import threading
 import time
-from typing import Dict, Iterable, Optional, Set
+from typing import Dict, FrozenSet, Iterable, Optional, Set
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
@@ -27,6 +27,7 @@ class Robots:
 
     def __init__(self):
         self._robots: Dict[str, RobotTopics] = {}  # replaced, never changed
+        self._commanded: FrozenSet[str] = frozenset()
         self._frames = Frames()
         self._emergency_stop = EmergencyStop(STOP_TOPIC)
         self._answered_at = time.monotonic()
@@ -41,7 +42,7 @@ class Robots:
         held = any(views[name].answers and robot.is_held_by(EMERGENCY_STOP) for name, robot in robots.items())
         stops = {None: self._emergency_stop, **{name: robot.emergency_stop for name, robot in robots.items()}}
         elsewhere = frozenset(name for name, stop in stops.items() if stop.by_others)
-        return Snapshot(views, answered, self._emergency_stop.engaged or held, elsewhere)
+        return Snapshot(views, answered, self._emergency_stop.engaged or held, elsewhere, self._commanded)
 
     def set_emergency_stop(self, robot: Optional[str], engaged: bool) -> None:
         """Engage or release the emergency stop of all robots (None), or of one."""
@@ -76,6 +77,8 @@ class Robots:
         for name, robot in robots.items():
             robot.simulated = name.rstrip("/") + SIMULATOR_RESET in services
         self._robots = dict(sorted(robots.items()))
+        self._commanded = frozenset(name for name in robots if {
+            *publishers.get(f"{name.rstrip('/')}/cmd_vel", ())} - {rospy.get_name()})
         for robot in ended:
             robot.close()
 

@@ -1,6 +1,7 @@
 """Publishes the commands of the pads: one thread per driven robot, so that a robot that hangs delays no other."""
 
 import contextlib
+import math
 import threading
 import time
 import warnings
@@ -9,10 +10,13 @@ from typing import Dict, Optional, Tuple
 import rospy
 from geometry_msgs.msg import Twist
 
+from jetbot_ros.holds import MANUAL_PRIORITY
+
 from ..session.rights import DeadMan
 
 SEND_TIMEOUT = 0.1      # s until a subscriber that reads nothing is disconnected
-LINGER = 0.5            # s from the zero to the publisher's end: the master is asked nothing while all robots stop
+LINGER = 0.5            # s from the zero to the publisher's end: the master is asked nothing while all robots stop;
+                        # and between two zeros while programs wait, less than MANUAL_PRIORITY
 SHUTDOWN_TIMEOUT = 0.5  # s for the last zeros
 ZERO = (0.0, 0.0)
 
@@ -30,14 +34,25 @@ class Drivers:
 
     def drive(self, robot: str, velocity: Velocity, now: float) -> bool:
         """Drive the robot. Return False, and do not, if its dead man's switch has fired since it was last let go."""
-        if robot not in self._drivers:
-            self._drivers[robot] = Driver(robot)
-        return self._drivers[robot].drive(velocity, now)
+        return self._driver(robot).drive(velocity, now)
 
     def let_go(self, robot: str) -> None:
         """Publish one zero, and then nothing more."""
         if robot in self._drivers:
             self._drivers[robot].let_go()
+
+    def keep_waiting(self, robot: str, waiting: bool) -> None:
+        """Let programs that command the robot wait until False, by zeros while nobody drives it."""
+        self._driver(robot).keep_waiting(waiting)
+
+    def resumes_in(self, robot: str, now: float) -> float:
+        """Return the seconds until the commands of programs count, 0 or less if they do."""
+        return self._driver(robot).sent_at + MANUAL_PRIORITY - now
+
+    def _driver(self, robot):
+        if robot not in self._drivers:
+            self._drivers[robot] = Driver(robot)
+        return self._drivers[robot]
 
     def close(self) -> None:
         """Let go of all robots; wait until they are sent their zeros, SHUTDOWN_TIMEOUT at most."""
@@ -51,7 +66,7 @@ class Drivers:
 class Driver(rospy.SubscribeListener):
     """Publishes what one robot is commanded, while it is driven, and one zero at the end.
 
-    idle: set unless the robot is driven, or its last zero is still to be sent.
+    idle: set unless the robot is driven, or its last zero is still to be sent; sent_at: when the newest command was.
     """
 
     def __init__(self, robot: str):
@@ -59,7 +74,9 @@ class Driver(rospy.SubscribeListener):
         self._dead_man = DeadMan()
         self._velocity = ZERO  # unless the robot is driven
         self._pending = False  # something is to be sent
+        self._waiting = False  # programs are to wait: zeros are repeated
         self._runs = False     # the thread
+        self.sent_at = -math.inf
         self._condition = threading.Condition()
         self.idle = threading.Event()
         self.idle.set()
@@ -71,10 +88,16 @@ class Driver(rospy.SubscribeListener):
                 return False
             self._send(velocity)
             self.idle.clear()
-            if not self._runs:
-                self._runs = True
-                threading.Thread(target=self._publish, name=self._topic, daemon=True).start()
+            self._start()
         return True
+
+    def keep_waiting(self, waiting: bool) -> None:
+        """Repeat zeros while the robot is not driven (True), or end that."""
+        with self._condition:
+            self._waiting = waiting
+            if waiting:
+                self._send(self._velocity)
+                self._start()
 
     def let_go(self) -> None:
         """Stop the robot."""
@@ -86,6 +109,11 @@ class Driver(rospy.SubscribeListener):
         """A controller has connected: send it what was commanded before."""
         with self._condition:
             self._send(self._velocity)
+
+    def _start(self):
+        if not self._runs:
+            self._runs = True
+            threading.Thread(target=self._publish, name=self._topic, daemon=True).start()
 
     def _send(self, velocity):
         self._velocity, self._pending = velocity, True
@@ -114,9 +142,12 @@ class Driver(rospy.SubscribeListener):
             self._condition.wait_for(lambda: self._pending, timeout)
             if self._velocity != ZERO and self._dead_man.check(time.monotonic()):
                 self._send(ZERO)
-            self._runs = self._pending or self._velocity != ZERO
+            self._runs = self._pending or self._waiting or self._velocity != ZERO
             self._pending = False
-            return self._velocity if self._runs else None
+            if not self._runs:
+                return None
+            self.sent_at = time.monotonic()
+            return self._velocity
 
 
 def limit_sending(publisher: rospy.Publisher) -> None:

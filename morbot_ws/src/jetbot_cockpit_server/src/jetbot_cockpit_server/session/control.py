@@ -28,10 +28,11 @@ class Control:
         self._stop_rights, self._history = StopRights(), History()
         self._names: Dict[int, str] = {}
         self._must_lift: Set[int] = set()
+        self._held: Set[str] = set()  # robots whose programs wait until a teacher says that they go on
         self._checked_at, self._stale_until = math.inf, -math.inf
         self._actions: Dict[str, Callable] = {
             "drive": self._on_drive, "take": self._on_take, "stop": self._on_engage_stop,
-            "release": self._on_release_stop, "reset": self._on_reset, "name": self._on_name}
+            "release": self._on_release_stop, "go_on": self._on_go_on, "reset": self._on_reset, "name": self._on_name}
 
     def handle(self, client: Client, message: Message, now: float) -> Optional[dict]:
         """Do what a client asks for; return None, or a message of the socket that says why not."""
@@ -49,7 +50,7 @@ class Control:
         self._must_lift.discard(client)
 
     def check(self, now: float) -> List[dict]:
-        """End the leases of silent clients and of robots that cannot be driven; call it 20 times a second.
+        """End the leases of silent clients and of robots that cannot be driven; call it for each frame.
 
         Return messages of the socket for all clients.
         """
@@ -59,6 +60,8 @@ class Control:
         for robot, lease in list(self._leases.items()):
             if self.snapshot.problem(robot) or lease.has_expired(now):
                 self._free(robot)
+        for robot in self._held - self.snapshot.commanded:
+            self._hold(robot, False)
         self._stop_rights.update(self.snapshot.is_stopped_here)
         return self._history.update(self.snapshot.robots, now)
 
@@ -68,9 +71,11 @@ class Control:
 
     def state(self) -> dict:
         """Return the message "state"."""
-        states = {name: robot.state(self._describe_driver(name), self._history.task(robot))
+        states = {name: robot.state(self._describe_driver(name), self._seconds_until_programs(robot),
+                                    name in self._held, self._history.task(robot))
                   for name, robot in self.snapshot.robots.items()}
-        return {"type": "state", "emergency": self.snapshot.emergency, "robots": states}
+        return {"type": "state", "emergency": self.snapshot.emergency,
+                "pupils_release": self._stop_rights.pupils_release, "robots": states}
 
     def history(self) -> List[dict]:
         """Return the messages that a new page needs besides "robots" and "state"."""
@@ -104,20 +109,25 @@ class Control:
         robot = message.robot
         if client.role != TEACHER:
             return "Only a teacher can take a robot."
-        if robot in self.snapshot.robots and self._driver(robot) != client.id:
-            self._free(robot)
-            self._lease(client, robot, now, driving=False)
+        if robot in self.snapshot.robots:
+            if self._driver(robot) != client.id:
+                self._free(robot)
+                self._lease(client, robot, now, driving=False)
+            if self.snapshot.robots[robot].ignores_programs:
+                self._hold(robot, True)
         return self.snapshot.ended(robot)
 
     def _on_engage_stop(self, client, message, now):
         robot = message.robot
         refusal = self.snapshot.ended(robot) or self._stop_rights.engage(
-            client, robot, self.snapshot.is_stopped(robot))
+            client, robot, self.snapshot.may_be_stopped(robot))
         if not refusal:
+            before = self.snapshot
             self._robots.set_emergency_stop(robot, True)
-            self.snapshot = self._robots.snapshot()
-            for each in list(self._leases) if robot is None else [robot]:
-                self._free(each)
+            self.snapshot = self._robots.snapshot()  # ``check`` ends the leases
+            for each in before.robots if robot is None else [robot]:
+                if client.role == TEACHER and before.robots[each].ignores_programs:
+                    self._hold(each, True)
         return refusal
 
     def _on_release_stop(self, client, message, now):
@@ -126,6 +136,12 @@ class Control:
             self._robots.set_emergency_stop(message.robot, False)
             self.snapshot = self._robots.snapshot()
         return refusal
+
+    def _on_go_on(self, client, message, now):
+        if client.role != TEACHER:
+            return "Only a teacher lets programs go on."
+        self._hold(message.robot, False)
+        return ""
 
     def _on_reset(self, client, message, now):
         if client.role != TEACHER:
@@ -175,12 +191,24 @@ class Control:
             if lease.driving:
                 self._must_lift.add(lease.client)
 
+    def _hold(self, robot, held):
+        """Let the programs of the robot, if it has some, wait, or drive on after the usual pause."""
+        if held == (robot in self._held) or held and robot not in self.snapshot.commanded:
+            return
+        self._held ^= {robot}
+        self._drivers.keep_waiting(robot, held)
+
     def _driver(self, robot) -> Optional[int]:
         return self._leases[robot].client if robot in self._leases else None
 
     def _describe_driver(self, robot) -> Optional[dict]:
         driver = self._driver(robot)
         return None if driver is None else {"id": driver, "name": self._names[driver]}
+
+    def _seconds_until_programs(self, robot) -> Optional[int]:
+        """Return when programs that wait drive on, or None if none do, or not by themselves."""
+        left = self._drivers.resumes_in(robot.id, self._checked_at)
+        return math.ceil(left) if robot.programs_wait and robot.id not in self._held and left > 0 else None
 
     def _robot_of(self, client: int) -> Optional[str]:
         return next((robot for robot, lease in self._leases.items() if lease.client == client), None)

@@ -9,12 +9,12 @@ from . import protocol
 from .control import Control
 from .rights import TEACHER, Client
 
-MAX_CLIENTS = 64
+MAX_CLIENTS = 100  # a page for each of 99 robots, and a teacher's
 REFUSED, LOG_IN, FULL, ENDED = 4000, 4001, 4002, 1001  # why a socket is closed
 NO_ROOM = f"{MAX_CLIENTS} pages are connected already"
 TOO_MANY = f"more than {protocol.MAX_RATE} messages per second"
-FRAME_INTERVAL = 0.05   # s between two frames
-STOP_PAUSE = 0.1        # s without frames after a stop: first of all, it has to reach the wheels
+FRAME_INTERVAL = 0.08   # s between two frames: what the pages draw more often delays a stop
+STOP_PAUSE = 0.1        # s without frames and commands after a stop of all: first of all, it has to reach the wheels
 STILL_INTERVAL = 1.0    # s between two frames while nothing changes, and between two pings
 ABSENT_AFTER = 3.0      # s without a sign of life: frames would only queue up
 GONE_AFTER = 15.0       # s without a sign of life: the socket is closed
@@ -89,9 +89,11 @@ class Hub:
         except protocol.ProtocolError as error:
             self.end(viewer, REFUSED, str(error))
             return
-        if within_limit or message.type == "stop":  # a stop always counts
+        waits = now < self._paused_until and (message.forward or message.left)
+        if within_limit and not waits or message.type == "stop":  # a stop always counts
             self._answer(viewer, message, now)
-        if message.type == "stop" and now >= self._paused_until + STILL_INTERVAL:  # not for ever, if they never end
+        stops_all = message.type == "stop" and message.robot is None
+        if stops_all and now >= self._paused_until + STILL_INTERVAL:  # not for ever, if they never end
             self._paused_until = now + STOP_PAUSE
         if not within_limit:
             self.end(viewer, REFUSED, TOO_MANY)

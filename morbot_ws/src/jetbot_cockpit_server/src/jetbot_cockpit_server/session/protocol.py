@@ -56,6 +56,7 @@ def is_name(value: Any) -> bool:
 MESSAGES: Dict[str, Dict[str, Callable[[Any], bool]]] = {
     "drive": {"robot": is_robot, "forward": is_deflection, "left": is_deflection},
     "take": {"robot": is_robot},            # a teacher takes the robot from whoever drives it
+    "go_on": {"robot": is_robot},           # a teacher lets programs drive on that a take or stop keeps waiting
     "stop": {"robot": is_robot_or_all},     # engages the emergency stop of all robots, or of one
     "release": {"robot": is_robot_or_all},  # ends that stop
     "reset": {"robot": is_robot_or_all},    # a teacher puts simulated robots back to their starts

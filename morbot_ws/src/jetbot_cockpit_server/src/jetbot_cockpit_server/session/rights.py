@@ -74,7 +74,7 @@ class StopRights:
         self._by_pupils: Set[Optional[str]] = set()
 
     def engage(self, client: Client, robot: Optional[str], engaged: bool) -> str:
-        """Return why the client may not engage this stop, or "". engaged: whether it is already."""
+        """Return why the client may not engage this stop, or "". engaged: whether it may be already."""
         if not client.may_stop(robot):
             return "Only a teacher can stop a single robot. You can stop all."
         if client.role == TEACHER:
@@ -90,6 +90,11 @@ class StopRights:
         if client.role != TEACHER and robot not in self._by_pupils:
             return "No pupil stopped this here. Only a teacher can release it."
         return ""
+
+    @property
+    def pupils_release(self) -> bool:
+        """Whether a pupil may release the stop of all robots."""
+        return None in self._by_pupils
 
     def update(self, is_engaged_here: Callable[[Optional[str]], bool]) -> None:
         """Forget the stops that are over, and those that another program has engaged as well."""

@@ -3,6 +3,7 @@
 from typing import Dict, FrozenSet, List, NamedTuple, Optional, Tuple
 
 from jetbot.text import enumeration
+from jetbot_ros.holds import WAITING
 
 WORKSHOP = 2.0, 1.0  # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
 MAX_LABEL = 40  # characters
@@ -73,6 +74,16 @@ class Robot(NamedTuple):
             return f"{self.label} does not answer."
         return f"{self.label}: its own emergency stop. Release it first." if self.stopped else ""
 
+    @property
+    def ignores_programs(self) -> bool:
+        """Whether programs command it that must wait for a person."""
+        return WAITING in self.status
+
+    @property
+    def programs_wait(self) -> bool:
+        """Whether it is stopped, and ignores what programs command, because of a person."""
+        return self.status.startswith("stopped: ") and self.ignores_programs
+
     def velocity(self, forward: float, left: float) -> Tuple[float, float]:
         """Return the command (m/s, rad/s) of a pad; full deflection turns the wheels at full power."""
         wheel_separation, max_speed = self.geometry or WORKSHOP
@@ -85,22 +96,25 @@ class Robot(NamedTuple):
                 "workshop": self.geometry and self.geometry == WORKSHOP,
                 "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated}
 
-    def state(self, driver: Optional[dict], task: Optional[Task]) -> dict:
-        """Return its entry of the message "state"."""
+    def state(self, driver: Optional[dict], resumes: Optional[int], held: bool, task: Optional[Task]) -> dict:
+        """Return its entry of the message "state"; docs/protocol.md explains it."""
         fields = "status", "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
-        return {**{name: getattr(self, name) for name in fields}, "driver": driver, "task": task and task._asdict()}
+        return {**{name: getattr(self, name) for name in fields}, "driver": driver,
+                "resumes": resumes, "held": held, "task": task and task._asdict()}
 
 
 class Snapshot(NamedTuple):
     """All robots at one moment. master: whether the ROS master answers; emergency: the stop of all robots.
 
-    stopped_elsewhere: whose emergency stops another program has engaged, None: that of all.
+    stopped_elsewhere: whose emergency stops another program has engaged, None: that of all; commanded: which robots
+    others than the cockpit may command.
     """
 
     robots: Dict[str, Robot] = {}
     master: bool = True
     emergency: bool = False
     stopped_elsewhere: FrozenSet[Optional[str]] = frozenset()
+    commanded: FrozenSet[str] = frozenset()
 
     def ended(self, robot: Optional[str]) -> str:
         """Return that this robot has ended, or "", also for all robots (None)."""
@@ -115,6 +129,11 @@ class Snapshot(NamedTuple):
     def is_stopped(self, robot: Optional[str]) -> bool:
         """Return whether the emergency stop of this robot, or of all (None), may be engaged."""
         return self.emergency if robot is None else robot not in self.robots or self.robots[robot].stopped
+
+    def may_be_stopped(self, robot: Optional[str]) -> bool:
+        """Return whether that stop is engaged, or not known yet, as just after this node's start."""
+        robots = [self.robots[robot]] if robot else self.robots.values()
+        return self.is_stopped(robot) or not robots or not all(each.status for each in robots)
 
     def is_stopped_here(self, robot: Optional[str]) -> bool:
         """Return whether that stop may be engaged, and by no other program."""

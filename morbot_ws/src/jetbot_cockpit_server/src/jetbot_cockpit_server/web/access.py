@@ -13,8 +13,8 @@ ALPHABET = "ABCDEFGHJKMNPQRSTUVWXYZ23456789"  # none that looks like another
 CODE_LENGTH = {PUPIL: 6, TEACHER: 10}
 LOOPBACK = ("localhost", "127.0.0.1", "::1")
 MINUTE = 60.0              # s, in which wrong codes are counted
-MAX_WRONG = 5              # wrong codes from one address in that time
-MAX_WRONG_IN_ALL = 100     # from all addresses: many computers guess no faster
+MAX_WRONG = 5              # wrong codes from one browser in that time: a class may share one address
+MAX_WRONG_IN_ALL = 100     # from all: many browsers, or one that takes a new name for each try, guess no faster
 
 
 class TooManyTries(Exception):
@@ -55,9 +55,10 @@ class Access:
 
     def __init__(self, port: int, names: Iterable[str], grants: Sequence[Grant]):
         self.cookie_name = f"jetbot_cockpit_{port}"  # a host's ports share their cookies
+        self.visitor_cookie = f"{self.cookie_name}_visitor"  # tells browsers behind one address apart
         self._port, self._names, self._grants = port, (*LOOPBACK, *names), grants
         self._this_computer = make_grant("this computer", TEACHER)
-        self._wrong: Deque[Tuple[float, str]] = deque()  # (when, from which address)
+        self._wrong: Deque[Tuple[float, str]] = deque()  # (when, from whom)
         self._log: Deque[str] = deque()
 
     def accepts_host(self, host: Optional[str], address: str) -> bool:
@@ -80,18 +81,22 @@ class Access:
             return self._this_computer
         return self._find("cookie", cookie or "")
 
-    def log_in(self, code: str, peer: str, now: float) -> Optional[Grant]:
-        """Return what a code gives, or None for a wrong one. now: in s, from any start. Raise TooManyTries."""
+    def log_in(self, code: str, peer: str, visitor: Optional[str], now: float) -> Optional[Grant]:
+        """Return what a code gives, or None for a wrong one. visitor: the browser's cookie; now: in s, from any start.
+
+        Raise TooManyTries.
+        """
+        sender = visitor or peer
         while self._wrong and now - self._wrong[0][0] >= MINUTE:
             self._wrong.popleft()
-        tries = sum(address == peer for _, address in self._wrong)
+        tries = sum(each == sender for _, each in self._wrong)
         if tries >= MAX_WRONG or len(self._wrong) >= MAX_WRONG_IN_ALL:
             raise TooManyTries
         grant = self._find("code", "".join(each for each in code.upper() if each in ALPHABET))
         if not grant:
-            self._wrong.append((now, peer))
+            self._wrong.append((now, sender))
             if tries + 1 == MAX_WRONG:
-                self._log.append(f"{MAX_WRONG} wrong codes from {peer}: none from there is looked at for a minute")
+                self._log.append(f"{MAX_WRONG} wrong codes from a browser at {peer}: it must wait for a minute")
         return grant
 
     def take_log(self) -> List[str]:

@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import secrets
 import time
 from pathlib import Path
 from typing import Dict, Optional
@@ -55,6 +56,10 @@ class Handler(RequestHandler):
         if acts and not self.access.accepts_origin(self.request.headers.get("Origin"), address):
             raise HTTPError(403)
 
+    def give_cookie(self, name: str, value: str) -> None:
+        """Set a cookie that no script can read and no other site can use, until the browser is closed."""
+        self.set_cookie(name, value, expires_days=None, httponly=True, samesite="Strict")
+
     def write_error(self, status_code: int, **_) -> None:
         self.set_header("Content-Type", "text/plain; charset=UTF-8")
         self.finish(f"{status_code} {self._reason}\n")
@@ -71,6 +76,8 @@ class Page(Handler):
         name = name or "index.html"
         if name not in self.files:
             raise HTTPError(404)
+        if name == "index.html" and not self.get_cookie(self.access.visitor_cookie):
+            self.give_cookie(self.access.visitor_cookie, secrets.token_urlsafe(16))
         self.set_header("Content-Type", f"{TYPES[Path(name).suffix]}; charset=UTF-8")
         self.finish(self.files[name])
 
@@ -80,12 +87,13 @@ class Login(Handler):
 
     def post(self) -> None:
         try:
-            grant = self.access.log_in(self._code(), self.request.remote_ip, time.monotonic())
+            visitor = self.get_cookie(self.access.visitor_cookie)
+            grant = self.access.log_in(self._code(), self.request.remote_ip, visitor, time.monotonic())
         except TooManyTries:
             raise HTTPError(429) from None
         if not grant:
             raise HTTPError(403)
-        self.set_cookie(self.access.cookie_name, grant.cookie, expires_days=None, httponly=True, samesite="Strict")
+        self.give_cookie(self.access.cookie_name, grant.cookie)
         self.set_status(204)
 
     def _code(self) -> str:

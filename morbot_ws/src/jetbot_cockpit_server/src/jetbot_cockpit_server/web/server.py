@@ -8,7 +8,6 @@ import time
 from typing import List, Optional, Set
 
 from tornado.httpserver import HTTPServer
-from tornado.ioloop import PeriodicCallback
 from tornado.iostream import IOStream
 from tornado.web import Application
 
@@ -76,9 +75,8 @@ class Server:
             [(r"/login", Login, {"access": access}), (r"/socket", Socket, {"access": access, "hub": hub}),
              (r"/(.*)", Page, {"access": access, "files": read_files()})],
             websocket_max_message_size=MAX_FRAME, log_function=lambda handler: None)
-        self._loop: Optional[asyncio.AbstractEventLoop] = None
         self._thread = threading.Thread(target=lambda: asyncio.run(self._serve()), daemon=True)
-        self._started = threading.Event()
+        self._started, self._ended = threading.Event(), threading.Event()
 
     def start(self) -> None:
         """Serve from now on."""
@@ -93,19 +91,17 @@ class Server:
     def end(self) -> None:
         """Disconnect all clients and serve no more."""
         if self.is_alive():
-            self._loop.call_soon_threadsafe(self._ended.set)
+            self._ended.set()
             self._thread.join(SHUTDOWN_TIMEOUT)
 
     async def _serve(self) -> None:
-        self._loop, self._ended = asyncio.get_running_loop(), asyncio.Event()
         server = LimitedServer(self._application, max_body_size=MAX_BODY, max_header_size=MAX_HEADERS,
                                idle_connection_timeout=IDLE_TIMEOUT, body_timeout=IDLE_TIMEOUT)
         server.add_sockets(self._sockets)
-        frames = PeriodicCallback(lambda: self._hub.tick(time.monotonic()), 1000 * FRAME_INTERVAL)
-        frames.start()
         self._started.set()
-        await self._ended.wait()
-        frames.stop()
+        while not self._ended.is_set():
+            self._hub.tick(time.monotonic())
+            await asyncio.sleep(FRAME_INTERVAL)  # Tornado's PeriodicCallback halts when the clock is set back
         server.stop()
         self._hub.close()
         await asyncio.sleep(CLOSE_TIMEOUT)
