@@ -8,8 +8,9 @@ import pytest
 sys.path.append(str(Path(__file__).parent / "ros"))
 from processes import end_on_sigterm  # noqa: E402
 
-LONGEST = ("test_pages.py", "test_rostests.py")  # files of the longest tests
+LONGEST = ("::test_pages[", "::test_rostest[")
 IN_ONE_PROCESS = "tests/browser/"  # they share a world and its browsers
+PROCESSES = 6  # of ./morbot test
 
 
 def pytest_configure():
@@ -17,18 +18,31 @@ def pytest_configure():
     end_on_sigterm()
 
 
+def is_long(nodeid):
+    return any(name in nodeid for name in LONGEST)
+
+
 def pytest_collection_modifyitems(items):
-    """Start with the longest tests: no process is left with one at the end."""
-    items.sort(key=lambda item: not item.location[0].endswith(LONGEST))
+    """Start with the longest tests, so that no process is left with one at the end.
+
+    pytest-xdist gives each process two at once; the second ones are short, as they wait for the first.
+    """
+    longest = [item for item in items if is_long(item.nodeid)]
+    others = [item for item in items if not is_long(item.nodeid)]
+    second = list(dict.fromkeys(item.location[0] for item in others))[:PROCESSES]
+    others.sort(key=lambda item: item.location[0] not in second)
+    count = sum(item.location[0] in second for item in others)
+    items[:] = longest[:PROCESSES] + others[:count] + longest[PROCESSES:] + others[count:]
 
 
 @pytest.hookimpl(optionalhook=True)  # pytest-xdist may be missing
 def pytest_xdist_make_scheduler(config, log):
-    """Give each process one test after the other, and all those in a browser to the same one."""
+    """Give each process one file after the other, or one long test, and all tests in a browser to the same one."""
     from xdist.scheduler import LoadScopeScheduling
 
     class Scheduling(LoadScopeScheduling):
         def _split_scope(self, nodeid):
-            return IN_ONE_PROCESS if nodeid.startswith(IN_ONE_PROCESS) else nodeid
+            file = nodeid.partition("::")[0]
+            return IN_ONE_PROCESS if file.startswith(IN_ONE_PROCESS) else nodeid if is_long(nodeid) else file
 
     return Scheduling(config, log)

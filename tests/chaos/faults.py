@@ -1,108 +1,175 @@
-"""The faults: a row each. A fault begins, and ends by itself or by what ``begin`` returns."""
+"""The faults: a row each. A fault begins, and ends by itself or by what its function returns."""
 
 import contextlib
+import ctypes
 import os
+import random
 import resource
 import signal
+import socket
+import struct
 import subprocess
 import sys
 from pathlib import Path
-from typing import Callable, NamedTuple, Optional
+from typing import Callable, List, NamedTuple, Optional
 
-import world
+from world import ALL, Process, Scene
 
-HOG = "while True: pass"
+OURS = ("controller", "cockpit", "guard")  # which keep their promises without memory, threads or descriptors
+LIMITED = (*OURS, "master")
+SYS_PIDFD_OPEN, SYS_PIDFD_GETFD = 434, 438
+SO_ATTACH_FILTER, SO_DETACH_FILTER = 26, 27
+DROP_ALL = (ctypes.c_char * 8).from_buffer_copy(struct.pack("HBBI", 6, 0, 0, 0))  # BPF: return 0 bytes of each packet
+_libc = ctypes.CDLL(None, use_errno=True)
 
 
 class Fault(NamedTuple):
-    """What happens, to which kinds of process (all if empty). begin: does it; returns what ends it, or None."""
+    """What happens, to which kinds of process, and how often; ``begin`` returns what ends it, or None."""
 
-    begin: Callable
-    targets: str = ""
-
-
-def kill(_, process):
-    process.signal(signal.SIGKILL)
+    begin: Callable[[Scene, Process, random.Random], Optional[Callable]]
+    targets: tuple = ALL
+    weight: int = 1
 
 
-def terminate(_, process):
-    process.signal(signal.SIGTERM)
+def sends(signum: int) -> Callable:
+    return lambda scene, process, chance: process.signal(signum)
 
 
-def freeze(_, process):
+def freeze(_scene, process, _chance):
     process.signal(signal.SIGSTOP)
     return lambda: process.signal(signal.SIGCONT)
 
 
-def limit(kind: int, usage: Callable[[int], int]) -> Callable:
-    """Return a fault that leaves a process what it uses now, and takes the limit away at its end."""
-    def begin(_, process):
+def limits(kind: int, allowed: Callable[[Process, random.Random], int]) -> Callable:
+    """Return a fault that leaves a process what it has, and takes the limit away at its end."""
+    def begin(_scene, process, chance):
         before = resource.prlimit(process.pid, kind)
-        with contextlib.suppress(OSError, ValueError):
-            resource.prlimit(process.pid, kind, (usage(process.pid), before[1]))
-        return lambda: resource.prlimit(process.pid, kind, before) if process.alive() else None
+        resource.prlimit(process.pid, kind, (allowed(process, chance), before[1]))
+        return lambda: process.alive() and resource.prlimit(process.pid, kind, before)
     return begin
 
 
-def memory(pid: int) -> int:
-    """Return the size of a process in bytes: no thread can be started any more."""
-    return int(Path(f"/proc/{pid}/statm").read_text().split()[0]) * resource.getpagesize()
+def present_size(process: Process, chance: random.Random) -> int:
+    """Return the size of a process in bytes and up to 9 MB: too little for a thread, now or soon."""
+    pages = int(Path(f"/proc/{process.pid}/statm").read_text().split()[0])
+    return pages * resource.getpagesize() + chance.randrange(9 << 20)
 
 
-def descriptors(pid: int) -> int:
+def descriptors(process: Process, _chance: random.Random) -> int:
     """Return how many file descriptors a process has."""
-    return len(os.listdir(f"/proc/{pid}/fd"))
+    return len(os.listdir(f"/proc/{process.pid}/fd"))
 
 
-def hogs(scene, _):
-    programs = [subprocess.Popen([sys.executable, "-c", HOG]) for _ in range(4)]
-    return lambda: [(program.kill(), program.wait()) for program in programs]
+def connections(process: Process) -> List[socket.socket]:
+    """Return the connected sockets of a process, each a copy that acts on the same connection."""
+    pidfd, found = _libc.syscall(SYS_PIDFD_OPEN, process.pid, 0), []
+    copies = [_libc.syscall(SYS_PIDFD_GETFD, pidfd, int(number), 0) for number in os.listdir(f"/proc/{process.pid}/fd")]
+    if max(copies) < 0:
+        raise PermissionError(f"this user may not touch the connections of {process}")
+    for copy in filter(lambda copy: copy >= 0, copies):
+        try:
+            found.append(socket.socket(fileno=copy))
+            found[-1].getpeername()
+        except OSError:  # it is a file, or listens
+            found.pop().close() if found and found[-1].fileno() == copy else os.close(copy)
+    os.close(pidfd)
+    return found
 
 
-def short_publishers(scene, _):
-    """Let programs come and go, so that Linux gives their ports out again."""
-    for _ in range(3):
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            scene.run("rostopic", "pub", "-1", "/elsewhere", "std_msgs/Bool", "true", timeout=5)
+def cut(act: Callable[[socket.socket], object], undo: Optional[Callable[[socket.socket], object]] = None) -> Callable:
+    """Return a fault that does this to all connections of a process, or to some."""
+    def begin(_scene, process, chance):
+        share = chance.choice((0.3, 1.0))
+        broken = [each for each in connections(process) if chance.random() < share and act(each)]
+        return undo and (lambda: [undo(each) for each in broken])
+    return begin
 
 
-def second_start(scene, process):
-    """Start the same node again beside the first one: it must refuse."""
-    second = scene.again(process)
-    return second.end
+def close(connection: socket.socket) -> None:
+    with contextlib.suppress(OSError):  # the other end was quicker
+        connection.shutdown(socket.SHUT_RDWR)
 
 
-def unplug(scene, process):
-    chip = scene.chip(process)
-    with contextlib.suppress(FileNotFoundError):
-        chip.rename(f"{chip}.out")
-    return lambda: Path(f"{chip}.out").rename(chip) if Path(f"{chip}.out").exists() else None
+def reset(connection: socket.socket) -> None:
+    """Break a TCP connection off: both ends get ECONNRESET."""
+    _libc.connect(connection.fileno(), struct.pack("H14x", socket.AF_UNSPEC), 16)
 
 
-def slow_bus(scene, process):
+def lose(connection: socket.socket) -> bool:
+    """Let nothing more arrive on a TCP connection, as if the cable were cut; return whether it is one."""
+    if connection.family == socket.AF_UNIX:
+        return False
+    connection.setsockopt(socket.SOL_SOCKET, SO_ATTACH_FILTER, struct.pack("HxxxxxxP", 1, ctypes.addressof(DROP_ALL)))
+    return True
+
+
+def find(connection: socket.socket) -> None:
+    connection.setsockopt(socket.SOL_SOCKET, SO_DETACH_FILTER, 0)
+    connection.close()
+
+
+def busy_computer(_scene, _process, _chance):
+    hogs = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(4)]
+    return lambda: [(hog.kill(), hog.wait()) for hog in hogs]
+
+
+def full_disk(scene, _process, _chance):
+    if not scene.small_disk:
+        raise PermissionError("no small disk")
+    filler = scene.disk / "filler"
+    with contextlib.suppress(OSError), filler.open("wb", buffering=0) as file:
+        while True:
+            file.write(bytes(4096))
+    return filler.unlink
+
+
+def clock_jump(scene, _process, chance):
+    scene.set_clock(chance.choice((-1, 1)) * 10 ** chance.uniform(0, 6))
+    return lambda: scene.set_clock(0.0)
+
+
+def port_again(scene, process, _chance):
+    """End a program, and start another one that uses its port at once."""
+    process.signal(signal.SIGKILL)
+    process.popen.wait()
+    scene.command("port", process.robot)
+
+
+def second_start(scene, process, _chance):
+    """Start the same again beside the first one: it must refuse."""
+    return scene.start("second", *process.command, robot=process.robot).end
+
+
+def unplug(scene, process, _chance):
+    chip = scene.chip(process.robot)
+    chip.rename(f"{chip}.out")
+    return lambda: Path(f"{chip}.out").rename(chip)
+
+
+def slow_bus(scene, process, _chance):
     """Let the next transfers fail: the driver opens the bus again, and finds it at 10 kHz."""
-    folder = scene.chip(process).parent
-    (folder / "clock").write_text("10000")
-    (folder / "0x60.fail").write_text("2")
-    return lambda: (folder / "clock").unlink()
+    chip = scene.chip(process.robot)
+    chip.with_name("clock").write_text("10000")
+    chip.with_name(f"{chip.name}.fail").write_text("2")
+    return chip.with_name("clock").unlink
 
 
 FAULTS = {
-    "kill": Fault(kill),
-    "terminate": Fault(terminate),
-    "freeze": Fault(freeze),
-    "no thread": Fault(limit(resource.RLIMIT_AS, memory), "controller cockpit master"),
-    "no memory": Fault(limit(resource.RLIMIT_DATA, lambda pid: 1 << 20), "controller cockpit"),
-    "no descriptor": Fault(limit(resource.RLIMIT_NOFILE, descriptors), "controller cockpit master"),
-    "full disk": Fault(limit(resource.RLIMIT_FSIZE, lambda pid: 0), "controller launch cockpit master"),
-    "ports again": Fault(short_publishers),
-    "second start": Fault(second_start, "controller"),
-    "unplugged": Fault(unplug, "controller"),
-    "slow bus": Fault(slow_bus, "controller"),
-    "busy computer": Fault(hogs),
+    "kill": Fault(sends(signal.SIGKILL), weight=3),
+    "Ctrl-C": Fault(sends(signal.SIGINT)),
+    "closed terminal": Fault(sends(signal.SIGHUP)),
+    "freeze": Fault(freeze, weight=3),
+    "no thread": Fault(limits(resource.RLIMIT_AS, present_size), LIMITED),
+    "no memory": Fault(limits(resource.RLIMIT_DATA, lambda *_: 1 << 20), OURS),
+    "no descriptor": Fault(limits(resource.RLIMIT_NOFILE, descriptors), LIMITED),
+    "full disk": Fault(full_disk, ("computer",)),
+    "port again": Fault(port_again, ("commander",)),
+    "connections closed": Fault(cut(close), (*LIMITED, "commander")),
+    "connections reset": Fault(cut(reset), (*LIMITED, "commander")),
+    "connections lost": Fault(cut(lose, find), (*LIMITED, "commander")),
+    "clock jump": Fault(clock_jump, ("computer",)),
+    "second start": Fault(second_start, ("controller", "launch", "cockpit")),
+    "unplugged": Fault(unplug, ("controller",)),
+    "slow bus": Fault(slow_bus, ("controller",)),
+    "busy computer": Fault(busy_computer, ("computer",)),
 }
-
-
-def begin(name: str, scene: "world.Scene", process: Optional["world.Process"]) -> Callable[[], None]:
-    """Begin the fault of this name; return what ends it."""
-    return FAULTS[name].begin(scene, process) or (lambda: None)

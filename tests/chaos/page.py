@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""A page that drives a robot through the cockpit until it is ended: page.py PORT ROBOT SPEED.
+"""A page of the cockpit. Arguments: PORT drive ROBOT SPEED, or PORT stop (release) ROBOT ...
 
-After a break, its finger lifts and presses again, as a person's would.
+One that drives does so until it is ended; after a break, its finger lifts and presses again. The other ends as soon as
+these robots have confirmed.
 """
 
 import contextlib
@@ -9,35 +10,59 @@ import sys
 import threading
 import time
 from pathlib import Path
+from typing import Sequence
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "ros"))
 from web_client import Closed, WebSocket  # noqa: E402
 
-PERIOD = 0.05        # s between two commands
+PERIOD = 0.05         # s between two commands
 RETRY_INTERVAL = 0.5  # s until a page connects again
+
+
+def connect(port: str) -> WebSocket:
+    return WebSocket(int(port), {"Host": f"localhost:{port}", "Origin": f"http://localhost:{port}"})
 
 
 def listen(page: WebSocket, robot: str) -> None:
     """Answer what the cockpit sends; lift the finger when it says so."""
     with contextlib.suppress(Closed, OSError, ValueError):
         while True:
-            if page.receive()["type"] == "lift":
+            message = page.receive()
+            if message["type"] == "lift":
+                print(message["text"], flush=True)
                 page.send({"type": "drive", "robot": robot, "forward": 0.0, "left": 0.0})
 
 
-def drive(port: int, robot: str, speed: float) -> None:
+def drive(page: WebSocket, robot: str, speed: float) -> None:
     """Drive until the connection is lost."""
-    page = WebSocket(port, {"Host": f"localhost:{port}", "Origin": f"http://localhost:{port}"})
     threading.Thread(target=listen, args=[page, robot], daemon=True).start()
     while True:
         page.send({"type": "drive", "robot": robot, "forward": speed, "left": 0.0})
         time.sleep(PERIOD)
 
 
-def main(port: str, robot: str, speed: str) -> None:
+def is_as_wanted(robot: dict, action: str) -> bool:
+    """Return whether a robot of the message "state" is stopped; or is not, and keeps no program waiting."""
+    stopped = robot["status"].startswith("stopped: emergency stop")
+    return stopped if action == "stop" else not (stopped or robot["held"])
+
+
+def act(page: WebSocket, action: str, robots: Sequence[str]) -> None:
+    """Stop all robots, or release them and let their programs go on; wait until these robots confirm it."""
+    page.send({"type": action})
+    if action == "release":
+        for robot in robots:
+            page.send({"type": "go_on", "robot": robot})
+    page.receive_until(lambda message: message["type"] == "state" and all(
+        robot in message["robots"] and is_as_wanted(message["robots"][robot], action) for robot in robots))
+
+
+def main(port: str, action: str, *arguments: str) -> None:
+    if action != "drive":
+        return act(connect(port), action, arguments)
     while True:
         with contextlib.suppress(Closed, OSError, ValueError, IndexError):
-            drive(int(port), robot, float(speed))
+            drive(connect(port), arguments[0], float(arguments[1]))
         time.sleep(RETRY_INTERVAL)
 
 

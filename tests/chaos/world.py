@@ -2,21 +2,31 @@
 
 import contextlib
 import os
+import re
 import signal
+import struct
 import subprocess
 import sys
 import time
+import uuid
 from pathlib import Path
-from typing import Callable, Dict, List, Optional, Tuple
+from typing import Callable, Dict, Iterator, List, Optional, Tuple
 
 from jetbot.fake.motors import wheel_speeds
+from jetbot_ros.master import NO_ANSWER, ask, proxy
 from processes import end, free_port, start
 
-ROOT = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).resolve().parent
 START_TIMEOUT = 40.0  # s
+END_TIMEOUT = 8.0     # s for what belongs to an ended process to end
+DISK = "512k"
 ROBOTS = ("red", "green", "blue")
-TWIST = "{linear: {x: %s}}"
-SPEEDS = {"order": 0.2, "repeat": 0.3, "page": 0.5}  # each commander has its own, so that the wheels tell who it is
+SPEEDS = {"order": 0.2, "repeat": 0.3, "port": 0.4, "page": 0.5, "teleop": 0.6}  # so that the wheels tell who it is
+COMMANDERS = tuple(SPEEDS)
+STARTED_BY = {"controller": "launch", "guard": "controller"}
+PROGRAM = {"controller": "jetbot_controller.py", "guard": "jetbot.guard"}
+ALL = ("master", "launch", "controller", "guard", "cockpit", "commander")
+STATUS = re.compile(r"\]: \w+: (driving|stopped: .*)")
 
 
 class Process:
@@ -29,15 +39,12 @@ class Process:
     def __str__(self) -> str:
         return f"{self.kind} {self.robot}".strip()
 
-    def state(self) -> str:
-        """Return its state by proc(5), Z if it has ended."""
-        with contextlib.suppress(OSError):
-            return Path(f"/proc/{self.pid}/stat").read_text().rpartition(")")[2].split()[0]
-        return "Z"
-
     def alive(self) -> bool:
         """Return whether it runs, or is frozen."""
-        return self.state() != "Z"
+        return state(self.pid) not in "XZ"
+
+    def runs(self) -> bool:
+        return state(self.pid) not in "XZTt"
 
     def signal(self, signum: int) -> None:
         with contextlib.suppress(ProcessLookupError):
@@ -51,13 +58,28 @@ class Process:
 class Scene:
     """All processes below one folder, which is ROS's home and holds the buses. Ends them all when it is closed."""
 
-    def __init__(self, folder: Path, robots: int, pages: int):
+    def __init__(self, folder: Path, robots: int):
         self.folder, self.names = folder, ROBOTS[:robots]
         self.port, self.page_port = free_port(), free_port()
-        self.environment = {**os.environ, "ROS_HOME": str(folder), "HOME": str(folder), "ROS_HOSTNAME": "localhost",
-                            "ROS_MASTER_URI": f"http://localhost:{self.port}", "PYTHONUNBUFFERED": "1"}
+        self.node_ports = {robot: free_port() for robot in self.names}
+        self.disk, self.temporary, self._clock = folder / "log", folder / "tmp", folder / "clock"
+        for each in self.disk, self.temporary:
+            each.mkdir()
+        self.small_disk = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={DISK}", "tmpfs", str(self.disk)],
+                                         stderr=subprocess.DEVNULL).returncode == 0
+        self.set_clock(0.0)
+        self.environment = {
+            **os.environ, "ROS_HOME": str(folder), "HOME": str(folder), "ROS_HOSTNAME": "localhost",
+            "ROS_MASTER_URI": f"http://localhost:{self.port}", "ROS_LOG_DIR": str(self.disk), "PYTHONUNBUFFERED": "1",
+            "TMPDIR": str(self.temporary), "CHAOS_CLOCK": str(self._clock), "ROSCONSOLE_STDOUT_LINE_BUFFERED": "1",
+            "PYTHONPATH": f"{HERE}/clock:{os.environ.get('PYTHONPATH', '')}"}
         self.processes: List[Process] = []
-        self.pages = pages
+        self._children: Dict[Tuple[str, str], Optional[Process]] = {}
+
+    def set_clock(self, offset: float) -> None:
+        """Let the wall clock of all processes, but for the guards, be wrong by so many seconds."""
+        with self._clock.open("r+b" if self._clock.exists() else "wb", buffering=0) as clock:
+            clock.write(struct.pack("d", offset))
 
     def start(self, kind: str, *command: str, robot: str = "") -> Process:
         log = self.folder / f"{len(self.processes):02}_{kind}.log"
@@ -65,88 +87,104 @@ class Scene:
         self.processes.append(process)
         return process
 
-    def again(self, process: Process) -> Process:
-        """Start the same command beside a process."""
-        return self.start("second", *process.command, robot=process.robot)
+    def run(self, *command: str, timeout: float = 60.0) -> subprocess.CompletedProcess:
+        """Run a command to its end; after the timeout, in s, it is killed, and its code is 1."""
+        try:
+            return subprocess.run(command, env=self.environment, timeout=timeout, text=True, stdin=subprocess.DEVNULL,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        except subprocess.TimeoutExpired as late:
+            return subprocess.CompletedProcess(command, 1, (late.stdout or b"").decode(), "")
 
-    def run(self, *command: str, timeout: float = 30.0) -> subprocess.CompletedProcess:
-        """Run a command to its end."""
-        return subprocess.run(command, env=self.environment, timeout=timeout, text=True, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    def page(self, action: str, *robots: str, timeout: float) -> subprocess.CompletedProcess:
+        """Do something on a page of the cockpit, until these robots confirm it."""
+        return self.run(sys.executable, str(HERE / "page.py"), str(self.page_port), action,
+                        *(f"/{robot}" for robot in robots), timeout=timeout)
 
     def ensure(self) -> None:
         """Start what is missing: master, robots, cockpit. Wait until the robots answer."""
-        if not self._master_answers():
+        if not self.master_answers():
             for process in self.living("master"):
                 process.signal(signal.SIGKILL)
+            for launch in self.living("launch") if self.substitute_master() else ():
+                launch.end()
             self.start("master", "rosmaster", "--core", "-p", str(self.port))
-            self.wait(self._master_answers, "the master")
-            for process in self.living("launch", "cockpit"):
-                process.end()  # as a person does who restarts roscore
-        for robot in self.names:
-            if not [process for process in self.living("controller") if process.robot == robot]:
-                self._launch(robot)
+            self.wait(self.master_answers, "the master")
+            self._ask_master("setParam", "/run_id", uuid.uuid1().hex)  # two roslaunch at once would each set their own
+        starting = [self.launch(robot) for robot in self.names if not self.find("controller", robot)]
         if not self.living("cockpit"):
             self.start("cockpit", "rosrun", "jetbot_cockpit_server", "cockpit.py", f"_port:={self.page_port}")
-            self._adopt_last("cockpit.py")
+        for launch in starting:
+            self.wait(lambda launch=launch: self.status(launch.robot), f"a status of {launch.robot}")
 
-    def _master_answers(self) -> bool:
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            return bool(self.living("master")) and self.run("rosparam", "list", timeout=5).returncode == 0
+    def master_answers(self) -> bool:
+        with contextlib.suppress(*NO_ANSWER):
+            return bool(self.living("master") and self._ask_master("getPid"))
         return False
 
-    def _launch(self, robot: str) -> None:
+    def substitute_master(self) -> bool:
+        """Return whether a roslaunch that lost the master while it started has started one of its own."""
+        return any("rosmaster" in read(pid, "cmdline") for pid in self.pids())
+
+    def _ask_master(self, *question):
+        return ask(proxy(self.environment["ROS_MASTER_URI"]), *question)
+
+    def launch(self, robot: str) -> Process:
+        """Start a robot, instead of the one that may be there."""
         for process in self.living("launch"):
             if process.robot == robot:
                 process.end()
-        self.start("launch", "roslaunch", "jetbot_control_node", "jetbot_controller.launch", f"robot_name:={robot}",
-                   f"i2c_bus:=fake:{self.folder}/{robot}", robot=robot)
-        pid = self.wait(lambda: self.pid_of("jetbot_controller.py", f"/{robot}", "__name:=jetbot_controller"),
-                        f"the controller of {robot}")
-        launch = self.processes[-1]
-        self.processes.append(Process("controller", launch.popen, (
-            "rosrun", "jetbot_control_node", "jetbot_controller.py", f"__ns:={robot}",
-            f"_i2c_bus:=fake:{self.folder}/{robot}"), robot, pid))
-        self.wait(lambda: self.status(robot), f"a status of {robot}")
+        return self.start("launch", "roslaunch", "--wait", "jetbot_control_node", "jetbot_controller.launch",
+                          f"robot_name:={robot}", self._bus(robot), robot=robot)
 
-    def _adopt_last(self, program: str) -> None:
-        """Note the process that rosrun has become."""
-        last = self.processes[-1]
-        last.pid = self.wait(lambda: self.pid_of(program), program)
-
-    def pid_of(self, *words: str) -> Optional[int]:
-        """Return the id of a process of this scene with these words in its command line."""
+    def pids(self) -> Iterator[int]:
+        """Yield the ids of all processes of this scene."""
         for path in Path("/proc").glob("[0-9]*"):
-            with contextlib.suppress(OSError):
-                line = (path / "cmdline").read_text() + (path / "environ").read_text()
-                if str(self.folder) in line and all(word in line for word in words) and "python" in line[:60]:
-                    return int(path.name)
-        return None
+            if f"ROS_HOME={self.folder}\0" in read(path.name, "environ"):
+                yield int(path.name)
 
     def status(self, robot: str) -> str:
-        """Return a robot's status, "" if it has none."""
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            return self.run("rostopic", "echo", "-n", "1", f"/{robot}/jetbot_controller/status", timeout=5).stdout
-        return ""
+        """Return what a robot's controller has logged last, "" if it has logged nothing."""
+        logs = [process.popen.log for process in self.processes if (process.kind, process.robot) == ("launch", robot)]
+        return (["", *STATUS.findall(logs[-1].read_text(errors="replace"))] if logs else [""])[-1]
 
     def command(self, kind: str, robot: str) -> Process:
         """Start a commander of this kind for a robot."""
-        topic, message = f"/{robot}/cmd_vel", TWIST % SPEEDS[kind]
+        topic, speed = f"/{robot}/cmd_vel", str(SPEEDS[kind])
+        message = "geometry_msgs/Twist", f"{{linear: {{x: {speed}}}}}"
+        own = (sys.executable, str(HERE / "commander.py"), kind, topic, speed, str(self.node_ports[robot]))
         commands: Dict[str, Tuple[str, ...]] = {
-            "order": ("rostopic", "pub", topic, "geometry_msgs/Twist", message),
-            "repeat": ("rostopic", "pub", "-r", "10", topic, "geometry_msgs/Twist", message),
-            "page": (sys.executable, str(ROOT / "tests/chaos/page.py"), str(self.page_port), f"/{robot}",
-                     str(SPEEDS["page"])),
-        }
+            "order": ("rostopic", "pub", topic, *message), "repeat": ("rostopic", "pub", "-r", "10", topic, *message),
+            "page": (sys.executable, str(HERE / "page.py"), str(self.page_port), "drive", f"/{robot}", speed),
+            "port": own, "teleop": own}
         return self.start(kind, *commands[kind], robot=robot)
 
     def living(self, *kinds: str) -> List[Process]:
-        """Return the processes of these kinds, of all if there is none, that run."""
-        return [process for process in self.processes if (not kinds or process.kind in kinds) and process.alive()]
+        """Return the processes of these kinds, of all if there is none, that run or are frozen."""
+        return [process for process in list(self.processes) if (not kinds or process.kind in kinds) and process.alive()]
 
-    def chip(self, process: Process) -> Path:
+    def find(self, kind: str, robot: str) -> Optional[Process]:
+        """Return the newest living process of this kind; of this robot, if it belongs to one."""
+        if kind in STARTED_BY:
+            return self._find_child(kind, robot)
+        found = [process for process in self.living(kind) if process.robot in ("", robot)]
+        return found[-1] if found else None
+
+    def _find_child(self, kind, robot):
+        known = self._children.get((kind, robot))
+        if known and known.alive():
+            return known
+        parent = self.find(STARTED_BY[kind], robot)
+        pids = [pid for pid in children(parent.pid) if PROGRAM[kind] in read(pid, "cmdline")] if parent else []
+        command = ("rosrun", "jetbot_control_node", "jetbot_controller.py", f"__ns:={robot}", f"_{self._bus(robot)}")
+        self._children[kind, robot] = Process(kind, parent.popen, command, robot, pids[-1]) if pids else None
+        return self._children[kind, robot]
+
+    def _bus(self, robot):
+        return f"i2c_bus:=fake:{self.folder}/{robot}"
+
+    def chip(self, robot: str) -> Path:
         """Return the file of a robot's motor board."""
-        return self.folder / process.robot / "0x60"
+        return self.folder / robot / "0x60"
 
     def wheels(self, robot: str) -> Tuple[float, float]:
         """Return the speeds (left, right) that the motor board of a robot gives its motors."""
@@ -164,20 +202,49 @@ class Scene:
                 return value
             time.sleep(0.02)
 
+    def strays(self) -> List[str]:
+        """Return the command lines of the processes that have outlived what started them."""
+        known = {process.pid for process in self.living()}
+        return [read(pid, "cmdline").replace("\0", " ") for pid in self.pids() if not known & {pid, *ancestors(pid)}]
+
     def close(self) -> List[str]:
-        """End all processes; return the command lines of those of this scene that are left."""
-        for kinds in ("order", "repeat", "page", "second"), ("launch", "cockpit"), ("master",):
+        """End all processes; return the command lines and files of this scene that are left."""
+        for kinds in (*COMMANDERS, "second"), ("launch", "cockpit"), ("master",):
             for process in self.living(*kinds):
                 process.end()
-        deadline = time.monotonic() + 5
-        while self._left() and time.monotonic() < deadline:
+        deadline = time.monotonic() + END_TIMEOUT
+        while list(self.pids()) and time.monotonic() < deadline:
             time.sleep(0.1)
-        return self._left()
-
-    def _left(self) -> List[str]:
-        left = []
-        for path in Path("/proc").glob("[0-9]*"):
-            with contextlib.suppress(OSError):
-                if f"ROS_HOME={self.folder}\0" in (path / "environ").read_text():
-                    left.append((path / "cmdline").read_text().replace("\0", " "))
+        left = [read(pid, "cmdline").replace("\0", " ") for pid in self.pids()]
+        left += [str(file) for file in [*self.temporary.iterdir(), *self.folder.glob("*/0x*.*")]]
+        if self.small_disk:
+            subprocess.run(["umount", "--lazy", str(self.disk)])
         return left
+
+
+def read(pid: object, name: str) -> str:
+    """Return a file of /proc/PID, "" if the process has ended."""
+    with contextlib.suppress(OSError):
+        return Path(f"/proc/{pid}/{name}").read_text(errors="replace")
+    return ""
+
+
+def stat(pid: int) -> List[str]:
+    """Return state and parent of a process by proc(5), X if it has ended."""
+    return (read(pid, "stat").rpartition(")")[2].split() or ["X", "0"])[:2]
+
+
+def state(pid: int) -> str:
+    return stat(pid)[0]
+
+
+def ancestors(pid: int) -> List[int]:
+    """Return the ids of the processes above this one."""
+    parent = int(stat(pid)[1])
+    return [parent, *ancestors(parent)] if parent else []
+
+
+def children(pid: int) -> List[int]:
+    """Return the ids of the processes that a process has started and that run or are frozen, the newest last."""
+    texts = [read(pid, f"task/{task.name}/children") for task in Path(f"/proc/{pid}/task").glob("*")]
+    return sorted(child for child in map(int, " ".join(texts).split()) if state(child) not in "XZ")

@@ -1,16 +1,16 @@
 """A chip on a bus that is interrupted at any byte."""
 
-import errno
 import functools
 
 from jetbot.boards import BOARDS
+from jetbot.fake.bus import FakeBus, no_answer
 from jetbot.fake.chips import chip_class
 
 NACK_AND_STOP, BROWN_OUT, CUT = "not acknowledged, then STOP", "brown-out", "cable cut, no STOP"
 
 
-class InterruptedChip:
-    """Takes the place of ``smbus2.SMBus``, with a chip of ``jetbot.fake.chips``, which takes each byte by itself.
+class InterruptedChip(FakeBus):
+    """A bus in memory, with a chip of ``jetbot.fake.chips``, which takes each byte by itself.
 
     The outputs of a PCA9685 change at the STOP of a transfer (OCH = 0); after a cut, its bytes take effect at the next
     STOP. ``interrupt`` lets one byte fail. seen: the registers after every byte, as a transfer may end there with a
@@ -33,23 +33,14 @@ class InterruptedChip:
         """Whether no fault is pending."""
         return self._fault is None
 
-    def read_byte_data(self, address, register):
-        return self.read_i2c_block_data(address, register, 1)[0]
-
     def read_i2c_block_data(self, address, register, length):
-        self._transfer(3 + length)  # address, register, address
+        self._carry(3 + length)  # address, register, address
         return self.chip.read(self.registers, register, length)
 
-    def write_byte_data(self, address, register, value):
-        self.write_i2c_block_data(address, register, [value])
-
     def write_i2c_block_data(self, address, register, data):
-        self._transfer(2 + len(data), register, data)
+        self._carry(2 + len(data), register, data)
 
-    def close(self):
-        pass
-
-    def _transfer(self, length, register=0, data=()):
+    def _carry(self, length, register=0, data=()):
         """Carry so many bytes, the last of which are the data for the registers from this one on."""
         if self._refused:
             self._refused -= 1
@@ -73,7 +64,3 @@ def wheels(registers, board):
     """The speeds (left, right) of the simulated robot with this board and these registers, as bytes."""
     row = BOARDS[board]
     return tuple(chip_class(row.chip).speed(registers, motor, 0.0) for motor in (row.left, row.right))
-
-
-def no_answer():
-    return OSError(errno.EREMOTEIO, "Remote I/O error")

@@ -1,14 +1,15 @@
 """A PCA9685 that motors and a servo share. Written from NXP's data sheet, rev. 4, not from the drivers."""
 
-import errno
 import time
+
+from jetbot.fake.bus import FakeBus, no_answer
 
 SLEEP, AI, RESTART, INVRT, OCH = 0x10, 0x20, 0x80, 0x10, 0x08
 OSCILLATOR_START = 0.0005  # s
 
 
-class SharedPCA9685:
-    """Takes the place of ``smbus2.SMBus``. seen: the pulse of the output ``watched`` after every STOP."""
+class SharedPCA9685(FakeBus):
+    """A bus in memory with this chip alone. seen: the pulse of the output ``watched`` after every STOP."""
 
     def __init__(self, watched):
         self.watched = watched
@@ -33,9 +34,6 @@ class SharedPCA9685:
         high = self.high(output)
         return None if high is None else (round(high * step), round(1e6 / 4096 / step))
 
-    def read_byte_data(self, address, register):
-        return self.read_i2c_block_data(address, register, 1)[0]
-
     def read_i2c_block_data(self, address, register, length):
         self._acknowledge()
         values = []
@@ -43,9 +41,6 @@ class SharedPCA9685:
             values.append(self.memory[register])
             register = self._next(register)
         return values
-
-    def write_byte_data(self, address, register, value):
-        self.write_i2c_block_data(address, register, [value])
 
     def write_i2c_block_data(self, address, register, data):
         self._acknowledge()
@@ -60,13 +55,10 @@ class SharedPCA9685:
                 self._halted.discard(output)
         self.seen.append(self.pulse(self.watched))
 
-    def close(self):
-        pass
-
     def _acknowledge(self):
         self.transfers += 1
         if self.transfers in self.failing:
-            raise OSError(errno.EREMOTEIO, "Remote I/O error")
+            raise no_answer()
 
     def _next(self, register):
         return (0 if register == 0x45 else (register + 1) % 256) if self.memory[0] & AI else register

@@ -66,11 +66,17 @@ def test_what_may_be_a_servo_board_is_offered_on_one_condition(plug_in, address,
     plug_in({address: PCA9685})
     *_, chip, robot = checkup.run_checks(1)
     assert str(chip).endswith(" A servo board answers in the same way: do not drive that.")
-    condition = f"the chip at 0x{address:02x} is Waveshare's Motor Driver HAT and no servo board"
+    condition = f"the chip at 0x{address:02x} is the motor board waveshare_hat and no servo board"
     assert str(robot) == f"NOT robot: could drive if {condition}. Start it with: {LAUNCH} {command}"
     assert robot.condition == chip.condition == condition
     assert lines(1, address=address)[-1] == str(robot)
     assert lines(1, board="waveshare_hat")[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
+
+
+def test_another_board_there_does_not_make_it_certain(plug_in, monkeypatch):
+    monkeypatch.setitem(BOARDS, "another", BOARDS["waveshare_hat"]._replace(address=0x41))
+    plug_in({0x41: PCA9685})
+    assert "if the chip at 0x41 is the motor board another or waveshare_hat and no servo board" in lines(1)[-1]
 
 
 @pytest.mark.parametrize("board, address, uncertain", [

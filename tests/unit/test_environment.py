@@ -68,6 +68,10 @@ def test_a_cache_folder_that_is_named_is_made(shell, tmp_path):
     assert place == f"{tmp_path}/xdg/morbot" and os.path.isdir(place)
 
 
+def test_a_stop_needs_no_folder(shell):
+    assert shell("command=stop; choose_cache; echo on", XDG_CACHE_HOME="/dev/null", TMPDIR="/dev/null") == "on"
+
+
 @pytest.mark.parametrize("closed, built, place", [
     ("nothing", False, "morbot_ws/build"),
     ("morbot_ws", True, "morbot_ws/build"),

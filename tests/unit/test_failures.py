@@ -38,8 +38,14 @@ def run(code):
     ("no_more_threads(); wait()", "can't start new thread"),
     ("threading.Thread(target=failures.lasting(lambda: None, lambda: False)).start(); wait()", "<lambda> has ended"),
     ("raise MemoryError", "MemoryError"),
-    ("raise OSError(24, 'Too many open files')", "OSError: [Errno 24] Too many open files")],
-    ids=["thread", "no thread", "a thread that must last", "no memory", "no file"])
+    ("raise OSError(24, 'Too many open files')", "OSError: [Errno 24] Too many open files"),
+    ("resource.setrlimit(resource.RLIMIT_NOFILE, (3, 3))\ntry: failures.vital(open)('x')\nexcept OSError: pass",
+     "OSError: [Errno 24] Too many open files: 'x'"),
+    ("raise ImportError('x.so: failed to map segment', name='x')", "ImportError: x.so: failed to map segment"),
+    ("threading.Thread(target=fail).start(); failures.before_end.append(lambda: time.sleep(0.1))\n"
+     "while not failures._ending.is_set(): pass\nfailures.leave(0)", "a thread has failed, KeyError: 'x'")],
+    ids=["thread", "no thread", "a thread that must last", "no memory", "no file", "no file, excepted", "no library",
+         "while the program ends"])
 def test_one_line_a_stop_and_the_end(code, reason):
     ended = run(code)
     assert (ended.returncode, ended.stdout) == (1, "stopped\n")
@@ -54,6 +60,11 @@ def test_one_line_a_stop_and_the_end(code, reason):
     "try: thread.start()\nexcept RuntimeError: pass"], ids=["exit of a thread", "at the end", "started twice"])
 def test_what_is_no_failure_ends_nothing(code):
     assert run(f"{code}\nprint('done')").stdout.strip() == "done"
+
+
+def test_who_can_be_stopped_otherwise_says_so_instead():
+    ended = run("failures.install('Use the switch.')\nraise MemoryError")
+    assert ended.stderr == "[FATAL] -c ends: MemoryError. Use the switch.\n"
 
 
 def test_any_other_error_of_the_program_has_its_traceback():

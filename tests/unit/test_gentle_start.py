@@ -108,14 +108,6 @@ def test_a_stop_is_obeyed_in_one_step_in_the_middle_of_a_ramp(drive, stop):
     assert drive.speeds()[-1] == STOPPED
 
 
-def test_the_end_stops_the_wheels_in_the_middle_of_a_ramp(drive):
-    drive.command(0.5)
-    drive.run(0.2)
-    drive.supervisor.end()
-    drive.supervisor.run()
-    assert drive.speeds()[-1] == STOPPED
-
-
 def brown_out(drive):
     power_on(drive.folder)
     drive.note()

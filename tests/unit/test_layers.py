@@ -1,6 +1,7 @@
 """Imports point only downward: a package depends on those that come before it in ORDER, and no module on itself."""
 
 import ast
+import functools
 import re
 import xml.etree.ElementTree as ET
 
@@ -11,9 +12,9 @@ from conftest import PACKAGES, ROOT
 ORDER = ["jetbot", "jetbot_ros", "jetbot_cockpit_server", "jetbot_control_node", "jetbot_tools", "workshop",
          "simulation", "jetbot_cockpit", "driving_tasks", "jetbot_lessons"]
 MANIFESTS = {manifest.parent.name: manifest for manifest in sorted(PACKAGES.glob("**/package.xml"))
-             if "tests" not in manifest.resolve().parts}
-FILES = {f"{package}:{file.relative_to(manifest.parent)}": (package, file)
-         for package, manifest in MANIFESTS.items() for file in sorted(manifest.parent.glob("s*/**/*.py"))}
+             if ROOT / "tests" not in manifest.resolve().parents}
+FILES = [(package, file) for package, manifest in MANIFESTS.items()
+         for file in sorted(manifest.parent.glob("s*/**/*.py"))]
 MODULES = {re.sub(r"(/__init__)?\.py$", "", file.relative_to(folder).as_posix()).replace("/", "."): file
            for folder in sorted(PACKAGES.glob("**/src")) for file in sorted(folder.rglob("*.py"))}
 ROS = r"ros|genpy|\w+_msgs$|tf2|diagnostic_updater"
@@ -27,6 +28,7 @@ PURE = {  # modules and packages, and what they must not import
 }
 
 
+@functools.lru_cache(maxsize=None)
 def imported(file):
     """Return the dotted names that a file imports, at whatever place in it."""
     names = set()
@@ -54,41 +56,42 @@ def test_each_package_has_its_place():
     assert set(MANIFESTS) == set(ORDER)
 
 
-@pytest.mark.parametrize("package", MANIFESTS)
-def test_a_package_depends_on_those_below_it(package):
-    assert depends(package) & set(ORDER) <= set(ORDER[:ORDER.index(package)])
+def test_a_package_depends_on_those_below_it():
+    for package in MANIFESTS:
+        assert depends(package) & set(ORDER) <= set(ORDER[:ORDER.index(package)]), package
 
 
-@pytest.mark.parametrize("module", FILES)
-def test_what_a_module_imports_is_a_dependency_of_its_package(module):
-    package, file = FILES[module]
-    assert first(imported(file)) & set(ORDER) - {package} <= depends(package)
+def test_what_a_module_imports_is_a_dependency_of_its_package():
+    for package, file in FILES:
+        assert first(imported(file)) & set(ORDER) - {package} <= depends(package), file
 
 
-@pytest.mark.parametrize("module", MODULES)
-def test_what_needs_no_ros_imports_none(module):
-    for name, forbidden in PURE.items():
-        if f"{module}.".startswith(f"{name}."):
-            assert not [each for each in first(imported(MODULES[module])) if re.match(forbidden, each)]
+@pytest.mark.parametrize("name", PURE)
+def test_what_needs_no_ros_imports_none(name):
+    modules = [module for module in MODULES if f"{module}.".startswith(f"{name}.")]
+    assert modules
+    for module in modules:
+        assert not [each for each in first(imported(MODULES[module])) if re.match(PURE[name], each)], module
 
 
+@functools.lru_cache(maxsize=None)
 def uses(module):
     """Return the modules that a module imports; a package's own name stands for its __init__."""
     names = {name if name in MODULES else name.rpartition(".")[0] for name in imported(MODULES[module])}
     return names & set(MODULES) - {module}
 
 
-@pytest.mark.parametrize("module", MODULES)
-def test_no_module_imports_itself_by_others(module):
-    below, queue = set(), [module]
-    while queue:
-        new = uses(queue.pop()) - below
-        below |= new
-        queue += new
-    assert module not in below
+def test_no_module_imports_itself_by_others():
+    for module in MODULES:
+        below, queue = set(), [module]
+        while queue:
+            new = uses(queue.pop()) - below
+            below |= new
+            queue += new
+        assert module not in below, module
 
 
-@pytest.mark.parametrize("file", sorted((ROOT / "tests/browser").glob("*.py")), ids=lambda file: file.stem)
-def test_without_selenium_the_tests_in_a_browser_can_be_read_and_are_skipped(file):
-    names = re.findall(r"^(?:from|import) (\.?\w+)", file.read_text(), re.M)
-    assert file.stem in ("chromium", "page") or not {"selenium", ".chromium", ".page"} & set(names)
+def test_without_selenium_the_tests_in_a_browser_can_be_read_and_are_skipped():
+    for file in (ROOT / "tests/browser").glob("*.py"):
+        names = re.findall(r"^(?:from|import) (\.?\w+)", file.read_text(), re.M)
+        assert file.stem in ("chromium", "page") or not {"selenium", ".chromium", ".page"} & set(names), file

@@ -45,6 +45,15 @@ def test_a_guard_that_is_killed_or_frozen_stops_the_wheels_and_is_replaced(folde
         os.kill(first, 0)
 
 
+@pytest.mark.parametrize("signum", [signal.SIGKILL, signal.SIGSTOP])
+def test_a_program_that_only_waits_loses_its_guard_stops_and_drives_again_when_told(folder, guarded_robot, signum):
+    guarded_robot.forward()
+    os.kill(guard_process(), signum)
+    assert wait_until(stopped(folder), STOP_TIMEOUT)
+    guarded_robot.forward(0.5)
+    assert wheel_speeds(folder) == (0.5, 0.5)
+
+
 def test_a_guard_lets_a_hung_program_continue(folder, capfd):
     def is_guarded():
         with contextlib.suppress(BusError):

@@ -16,7 +16,7 @@ NAMES = ["board", "i2c_bus"]
     ("_i2c_bus:=fake", {"i2c_bus": "fake"}), ("_i2c_bus:=fake:/tmp/x", {"i2c_bus": "fake:/tmp/x"}),
     ("_i2c_bus:=7", {"i2c_bus": 7}), ("_swap:=yes", {"swap": True}), ("_a:=b:=c", {"a": "b:=c"}), ("_board:=", {}),
     ("_config:=/a: b\x07.yaml", {"config": "/a: b\x07.yaml"}), ("_board:=[", {"board": "["}),
-    ("_board:=" + "[" * 9000, {"board": "[" * 9000}),
+    ("_board:=" + "[" * 2000, {"board": "[" * 2000}),
     ("__ns:=red", {}), ("__log:=/tmp/log", {}), ("cmd_vel:=/red/cmd_vel", {}), ("/a:=/b", {})],
     ids=lambda value: ascii(value)[:30])
 def test_a_word_of_the_command_line(word, parameters):
@@ -39,6 +39,12 @@ def test_a_mistyped_word_is_refused(word, sentence):
     with pytest.raises(InvalidValue) as error:
         parse_word(word, NAMES)
     assert str(error.value) == sentence
+
+
+def test_a_space_after_the_equals_sign_is_named(monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["node.py", "_i2c_bus:=", "fake"])
+    with pytest.raises(InvalidValue, match="_i2c_bus:= and fake are two words. Type them as one: _i2c_bus:=fake"):
+        private_parameters("/node", {}, NAMES)
 
 
 def test_what_is_typed_wins_over_the_master_and_does_not_go_there(monkeypatch):

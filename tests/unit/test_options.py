@@ -47,6 +47,12 @@ def test_what_cannot_be_meant_is_refused_with_one_sentence(parser, typed, senten
     assert sentence in str(end.value) and "\n" not in str(end.value)
 
 
+def test_the_help_is_named_as_the_program_was_started(parser, monkeypatch):
+    monkeypatch.setenv("MORBOT", "./morbot")
+    with pytest.raises(SystemExit, match="See ./morbot doctor --help"):
+        parse(parser, ["fake"])
+
+
 def test_without_an_option_the_environment_is_used(parser):
     assert vars(parse(parser, [])) == {"i2c_bus": None, "port": "/dev/ttyUSB0", "i2c_address": None, "board": None}
 

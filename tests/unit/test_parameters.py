@@ -26,8 +26,10 @@ def test_a_given_value_counts_and_an_empty_one_is_not_given():
 
 
 def test_a_mistyped_name():
-    with pytest.raises(InvalidValue, match="^There is no parameter max_sped. The parameters are board, i2c_bus, "):
+    with pytest.raises(InvalidValue, match=r"^There is no parameter max_sped. Do you mean max_speed\?$"):
         checked({"max_sped": 2})
+    with pytest.raises(InvalidValue, match="^There is no parameter colour. The parameters are board, i2c_bus, "):
+        checked({"colour": 2})
 
 
 @pytest.mark.parametrize("name, value, must", [
@@ -64,8 +66,7 @@ def test_duties_without_a_range_between():
 @pytest.mark.parametrize("name", PARAMETERS)
 def test_a_parameter_is_in_the_launch_file_and_in_the_reference(name):
     lines = {line.strip() for file in (LAUNCH, REFERENCE) for line in file.read_text().splitlines()}
-    for line in lines_of(name, PARAMETERS[name]):
-        assert line in lines
+    assert [line for line in lines_of(name, PARAMETERS[name]) if line not in lines] == []
 
 
 def test_the_launch_file_and_the_reference_have_no_other_parameter():
@@ -154,7 +155,7 @@ def test_a_place_that_is_named_counts(tmp_path, typed, config):
     (b"42", "it holds no parameters"),
     (b"[board, jetbot]", "it holds no parameters"),
     (b"a: [", "line 1: expected the node content, but found '<stream end>'"),
-    (b"[" * 65000, "maximum recursion depth exceeded"),
+    (b"[" * 2000, "maximum recursion depth exceeded"),
     (b"max_speed: [1, 2]", "it must give max_speed one value"),
     (b"a: &a [1]\nb: &b [*a, *a]\nc: [*b, *b]", "it must give a one value"),
     (b"a: !!python/name:os.system x",

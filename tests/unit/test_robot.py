@@ -58,18 +58,18 @@ def test_a_jetbot_pro_saturates_only_where_its_frames_end(make_robot, folder, sp
 
 
 @pytest.mark.parametrize("options, speeds, cut_off", [
-    ({}, (1.0, 1.2), True), ({}, (-1.5, -1.2), True), ({}, (1.2, 1.2), False), ({}, (0.9, 1.2), False),
-    ({}, (-1.2, 1.5), False), ({"left_motor_alpha": 0.5}, (1.2, 1.5), False),
+    ({}, (1.0, 1.2), True), ({}, (-1.5, -1.2), True), ({}, (1.2, 1.2), True), ({}, (1.0, 1.0), False),
+    ({}, (0.9, 1.2), False), ({}, (-1.2, 1.5), False), ({"left_motor_alpha": 0.5}, (1.2, 1.5), False),
     ({"min_duty": 0.3, "invert_left": True}, (1.2, 1.5), True), ({"max_duty": 0.5}, (1.2, 1.5), True),
     ({"board": "jetbot_pro"}, (40, 50), False)])
-def test_a_turn_that_full_power_cuts_off(make_robot, folder, options, speeds, cut_off):
+def test_a_command_that_full_power_cuts_off(make_robot, folder, options, speeds, cut_off):
     robot = make_robot(port=f"fake:{folder}", **options)
     robot.set_motors(*speeds)
     assert robot.at_full_power == cut_off
 
 
-@pytest.mark.parametrize("speed", [math.nan, math.inf, -math.inf, "fast", None, 10 ** 400])
-@pytest.mark.parametrize("action", ["forward", "backward", "left", "right"])
+@pytest.mark.parametrize("action, speed", [
+    ("forward", math.nan), ("backward", -math.inf), ("left", "fast"), ("right", None), ("forward", 10 ** 400)])
 def test_what_is_no_speed_is_refused_and_stops(make_robot, folder, action, speed):
     robot = make_robot()
     robot.forward(0.5)
@@ -144,14 +144,11 @@ def test_a_board_at_another_address_and_pwm_frequency(make_robot, folder):
 
 @pytest.mark.parametrize("name, value, sentence", [
     ("min_duty", 1, "The min_duty must be a number of at least 0 and below 1, not 1."),
-    ("min_duty", -0.1, "The min_duty must be a number of at least 0 and below 1, not -0.1."),
-    ("max_duty", 0, "The max_duty must be a number above 0, 1 at most, not 0."),
     ("max_duty", 1.5, "The max_duty must be a number above 0, 1 at most, not 1.5."),
     ("pwm_frequency", 2000, "The pwm_frequency must be a number from 24 to 1526, not 2000."),
     ("i2c_address", "0x78", "The I2C address must be an address from 0x03 to 0x77, not '0x78'."),
     ("swap_motors", "false", "The option swap_motors must be true or false, not 'false'."),
-    ("invert_left", 1, "The option invert_left must be true or false, not 1."),
-    ("invert_right", None, "The option invert_right must be true or false, not None.")])
+    ("invert_left", 1, "The option invert_left must be true or false, not 1.")])
 def test_an_option_that_cannot_be(make_robot, folder, name, value, sentence):
     with pytest.raises(InvalidValue) as error:
         make_robot(**{name: value})

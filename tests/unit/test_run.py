@@ -7,10 +7,12 @@ import pytest
 
 pytest.importorskip("roslaunch")
 import run  # noqa: E402
+from conftest import PACKAGES  # noqa: E402
 
 signal.signal(signal.SIGINT, signal.default_int_handler)  # which run changes
 
 KNOWN = {"linear", "rviz", "i2c_bus"}
+NO_NUMBER = '<node name="a" pkg="b" type="c"><param name="linear" type="double" value="abc"/></node>'
 
 
 @pytest.mark.parametrize("word, sentence", [
@@ -45,10 +47,16 @@ def test_the_names_are_those_of_all_files_that_are_read(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("content, part", [("<arg", "Invalid roslaunch XML syntax"),
-                                           ('<include file="$(find no_such)/x.launch"/>', "the package no_such is ")])
+                                           ('<include file="$(find no_such)/x.launch"/>', "the package no_such is "),
+                                           (NO_NUMBER, "linear:= is a number, and not 'abc'")])
 def test_a_launch_file_that_cannot_be_read_is_one_problem(tmp_path, monkeypatch, content, part):
     monkeypatch.setattr(run.roslaunch.rlutil, "resolve_launch_arguments", lambda words: [words[1]])
     assert part in run.problem_of("any", launch_file(tmp_path, content)[1], [])
+
+
+def test_the_workshops_numbers_are_checked_before_a_node_starts():
+    launch = PACKAGES / "scenarios/workshop/launch/workshop_jetbot_controller.launch"
+    assert launch.read_text().count('type="double"') == 3
 
 
 def test_a_master_of_another_user_is_named_with_the_export_that_helps(monkeypatch):

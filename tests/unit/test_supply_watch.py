@@ -8,7 +8,6 @@ import pytest
 
 from conftest import step_of
 from jetbot import JetbotError
-from jetbot.errors import BusStuck, FatalError
 from jetbot.supply import EMPTY_BATTERY, Reading, Supply, percentage
 from jetbot.wait import wait_until
 from jetbot_control_node.status import supply_watch
@@ -137,15 +136,6 @@ def test_a_sensor_that_is_unplugged_is_reported_and_read_again(watch, sensor):
     sensor.reading = volts(11.0)
     assert watch.read(now=1.1) == volts(11.0)
     assert (str(watch), watch.dips) == ("11.00 V, 56 %, by the INA219", 0)
-
-
-@pytest.mark.parametrize("error", [BusStuck("the bus is stuck"), FatalError("the bus is too slow")])
-def test_a_reading_that_blocks_the_bus_is_the_last_one(error):
-    sensor, readings = Sensor(error), []
-    watch = SupplyWatch(Supply("INA219", sensor.read))
-    watch.run(readings.append, lambda: False)
-    assert (str(readings), sensor.count) == (str([Reading()]), 1)
-    assert str(watch) == f"unknown: {error.reason}; restart the controller to read it again"
 
 
 def test_a_robot_whose_supply_nothing_measures():

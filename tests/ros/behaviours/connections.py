@@ -53,11 +53,6 @@ class Connections(RobotTest):
         """Announce a publisher of commands at this host, as the master does."""
         ServerProxy(self.address).publisherUpdate("/master", TWIST[0], [f"http://{host}:{publisher.port}/"])
 
-    def test_a_publisher_of_this_computer_is_heard(self):
-        publisher = Publisher("127.0.0.1")
-        self.announce(publisher, "localhost")
-        self.wait_for(lambda: publisher.connected, START_TIMEOUT, "a connection")
-
     def test_another_computer_is_neither_asked_nor_connected_to(self):
         elsewhere, offered_elsewhere = Publisher("127.0.0.1"), Publisher(NUMBER)
         self.announce(elsewhere, NUMBER)

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import socket
 import time
 
 import rospy
@@ -15,19 +16,6 @@ class EmergencyStop(RobotTest):
         for _ in range(int(for_seconds / 0.05)):
             self.command(0.5)
             self.wheels_stay(0, 0, for_seconds=0.05)
-
-    def test_stop_and_release(self):
-        self.controller(cmd_vel_timeout=0)
-        texts = self.status()
-        self.drive_at(0.5)
-        self.emergency_stop(True)
-        self.wait_for_stop(within=1.0)
-        self.wait_for_status(texts, "stopped: emergency stop")
-        self.commands_are_ignored(for_seconds=0.5)
-        self.emergency_stop(False)
-        self.wait_for_status(texts, "stopped: no command since the emergency stop was released")
-        self.wheels_stay(0, 0, for_seconds=0.3)
-        self.drive_at(0.25)
 
     def test_in_the_middle_of_a_gentle_start(self):
         self.controller(cmd_vel_timeout=0, acceleration_limit=0.5)
@@ -60,19 +48,14 @@ class EmergencyStop(RobotTest):
         self.wait_for_status(texts, "stopped: no command since its own emergency stop was released")
         self.drive_at(0.25)
 
-    def test_stops_a_robot_started_later(self):
-        self.emergency_stop(True)
-        texts = self.status()
-        self.controller()
-        self.wait_for_status(texts, "stopped: emergency stop")
-        self.commands_are_ignored(for_seconds=0.3)
-
     def test_a_latched_stop_reaches_a_joining_robot_before_any_command(self):
         self.emergency_stop(True)
+        texts = self.status()
         self.commands()
         commands = rospy.Timer(rospy.Duration(0.01), lambda _: self.command(0.5))
         self.addCleanup(commands.shutdown)
         self.controller()
+        self.wait_for_status(texts, "stopped: emergency stop")
         self.wheels_stay(0, 0, for_seconds=1.0)
 
     def test_an_older_release_that_arrives_late_does_not_free_a_joining_robot(self):
@@ -84,6 +67,22 @@ class EmergencyStop(RobotTest):
         os.killpg(release.pid, signal.SIGCONT)
         self.commands_are_ignored(for_seconds=1.5)
 
+    def test_a_program_whose_connection_breaks_off_stops_it_again_but_repeats_no_release(self):
+        self.controller(cmd_vel_timeout=0)
+        texts = self.status()
+        self.emergency_stop(False)
+        self.stop_by_hand()
+        before = set(self._emergency.impl.connections)
+        for connection in before:
+            connection.socket.shutdown(socket.SHUT_RDWR)
+        self.wait_for(lambda: set(self._emergency.impl.connections) - before, 5.0, "a new connection")
+        self.commands_are_ignored(for_seconds=0.3)
+        self.emergency_stop(False)
+        self.wait_for_status(texts, "stopped: no command since the emergency stop was released")
+        self.drive_at(0.5)
+        self.emergency_stop(True)
+        self.wait_for_stop(within=0.2)
+
     def stop_by_hand(self, *arguments):
         """Run the script; return its exit code and its output."""
         script = self.start(program("jetbot_tools", "emergency_stop.py"), *arguments)
@@ -91,6 +90,7 @@ class EmergencyStop(RobotTest):
 
     def test_by_hand_it_outlives_the_script_and_every_robot_confirms_it(self):
         self.controller(cmd_vel_timeout=0)
+        texts = self.status()
         self.drive_at(0.5)
         code, printed = self.stop_by_hand()
         self.assertEqual(code, 0)
@@ -99,6 +99,8 @@ class EmergencyStop(RobotTest):
         code, printed = self.stop_by_hand("--release")
         self.assertEqual(code, 0)
         self.assertNotIn("stopped: emergency stop", printed)
+        self.wait_for_status(texts, "stopped: no command since the emergency stop was released")
+        self.wheels_stay(0, 0, for_seconds=0.3)
         self.drive_at(0.25)
 
     def test_by_hand_a_robot_that_is_frozen_or_drives_on_is_named_and_a_dead_one_is_not(self):

@@ -11,6 +11,7 @@ import tty
 import rospy
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu
+from std_msgs.msg import Float32MultiArray
 from tf2_msgs.msg import TFMessage
 
 from harness import CONTROLLER, START_TIMEOUT, RobotTest
@@ -82,6 +83,12 @@ class JetBotProTest(RobotTest):
             self.command(x / 1000, z / 1000)
             self.wait_for_velocity((x, z))
         self.assertFalse(self.board.bad)
+
+    def test_its_wheels_are_reported_as_fractions_of_full_power(self):
+        wheels = self.record("/jetbot_controller/wheels", Float32MultiArray,
+                             lambda message: [round(value, 2) for value in message.data])
+        expected = [0.3, 1.6, 0.35, 0.65]  # m/s, rad/s: the left wheel gets 0.3 - 1.6 * 0.1125 / 2 of 0.6 m/s
+        self.wait_for(lambda: self.command(*expected[:2]) or expected in wheels, START_TIMEOUT, f"{expected}")
 
     def test_stops_at_the_timeout_and_at_shutdown(self):
         self.drive_at(0.5)

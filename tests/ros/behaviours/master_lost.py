@@ -4,6 +4,7 @@ import os
 import signal
 
 import rosgraph
+import rospy
 
 from harness import CONTROLLER, START_TIMEOUT, RobotTest, find_processes, free_port, program, read
 
@@ -58,3 +59,13 @@ class MasterLost(RobotTest):
         node.wait(5.0)
         self.assertNotEqual(late.wait(START_TIMEOUT), 0)
         self.assertIn("does not answer. Is it frozen (Ctrl-Z)?", read(late))
+
+    def test_a_master_that_freezes_while_a_node_starts_is_named(self):
+        node = self.controller_below()
+        master = rosgraph.Master(rospy.get_name(), self.environment["ROS_MASTER_URI"])
+        log = ["/rosout", ["/jetbot_controller"]]
+        self.wait_for(lambda: log in master.getSystemState()[0], START_TIMEOUT, "the node to register")
+        self.signal_master(signal.SIGSTOP)
+        self.wait_for(lambda: "master" in read(node), 10.0, "a sentence")
+        node.send_signal(signal.SIGINT)
+        node.wait(5.0)

@@ -2,8 +2,13 @@
 
 import os
 import signal
+import socket
 
-from harness import START_TIMEOUT, RobotTest, publishers
+import rosgraph
+import rospy
+from geometry_msgs.msg import Twist
+
+from harness import START_TIMEOUT, RobotTest, publishers, twist
 
 STOP_TIMEOUT = 1.2  # s, from the end of its program to the stop
 
@@ -37,18 +42,23 @@ class StandingOrder(RobotTest):
         self.wait_for_stop(within=0.15)
         self.wait_for(lambda: "has ended" in self.texts[-1], 1.0, f"the reason in {self.texts}")
 
-    def test_a_repeated_command_ends_with_its_program_too(self):
-        self.controller(cmd_vel_timeout=0)
+    def test_is_not_driven_again_when_its_connection_broke_off_and_another_program_comes(self):
+        self.controller()
         self.commands().unregister()
-        publisher = self.publisher()
-        self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
-        os.killpg(publisher.pid, signal.SIGKILL)
+        order = rospy.Publisher("/cmd_vel", Twist, queue_size=1, latch=True)
+        self.addCleanup(order.unregister)
+        self.wait_for(lambda: order.publish(twist(0.5)) or self.wheels() == (0.5, 0.5), START_TIMEOUT, "the order")
+        before = order.impl.connections
+        for connection in before:
+            connection.socket.shutdown(socket.SHUT_RDWR)
         self.wait_for_stop(within=0.15)
-
-    def test_a_newer_command_replaces_it(self):
-        self.driven_by_an_order(cmd_vel_timeout=0.5)
-        self.drive_at(0.25)
-        self.wait_for_stop(within=1.0)
+        another = rosgraph.Master("/another")
+        another.registerPublisher("/cmd_vel", Twist._type, "http://localhost:1/")
+        self.addCleanup(another.unregisterPublisher, "/cmd_vel", "http://localhost:1/")
+        self.wait_for(lambda: set(order.impl.connections) - set(before), 5.0, "a new connection")
+        self.wheels_stay(0, 0, for_seconds=0.3)
+        order.publish(twist(0.25))
+        self.wait_for_wheels(0.25, 0.25)
 
     def test_a_restarted_controller_waits_until_it_is_repeated(self):
         before = set(publishers("/cmd_vel"))

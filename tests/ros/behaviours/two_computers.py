@@ -4,7 +4,7 @@ import os
 import subprocess
 import unittest
 
-from harness import START_TIMEOUT, RobotTest
+from harness import START_TIMEOUT, RobotTest, end
 
 ADDRESSES = {"robot": "10.77.0.1", "laptop": "10.77.0.2"}  # of two network namespaces, which nothing else can reach
 COMMAND_TIMEOUT = 1.0     # s; the default of cmd_vel_timeout
@@ -37,22 +37,23 @@ class TwoComputers(RobotTest):
         return self.start("ip", "netns", "exec", self.names[host], *command, env={**os.environ, **variables})
 
     def driven_by_the_laptop(self, *options):
-        """Start a robot, then on the laptop rostopic pub with these options; wait until it drives."""
+        """Start rostopic pub with these options on the laptop; return it once the robot drives."""
+        command = self.start_on("laptop", "rostopic", "pub", *options, "/cmd_vel", "geometry_msgs/Twist",
+                                "{linear: {x: 0.5}}")
+        self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
+        return command
+
+    def test_link_is_cut_and_returns(self):
         self.start_on("robot", "roslaunch", "jetbot_control_node", "jetbot_controller.launch",
                       f"i2c_bus:=fake:{self.bus}")
         # A standing order that the master knows before the controller subscribes is old, and moves nothing
         self.wait_for(lambda: "stopped: no command yet" in self.logs(), START_TIMEOUT, "the controller to subscribe")
-        self.start_on("laptop", "rostopic", "pub", *options, "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.5}}")
-        self.wait_for_wheels(0.5, 0.5, within=START_TIMEOUT)
-
-    def test_standing_order_ends_with_the_link(self):
-        self.driven_by_the_laptop()
+        order = self.driven_by_the_laptop()
         self.set_link("robot", "down")
         self.wait_for_stop(within=1.2)
         self.set_link("robot", "up")
         self.wheels_stay(0, 0, for_seconds=2.0)
-
-    def test_link_is_cut_and_returns(self):
+        end([order])
         self.driven_by_the_laptop("-r", "10")
         self.set_link("robot", "down")
         self.wait_for_stop(within=COMMAND_TIMEOUT + 0.5)

@@ -63,8 +63,7 @@ class Workshop(RobotTest):
         self.assertEqual(subscribers["/red/cmd_vel"], ["/red/jetbot_controller"])
 
     def test_its_own_controller_scripts_drive_and_their_end_stops_the_wheels(self):
-        for script, ending in ((AS_A_CLASS, signal.SIGINT), (AS_A_CLASS, signal.SIGKILL),
-                               (AS_FUNCTIONS, signal.SIGTERM), (AS_FUNCTIONS, signal.SIGHUP)):
+        for script, ending in (AS_A_CLASS, signal.SIGKILL), (AS_FUNCTIONS, signal.SIGHUP):
             environment = {**os.environ, "JETBOT_I2C_BUS": f"fake:{self.bus}"}
             process = self.start(sys.executable, "-c", HEAD + script, env=environment)
             self.wait_for_controller()

@@ -6,9 +6,11 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
 
-from jetbot_ros import failures, launcher  # noqa: F401, I001  the launcher reads who has started this process
+from jetbot_ros import failures
 
 failures.install()
+
+from jetbot_ros import launcher  # noqa: F401, I001  early: it reads who has started this process
 
 import rospy
 from geometry_msgs.msg import Twist
@@ -36,7 +38,7 @@ class JetBotController:
         # The supervisor decides when to drive, and stops the robot; the report says why
         self.supervisor = Supervisor(self.robot, self.drive, parameters["cmd_vel_timeout"],
                                      make_ramp(parameters, self.robot.driver))
-        self.report = node.make_report(self.supervisor, parameters)
+        self.report = node.start_reporting(self.supervisor, parameters)
 
         # Subscribe to the topics and define the callback function; an earlier emergency stop comes before any command
         self.commanders = Commanders("cmd_vel")

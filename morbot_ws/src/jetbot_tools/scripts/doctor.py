@@ -8,6 +8,10 @@ if __name__ == "__main__":
     for signum in (signal.SIGINT, signal.SIGPIPE):  # Ctrl-C and `| head` simply end it
         signal.signal(signum, signal.SIG_DFL)
 
+from jetbot_ros import failures
+
+failures.install()
+
 import argparse
 import json
 import sys

@@ -9,9 +9,15 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
+from jetbot_ros import failures
+
+SWITCH = "If a robot moves, use its switch."
+failures.install(SWITCH)
+
 import os
 import socket
 import sys
+import time
 from typing import Callable, List
 
 from jetbot.text import closest, printable
@@ -20,7 +26,6 @@ from jetbot_ros.master import NO_ANSWER, ask_master, master_uri
 CONFIRM_TIMEOUT = 2.0   # s for the robots
 TIMEOUT = 8.0           # s for all: rospy waits forever for a master that freezes meanwhile
 SHUTDOWN_TIMEOUT = 1.0  # s to unregister this node
-SWITCH = "If a robot moves, use its switch."
 
 
 def is_stop(arguments: List[str]) -> bool:
@@ -62,8 +67,9 @@ def stop(engaged: bool) -> int:
     """Stop or release all robots, and print a line for each; return the exit code."""
     try:
         from jetbot_tools.fleet import Fleet  # here: rospy takes long to import
-    except ImportError as error:
+    except ModuleNotFoundError as error:
         sys.exit(f"{error}. First run: ./morbot setup")
+    failures.before_end.append(lambda: time.sleep(CONFIRM_TIMEOUT))  # robots that are reached stop
     fleet = Fleet(engaged)
     if not fleet.wait(CONFIRM_TIMEOUT):
         fleet.remove_dead()

@@ -6,18 +6,21 @@ import signal
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it
 
+from jetbot_ros import failures
+
+failures.install()
+
 from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
 
 import sys
 
 import rospy
 
-from jetbot import InvalidValue
 from jetbot.boards import BOARDS
 from jetbot.fake.motors import Motors
 from jetbot.text import printable
-from jetbot_ros.master import require_master
-from jetbot_ros.node_parameters import private_parameters, public_words
+from jetbot_ros import lifecycle
+from jetbot_ros.node_parameters import private_parameters
 from simulation.diff_drive import Body, DiffDriveModel, Pose
 from simulation.parameters import PARAMETERS, fake_folder, resolve
 from simulation.simulated_robot import SimulatedRobot
@@ -38,9 +41,10 @@ def end_with_roslaunch() -> None:
     rospy.Timer(rospy.Duration(1.0), check)
 
 
-def main() -> None:
-    require_master()
-    rospy.init_node("jetbot_simulator", argv=public_words())
+def main() -> int:
+    lifecycle.init_node("jetbot_simulator")
+    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(signum, lambda *_: rospy.signal_shutdown("a signal"))
     given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config", "body"]))
     motors = Motors(fake_folder(given, rospy.get_namespace()), given["board"], given["i2c_address"])
     closed_loop = BOARDS[given["board"]].driver.closed_loop
@@ -51,12 +55,13 @@ def main() -> None:
     simulator = Simulator(SimulatedRobot(motors, model), others)
     end_with_roslaunch()
     simulator.spin()
+    return 0
 
 
 if __name__ == "__main__":
     try:
-        main()
-    except (InvalidValue, OSError) as error:  # OSError: of the fake bus's folder
+        lifecycle.main(main)
+    except OSError as error:  # of the fake bus's folder
         rospy.logfatal(printable(error))
         sys.exit(1)
     except rospy.ROSException:

@@ -8,7 +8,7 @@ import secrets
 import shutil
 import tempfile
 from pathlib import Path
-from typing import Optional, Union
+from typing import Iterable, Optional, Union
 
 Name = Union[str, Path]
 
@@ -79,7 +79,11 @@ def keep(file: Name) -> Optional[Path]:
     target = os.path.realpath(file)
     if not os.path.exists(target):
         return None
-    copies = (Path(f"{target}.{number}") for number in itertools.count(1))
-    copy = next(copy for copy in copies if not copy.exists())
+    copy = Path(first_unused(f"{target}.{number}" for number in itertools.count(1)))
     copy.write_bytes(read(target))
     return copy
+
+
+def first_unused(names: Iterable[str]) -> str:
+    """Return the first of these names that no file has."""
+    return next(name for name in names if not os.path.lexists(name))

@@ -14,13 +14,16 @@ class Pose(NamedTuple):
     y: float = 0.0
     yaw: float = 0.0
 
+    def advance(self, length: float, rotation: float) -> "Pose":
+        """Return the pose at the end of an arc, length in metres, rotation in radians. The yaw is not normalized."""
+        chord = length * math.sin(rotation / 2) / (rotation / 2) if rotation else length
+        heading = self.yaw + rotation / 2
+        return Pose(self.x + chord * math.cos(heading), self.y + chord * math.sin(heading), self.yaw + rotation)
+
     def integrate_arc(self, left: float, right: float, wheel_separation: float) -> "Pose":
         """Return the pose at the end of the arc on which the wheels roll ``left`` and ``right`` metres."""
-        rotation, arc = (right - left) / wheel_separation, (left + right) / 2
-        chord = arc * math.sin(rotation / 2) / (rotation / 2) if rotation else arc
-        heading = self.yaw + rotation / 2
-        return Pose(self.x + chord * math.cos(heading), self.y + chord * math.sin(heading),
-                    math.remainder(self.yaw + rotation, math.tau))
+        pose = self.advance(*unmix(left, right, wheel_separation))
+        return pose._replace(yaw=math.remainder(pose.yaw, math.tau))
 
 
 def from_frame(pose: Pose, point: Point) -> Point:
@@ -56,3 +59,8 @@ def mix(linear: float, angular: float, wheel_separation: float = 2.0, max_speed:
     turn = angular * (wheel_separation / 2)
     left, right = (linear - turn) / max_speed, (linear + turn) / max_speed
     return clamp(left, sys.float_info.max), clamp(right, sys.float_info.max)
+
+
+def unmix(left: float, right: float, wheel_separation: float = 2.0) -> Tuple[float, float]:
+    """Return the robot's motion (linear, angular) by that of its wheels: m/s and rad/s for m/s, m and rad for m."""
+    return left / 2 + right / 2, (right - left) / wheel_separation

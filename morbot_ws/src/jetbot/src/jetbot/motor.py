@@ -53,7 +53,7 @@ class Motor:
         speed = clamp(alpha * self.value, driver.limit)
         if abs(speed) < RESIDUE:
             return 0.0
-        return math.copysign(least + (most - least) * abs(speed), -speed if self._inverted else speed)
+        return math.copysign(duty(abs(speed), least, most), -speed if self._inverted else speed)
 
     def speed_of(self, duty: float) -> float:
         """Return the speed at which the wheel turns with this duty, both positive forward; 1 at full power.
@@ -68,11 +68,17 @@ class Motor:
         return -output if self._inverted else output
 
 
-def turn_cut_off(left: Motor, right: Motor, driver: MotorDriver) -> bool:
-    """Return whether both wheels are at their limit, the same way, although they were commanded different speeds.
+def duty(speed: float, min_duty: float, max_duty: float = 1.0) -> float:
+    """Return the duty of a wheel at a speed in (0, 1]. What its motor then turns is proportional to this duty."""
+    return min_duty + (max_duty - min_duty) * speed
+
+
+def is_cut_off(left: Motor, right: Motor, driver: MotorDriver) -> bool:
+    """Return whether both wheels are at their limit, the same way, although a turn, or more than that, was commanded.
 
     Never with a board that controls the speeds of its wheels itself.
     """
     speeds = [motor.alpha * motor.value for motor in (left, right)]
     saturated = min(speeds) >= driver.limit or max(speeds) <= -driver.limit
-    return saturated and left.value != right.value and not driver.closed_loop
+    beyond = left.value != right.value or abs(left.value) > driver.limit
+    return saturated and beyond and not driver.closed_loop

@@ -4,14 +4,15 @@ import atexit
 import contextlib
 import os
 import threading
+import time
 from typing import Callable, Dict, Iterable, List, Optional, Tuple, Union
 
 from .boards import DEFAULT_PORT, DEFAULT_PWM_FREQUENCY, find_board
 from .connection import locate, open_board
 from .errors import GuardError, InvalidValue, JetbotError
-from .guard import Guard, NoGuard
+from .guard import PING_INTERVAL, Guard, NoGuard
 from .kinds import BOOLEAN, FINITE, PWM_FREQUENCY
-from .motor import Motor, turn_cut_off
+from .motor import Motor, is_cut_off
 
 STOPPED = (0.0, 0.0)  # what the driver is given for two motors that are off
 
@@ -54,6 +55,7 @@ class Robot:
         self._lock = threading.RLock()  # a signal handler may come in between, in the same thread
         self.resumes = True  # False: a board that has lost its speeds is left stopped until the next command
         self._closed = False
+        self._watched = not guard  # whether the loss of the guard would be noticed
         row = find_board(board, i2c_address)
         place = locate(row, i2c_bus, port)
         self.driver = open_board(row, place, pwm_frequency)
@@ -98,6 +100,7 @@ class Robot:
         Once called, it must be called again within a second, or the wheels stop; ``driver.keep_alive_interval`` is how
         often the board wants it.
         """
+        self._watched = True
         with self._lock:
             try:
                 self._update(self.driver.keep_alive)
@@ -145,12 +148,15 @@ class Robot:
 
     @property
     def at_full_power(self) -> bool:
-        """Whether both wheels are at full power, or max_duty, the same way: the turn that was commanded is cut off."""
-        return turn_cut_off(self.left_motor, self.right_motor, self.driver)
+        """Whether both wheels are at full power, or max_duty, the same way, and a turn or more speed was commanded."""
+        return is_cut_off(self.left_motor, self.right_motor, self.driver)
 
     def _drive(self, speeds: Dict[Motor, float]) -> None:
         """Drive these wheels at new speeds; the other one keeps its own. Wait for the guard, with stopped wheels."""
         speeds = {motor: self._checked(speed) for motor, speed in speeds.items()}
+        if any(speeds.values()) and not self._watched:
+            threading.Thread(target=self._watch_guard, daemon=True).start()
+            self._watched = True
         self._speeds.update(speeds)  # both at once: a signal handler or another thread may come at any moment
         with self._lock:
             if not self._update():
@@ -172,6 +178,14 @@ class Robot:
             self._clear_speeds()
             raise
         self._update()
+
+    def _watch_guard(self):
+        """Stop the wheels of a program that only waits when its guard is lost; the next command replaces that."""
+        while not self._closed:
+            time.sleep(PING_INTERVAL)
+            with contextlib.suppress(JetbotError), self._lock:
+                if not (self._closed or self._guard.is_up()):
+                    self._update()
 
     def _update(self, action: Callable[[], None] = lambda: None) -> bool:
         """Run the action, then give the driver the speeds that are commanded, or 0 if there is no guard.

@@ -1,4 +1,4 @@
-"""The one waiting loop of this project."""
+"""Waits for a condition, no longer than a time limit."""
 
 import time
 from typing import Callable

@@ -45,7 +45,7 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
     return robot
 
 
-def make_report(supervisor: Supervisor, parameters: Dict[str, object]) -> Report:
+def start_reporting(supervisor: Supervisor, parameters: Dict[str, object]) -> Report:
     """Return the Report on the robot. What it gets, measures and does is published from now on."""
     supply = find_supply(supervisor.robot.driver.link)
     supply_watch = SupplyWatch(supply, parameters["acceleration_limit"])

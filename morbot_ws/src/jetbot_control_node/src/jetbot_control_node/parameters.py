@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Collection, Dict, Optional, Union
 
 from jetbot import InvalidValue, fake, files
-from jetbot.boards import BOARDS, DEFAULT_PORT, find_board
+from jetbot.boards import BOARDS, DEFAULT_PORT, DEFAULT_PWM_FREQUENCY, find_board
 from jetbot.host import ros_home
 from jetbot.kinds import (
     ADDRESS,
@@ -18,6 +18,7 @@ from jetbot.kinds import (
     PWM_FREQUENCY,
     SECONDS,
     Kind,
+    check_duties,
 )
 from jetbot.text import enumeration
 from jetbot_ros.node_parameters import Parameter, check_values, given
@@ -55,8 +56,8 @@ PARAMETERS = {
                                       "steers"),
     "acceleration_limit": Parameter(0.0, NON_NEGATIVE, "largest increase of a wheel's speed per second; 0: no limit. "
                                                        "Stops are immediate", "m/s^2"),
-    "pwm_frequency": Parameter(1526, PWM_FREQUENCY, "frequency of the PWM of a PCA9685, 24 to 1526; motors start at a "
-                                                    "lower duty where it is low", "Hz"),
+    "pwm_frequency": Parameter(DEFAULT_PWM_FREQUENCY, PWM_FREQUENCY, "frequency of the PWM of a PCA9685, 24 to 1526; "
+                               "motors start at a lower duty where it is low", "Hz"),
     "publish_odom": Parameter(False, BOOLEAN, "true: a board that measures nothing publishes odom and joint_states "
                                               "from what the wheels are given"),
     "publish_tf": Parameter(False, BOOLEAN, "true: the node that publishes odom also publishes tf "
@@ -134,7 +135,9 @@ def find_file(config: object, simulated: Collection[str]) -> str:
 
 def checked(values: Dict[str, object]) -> Dict[str, object]:
     """Return all parameters: the values that are given, else the defaults. Raise InvalidValue for a bad value."""
-    return check_values(values, PARAMETERS)
+    values = check_values(values, PARAMETERS)
+    check_duties(values["min_duty"], values["max_duty"])
+    return values
 
 
 def place_of(board: str) -> str:

@@ -16,18 +16,23 @@ import time
 from typing import Callable, Dict, List
 
 LACKS = (errno.ENOMEM, errno.ENFILE, errno.EMFILE, errno.ENOSPC, errno.EAGAIN)
+WORDS = ("start new thread", "failed to map", "annot allocate", "Too many open files")  # of errors without a number
 ADVICE = "Is this computer out of memory, processes, file descriptors or disk space?"
 
-START_TIMEOUT = 1.0  # s
+START_TIMEOUT = 1.0   # s
+REPORT_TIMEOUT = 1.0  # s, more than ``before_end`` takes in a node that leaves
 
 before_end: List[Callable[[], None]] = []  # called before the process ends; each may take a moment
+_advice = [ADVICE]
 _ending, _unwritten = threading.Event(), threading.Event()
 _starting: Dict[threading.Thread, float] = {}
 _start = threading.Thread.start
 
 
-def install() -> None:
-    """From now on, end this process when something in it breaks."""
+def install(advice: str = ADVICE) -> None:
+    """From now on, end this process when something in it breaks. Call it before other imports: those may fail, too."""
+    _advice[:] = [advice]
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # numpy, which rospy imports, would start one for each core
     threading.excepthook = _thread_has_failed
     threading.Thread.start = _start_or_end
     sys.excepthook = _program_has_failed
@@ -45,16 +50,30 @@ def lasting(function: Callable, is_over: Callable[[], bool]) -> Callable:
     return run
 
 
+def vital(function: Callable) -> Callable:
+    """Return the function; a lack of resources in it ends the process, whatever its caller does with errors."""
+    def run(*arguments, **options):
+        try:
+            return function(*arguments, **options)
+        except Exception as error:
+            if is_lack(error):
+                end(_described(error))
+            raise
+    return run
+
+
 def end(reason: object) -> None:
     """Report the reason in one line, and end this process."""
     if _ending.is_set():
         return
     _ending.set()
-    for act in before_end:
-        with contextlib.suppress(Exception):
-            act()
-    _print(f"[FATAL] {os.path.basename(sys.argv[0])} ends: {reason}. {ADVICE}")
-    os._exit(1)
+    try:
+        for act in before_end:
+            with contextlib.suppress(Exception):
+                act()
+        _print(f"[FATAL] {os.path.basename(sys.argv[0])} ends: {reason}.", *_advice)
+    finally:
+        os._exit(1)
 
 
 def check_starts() -> None:
@@ -63,9 +82,17 @@ def check_starts() -> None:
         end("a thread does not start")
 
 
-def has_failed() -> bool:
-    """Return whether this process ends because something in it broke."""
-    return _ending.is_set()
+def leave(code: int) -> None:
+    """End this process now, with 1 if something in it broke: the thread that reports that ends it."""
+    if _ending.is_set():
+        time.sleep(REPORT_TIMEOUT)
+    os._exit(1 if _ending.is_set() else code)
+
+
+def is_lack(error: BaseException) -> bool:
+    """Return whether the error says that this computer, or this process, lacks memory, threads, files or disk space."""
+    return (isinstance(error, (MemoryError, SystemError)) or getattr(error, "errno", None) in LACKS
+            or isinstance(error, (ImportError, RuntimeError)) and any(words in str(error) for words in WORDS))
 
 
 def _start_or_end(thread):
@@ -88,8 +115,7 @@ def _thread_has_failed(failure):
 
 def _program_has_failed(kind, error, traceback):
     """Report a lack of resources in one line; anything else as Python does."""
-    lacks = isinstance(error, MemoryError) or getattr(error, "errno", None) in LACKS
-    if lacks or isinstance(error, ImportError) and "cannot open shared" not in str(error) and error.name is None:
+    if is_lack(error):
         end(_described(error))
     sys.__excepthook__(kind, error, traceback)
 
@@ -105,7 +131,7 @@ def _described(error):
     return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
 
 
-def _print(line):
+def _print(*words):
     with contextlib.suppress(OSError, ValueError):
         if select.select([], [2], [], 0)[1]:  # else nobody reads: a full pipe, a terminal after Ctrl-S
-            os.write(2, f"{line}\n".encode(errors="replace"))
+            os.write(2, f"{' '.join(words)}\n".encode(errors="replace"))

@@ -6,13 +6,13 @@ import os
 PARENT = os.getppid()  # before all imports that take a while: roslaunch may be killed meanwhile
 
 import contextlib
+import functools
 import sys
-from typing import Dict
-
-from jetbot.errors import EXHAUSTED, OutOfResources
+from typing import BinaryIO, Dict
 
 LAUNCHED = any(argument.startswith("__log:=") for argument in sys.argv)  # roslaunch adds this argument
 
+STAT_SIZE = 200  # bytes; state and parent are among the first
 STOPPED = "T"  # a state of proc(5): by SIGSTOP or Ctrl-Z, not by a debugger
 
 
@@ -34,21 +34,21 @@ class Launcher:
 
 
 def ancestors() -> Dict[int, str]:
-    """Return the ids of the processes above this one, the parent first, with their states by proc(5).
-
-    Raise OutOfResources without a file descriptor: then no emergency stop could connect either.
-    """
+    """Return the ids of the processes above this one, the parent first, with their states by proc(5)."""
     chain, pid = {}, os.getppid()
     try:
         while pid:
-            with open(f"/proc/{pid}/stat", "rb", buffering=0) as stat:
-                state, parent = stat.read().rpartition(b")")[2].split()[:2]
+            state, parent = os.pread(stat_file(pid).fileno(), STAT_SIZE, 0).rpartition(b")")[2].split()[:2]
             chain[pid] = state.decode()
             pid = int(parent)
-    except OSError as error:  # it has just ended, or there is no /proc
-        if error.errno in EXHAUSTED:
-            raise OutOfResources(error) from None
+    except (OSError, ValueError):  # it has just ended, or there is no /proc
+        stat_file.cache_clear()
     return chain
+
+
+@functools.lru_cache(maxsize=100)  # to open it takes longer than all the rest, four times a second
+def stat_file(pid: int) -> BinaryIO:
+    return open(f"/proc/{pid}/stat", "rb", buffering=0)
 
 
 def runs_python(pid: int) -> bool:

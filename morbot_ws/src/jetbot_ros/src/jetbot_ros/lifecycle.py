@@ -1,32 +1,40 @@
 """The start and the end of a node: one clear error at most, no wait for a master that hangs, no stranger's message."""
 
 import contextlib
-import os
 import re
 import socket
 import struct
 import sys
 import threading
-from typing import Callable
+import time
+from typing import Callable, Dict, Optional, Tuple
 from urllib.parse import urlsplit
 
 import rosgraph
 import rospy
+from rospy.exceptions import TransportException
+from rospy.impl import tcpros_pubsub
 from rospy.impl.masterslave import ROSHandler
-from rospy.impl.registration import RegManager
-from rospy.impl.tcpros_base import TCPROSServer, TCPServer
+from rospy.impl.registration import RegManager, get_topic_manager
+from rospy.impl.tcpros_base import TCPROSServer, TCPROSTransport, TCPServer
 from rospy.impl.tcpros_pubsub import TCPROSHandler
 
 from jetbot import InvalidValue, JetbotError
 from jetbot.host import is_loopback, is_this_host
 
 from . import failures
-from .master import require_master, require_name
+from .master import NO_ANSWER, NOT_ANSWERING, BoundedTransport, master_uri, require_master, require_name, system_state
 from .node_parameters import fake_advice, public_words
 
+MASTER_TIMEOUT = 5.0  # s for an answer to rospy
 HEADER_TIMEOUT = 5.0  # s that a connection may pause in its header
 MAX_HEADER = 2 ** 20  # bytes; it holds the definition of a message
 WARN_INTERVAL = 10.0  # s
+RECONNECT_DELAY = 0.1     # s until a publisher that ends no longer takes connections
+RECONNECT_INTERVAL = 1.0  # s between two connections to a publisher that breaks them off
+
+# By topic and publisher's address, the name of the program there, until it ends: what it latches, it has sent before.
+heard: Dict[Tuple[str, str], str] = {}
 
 
 def init_node(name: str) -> None:
@@ -38,8 +46,13 @@ def init_node(name: str) -> None:
     require_name(rosgraph.names.resolve_name(rospy.names.get_mappings().get("__name", name), rospy.get_caller_id()))
     stay_on_this_host()
     bound_headers()
+    bound_questions()
+    reconnect()
+    connect_once()
     for kind, method in (RegManager, "start"), (TCPServer, "run"):  # rospy's threads that connect to others, and accept
         setattr(kind, method, failures.lasting(getattr(kind, method), rospy.core.is_shutdown_requested))
+    for owner, step in (socket.socket, "__init__"), (socket.socket, "connect"), (socket, "getaddrinfo"):
+        setattr(owner, step, failures.vital(getattr(owner, step)))  # rospy would give a publisher up: a deaf node
     # rospy's own signal handlers talk to the master before anything stops, and wait forever if that hangs.
     rospy.init_node(name, argv=public_words(), disable_signals=True)
     namespace = rospy.get_namespace()
@@ -70,11 +83,70 @@ def stay_on_this_host() -> None:
     ROSHandler._connect_topic, TCPROSHandler.create_transport = connect_topic_here, create_transport_here
 
 
+def reconnect() -> None:
+    """Connect again to a publisher whose connection breaks off while it runs: rospy would stay deaf to it."""
+    receive = tcpros_pubsub.robust_connect_subscriber
+
+    def receive_and_reconnect(connection, host, port, publisher, callback, topic):
+        began = time.monotonic()
+        receive(connection, host, port, publisher, callback, topic)
+        while connection:
+            time.sleep(max(RECONNECT_DELAY, began + RECONNECT_INTERVAL - time.monotonic()))
+            began, connection = time.monotonic(), connect_again(connection, host, port, topic)
+            if connection:
+                connection.receive_loop(callback)
+
+    tcpros_pubsub.robust_connect_subscriber = receive_and_reconnect
+
+
+def connect_again(broken: TCPROSTransport, host: str, port: int, topic: str) -> Optional[TCPROSTransport]:
+    """Return a new connection to the publisher of a broken one, or None if that has ended, or is connected already.
+
+    It is asked where it publishes, and not at its XML-RPC port: Linux may have given that out again, and a program that
+    gets such a question where it publishes takes no connection any more.
+    """
+    subscriber = get_topic_manager().get_subscriber_impl(topic)
+    if not subscriber:
+        return None
+    subscriber.remove_connection(broken)  # rospy forgets that if a publisher ends before it has answered
+    with contextlib.suppress(*NO_ANSWER, TransportException):
+        if broken.callerid_pub not in system_state()[0].get(topic, ()):
+            heard.pop((topic, broken.endpoint_id), None)
+            return None
+        if subscriber.has_connection(broken.endpoint_id):
+            return None
+        new = TCPROSTransport(tcpros_pubsub.TCPROSSub(topic, subscriber.data_class, subscriber.queue_size,
+                                                      subscriber.buff_size, subscriber.tcp_nodelay), topic)
+        new.connect(host, port, broken.endpoint_id, HEADER_TIMEOUT)
+        if new.callerid_pub == broken.callerid_pub and subscriber.add_connection(new):
+            return new
+        new.close()
+    return None
+
+
+def connect_once() -> None:
+    """Connect to a publisher once, also if several threads do: rospy would drop the first connection, and its order."""
+    create_transport, lock = TCPROSHandler.create_transport, threading.Lock()
+
+    def create_first_transport(handler, topic, address, protocol):
+        with lock:
+            if get_topic_manager().get_subscriber_impl(topic).has_connection(address):
+                return 1, "connected already", 0
+            return create_transport(handler, topic, address, protocol)
+
+    TCPROSHandler.create_transport = create_first_transport
+
+
 def refuse(address: object) -> tuple:
     """Log that the publisher at this address is of another host; return what rospy takes for a failure."""
     rospy.logwarn_throttle(WARN_INTERVAL, f"refused a publisher at {str(address)[:80]!a}: "
                                           "ROS_HOSTNAME limits this robot to its own computer")
     return 0, "of another host", 0
+
+
+def bound_questions() -> None:
+    """Let no question of rospy's wait forever for a frozen master. A registration is tried again, others fail."""
+    rospy.core.xmlrpcapi(rosgraph.get_master_uri())._ServerProxy__transport = BoundedTransport(MASTER_TIMEOUT)
 
 
 def bound_headers() -> None:
@@ -99,7 +171,7 @@ def leave(code: int) -> None:
     """End the process now: rospy's threads, which have nothing left to do, would take another second."""
     with contextlib.suppress(OSError):  # the terminal is closed
         sys.stdout.flush()
-    os._exit(1 if failures.has_failed() else code)
+    failures.leave(code)
 
 
 def main(start: Callable[[], int]) -> None:
@@ -109,8 +181,12 @@ def main(start: Callable[[], int]) -> None:
     except JetbotError as error:
         rospy.logfatal(error.text(fake_advice))
         sys.exit(1)
-    except OSError as error:
+    except (OSError, rospy.ROSInitException) as error:
+        if failures.is_lack(error):
+            raise
         require_master()  # it may have ended meanwhile
+        if isinstance(error, (socket.timeout, rospy.ROSInitException)):  # or have been frozen
+            sys.exit(NOT_ANSWERING.format(master_uri()))
         if isinstance(error, BrokenPipeError):  # `| head`: nobody reads the log
             leave(1)
         raise

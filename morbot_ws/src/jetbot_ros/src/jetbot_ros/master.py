@@ -1,5 +1,6 @@
 """All questions to the ROS master and to nodes, each with a time limit: rospy would wait forever. Quick to import."""
 
+import errno
 import io
 import os
 import socket
@@ -13,6 +14,7 @@ from xmlrpc.client import Error, ServerProxy, Transport
 TIMEOUT = 2.0             # s for an answer
 MAX_ANSWER = 1024 * 1024  # bytes
 CALLER = "/morbot"
+NOT_ANSWERING = "The ROS master at {} does not answer. Is it frozen (Ctrl-Z)? Continue it with fg, or restart it."
 ALIVE, FROZEN = "is already running", "is already running, but frozen (Ctrl-Z?)"
 # Raised by a question to what hangs (socket.timeout), is gone, refuses (LookupError), or is no ROS program at all.
 NO_ANSWER = (OSError, HTTPException, Error, ExpatError, ValueError, TypeError, LookupError)
@@ -34,6 +36,12 @@ class BoundedTransport(Transport):
         connection = super().make_connection(host)
         connection.timeout = self._timeout
         return connection
+
+    def request(self, *arguments, **options):
+        try:
+            return super().request(*arguments, **options)
+        except socket.timeout:
+            raise socket.timeout(errno.ETIMEDOUT, "no answer") from None  # both: rospy unpacks a number and a text
 
     def parse_response(self, response):
         return super().parse_response(io.BytesIO(response.read(MAX_ANSWER)))
@@ -107,8 +115,7 @@ def require_master(start: str = "roscore") -> None:
     try:
         ask_master("getPid")
     except socket.timeout:
-        sys.exit(f"The ROS master at {master_uri()} does not answer. Is it frozen (Ctrl-Z)? Continue it with fg, or "
-                 "restart it.")
+        sys.exit(NOT_ANSWERING.format(master_uri()))
     except NO_ANSWER:
         sys.exit(f"No ROS master at {master_uri()}. Start one in another terminal: {start}")
 

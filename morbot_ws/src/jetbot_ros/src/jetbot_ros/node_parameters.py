@@ -10,7 +10,8 @@ from typing import Collection, Dict, List, NamedTuple
 import yaml
 
 from jetbot import InvalidValue
-from jetbot.kinds import Kind, check_duties
+from jetbot.kinds import Kind
+from jetbot.text import closest
 
 from .launcher import LAUNCHED
 
@@ -29,14 +30,13 @@ def check_values(values: Dict[str, object], parameters: Dict[str, Parameter]) ->
     values = given(values)
     unknown = sorted(set(values) - set(parameters), key=str)
     if unknown:
-        raise InvalidValue(f"there is no parameter {unknown[0]}", f"The parameters are {', '.join(parameters)}.")
+        meant = closest(str(unknown[0]), parameters)
+        raise InvalidValue(f"there is no parameter {unknown[0]}",
+                           f"Do you mean {meant}?" if meant else f"The parameters are {', '.join(parameters)}.")
     for name, row in parameters.items():
         if name in values:
             row.kind.check(f"the parameter {name}", values[name])
-    values = {name: values.get(name, row.default) for name, row in parameters.items()}
-    if "max_duty" in values:
-        check_duties(values["min_duty"], values["max_duty"])
-    return values
+    return {name: values.get(name, row.default) for name, row in parameters.items()}
 
 
 def given(values: Dict[str, object]) -> Dict[str, object]:
@@ -56,7 +56,9 @@ def private_parameters(node: str, on_master: object, known: Collection[str]) -> 
     its underscore, and for an unknown name that somebody has put on the master.
     """
     typed = {}
-    for word in sys.argv[1:]:
+    for before, word in zip(sys.argv, sys.argv[1:]):
+        if before.endswith(":=") and ":=" not in word:
+            raise InvalidValue(f"{before} and {word} are two words", f"Type them as one: {before}{word}")
         typed.update(parse_word(word, known))
     stored = from_master(on_master, LAUNCHED)
     unknown = [] if LAUNCHED else sorted(set(stored) - set(known))  # roslaunch would put it there again

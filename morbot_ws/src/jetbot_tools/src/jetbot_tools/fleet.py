@@ -21,14 +21,17 @@ class Fleet:
         self._engaged = engaged
         self._publisher = rospy.Publisher(TOPIC, Bool, queue_size=1, latch=True)  # for robots that join meanwhile too
         self._publisher.publish(engaged)
+        self._listeners = 0
         self.statuses: Dict[str, str] = {}  # of each robot's node, "" until it arrives
 
     def wait(self, timeout: float) -> bool:
         """Return whether there are robots, and all confirm the emergency stop, or its release, within so many s.
 
-        Raise NO_ANSWER if the master does not answer.
+        A robot that was stopped before confirms at once: the message must reach it too, and a cockpit, which has to
+        know who stopped it. Raise NO_ANSWER if the master does not answer.
         """
-        return wait_until(lambda: self._find_robots() and not self.unconfirmed(), timeout, ASK_INTERVAL)
+        return wait_until(lambda: self._find_robots() and self._has_reached_all() and not self.unconfirmed(),
+                          timeout, ASK_INTERVAL)
 
     def unconfirmed(self) -> List[str]:
         """Return the nodes whose status is not the wanted one, or is not known."""
@@ -42,6 +45,9 @@ class Fleet:
             if not uri or not is_reachable(uri):
                 del self.statuses[name]
 
+    def _has_reached_all(self):
+        return sum(bool(each.stat_num_msg) for each in self._publisher.impl.connections) >= self._listeners
+
     def leave(self) -> None:
         """Unregister this node; the robots keep what they were told."""
         rospy.signal_shutdown("done")
@@ -49,6 +55,7 @@ class Fleet:
     def _find_robots(self):
         """Subscribe to the status of new robots; return all statuses."""
         publishers, subscribers, _ = system_state()
+        self._listeners = len(subscribers.get(TOPIC, ()))
         for name in subscribers.get(TOPIC, ()):
             if name in publishers.get(f"{name}/status", ()) and name not in self.statuses:
                 self.statuses[name] = ""

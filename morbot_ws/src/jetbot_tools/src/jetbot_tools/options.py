@@ -8,7 +8,7 @@ from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from typing import Iterable, List, Union
 
 from jetbot import InvalidValue, fake
-from jetbot.host import in_shell
+from jetbot.host import by_morbot, in_shell
 from jetbot.kinds import address_of
 from jetbot.text import closest, printable
 from jetbot_control_node.parameters import PARAMETERS
@@ -65,7 +65,8 @@ def parse(parser: ArgumentParser, arguments: List[str]) -> Namespace:
     options, unknown = parser.parse_known_args(as_options(arguments))
     if unknown:
         typed = next(word for word in arguments if as_options([word])[0] in unknown)
-        sys.exit(printable(unknown_word(typed, parser.prog, vars(options))))
+        program = by_morbot(parser.prog.partition(".")[0], parser.prog)
+        sys.exit(printable(unknown_word(typed, program, vars(options))))
     return options
 
 

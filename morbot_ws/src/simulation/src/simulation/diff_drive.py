@@ -3,7 +3,7 @@
 import math
 from typing import Dict, NamedTuple, Tuple
 
-from jetbot.kinematics import FULL_SPEED, WHEEL_RADIUS, WHEEL_SEPARATION, Pose, mix
+from jetbot.kinematics import FULL_SPEED, WHEEL_RADIUS, WHEEL_SEPARATION, Pose, mix, unmix
 
 from .world import EMPTY, RADIUS, World
 
@@ -95,9 +95,9 @@ class DiffDriveModel:
 
         They are duties in [-1, 1]; of a closed loop, m/s of wheels that are 2 m apart.
         """
-        left, right = speeds
         if self._closed_loop:
-            left, right = mix((left + right) / 2, (right - left) / 2, self._body.wheel_separation, self._body.max_speed)
+            speeds = mix(*unmix(*speeds), self._body.wheel_separation, self._body.max_speed)
+        left, right = speeds
         left, right = self.left.step(left, seconds, pwm_frequency), self.right.step(right, seconds, pwm_frequency)
         if left or right:
             self._drive(left, right)
@@ -129,8 +129,7 @@ class DiffDriveModel:
     @property
     def velocity(self) -> Tuple[float, float]:
         """The velocity (linear in m/s, angular in rad/s) in the robot's own frame."""
-        left, right = self.left.speed, self.right.speed
-        return (left + right) / 2, (right - left) / self._body.wheel_separation
+        return unmix(self.left.speed, self.right.speed, self._body.wheel_separation)
 
     @property
     def joints(self) -> Tuple[Pair, Pair]:

@@ -3,20 +3,19 @@
 from typing import Dict
 
 from jetbot import fake
-from jetbot.boards import BOARDS, find_board
+from jetbot.boards import find_board
 from jetbot.connection import locate
 from jetbot.kinds import ADDRESS, FRACTION, NUMBER, POSITIVE, SECONDS, Kind
 from jetbot_control_node import parameters as controller
-from jetbot_control_node.parameters import is_fake_place
 from jetbot_ros.node_parameters import Parameter, check_values, given
 
 from .diff_drive import JETBOT
 
 SHARED = ("board", "i2c_address", "publish_odom")  # that the controller's file may hold
-FAKE = Kind(is_fake_place, "fake, or fake:FOLDER")
+FAKE = Kind(controller.is_fake_place, "fake, or fake:FOLDER")
 
 PARAMETERS = {
-    "board": Parameter("jetbot", Kind(lambda value: value in list(BOARDS), f"one of {', '.join(BOARDS)}"),
+    "board": Parameter("jetbot", controller.BOARD,
                        "motor board that the controller drives; jetbot is simulated with Adafruit's layout"),
     "i2c_bus": Parameter("fake", FAKE, "I2C bus that the controller drives: fake or fake:FOLDER"),
     "i2c_address": Parameter(None, ADDRESS, "I2C address of the board that the controller drives"),

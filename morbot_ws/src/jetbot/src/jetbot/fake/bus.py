@@ -14,6 +14,7 @@ Chips stay powered when the process that uses them ends. By hand:
 
 import errno
 import fcntl
+import functools
 import os
 import time
 from pathlib import Path
@@ -108,9 +109,16 @@ def act(descriptor, file, address, action):
     registers = bytearray(before)
     result = action(chip, registers)
     if result is None:  # a write; the file's time is then that of the last write
-        changed = [i for i, old in enumerate(before) if registers[i] != old] or [0]
-        os.pwrite(descriptor, registers[changed[0]:changed[-1] + 1], changed[0])
+        first, end = span_of_changes(before, registers)
+        os.pwrite(descriptor, registers[first:end], first)
     return result
+
+
+def span_of_changes(before: bytes, after: bytes) -> Tuple[int, int]:
+    """Return from where to where two sequences of one length differ; (0, 1) if they do not."""
+    changed = int.from_bytes(before, "little") ^ int.from_bytes(after, "little")  # faster than byte by byte
+    lowest = changed & -changed
+    return max(0, lowest.bit_length() - 1) // 8, max(1, (changed.bit_length() + 7) // 8)
 
 
 def read_registers(descriptor: int, file: str, size: int) -> bytes:
@@ -155,6 +163,7 @@ def chip_of(address: Optional[int], size: int) -> type:
     return INA219 if size == len(INA219.POWER_ON) else chip_at(address)
 
 
+@functools.lru_cache(maxsize=None)
 def chip_at(address: Optional[int]) -> type:
     """Return the class of a motor board's chip at this address: a board's own, or a PCA9685; None: the serial port."""
     return next((chip_class(board.chip) for board in BOARDS.values() if board.address == address), PCA9685)

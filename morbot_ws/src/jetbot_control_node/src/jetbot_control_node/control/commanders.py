@@ -11,6 +11,7 @@ import rospy
 from rospy.topics import get_topic_manager
 
 from jetbot.wait import wait_until
+from jetbot_ros.lifecycle import heard
 from jetbot_ros.master import NO_ANSWER, address_of, ask, proxy, system_state
 
 from .state import Sender
@@ -62,7 +63,9 @@ class Commanders:
         number = before.number if interrupted else next(self._numbers)
         self._senders[connection] = Sender(name, latched, manual=name.rpartition("/")[2] == MANUAL_NODE, number=number)
         self._headers[id(header)] = connection
-        return self._senders[connection]._replace(old=latched and (older or interrupted))
+        place = self._topic, connection.endpoint_id
+        again, heard[place] = heard.get(place) == name, name
+        return self._senders[connection]._replace(old=latched and (older or again))
 
     def settle(self) -> List[Any]:
         """Wait, a second at most, until each older program has delivered what it has latched, or has nothing latched.
@@ -113,8 +116,9 @@ class Commanders:
 
     def _ask(self, supervisor):
         while not rospy.is_shutdown():
+            supervisor.asking.wait()
             time.sleep(ASK_INTERVAL)
-            sender, asked_at = supervisor.state.held_for, time.monotonic()
+            sender, asked_at = supervisor.state.must_answer, time.monotonic()
             connection = sender and next((each for each, known in list(self._senders.items())
                                           if known.number == sender.number), None)
             if connection and self._answers(connection):

@@ -4,7 +4,7 @@ import math
 from typing import Dict, Tuple
 
 from jetbot.boards import MotorDriver
-from jetbot.kinematics import WHEEL_SEPARATION, clamp, mix
+from jetbot.kinematics import WHEEL_SEPARATION, clamp, mix, unmix
 
 from .state import STOPPED
 
@@ -50,8 +50,8 @@ class Ramp:
         if fraction >= 1:
             self._given = self._wanted
             return velocity
-        self._given = left, right = tuple(fraction * speed for speed in self._wanted)
-        return left / 2 + right / 2, (right - left) / self._separation
+        self._given = tuple(fraction * speed for speed in self._wanted)
+        return unmix(*self._given, self._separation)
 
     def _fraction(self, gain):
         """Return how much of the wanted speeds both wheels reach if neither gets faster by more than ``gain`` m/s."""

@@ -3,11 +3,10 @@
 import math
 from typing import Dict, List, NamedTuple, Optional, Set, Tuple
 
-from jetbot_ros.holds import HOLDS, Hold
+from jetbot_ros.holds import HOLDS, MANUAL_PRIORITY, Hold
 
 STOPPED = (0.0, 0.0)
 ANSWER_TIMEOUT = 1.0  # s that a program whose command is held may leave unanswered whether it still runs
-MANUAL_PRIORITY = 5.0  # s after a manual command in which those of other programs are ignored
 MAX_ENDED = 100       # numbers of ended connections that are kept
 RECENT = 1.5  # s between commands of two programs that contradict each other
 
@@ -59,8 +58,8 @@ class State(NamedTuple):
         return self.velocity != STOPPED
 
     @property
-    def held_for(self) -> Optional[Sender]:
-        """The sender whose command is driven without being repeated, or None."""
+    def must_answer(self) -> Optional[Sender]:
+        """The sender that must be asked whether it runs, as its command is driven without being repeated; or None."""
         return self.sender if self.driving and (self.sender.latched or not self.timeout) else None
 
     @property
@@ -68,7 +67,7 @@ class State(NamedTuple):
         """When ``check_timeout`` stops the robot, if nothing happens before."""
         if not self.driving:
             return math.inf
-        return self.confirmed_at + ANSWER_TIMEOUT if self.held_for else self.commanded_at + self.timeout
+        return self.confirmed_at + ANSWER_TIMEOUT if self.must_answer else self.commanded_at + self.timeout
 
     def is_manual(self, now: float) -> bool:
         """Return whether only manual commands count at the time ``now``."""
@@ -112,7 +111,7 @@ class State(NamedTuple):
 
     def confirm(self, sender: Optional[Sender], asked_at: float) -> "State":
         """This program has answered a question that was asked at ``asked_at``."""
-        if not sender or not self.held_for or sender.number != self.held_for.number:
+        if not sender or not self.must_answer or sender.number != self.must_answer.number:
             return self
         return self._replace(confirmed_at=max(asked_at, self.confirmed_at))
 
@@ -127,7 +126,7 @@ class State(NamedTuple):
         """Some time has passed."""
         if now < self.deadline:
             return self
-        return self._stop(f"{self.sender.name} does not answer" if self.held_for else
+        return self._stop(f"{self.sender.name} does not answer" if self.must_answer else
                           f"no command for {self.timeout:.1f} s (repeat it: rostopic pub -r 10)")
 
     def _stop(self, cause: str) -> "State":

@@ -43,6 +43,7 @@ class Supervisor:
 
     drive: drives the robot at (linear, angular). ramp: limits how fast the wheels speed up. ``watchers`` are called
     with each Step that differs from the one before, and with each heartbeat; none may block or drive.
+    asking: set while the sender of the command that is driven must be asked whether it runs.
     faults: how often the board failed to answer; closed: whether ``run`` has ended, with the wheels stopped.
     """
 
@@ -52,6 +53,7 @@ class Supervisor:
         robot.resumes = not self._ramp.acceleration_limit  # else what the board has lost comes back by the ramp
         self.state, self.commands = State(cmd_vel_timeout), CommandLog()
         self.watchers: List[Callable[[Step], None]] = []
+        self.asking = threading.Event()
         self.faults, self.closed = 0, False
         self._lock = threading.Lock()  # held while ``state`` is replaced, never during a transfer
         self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
@@ -105,7 +107,7 @@ class Supervisor:
         """Drive until ``end``, then close the robot. Raise JetbotError for what cannot be retried."""
         try:
             wait_until(lambda: self.robot.guarded or self._ending, GUARD_START_TIMEOUT)
-            self.confirm(self.state.held_for, time.monotonic())  # nobody was asked while the node started
+            self.confirm(self.state.must_answer, time.monotonic())  # nobody was asked while the node started
             woken = False
             while not self._ending:
                 woken = self._sleep_until(self.step(time.monotonic(), woken))
@@ -130,12 +132,13 @@ class Supervisor:
         woken: whether something has just happened, such as a command.
         """
         if now - self._stepped_at > FREEZE:
-            if self.state.held_for:  # no answer could arrive meanwhile; what was left of the time for one is left still
-                self.confirm(self.state.held_for, self.state.confirmed_at + now - self._due_at)
+            if self.state.must_answer:  # no answer could arrive meanwhile: the time left for one stays
+                self.confirm(self.state.must_answer, self.state.confirmed_at + now - self._due_at)
             self.robot.driver.invalidate()  # the guard may have stopped the wheels meanwhile
         self._stepped_at = now
         with self._lock:
             self.state = state = self.state.check_timeout(now)
+        (self.asking.set if state.must_answer else self.asking.clear)()
         interval = self.robot.driver.keep_alive_interval if state.driving else STOPPED_INTERVAL
         due = now >= self._kept_up_at + (min(interval, UPKEEP_AFTER_COMMAND) if woken else interval)
         velocity, fault = self._try_to_drive(state, now, due)

@@ -3,7 +3,7 @@
 from typing import NamedTuple, Tuple
 
 from jetbot.guard.process import HEARTBEAT_TIMEOUT
-from jetbot.kinematics import WHEEL_RADIUS, Pose
+from jetbot.kinematics import WHEEL_RADIUS, Pose, unmix
 from jetbot.motor import Motor
 
 from ..control.state import STOPPED
@@ -41,8 +41,7 @@ class Motion(NamedTuple):
     @property
     def velocity(self) -> Pair:
         """The robot's velocity: forward in m/s, to the left in rad/s."""
-        left, right = self.speeds
-        return (left + right) / 2, (right - left) / self.wheel_separation
+        return unmix(*self.speeds, self.wheel_separation)
 
     @property
     def joints(self) -> Tuple[Pair, Pair]:

@@ -4,6 +4,8 @@ import math
 from collections import deque
 from typing import Optional, Tuple
 
+from jetbot.kinematics import Pose, from_frame, to_frame
+
 COUNTER_RANGE = 0x10000  # mm and mrad after which the board's int16 counters wrap
 YAW_RANGE = 2000 * math.pi  # mrad: a board may also wrap its yaw at a full turn
 RESTART_RANGE = 100      # mm and mrad: the counters of a board that has just restarted are below
@@ -49,8 +51,8 @@ class PoseTracker:
         self._append_sample(now)
 
     def _integrate(self, dx, dy, turn):
-        dx, dy = rotate(dx, dy, self._rotation)
-        forward, _ = rotate(dx, dy, -(self.yaw + turn / 2))
+        dx, dy = from_frame(Pose(yaw=self._rotation), (dx, dy))
+        forward, _ = to_frame(Pose(yaw=self.yaw + turn / 2), (dx, dy))
         self.x, self.y, self.yaw = self.x + dx, self.y + dy, self.yaw + turn
         self._forward += forward
         self.path_length += abs(forward)
@@ -85,8 +87,3 @@ def unwrap(difference: int) -> int:
 def unwrap_yaw(difference: int) -> float:
     """Return the difference of two yaws, of a counter that may wrap as an int16 or at a full turn."""
     return min(unwrap(difference), math.remainder(difference, YAW_RANGE), key=abs)
-
-
-def rotate(x: float, y: float, angle: float) -> Tuple[float, float]:
-    """Return the vector x, y, turned to the left by an angle in rad."""
-    return x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle)

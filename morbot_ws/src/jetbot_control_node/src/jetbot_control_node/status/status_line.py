@@ -1,4 +1,4 @@
-"""What the robot does and why, in one sentence, rebuilt only when what it is made of has changed. No ROS here."""
+"""What the robot does and why, in one sentence: of each change, and looked at every LOOK_INTERVAL. No ROS here."""
 
 import math
 from typing import Callable, List, NamedTuple, Optional, Tuple

@@ -4,6 +4,7 @@ from typing import Dict, List, Optional, Sequence
 
 from jetbot import Robot
 from jetbot.text import enumeration
+from jetbot_ros.holds import WAITING
 
 from ..control.supervisor import Supervisor
 
@@ -31,11 +32,11 @@ def rivals_note(supervisor: Supervisor, now: float) -> Optional[str]:
 def waiting_remark(supervisor: Supervisor, now: float) -> Optional[str]:
     """Return a sentence if programs send commands while only manual ones count. Nobody need look at that."""
     waiting = supervisor.commands.waiting(now) if supervisor.state.is_manual(now) else []
-    return f"{listed(waiting)} {'wait' if len(waiting) > 1 else 'waits'} for the cockpit" if waiting else None
+    return f"{listed(waiting)} {'wait' if len(waiting) > 1 else 'waits'} {WAITING}" if waiting else None
 
 
 def full_power_note(robot: Robot) -> Optional[str]:
-    """Return a sentence if the robot turns less than commanded, because both wheels are at their limit."""
+    """Return a sentence if the robot turns or drives less than commanded, because both wheels are at their limit."""
     if not robot.at_full_power:
         return None
     return FULL_POWER if robot.left_motor.max_duty == 1 else MAX_DUTY

@@ -3,13 +3,12 @@
 import contextlib
 import threading
 import time
-from typing import Tuple
 
 import rospy
 from std_msgs.msg import Float32MultiArray, MultiArrayDimension, MultiArrayLayout
 
 from jetbot.boards import MotorDriver
-from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, clamp, mix
+from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, clamp, mix, unmix
 
 from ..control.state import STOPPED
 from ..control.supervisor import Step
@@ -17,8 +16,6 @@ from ..control.supervisor import Step
 CHANGING_INTERVAL = 0.1  # s between two messages, at least
 STEADY_INTERVAL = 1.0    # s, while nothing changes
 LABEL = "x, z, left, right"
-
-Pair = Tuple[float, float]
 
 
 class WheelsPublisher:
@@ -48,13 +45,7 @@ class WheelsPublisher:
                     time.sleep(CHANGING_INTERVAL)
 
     def _message(self):
-        velocity, duties = self._driven
-        wheels = fractions_of_full_power(duties) if self._closed_loop else duties
+        velocity, wheels = self._driven
+        if self._closed_loop:  # m/s, of wheels that are 2 m apart, become fractions of full power
+            wheels = (clamp(speed, 1.0) for speed in mix(*unmix(*wheels), WHEEL_SEPARATION, FULL_SPEED))
         return Float32MultiArray(MultiArrayLayout([MultiArrayDimension(LABEL, 4, 4)], 0), [*velocity, *wheels])
-
-
-def fractions_of_full_power(speeds: Pair) -> Pair:
-    """Return what the wheels (left, right) of a closed loop get, in [-1, 1]. speeds: of wheels that are 2 m apart."""
-    left, right = speeds
-    return tuple(clamp(speed, 1.0) for speed in
-                 mix((left + right) / 2, (right - left) / 2, WHEEL_SEPARATION, FULL_SPEED))

@@ -3,6 +3,8 @@
 import math
 from typing import Any, List, Mapping, NamedTuple
 
+from jetbot.motor import duty
+
 STEP = 0.022        # s between two calls to the robot, which feed its watchdogs
 RAMP_STEPS = 7      # until a gentle motion has its full speed, and until it has lost it
 START_SPEED = 0.08  # fraction of full power at which it starts and ends: above the dead band, so that each step counts
@@ -34,11 +36,6 @@ def gentle(left: float, right: float, seconds: float, min_duty: float = 0.0) -> 
     rising = [Step(left * part, right * part) for part in parts]
     ramp = 2 * STEP * sum(duty(abs(step.left), min_duty) for step in rising) / duty(abs(left), min_duty)
     return [*rising, *constant_speed(left, right, max(0.0, seconds - ramp)), *reversed(rising)]
-
-
-def duty(speed: float, min_duty: float) -> float:
-    """Return the duty of a wheel at a speed in (0, 1], as ``jetbot.motor`` has it. A motor's speed is proportional."""
-    return min_duty + (1 - min_duty) * speed
 
 
 def roll(metres: float, left: int, right: int, speed: float, parameters: Mapping[str, Any]) -> List[Step]:

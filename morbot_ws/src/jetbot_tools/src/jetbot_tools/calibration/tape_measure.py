@@ -5,10 +5,11 @@ from typing import Any, Callable, Dict, List, Optional
 
 from jetbot.errors import InvalidValue
 from jetbot.kinematics import WHEEL_SEPARATION
+from jetbot.motor import duty
 
 from ..terminal import YES_OR_NO, choose, number, offset
 from .corrections import ALPHAS, corrected, find_errors, proportional_alphas
-from .motions import DRIVE_SPEED, Step, duty, gentle, spin, square
+from .motions import DRIVE_SPEED, Step, gentle, spin, square
 
 DRIVE_TIME = 2.0  # s
 TURN = 720        # degrees

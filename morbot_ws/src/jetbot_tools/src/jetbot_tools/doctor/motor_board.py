@@ -6,7 +6,7 @@ import threading
 from typing import List, Optional, Sequence, Type, Union
 
 from jetbot import host
-from jetbot.boards import BOARDS, MotorDriver, find_board
+from jetbot.boards import BOARDS, MotorDriver, PwmMotors, find_board
 from jetbot.boards.jetbot_pro import JetBotPro
 from jetbot.connection import locate
 from jetbot.errors import BusError, JetbotError, NoAnswer
@@ -19,11 +19,12 @@ from .computer import Check
 
 TELEMETRY_TIMEOUT = 1.0  # s; a JetBot Pro sends many frames in that time
 
-# What to know of a board that was found at, or belongs to, an address. Waveshare's revisions:
+# What to know of a JetBot's own address. Waveshare's revisions:
 # https://github.com/dusty-nv/jetbot_ros/issues/31, https://github.com/NVIDIA-AI-IOT/jetbot/issues/314
-ADVICE = {0x60: "jetbot drives both layouts; Waveshare's boards from before August 2020 have Adafruit's.",
-          0x40: "A servo board answers in the same way: do not drive that."}
-CONDITION = "the chip at 0x{:02x} is Waveshare's Motor Driver HAT and no servo board"
+LAYOUTS = {0x60: "jetbot drives both layouts; Waveshare's boards from before August 2020 have Adafruit's."}
+SERVO_ADDRESSES = range(0x40, 0x60)  # a PCA9685 there may as well be a servo board's, whose own address is 0x40
+SERVO_ADVICE = "A servo board answers in the same way: do not drive that."
+CONDITION = "the chip at 0x{:02x} is the motor board {} and no servo board"
 CLOCK_STRETCHING = ("It stretches the clock, which a Raspberry Pi 4 or older mishandles. If transfers fail, write to "
                     "its config.txt dtparam=i2c_arm=off and dtoverlay=i2c-gpio,bus=3,i2c_gpio_sda=2,i2c_gpio_scl=3, "
                     "restart it, and use i2c_bus:=3")
@@ -79,7 +80,8 @@ def check_chip(bus: Union[int, str], address: int, board: str = "") -> Check:
         driver = driver_for(device)
         monitor = "" if driver else power_monitor(device)
     boards = boards_with(driver, address)
-    condition = CONDITION.format(address) if boards == ["waveshare_hat"] else ""
+    may_be_servos = boards and driver is PwmMotors and address in SERVO_ADDRESSES
+    condition = CONDITION.format(address, " or ".join(boards)) if may_be_servos else ""
     if board:
         boards = [board] if BOARDS[board].driver is driver else []
     if not boards:
@@ -88,8 +90,8 @@ def check_chip(bus: Union[int, str], address: int, board: str = "") -> Check:
         return Check(name, False, f"the chip that answers is {found}", clock_advice(address))
     own = BOARDS[boards[0]].address
     command = launch_command(board=boards[0], i2c_bus=bus, i2c_address=None if address == own else f"0x{address:02x}")
-    return Check(name, True, f"answers, and can be a board {' or '.join(boards)}", ADVICE.get(own) or clock_advice(own),
-                 command, condition)
+    advice = SERVO_ADVICE if condition else LAYOUTS.get(own) or clock_advice(own)
+    return Check(name, True, f"answers, and can be a board {' or '.join(boards)}", advice, command, condition)
 
 
 def clock_advice(address: int) -> str:

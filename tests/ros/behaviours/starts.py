@@ -1,0 +1,16 @@
+"""A program that starts with too little memory, or too few file descriptors, ends with one sentence."""
+
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, program, read
+
+LIMITS = ("--as=30000000", "--as=50000000", "--as=60000000", "--nofile=8")
+PROGRAMS = (CONTROLLER, program("simulation", "simulator.py"), program("jetbot_cockpit_server", "cockpit.py"),
+            program("jetbot_tools", "emergency_stop.py"))
+
+
+class Starts(RobotTest):
+    def test_with_too_little_each_program_says_so_and_ends(self):
+        for path in PROGRAMS:
+            for limit in LIMITS:
+                process = self.start("prlimit", limit, path)
+                code, printed = process.wait(START_TIMEOUT), read(process)
+                self.assertEqual((code, printed.count("\n")), (1, 1), f"{path} {limit}: {printed}")
