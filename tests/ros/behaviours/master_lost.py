@@ -50,6 +50,25 @@ class MasterLost(RobotTest):
         self.start("rostopic", "pub", "/emergency_stop", "std_msgs/Bool", "true", env=self.environment)
         self.wait_for_stop(within=START_TIMEOUT)
 
+    def test_a_robot_that_a_new_master_knows_by_a_parameter_alone_hears_the_emergency_stop(self):
+        node = self.controller_below()
+        self.start(program("workshop", "jetbot_motion_control.py"), env=self.environment)
+        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
+        name = "/jetbot_controller"
+        master = rosgraph.Master(name, self.environment["ROS_MASTER_URI"])
+        address = master.lookupNode(name)
+        publications, subscriptions, services = master.getSystemState()
+        for topic in (topic for topic, nodes in publications if name in nodes):
+            master.unregisterPublisher(topic, address)
+        for topic in (topic for topic, nodes in subscriptions if name in nodes):
+            master.unregisterSubscriber(topic, address)
+        for service in (service for service, nodes in services if name in nodes):
+            master.unregisterService(service, master.lookupService(service))
+        master.subscribeParam(address, "/rosout_disable_topics_generation")  # as rospy does with each log line
+        self.start("rostopic", "pub", "/emergency_stop", "std_msgs/Bool", "true", env=self.environment)
+        self.wait_for(lambda: "stopped: emergency stop" in read(node), START_TIMEOUT, "the emergency stop")
+        self.wait_for_stop(within=START_TIMEOUT)
+
     def test_a_node_below_a_frozen_master_starts_with_an_error_and_ends_in_time(self):
         node = self.controller_below()
         self.wait_for(lambda: "no command yet" in read(node), START_TIMEOUT, "the controller")

@@ -133,9 +133,16 @@ def require_name(node: str) -> None:
 
 
 def is_registered() -> bool:
-    """Return whether the master knows this node, and accepts new connections; raise NO_ANSWER."""
-    import rospy  # here: it takes long
-    return address_of(rospy.get_name()) == rospy.get_node_uri()
+    """Return whether the master knows all of this node, and accepts new connections; raise NO_ANSWER.
+
+    It is asked for what ``register`` makes known last: an address it may have from a log line, which reads a parameter.
+    """
+    from rospy.impl.registration import get_service_manager  # here: it takes long
+    name, uri = get_service_manager().get_services()[-1]
+    try:
+        return ask_master("lookupService", name) == uri
+    except LookupError:
+        return False
 
 
 def register() -> None:
@@ -145,7 +152,7 @@ def register() -> None:
     """
     import rospy  # here: it takes long
     from rospy.impl import registration
-    if condition_of(rospy.get_name()):
+    if address_of(rospy.get_name()) != rospy.get_node_uri() and condition_of(rospy.get_name()):
         return
     topics, services = registration.get_topic_manager(), registration.get_service_manager()
     for kind, items in ((registration.Registration.PUB, topics.get_publications()),
