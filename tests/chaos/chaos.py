@@ -13,6 +13,7 @@ import random
 import re
 import sched
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -238,6 +239,7 @@ def main() -> None:
     parser.add_argument("--keep", action="store_true", help="keep the logs")
     options = parser.parse_args()
     isolate()
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # else all that is started below nohup ignores a closed terminal
     scenes = [(options.seed + played // ROUNDS_PER_SCENE, min(ROUNDS_PER_SCENE, options.rounds - played), options.keep)
               for played in range(0, options.rounds, ROUNDS_PER_SCENE)]
     with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:

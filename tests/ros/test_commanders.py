@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from jetbot_control_node.control import commanders
-from jetbot_ros import lifecycle
+from jetbot_ros import rospy_repairs
 
 URI = "http://localhost:40000/"
 
@@ -35,7 +35,7 @@ def subscriber(monkeypatch):
     monkeypatch.setattr(commanders, "system_state", lambda: [{}])
     monkeypatch.setattr(commanders, "get_topic_manager",
                         lambda: SimpleNamespace(get_subscriber_impl=lambda topic: subscriber))
-    lifecycle.heard.clear()
+    rospy_repairs.heard.clear()
     return subscriber
 
 
@@ -44,5 +44,5 @@ def test_what_a_new_connection_to_the_same_address_delivers(subscriber, name, ol
     senders = commanders.Commanders("/cmd_vel")
     assert not senders.sender(subscriber.connect("/order")).old
     assert senders.sender(subscriber.connect(name)).old is old
-    lifecycle.heard.clear()  # as when the program has ended
+    rospy_repairs.heard.clear()  # as when the program has ended
     assert not senders.sender(subscriber.connect(name)).old

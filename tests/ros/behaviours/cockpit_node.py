@@ -13,7 +13,7 @@ from geometry_msgs.msg import Point
 from std_msgs.msg import String
 from visualization_msgs.msg import Marker, MarkerArray
 
-from harness import START_TIMEOUT, RobotTest, program, read
+from harness import START_TIMEOUT, RobotTest, program, publishers, read
 from jetbot.wait import wait_until
 from web_client import WebSocket
 
@@ -42,9 +42,9 @@ class CockpitNode(RobotTest):
     def drive(self, page):
         """Put a finger on the pad, and hold it at full deflection until the wheels turn."""
         page.receive_until(lambda message: message.get("robots", {}) and "/" in message["robots"])
-        page.send(RELEASED)
 
         def is_driving():
+            page.send(RELEASED)  # each time: the switch fires when this test itself comes too late
             page.send(FULL)
             return wait_until(lambda: self.wheels() == (1.0, 1.0), 1 / PAGES_RATE)
         self.wait_for(is_driving, 10.0, "the wheels to turn")
@@ -80,6 +80,21 @@ class CockpitNode(RobotTest):
         self.assertEqual(cockpit.wait(5.0), 0)
         self.assertLess(time.monotonic() - start, 2.0)
         self.assertNotIn("Traceback", read(cockpit))
+
+    def test_a_robot_that_is_stopped_on_a_page_is_stopped_when_it_comes_back(self):
+        def is_stopped(message):
+            return message["type"] == "state" and "emergency stop" in message["robots"].get("/", {}).get("status", "")
+
+        node = self.controller()
+        page = self.page(self.cockpit()[1])
+        page.receive_until(lambda message: "/" in message.get("robots", {}))
+        page.send({"type": "stop", "robot": "/"})
+        page.receive_until(is_stopped)
+        node.send_signal(signal.SIGINT)
+        self.wait_for(lambda: not publishers("/jetbot_controller/status"), START_TIMEOUT, "the robot to end")
+        self.wheels_stay(0, 0, for_seconds=2.0)  # meanwhile the cockpit asks the master
+        self.controller()
+        page.receive_until(is_stopped)
 
     def test_a_task_is_sent_to_a_page_whatever_else_is_published_on_its_topics(self):
         self.controller()

@@ -41,6 +41,7 @@ class StandingOrder(RobotTest):
         order.kill()
         self.wait_for_stop(within=0.15)
         self.wait_for(lambda: "has ended" in self.texts[-1], 1.0, f"the reason in {self.texts}")
+        self.wait_for(lambda: publishers("/cmd_vel") == [rospy.get_name()], 5.0, "the master to forget the killed one")
 
     def test_is_not_driven_again_when_its_connection_broke_off_and_another_program_comes(self):
         self.controller()

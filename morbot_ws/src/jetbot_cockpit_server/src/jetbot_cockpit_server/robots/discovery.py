@@ -68,9 +68,10 @@ class Robots:
             time.sleep(POLL_INTERVAL)
 
     def _update(self, publishers, services):
-        """Subscribe to the robots that have appeared, and drop those that have ended."""
+        """Subscribe to the robots that have appeared, and drop those that have ended, but for those stopped here."""
         found = sorted(names_of(publishers))[:MAX_ROBOTS]
-        robots = {name: robot for name, robot in self._robots.items() if name in found or robot.connected}
+        robots = {name: robot for name, robot in self._robots.items()
+                  if name in found or robot.connected or robot.emergency_stop.latched}
         ended = [robot for name, robot in self._robots.items() if name not in robots]
         for name in found:
             robots[name] = robots.get(name) or RobotTopics(name, self._frames)

@@ -32,26 +32,27 @@ IN_FLIGHT = 0.3       # s that a message of another program may take
 class EmergencyStop:
     """An emergency stop, of all robots or of one: a latched topic, which others publish too.
 
-    engaged: its value; by_others: whether another program has engaged it, perhaps as well.
+    engaged: its value; by_others: whether another program has engaged it, perhaps as well; latched: whether it is
+    published here, and so stops a robot that comes back.
     It is sent in the thread that sets it: rospy's queue lets every other thread run between two robots.
     """
 
     def __init__(self, topic: str):
         self.engaged = self.by_others = False
-        self._latched, self._set_at = False, -math.inf
+        self.latched, self._set_at = False, -math.inf
         self._publisher = rospy.Publisher(topic, Bool, queue_size=None, latch=True)
         self._subscriber = rospy.Subscriber(topic, Bool, self._on_message)
 
     def set(self, engaged: bool) -> None:
         """Publish it; robots that start later obey it too."""
-        self.engaged = self._latched = engaged
+        self.engaged = self.latched = engaged
         self.by_others = self.by_others and engaged
         self._set_at = time.monotonic()
         self._publish()
 
     def _publish(self):
         with contextlib.suppress(rospy.ROSException):  # closed: the robot has ended meanwhile, or this node
-            self._publisher.publish(self._latched)
+            self._publisher.publish(self.latched)
 
     def close(self) -> None:
         """End the publisher and the subscriber."""
@@ -61,7 +62,7 @@ class EmergencyStop:
     def _on_message(self, message):
         if message._connection_header.get("callerid") == rospy.get_name():
             return
-        undone = self._latched and not message.data
+        undone = self.latched and not message.data
         if undone and time.monotonic() - self._set_at < IN_FLIGHT:
             self._publish()  # a release that was sent before the stop
             return

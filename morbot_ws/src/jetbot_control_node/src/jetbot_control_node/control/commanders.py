@@ -11,8 +11,8 @@ import rospy
 from rospy.topics import get_topic_manager
 
 from jetbot.wait import wait_until
-from jetbot_ros.lifecycle import heard
 from jetbot_ros.master import NO_ANSWER, address_of, ask, proxy, system_state
+from jetbot_ros.rospy_repairs import heard
 
 from .state import Sender
 from .supervisor import Supervisor

@@ -5,7 +5,6 @@ import time
 from typing import Callable
 
 from jetbot import JetbotError
-from jetbot.errors import EXHAUSTED, OutOfResources
 from jetbot_ros import failures
 from jetbot_ros.holds import NO_MASTER, SUSPENDED, Hold
 from jetbot_ros.launcher import Launcher
@@ -39,10 +38,7 @@ class MasterWatch:
         return self._failures >= 2 or self._silent >= SILENT_POLLS
 
     def ask(self) -> float:
-        """Ask the master once; return the seconds until the next question.
-
-        Raise OutOfResources without a file descriptor: then no emergency stop could connect either.
-        """
+        """Ask the master once; return the seconds until the next question."""
         try:
             if self._is_registered():
                 self._failures = 0
@@ -50,9 +46,7 @@ class MasterWatch:
                 return ASK_INTERVAL
             self._failures = 2  # a new master, which no emergency stop passes on yet
             self._register()
-        except NO_ANSWER as error:
-            if getattr(error, "errno", None) in EXHAUSTED:
-                raise OutOfResources(error) from None
+        except NO_ANSWER:
             self._failures += 1
         return RETRY_INTERVAL
 
