@@ -9,9 +9,13 @@ import urllib.request
 from pathlib import Path
 
 import rospy
+from geometry_msgs.msg import Pose2D
+from nav_msgs.msg import Odometry
 from std_msgs.msg import String
+from std_srvs.srv import Empty
 
 from harness import START_TIMEOUT, RobotTest, find_processes, free_port, pid, read
+from simulation.recording import pose_of
 
 RUN = Path(__file__).parents[3] / "setup/run.py"  # ./morbot run
 CLASS = ("/jetbot_01", "/jetbot_02")
@@ -73,16 +77,32 @@ class CockpitLaunch(RobotTest):
 
     def test_a_class_has_a_code_for_each_robot_and_goes_on_without_one(self):
         statuses = {name: self.record(f"{name}/jetbot_controller/status", String) for name in CLASS}
+        poses = {name: self.record(f"{name}/jetbot_simulator/ground_truth", Odometry, pose_of) for name in CLASS}
         launch = self.start("roslaunch", "jetbot_cockpit", "class.launch", "robots:=2", "lan:=true",
                             f"port:={self.port}", env=self.environment)
         self.wait_for(self.is_served, START_TIMEOUT, "the page")
         self.wait_for(lambda: all(statuses.values()), START_TIMEOUT, "both robots")
         self.wait_for(lambda: read(launch).count(f":{self.port}/#") == 1 + len(CLASS), 10.0, "a code for each")
         self.assertEqual(self.open_ports(), {self.port})
-        starts = [rospy.get_param(f"{name}/jetbot_simulator/y") for name in CLASS]
-        self.assertEqual(abs(starts[0] - starts[1]), 1)
-        for node in ("jetbot_controller", "jetbot_simulator"):
-            os.kill(pid(f"{CLASS[0]}/{node}"), signal.SIGKILL)
-        self.wait_for(lambda: read(launch).count("process has died") == 2, START_TIMEOUT, "roslaunch to see it")
+        self.wait_for(lambda: all(poses.values()), START_TIMEOUT, "the simulator")
+        os.kill(pid(f"{CLASS[0]}/jetbot_controller"), signal.SIGKILL)
+        self.wait_for(lambda: read(launch).count("process has died") == 1, START_TIMEOUT, "roslaunch to see it")
         self.assertIsNone(launch.poll())
         self.assertTrue(self.is_served() and pid(f"{CLASS[1]}/jetbot_controller"))
+        self.assert_one_simulator_has_all_and_is_started_again(poses)
+
+    def assert_one_simulator_has_all_and_is_started_again(self, poses):
+        """Fail unless robots are apart, one of them is put elsewhere and back, and all return after a SIGKILL."""
+        starts = [rospy.get_param(f"{name}/jetbot_simulator/x") for name in CLASS]
+        self.assertEqual([messages[-1].x for messages in poses.values()], starts)
+        place = rospy.Publisher(f"{CLASS[1]}/jetbot_simulator/set_pose", Pose2D, queue_size=1, latch=True)
+        place.publish(1.0, 1.0, 0.5)
+        self.wait_for(lambda: poses[CLASS[1]][-1] == (1, 1, 0.5), 5.0, "one robot elsewhere")
+        self.assertEqual(poses[CLASS[0]][-1], (starts[0], 0, 0))
+        place.unregister()
+        rospy.ServiceProxy(f"{CLASS[1]}/jetbot_simulator/reset", Empty)()
+        self.wait_for(lambda: poses[CLASS[1]][-1].x == starts[1], 5.0, "its start")
+        os.kill(pid("/class_simulator"), signal.SIGKILL)
+        for messages in poses.values():
+            messages.clear()
+        self.wait_for(lambda: all(poses.values()), START_TIMEOUT, "the next simulator")

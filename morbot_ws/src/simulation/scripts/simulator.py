@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""ROS node: simulates a JetBot that is driven by what the controller writes to a fake bus or serial port."""
+"""ROS node: simulates a JetBot that is driven by what the controller writes to a fake bus or port, or a class of them."""
 
 # ruff: noqa: E402
 import signal
@@ -13,8 +13,10 @@ failures.install()
 from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
 
 import sys
+from typing import Dict
 
 import rospy
+from rosgraph.names import namespace
 
 from jetbot.boards import BOARDS
 from jetbot.fake.motors import Motors
@@ -24,7 +26,7 @@ from jetbot_ros.node_parameters import private_parameters
 from simulation.diff_drive import Body, DiffDriveModel, Pose
 from simulation.parameters import PARAMETERS, fake_folder, resolve
 from simulation.simulated_robot import SimulatedRobot
-from simulation.simulator import Simulator
+from simulation.simulator import Simulator, spin
 from simulation.world import EMPTY
 from simulation.world_files import load
 
@@ -41,20 +43,28 @@ def end_with_roslaunch() -> None:
     rospy.Timer(rospy.Duration(1.0), check)
 
 
-def main() -> int:
-    lifecycle.init_node("jetbot_simulator")
-    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(signum, lambda *_: rospy.signal_shutdown("a signal"))
-    given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config", "body"]))
-    motors = Motors(fake_folder(given, rospy.get_namespace()), given["board"], given["i2c_address"])
+def make_simulator(node: str, parameters: Dict[str, object]) -> Simulator:
+    """Return the simulator of a robot. node: its name, in the robot's namespace; parameters: what is given of them."""
+    given = resolve(parameters)
+    motors = Motors(fake_folder(given, namespace(node)), given["board"], given["i2c_address"])
     closed_loop = BOARDS[given["board"]].driver.closed_loop
     model = DiffDriveModel(Body(*(given[name] for name in Body._fields)), Pose(given["x"], given["y"], given["yaw"]),
                            load(given["world"]) if given["world"] else EMPTY, closed_loop)
     # A board with a closed loop measures its motion, but not the angles of its wheels.
     others = ["odom"] if closed_loop else ["odom", "joint_states"] if given["publish_odom"] else []
-    simulator = Simulator(SimulatedRobot(motors, model), others)
+    return Simulator(node, SimulatedRobot(motors, model), others)
+
+
+def main() -> int:
+    lifecycle.init_node("jetbot_simulator")
+    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(signum, lambda *_: rospy.signal_shutdown("a signal"))
+    own = private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config", "body", "robots"])
+    nodes = [f"/{robot}/jetbot_simulator" for robot in own.pop("robots", "").split()]  # of a class, by their names
+    parameters = {node: rospy.get_param(node, {}) for node in nodes} or {rospy.get_name(): own}
+    simulators = [make_simulator(*each) for each in parameters.items()]
     end_with_roslaunch()
-    simulator.spin()
+    spin(simulators)
     return 0
 
 

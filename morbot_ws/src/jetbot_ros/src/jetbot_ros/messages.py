@@ -1,7 +1,7 @@
 """Messages and frame names of a robot (REP 103, REP 105), as the controller and the simulator publish them."""
 
 import math
-from typing import Sequence
+from typing import Optional, Sequence
 
 import rospy
 from geometry_msgs.msg import Quaternion, TransformStamped
@@ -11,9 +11,9 @@ from sensor_msgs.msg import JointState
 JOINTS = ["left_wheel_joint", "right_wheel_joint"]  # as in simulation/urdf/jetbot.urdf
 
 
-def frame_name(name: str) -> str:
-    """Return the name of one of the robot's frames, prefixed by the node's namespace: red/odom."""
-    return rospy.get_namespace()[1:] + name
+def frame_name(name: str, namespace: Optional[str] = None) -> str:
+    """Return the name of one of a robot's frames, prefixed by its namespace: red/odom in /red/; None: the node's."""
+    return (rospy.get_namespace() if namespace is None else namespace)[1:] + name
 
 
 def quaternion(yaw: float) -> Quaternion:
@@ -21,10 +21,14 @@ def quaternion(yaw: float) -> Quaternion:
     return Quaternion(z=math.sin(yaw / 2), w=math.cos(yaw / 2))
 
 
-def odometry(stamp: rospy.Time, pose, linear: float = 0.0, angular: float = 0.0) -> Odometry:
-    """Return the robot's pose (x, y in m, yaw in rad) in its odom frame, and its own velocity in m/s and rad/s."""
-    message = Odometry(child_frame_id=frame_name("base_footprint"))
-    message.header.stamp, message.header.frame_id = stamp, frame_name("odom")
+def odometry(stamp: rospy.Time, pose, linear: float = 0.0, angular: float = 0.0,
+             namespace: Optional[str] = None) -> Odometry:
+    """Return the robot's pose (x, y in m, yaw in rad) in its odom frame, and its own velocity in m/s and rad/s.
+
+    namespace: as for ``frame_name``.
+    """
+    message = Odometry(child_frame_id=frame_name("base_footprint", namespace))
+    message.header.stamp, message.header.frame_id = stamp, frame_name("odom", namespace)
     message.pose.pose.position.x, message.pose.pose.position.y = pose.x, pose.y
     message.pose.pose.orientation = quaternion(pose.yaw)
     message.twist.twist.linear.x, message.twist.twist.angular.z = linear, angular

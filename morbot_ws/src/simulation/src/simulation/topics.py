@@ -9,6 +9,7 @@ from geometry_msgs.msg import Point, PoseStamped
 from geometry_msgs.msg import Pose as RosPose
 from nav_msgs.msg import Odometry, Path
 from sensor_msgs.msg import JointState
+from rosgraph.names import namespace, resolve_name
 from std_msgs.msg import ColorRGBA, Float32MultiArray, Header, MultiArrayDimension, MultiArrayLayout
 from tf2_msgs.msg import TFMessage  # without tf2_ros, which takes 5 MB
 from visualization_msgs.msg import Marker, MarkerArray
@@ -29,27 +30,27 @@ EYES_LAYOUT = MultiArrayLayout([MultiArrayDimension(", ".join(EYES), len(EYES), 
 class Topics:
     """Publishes a simulated robot: ``path`` and ``world``, and each of the others while somebody subscribes.
 
-    others: those of ``odom`` and ``joint_states`` that the controller publishes. The simulator's ``odom`` has no drift:
+    node: the name of its simulator, in its namespace; static_transform: for /tf_static; others: those of ``odom`` and ``joint_states`` that the controller publishes. The simulator's ``odom`` has no drift:
     its frame coincides with ``map``. The controller's starts at 0, where the robot is, and tf
     ``map -> true_base_footprint`` is then the true pose.
     """
 
-    def __init__(self, others: Collection[str], model: DiffDriveModel):
-        drifts = "odom" in others
-        frames = ("map", "true_base_footprint") if drifts else (frame_name("odom"), "base_footprint")
+    def __init__(self, node: str, others: Collection[str], model: DiffDriveModel):
+        drifts, robot = "odom" in others, namespace(node)
+        odom, base, true_base = (frame_name(name, robot) for name in ("odom", "base_footprint", "true_base_footprint"))
+        frames = ("map", true_base) if drifts else (odom, base)
         rows = {
-            "odom": (Odometry, lambda stamp, model: odometry(stamp, model.pose, *model.velocity)),
+            "odom": (Odometry, lambda stamp, model: odometry(stamp, model.pose, *model.velocity, robot)),
             "joint_states": (JointState, lambda stamp, model: joint_states(stamp, *model.joints)),
-            "~ground_truth": (Odometry, ground_truth),
+            "~ground_truth": (Odometry, lambda stamp, model: ground_truth(stamp, model, robot)),
             "line": (Float32MultiArray,
                      lambda _, model: Float32MultiArray(EYES_LAYOUT, model.world.line_sensor(model.pose))),
-            "/tf": (TFMessage, lambda stamp, model: transforms(stamp, *frames, model.pose))}
-        self._live = [(rospy.Publisher(topic, kind, queue_size=10), message_of)
+            "/tf": (TFMessage, lambda stamp, model: TFMessage([transform(stamp, *frames, model.pose)]))}
+        self._live = [(rospy.Publisher(resolve_name(topic, node), kind, queue_size=10), message_of)
                       for topic, (kind, message_of) in rows.items() if topic not in others]
-        self._path = rospy.Publisher("path", Path, queue_size=1, latch=True)
-        self._world = rospy.Publisher("world", MarkerArray, queue_size=1, latch=True)
-        self._static_tf = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
-        self._static_tf.publish(transforms(rospy.Time.now(), "map", "odom", model.pose if drifts else Pose()))
+        self._path, self._world = (rospy.Publisher(resolve_name(topic, node), kind, queue_size=1, latch=True)
+                                   for topic, kind in (("path", Path), ("world", MarkerArray)))
+        self.static_transform = transform(rospy.Time.now(), "map", odom, model.pose if drifts else Pose())
         self._poses = deque(maxlen=PATH_LENGTH)
         self.draw(model.world)
 
@@ -75,16 +76,11 @@ class Topics:
             self._path.publish(Path(header, list(self._poses)))
 
 
-def ground_truth(stamp: rospy.Time, model: DiffDriveModel) -> Odometry:
-    """Return the robot's true pose, on the map."""
-    message = odometry(stamp, model.pose, *model.velocity)
+def ground_truth(stamp: rospy.Time, model: DiffDriveModel, robot: str) -> Odometry:
+    """Return the true pose, on the map, of the robot in this namespace."""
+    message = odometry(stamp, model.pose, *model.velocity, robot)
     message.header.frame_id = "map"
     return message
-
-
-def transforms(stamp: rospy.Time, parent: str, child: str, pose: Pose) -> TFMessage:
-    """Return tf's message of one of the robot's frames in its parent."""
-    return TFMessage([transform(stamp, parent, frame_name(child), pose)])
 
 
 def markers(world: World) -> Iterator[Marker]:

@@ -1,6 +1,7 @@
 """A simulated robot as the judge sees it: where it truly is, what holds it, and what is around it. Moves no wheel."""
 
 import contextlib
+import functools
 import re
 from collections import deque
 from threading import Thread
@@ -49,8 +50,9 @@ def choose_robots(names: Sequence[str], running: Sequence[str]) -> List[str]:
 
 def simulated_robots() -> List[str]:
     """Return the namespaces of all simulated robots that run on the master; raise NO_ANSWER."""
-    services = [SIMULATOR.fullmatch(name) for name in system_state()[2]]
-    return sorted(match[1] for match in services if match and condition_of(f"{match[1]}/jetbot_simulator"))
+    services = {SIMULATOR.fullmatch(name): nodes for name, nodes in system_state()[2].items()}
+    alive = functools.lru_cache()(condition_of)  # one node has all robots of a class
+    return sorted(match[1] for match, nodes in services.items() if match and any(map(alive, nodes)))
 
 
 def label(namespace: str) -> str:
