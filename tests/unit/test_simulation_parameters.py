@@ -74,7 +74,7 @@ def test_the_drawn_robot_has_the_same_size():
 def test_the_launch_file_passes_on_what_is_typed_and_fake_hardware():
     launch = ET.parse(SIMULATION / "launch/simulation.launch").getroot()
     assert all(arg.get("doc") for arg in launch.findall("arg"))
-    params = {param.get("name"): param.get("value") for param in launch.findall(".//group[@ns='jetbot_simulator']/param")}
+    params = {param.get("name"): param.get("value") for param in launch.findall("group/group/param")}
     defaults = {arg.get("name"): arg.get("default") for arg in launch.findall("arg") if arg.get("name") in params}
     assert defaults == {**dict.fromkeys(params, ""), "i2c_bus": "fake", "port": "fake",
                         "body": "$(find simulation)/config/jetbot.yaml"}

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""ROS node: simulates a JetBot that is driven by what the controller writes to a fake bus or port, or a class of them."""
+"""ROS node: simulates a JetBot, or a class of them, driven by what the controller writes to a fake bus or port."""
 
 # ruff: noqa: E402
 import signal

@@ -8,8 +8,8 @@ import rospy
 from geometry_msgs.msg import Point, PoseStamped
 from geometry_msgs.msg import Pose as RosPose
 from nav_msgs.msg import Odometry, Path
-from sensor_msgs.msg import JointState
 from rosgraph.names import namespace, resolve_name
+from sensor_msgs.msg import JointState
 from std_msgs.msg import ColorRGBA, Float32MultiArray, Header, MultiArrayDimension, MultiArrayLayout
 from tf2_msgs.msg import TFMessage  # without tf2_ros, which takes 5 MB
 from visualization_msgs.msg import Marker, MarkerArray
@@ -30,7 +30,8 @@ EYES_LAYOUT = MultiArrayLayout([MultiArrayDimension(", ".join(EYES), len(EYES), 
 class Topics:
     """Publishes a simulated robot: ``path`` and ``world``, and each of the others while somebody subscribes.
 
-    node: the name of its simulator, in its namespace; static_transform: for /tf_static; others: those of ``odom`` and ``joint_states`` that the controller publishes. The simulator's ``odom`` has no drift:
+    node: the name of its simulator, in its namespace; static_transform: what to publish on /tf_static.
+    others: those of ``odom`` and ``joint_states`` that the controller publishes. The simulator's ``odom`` has no drift:
     its frame coincides with ``map``. The controller's starts at 0, where the robot is, and tf
     ``map -> true_base_footprint`` is then the true pose.
     """
@@ -86,10 +87,10 @@ def ground_truth(stamp: rospy.Time, model: DiffDriveModel, robot: str) -> Odomet
 def markers(world: World) -> Iterator[Marker]:
     """Yield the markers that draw a world, after one that clears what was drawn before."""
     yield Marker(action=Marker.DELETEALL)
-    for namespace, polylines, width, color in (("walls", world.walls, WALL_WIDTH, WALL_COLOR),
-                                               ("lines", world.lines, world.line_width, LINE_COLOR)):
+    for kind, polylines, width, color in (("walls", world.walls, WALL_WIDTH, WALL_COLOR),
+                                          ("lines", world.lines, world.line_width, LINE_COLOR)):
         for number, polyline in enumerate(polylines):
-            marker = Marker(ns=namespace, id=number, type=Marker.LINE_STRIP, color=color)
+            marker = Marker(ns=kind, id=number, type=Marker.LINE_STRIP, color=color)
             marker.header.frame_id = "map"
             marker.scale.x, marker.pose.orientation.w = width, 1.0
             marker.points = [Point(x, y, HEIGHT) for x, y in polyline]
