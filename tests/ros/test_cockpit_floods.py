@@ -12,20 +12,25 @@ from jetbot.wait import wait_until
 from jetbot_cockpit_server.session import hub as hubs
 from jetbot_cockpit_server.web import server as servers
 from web_client import PING as PING_FRAME
-from web_client import connect, head, request
+from web_client import TEXT, connect, head, request
 
 pytest_plugins = ["cockpit_server"]  # its fixtures
 
 
-@pytest.mark.parametrize("message", [b"x", b"{}", b"x" * 1001, b"x" * 100_000], ids=len)
-def test_a_message_of_another_form_ends_the_socket_and_stops_the_robot(cockpit, message):
+@pytest.mark.parametrize("opcode, payload, code, reason", [
+    (TEXT, b"x", 4000, "JSON object"), (TEXT, b"{}", 4000, "JSON object"), (TEXT, b"x" * 1001, 4000, "of 1000 bytes"),
+    (TEXT, b"x" * 9000, 1009, "message too big"),
+    *((opcode, payload, 1002, "a frame is not of the WebSocket protocol") for opcode, payload in (
+        (TEXT, b"\xff"), (3, b"{}"), (11, b""), (PING_FRAME, b"x" * 126)))], ids=lambda value: str(value)[:12])
+def test_what_is_of_another_form_ends_the_socket_with_a_reason_and_stops_the_robot(
+        cockpit, opcode, payload, code, reason):
     page = cockpit.page()
     number = page.receive("hello")["id"]
     page.send(DRIVE)
     with contextlib.suppress(ConnectionError):  # what is far too large is not even read
-        page.send(message)
+        page.send_frame(opcode, payload)
     closed = page.wait_for_close()
-    assert closed.code in ((4000,) if len(message) <= 8000 else (1009, None))
+    assert closed.code == code and reason in closed.reason
     assert wait_until(lambda: number in cockpit.control.left, WITHIN)
 
 

@@ -88,9 +88,12 @@ def test_nothing_acts_on_get(cockpit):
         assert request(cockpit.port, method, "/login", cockpit.headers()).status == 405
 
 
-def test_after_five_wrong_codes_not_even_the_right_one_gets_in(fresh):
+def test_five_wrong_codes_lock_out_the_browser_that_sent_them_and_no_other(fresh):
+    one, other = (request(fresh.port, "GET", "/", fresh.headers()).headers["set-cookie"].partition(";")[0]
+                  for _ in range(2))
     codes = ["WRONG"] * 5 + [TEACHER.code]
-    assert [fresh.log_in(code).status for code in codes] == [403] * 5 + [429]
+    assert [fresh.log_in(code, Cookie=one).status for code in codes] == [403] * 5 + [429]
+    assert fresh.log_in(TEACHER.code, Cookie=other).status == 204
 
 
 def test_what_a_page_sends_reaches_the_control_and_a_ping_returns(cockpit):

@@ -66,6 +66,15 @@ def test_many_addresses_try_no_more_than_a_hundred_codes_a_minute(access):
     assert access.log_in(code_of("teacher"), OTHER_ADDRESS, None, now=60.0)
 
 
+def test_wrong_codes_lock_out_nobody_who_is_in(access):
+    cookie = access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "one", now=0.0).cookie
+    for number in range(MAX_WRONG_IN_ALL):
+        access.log_in("WRONG", PUPILS_ADDRESS, f"browser {number // 5}", now=0.0)
+    with pytest.raises(TooManyTries):
+        access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "one", now=1.0)
+    assert access.grant(cookie, PUPILS_ADDRESS, "robot.local:8080").label == "jetbot_01"
+
+
 def test_a_cookie_gives_what_its_code_gave(access):
     for label in "teacher", "jetbot_01":
         grant = access.log_in(code_of(label), PUPILS_ADDRESS, None, now=0.0)

@@ -4,17 +4,18 @@ import contextlib
 import json
 import secrets
 import time
+from functools import partial
 from pathlib import Path
-from typing import Dict, Optional
+from typing import Callable, Dict, Optional
 
 from tornado.httputil import HTTPServerRequest
 from tornado.iostream import StreamClosedError
 from tornado.web import HTTPError, RequestHandler
-from tornado.websocket import WebSocketClosedError, WebSocketHandler
+from tornado.websocket import WebSocketClosedError, WebSocketHandler, WebSocketProtocol
 
 from jetbot import files
 
-from ..session.hub import LOG_IN, Hub, Viewer
+from ..session.hub import BAD_FRAME, LOG_IN, Hub, Viewer
 from .access import Access, TooManyTries
 
 WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit_server", "www")
@@ -121,13 +122,24 @@ class Socket(Handler, WebSocketHandler):
     def check_origin(self, origin: str) -> bool:
         return True  # Handler.prepare has checked it, also where there is none
 
+    def get_websocket_protocol(self) -> Optional[WebSocketProtocol]:
+        protocol = super().get_websocket_protocol()
+        if protocol:
+            protocol._abort = partial(self._refuse, protocol, protocol._abort)  # it would give no reason
+        return protocol
+
+    def _refuse(self, protocol: WebSocketProtocol, abort: Callable[[], None]) -> None:
+        if protocol.stream:
+            protocol.close(BAD_FRAME, "a frame is not of the WebSocket protocol")
+        abort()
+
     def open(self) -> None:
         grant = self.access.grant(self.get_cookie(self.access.cookie_name), self.request.remote_ip,
                                   self.request.headers["Host"])
         if grant:
             self.viewer = self.hub.join(self, grant.role, grant.robot, time.monotonic())
         else:
-            self.close(LOG_IN, "log in")
+            self.close(LOG_IN, "log in first")
 
     def on_message(self, message: object) -> None:
         if self.viewer:

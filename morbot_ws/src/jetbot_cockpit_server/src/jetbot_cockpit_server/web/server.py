@@ -1,6 +1,7 @@
 """The web server: a thread of its own, which nothing of ROS blocks."""
 
 import asyncio
+import contextlib
 import logging
 import socket
 import threading
@@ -13,16 +14,16 @@ from tornado.web import Application
 
 from jetbot.wait import wait_until
 
-from ..session.hub import FRAME_INTERVAL, Hub
+from ..session.hub import FRAME_INTERVAL, MAX_FRAME, Hub
 from .access import Access
 from .handlers import Login, Page, Socket, read_files
 
 MAX_CONNECTIONS = 512      # a process may have 1,024 files, and the ROS side needs some
 MAX_BODY = 1000            # bytes of a request's body
 MAX_HEADERS = 16384        # bytes; all programs on a computer's ports share their cookies
-MAX_FRAME = 8192           # bytes of a message that is read at all, to be refused with a reason
 IDLE_TIMEOUT = 10.0        # s for the headers of a request, and for its body
 CHUNK = 4096               # bytes that are read at once
+MAX_UNREAD = 131072        # bytes that are dropped when a connection ends
 SEND_BUFFER = 65536        # bytes in the kernel: more would be old when it arrives
 CLOSE_TIMEOUT = 0.1        # s for the clients to answer a close
 START_TIMEOUT = 5.0        # s
@@ -40,6 +41,11 @@ class FairStream(IOStream):
     def read_from_fd(self, buf) -> Optional[int]:
         self._turn = not self._turn
         return super().read_from_fd(buf) if self._turn else None  # None: nothing more has arrived
+
+    def close_fd(self) -> None:
+        with contextlib.suppress(OSError):
+            self.socket.recv(MAX_UNREAD)  # else the connection is reset, and the reason for its end lost
+        super().close_fd()
 
 
 class LimitedServer(HTTPServer):
