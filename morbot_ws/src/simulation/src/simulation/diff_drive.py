@@ -82,13 +82,13 @@ class DiffDriveModel:
     def place(self, pose: Pose) -> None:
         """Put the robot at this pose, at rest and as new: its wheels have no speed and have not turned."""
         body = self._body
-        self.pose, self.touching = pose, False
+        self.pose, self.touching, self._free = pose, False, 0.0
         self.left, self.right = (Motor(max_speed, body.motor_lag, 0.0 if self._closed_loop else body.dead_band)
                                  for max_speed in (body.max_speed, body.max_speed * body.wheel_ratio))
 
     def enter(self, world: World) -> None:
         """Put this world around the robot, in the place of the one that it is in."""
-        self.world, self.touching = world, False
+        self.world, self.touching, self._free = world, False, 0.0  # m that it may move before a wall can be near
 
     def step(self, speeds: Pair, seconds: float = STEP, pwm_frequency: float = PWM_FREQUENCY) -> None:
         """Drive for some seconds at the board's wheel speeds (left, right), at a PWM frequency in Hz, up to a wall.
@@ -108,8 +108,12 @@ class DiffDriveModel:
         A robot that moves no farther than its clearance touches nothing, so each part of the way is that long. One that
         is on a wall already drives on.
         """
-        width, start, clearance = self._body.wheel_separation, self.pose, self.world.clearance(self.pose)
-        travel, driven = abs(left + right) / 2 + RADIUS * abs(right - left) / width, 0.0  # no point moves farther
+        width, start, driven = self._body.wheel_separation, self.pose, 0.0
+        travel = abs(left + right) / 2 + RADIUS * abs(right - left) / width  # no point moves farther
+        if travel < self._free:
+            self.pose, self._free = start.integrate_arc(left, right, width), self._free - travel
+            return
+        clearance = self.world.clearance(start)
         while driven < 1:
             next_driven = min(1.0, driven + max(clearance - RESOLUTION, RESOLUTION) / travel)
             next_pose = start.integrate_arc(left * next_driven, right * next_driven, width)
@@ -120,6 +124,7 @@ class DiffDriveModel:
                 break
             self.pose, driven, clearance = next_pose, next_driven, next_clearance
         self.touching = driven < 1 or (self.touching and clearance < SEPARATED)
+        self._free = clearance - SEPARATED
 
     @property
     def moving(self) -> bool:
