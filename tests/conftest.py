@@ -1,5 +1,7 @@
-"""What all tests share: their order, which process of pytest-xdist runs them, and that they leave none behind."""
+"""What all tests share: an environment, their order, the processes that run them; they leave none behind."""
 
+import os
+import re
 import sys
 from pathlib import Path
 
@@ -11,10 +13,14 @@ from processes import end_on_sigterm  # noqa: E402
 LONGEST = ("::test_pages[", "::test_rostest[")
 IN_ONE_PROCESS = "tests/browser/"  # they share a world and its browsers
 PROCESSES = 6  # of ./morbot test
+OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
 
 
 def pytest_configure():
-    """End the fixtures also if the tests are ended by SIGTERM."""
+    """Forget the robot of the shell that starts the tests; end the fixtures also if the tests are ended by SIGTERM."""
+    for name in filter(OF_A_ROBOT.match, list(os.environ)):
+        del os.environ[name]
+    os.environ["ROS_HOSTNAME"] = "localhost"
     end_on_sigterm()
 
 

@@ -17,7 +17,6 @@ TYPED = re.compile(r"^[^\n]*pupil\$ [^\n]*\n", re.MULTILINE)
 CONTROLS = re.compile(r"\x1b\][^\x07]*\x07|\x1b\[[\d;?]*[a-zA-Z]|\r")
 CONTROL_KEYS = {"Ctrl-C": "\x03", "Ctrl-Z": "\x1a"}
 TIMEOUT = 120.0       # s for anything to happen; generous, for slow machines
-PROMPT_TIMEOUT = 30.0  # s for a command that has shown its result to end: a first picture takes long
 READ_INTERVAL = 0.05  # s
 KEY_INTERVAL = 0.1    # s between two keys
 
@@ -41,7 +40,7 @@ class Terminal:
 
     def type(self, line: str) -> None:
         """Type a command as soon as there is a prompt; AssertionError if another one goes on running."""
-        if not wait_until(lambda: self.result is not None, PROMPT_TIMEOUT, READ_INTERVAL):
+        if not wait_until(lambda: self.result is not None, TIMEOUT, READ_INTERVAL):
             raise AssertionError(f"something still runs in this terminal\n{self.output}")
         self._typed = len(self._raw)
         self._shell.sendline(line)

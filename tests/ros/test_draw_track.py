@@ -34,9 +34,10 @@ def draw(monkeypatch, tmp_path):
     return run
 
 
-def test_draws_a_bag_into_the_file_of_this_name(draw, bag, tmp_path):
+def test_draws_a_bag_into_the_file_of_this_name(draw, bag, tmp_path, capsys):
     bag.close()
     assert draw(bag) is None
+    assert capsys.readouterr().out == "Drawing {0} ...\nDrew {0}.\n".format(tmp_path / "track.png")
     assert (tmp_path / "track.png").read_bytes()[:4] == b"\x89PNG"
     assert sorted(os.listdir(tmp_path)) == ["drive.bag", "track.png"]
 

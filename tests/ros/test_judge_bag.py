@@ -18,7 +18,7 @@ def test_one_bag_gets_sentences_and_a_picture(judge, folder):
     code, text = judge("metre", "--bag", "drive.bag", "--csv", "marks.csv")
     assert (code, text.splitlines()) == (0, [
         "metre: 36.8 of 100 points in 3.0 s.", "Largest loss: stopped 10 cm short of the goal (63.2 points).",
-        "Drew metre.png.", "Wrote marks.csv."])
+        "Drawing metre.png ...", "Drew metre.png.", "Wrote marks.csv."])
     assert (folder / "metre.png").read_bytes()[:4] == b"\x89PNG"
     assert table((folder / "marks.csv").read_text("utf-8-sig")) == [
         ("drive.bag", "metre", "36.8", "3.0", "stopped 10 cm short of the goal", "", "simulator")]

@@ -24,7 +24,7 @@ PYTHONPATH = os.pathsep.join(MODULES)
 signal.signal(signal.SIGHUP, signal.SIG_DFL)  # for the programs that tests start, also below nohup, which ignores it
 sys.path[:0] = [*MODULES, str(ROOT / "setup")]
 
-from jetbot import fake, guard, i2c, robot  # noqa: E402
+from jetbot import fake, guard, i2c, robot, serial_link  # noqa: E402
 from jetbot.fake.bus import FakeBus  # noqa: E402
 
 
@@ -68,8 +68,9 @@ TELEMETRY = BODY + bytes([sum(BODY) % 256])
 
 
 @pytest.fixture
-def port():
-    """A pseudo-terminal: (the board's end, the name of the host's end)."""
+def port(monkeypatch):
+    """A pseudo-terminal: (the board's end, the name of the host's end). A pause of this computer is no failure."""
+    monkeypatch.setattr(serial_link, "WRITE_TIMEOUT", 5.0)
     board, host = pty.openpty()
     tty.setraw(board)
     yield board, os.ttyname(host)

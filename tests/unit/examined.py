@@ -14,6 +14,7 @@ def make_bare(monkeypatch, tmp_path):
     monkeypatch.setattr(checkup, "MODULES", ["json"])
     monkeypatch.setattr(checkup, "DEFAULT_PORT", "/dev/nowhere")
     monkeypatch.setattr(host, "buses", lambda: [])
+    monkeypatch.setattr(checkup, "check_users", lambda device: [])
     monkeypatch.setattr(computer, "is_free", lambda port: True)
     monkeypatch.setattr(host, "model", lambda: "")
     monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")

@@ -7,7 +7,7 @@ from examined import lines, make_bare
 
 from jetbot import host, i2c
 from jetbot.boards import BOARDS
-from jetbot_tools.doctor import checkup, motor_board
+from jetbot_tools.doctor import checkup, computer, motor_board
 
 PCA9685 = {0x00: 0x11, 0x01: 0x04, 0x02: 0xE2, 0x03: 0xE4, 0x04: 0xE8}
 SCMD = {0x01: 0xA9}
@@ -35,7 +35,7 @@ class Bus:
 
 
 @pytest.fixture(autouse=True)
-def computer(monkeypatch, tmp_path):
+def bare(monkeypatch, tmp_path):
     make_bare(monkeypatch, tmp_path)
 
 
@@ -145,6 +145,12 @@ def test_an_address_that_is_typed_is_the_only_one(plug_in):
     assert lines(1, address=0x6E)[-1].endswith(f"{LAUNCH} i2c_address:=0x6e")
     assert 0x60 not in bus.read
     assert lines(1, address=0x62)[2].startswith("NOT 0x62 on /dev/i2c-1: no answer from 0x62 on /dev/i2c-1.")
+
+
+def test_another_program_on_the_bus_is_the_first_line_after_the_computers(plug_in, monkeypatch):
+    monkeypatch.setattr(checkup, "check_users", lambda device: [computer.Check(device, False, "also open in drive.py")])
+    plug_in({})
+    assert lines(1)[2] == "NOT /dev/i2c-1: also open in drive.py."
 
 
 def test_a_bus_that_is_stuck_is_not_read_at_every_address(plug_in):

@@ -67,7 +67,8 @@ class Judge(RobotTest):
         self.drive(SECONDS)
         self.assertEqual(judge.wait(START_TIMEOUT), 0)
         exact, score, loss = re.fullmatch(rf"{READY}\n(\d+\.\d+)\nmetre: (\d+\.\d) of 100 points in \d\.\d s\.\n"
-                                   r"(Largest loss: stopped .*)\n(?:Matplotlib is building .*\n)?Drew metre\.png\.\n",
+                                   r"(Largest loss: stopped .*)\nDrawing metre\.png \.\.\.\n"
+                                   r"(?:Matplotlib is building .*\n)?Drew metre\.png\.\n",
                                    read(judge)).groups()
         values = [{pair.key: pair.value for pair in each.values} for each in states]
         self.assertEqual(list(dict.fromkeys(each["state"] for each in values)), ["ready", "driving", "done"])

@@ -38,6 +38,7 @@ def main() -> None:
         missing = f"Nothing arrives on {odom}. Start a simulated robot: roslaunch simulation simulation.launch."
     if not recording.velocities:
         sys.exit(printable(f"{missing} Another robot's: --robot NAME"))
+    print(printable(f"Drawing {given.png} ..."), flush=True)
     from simulation.drawing import draw  # here: it takes longer to import than all the rest
     draw(recording, given.png)
     print(printable(f"Drew {given.png}."))

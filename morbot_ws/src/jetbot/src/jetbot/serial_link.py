@@ -13,7 +13,8 @@ from .host import permission_advice
 # Of pyserial's other URLs, spy:// writes files, alt:// and hwgrep:// choose a class or a device by themselves.
 SCHEMES = ("socket", "rfc2217", "loop")
 BAUD_RATE = 115200
-TIMEOUT = 0.05  # s: how long a read waits for the first byte, and a write for its end
+READ_TIMEOUT = 0.05  # s: how long a read waits for the first byte
+WRITE_TIMEOUT = 0.15  # s: how long a write may take, pauses of a busy computer included
 
 
 class SerialLink:
@@ -25,7 +26,6 @@ class SerialLink:
     """
 
     address = None  # one port, one board
-    time_limit = TIMEOUT  # of every write
 
     def __init__(self, port: str):
         if not isinstance(port, str) or not port:
@@ -45,7 +45,7 @@ class SerialLink:
         self._try(lambda port: port.write(data))
 
     def read(self) -> bytes:
-        """Return the bytes that have arrived; wait up to ``TIMEOUT`` seconds for the first, and maybe return none."""
+        """Return the bytes that have arrived; wait up to READ_TIMEOUT for the first, and maybe return none."""
         return self._try(lambda port: port.read(port.in_waiting or 1))
 
     def close(self) -> None:
@@ -76,10 +76,10 @@ def open_port(name: str) -> Any:
     folder = fake.folder_of(name)
     if folder:
         from .fake.port import FakePort
-        return FakePort(folder, TIMEOUT)
+        return FakePort(folder, READ_TIMEOUT)
     try:
         from serial import serial_for_url  # here: a robot without a serial port does not need it
-        return serial_for_url(name, BAUD_RATE, timeout=TIMEOUT, write_timeout=TIMEOUT)
+        return serial_for_url(name, BAUD_RATE, timeout=READ_TIMEOUT, write_timeout=WRITE_TIMEOUT)
     except ImportError:
         raise BusError("the Python package pyserial is missing",
                        "Install it: sudo apt install python3-serial") from None

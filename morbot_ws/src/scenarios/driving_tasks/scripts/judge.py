@@ -75,8 +75,10 @@ def report(mark: Mark, given: Namespace, is_first: bool) -> None:
 def draw(mark: Mark, given: Namespace) -> None:
     """Draw the picture of a drive; without one, its score still counts."""
     try:
-        from driving_tasks.report import picture
         file = given.picture or picture_file(mark, given)
+        if is_single(given):
+            show(f"Drawing {file} ...")  # the first picture takes seconds: Matplotlib looks for this computer's fonts
+        from driving_tasks.report import picture
         picture.draw(mark.result, str(file))
     except ImportError:
         show("No picture was drawn. Install what draws it: sudo apt install python3-matplotlib")
