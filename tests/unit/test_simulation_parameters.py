@@ -78,4 +78,5 @@ def test_the_launch_file_passes_on_what_is_typed_and_fake_hardware():
     defaults = {arg.get("name"): arg.get("default") for arg in launch.findall("arg") if arg.get("name") in params}
     assert defaults == {**dict.fromkeys(params, ""), "i2c_bus": "fake", "port": "fake",
                         "body": "$(find simulation)/config/jetbot.yaml"}
-    assert params == {name: f"$(arg {name})" for name in (*(set(PARAMETERS) - set(JETBOT._fields)), "config", "body")}
+    own = set(PARAMETERS) - set(JETBOT._fields) | {"variation", "config", "body"}
+    assert params == {name: f"$(arg {name})" for name in own}

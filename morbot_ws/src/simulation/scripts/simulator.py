@@ -23,6 +23,7 @@ from jetbot.fake.motors import Motors
 from jetbot.text import printable
 from jetbot_ros import lifecycle
 from jetbot_ros.node_parameters import private_parameters
+from simulation import variation
 from simulation.diff_drive import Body, DiffDriveModel, Pose
 from simulation.parameters import PARAMETERS, fake_folder, resolve
 from simulation.simulated_robot import SimulatedRobot
@@ -49,7 +50,8 @@ def make_simulator(node: str, parameters: Dict[str, object]) -> Simulator:
     motors = Motors(fake_folder(given, namespace(node)), given["board"], given["i2c_address"])
     closed_loop = BOARDS[given["board"]].driver.closed_loop
     model = DiffDriveModel(Body(*(given[name] for name in Body._fields)), Pose(given["x"], given["y"], given["yaw"]),
-                           load(given["world"]) if given["world"] else EMPTY, closed_loop)
+                           load(given["world"]) if given["world"] else EMPTY, closed_loop,
+                           variation.draw(namespace(node).strip("/"), given["variation"]))
     # A board with a closed loop measures its motion, but not the angles of its wheels.
     others = ["odom"] if closed_loop else ["odom", "joint_states"] if given["publish_odom"] else []
     return Simulator(node, SimulatedRobot(motors, model), others)

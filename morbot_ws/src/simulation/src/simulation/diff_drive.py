@@ -5,6 +5,7 @@ from typing import Dict, NamedTuple, Tuple
 
 from jetbot.kinematics import FULL_SPEED, WHEEL_RADIUS, WHEEL_SEPARATION, Pose, mix, unmix
 
+from .variation import Variation
 from .world import EMPTY, RADIUS, World
 
 Pair = Tuple[float, float]  # left, right
@@ -28,27 +29,29 @@ class Body(NamedTuple):
     max_speed: float = FULL_SPEED               # m/s, of the left wheel
     motor_lag: float = 0.1                      # s
     dead_band: float = 0.05                     # duty
+    variation: float = 0.0
 
 
-JETBOT, ORIGIN = Body(), Pose()
+JETBOT, ORIGIN, EXACT = Body(), Pose(), Variation()
 
 
 class Motor:
     """A geared DC motor with its wheel, stopped at first.
 
     max_speed: m/s at full duty; lag: time constant in seconds (63 % of a change of speed), 0 for none;
-    dead_band: duty in [0, 1) below which the motor does not turn, at ``PWM_FREQUENCY``; smaller at lower frequencies.
+    dead_band: duty in [0, 1) below which the motor does not turn, at ``PWM_FREQUENCY``; smaller at lower frequencies;
+    grip: how far the robot drives for a metre that the wheel rolls.
     stalled: whether it gets some power, but too little to turn; duty: the last one applied; speed: m/s;
     distance: metres rolled so far, negative for backward.
     """
 
-    def __init__(self, max_speed: float, lag: float, dead_band: float):
-        self._max_speed, self._lag, self._dead_band = max_speed, lag, dead_band
+    def __init__(self, max_speed: float, lag: float, dead_band: float, grip: float = 1.0):
+        self._max_speed, self._lag, self._dead_band, self._grip = max_speed, lag, dead_band, grip
         self.duty = self.speed = self.distance = 0.0
         self.stalled = False
 
     def step(self, duty: float, seconds: float, pwm_frequency: float = PWM_FREQUENCY) -> float:
-        """Apply a duty in [-1, 1] for some time, at a frequency in Hz; return the metres that the wheel rolls."""
+        """Apply a duty in [-1, 1] for some time, at a frequency in Hz; return the metres that it drives."""
         starts_at = self._dead_band * (pwm_frequency / PWM_FREQUENCY) ** STARTING_EXPONENT
         self.duty, self.stalled = duty, 0 < abs(duty) < starts_at
         target = 0.0 if self.stalled else duty * self._max_speed
@@ -59,23 +62,31 @@ class Motor:
         if not target and abs(self.speed) < STOPPED_BELOW:
             self.speed = 0.0
         self.distance += rolled
-        return rolled
+        return rolled * self._grip
 
     def block(self, rest: float) -> None:
         """Stop the wheel at once, before the last metres that ``step`` has returned."""
         self.speed = 0.0
-        self.distance -= rest
+        self.distance -= rest / self._grip
+
+    @property
+    def driven_speed(self) -> float:
+        """How fast the wheel drives the robot, in m/s."""
+        return self.speed * self._grip
 
 
 class DiffDriveModel:
     """A robot with this body, at rest at ``pose`` in a world, whose walls stop it.
 
     closed_loop: whether the board controls the speeds of the wheels. Otherwise it sets their duties.
+    variation: how the robot differs from its body.
     left, right: its motors; touching: whether a wall has stopped it, and it has not been ``SEPARATED`` from it since.
     """
 
-    def __init__(self, body: Body = JETBOT, pose: Pose = ORIGIN, world: World = EMPTY, closed_loop: bool = False):
+    def __init__(self, body: Body = JETBOT, pose: Pose = ORIGIN, world: World = EMPTY, closed_loop: bool = False,
+                 variation: Variation = EXACT):
         self._body, self._closed_loop = body, closed_loop
+        self._variation = variation.controlled if closed_loop else variation
         self.enter(world)
         self.place(pose)
 
@@ -83,8 +94,10 @@ class DiffDriveModel:
         """Put the robot at this pose, at rest and as new: its wheels have no speed and have not turned."""
         body = self._body
         self.pose, self.touching, self._free = pose, False, 0.0
-        self.left, self.right = (Motor(max_speed, body.motor_lag, 0.0 if self._closed_loop else body.dead_band)
-                                 for max_speed in (body.max_speed, body.max_speed * body.wheel_ratio))
+        dead_band = 0.0 if self._closed_loop else body.dead_band
+        self.left, self.right = (
+            Motor(max_speed * wheel.gain, body.motor_lag, dead_band * wheel.dead_band, wheel.grip) for max_speed, wheel
+            in zip((body.max_speed, body.max_speed * body.wheel_ratio), (self._variation.left, self._variation.right)))
 
     def enter(self, world: World) -> None:
         """Put this world around the robot, in the place of the one that it is in."""
@@ -98,7 +111,9 @@ class DiffDriveModel:
         if self._closed_loop:
             speeds = mix(*unmix(*speeds), self._body.wheel_separation, self._body.max_speed)
         left, right = speeds
-        left, right = self.left.step(left, seconds, pwm_frequency), self.right.step(right, seconds, pwm_frequency)
+        supply = 1 - self._variation.sag * (abs(left) + abs(right)) / 2
+        left, right = (motor.step(speed * supply, seconds, pwm_frequency)
+                       for motor, speed in ((self.left, left), (self.right, right)))
         if left or right:
             self._drive(left, right)
 
@@ -134,7 +149,7 @@ class DiffDriveModel:
     @property
     def velocity(self) -> Tuple[float, float]:
         """The velocity (linear in m/s, angular in rad/s) in the robot's own frame."""
-        return unmix(self.left.speed, self.right.speed, self._body.wheel_separation)
+        return unmix(self.left.driven_speed, self.right.driven_speed, self._body.wheel_separation)
 
     @property
     def joints(self) -> Tuple[Pair, Pair]:

@@ -5,7 +5,7 @@ from typing import Dict
 from jetbot import fake
 from jetbot.boards import find_board
 from jetbot.connection import locate
-from jetbot.kinds import ADDRESS, FRACTION, NUMBER, POSITIVE, SECONDS, Kind
+from jetbot.kinds import ADDRESS, FRACTION, NUMBER, POSITIVE, SECONDS, Kind, is_number
 from jetbot_control_node import parameters as controller
 from jetbot_ros.node_parameters import Parameter, check_values, given
 
@@ -33,6 +33,8 @@ PARAMETERS = {
     "dead_band": Parameter(JETBOT.dead_band, FRACTION,
                            "duty below which a motor does not turn, at 1526 Hz; an estimate: 0.23 V of 5 V, to which "
                            "Adafruit's speeds of TT motor 3777 extrapolate"),
+    "variation": Parameter(JETBOT.variation, Kind(lambda value: is_number(value) and 0 <= value <= 1, "from 0 to 1"),
+                           "how much this robot differs from the others, by its name; 0: not at all"),
     "world": Parameter("", Kind(lambda value: isinstance(value, str), "the name of a YAML file"),
                        "YAML file of the walls and lines around the robot; arena.yaml is one; none: nothing is there"),
     "x": Parameter(0.0, NUMBER, "where the robot starts", "m"),
