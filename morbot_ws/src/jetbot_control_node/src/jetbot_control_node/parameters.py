@@ -34,8 +34,8 @@ BUS = Kind(lambda value: isinstance(value, str) or type(value) is int and 0 <= v
 SERIAL = Kind(lambda value: isinstance(value, str), "a serial device, a socket:// URL, fake, or fake:FOLDER")
 
 PARAMETERS = {
-    "board": Parameter("jetbot", BOARD, "motor board: jetbot (Adafruit's and Waveshare's layout at once), adafruit, "
-                                        "waveshare, waveshare_hat, sparkfun or jetbot_pro"),
+    "board": Parameter("jetbot", BOARD, f"motor board, one of {', '.join(BOARDS)}; jetbot is Adafruit's and "
+                                        "Waveshare's layout at once"),
     "i2c_bus": Parameter(1, BUS, "I2C bus: N for /dev/i2c-N, fake (no robot needed), or fake:FOLDER"),
     "i2c_address": Parameter(None, ADDRESS, "I2C address of the board with its 0x, as 0x61, where jumpers or "
                                             "switches change it"),

@@ -29,6 +29,7 @@ class MotorDriver(abc.ABC):
     """
 
     chip_name = ""  # as the doctor calls the chip on an I2C bus
+    stretches_clock = False  # True: the chip holds the bus's clock back, which some computers mishandle
 
     limit = 1.0  # largest |wheel speed| that the board accepts; Robot clamps a speed to it, and nothing else does
     resolution = 0.0  # the board's step of a wheel speed: half a step or less is rounded to 0

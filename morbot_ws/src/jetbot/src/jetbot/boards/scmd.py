@@ -29,6 +29,7 @@ class ScmdMotors(MotorDriver):
     resolution = 1 / 0x80
     ignores = ("pwm_frequency",)
     chip_name = "SparkFun motor driver"
+    stretches_clock = True
 
     def __init__(self, link: Link, *settings: Any):
         super().__init__(link, *settings)

@@ -95,10 +95,9 @@ def check_chip(bus: Union[int, str], address: int, board: str = "") -> Check:
 
 
 def clock_advice(address: int) -> str:
-    """Return what to do where this computer mishandles the clock of a SparkFun board, "" for another address."""
-    if address == BOARDS["sparkfun"].address and host.mishandles_clock_stretching(host.model()):
-        return CLOCK_STRETCHING
-    return ""
+    """Return what to do where this computer mishandles the clock of the board at this address, or ""."""
+    stretches = any(row.driver.stretches_clock for row in BOARDS.values() if row.address == address)
+    return CLOCK_STRETCHING if stretches and host.mishandles_clock_stretching(host.model()) else ""
 
 
 def driver_for(chip: I2CDevice) -> Optional[Type[MotorDriver]]:
