@@ -43,9 +43,9 @@ def freeze(_scene, process, _chance):
 def limits(kind: int, allowed: Callable[[Process, random.Random], int]) -> Callable:
     """Return a fault that leaves a process what it has, and takes the limit away at its end."""
     def begin(_scene, process, chance):
-        before = resource.prlimit(process.pid, kind)
-        resource.prlimit(process.pid, kind, (allowed(process, chance), before[1]))
-        return lambda: process.alive() and resource.prlimit(process.pid, kind, before)
+        hard = resource.prlimit(process.pid, kind)[1]
+        resource.prlimit(process.pid, kind, (allowed(process, chance), hard))
+        return lambda: process.alive() and resource.prlimit(process.pid, kind, (hard, hard))
     return begin
 
 
@@ -113,10 +113,10 @@ def busy_computer(_scene, _process, _chance):
     return lambda: [(hog.kill(), hog.wait()) for hog in hogs]
 
 
-def full_disk(scene, _process, _chance):
+def full_disk(scene, _process, chance):
     if not scene.small_disk:
         raise PermissionError("no small disk")
-    filler = scene.disk / "filler"
+    filler = scene.disk / f"filler{chance.random()}"
     with contextlib.suppress(OSError), filler.open("wb", buffering=0) as file:
         while True:
             file.write(bytes(4096))
@@ -151,7 +151,7 @@ def slow_bus(scene, process, _chance):
     chip = scene.chip(process.robot)
     chip.with_name("clock").write_text("10000")
     chip.with_name(f"{chip.name}.fail").write_text("2")
-    return chip.with_name("clock").unlink
+    return lambda: chip.with_name("clock").unlink(missing_ok=True)  # two may overlap
 
 
 FAULTS = {
