@@ -38,12 +38,12 @@ def judge_in_process(folder, monkeypatch, capsys):
     return run
 
 
-def odometry(time, x):
+def odometry(time, x, speed=0.3):
     message = Odometry()
     message.header.stamp = rospy.Time.from_sec(time)
     message.pose.pose.position.x = x
     message.pose.pose.orientation.w = 1.0
-    message.twist.twist.linear.x = 0.3
+    message.twist.twist.linear.x = speed
     return message
 
 
@@ -54,15 +54,20 @@ def forward(speed):
 
 
 def positions(length):
-    """The times in s, and x in m, of a drive at 0.3 m/s."""
+    """The times in s, x in m and speeds in m/s of a drive at 0.3 m/s."""
     for number in range(500):
-        yield 100 + number / 50, min(length, max(0.0, number - 50) * 0.006)
+        x = (number - 50) * 0.006
+        yield 100 + number / 50, min(length, max(0.0, x)), 0.3 if 0 <= x < length else 0.0
 
 
-def write(name, topic=TRUTH, length=1.0, make=odometry):
+def write(name, topic=TRUTH, length=1.0, make=odometry, publisher="/jetbot_simulator"):
+    """Write a bag as rosbag record does; one without a publisher as a program does."""
     with rosbag.Bag(name, "w") as bag:
-        for time, x in positions(length):
-            bag.write(topic, make(time, x), rospy.Time.from_sec(time))
+        for time, *motion in positions(length):
+            message = make(time, *motion)
+            header = {"topic": topic, "callerid": publisher, "type": message._type, "md5sum": message._md5sum,
+                      "message_definition": message._full_text} if publisher else None
+            bag.write(topic, message, rospy.Time.from_sec(time), connection_header=header)
     return Path(name)
 
 

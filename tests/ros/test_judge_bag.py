@@ -1,5 +1,7 @@
 """judge.py and rosbags: the same drive has the same score each time, alone or in a folder."""
 
+from pathlib import Path
+
 import pytest
 import rosbag
 import rospy
@@ -43,6 +45,17 @@ def test_the_drive_is_known_from_the_best_topic(folder, topic, source):
         bag.write("/red/cmd_vel" if "red" in topic else "cmd_vel", Twist(), rospy.Time(100))
     mark = judge_bag(METRE, "drive.bag")
     assert mark.result.score > 99.9 and mark.source == source
+
+
+@pytest.mark.parametrize("forgery", [
+    {"publisher": ""},  # made by hand
+    {"make": lambda time, x, _: odometry(time, x, 0.0)}], ids=["by hand", "moved by no wheel"])
+def test_a_drive_that_is_not_from_the_simulator_is_named_so(judge, forgery):
+    write("drive.bag", **forgery)
+    code, text = judge("metre", "--bag", "drive.bag", "--csv", "marks.csv")
+    assert (code, text.splitlines()[2]) == (0, "Not from the simulator: its bag was made by hand, or something else "
+                                               "than its wheels moved the robot.")
+    assert table(Path("marks.csv").read_text("utf-8-sig"))[0][-1] == "not from the simulator"
 
 
 def test_commands_alone_are_driven_in_a_simulation(folder):

@@ -42,7 +42,7 @@ class Robot:
     def drive(self, linear, angular, seconds=TICK):
         duties = [clamp(duty, 1.0) for duty in mix(linear, angular, SEPARATION, FULL_SPEED)]
         for _ in range(round(seconds / STEP)):
-            self.samples.append(Sample(self.time, self.pose, self._model.velocity[0]))
+            self.samples.append(Sample(self.time, self.pose, *self._model.velocity))
             self._model.step(duties, STEP)
             self.time = len(self.samples) * STEP
 

@@ -76,7 +76,7 @@ def test_the_score_does_not_depend_on_where_the_robot_starts(name):
     start = Pose(12.3, -45.6, 2.9)
     samples = solution(name)
     moved = [Sample(stamp + 1.6e9, Pose(*from_frame(start, pose[:2]), math.remainder(pose.yaw + start.yaw, math.tau)),
-                    speed) for stamp, pose, speed in samples]
+                    *velocity) for stamp, pose, *velocity in samples]
     result = judge(TASKS[name], moved)
     assert result.score == pytest.approx(judge(TASKS[name], samples).score, abs=1e-4)
     assert result.drive.frame == pytest.approx(start)

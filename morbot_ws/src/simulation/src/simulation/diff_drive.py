@@ -31,6 +31,12 @@ class Body(NamedTuple):
     dead_band: float = 0.05                     # duty
     variation: float = 0.0
 
+    @property
+    def changes(self) -> str:
+        """What differs from the shipped robot: "max_speed 3 for 0.6"; "" if nothing does."""
+        return ", ".join(f"{name} {value:g} for {shipped:g}"
+                         for name, value, shipped in zip(self._fields, self, JETBOT) if value != shipped)
+
 
 JETBOT, ORIGIN, EXACT = Body(), Pose(), Variation()
 
@@ -78,21 +84,21 @@ class Motor:
 class DiffDriveModel:
     """A robot with this body, at rest at ``pose`` in a world, whose walls stop it.
 
-    closed_loop: whether the board controls the speeds of the wheels. Otherwise it sets their duties.
+    body: the robot's; closed_loop: whether the board controls the speeds of the wheels, or sets their duties.
     variation: how the robot differs from its body.
     left, right: its motors; touching: whether a wall has stopped it, and it has not been ``SEPARATED`` from it since.
     """
 
     def __init__(self, body: Body = JETBOT, pose: Pose = ORIGIN, world: World = EMPTY, closed_loop: bool = False,
                  variation: Variation = EXACT):
-        self._body, self._closed_loop = body, closed_loop
+        self.body, self._closed_loop = body, closed_loop
         self._variation = variation.controlled if closed_loop else variation
         self.enter(world)
         self.place(pose)
 
     def place(self, pose: Pose) -> None:
         """Put the robot at this pose, at rest and as new: its wheels have no speed and have not turned."""
-        body = self._body
+        body = self.body
         self.pose, self.touching, self._free = pose, False, 0.0
         dead_band = 0.0 if self._closed_loop else body.dead_band
         self.left, self.right = (
@@ -109,7 +115,7 @@ class DiffDriveModel:
         They are duties in [-1, 1]; of a closed loop, m/s of wheels that are 2 m apart.
         """
         if self._closed_loop:
-            speeds = mix(*unmix(*speeds), self._body.wheel_separation, self._body.max_speed)
+            speeds = mix(*unmix(*speeds), self.body.wheel_separation, self.body.max_speed)
         left, right = speeds
         supply = 1 - self._variation.sag * (abs(left) + abs(right)) / 2
         left, right = (motor.step(speed * supply, seconds, pwm_frequency)
@@ -123,7 +129,7 @@ class DiffDriveModel:
         A robot that moves no farther than its clearance touches nothing, so each part of the way is that long. One that
         is on a wall already drives on.
         """
-        width, start, driven = self._body.wheel_separation, self.pose, 0.0
+        width, start, driven = self.body.wheel_separation, self.pose, 0.0
         travel = abs(left + right) / 2 + RADIUS * abs(right - left) / width  # no point moves farther
         if travel < self._free:
             self.pose, self._free = start.integrate_arc(left, right, width), self._free - travel
@@ -149,13 +155,13 @@ class DiffDriveModel:
     @property
     def velocity(self) -> Tuple[float, float]:
         """The velocity (linear in m/s, angular in rad/s) in the robot's own frame."""
-        return unmix(self.left.driven_speed, self.right.driven_speed, self._body.wheel_separation)
+        return unmix(self.left.driven_speed, self.right.driven_speed, self.body.wheel_separation)
 
     @property
     def joints(self) -> Tuple[Pair, Pair]:
         """The rotations of the wheels (left, right) since the start in rad, and their angular speeds in rad/s."""
-        left, right, radius = self.left, self.right, self._body.wheel_diameter / 2
-        right_radius = radius * self._body.wheel_ratio
+        left, right, radius = self.left, self.right, self.body.wheel_diameter / 2
+        right_radius = radius * self.body.wheel_ratio
         return ((left.distance / radius, right.distance / right_radius),
                 (left.speed / radius, right.speed / right_radius))
 

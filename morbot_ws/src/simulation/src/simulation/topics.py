@@ -10,7 +10,7 @@ from geometry_msgs.msg import Pose as RosPose
 from nav_msgs.msg import Odometry, Path
 from rosgraph.names import namespace, resolve_name
 from sensor_msgs.msg import JointState
-from std_msgs.msg import ColorRGBA, Float32MultiArray, Header, MultiArrayDimension, MultiArrayLayout
+from std_msgs.msg import ColorRGBA, Float32MultiArray, Header, MultiArrayDimension, MultiArrayLayout, String
 from tf2_msgs.msg import TFMessage  # without tf2_ros, which takes 5 MB
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -28,7 +28,8 @@ EYES_LAYOUT = MultiArrayLayout([MultiArrayDimension(", ".join(EYES), len(EYES), 
 
 
 class Topics:
-    """Publishes a simulated robot: ``path`` and ``world``, and each of the others while somebody subscribes.
+    """Publishes a simulated robot: ``path``, ``world``, how its body differs from the shipped one (``~body``), and each
+    of the others while somebody subscribes.
 
     node: the name of its simulator, in its namespace; static_transform: what to publish on /tf_static.
     others: those of ``odom`` and ``joint_states`` that the controller publishes. The simulator's ``odom`` has no drift:
@@ -49,8 +50,10 @@ class Topics:
             "/tf": (TFMessage, lambda stamp, model: TFMessage([transform(stamp, *frames, model.pose)]))}
         self._live = [(rospy.Publisher(resolve_name(topic, node), kind, queue_size=10), message_of)
                       for topic, (kind, message_of) in rows.items() if topic not in others]
-        self._path, self._world = (rospy.Publisher(resolve_name(topic, node), kind, queue_size=1, latch=True)
-                                   for topic, kind in (("path", Path), ("world", MarkerArray)))
+        self._path, self._world, self._body = (
+            rospy.Publisher(resolve_name(topic, node), kind, queue_size=1, latch=True)
+            for topic, kind in (("path", Path), ("world", MarkerArray), ("~body", String)))
+        self._body.publish(model.body.changes)
         self.static_transform = transform(rospy.Time.now(), "map", odom, model.pose if drifts else Pose())
         self._poses = deque(maxlen=PATH_LENGTH)
         self.draw(model.world)

@@ -13,14 +13,16 @@ from jetbot.text import printable
 from ..scoring.score import Result
 
 COLUMNS = ("name", "task", "score", "seconds", "largest_loss", "problem", "source")
-SIMULATOR = "simulator"
+SIMULATOR, NOT_SIMULATED = "simulator", "not from the simulator"
+NO_SIMULATION = "Not from the simulator: its bag was made by hand, or something else than its wheels moved the robot."
 FORMULA = re.compile(r"(^|;)(\s*[=+@-])")  # also after a semicolon, where some spreadsheets begin a cell
 
 
 class Mark(NamedTuple):
     """What the judge found: a result, or None and the problem in one sentence.
 
-    name: of the robot or the file; source: "" if the simulator measured the drive, else "odometry" or "commands".
+    name: of the robot or the file; source: "" if the shipped simulator measured the drive, else "odometry", "commands",
+    NOT_SIMULATED, or how the simulator was changed: "simulator with max_speed 3 for 0.6".
     """
 
     name: str
@@ -43,8 +45,15 @@ class Mark(NamedTuple):
         if not self.result:
             return [self.problem]
         summary = f"{self.task}: {self.result.score:.1f} of 100 points in {self.result.drive.seconds:.1f} s."
-        note = [f"Measured by its {self.source}, not by the simulator."] if self.source else []
-        return [summary, self.result.sentence, *note]
+        return [summary, self.result.sentence, *filter(None, [self._note])]
+
+    @property
+    def _note(self):
+        if self.source == NOT_SIMULATED:
+            return NO_SIMULATION
+        if self.source.startswith(SIMULATOR):
+            return f"Driven in a {self.source}."
+        return self.source and f"Measured by its {self.source}, not by the simulator."
 
 
 def to_csv(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:

@@ -4,6 +4,7 @@ import math
 from typing import List, NamedTuple, Optional, Tuple
 
 from jetbot.kinematics import Pose
+from simulation.world import EMPTY, World
 
 from .course import relative
 
@@ -16,14 +17,18 @@ MARGIN = 0.3                       # s before the first motion and after the sto
 MIN_INTERVAL = 0.005               # s between two samples; what comes sooner is left out
 MAX_SPEED, MAX_TURN = 2.0, 12.0    # m/s, rad/s; what seems faster is a robot that was put elsewhere
 FARTHEST, LATEST = 1e4, 1e12       # m, s; what is beyond is no measurement
+DEGREE = math.radians(1) / 0.01    # rad/m: one degree counts as one centimetre
+UNEXPLAINED = 0.01                 # m; what exceeds it was done by no wheel: lost samples explain about half of it
+CONTACT = 0.001                    # m from a wall that stops the wheels within no time
 
 
 class Sample(NamedTuple):
-    """time: s, of the message's own stamp; pose: on the map; speed: m/s, forward is positive."""
+    """time: s, of the message's own stamp; pose: on the map; speed: m/s, forward; rotation: rad/s, to the left."""
 
     time: float
     pose: Pose
     speed: float
+    rotation: float = 0.0
 
 
 class NoDrive(ValueError):
@@ -34,12 +39,14 @@ class Drive(NamedTuple):
     """A drive in the task's frame, where the robot starts at (0, 0, 0).
 
     path: a little more than the drive; its times count from the first motion, its headings are not normalized.
-    seconds: from the first motion to the last stop. frame: the task's frame on the map.
+    seconds: from the first motion to the last stop. frame: the task's frame on the map. unexplained: as of the
+    recorder.
     """
 
     path: Tuple[Sample, ...]
     seconds: float
     frame: Pose
+    unexplained: float = 0.0
 
     @property
     def poses(self) -> Tuple[Pose, ...]:
@@ -53,10 +60,14 @@ class Drive(NamedTuple):
 
 
 class Recorder:
-    """Finds the drive in a robot's samples, which are fed one by one. time_limit: s that a drive may take."""
+    """Finds the drive in a robot's samples, which are fed one by one.
 
-    def __init__(self, time_limit: float):
-        self._time_limit = time_limit
+    time_limit: s that a drive may take; world: around the robot, in the task's frame; unexplained: m that the robot has
+    moved, or degrees per cm, as its wheels do not explain.
+    """
+
+    def __init__(self, time_limit: float, world: World = EMPTY):
+        self._time_limit, self._world, self.unexplained = time_limit, world, 0.0
         self._samples: List[Sample] = []     # headings not normalized; before the first motion only the last MARGIN
         self._start: Optional[Sample] = None  # where the robot was before its first motion
         self._rest: Optional[Sample] = None   # since when, and where, the robot has been still
@@ -95,10 +106,10 @@ class Recorder:
         if self.state == WAITING or self._is_twitch():
             raise NoDrive(self._problem)
         self.state = DONE
-        return _cut(self._samples, self._start.pose, self._departed)
+        return _cut(self._samples, self._start.pose, self._departed)._replace(unexplained=self.unexplained)
 
     def _wait(self, problem, sample):
-        self.state, self._problem = WAITING, problem
+        self.state, self._problem, self.unexplained = WAITING, problem, 0.0
         self._samples, self._start, self._rest = [sample], sample, sample
 
     def _was_put_elsewhere(self, sample):
@@ -117,7 +128,10 @@ class Recorder:
             self._end(sample)
             return
         yaw = last.pose.yaw + math.remainder(sample.pose.yaw - last.pose.yaw, math.tau)
-        sample = Sample(sample.time, Pose(sample.pose.x, sample.pose.y, yaw), sample.speed)
+        sample = sample._replace(pose=sample.pose._replace(yaw=yaw))
+        slip = _unexplained(last, sample)
+        if slip and self._world.clearance(relative(sample.pose, self._start.pose)) > CONTACT:
+            self.unexplained += slip
         self._samples.append(sample)
         if _excursion(sample.pose, self._rest.pose) > 1:
             if self.state == WAITING:
@@ -140,9 +154,24 @@ class Recorder:
 
 
 def _is_measurement(sample):
-    time, pose, speed = sample
-    return (all(map(math.isfinite, (time, *pose, speed)))
-            and abs(time) < LATEST and max(map(abs, (*pose, speed))) < FARTHEST)
+    time, pose, *velocity = sample
+    return (all(map(math.isfinite, (time, *pose, *velocity)))
+            and abs(time) < LATEST and max(map(abs, (*pose, *velocity))) < FARTHEST)
+
+
+def _unexplained(before, after):
+    """Return how far, in m, the robot went otherwise than its wheels turned, with a rotation's degrees as cm.
+
+    The speed of a wheel only rises or only falls between two samples of a simulator, so each way is between those at
+    the first speed and at the last.
+    """
+    half = (after.time - before.time) / 2
+    length, rotation = half * (before.speed + after.speed), half * (before.rotation + after.rotation)
+    margin, turn_margin = half * abs(after.speed - before.speed), half * abs(after.rotation - before.rotation)
+    expected = before.pose.advance(length, rotation)
+    distance = math.dist(after.pose[:2], expected[:2]) - margin - (abs(length) + margin) * turn_margin
+    turned = abs(math.remainder(after.pose.yaw - expected.yaw, math.tau)) - turn_margin
+    return max(0.0, distance, turned / DEGREE)
 
 
 def _excursion(pose, rest):
@@ -164,5 +193,5 @@ def _cut(samples, frame, departed):
     stopped = _crossing(samples[index + 1], samples[index], last.pose)
     kept = [sample for sample in samples if departed - MARGIN <= sample.time < min(last.time, stopped + MARGIN)]
     kept.append(last._replace(time=min(last.time, stopped + MARGIN)))
-    path = tuple(Sample(sample.time - departed, relative(sample.pose, frame), sample.speed) for sample in kept)
+    path = tuple(sample._replace(time=sample.time - departed, pose=relative(sample.pose, frame)) for sample in kept)
     return Drive(path, stopped - departed, frame)

@@ -9,7 +9,7 @@ from simulation.world_files import dump
 
 from ..report.announcement import CANCELLED, READY, Announcement
 from ..report.marks import Mark
-from ..scoring.recorder import DONE, DRIVING, WAITING, NoDrive, Recorder, Sample
+from ..scoring.recorder import DONE, DRIVING, UNEXPLAINED, WAITING, NoDrive, Recorder, Sample
 from ..scoring.score import rate
 from ..scoring.tasks import Task
 from .judged_robot import JudgedRobot
@@ -35,7 +35,8 @@ class Attempt:
     def __init__(self, task: Task, robot: JudgedRobot, show: Callable[[str], None]):
         self._task, self.robot, self._show = task, robot, show
         self._announcement = Announcement(robot.namespace, task)
-        self._recorder, self._fed_at, self._announced_at = Recorder(task.time_limit), 0.0, 0.0
+        self._world, self._fed_at, self._announced_at = task.load_world(), 0.0, 0.0
+        self._recorder = self._new_recorder()
         self._last_report, self._steps = "", self._run()
         self.mark: Optional[Mark] = None
         self.start: Optional[Sample] = None
@@ -61,7 +62,7 @@ class Attempt:
             self.mark = Mark(self.robot.name, self._task.name, problem="The robot did not drive.")
         else:
             self._announcement.done(result)
-            self.mark = Mark(self.robot.name, self._task.name, result)
+            self.mark = Mark(self.robot.name, self._task.name, result, source=self.robot.source)
 
     def _run(self) -> Iterator[None]:
         while not self.mark:
@@ -71,9 +72,12 @@ class Attempt:
                 yield from self._measure()
                 self.finish()
             except Interrupted as interruption:
-                self.ready, self._recorder = False, Recorder(self._task.time_limit)
+                self.ready, self._recorder = False, self._new_recorder()
                 self._announcement.publish(CANCELLED, str(interruption))
                 self._report(str(interruption))
+
+    def _new_recorder(self):
+        return Recorder(self._task.time_limit, self._world)
 
     def _until_free(self):
         """Wait until the robot has stopped and nothing holds it."""
@@ -92,11 +96,11 @@ class Attempt:
         """Put the robot at its start, and the task's world around it."""
         yield from self.robot.put_at_start()
         self._check_obstacle()
-        self.robot.set_world(dump(self._task.load_world().placed(self.robot.latest.pose)))
+        self.robot.set_world(dump(self._world.placed(self.robot.latest.pose)))
         while not self.robot.has_world:
             self._check_obstacle()
             yield
-        self.start, self._recorder = self.robot.latest, Recorder(self._task.time_limit)
+        self.start, self._recorder = self.robot.latest, self._new_recorder()
         self._recorder.feed(self.start)
         self._announcement.draw(self.start.pose)
         self._invite()
@@ -128,6 +132,8 @@ class Attempt:
             if was_driving:
                 self._report("The robot was put back to its start.")
                 self._invite()
+        if self._recorder.unexplained > UNEXPLAINED:
+            raise Interrupted("The robot was moved, and not by its wheels, so the drive does not count.")
 
     def _check_obstacle(self):
         if self.robot.obstacle:

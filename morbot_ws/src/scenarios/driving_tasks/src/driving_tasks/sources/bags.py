@@ -15,8 +15,8 @@ from jetbot.text import enumeration, printable
 from simulation.recording import pose_of
 
 from .. import contained
-from ..report.marks import Mark
-from ..scoring.recorder import Sample
+from ..report.marks import NOT_SIMULATED, Mark
+from ..scoring.recorder import UNEXPLAINED, Sample
 from ..scoring.score import Result, judge
 from ..scoring.tasks import Task
 from .folders import find_files
@@ -25,11 +25,12 @@ from .replay import read_config, replay
 MAX_SIZE = 200  # MB
 MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 SUFFIXES = (".bag", ".bag.active")  # rosbag renames the second to the first when it ends
-TOPIC = re.compile(r"/?(?:(.+)/)?(jetbot_simulator/ground_truth|odom|cmd_vel)")
+TRUTH, BY_HAND = "jetbot_simulator/ground_truth", "a ground truth that no node published"
+TOPIC = re.compile(rf"/?(?:(.+)/)?({TRUTH}|odom|cmd_vel)")
 Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, or commands
 
-
-SOURCES = {"jetbot_simulator/ground_truth": "", "odom": "odometry", "cmd_vel": "commands"}  # the most exact one first
+# The most exact one first
+SOURCES = {TRUTH: "", BY_HAND: NOT_SIMULATED, "odom": "odometry", "cmd_vel": "commands"}
 
 
 def judge_bags(task: Task, path: str, robot: Optional[str] = None, config: str = "") -> Iterator[Mark]:
@@ -52,14 +53,17 @@ def judge_bag(task: Task, file: str) -> Mark:
 
 def sample_of(message: Odometry) -> Sample:
     """Return where and how fast the robot of this message is."""
-    return Sample(message.header.stamp.to_sec(), pose_of(message), message.twist.twist.linear.x)
+    twist = message.twist.twist
+    return Sample(message.header.stamp.to_sec(), pose_of(message), twist.linear.x, twist.angular.z)
 
 
 def _judge(task, file, robot, settings) -> Tuple[Result, str]:
     """Return the result of the drive in a bag, and the name of its source. This runs in a child."""
     topic, track = _choose(_read(file), robot)
     samples = replay(track, task, **settings) if topic == "cmd_vel" else track
-    return judge(task, samples), SOURCES[topic]
+    result = judge(task, samples)
+    is_forged = topic == TRUTH and result.drive.unexplained > UNEXPLAINED
+    return result, NOT_SIMULATED if is_forged else SOURCES[topic]
 
 
 def _read(file: str) -> Tracks:
@@ -110,10 +114,12 @@ class _Bag(rosbag.Bag):
 
 def _tracks(bag: rosbag.Bag) -> Tracks:
     tracks = {}
-    for topic, message, time in bag.read_messages(connection_filter=_is_known):
+    for topic, message, time, header in bag.read_messages(connection_filter=_is_known, return_connection_header=True):
         value = (sample_of(message) if message._type == Odometry._type else
                  (time.to_sec(), message.linear.x, message.angular.z))
-        tracks.setdefault(TOPIC.fullmatch(topic).groups(""), []).append(value)
+        robot, name = TOPIC.fullmatch(topic).groups("")
+        name = BY_HAND if name == TRUTH and "callerid" not in header else name  # rosbag record writes it
+        tracks.setdefault((robot, name), []).append(value)
     return tracks
 
 

@@ -18,6 +18,7 @@ from jetbot.text import enumeration, printable
 from jetbot_ros.holds import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 
+from ..report.marks import SIMULATOR
 from ..scoring.recorder import Sample
 from .bags import sample_of
 
@@ -25,6 +26,7 @@ SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
 STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
+MAX_BODY = 100        # characters of the simulator's changes that are shown
 MAX_STATUS = 200      # characters of the controller's status that are shown
 EMERGENCY = tuple(f"stopped: {hold.reason}" for hold in (EMERGENCY_STOP, OWN_EMERGENCY_STOP))
 HELD = tuple(f"stopped: {reason}" for reason in (*(hold.reason for hold in HOLDS), "the controller has ended"))
@@ -69,16 +71,21 @@ class JudgedRobot:
         self.latest: Optional[Sample] = None  # of all
         self._arrived, self._silent_polls, self._moved_at = deque(), 0, 0.0
         self._status, self._worlds, self._known_worlds = "", 0, 0
+        self._body = "an unknown body"  # until the simulator has said how it differs
         simulator = f"{namespace}/jetbot_simulator"
         self.truth_topic, self.command_topic = f"{simulator}/ground_truth", f"{namespace}/cmd_vel"
         self._world = rospy.Publisher(f"{simulator}/world", String, queue_size=1, latch=True)
         self._reset = rospy.ServiceProxy(f"{simulator}/reset", Empty)
         self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/status", String, self._on_status)
         rospy.Subscriber(f"{namespace}/world", MarkerArray, self._on_world)
-        rospy.Subscriber(self.truth_topic, Odometry, self._arrived.append)
+        rospy.Subscriber(f"{simulator}/body", String, self._on_body)
+        self._truth = rospy.Subscriber(self.truth_topic, Odometry, self._arrived.append)
 
     def _on_status(self, message):
         self._status = message.data[:MAX_STATUS]
+
+    def _on_body(self, message):
+        self._body = printable(message.data[:MAX_BODY])
 
     def _on_world(self, _):
         self._worlds += 1
@@ -98,6 +105,11 @@ class JudgedRobot:
         return self.latest is not None and self.latest.time - self._moved_at >= STOPPED_AFTER
 
     @property
+    def source(self) -> str:
+        """What measures its drives, as in a Mark."""
+        return self._body and f"{SIMULATOR} with {self._body}"
+
+    @property
     def is_controlled(self) -> bool:
         """Whether its controller runs."""
         return self._controller.get_num_connections() > 0
@@ -108,6 +120,8 @@ class JudgedRobot:
         if self._silent_polls >= SILENT_POLLS:
             return ("The simulator does not answer. Continue it (after Ctrl-Z: fg), or start it again: "
                     "roslaunch simulation simulation.launch")
+        if self._truth.get_num_connections() > 1:
+            return f"Another program than the simulator publishes {self.truth_topic}. End it."
         if self._status and not self.is_controlled:
             return "The controller has ended. Start it again: rosrun jetbot_control_node jetbot_controller.py"
         if self._status.startswith(EMERGENCY):

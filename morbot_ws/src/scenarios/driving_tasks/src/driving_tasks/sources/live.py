@@ -163,5 +163,5 @@ class Recording:
             with rosbag.Bag(str(bag_file), "w") as bag:
                 for topic, message, time in list(self._messages):
                     if time.to_sec() >= self._attempt.start.time:
-                        bag.write(topic, message, time)
+                        bag.write(topic, message, time, connection_header=message._connection_header)
             files.replace(file, bag_file.read_bytes())

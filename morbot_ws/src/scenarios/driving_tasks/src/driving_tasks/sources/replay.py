@@ -34,13 +34,13 @@ def replay(commands: Sequence[Command], task: Task, wheel_separation: float = 2.
     """
     model = DiffDriveModel(world=task.load_world())
     ramp = Ramp(acceleration_limit, wheel_separation, max_speed)
-    recorder, samples = Recorder(task.time_limit), [Sample(0.0, model.pose, 0.0)]
+    recorder, samples = Recorder(task.time_limit), [Sample(0.0, model.pose, *model.velocity)]
     recorder.feed(samples[0])
     for number, velocity in enumerate(_in_force(_driven(commands), task.time_limit + WAIT), 1):
         wheels = mix(*ramp.limit(velocity, number * STEP), wheel_separation, max_speed)
         model.step(tuple(clamp(speed, 1.0) for speed in wheels), STEP, pwm_frequency)
         if number % STEPS_PER_SAMPLE == 0:
-            samples.append(Sample(number * STEP, model.pose, model.velocity[0]))
+            samples.append(Sample(number * STEP, model.pose, *model.velocity))
             if recorder.feed(samples[-1]) == DONE:
                 break
     return samples
