@@ -1,5 +1,6 @@
 """judge.py judges the drive of a simulated robot, from its first motion to its stop, and moves no wheel itself."""
 
+import math
 import os
 import re
 import signal
@@ -7,6 +8,8 @@ import sys
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import Pose2D
+from nav_msgs.msg import Odometry
 from visualization_msgs.msg import Marker, MarkerArray
 
 from driving_tasks.scoring.tasks import TASKS
@@ -17,6 +20,7 @@ from jetbot.fake.motors import STOPPED
 JUDGE = program("driving_tasks", "judge.py")
 SIMULATOR = program("simulation", "simulator.py")
 READY = "Drive when you are ready."
+MOVED = "The robot was moved, and not by its wheels, so the drive does not count."
 RELEASE = "The robot is stopped: emergency stop, on a fake bus. Release it: ./morbot stop --release"
 EXACT_JUDGE = """
 import runpy, sys
@@ -55,6 +59,20 @@ class Judge(RobotTest):
         self.wait_for(lambda: self.command(SPEED) or rospy.Time.now() > end, seconds + 5, "the end of the drive")
         self.command(0.0)
 
+    def wait_for_last_lines(self, judge, line, before=""):
+        """Fail unless this becomes the judge's last line, after another one."""
+        self.wait_for(lambda: re.search(f"{re.escape(before)}\n(.*\n)*{re.escape(line)}\n$", read(judge)),
+                      START_TIMEOUT, f"{before} {line}")
+
+    def move_by_hand(self, *steps):
+        """Move the robot by ``set_pose``, along these steps in m, to places that are as near as a robot drives."""
+        set_pose = rospy.Publisher("jetbot_simulator/set_pose", Pose2D, queue_size=1)
+        truth = self.record("jetbot_simulator/ground_truth", Odometry, lambda message: message.pose.pose.position)
+        self.wait_for(lambda: truth and set_pose.get_num_connections(), START_TIMEOUT, "the simulator")
+        for pose in [Pose2D(truth[-1].x + step * math.cos(1), truth[-1].y + step * math.sin(1), 1.0) for step in steps]:
+            set_pose.publish(pose)
+            self.wait_for(lambda at=pose: (truth[-1].x, truth[-1].y) == (at.x, at.y), START_TIMEOUT, "the robot there")
+
     def test_a_drive_gets_a_score_and_its_record_the_same(self):
         states = self.record("task", DiagnosticStatus, lambda status: status)
         courses = self.record("task_course", MarkerArray, lambda array: array.markers)
@@ -82,17 +100,19 @@ class Judge(RobotTest):
         judge = self.judge("park")
         self.wait_for_lines(judge, READY)
         self.assertEqual(worlds[-1], 2)  # one clears the drawing, one is a wall
+        self.move_by_hand(0.01, 0.02, 0.03)
+        self.wait_for_last_lines(judge, READY, before=MOVED)
         second = self.judge("metre")
         self.assertEqual(second.wait(START_TIMEOUT), 1)
         self.assertRegex(read(second), r"^/judge judges this robot already\. End it first: .*\n$")
         self.emergency_stop(True)
-        self.wait_for_lines(judge, READY, RELEASE)
+        self.wait_for_last_lines(judge, RELEASE)
         self.emergency_stop(False)
-        self.wait_for_lines(judge, READY, RELEASE, READY)
+        self.wait_for_last_lines(judge, READY, before=RELEASE)
         os.killpg(self.simulator.pid, signal.SIGSTOP)
         self.wait_for(lambda: "The simulator does not answer." in read(judge), START_TIMEOUT, "a sentence")
         os.killpg(self.simulator.pid, signal.SIGCONT)
-        self.wait_for(lambda: read(judge).splitlines()[-1] == READY, START_TIMEOUT, "the next start")
+        self.wait_for_last_lines(judge, READY)
         os.kill(judge.pid, signal.SIGTERM)
         self.assertEqual(judge.wait(START_TIMEOUT), 130)
         self.assertEqual(read(judge).splitlines()[-1], "Cancelled.")

@@ -113,6 +113,8 @@ class Attempt:
     def _measure(self):
         """Record until the drive is done."""
         while self._recorder.state != DONE:
+            if self.robot.world_changed:
+                raise Interrupted("Walls or lines around the robot were changed, so the drive does not count.")
             for sample in self.robot.samples:
                 self._feed(sample)
             self._check_obstacle()

@@ -18,7 +18,7 @@ from jetbot.text import enumeration, printable
 from jetbot_ros.holds import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 
-from ..report.marks import SIMULATOR
+from ..report import marks
 from ..scoring.recorder import Sample
 from .bags import sample_of
 
@@ -107,7 +107,7 @@ class JudgedRobot:
     @property
     def source(self) -> str:
         """What measures its drives, as in a Mark."""
-        return self._body and f"{SIMULATOR} with {self._body}"
+        return self._body and f"{marks.SIMULATOR} with {self._body}"
 
     @property
     def is_controlled(self) -> bool:
@@ -157,3 +157,8 @@ class JudgedRobot:
     def has_world(self) -> bool:
         """Whether the simulator has the world of the last ``set_world``."""
         return self._worlds > self._known_worlds
+
+    @property
+    def world_changed(self) -> bool:
+        """Whether it has got another one since then."""
+        return self._worlds > self._known_worlds + 1
