@@ -32,7 +32,7 @@ def test_says_how_to_undo_it_and_that_works(home, capsys):
     file = home / "a b.yaml"
     file.write_text("old")
     file.with_name("link").symlink_to(file)
-    write(home / "link", "new")
+    write(home / "link", "new", "")
     assert file.read_text() == "new"
     os.system(capsys.readouterr().out.partition("To undo it: ")[2].partition("\n")[0])
     assert file.read_text() == "old" and (home / "link").is_symlink()

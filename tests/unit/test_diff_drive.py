@@ -4,8 +4,9 @@ import math
 
 import pytest
 
+from jetbot.fake.motors import dead_band_factor
 from jetbot.kinematics import Pose
-from simulation.diff_drive import STARTING_EXPONENT, Body, DiffDriveModel, Motor
+from simulation.diff_drive import Body, DiffDriveModel, Motor
 
 SEPARATION, MAX_SPEED = 0.1125, 0.6
 IDEAL = Body(motor_lag=0.0, dead_band=0.0)
@@ -55,7 +56,7 @@ def test_a_wheel_that_slows_down_is_at_rest_soon():
 @pytest.mark.parametrize("frequency, starts_at", [(1600, 0.28), (25, 0.02)])
 def test_below_its_dead_band_a_wheel_stalls_and_the_band_shrinks_with_the_pwm_frequency_as_measured(
         frequency, starts_at):
-    dead_band = 0.28 * (1526 / 1600) ** STARTING_EXPONENT
+    dead_band = 0.28 / dead_band_factor(1600)
     motor = Motor(MAX_SPEED, lag=0.0, dead_band=dead_band)
     for duty, stalled in ((0.98 * starts_at, True), (-0.98 * starts_at, True), (1.02 * starts_at, False), (0, False)):
         motor.step(duty, 1.0, frequency)

@@ -15,8 +15,9 @@ from jetbot.connection import locate, lock_board
 from jetbot.host import doctor_command, model, robot_bus
 from jetbot.text import printable
 from jetbot_control_node.parameters import PARAMETERS, is_fake
-from jetbot_tools.calibration.settings import as_yaml, output_file, write
-from jetbot_tools.calibration.wizard import wizard_for
+from jetbot_tools.calibration.body import body_of
+from jetbot_tools.calibration.settings import as_yaml, output_file, write_all
+from jetbot_tools.calibration.wizard import Wizard, wizard_for
 from jetbot_tools.doctor.computer import Check, check_users
 from jetbot_tools.doctor.motor_board import check_board
 from jetbot_tools.options import add_options, fake_advice, parse
@@ -44,8 +45,8 @@ def drivable(checks: Dict[str, Check]) -> List[str]:
     return [board for board, check in checks.items() if check.condition in met]
 
 
-def calibrate(boards: List[str], i2c_address: Optional[int], **place: Any) -> Dict[str, Any]:
-    """Try the boards until a wheel turns; return the parameters of that robot. Raise JetbotError if none turns."""
+def calibrate(boards: List[str], i2c_address: Optional[int], **place: Any) -> Wizard:
+    """Try the boards until a wheel turns; return the wizard that found it. Raise JetbotError if none turns."""
     input("Put the robot on a box, so that its wheels turn freely. Press Enter to continue; Ctrl-C quits at any time. ")
     address = {} if i2c_address is None else {"i2c_address": i2c_address}
     for board in boards:
@@ -55,7 +56,7 @@ def calibrate(boards: List[str], i2c_address: Optional[int], **place: Any) -> Di
             print(f"\nTrying the board {board}.")
             if wizard.find_motors():
                 wizard.tune()
-                return wizard.parameters
+                return wizard
     raise JetbotError("no wheel turned", f"Is the motors' battery on? Run: {doctor_command()}")
 
 
@@ -78,9 +79,9 @@ def main() -> None:
     for check in check_users(locate(find_board(boards[0]), **place)):
         if not check.ok:
             print(check)
-    text = as_yaml(calibrate(boards, options.i2c_address, **place))
-    print(f"\n{text}")
-    write(file, text)
+    found = calibrate(boards, options.i2c_address, **place)
+    print(f"\n{as_yaml(found.parameters)}")
+    write_all(file, found.parameters, body_of(found.parameters, found.dead_band))
 
 
 if __name__ == "__main__":

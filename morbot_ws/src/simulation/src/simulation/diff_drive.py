@@ -3,6 +3,7 @@
 import math
 from typing import Dict, NamedTuple, Tuple
 
+from jetbot.fake.motors import dead_band_factor
 from jetbot.kinematics import FULL_SPEED, WHEEL_RADIUS, WHEEL_SEPARATION, Pose, mix, unmix
 
 from .variation import Variation
@@ -15,9 +16,6 @@ PWM_FREQUENCY = 1526.0  # Hz, at which a dead band is given
 STOPPED_BELOW = 1e-5    # m/s; a wheel that slows down would never be at 0
 RESOLUTION = 5e-5       # m; the robot stops this near to a wall, or nearer
 SEPARATED = 0.01        # m from the walls; the next contact is another one
-# Adafruit, "Improve Low-Speed Performance of Brushed DC Motors": a gear motor (product 4416) starts at 1.4 V of 5 V at
-# 1600 Hz, and at 0.1 V at 25 Hz.
-STARTING_EXPONENT = math.log(1.4 / 0.1) / math.log(1600 / 25)
 
 
 class Body(NamedTuple):
@@ -29,6 +27,9 @@ class Body(NamedTuple):
     max_speed: float = FULL_SPEED               # m/s, of the left wheel
     motor_lag: float = 0.1                      # s
     dead_band: float = 0.05                     # duty
+    swap_motors: bool = False
+    invert_left: bool = False
+    invert_right: bool = False
     variation: float = 0.0
 
     @property
@@ -58,7 +59,7 @@ class Motor:
 
     def step(self, duty: float, seconds: float, pwm_frequency: float = PWM_FREQUENCY) -> float:
         """Apply a duty in [-1, 1] for some time, at a frequency in Hz; return the metres that it drives."""
-        starts_at = self._dead_band * (pwm_frequency / PWM_FREQUENCY) ** STARTING_EXPONENT
+        starts_at = self._dead_band * dead_band_factor(pwm_frequency)
         self.duty, self.stalled = duty, 0 < abs(duty) < starts_at
         target = 0.0 if self.stalled else duty * self._max_speed
         error = self.speed - target
@@ -114,6 +115,7 @@ class DiffDriveModel:
 
         They are duties in [-1, 1]; of a closed loop, m/s of wheels that are 2 m apart.
         """
+        speeds = self._wired(*speeds)
         if self._closed_loop:
             speeds = mix(*unmix(*speeds), self.body.wheel_separation, self.body.max_speed)
         left, right = speeds
@@ -122,6 +124,12 @@ class DiffDriveModel:
                        for motor, speed in ((self.left, left), (self.right, right)))
         if left or right:
             self._drive(left, right)
+
+    def _wired(self, left: float, right: float) -> Pair:
+        """Return the speeds of the wheels (left, right) that are wired to these outputs of the board."""
+        body = self._body
+        left, right = (right, left) if body.swap_motors else (left, right)
+        return -left if body.invert_left else left, -right if body.invert_right else right
 
     def _drive(self, left: float, right: float) -> None:
         """Move as the wheels have rolled, in m, up to a wall: by conservative advancement.

@@ -33,6 +33,7 @@ PARAMETERS = {
     "dead_band": Parameter(JETBOT.dead_band, FRACTION,
                            "duty below which a motor does not turn, at 1526 Hz; an estimate: 0.23 V of 5 V, to which "
                            "Adafruit's speeds of TT motor 3777 extrapolate"),
+    **{name: controller.PARAMETERS[name] for name in ("swap_motors", "invert_left", "invert_right")},
     "variation": Parameter(JETBOT.variation, Kind(lambda value: is_number(value) and 0 <= value <= 1, "from 0 to 1"),
                            "how much this robot differs from the others, by its name; 0: not at all"),
     "world": Parameter("", Kind(lambda value: isinstance(value, str), "the name of a YAML file"),

@@ -26,9 +26,10 @@ DIRECTIONS = {"forward": 1, "backward": -1}
 
 
 class Wizard:
-    """Collects the ``parameters`` of one robot, whose board takes a duty for each wheel."""
+    """Collects the ``parameters`` and the ``dead_band`` of one robot, whose board takes a duty for each wheel."""
 
     wiring = staticmethod(motor_wiring)
+    dead_band = 0.0  # smallest duty that turns both wheels; 0: not measured
 
     def __init__(self, **known: Any):
         fixed = "pwm_frequency" in BOARDS[known["board"]].driver.ignores
@@ -88,7 +89,7 @@ class Wizard:
     def straighten(self) -> None:
         """Find the smallest duty at which both wheels turn, and the alphas at which they turn equally fast."""
         input("\nPut the robot on the floor, at the start of a straight line of two metres. Press Enter to continue. ")
-        self.parameters["min_duty"] = max(self.ramp("left", 1, 0), self.ramp("right", 0, 1))
+        self.parameters["min_duty"] = self.dead_band = max(self.ramp("left", 1, 0), self.ramp("right", 0, 1))
         alphas = (1.0, 1.0)
         while True:
             self.parameters.update(zip(ALPHAS, alphas))
