@@ -127,7 +127,7 @@ class DiffDriveModel:
 
     def _wired(self, left: float, right: float) -> Pair:
         """Return the speeds of the wheels (left, right) that are wired to these outputs of the board."""
-        body = self._body
+        body = self.body
         left, right = (right, left) if body.swap_motors else (left, right)
         return -left if body.invert_left else left, -right if body.invert_right else right
 
