@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
@@ -43,6 +44,12 @@ def test_what_fails_in_a_child_is_a_problem_in_one_sentence(function, arguments,
 
 def test_a_function_that_waits_ends():
     assert run(time.sleep, 60, limits=SMALL._replace(wall_time=0.1)).problem == "It takes more than 0.1 s."
+
+
+def test_processes_of_others_may_end_while_a_child_starts(monkeypatch):
+    monkeypatch.setattr(contained, "children", lambda: [])
+    monkeypatch.setattr(Path, "glob", Mock(side_effect=FileNotFoundError("/proc/7/task")))
+    assert run(int, "3").value == 3
 
 
 def test_a_child_prints_nothing_and_returns_much(capfd):
