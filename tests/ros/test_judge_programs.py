@@ -51,12 +51,13 @@ def test_a_program_gets_a_score_and_one_that_crashes_a_row(folder):
     (folder / "programs/drives.py").write_text(DRIVES)
     (folder / "programs/other.py").write_text("from jetbot import Robot\nwith Robot() as robot:\n    robot.forward()\n")
     (folder / "programs/breaks.py").write_text("import missing_module\n")
-    run = subprocess.run([JUDGE, "metre", "--program", folder / "programs"], cwd=folder, stdout=subprocess.PIPE,
-                         text=True, timeout=TIMEOUT)
+    run = subprocess.run([JUDGE, "metre", "--program", folder / "programs", "--variation", "0.1"], cwd=folder,
+                         stdout=subprocess.PIPE, text=True, timeout=TIMEOUT)
     breaks, drives, other = csv.DictReader(run.stdout.splitlines())
     assert breaks["problem"] == ("It ended before it drove. "
                                  "ModuleNotFoundError: No module named 'missing_module' (line 1)")
-    assert drives["name"] == "drives.py" and float(drives["score"]) > 60
+    assert drives["name"] == "drives.py" and 60 < float(drives["score"]) < 95
+    assert drives["source"] == "simulator with variation 0.1"
     assert other["problem"] == ("It ended before it drove. It drove a Robot() of its own; "
                                 "the robot that is judged obeys /cmd_vel.")
     assert sorted(os.listdir(folder)) == ["home", "programs"]

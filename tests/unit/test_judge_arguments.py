@@ -23,6 +23,8 @@ def test_the_source_and_the_files_of_a_judgement(tmp_path):
     (["metre", "--bag", "x", "--robot", "a", "b"], "--robot names one robot of a bag, and none of a program."),
     (["metre", "--config", "si_units.yaml"],
      "--config belongs to --bag or --program: the robot that drives now has its own."),
+    (["metre", "--variation", "0.5"], "--variation belongs to --program: any other drive has that of its robot."),
+    (["metre", "--program", "x", "--variation", "2"], "--variation: It must be from 0 to 1, not 2."),
     (["metre", "--bag", "x", "--program", "y"], "--program: not allowed with argument --bag. See judge.py --help."),
     (["--bag", "drive.bag"], "The task is missing. The tasks are metre, "),
     (["metre", "--bag", "x.bag", "--picture", "x.bag"], "--picture: Its name must end in .png, not x.bag."),

@@ -34,8 +34,8 @@ class Body(NamedTuple):
 
     @property
     def changes(self) -> str:
-        """What differs from the shipped robot: "max_speed 3 for 0.6"; "" if nothing does."""
-        return ", ".join(f"{name} {value:g} for {shipped:g}"
+        """What differs from the shipped robot: "max_speed 3 for 0.6, variation 0.2"; "" if nothing does."""
+        return ", ".join(f"{name} {value:g}" + f" for {shipped:g}" * bool(shipped)
                          for name, value, shipped in zip(self._fields, self, JETBOT) if value != shipped)
 
 

@@ -1,6 +1,7 @@
 """The command line of judge.py."""
 
 import argparse
+import contextlib
 import re
 import sys
 from pathlib import Path
@@ -26,6 +27,8 @@ def parse_arguments(words: List[str]) -> argparse.Namespace:
                         help="run a program, or each in a folder, and judge its drive")
     parser.add_argument("--config", default="", metavar="FILE", help="units of the commands, of a bag with nothing "
                         "else or of programs: a YAML file such as si_units.yaml")
+    parser.add_argument("--variation", type=_share, default=0.0, metavar="0..1",
+                        help="of programs: how much their robot differs from the model, the same for each")
     parser.add_argument("--picture", type=_file(".png"), metavar="FILE.png", help="of one drive (default: TASK.png)")
     parser.add_argument("--pictures", metavar="FOLDER", help="a picture of each drive goes here")
     parser.add_argument("--csv", type=_file(".csv"), metavar="FILE.csv",
@@ -57,6 +60,13 @@ def _task(text):
     raise argparse.ArgumentTypeError(f"There is no task {text}. {advice}")
 
 
+def _share(text):
+    with contextlib.suppress(ValueError):
+        if 0 <= float(text) <= 1:
+            return float(text)
+    raise argparse.ArgumentTypeError(f"It must be from 0 to 1, not {text}.")
+
+
 def _file(suffix):
     """Return what checks the name of a file: one that is written takes the place of no other kind of file."""
     def check(text):
@@ -75,6 +85,8 @@ def _check(parser, given):
             (given.record and not live, "--record is for a robot that drives now."),
             (given.config and live,
              "--config belongs to --bag or --program: the robot that drives now has its own."),
+            (given.variation and not given.program,
+             "--variation belongs to --program: any other drive has that of its robot."),
             (given.picture and not is_single(given), "--picture is for one drive; for several, use --pictures FOLDER."),
             (given.robot and (given.program or given.bag and len(given.robot) > 1),
              "--robot names one robot of a bag, and none of a program.")):

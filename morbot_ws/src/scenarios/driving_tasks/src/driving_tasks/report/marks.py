@@ -45,10 +45,11 @@ class Mark(NamedTuple):
         if not self.result:
             return [self.problem]
         summary = f"{self.task}: {self.result.score:.1f} of 100 points in {self.result.drive.seconds:.1f} s."
-        return [summary, self.result.sentence, *filter(None, [self._note])]
+        return [summary, self.result.sentence, *filter(None, [self.note])]
 
     @property
-    def _note(self):
+    def note(self) -> str:
+        """A sentence on a source other than the shipped simulator, else ""."""
         if self.source == NOT_SIMULATED:
             return NO_SIMULATION
         if self.source.startswith(SIMULATOR):

@@ -28,12 +28,13 @@ WALL = {"color": "black", "linewidth": 5, "solid_capstyle": "butt"}
 TAPE = {"color": "0.75", "linewidth": 12, "solid_capstyle": "butt"}
 
 
-def draw(result: Result, file: str) -> None:
-    """Draw a result into a PNG file, 1000 pixels wide, in one step. Raises OSError."""
+def draw(result: Result, file: str, note: str = "") -> None:
+    """Draw a result, with a note below its title, into a PNG file, 1000 pixels wide, in one step. Raises OSError."""
     task, drive, losses = result.task, result.drive, [loss for loss in result.losses if loss.points >= NEGLIGIBLE]
     below = TEXT * max(1, len(losses)) + 0.3
     figure = Figure(figsize=(WIDTH, HEIGHT + below), constrained_layout=True)
-    figure.suptitle(f"{task.title}: {result.score:.1f} of 100 points in {drive.seconds:.1f} s", fontsize=16)
+    title = f"{task.title}: {result.score:.1f} of 100 points in {drive.seconds:.1f} s"
+    figure.suptitle(f"{title}\n{note}".rstrip(), fontsize=16)
     floor, text = figure.subplots(2, gridspec_kw={"height_ratios": (HEIGHT, below)})
     draw_world(floor, task.load_world())
     draw_drive(floor, task.course, drive)

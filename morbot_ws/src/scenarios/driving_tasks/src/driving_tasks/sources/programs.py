@@ -40,11 +40,11 @@ OTHER_BUS = "other_bus"  # of the program's own Robot()
 OTHERS = ("ROS_IP", "ROS_NAMESPACE", "ROS_LOG_DIR", "JETBOT_GUARD", "JETBOT_BOARD")  # variables of another robot
 
 
-def judge_programs(task: Task, path: str, config: str = "") -> Iterator[Mark]:
+def judge_programs(task: Task, path: str, config: str = "", variation: float = 0.0) -> Iterator[Mark]:
     """Yield the mark of a program, or of each in a folder. Raises InvalidValue.
 
     They run with all rights of this user, one after the other, because motion is measured by the clock.
-    config: the controller's file of parameters, such as si_units.yaml.
+    config: the controller's file of parameters, such as si_units.yaml; variation: of their robot, the same for each.
     """
     read_config(config)  # the controller would not start
     drive_time = round(task.time_limit) + DRIVE_TIMEOUT
@@ -52,16 +52,16 @@ def judge_programs(task: Task, path: str, config: str = "") -> Iterator[Mark]:
     for file in find_files(Path(path).absolute(), ".py", without=OTHER_FILES):  # it runs in a folder of its own
         problem = file.problem or ("" if file.path.is_file() else "It is not a file.")
         outcome = (contained.Outcome(problem=problem) if problem else
-                   contained.run(judge_program, task, file.path, config, limits=limits))
+                   contained.run(judge_program, task, file.path, config, variation, limits=limits))
         mark = outcome.value or Mark(file.name, task.name, problem=outcome.problem)
         yield mark._replace(name=file.name)
 
 
-def judge_program(task: Task, program: Path, config: str) -> Mark:
+def judge_program(task: Task, program: Path, config: str, variation: float) -> Mark:
     """Return the mark of a program. Becomes a node, whose processes end here."""
     with tempfile.TemporaryDirectory(prefix="judge_") as folder:
         try:
-            return Trial(task, program, Path(folder)).run(config)
+            return Trial(task, program, Path(folder)).run(config, variation)
         finally:
             contained.end_children()
 
@@ -75,12 +75,12 @@ class Trial:
         self._process: Optional[subprocess.Popen] = None
         self._started_at, self._ended_at = time.monotonic(), None
 
-    def run(self, config: str) -> Mark:
+    def run(self, config: str, variation: float) -> Mark:
         """Start the robot, then the program; return the program's mark when its drive is over."""
         os.environ.update(make_environment(self._folder))
         for name in OTHERS:
             os.environ.pop(name, None)
-        for command in robot_commands(self._folder, config):
+        for command in robot_commands(self._folder, config, variation):
             contained.start(command, Path.cwd(), self._folder / Path(command[0]).stem)
             if not wait_until(lambda: is_reachable(os.environ["ROS_MASTER_URI"]), START_TIMEOUT):
                 return self._mark("Its ROS master does not start.")
@@ -147,12 +147,12 @@ def make_environment(folder: Path) -> Dict[str, str]:
             "JETBOT_I2C_BUS": f"fake:{folder}/{OTHER_BUS}", "JETBOT_PORT": f"fake:{folder}/other_port"}
 
 
-def robot_commands(folder: Path, config: str) -> Iterator[List[str]]:
+def robot_commands(folder: Path, config: str, variation: float) -> Iterator[List[str]]:
     """Yield the commands that start a ROS master, a controller and a simulator."""
     yield ["rosmaster", "--core", "-p", os.environ["ROS_MASTER_URI"].rpartition(":")[2]]
     bus, units = f"_i2c_bus:=fake:{folder}/bus", [f"_config:={config}"] if config else []
     yield [find_node("jetbot_control_node", "jetbot_controller.py")[0], bus, *units]
-    yield [find_node("simulation", "simulator.py")[0], bus]
+    yield [find_node("simulation", "simulator.py")[0], bus, f"_variation:={variation}"]
 
 
 def last_line(file: Path) -> str:
