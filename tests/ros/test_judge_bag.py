@@ -23,7 +23,7 @@ def test_one_bag_gets_sentences_and_a_picture(judge, folder):
         "Drawing metre.png ...", "Drew metre.png.", "Wrote marks.csv."])
     assert (folder / "metre.png").read_bytes()[:4] == b"\x89PNG"
     assert table((folder / "marks.csv").read_text("utf-8-sig")) == [
-        ("drive.bag", "metre", "36.8", "3.0", "stopped 10 cm short of the goal", "", "simulator")]
+        ("", "drive.bag", "metre", "36.8", "3.0", "stopped 10 cm short of the goal", "", "simulator")]
 
 
 def test_a_folder_gets_a_row_and_a_picture_for_each_bag_the_same_each_time(judge, folder):
@@ -31,8 +31,8 @@ def test_a_folder_gets_a_row_and_a_picture_for_each_bag_the_same_each_time(judge
         (folder / "class" / name).mkdir(parents=True)
         write(f"class/{name}/drive.bag", length=0.95)
     code, text = judge("metre", "--bag", "class", "--pictures", "pictures")
-    assert (code, table(text)) == (0, [(f"{name}/drive.bag", "metre", "60.7", "3.2", "stopped 5 cm short of the goal",
-                                        "", "simulator") for name in ("anna", "ben")])
+    assert (code, table(text)) == (0, [("", f"{name}/drive.bag", "metre", "60.7", "3.2",
+                                        "stopped 5 cm short of the goal", "", "simulator") for name in ("anna", "ben")])
     assert sorted((folder / "pictures").rglob("*.png")) == [
         folder / "pictures/anna/drive.bag.png", folder / "pictures/ben/drive.bag.png"]
     assert len({mark.result.score for mark in judge_bags(METRE, "class")}) == 1

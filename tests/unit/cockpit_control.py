@@ -22,7 +22,7 @@ class FakeRobots:
     def __init__(self):
         self.now = Snapshot({name: Robot(name, geometry=WORKSHOP, simulated=True, status="driving")
                              for name in ("/red", "/blue")})
-        self.were_reset = []
+        self.were_reset, self.reports = [], []
 
     def snapshot(self):
         return self.now
@@ -35,6 +35,10 @@ class FakeRobots:
             self.now = self.now._replace(emergency=engaged)
         else:
             self.change(robot, stopped=engaged)
+
+    def report_driver(self, robot, name, interruption):
+        if self.reports[-1:] != [(robot, name, interruption)]:
+            self.reports.append((robot, name, interruption))
 
     def reset(self, robot):
         self.were_reset.append(robot)

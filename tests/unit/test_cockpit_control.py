@@ -108,6 +108,46 @@ def test_a_teacher_takes_a_robot_and_the_finger_must_lift(driven):
     driven.must_lift(ADA)
 
 
+def leave(cockpit):
+    cockpit.control.leave(ADA.id)
+
+
+def take(cockpit):
+    cockpit.do(TEACHER, Message("take", "/red"))
+
+
+def stall(cockpit):
+    cockpit.wait(0.25)
+    cockpit.time += 0.06
+    cockpit.push(ADA)
+
+
+def freeze(cockpit):
+    cockpit.time += 0.31
+    cockpit.push(ADA)
+
+
+@pytest.mark.parametrize("interrupt, sentence", [
+    (leave, "the driver's page was closed, or lost its connection"), (take, "a teacher took the robot over"),
+    (stall, "no command came from the driver's page for 0.3 s"),
+    (freeze, "no command came from the driver's page for 0.3 s"),
+    (lambda cockpit: cockpit.wait(0.35), "no command came from the driver's page for 0.3 s")],
+    ids=["a closed page", "a teacher", "a network that stalls", "a cockpit that was frozen", "a lost page"])
+def test_a_judge_learns_who_drives_and_what_interrupted_it(driven, interrupt, sentence):
+    driven.do(ADA, Message("name", name=" Ada "))
+    driven.push(ADA)
+    assert driven.robots.reports == [("/red", "", ""), ("/red", "Ada", "")]
+    interrupt(driven)
+    assert ("/red", "Ada", sentence) in driven.robots.reports
+
+
+def test_a_finger_that_lifts_at_the_goal_is_no_interruption(driven):
+    driven.lift(ADA)
+    driven.wait(1)
+    leave(driven)
+    assert [interruption for _, _, interruption in driven.robots.reports] == [""]
+
+
 def test_a_finger_that_was_up_when_the_teacher_took_drives_at_once_later(driven):
     driven.lift(ADA)
     driven.do(TEACHER, Message("take", "/red"))

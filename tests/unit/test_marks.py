@@ -19,11 +19,12 @@ DRIVE = [Sample(time / 50, Pose(min(1.0, max(0.0, time - 50) * 0.006), 0.0, 0.0)
 
 def test_a_mark_is_a_row_and_a_few_sentences():
     mark = marks.Mark("anna.bag", "metre", judge(TASKS["metre"], DRIVE), source="odometry")
-    assert mark.row == ("anna.bag", "metre", "100.0", "3.3", "", "", "odometry")
+    assert mark.row == ("", "anna.bag", "metre", "100.0", "3.3", "", "", "odometry")
     assert mark.sentences == ["metre: 100.0 of 100 points in 3.3 s.", "No loss of more than half a point.",
                               "Measured by its odometry, not by the simulator."]
     failed = marks.Mark("ben.bag", "metre", problem="It is empty.")
-    assert failed.row == ("ben.bag", "metre", "", "", "", "It is empty.", "")
+    assert failed.row == ("", "ben.bag", "metre", "", "", "", "It is empty.", "")
+    assert marks.Mark("Ada", "metre", robot="jetbot_07").row[:3] == ("jetbot_07", "Ada", "metre")
 
 
 @pytest.mark.parametrize("name, cell", [

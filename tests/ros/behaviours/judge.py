@@ -5,9 +5,10 @@ import os
 import re
 import signal
 import sys
+from pathlib import Path
 
 import rospy
-from diagnostic_msgs.msg import DiagnosticStatus
+from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from geometry_msgs.msg import Pose2D
 from nav_msgs.msg import Odometry
 from visualization_msgs.msg import Marker, MarkerArray
@@ -21,6 +22,7 @@ JUDGE = program("driving_tasks", "judge.py")
 SIMULATOR = program("simulation", "simulator.py")
 READY = "Drive when you are ready."
 MOVED = "The robot was moved, and not by its wheels, so the drive does not count."
+TAKEN = "The drive does not count: a teacher took the robot over."
 RELEASE = "The robot is stopped: emergency stop, on a fake bus. Release it: ./morbot stop --release"
 EXACT_JUDGE = """
 import runpy, sys
@@ -49,6 +51,11 @@ class Judge(RobotTest):
         """Start the judge."""
         return self.start(JUDGE, task, cwd=self.folder)
 
+    def report_driver(self, name, interruption=""):
+        """Say who drives, and what has interrupted that, as the cockpit does."""
+        self.drivers = rospy.Publisher("driver", DiagnosticStatus, queue_size=10, latch=True)
+        self.drivers.publish(DiagnosticStatus(message=interruption, values=[KeyValue("name", name)]))
+
     def wait_for_lines(self, judge, *lines):
         """Fail unless the judge has printed these lines."""
         self.wait_for(lambda: read(judge).splitlines() == [*lines], START_TIMEOUT, f"{lines}")
@@ -76,7 +83,9 @@ class Judge(RobotTest):
     def test_a_drive_gets_a_score_and_its_record_the_same(self):
         states = self.record("task", DiagnosticStatus, lambda status: status)
         courses = self.record("task_course", MarkerArray, lambda array: array.markers)
-        judge = self.start(sys.executable, "-c", EXACT_JUDGE, JUDGE, "metre", "--record", "drive.bag", cwd=self.folder)
+        options = "metre", "--record", "drive.bag", "--csv", "marks.csv"
+        judge = self.start(sys.executable, "-c", EXACT_JUDGE, JUDGE, *options, cwd=self.folder)
+        self.report_driver("=Ada")
         self.wait_for_lines(judge, READY)
         self.assertEqual(self.wheels(), STOPPED)
         self.wait_for(lambda: courses, START_TIMEOUT, "the course")
@@ -86,11 +95,13 @@ class Judge(RobotTest):
         self.assertEqual(judge.wait(START_TIMEOUT), 0)
         exact, score, loss = re.fullmatch(rf"{READY}\n(\d+\.\d+)\nmetre: (\d+\.\d) of 100 points in \d\.\d s\.\n"
                                    r"(Largest loss: stopped .*)\nDrawing metre\.png \.\.\.\n"
-                                   r"(?:Matplotlib is building .*\n)?Drew metre\.png\.\n",
+                                   r"(?:Matplotlib is building .*\n)?Drew metre\.png\.\nWrote marks\.csv\.\n",
                                    read(judge)).groups()
         values = [{pair.key: pair.value for pair in each.values} for each in states]
         self.assertEqual(list(dict.fromkeys(each["state"] for each in values)), ["ready", "driving", "done"])
-        self.assertEqual((values[-1]["score"], states[-1].message), (score, loss))
+        self.assertEqual((values[-1]["score"], values[-1]["driver"], states[-1].message), (score, "=Ada", loss))
+        table = Path(self.folder, "marks.csv").read_text("utf-8-sig")
+        self.assertIn(f"robot,'=Ada,metre,{score},", table.replace("\n", ","))
         bag = judge_bag(TASKS["metre"], os.path.join(self.folder, "drive.bag"))
         self.assertEqual((bag.result.score, bag.source), (float(exact), ""))
         self.assertEqual(score, f"{bag.result.score:.1f}")
@@ -102,6 +113,12 @@ class Judge(RobotTest):
         self.assertEqual(worlds[-1], 2)  # one clears the drawing, one is a wall
         self.move_by_hand(0.01, 0.02, 0.03)
         self.wait_for_last_lines(judge, READY, before=MOVED)
+        states = self.record("task", DiagnosticStatus, lambda status: status)
+        self.drive(0.5)
+        self.wait_for(lambda: states and states[-1].values[0].value == "driving", START_TIMEOUT, "the drive")
+        self.report_driver("Ada", "a teacher took the robot over")
+        self.wait_for_last_lines(judge, READY, before=TAKEN)
+        self.wait_for(lambda: states[-1].message.startswith(f"{TAKEN} {READY[:-1]}: "), START_TIMEOUT, "it on the page")
         second = self.judge("metre")
         self.assertEqual(second.wait(START_TIMEOUT), 1)
         self.assertRegex(read(second), r"^/judge judges this robot already\. End it first: .*\n$")

@@ -50,7 +50,8 @@ function card({ label, url, code, rows }) {
   const item = create("li");
   if (rows?.length) item.append(drawQr(rows, `QR code for ${label}`));
   const address = url.split("#")[0];
-  item.append(create("h3", "", label), create("p", "address", address), create("p", "code", code));
+  item.append(create("h3", "", label), create("p", "address", address), create("p", "code", code),
+    create("p", "own-name", "Name:")); // printed, to be written on
   return item;
 }
 
@@ -70,17 +71,18 @@ function drawQr(rows, label) {
   return canvas;
 }
 
-// scores: the best of each robot in each task, rows of {task, robot, score, seconds}, the best of each task first
+// scores: the best of each robot in each task, rows of {task, robot, score, seconds, name}, the best of each task first
 export function showScores(scores) {
   element("show-scores").hidden = !scores.length;
   if (!scores.length) leaveView("scores");
   element("scores-list").replaceChildren(...scores.map((score, index) => scoreRow(score, scores[index - 1]?.task)));
 }
 
-function scoreRow({ task, robot, score, seconds }, before) {
+function scoreRow({ task, robot, score, seconds, name }, before) {
   const row = create("tr", task === before ? "" : "best");
   const heading = create("th", "", task);
   heading.scope = "row";
-  row.append(heading, ...[robot, score.toFixed(1), inSeconds(seconds)].map((text) => create("td", "", text)));
+  const driver = name ? `${name} (${robot})` : robot;
+  row.append(heading, ...[driver, score.toFixed(1), inSeconds(seconds)].map((text) => create("td", "", text)));
   return row;
 }

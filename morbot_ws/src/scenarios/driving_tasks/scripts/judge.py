@@ -42,7 +42,7 @@ def main() -> int:
                 judged.append(mark)
     finally:
         if given.csv and judged:
-            judged.sort(key=lambda mark: given.robot.index(mark.name) if mark.name in given.robot else 0)
+            judged.sort(key=lambda mark: given.robot.index(mark.label) if mark.label in given.robot else 0)
             show(f"Wrote {marks.write(given.csv, marks.COLUMNS, (mark.row for mark in judged))}.")
     return 0 if judged and all(mark.result for mark in judged) else 1
 
@@ -91,7 +91,7 @@ def draw(mark: Mark, given: Namespace) -> None:
 
 def picture_file(mark: Mark, given: Namespace) -> Path:
     """Return the file of a picture whose name was not typed. Raises OSError if it is a link."""
-    file = Path(given.pictures, f"{mark.name}.png") if given.pictures else Path(f"{mark.task}.png")
+    file = Path(given.pictures, f"{mark.label}.png") if given.pictures else Path(f"{mark.task}.png")
     folder = Path(given.pictures or ".").resolve()
     if file.resolve() != folder / file.relative_to(given.pictures or "."):
         raise OSError(f"{file} is a link")

@@ -51,6 +51,11 @@ class Robots:
         elif robot in self._robots:
             self._robots[robot].emergency_stop.set(engaged)
 
+    def report_driver(self, robot: str, name: str, interruption: str) -> None:
+        """Publish who drives a robot, "" for nobody or no name, and what has interrupted that, "" for nothing."""
+        if robot in self._robots:
+            self._robots[robot].report_driver(name, interruption)
+
     def reset(self, robot: str) -> bool:
         """Put a simulated robot back to its start; return False if it has not answered the last time yet."""
         return robot in self._robots and self._robots[robot].reset()

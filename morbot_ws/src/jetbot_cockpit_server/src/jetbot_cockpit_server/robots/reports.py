@@ -6,6 +6,7 @@ from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Tuple
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, Pose, from_frame
 from jetbot.text import printable
 
+from ..session.protocol import MAX_NAME
 from ..session.snapshot import Shape, Task, label
 
 CLOSED_LOOP = WHEEL_SEPARATION, FULL_SPEED  # of a JetBot Pro, which limits its wheels itself
@@ -59,7 +60,8 @@ def decode_task(name: str, text: str, values: Mapping[str, str]) -> Optional[Tas
         return None
     score = number(values.get("score"), 100.0) if state == DONE else None
     return Task(printable(name)[:MAX_TITLE], printable(values.get("title") or name)[:MAX_TITLE], state,
-                printable(text)[:MAX_TEXT], number(values.get("seconds"), MAX_SECONDS), score)
+                printable(text)[:MAX_TEXT], number(values.get("seconds"), MAX_SECONDS), score,
+                printable(values.get("driver", ""))[:MAX_NAME])
 
 
 def number(text: Optional[str], largest: float) -> Optional[float]:

@@ -7,7 +7,7 @@ import time
 from typing import Optional
 
 import rospy
-from diagnostic_msgs.msg import DiagnosticStatus
+from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Bool, Float32MultiArray, String
 from std_srvs.srv import Empty
@@ -86,6 +86,8 @@ class RobotTopics:
         self._resetting: Optional[threading.Thread] = None
         self._tracker = TaskTracker()
         self._drawings = [Drawing(f"{self._base}/{topic}", frames) for topic in ("world", "task_course")]
+        self._reported = "", ""  # who drives, and what has interrupted that
+        self._driver = rospy.Publisher(f"{self._base}/driver", DiagnosticStatus, queue_size=10, latch=True)
         self.emergency_stop = EmergencyStop(f"{self._base}{CONTROLLER}/emergency_stop")
         self._status_subscriber = rospy.Subscriber(f"{self._base}{CONTROLLER}/status", String, self._on_status)
         self._task_subscriber = rospy.Subscriber(f"{self._base}/task", DiagnosticStatus, self._on_task, queue_size=1)
@@ -95,8 +97,9 @@ class RobotTopics:
             rospy.Subscriber(f"{self._base}/odom", Odometry, self._on_odom, queue_size=1)]
 
     def close(self) -> None:
-        """End all subscriptions."""
+        """End all topics."""
         self.emergency_stop.close()
+        self._driver.unregister()
         for subscriber in self._subscribers:
             subscriber.unregister()
 
@@ -131,6 +134,14 @@ class RobotTopics:
             self.name, color=self._color, geometry=self._geometry, simulated=self.simulated, status=status,
             warning=self._level > 0, answers=answers, stopped=stopped, pose=pose, speed=speed, command=command,
             wheels=wheels, program=self._program, shapes=shapes, task=task)
+
+    def report_driver(self, name: str, interruption: str) -> None:
+        """Publish what ``driver`` holds, if it has changed."""
+        if (name, interruption) != self._reported:
+            self._reported = name, interruption
+            with contextlib.suppress(rospy.ROSException):  # closed: the robot has ended meanwhile, or this node
+                self._driver.publish(DiagnosticStatus(name="driver", message=interruption,
+                                                      values=[KeyValue("name", name)]))
 
     def reset(self) -> bool:
         """Put the simulated robot back to its start, in a thread; return False while the last time still hangs."""

@@ -12,6 +12,8 @@ from .snapshot import Snapshot, label
 
 LET_GO = "Let go, then drive again."
 NO_COMMAND = f"No command for {COMMAND_TIMEOUT} s. {LET_GO}"
+TAKEN, LEFT = "a teacher took the robot over", "the driver's page was closed, or lost its connection"  # interruptions
+SILENT = f"no command came from the driver's page for {COMMAND_TIMEOUT} s"
 
 
 class Control:
@@ -27,6 +29,7 @@ class Control:
         self._leases: Dict[str, Lease] = {}  # by robot
         self._stop_rights, self._history = StopRights(), History()
         self._names: Dict[int, str] = {}
+        self._typed: Dict[int, str] = {}  # those of them that a person has typed
         self._must_lift: Set[int] = set()
         self._held: Set[str] = set()  # robots whose programs wait until a teacher says that they go on
         self._checked_at, self._stale_until = math.inf, -math.inf
@@ -45,8 +48,12 @@ class Control:
 
     def leave(self, client: int) -> None:
         """The client's socket is closed: its robot stops at once, and is free."""
-        self._free(self._robot_of(client))
+        robot = self._robot_of(client)
+        if robot and self._leases[robot].driving:
+            self._report(robot, LEFT)
+        self._free(robot)
         self._names.pop(client, None)
+        self._typed.pop(client, None)
         self._must_lift.discard(client)
 
     def check(self, now: float) -> List[dict]:
@@ -58,6 +65,8 @@ class Control:
         self._checked_at = now
         self.snapshot = self._robots.snapshot()
         for robot, lease in list(self._leases.items()):
+            if lease.is_silent(now):
+                self._report(robot, SILENT)
             if self.snapshot.problem(robot) or lease.has_expired(now):
                 self._free(robot)
         for robot in self._held - self.snapshot.commanded:
@@ -96,6 +105,8 @@ class Control:
             self._must_lift.add(client.id)
             if self._driver(robot) == client.id:
                 self._drivers.let_go(robot)
+                if not self.snapshot.problem(robot):  # which the robot's status says
+                    self._report(robot, SILENT)
         return refusal
 
     def _on_let_go(self, client, robot, now):
@@ -111,6 +122,7 @@ class Control:
             return "Only a teacher can take a robot."
         if robot in self.snapshot.robots:
             if self._driver(robot) != client.id:
+                self._report(robot, TAKEN)
                 self._free(robot)
                 self._lease(client, robot, now, driving=False)
             if self.snapshot.robots[robot].ignores_programs:
@@ -156,7 +168,8 @@ class Control:
         return "" if chosen else "Only simulated robots can be put back."
 
     def _on_name(self, client, message, now):
-        self._names[client.id] = message.name.strip() or client.name
+        self._typed[client.id] = message.name.strip()
+        self._names[client.id] = self._typed[client.id] or client.name
         return ""
 
     def _note_interruption(self, now):
@@ -182,6 +195,11 @@ class Control:
             self._free(other)
             self._must_lift.discard(client.id)
         self._leases[robot] = Lease(client.id, now, driving)
+        self._report(robot)
+
+    def _report(self, robot, interruption=""):
+        """Tell the robot's judge who drives it, by the name that this person has typed, and what interrupted that."""
+        self._robots.report_driver(robot, self._typed.get(self._driver(robot), ""), interruption)
 
     def _free(self, robot):
         """Stop the robot and end its lease. Who drove it meanwhile must lift the finger before driving again."""

@@ -43,12 +43,15 @@ class Trail:
 
 
 class Score(NamedTuple):
-    """A row of the class's best. task: its title; robot: the robot's label; score: 0 to 100; seconds: of the drive."""
+    """A row of the class's best. task: its title; robot: the robot's label; score: 0 to 100; seconds: of the drive;
+    name: of who drove, "" if it is not known.
+    """
 
     task: str
     robot: str
     score: float
     seconds: Optional[float]
+    name: str = ""
 
     @property
     def rank(self) -> Tuple[float, float]:
@@ -66,7 +69,7 @@ class Scores:
         """Take a robot's task; return whether that is a better score."""
         if not task or task.score is None:
             return False
-        key, score = (robot, task.name), Score(task.title, label(robot), task.score, task.seconds)
+        key, score = (robot, task.name), Score(task.title, label(robot), task.score, task.seconds, task.driver)
         if key in self._best and score.rank >= self._best[key].rank:
             return False
         self._best[key] = score

@@ -35,6 +35,10 @@ class Lease(NamedTuple):
         """Return whether the driver has not commanded the robot for LEASE_TIMEOUT."""
         return now - self.commanded_at >= LEASE_TIMEOUT
 
+    def is_silent(self, now: float) -> bool:
+        """Return whether the robot is driven, and no command has come for COMMAND_TIMEOUT."""
+        return self.driving and now - self.commanded_at >= COMMAND_TIMEOUT
+
 
 class DeadMan:
     """A robot's switch: it fires when commands stop arriving while the robot is driven; then the pad must be let go."""

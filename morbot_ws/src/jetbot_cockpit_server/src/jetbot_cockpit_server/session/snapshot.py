@@ -13,7 +13,9 @@ NO_MASTER = "The ROS master does not answer."
 
 
 class Task(NamedTuple):
-    """A driving task. text: a sentence for the person; seconds: of the drive; score: 0 to 100, once done."""
+    """A driving task. text: a sentence for the person; seconds: of the drive; score: 0 to 100, once done, with driver:
+    the name of who drove, "" if it is not known.
+    """
 
     name: str
     title: str
@@ -21,6 +23,7 @@ class Task(NamedTuple):
     text: str
     seconds: Optional[float] = None
     score: Optional[float] = None
+    driver: str = ""
 
     @property
     def has_ended(self) -> bool:

@@ -33,9 +33,10 @@ class Announcement:
         """Publish that the robot has been driving for so long."""
         self.publish(DRIVING, f"{seconds:.0f} s", seconds=f"{seconds:.1f}")
 
-    def done(self, result: Result) -> None:
-        """Publish the robot's score."""
-        self.publish(DONE, result.sentence, seconds=f"{result.drive.seconds:.1f}", score=f"{result.score:.1f}")
+    def done(self, result: Result, driver: str) -> None:
+        """Publish the robot's score. driver: the name of who drove, "" if it is not known."""
+        self.publish(DONE, result.sentence, seconds=f"{result.drive.seconds:.1f}", score=f"{result.score:.1f}",
+                     driver=driver)
 
     def draw(self, start: kinematics.Pose) -> None:
         """Show the course and its goal from this start on the map."""

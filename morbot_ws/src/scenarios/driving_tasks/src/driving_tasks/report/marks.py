@@ -12,7 +12,7 @@ from jetbot.text import printable
 
 from ..scoring.score import Result
 
-COLUMNS = ("name", "task", "score", "seconds", "largest_loss", "problem", "source")
+COLUMNS = ("robot", "name", "task", "score", "seconds", "largest_loss", "problem", "source")
 SIMULATOR, NOT_SIMULATED = "simulator", "not from the simulator"
 NO_SIMULATION = "Not from the simulator: its bag was made by hand, or something else than its wheels moved the robot."
 FORMULA = re.compile(r"(^|;)(\s*[=+@-])")  # also after a semicolon, where some spreadsheets begin a cell
@@ -21,8 +21,9 @@ FORMULA = re.compile(r"(^|;)(\s*[=+@-])")  # also after a semicolon, where some 
 class Mark(NamedTuple):
     """What the judge found: a result, or None and the problem in one sentence.
 
-    name: of the robot or the file; source: "" if the shipped simulator measured the drive, else "odometry", "commands",
-    NOT_SIMULATED, or how the simulator was changed: "simulator with max_speed 3 for 0.6".
+    name: of the person or the file, "" if it is not known; robot: its name, "" of a file; source: "" if the shipped
+    simulator measured the drive, else "odometry", "commands", NOT_SIMULATED, or how the simulator was changed:
+    "simulator with max_speed 3 for 0.6".
     """
 
     name: str
@@ -30,14 +31,20 @@ class Mark(NamedTuple):
     result: Optional[Result] = None
     problem: str = ""
     source: str = ""
+    robot: str = ""
 
     @property
     def row(self) -> Sequence[str]:
         """The row of a table with COLUMNS."""
         if not self.result:
-            return self.name, self.task, "", "", "", self.problem, ""
-        score, seconds = f"{self.result.score:.1f}", f"{self.result.drive.seconds:.1f}"
-        return self.name, self.task, score, seconds, self.result.largest_loss, "", self.source or SIMULATOR
+            return self.robot, self.name, self.task, "", "", "", self.problem, ""
+        score, seconds, loss = f"{self.result.score:.1f}", f"{self.result.drive.seconds:.1f}", self.result.largest_loss
+        return self.robot, self.name, self.task, score, seconds, loss, "", self.source or SIMULATOR
+
+    @property
+    def label(self) -> str:
+        """What the drive is called: its robot or its file."""
+        return self.robot or self.name
 
     @property
     def sentences(self) -> List[str]:

@@ -37,7 +37,8 @@ class Attempt:
         self._announcement = Announcement(robot.namespace, task)
         self._world, self._fed_at, self._announced_at = task.load_world(), 0.0, 0.0
         self._recorder = self._new_recorder()
-        self._last_report, self._steps = "", self._run()
+        self._last_report, self._cancelled, self._steps = "", "", self._run()
+        self._name = ""  # of who drives, if it is known
         self.mark: Optional[Mark] = None
         self.start: Optional[Sample] = None
         self.ready = False
@@ -59,10 +60,11 @@ class Attempt:
         except NoDrive:
             self._announcement.publish(CANCELLED, "Cancelled.")
             self._announcement.clear()
-            self.mark = Mark(self.robot.name, self._task.name, problem="The robot did not drive.")
+            problem = "The robot did not drive."
+            self.mark = Mark(self._name, self._task.name, problem=problem, robot=self.robot.name)
         else:
-            self._announcement.done(result)
-            self.mark = Mark(self.robot.name, self._task.name, result, source=self.robot.source)
+            self._announcement.done(result, self._name)
+            self.mark = Mark(self._name, self._task.name, result, source=self.robot.source, robot=self.robot.name)
 
     def _run(self) -> Iterator[None]:
         while not self.mark:
@@ -73,6 +75,7 @@ class Attempt:
                 self.finish()
             except Interrupted as interruption:
                 self.ready, self._recorder = False, self._new_recorder()
+                self._cancelled = "" if self.robot.obstacle else f"{interruption} "
                 self._announcement.publish(CANCELLED, str(interruption))
                 self._report(str(interruption))
 
@@ -100,14 +103,15 @@ class Attempt:
         while not self.robot.has_world:
             self._check_obstacle()
             yield
-        self.start, self._recorder = self.robot.latest, self._new_recorder()
+        self.start, self._recorder, self._name = self.robot.latest, self._new_recorder(), ""
         self._recorder.feed(self.start)
         self._announcement.draw(self.start.pose)
         self._invite()
 
     def _invite(self):
         self.ready, self._announced_at = True, 0.0
-        self._announcement.publish(READY, f"Drive when you are ready: {self._task.instruction}.")
+        self._announcement.publish(READY, f"{self._cancelled}Drive when you are ready: {self._task.instruction}.")
+        self._cancelled = ""
         self._report(INVITATION)
 
     def _measure(self):
@@ -117,6 +121,7 @@ class Attempt:
                 raise Interrupted("Walls or lines around the robot were changed, so the drive does not count.")
             for sample in self.robot.samples:
                 self._feed(sample)
+            self._check_driver()
             self._check_obstacle()
             self._announce_time()
             yield
@@ -136,6 +141,12 @@ class Attempt:
                 self._invite()
         if self._recorder.unexplained > UNEXPLAINED:
             raise Interrupted("The robot was moved, and not by its wheels, so the drive does not count.")
+
+    def _check_driver(self):
+        if self._recorder.state == DRIVING:
+            self._name = self.robot.driver or self._name
+            for interruption in self.robot.interruptions:
+                raise Interrupted(f"The drive does not count: {interruption}.")
 
     def _check_obstacle(self):
         if self.robot.obstacle:

@@ -8,6 +8,7 @@ from threading import Thread
 from typing import Iterator, List, Optional, Sequence
 
 import rospy
+from diagnostic_msgs.msg import DiagnosticStatus
 from nav_msgs.msg import Odometry
 from std_msgs.msg import String
 from std_srvs.srv import Empty
@@ -27,7 +28,8 @@ STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
 MAX_BODY = 100        # characters of the simulator's changes that are shown
-MAX_STATUS = 200      # characters of the controller's status that are shown
+MAX_STATUS = 200      # characters of a status that are shown
+MAX_NAME = 20         # characters of a person's name, as the page allows
 EMERGENCY = tuple(f"stopped: {hold.reason}" for hold in (EMERGENCY_STOP, OWN_EMERGENCY_STOP))
 HELD = tuple(f"stopped: {reason}" for reason in (*(hold.reason for hold in HOLDS), "the controller has ended"))
 
@@ -69,7 +71,9 @@ class JudgedRobot:
         self.namespace, self.name = namespace, label(namespace)
         self.samples: List[Sample] = []  # what the last poll has read: the newest ground truth, oldest first
         self.latest: Optional[Sample] = None  # of all
+        self.driver, self.interruptions = "", []  # the name of who drives by a page; what the last poll has read
         self._arrived, self._silent_polls, self._moved_at = deque(), 0, 0.0
+        self._interruptions = deque()
         self._status, self._worlds, self._known_worlds = "", 0, 0
         self._body = "an unknown body"  # until the simulator has said how it differs
         simulator = f"{namespace}/jetbot_simulator"
@@ -78,11 +82,18 @@ class JudgedRobot:
         self._reset = rospy.ServiceProxy(f"{simulator}/reset", Empty)
         self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/status", String, self._on_status)
         rospy.Subscriber(f"{namespace}/world", MarkerArray, self._on_world)
+        rospy.Subscriber(f"{namespace}/driver", DiagnosticStatus, self._on_driver)
         rospy.Subscriber(f"{simulator}/body", String, self._on_body)
         self._truth = rospy.Subscriber(self.truth_topic, Odometry, self._arrived.append)
 
     def _on_status(self, message):
         self._status = message.data[:MAX_STATUS]
+
+    def _on_driver(self, message):
+        names = [printable(pair.value)[:MAX_NAME] for pair in message.values if pair.key == "name"]
+        self.driver = "".join(names[:1])
+        if message.message:
+            self._interruptions.append(printable(message.message)[:MAX_STATUS])
 
     def _on_body(self, message):
         self._body = printable(message.data[:MAX_BODY])
@@ -91,7 +102,8 @@ class JudgedRobot:
         self._worlds += 1
 
     def poll(self) -> None:
-        """Read the ground truth that has arrived; call it every POLL_INTERVAL."""
+        """Read what has arrived; call it every POLL_INTERVAL."""
+        self.interruptions = [self._interruptions.popleft() for _ in range(len(self._interruptions))]
         self.samples = [sample_of(self._arrived.popleft()) for _ in range(len(self._arrived))]
         self._silent_polls = 0 if self.samples else self._silent_polls + 1
         for sample in self.samples:
