@@ -1,5 +1,8 @@
 """One person drives a robot; the others watch, and see who drives. A teacher may do more."""
 
+import re
+from base64 import b64decode
+
 import pytest
 
 from harness import START_TIMEOUT
@@ -78,3 +81,19 @@ def test_the_teachers_code_is_shown_only_when_asked_for(page, world):
     assert codes["teacher"] not in page.text("codes")
     page.click("#show-teacher")
     page.wait_for_text("codes", codes["teacher"])
+
+
+def test_the_codes_of_15_fit_on_a_sheet_of_paper_with_a_line_for_each_name(page, world):
+    page.click("#show-codes")
+    page.wait_for_text("codes", world.codes()["pupil"].partition("#")[2])
+    show = """const [show, done] = [(await import("/views.js")).showCodes, arguments[0]];
+        show(Array.from({length: 15}, (_, n) => ({label: `jetbot_${n + 1}`, role: "pupil", code: "7KQ2MX",
+            url: "http://192.168.100.200:8080/#7KQ2MX", rows: Array(33).fill("10".repeat(16) + "1")}))); done()"""
+    page.driver.execute_async_script(f"(async (...arguments) => {{ {show} }})(...arguments)")
+    sheet = page.driver.execute_cdp_cmd("Page.printToPDF", {"paperWidth": 8.27, "paperHeight": 11.69})
+    assert len(re.findall(rb"/Type\s*/Page\b", b64decode(sheet["data"]))) == 1
+    page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    try:
+        assert page.text("codes-list").count("Name:") == 15
+    finally:
+        page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})

@@ -56,7 +56,7 @@ def test_a_program_gets_a_score_and_one_that_crashes_a_row(folder):
     breaks, drives, other = csv.DictReader(run.stdout.splitlines())
     assert breaks["problem"] == ("It ended before it drove. "
                                  "ModuleNotFoundError: No module named 'missing_module' (line 1)")
-    assert drives["name"] == "drives.py" and 60 < float(drives["score"]) < 95
+    assert (drives["robot"], drives["name"]) == ("", "drives.py") and 60 < float(drives["score"]) < 95
     assert drives["source"] == "simulator with variation 0.1"
     assert other["problem"] == ("It ended before it drove. It drove a Robot() of its own; "
                                 "the robot that is judged obeys /cmd_vel.")

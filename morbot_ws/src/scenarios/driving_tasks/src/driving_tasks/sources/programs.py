@@ -54,7 +54,7 @@ def judge_programs(task: Task, path: str, config: str = "", variation: float = 0
         outcome = (contained.Outcome(problem=problem) if problem else
                    contained.run(judge_program, task, file.path, config, variation, limits=limits))
         mark = outcome.value or Mark(file.name, task.name, problem=outcome.problem)
-        yield mark._replace(name=file.name)
+        yield mark._replace(name=file.name, robot="")
 
 
 def judge_program(task: Task, program: Path, config: str, variation: float) -> Mark:
