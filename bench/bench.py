@@ -40,7 +40,7 @@ Rows = Iterator[Tuple[str, str, float]]  # quantity, case, value
 Figures = Dict[Tuple[str, str], Dict[str, List[float]]]  # (quantity, case): {implementation: one value per run}
 # rates, floods: commands per second
 Plan = namedtuple("Plan", "runs rates seconds floods flood_seconds idle_seconds robots clients class_seconds")
-FULL = Plan(3, (10, 100, 200), 10, (500, 1000), 5, 10, (1, 10, 30), (1, 15), 30)
+FULL = Plan(3, (10, 100, 200), 10, (500, 1000), 5, 10, (1, 10, 30), (1, 15, 30), 30)
 SHORT = Plan(1, (50,), 1, (500,), 0.5, 2, (3,), (2,), 2)
 
 
