@@ -2,6 +2,7 @@
 
 import contextlib
 import errno
+import math
 import socket
 import struct
 import threading
@@ -74,11 +75,11 @@ def reconnect() -> None:
     receive = tcpros_pubsub.robust_connect_subscriber
 
     def receive_and_reconnect(connection, host, port, publisher, callback, topic):
-        began = time.monotonic()
+        tried = -math.inf
         receive(connection, host, port, publisher, callback, topic)
         while connection:
-            time.sleep(max(RECONNECT_DELAY, began + RECONNECT_INTERVAL - time.monotonic()))
-            began, connection = time.monotonic(), connect_again(connection, host, port, topic)
+            time.sleep(max(RECONNECT_DELAY, tried + RECONNECT_INTERVAL - time.monotonic()))
+            tried, connection = time.monotonic(), connect_again(connection, host, port, topic)
             if connection and not connection.done:
                 connection.receive_loop(callback)
 
