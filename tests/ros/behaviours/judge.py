@@ -80,6 +80,10 @@ class Judge(RobotTest):
             set_pose.publish(pose)
             self.wait_for(lambda at=pose: (truth[-1].x, truth[-1].y) == (at.x, at.y), START_TIMEOUT, "the robot there")
 
+    def drive_a_little(self, states):
+        self.drive(0.5)
+        self.wait_for(lambda: states and states[-1].values[0].value == "driving", START_TIMEOUT, "the drive")
+
     def test_a_drive_gets_a_score_and_its_record_the_same(self):
         states = self.record("task", DiagnosticStatus, lambda status: status)
         courses = self.record("task_course", MarkerArray, lambda array: array.markers)
@@ -114,16 +118,16 @@ class Judge(RobotTest):
         self.move_by_hand(0.01, 0.02, 0.03)
         self.wait_for_last_lines(judge, READY, before=MOVED)
         states = self.record("task", DiagnosticStatus, lambda status: status)
-        self.drive(0.5)
-        self.wait_for(lambda: states and states[-1].values[0].value == "driving", START_TIMEOUT, "the drive")
+        self.drive_a_little(states)
         self.report_driver("Ada", "a teacher took the robot over")
         self.wait_for_last_lines(judge, READY, before=TAKEN)
         self.wait_for(lambda: states[-1].message.startswith(f"{TAKEN} {READY[:-1]}: "), START_TIMEOUT, "it on the page")
         second = self.judge("metre")
         self.assertEqual(second.wait(START_TIMEOUT), 1)
         self.assertRegex(read(second), r"^/judge judges this robot already\. End it first: .*\n$")
+        self.drive_a_little(states)
         self.emergency_stop(True)
-        self.wait_for_last_lines(judge, RELEASE)
+        self.wait_for_last_lines(judge, f"The drive does not count. {RELEASE}")
         self.emergency_stop(False)
         self.wait_for_last_lines(judge, READY, before=RELEASE)
         os.killpg(self.simulator.pid, signal.SIGSTOP)

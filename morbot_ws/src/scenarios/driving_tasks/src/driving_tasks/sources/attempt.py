@@ -14,7 +14,7 @@ from ..scoring.score import rate
 from ..scoring.tasks import Task
 from .judged_robot import JudgedRobot
 
-INVITATION = "Drive when you are ready."
+INVITATION, NO_MARK = "Drive when you are ready.", "The drive does not count"
 AT_START = 0.001         # m or rad: a pose so close to the start is there
 MAX_GAP = 1.0            # s between two samples of a drive; what happened in a longer one is not known
 ANNOUNCE_INTERVAL = 0.2  # s of the drive
@@ -74,10 +74,17 @@ class Attempt:
                 yield from self._measure()
                 self.finish()
             except Interrupted as interruption:
-                self.ready, self._recorder = False, self._new_recorder()
-                self._cancelled = "" if self.robot.obstacle else f"{interruption} "
-                self._announcement.publish(CANCELLED, str(interruption))
-                self._report(str(interruption))
+                self._cancel(str(interruption))
+
+    def _cancel(self, interruption):
+        if self.robot.obstacle:  # which is over before the invitation
+            self._cancelled = f"{NO_MARK}. " if self.has_driven else ""
+            interruption = f"{self._cancelled}{interruption}"
+        else:
+            self._cancelled = f"{interruption} "
+        self.ready, self._recorder = False, self._new_recorder()
+        self._announcement.publish(CANCELLED, interruption)
+        self._report(interruption)
 
     def _new_recorder(self):
         return Recorder(self._task.time_limit, self._world)
@@ -139,14 +146,14 @@ class Attempt:
             if was_driving:
                 self._report("The robot was put back to its start.")
                 self._invite()
-        if self._recorder.unexplained > UNEXPLAINED:
+        if self._recorder.unexplained > UNEXPLAINED or self.robot.lacks_power:
             raise Interrupted("The robot was moved, and not by its wheels, so the drive does not count.")
 
     def _check_driver(self):
         if self._recorder.state == DRIVING:
             self._name = self.robot.driver or self._name
             for interruption in self.robot.interruptions:
-                raise Interrupted(f"The drive does not count: {interruption}.")
+                raise Interrupted(f"{NO_MARK}: {interruption}.")
 
     def _check_obstacle(self):
         if self.robot.obstacle:
@@ -159,8 +166,8 @@ class Attempt:
             self._announcement.driving(seconds)
 
     def _report(self, sentence):
-        """Show a sentence, unless it is the last one again."""
-        if sentence != self._last_report:
+        """Show a sentence, unless the last one says the same."""
+        if not self._last_report.endswith(sentence):
             self._last_report = sentence
             self._show(sentence)
 

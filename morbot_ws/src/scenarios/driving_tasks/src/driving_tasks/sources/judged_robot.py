@@ -9,8 +9,9 @@ from typing import Iterator, List, Optional, Sequence
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from std_msgs.msg import String
+from std_msgs.msg import Float32MultiArray, String
 from std_srvs.srv import Empty
 from visualization_msgs.msg import MarkerArray
 
@@ -20,6 +21,7 @@ from jetbot_ros.holds import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 
 from ..report import marks
+from ..scoring.power import Power
 from ..scoring.recorder import Sample
 from .bags import sample_of
 
@@ -73,7 +75,7 @@ class JudgedRobot:
         self.latest: Optional[Sample] = None  # of all
         self.driver, self.interruptions = "", []  # the name of who drives by a page; what the last poll has read
         self._arrived, self._silent_polls, self._moved_at = deque(), 0, 0.0
-        self._interruptions = deque()
+        self._interruptions, self._power = deque(), Power()
         self._status, self._worlds, self._known_worlds = "", 0, 0
         self._body = "an unknown body"  # until the simulator has said how it differs
         simulator = f"{namespace}/jetbot_simulator"
@@ -82,6 +84,8 @@ class JudgedRobot:
         self._reset = rospy.ServiceProxy(f"{simulator}/reset", Empty)
         self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/status", String, self._on_status)
         rospy.Subscriber(f"{namespace}/world", MarkerArray, self._on_world)
+        rospy.Subscriber(f"{namespace}/jetbot_controller/wheels", Float32MultiArray, self._on_wheels)
+        rospy.Subscriber(self.command_topic, Twist, self._on_command)
         rospy.Subscriber(f"{namespace}/driver", DiagnosticStatus, self._on_driver)
         rospy.Subscriber(f"{simulator}/body", String, self._on_body)
         self._truth = rospy.Subscriber(self.truth_topic, Odometry, self._arrived.append)
@@ -98,6 +102,12 @@ class JudgedRobot:
     def _on_body(self, message):
         self._body = printable(message.data[:MAX_BODY])
 
+    def _on_wheels(self, message):
+        self._power.drive(message.data[2:])
+
+    def _on_command(self, message):
+        self._power.command((message.linear.x, message.angular.z))
+
     def _on_world(self, _):
         self._worlds += 1
 
@@ -109,7 +119,13 @@ class JudgedRobot:
         for sample in self.samples:
             if not self.latest or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.latest.pose)):
                 self._moved_at = sample.time
+                self._power.move()
             self.latest = sample
+
+    @property
+    def lacks_power(self) -> bool:
+        """Whether a robot of the shipped size moves, though its controller gives its wheels no power."""
+        return self._power.is_missing and not self._body
 
     @property
     def has_stopped(self) -> bool:
