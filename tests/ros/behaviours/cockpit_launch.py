@@ -14,6 +14,7 @@ from nav_msgs.msg import Odometry
 from std_msgs.msg import String
 from std_srvs.srv import Empty
 
+from driving_tasks.sources.judged_robot import simulated_robots
 from harness import START_TIMEOUT, RobotTest, find_processes, free_port, pid, read
 from simulation.recording import pose_of
 
@@ -93,6 +94,7 @@ class CockpitLaunch(RobotTest):
 
     def assert_one_simulator_has_all_and_is_started_again(self, poses):
         """Fail unless robots are apart, one of them is put elsewhere and back, and all return after a SIGKILL."""
+        self.assertEqual(simulated_robots(), [*CLASS], "as the judge finds them")
         starts = [rospy.get_param(f"{name}/jetbot_simulator/x") for name in CLASS]
         self.assertEqual([messages[-1].x for messages in poses.values()], starts)
         place = rospy.Publisher(f"{CLASS[1]}/jetbot_simulator/set_pose", Pose2D, queue_size=1, latch=True)
@@ -103,6 +105,7 @@ class CockpitLaunch(RobotTest):
         rospy.ServiceProxy(f"{CLASS[1]}/jetbot_simulator/reset", Empty)()
         self.wait_for(lambda: poses[CLASS[1]][-1].x == starts[1], 5.0, "its start")
         os.kill(pid("/class_simulator"), signal.SIGKILL)
+        self.wait_for(lambda: pid("/class_simulator") is None, START_TIMEOUT, "its end")
         for messages in poses.values():
             messages.clear()
         self.wait_for(lambda: all(poses.values()), START_TIMEOUT, "the next simulator")
