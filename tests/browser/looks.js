@@ -56,3 +56,42 @@ function robotOnMap() {
   const [number, x, y] = pixelsOnMap(map, color);
   return number ? [Math.sqrt(number), Math.hypot(x - map.width / 2, y - map.height / 2)] : null;
 }
+
+function cut(selector) {
+  const isCut = (element) => !visible(element) || element.scrollWidth > element.clientWidth + 1;
+  return [...document.querySelectorAll(selector)].filter(isCut).map((element) => element.textContent);
+}
+
+function outside(selector, container) {
+  const around = document.querySelector(container).getBoundingClientRect();
+  return [...document.querySelectorAll(selector)].filter((element) => {
+    const box = element.getBoundingClientRect();
+    return box.top < around.top || box.bottom > around.bottom + 0.5 || box.right > around.right + 0.5;
+  }).map((element) => element.textContent);
+}
+
+function underTools() {
+  const map = document.getElementById("map");
+  const { offsetTop: top, offsetHeight: height } = document.getElementById("tools");
+  const bottom = document.getElementById("legend").offsetTop - 26; // the scale
+  return [...document.querySelectorAll("#fleet li")].filter((row) => {
+    const [number, , y] = pixelsOnMap(map, row.style.getPropertyValue("--robot"));
+    return !(number && y > top + height && y < bottom);
+  }).map((row) => row.textContent);
+}
+
+// Returns the relative luminance of a computed colour, as WCAG defines it.
+function luminance(color) {
+  const linear = channels(color).slice(0, 3).map((part) => part / 255).map((part) =>
+    part <= 0.03928 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4);
+  return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+}
+
+function contrastOfRobot() {
+  const bar = getComputedStyle(document.querySelector(".fill")).backgroundColor;
+  const grounds = [".track", "body"].map((selector) => getComputedStyle(document.querySelector(selector)));
+  return grounds.map(({ backgroundColor }) => {
+    const [dark, light] = [luminance(bar), luminance(backgroundColor)].sort((low, high) => low - high);
+    return (light + 0.05) / (dark + 0.05);
+  });
+}

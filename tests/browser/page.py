@@ -82,6 +82,23 @@ class Page(Chromium):
         """Let the page receive a message that the cockpit has not sent."""
         self.run("socket.onmessage({data: JSON.stringify(arguments[0])})", message)
 
+    def receive_class(self, robots: int = 15, color: str = "", **state) -> None:
+        """Let the page receive a class in rows of three, a metre apart, and only pongs of the cockpit any more.
+
+        color: of all, else each has its own; state: of each robot, beside its place.
+        """
+        self.run("const receive = socket.onmessage; socket.onmessage = (event) =>"
+                 " event.isTrusted && !event.data.includes('pong') || receive(event);")
+        ids = [f"/jetbot_{number:02d}" for number in range(1, robots + 1)]
+        self.receive({"type": "robots", "robots": [
+            {"id": robot, "label": robot[1:], "color": color or f"#{96 + 8 * number:02x}4040", "workshop": True,
+             "wheel_separation": 2.0, "max_speed": 1.0, "simulated": True} for number, robot in enumerate(ids)]})
+        known = {"status": "", "warning": False, "answers": True, "stopped": False, "speed": [-0.24, -0.68],
+                 "command": [-0.4, -0.06], "wheels": [-0.46, 0.34], "program": "", "driver": None, "resumes": None,
+                 "held": False, "stalls": 0, "task": None, **state}
+        self.receive({"type": "state", "emergency": False, "pupils_release": False, "robots": {
+            robot: {"pose": [-number % 3, -(number // 3), 0], **known} for number, robot in enumerate(ids)}})
+
     def touch(self, forward: float = 1.0, left: float = 0.0) -> None:
         """Put a finger on the middle of the pad, and move it; 1 is the edge."""
         self.lift()
@@ -172,6 +189,22 @@ class Page(Chromium):
     def shows_on_map(self, color: str) -> bool:
         """Return whether a pixel of the map has this colour: "#ff0000"."""
         return self._looks("showsOnMap", color)
+
+    def cut(self, selector: str) -> List[str]:
+        """Return the texts of these elements that are hidden or not shown to their ends."""
+        return self._looks("cut", selector)
+
+    def outside(self, selector: str, container: str) -> List[str]:
+        """Return the texts of these elements that are not wholly in sight in their container."""
+        return self._looks("outside", selector, container)
+
+    def under_tools(self) -> List[str]:
+        """Return the robots of the list whose middle on the map is missing, or below its buttons, scale or legend."""
+        return self._looks("underTools")
+
+    def contrast_of_robot(self) -> List[float]:
+        """Return the contrasts of the chosen robot's colour to the bars' ground and to the map's (WCAG)."""
+        return self._looks("contrastOfRobot")
 
     def _looks(self, function, *arguments):
         return self.run(f"{LOOKS}\nreturn {function}(...arguments)", *arguments)

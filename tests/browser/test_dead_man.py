@@ -3,16 +3,12 @@
 import signal
 import time
 
-from .conftest import ROBOT
+from .conftest import OTHER_ROBOT, ROBOT
 from .world import LONGEST_GAP, moving
 
 
 def test_a_browser_that_freezes_and_continues_drives_only_after_the_finger_has_lifted(victim, world):
-    try:
-        with world.stops(ROBOT, what="SIGSTOP of the browser"):
-            victim.signal(signal.SIGSTOP)
-    finally:
-        victim.signal(signal.SIGCONT)
+    freeze(victim, world)
     world.stay_stopped(ROBOT)
     victim.move(0.9, 0.1)
     world.stay_stopped(ROBOT)
@@ -20,6 +16,25 @@ def test_a_browser_that_freezes_and_continues_drives_only_after_the_finger_has_l
     world.drive(victim, ROBOT)
     with world.stops(ROBOT, what="the finger's release"):
         victim.lift()
+
+
+def freeze(victim, world):
+    """Freeze the browser until the robot has stopped."""
+    try:
+        with world.stops(ROBOT, what="SIGSTOP of the browser"):
+            victim.signal(signal.SIGSTOP)
+    finally:
+        victim.signal(signal.SIGCONT)
+
+
+def test_the_teacher_sees_which_robots_network_stalls(page, victim, world):
+    for _ in range(2):
+        world.drive(victim, ROBOT)
+        freeze(victim, world)
+        victim.lift()
+    page.click("#show-fleet")
+    page.wait_for_text("fleet", "network stalls")
+    assert "network stalls" not in page.text_of(f"#fleet li[data-robot='/{OTHER_ROBOT}']")
 
 
 

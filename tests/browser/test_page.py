@@ -30,6 +30,56 @@ def test_everything_fits_the_screen_and_the_finger(page, pupil):
             assert each.fits(), f"with long texts on {screen}"
 
 
+def test_a_teacher_sees_a_class_on_one_screen_with_each_status_to_its_end(page):
+    page.resize(*DESKTOP, touch=False)
+    page.receive_class(status="stopped: no command for 1.0 s, on a fake bus")
+    page.wait_for_text("fleet", "15 robots")
+    assert page.outside("#fleet li", "#fleet-list") == []
+    assert page.cut("#fleet .why") == []
+    assert "fake" not in page.text("fleet")
+
+
+def test_all_shows_the_robots_between_buttons_and_legend(page):
+    for screen in (1024, 768), DESKTOP:
+        page.resize(*screen)
+        page.receive_class()
+        page.click("#fit")
+        page.wait_for(lambda: page.under_tools() == [], f"all robots on the map of {screen}")
+
+
+def test_on_an_upright_tablet_the_map_keeps_a_third_and_on_small_screens_the_legend_its_words(page):
+    task = {"name": "metre", "title": "One metre", "state": "done", "text": LONG, "seconds": 3.9, "score": 87.3}
+    for width, height in (768, 900), (360, 640), (640, 360), (320, 568):
+        page.resize(width, height)
+        page.receive_class(task=task if height > 600 else None)
+        page.wait_for(lambda: page.cut("#legend :is(dt, dd)") == [], f"the legend on {width} x {height}")
+        if width == 768:
+            page.run(LONG_TEXTS)
+            assert page.element("view").size["height"] > height / 3
+
+
+def test_bars_and_trails_stand_out_by_day_and_by_night(page):
+    try:
+        for scheme in "dark", "light":
+            page.media(prefers_color_scheme=scheme)
+            for color in "#000080", "#ffff00":
+                page.receive_class(1, color, pose=None)
+                page.receive({"type": "trail", "robot": "/jetbot_01", "points": [[-3, -2], [3, 2]]})
+                page.choose("jetbot_01")
+                page.wait_for(lambda: min(page.contrast_of_robot()) >= 3, f"{color} to stand out, {scheme}")
+                shown = page.run("return document.documentElement.style.getPropertyValue('--robot')")
+                page.wait_for(lambda shown=shown: page.shows_on_map(shown), f"the trail in {shown}, {scheme}")
+    finally:
+        page.media()
+
+
+def test_on_the_map_the_number_suffices_where_names_differ_in_nothing_else(page):
+    for labels, common in {("jetbot_01", "jetbot_12"): "jetbot_", ("jetbot_01",): "", ("jetbot_01", "bot_02"): "",
+                           ("red", "blue"): "", ("1", "2"): "", (): ""}.items():
+        assert page.run("return import('/world.js').then(({World}) => Object.assign(new World(),"
+                        " {robots: arguments[0].map(label => ({label}))}).commonName)", labels) == common, labels
+
+
 def check_screen(page, screen, *parts):
     page.resize(*screen, touch=screen != DESKTOP)
     page.wait_for(lambda: page.fits(*parts), f"all on the screen of {screen}")

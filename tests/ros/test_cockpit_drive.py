@@ -60,6 +60,7 @@ def test_silence_is_one_zero_too(publisher):
     assert wait_until(lambda: publisher.ended, TIMEOUT)
     assert publisher.published == [(0.5, 0.1), (0.0, 0.0)]
     assert not drivers.drive("/red", (0.5, 0.1), time.monotonic())
+    assert drivers.stalls("/red", time.monotonic()) == 1
 
 
 def test_a_command_while_the_publisher_ends_is_driven_by_another(publisher):

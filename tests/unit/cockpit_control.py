@@ -62,6 +62,9 @@ class FakeDrivers:
     def resumes_in(self, robot, now):
         return self.resume
 
+    def stalls(self, robot, now):
+        return self._switches.setdefault(robot, DeadMan()).stalls(now)
+
     def let_go(self, robot):
         self._switches.setdefault(robot, DeadMan()).let_go()
         self.velocities[robot] = STOPPED

@@ -221,6 +221,20 @@ def test_a_pupil_with_a_robot_drives_and_stops_that_one_only(cockpit):
     assert cockpit.push(OWN, "/blue") is None
 
 
+def test_each_stall_of_a_drivers_commands_counts_for_a_minute(driven):
+    for _ in range(2):
+        driven.wait(0.35)
+        driven.push(ADA)
+        driven.must_lift(ADA)
+    driven.lift(ADA)
+
+    def stalls():
+        return {robot: state["stalls"] for robot, state in driven.control.state()["robots"].items()}
+    assert stalls() == {"/red": 2, "/blue": 0}
+    driven.wait(61)
+    assert stalls() == {"/red": 0, "/blue": 0}
+
+
 def test_the_switch_of_a_robot_that_is_not_driven_never_fires():
     switch = DeadMan()
     assert switch.remaining(0.0) is None and not switch.check(1e9)

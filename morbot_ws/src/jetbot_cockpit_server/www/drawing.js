@@ -2,6 +2,7 @@
 // left. pixel: size of a pixel in metres.
 
 const MIN_CELL = 48; // pixels
+export const SCALE_HEIGHT = 26; // pixels, above the legend
 
 // Like the simulation's model: the origin is the middle of the axle.
 export const WHEEL_SEPARATION = 0.1125; // m
@@ -47,7 +48,7 @@ function cellSize(scale) {
 
 function drawScale(context, viewport, cell, colors) {
   const [left, length] = [14.5, Math.round(cell * viewport.scale)];
-  const down = Math.round(viewport.height - viewport.covered.below) - 9.5; // above the legend
+  const down = Math.round(viewport.height - viewport.covered.below) + SCALE_HEIGHT - 9.5;
   const [font, textAlign] = ["11px system-ui, sans-serif", "center"];
   Object.assign(context, { lineWidth: 1.5, fillStyle: colors.text, font, textAlign });
   const corners = [[left, down - 5], [left, down], [left + length, down], [left + length, down - 5]];
@@ -63,9 +64,8 @@ function drawLine(context, points, color) {
 }
 
 export function drawTrail(context, points, color, pixel) {
-  Object.assign(context, { lineWidth: 3 * pixel, lineJoin: "round", globalAlpha: 0.55 });
+  Object.assign(context, { lineWidth: 2 * pixel, lineJoin: "round" });
   drawLine(context, points, color);
-  context.globalAlpha = 1;
 }
 
 // Draws the robot at [x, y, yaw].

@@ -1,12 +1,16 @@
 // The map from above: grid, trails, robots, and the chosen robot's commanded and actual speed.
 
+import { visible } from "./colors.js";
 import { element, setText, signed } from "./dom.js";
-import { drawArrow, drawGrid, drawRing, drawRobot, drawScene, drawTrail, WHEEL_SEPARATION } from "./drawing.js";
+import {
+  drawArrow, drawGrid, drawRing, drawRobot, drawScene, drawTrail, SCALE_HEIGHT, WHEEL_SEPARATION,
+} from "./drawing.js";
 import { Viewport } from "./viewport.js";
 
 const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual", "course"];
 const FULL_SPEED = 0.6; // m/s of a JetBot's wheel at full power
-const MIN_RADIUS = 9; // pixels at which a robot is found
+const [BODY_RADIUS, MIN_RADIUS] = [0.1, 9]; // of a robot, in metres, and in pixels, at which it is found
+const [CHOSEN_RADIUS, MIN_CHOSEN_RADIUS] = [0.13, 14]; // of the ring around the chosen one
 const TAP_RADIUS = 28; // pixels
 
 export class RobotMap {
@@ -34,7 +38,7 @@ export class RobotMap {
 
   measure() {
     const height = (id) => element(id).offsetHeight;
-    this.viewport.covered = { above: height("tools") + 6, below: height("legend") + 6 };
+    this.viewport.covered = { above: height("tools") + 6, below: height("legend") + 6 + SCALE_HEIGHT };
     if (this.framed) this.viewport.fit(this.framed());
     this.redraw();
   }
@@ -88,7 +92,9 @@ export class RobotMap {
     drawGrid(context, this.viewport, this.colors);
     this.inMetres(context, (pixel) => {
       this.drawScenes(context, pixel);
-      for (const { id, color } of this.world.robots) drawTrail(context, this.world.trails.get(id) ?? [], color, pixel);
+      for (const { id, color } of this.world.robots) {
+        drawTrail(context, this.world.trails.get(id) ?? [], visible(color), pixel);
+      }
     });
     this.drawLabels(context);
     this.inMetres(context, (pixel) => this.drawRobots(context, pixel));
@@ -134,10 +140,10 @@ export class RobotMap {
 
   drawRobots(context, pixel) {
     for (const { robot, state } of this.placed) {
-      const chosen = robot.id === this.world.chosen;
-      drawRobot(context, state.pose, robot.color, this.colors, pixel);
-      const radius = chosen ? Math.max(0.13, (MIN_RADIUS + 5) * pixel) : MIN_RADIUS * pixel;
-      if (chosen || radius > 0.06) drawRing(context, state.pose, radius, robot.color, pixel);
+      const [chosen, color] = [robot.id === this.world.chosen, visible(robot.color)];
+      const radius = radiusOf(chosen, pixel);
+      drawRobot(context, state.pose, color, this.colors, pixel);
+      if (chosen || radius > BODY_RADIUS) drawRing(context, state.pose, radius, color, pixel);
       if (chosen) this.drawArrows(context, robot, state, pixel);
     }
   }
@@ -153,11 +159,12 @@ export class RobotMap {
     for (const { robot, state } of this.placed) {
       const chosen = robot.id === this.world.chosen;
       const [x, y] = this.viewport.toPixels(...state.pose);
-      const below = y + Math.max(0.13 * this.viewport.scale, MIN_RADIUS + 5) + 16;
+      const below = y + radiusOf(chosen, 1 / this.viewport.scale) * this.viewport.scale + 14;
       context.font = `${chosen ? "bold 13px" : "12px"} system-ui, sans-serif`;
       context.fillStyle = chosen ? this.colors.text : this.colors.muted;
-      context.strokeText(robot.label, x, below);
-      context.fillText(robot.label, x, below);
+      const name = robot.label.slice(this.world.commonName.length);
+      context.strokeText(name, x, below);
+      context.fillText(name, x, below);
     }
   }
 
@@ -169,6 +176,12 @@ export class RobotMap {
     const place = pose ? `the robot is at x ${signed(pose[0])} m, y ${signed(pose[1])} m` : "its place is not known";
     this.canvas.setAttribute("aria-label", `Map from above: ${place}`);
   }
+}
+
+// Returns the radius in metres of what is drawn of a robot. pixel: size of a pixel in metres.
+function radiusOf(chosen, pixel) {
+  const [metres, pixels] = chosen ? [CHOSEN_RADIUS, MIN_CHOSEN_RADIUS] : [BODY_RADIUS, MIN_RADIUS];
+  return Math.max(metres, pixels * pixel);
 }
 
 // Returns the speed [m/s, rad/s] that a command asks for: in the workshop's units it is one of power.

@@ -1,6 +1,7 @@
 // What is shown of the chosen robot: who drives it, why it does not move, its task, what its wheels get and the formula
 // that leads there, and what a teacher can do with it.
 
+import { visible } from "./colors.js";
 import { element, inSeconds, setClass, setText, signed } from "./dom.js";
 import { leaveView } from "./views.js";
 
@@ -15,7 +16,7 @@ export function showPanel(world, problem) {
   element("status").dataset.level = level;
   setText(element("driver"), robot && !problem ? world.describeDriver(id) : "");
   setClass(element("driver"), "soon", state.resumes);
-  if (robot) document.documentElement.style.setProperty("--robot", robot.color);
+  if (robot) document.documentElement.style.setProperty("--robot", visible(robot.color));
   setClass(document.body, "offline", problem);
   showWheels(robot, state);
   showTask(robot && state.task);

@@ -1,6 +1,10 @@
 // Which robots there are: the list from which a person chooses one, and the teacher's, which stops each.
 
+import { visible } from "./colors.js";
 import { create, element, onPress, setText } from "./dom.js";
+
+const MANY_STALLS = 2; // per minute: one alone may be a tablet that was switched off
+const FAKE = /, on a fake (bus|port)$/; // is true for each robot of a class
 
 export class Choice {
   // changed(): another robot was chosen
@@ -57,15 +61,16 @@ export class Fleet {
   row({ id, label, color }) {
     const item = create("li");
     item.dataset.robot = id;
-    item.style.setProperty("--robot", color);
     const [driver, status] = [create("span", "who"), create("span", "why")];
-    const pick = create("button", "choose");
-    pick.append(create("span", "swatch"), create("span", "label", label), driver, status);
+    const stalls = create("span", "stalls", "network stalls");
+    const [pick, words] = [create("button", "choose"), create("span", "words")];
+    words.append(create("span", "label", label), driver, status, stalls);
+    pick.append(create("span", "swatch"), words);
     pick.addEventListener("click", () => this.choose(id));
     const stop = create("button", "stop-one", "Stop");
     onPress(stop, () => this.toggleStop(id), () => !this.world.state(id).stopped);
     item.append(pick, stop);
-    return { id, item, pick, driver, status, stop, label };
+    return { id, item, pick, driver, status, stalls, stop, label, color };
   }
 
   toggleStop(id) {
@@ -79,13 +84,14 @@ export class Fleet {
     setText(element("fleet-summary"), `${this.rows.length} robots, ${driving} driving`);
   }
 
-  showRow({ id, item, pick, driver, status, stop, label }) {
+  showRow({ id, item, pick, driver, status, stalls, stop, label, color }) {
     const { text, level } = this.world.summarize(id);
-    const { stopped } = this.world.state(id);
+    const { stopped, stalls: count } = this.world.state(id);
     setText(driver, this.world.nameDriver(id));
-    setText(status, text);
-    status.title = text;
+    setText(status, text.replace(FAKE, ""));
+    stalls.hidden = count < MANY_STALLS;
     item.dataset.level = level;
+    item.style.setProperty("--robot", visible(color));
     pick.setAttribute("aria-pressed", id === this.world.chosen);
     stop.dataset.action = stopped ? "release" : "stop";
     setText(stop, stopped ? "Release" : "Stop");

@@ -10,7 +10,7 @@ export class Viewport {
     this.x = 0;
     this.y = 0;
     this.scale = 220;
-    this.covered = { above: 0, below: 0 }; // pixels of the map below its tools and its legend
+    this.covered = { above: 0, below: 0 }; // pixels of the map below its tools; its legend and its scale
     this.pointers = new Map();
     canvas.addEventListener("pointerdown", (event) => this.press(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
@@ -61,7 +61,7 @@ export class Viewport {
     const [left, right, bottom, top] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     this.centre((left + right) / 2, (bottom + top) / 2);
     const height = Math.max(40, this.height - this.covered.above - this.covered.below - 50);
-    const scale = Math.min((this.width - 90) / (right - left + 0.3), height / (top - bottom + 0.3));
+    const scale = Math.min((this.width - 60) / (right - left + 0.3), height / (top - bottom + 0.3));
     this.scale = Math.min(300, Math.max(MIN_SCALE, scale));
     this.changed();
   }

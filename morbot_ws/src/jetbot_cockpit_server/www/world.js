@@ -8,7 +8,7 @@ const TRAIL_LENGTH = 500; // points
 const UNKNOWN = {
   status: "", warning: false, answers: true, stopped: false,
   pose: null, speed: null, command: null, wheels: null, program: "",
-  driver: null, resumes: null, held: false, task: null,
+  driver: null, resumes: null, held: false, stalls: 0, task: null,
 };
 
 export class World {
@@ -87,6 +87,12 @@ export class World {
 
   courseOf(id) {
     return this.pointsOf(id, ({ kind }) => kind === "course" || kind === "goal");
+  }
+
+  // What the names of all robots begin with if only numbers follow, as in a class, else "".
+  get commonName() {
+    const [first, ...others] = this.robots.map(({ label }) => label.match(/^(.*?)\d+$/)?.[1]);
+    return others.length && others.every((other) => other === first) ? first ?? "" : "";
   }
 
   robot(id) {

@@ -49,6 +49,10 @@ class Drivers:
         """Return the seconds until the commands of programs count, 0 or less if they do."""
         return self._driver(robot).sent_at + MANUAL_PRIORITY - now
 
+    def stalls(self, robot: str, now: float) -> int:
+        """Return how often commands for the robot stalled within the last minute, so that its switch fired."""
+        return self._driver(robot).stalls(now)
+
     def _driver(self, robot):
         if robot not in self._drivers:
             self._drivers[robot] = Driver(robot)
@@ -104,6 +108,11 @@ class Driver(rospy.SubscribeListener):
         with self._condition:
             self._dead_man.let_go()
             self._send(ZERO)
+
+    def stalls(self, now: float) -> int:
+        """Return how often the switch has fired within the last minute."""
+        with self._condition:
+            return self._dead_man.stalls(now)
 
     def peer_subscribe(self, *_) -> None:
         """A controller has connected: send it what was commanded before."""

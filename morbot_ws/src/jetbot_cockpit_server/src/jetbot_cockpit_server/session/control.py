@@ -81,7 +81,8 @@ class Control:
     def state(self) -> dict:
         """Return the message "state"."""
         states = {name: robot.state(self._describe_driver(name), self._seconds_until_programs(robot),
-                                    name in self._held, self._history.task(robot))
+                                    name in self._held, self._history.task(robot),
+                                  self._drivers.stalls(name, self._checked_at))
                   for name, robot in self.snapshot.robots.items()}
         return {"type": "state", "emergency": self.snapshot.emergency,
                 "pupils_release": self._stop_rights.pupils_release, "robots": states}

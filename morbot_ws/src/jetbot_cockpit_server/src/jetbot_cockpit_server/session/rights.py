@@ -1,10 +1,11 @@
 """Who may drive and stop which robot, and when driving is over. Times are monotonic seconds."""
 
-from typing import Callable, NamedTuple, Optional, Set
+from typing import Callable, List, NamedTuple, Optional, Set
 
 PUPIL, TEACHER = "pupil", "teacher"
 LEASE_TIMEOUT = 5.0    # s without a command after which a robot is free again
 COMMAND_TIMEOUT = 0.3  # s without a command after which a robot that is driven stops
+MINUTE = 60.0          # s, in which stalls are counted
 
 
 class Client(NamedTuple):
@@ -46,6 +47,7 @@ class DeadMan:
     def __init__(self):
         self._fed_at: Optional[float] = None  # None: not driven
         self._fired = False
+        self._fired_at: List[float] = []  # within the last minute
 
     def feed(self, now: float) -> bool:
         """A command has arrived. Return whether it may be driven: not after the switch has fired."""
@@ -60,8 +62,15 @@ class DeadMan:
 
     def check(self, now: float) -> bool:
         """Return whether the switch has fired."""
-        self._fired = self._fired or self._fed_at is not None and now - self._fed_at >= COMMAND_TIMEOUT
+        if not self._fired and self._fed_at is not None and now - self._fed_at >= COMMAND_TIMEOUT:
+            self._fired = True
+            self._fired_at.append(now)
         return self._fired
+
+    def stalls(self, now: float) -> int:
+        """Return how often the switch has fired within the last minute."""
+        self._fired_at = [time for time in self._fired_at if now - time < MINUTE]
+        return len(self._fired_at)
 
     def remaining(self, now: float) -> Optional[float]:
         """Return the seconds until the switch fires, or None if the robot is not driven."""
