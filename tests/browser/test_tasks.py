@@ -12,7 +12,8 @@ COURSE = """markers:
 - {header: {frame_id: map}, ns: course, type: 4, scale: {x: 0.01}, points: [{x: 0.0}, {x: 0.5}]}
 - {header: {frame_id: map}, ns: goal, scale: {x: 0.1}, pose: {position: {x: 0.5}, orientation: {w: 1.0}}}"""
 TASK = """{{name: metre, message: "{message}", values: [{{key: title, value: "One <b>metre</b>"}},
-  {{key: state, value: {state}}}, {{key: seconds, value: "3.4"}}, {{key: score, value: "87.3"}}]}}"""
+  {{key: state, value: {state}}}, {{key: seconds, value: "3.4"}}, {{key: score, value: "87.3"}},
+  {{key: driver, value: "<b>Ada</b>"}}]}}"""
 
 
 @pytest.fixture
@@ -69,7 +70,7 @@ def test_a_score_stays_without_its_judge_until_the_robot_is_put_back(page, pupil
     judge.kill()
     pupil.click("#show-scores")
     pupil.wait_for_text("scores", "87.3")
-    assert pupil.fits("stop", "close-scores") and ROBOT in pupil.text("scores")
+    assert pupil.fits("stop", "close-scores") and f"<b>Ada</b> ({ROBOT})" in pupil.text("scores")
     pupil.click("#close-scores")
     world.drive(page, ROBOT)
     page.lift()

@@ -12,7 +12,7 @@ from jetbot_cockpit_server.session.snapshot import Shape, Task
 
 VALUES = {"state": "driving", "seconds": "3.4", "title": "One metre"}
 READY, DRIVING, DONE, CANCELLED = (
-    decode_task("metre", "a sentence", {**VALUES, "state": state, "score": "87.3"})
+    decode_task("metre", "a sentence", {**VALUES, "state": state, "score": "87.3", "driver": "Ada"})
     for state in ("ready", "driving", "done", "cancelled"))
 WALL = Shape("wall", 0.01, ((1.0, 0.0), (1.0, 2.0)))
 
@@ -69,8 +69,8 @@ def tracker(task):
 
 
 def test_a_judges_report():
-    assert DRIVING == Task("metre", "One metre", "driving", "a sentence", 3.4, None)
-    assert DONE.score == 87.3
+    assert DRIVING == Task("metre", "One metre", "driving", "a sentence", 3.4, None, "Ada")
+    assert (DONE.score, DONE.driver) == (87.3, "Ada")
 
 
 @pytest.mark.parametrize("name, values", [("", VALUES), ("metre", {}), ("motors", {"state": "OK"})])
@@ -85,8 +85,10 @@ def test_a_score_that_is_none_is_not_shown(text):
 
 
 def test_texts_are_cut_off_and_harmless():
-    task = decode_task("x" * 1000, "a\nb" + "c" * 1000, {"state": "ready", "title": "\x1b[31m" * 100})
-    assert len(task.name) == len(task.title) == 60 and len(task.text) == 200 and (task.title + task.text).isprintable()
+    task = decode_task("x" * 1000, "a\nb" + "c" * 1000,
+                       {"state": "ready", "title": "\x1b[31m" * 100, "driver": "\r" * 99})
+    assert [len(text) for text in (task.name, task.title, task.text, task.driver)] == [60, 60, 200, 20]
+    assert (task.title + task.text + task.driver).isprintable()
 
 
 @pytest.mark.parametrize("task", [READY, DRIVING, CANCELLED])
