@@ -6,7 +6,7 @@ import signal
 import rosgraph
 import rospy
 
-from harness import CONTROLLER, START_TIMEOUT, RobotTest, find_processes, free_port, program, read
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, free_port, program, read
 
 STOP_TIMEOUT = 3.0  # s
 
@@ -18,17 +18,9 @@ class MasterLost(RobotTest):
         self.environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{self.port}"}
         self.start_master()
 
-    def tearDown(self):
-        self.signal_master(signal.SIGKILL)  # roscore would wait for one that is frozen
-        super().tearDown()
-
     def start_master(self):
-        self.start("roscore", "-p", self.port)
+        self.master = self.start("rosmaster", "--core", "-p", self.port)
         self.wait_for(lambda: rosgraph.is_master_online(self.environment["ROS_MASTER_URI"]), START_TIMEOUT, "a master")
-
-    def signal_master(self, signum):
-        for master in find_processes(f"rosmaster\0--core\0-p\0{self.port}"):
-            os.kill(master, signum)
 
     def controller_below(self):
         return self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", env=self.environment)
@@ -37,14 +29,14 @@ class MasterLost(RobotTest):
         node = self.controller_below()
         self.start(program("workshop", "jetbot_motion_control.py"), env=self.environment)
         self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
-        self.signal_master(signal.SIGSTOP)
+        self.master.send_signal(signal.SIGSTOP)
         self.wait_for_stop(within=STOP_TIMEOUT)
-        self.signal_master(signal.SIGCONT)
+        self.master.send_signal(signal.SIGCONT)
         self.wait_for_wheels(0.4, 0.6)
-        self.signal_master(signal.SIGKILL)
+        self.master.send_signal(signal.SIGKILL)
         self.wait_for_stop(within=STOP_TIMEOUT)
         self.assertIn("no ROS master, so no emergency stop could arrive", read(node))
-        self.wait_for(lambda: not find_processes(f"roscore\0-p\0{self.port}"), START_TIMEOUT, "roscore to end")
+        self.master.wait(START_TIMEOUT)
         self.start_master()
         self.wait_for_wheels(0.4, 0.6)
         self.start("rostopic", "pub", "/emergency_stop", "std_msgs/Bool", "true", env=self.environment)
@@ -72,7 +64,7 @@ class MasterLost(RobotTest):
     def test_a_node_below_a_frozen_master_starts_with_an_error_and_ends_in_time(self):
         node = self.controller_below()
         self.wait_for(lambda: "no command yet" in read(node), START_TIMEOUT, "the controller")
-        self.signal_master(signal.SIGSTOP)
+        self.master.send_signal(signal.SIGSTOP)
         late = self.controller_below()
         node.send_signal(signal.SIGTERM)
         node.wait(5.0)
@@ -84,7 +76,7 @@ class MasterLost(RobotTest):
         master = rosgraph.Master(rospy.get_name(), self.environment["ROS_MASTER_URI"])
         log = ["/rosout", ["/jetbot_controller"]]
         self.wait_for(lambda: log in master.getSystemState()[0], START_TIMEOUT, "the node to register")
-        self.signal_master(signal.SIGSTOP)
+        self.master.send_signal(signal.SIGSTOP)
         self.wait_for(lambda: "master" in read(node), 10.0, "a sentence")
         node.send_signal(signal.SIGINT)
         node.wait(5.0)
