@@ -4,22 +4,25 @@ import math
 import os
 import pathlib
 import shutil
-import subprocess
 import unittest
 
 import rospy
 import tf2_ros
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from PIL import Image
+from PIL import Image, ImageChops
 from tf2_msgs.msg import TFMessage
 
 from harness import START_TIMEOUT, RobotTest, publishers, read, twist
+from jetbot.wait import wait_until
 
 ROBOTS = {"red": (0.5, 0.3, 0.0), "green": (0.0, 0.0, 0.1), "blue": (-0.5, -0.3, -0.5)}  # y in m; m/s, rad/s
 START_RVIZ = 60.0             # seconds, drawing without a graphics card
+LOOK_INTERVAL = 0.1           # seconds
 VIEW = 420, 110, 1020, 700    # left, upper, right and lower edge of the 3D view, in pixels
+VIEW_SIZE = 600, 590
 PIXELS = 100                  # fewer may be noise
+SCREEN = 1100, 800            # pixels of 4 bytes: blue, green, red and nothing
 
 
 class SimulationLaunch(RobotTest):
@@ -86,34 +89,39 @@ class SimulationLaunch(RobotTest):
 
         self.wait_for(driving, START_TIMEOUT, "each robot's own velocity")
 
-    @unittest.skipUnless(all(map(shutil.which, ("rviz", "Xvfb", "convert"))),
-                         "sudo apt install rviz xvfb imagemagick libgl1-mesa-dri")
+    @unittest.skipUnless(all(map(shutil.which, ("rviz", "Xvfb"))),
+                         "sudo apt install rviz xvfb libgl1-mesa-dri")
     def test_rviz_shows_the_robot_move(self):
         launch = self.launch("simulation", "simulation.launch", "motion:=true", "linear:=0.3", "angular:=0.1",
                              env={**os.environ, "DISPLAY": self.display(), "LIBGL_ALWAYS_SOFTWARE": "1"})
-        self.wait_for(lambda: len(self.green_pixels()) > PIXELS, START_RVIZ, "the robot in RViz")
-        first = self.green_pixels()
-        self.wait_for(lambda: len(first ^ self.green_pixels()) > PIXELS, 30.0, "the robot's board to turn")
+        self.wait_for_picture(Image.new("L", VIEW_SIZE), "the robot in RViz")
+        self.wait_for_picture(self.green_pixels(), "the robot's board to turn")
         self.assertNotIn("[ERROR]", read(launch))
+
+    def wait_for_picture(self, other, what):
+        """Fail unless the picture soon differs from the other one in enough pixels."""
+        self.assertTrue(wait_until(lambda: ImageChops.difference(other, self.green_pixels()).histogram()[255] > PIXELS,
+                                   START_RVIZ, LOOK_INTERVAL), f"waited for {what}{self.logs()}")
 
     def display(self):
         """Return the name of a new X display, which keeps its picture in a file."""
         reading, writing = os.pipe()
-        self.start("Xvfb", "-displayfd", str(writing), "-screen", "0", "1100x800x24", "-fbdir", self.folder,
-                   pass_fds=[writing])
+        self.start("Xvfb", "-displayfd", str(writing), "-screen", "0", "{}x{}x24".format(*SCREEN), "-fbdir",
+                   self.folder, pass_fds=[writing])
         os.close(writing)
         with os.fdopen(reading) as number:
             return f":{number.readline().strip()}"
 
     def green_pixels(self):
-        """Return the indices of the pixels in the 3D view that show the robot's board, which is green.
+        """Return a picture of the 3D view that is white where it shows the robot's board, which is green, else black.
 
-        They come from the display's file: a request to the display itself would make RViz wait.
+        It comes from the display's file: a request to the display itself would make RViz wait.
         """
-        file = pathlib.Path(self.folder, "screen.png")
-        subprocess.run(["convert", f"xwd:{self.folder}/Xvfb_screen0", str(file)], check=True)
-        colors = Image.open(file).convert("RGB").crop(VIEW).getdata()
-        return {i for i, (red, green, blue) in enumerate(colors) if green > max(red, blue) + 30}
+        file = pathlib.Path(self.folder, "Xvfb_screen0").read_bytes()  # ends with the pixels: xwd(1)
+        screen = Image.frombytes("RGB", SCREEN, file[-4 * SCREEN[0] * SCREEN[1]:], "raw", "BGRX")
+        red, green, blue = screen.crop(VIEW).split()
+        excess = ImageChops.subtract(green, ImageChops.lighter(red, blue), offset=-30)
+        return excess.point(lambda value: 255 * (value > 0))
 
 
 def is_moving(odometry, linear, angular):
