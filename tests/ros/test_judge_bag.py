@@ -6,6 +6,7 @@ import pytest
 import rosbag
 import rospy
 from geometry_msgs.msg import Twist
+from std_msgs.msg import String
 
 from driving_tasks.scoring.tasks import TASKS
 from driving_tasks.sources.bags import judge_bag, judge_bags
@@ -56,6 +57,14 @@ def test_a_drive_that_is_not_from_the_simulator_is_named_so(judge, forgery):
     assert (code, text.splitlines()[2]) == (0, "Not from the simulator: its bag was made by hand, or something else "
                                                "than its wheels moved the robot.")
     assert table(Path("marks.csv").read_text("utf-8-sig"))[0][-1] == "not from the simulator"
+
+
+def test_a_changed_simulator_is_named(folder):
+    write("drive.bag")
+    with rosbag.Bag("drive.bag", "a") as bag:
+        bag.write("jetbot_simulator/body", String("max_speed 3 for 0.6\x1b" + "!" * 999), rospy.Time(100))
+    source = judge_bag(METRE, "drive.bag").source
+    assert source.startswith("simulator with max_speed 3 for 0.6\\x1b!") and len(source) < 200
 
 
 def test_commands_alone_are_driven_in_a_simulation(folder):

@@ -15,6 +15,7 @@ from ..scoring.score import Result
 COLUMNS = ("robot", "name", "task", "score", "seconds", "largest_loss", "problem", "source")
 SIMULATOR, NOT_SIMULATED = "simulator", "not from the simulator"
 NO_SIMULATION = "Not from the simulator: its bag was made by hand, or something else than its wheels moved the robot."
+MAX_BODY = 100  # characters
 FORMULA = re.compile(r"(^|;)(\s*[=+@-])")  # also after a semicolon, where some spreadsheets begin a cell
 
 
@@ -62,6 +63,11 @@ class Mark(NamedTuple):
         if self.source.startswith(SIMULATOR):
             return f"Driven in a {self.source}."
         return self.source and f"Measured by its {self.source}, not by the simulator."
+
+
+def changed(body: str) -> str:
+    """Return the source of a drive in a simulator whose robot differs like this, in a stranger's words, or does not."""
+    return body and f"{SIMULATOR} with {printable(body[:MAX_BODY])}"
 
 
 def to_csv(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:

@@ -9,13 +9,14 @@ import genpy.dynamic
 import rosbag
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from std_msgs.msg import String
 
 from jetbot import files
 from jetbot.text import enumeration, printable
 from simulation.recording import pose_of
 
 from .. import contained
-from ..report.marks import NOT_SIMULATED, Mark
+from ..report.marks import NOT_SIMULATED, Mark, changed
 from ..scoring.recorder import UNEXPLAINED, Sample
 from ..scoring.score import Result, judge
 from ..scoring.tasks import Task
@@ -26,8 +27,10 @@ MAX_SIZE = 200  # MB
 MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 SUFFIXES = (".bag", ".bag.active")  # rosbag renames the second to the first when it ends
 TRUTH, BY_HAND = "jetbot_simulator/ground_truth", "a ground truth that no node published"
-TOPIC = re.compile(rf"/?(?:(.+)/)?({TRUTH}|odom|cmd_vel)")
-Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, or commands
+BODY = "jetbot_simulator/body"
+TYPES = {TRUTH: Odometry, "odom": Odometry, "cmd_vel": Twist, BODY: String}
+TOPIC = re.compile(rf"/?(?:(.+)/)?({'|'.join(TYPES)})")
+Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, commands, or texts
 
 # The most exact one first
 SOURCES = {TRUTH: "", BY_HAND: NOT_SIMULATED, "odom": "odometry", "cmd_vel": "commands"}
@@ -59,11 +62,14 @@ def sample_of(message: Odometry) -> Sample:
 
 def _judge(task, file, robot, settings) -> Tuple[Result, str]:
     """Return the result of the drive in a bag, and the name of its source. This runs in a child."""
-    topic, track = _choose(_read(file), robot)
-    samples = replay(track, task, **settings) if topic == "cmd_vel" else track
-    result = judge(task, samples)
-    is_forged = topic == TRUTH and result.drive.unexplained > UNEXPLAINED
-    return result, NOT_SIMULATED if is_forged else SOURCES[topic]
+    tracks = _read(file)
+    robot, topic = _choose(tracks, robot)
+    track = tracks[robot, topic]
+    result = judge(task, replay(track, task, **settings) if topic == "cmd_vel" else track)
+    if topic == TRUTH:
+        is_forged = result.drive.unexplained > UNEXPLAINED
+        return result, NOT_SIMULATED if is_forged else changed(tracks.get((robot, BODY), [""])[-1])
+    return result, SOURCES[topic]
 
 
 def _read(file: str) -> Tracks:
@@ -87,7 +93,7 @@ def _read(file: str) -> Tracks:
 
 def _forbid_code():
     """Let rosbag use installed messages only: it would run Python code that it makes from a definition in the bag."""
-    rosbag.bag._message_types.update({message._md5sum: message for message in (Odometry, Twist)})
+    rosbag.bag._message_types.update({message._md5sum: message for message in TYPES.values()})
     genpy.dynamic.generate_dynamic = _refuse
 
 
@@ -115,9 +121,9 @@ class _Bag(rosbag.Bag):
 def _tracks(bag: rosbag.Bag) -> Tracks:
     tracks = {}
     for topic, message, time, header in bag.read_messages(connection_filter=_is_known, return_connection_header=True):
-        value = (sample_of(message) if message._type == Odometry._type else
-                 (time.to_sec(), message.linear.x, message.angular.z))
         robot, name = TOPIC.fullmatch(topic).groups("")
+        value = (message.data if name == BODY else (time.to_sec(), message.linear.x, message.angular.z)
+                 if name == "cmd_vel" else sample_of(message))
         name = BY_HAND if name == TRUTH and "callerid" not in header else name  # rosbag record writes it
         tracks.setdefault((robot, name), []).append(value)
     return tracks
@@ -125,18 +131,17 @@ def _tracks(bag: rosbag.Bag) -> Tracks:
 
 def _is_known(topic, kind, md5sum, _definition, _header):
     known = TOPIC.fullmatch(topic)
-    message = Twist if known and known[2] == "cmd_vel" else Odometry
-    return known and (kind, md5sum) == (message._type, message._md5sum)
+    message = TYPES[known[2]] if known else None
+    return message and (kind, md5sum) == (message._type, message._md5sum)
 
 
-def _choose(tracks: Tracks, robot: Optional[str]) -> Tuple[str, List]:
-    """Return the topic from which the drive of a robot is known best, and what it carried. Raises ValueError."""
-    robots = sorted({each for each, _ in tracks})
+def _choose(tracks: Tracks, robot: Optional[str]) -> Tuple[str, str]:
+    """Return a robot, and the topic from which its drive is known best. Raises ValueError."""
+    robots = sorted({each for each, topic in tracks if topic in SOURCES})
     if not robots:
         raise ValueError("It holds no drive: record odom or cmd_vel with it.")
     if robot is None and len(robots) > 1 or robot not in (None, *robots):
         names = enumeration([each or "a robot without a name" for each in robots])
         raise ValueError(f"It holds {printable(names)}: choose one with --robot NAME.")
     robot = robots[0] if robot is None else robot
-    topic = next(topic for topic in SOURCES if (robot, topic) in tracks)
-    return topic, tracks[robot, topic]
+    return robot, next(topic for topic in SOURCES if (robot, topic) in tracks)

@@ -20,7 +20,7 @@ from jetbot.text import enumeration, printable
 from jetbot_ros.holds import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 
-from ..report import marks
+from ..report.marks import changed
 from ..scoring.power import Power
 from ..scoring.recorder import Sample
 from .bags import sample_of
@@ -29,7 +29,6 @@ SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
 STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
-MAX_BODY = 100        # characters of the simulator's changes that are shown
 MAX_STATUS = 200      # characters of a status that are shown
 MAX_NAME = 20         # characters of a person's name, as the page allows
 EMERGENCY = tuple(f"stopped: {hold.reason}" for hold in (EMERGENCY_STOP, OWN_EMERGENCY_STOP))
@@ -77,9 +76,10 @@ class JudgedRobot:
         self._arrived, self._silent_polls, self._moved_at = deque(), 0, 0.0
         self._interruptions, self._power = deque(), Power()
         self._status, self._worlds, self._known_worlds = "", 0, 0
-        self._body = "an unknown body"  # until the simulator has said how it differs
+        self.body = "an unknown body"  # until the simulator has said how it differs
         simulator = f"{namespace}/jetbot_simulator"
         self.truth_topic, self.command_topic = f"{simulator}/ground_truth", f"{namespace}/cmd_vel"
+        self.body_topic = f"{simulator}/body"
         self._world = rospy.Publisher(f"{simulator}/world", String, queue_size=1, latch=True)
         self._reset = rospy.ServiceProxy(f"{simulator}/reset", Empty)
         self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/status", String, self._on_status)
@@ -87,7 +87,7 @@ class JudgedRobot:
         rospy.Subscriber(f"{namespace}/jetbot_controller/wheels", Float32MultiArray, self._on_wheels)
         rospy.Subscriber(self.command_topic, Twist, self._on_command)
         rospy.Subscriber(f"{namespace}/driver", DiagnosticStatus, self._on_driver)
-        rospy.Subscriber(f"{simulator}/body", String, self._on_body)
+        rospy.Subscriber(self.body_topic, String, self._on_body)
         self._truth = rospy.Subscriber(self.truth_topic, Odometry, self._arrived.append)
 
     def _on_status(self, message):
@@ -100,7 +100,7 @@ class JudgedRobot:
             self._interruptions.append(printable(message.message)[:MAX_STATUS])
 
     def _on_body(self, message):
-        self._body = printable(message.data[:MAX_BODY])
+        self.body = message.data
 
     def _on_wheels(self, message):
         self._power.drive(message.data[2:])
@@ -125,7 +125,7 @@ class JudgedRobot:
     @property
     def lacks_power(self) -> bool:
         """Whether a robot of the shipped size moves, though its controller gives its wheels no power."""
-        return self._power.is_missing and not self._body
+        return self._power.is_missing and not self.body
 
     @property
     def has_stopped(self) -> bool:
@@ -135,7 +135,7 @@ class JudgedRobot:
     @property
     def source(self) -> str:
         """What measures its drives, as in a Mark."""
-        return self._body and f"{marks.SIMULATOR} with {self._body}"
+        return changed(self.body)
 
     @property
     def is_controlled(self) -> bool:

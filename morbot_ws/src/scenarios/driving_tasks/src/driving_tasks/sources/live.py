@@ -12,6 +12,7 @@ import rosbag
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from std_msgs.msg import String
 
 from jetbot import InvalidValue, JetbotError, files
 from jetbot.wait import wait_until
@@ -144,7 +145,7 @@ def close(robots: Sequence[JudgedRobot]) -> None:
 
 
 class Recording:
-    """The ground truth and the commands of the attempt's robot, as a rosbag that can be judged again."""
+    """The ground truth, the body and the commands of the attempt's robot, as a rosbag that can be judged again."""
 
     def __init__(self, attempt: Attempt):
         self._attempt, self._robot = attempt, attempt.robot
@@ -161,7 +162,9 @@ class Recording:
         with tempfile.TemporaryDirectory() as folder:
             bag_file = Path(folder, "drive.bag")
             with rosbag.Bag(str(bag_file), "w") as bag:
+                start = self._attempt.start.time
+                bag.write(self._robot.body_topic, String(self._robot.body), rospy.Time.from_sec(start))
                 for topic, message, time in list(self._messages):
-                    if time.to_sec() >= self._attempt.start.time:
+                    if time.to_sec() >= start:
                         bag.write(topic, message, time, connection_header=message._connection_header)
             files.replace(file, bag_file.read_bytes())
