@@ -6,6 +6,7 @@ import time
 import pytest
 
 from jetbot_lessons import lessons, marking, package_files, packages
+from judged_bags import write
 from lesson_package import DRIVE, LAUNCH, PACKAGE_XML, SCRIPT, make_package
 
 
@@ -31,6 +32,15 @@ def test_package_that_was_handed_in(mine, tmp_path):
                                 "add <exec_depend>jetbot_control_node</exec_depend> before </package>")
     assert mark(9, package) == ("There is no file metre.bag: record your drive with "
                                 "rosrun driving_tasks judge.py metre --record metre.bag")
+
+
+@pytest.mark.parametrize("publisher, problem", [
+    ("/jetbot_simulator", None),
+    ("", "{bag} is not what the simulator has measured (not from the simulator): record your drive with "
+         "rosrun driving_tasks judge.py metre --record {bag}")], ids=["a recorded bag", "a bag made by hand"])
+def test_a_drive_that_was_handed_in(mine, publisher, problem):
+    bag = write(str(mine / "metre.bag"), publisher=publisher)
+    assert package_files.check_drive(mine) == (problem and problem.format(bag=bag))
 
 
 ENTITIES = "".join(f'<!ENTITY l{n} "{10 * f"&l{n - 1};"}">' for n in range(1, 12))
