@@ -11,6 +11,7 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from geometry_msgs.msg import Pose2D
 from nav_msgs.msg import Odometry
+from std_msgs.msg import String
 from visualization_msgs.msg import Marker, MarkerArray
 
 from driving_tasks.scoring.tasks import TASKS
@@ -22,6 +23,7 @@ JUDGE = program("driving_tasks", "judge.py")
 SIMULATOR = program("simulation", "simulator.py")
 READY = "Drive when you are ready."
 MOVED = "The robot was moved, and not by its wheels, so the drive does not count."
+CHANGED = "Walls or lines around the robot were changed, so the drive does not count."
 TAKEN = "The drive does not count: a teacher took the robot over."
 RELEASE = "The robot is stopped: emergency stop, on a fake bus. Release it: ./morbot stop --release"
 EXACT_JUDGE = """
@@ -80,6 +82,12 @@ class Judge(RobotTest):
             set_pose.publish(pose)
             self.wait_for(lambda at=pose: (truth[-1].x, truth[-1].y) == (at.x, at.y), START_TIMEOUT, "the robot there")
 
+    def send_world(self, text):
+        """Put another world around the robot."""
+        world = rospy.Publisher("jetbot_simulator/world", String, queue_size=1)
+        self.wait_for(world.get_num_connections, START_TIMEOUT, "the simulator")
+        world.publish(text)
+
     def drive_a_little(self, states):
         self.drive(0.5)
         self.wait_for(lambda: states and states[-1].values[0].value == "driving", START_TIMEOUT, "the drive")
@@ -117,6 +125,8 @@ class Judge(RobotTest):
         self.assertEqual(worlds[-1], 2)  # one clears the drawing, one is a wall
         self.move_by_hand(0.01, 0.02, 0.03)
         self.wait_for_last_lines(judge, READY, before=MOVED)
+        self.send_world("{walls: [[[9, 9], [9, 8]]]}")
+        self.wait_for_last_lines(judge, READY, before=CHANGED)
         states = self.record("task", DiagnosticStatus, lambda status: status)
         self.drive_a_little(states)
         self.report_driver("Ada", "a teacher took the robot over")
