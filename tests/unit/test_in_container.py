@@ -176,7 +176,7 @@ def test_a_command_hangs_up_when_its_client_ends(attend, end):
 
 
 def test_a_command_is_suspended_and_continued_with_its_client(attend):
-    client, attendant = attend("sh", "-c", "echo $$; while sleep 0.1; do :; done")
+    client, attendant = attend("sh", "-c", "echo $$; exec sleep 60")
     command = int(attendant.stdout.readline())
     client.send_signal(signal.SIGSTOP)
     assert wait_until(lambda: state(command) == "T", 10)
