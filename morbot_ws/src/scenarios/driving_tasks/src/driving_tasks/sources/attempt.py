@@ -105,15 +105,19 @@ class Attempt:
     def _prepare(self):
         """Put the robot at its start, and the task's world around it."""
         yield from self.robot.put_at_start()
-        self._check_obstacle()
+        yield from self._until_world()  # that of the start, too, is drawn: it must not pass for the next one
         self.robot.set_world(dump(self._world.placed(self.robot.latest.pose)))
-        while not self.robot.has_world:
-            self._check_obstacle()
-            yield
+        yield from self._until_world()
         self.start, self._recorder, self._name = self.robot.latest, self._new_recorder(), ""
         self._recorder.feed(self.start)
         self._announcement.draw(self.start.pose)
         self._invite()
+
+    def _until_world(self):
+        self._check_obstacle()
+        while not self.robot.has_world:
+            yield
+            self._check_obstacle()
 
     def _invite(self):
         self.ready, self._announced_at = True, 0.0

@@ -183,7 +183,7 @@ class JudgedRobot:
 
     @property
     def has_world(self) -> bool:
-        """Whether the simulator has the world of the last ``set_world``."""
+        """Whether the simulator has the world of the last ``set_world``; before the first one, that of its start."""
         return self._worlds > self._known_worlds
 
     @property
