@@ -46,3 +46,19 @@ def test_what_a_new_connection_to_the_same_address_delivers(subscriber, name, ol
     assert senders.sender(subscriber.connect(name)).old is old
     rospy_repairs.heard.clear()  # as when the program has ended
     assert not senders.sender(subscriber.connect(name)).old
+
+
+def test_an_answer_of_the_masters_from_before_a_program_came_does_not_make_its_order_new(subscriber, monkeypatch):
+    senders = commanders.Commanders("/cmd_vel")
+    senders.sender(subscriber.connect("/order"))
+    broken = SimpleNamespace(callerid_pub="/order", endpoint_id=URI)
+
+    def answer_late():
+        senders.sender(subscriber.connect("/order"))
+        return [{}]
+
+    monkeypatch.setattr(rospy_repairs, "system_state", answer_late)
+    monkeypatch.setattr(rospy_repairs, "get_topic_manager", commanders.get_topic_manager)
+    subscriber.remove_connection = lambda connection: None
+    assert rospy_repairs.connect_again(broken, "localhost", 0, "/cmd_vel") is None
+    assert senders.sender(subscriber.connect("/order")).old

@@ -32,7 +32,8 @@ RECONNECT_DELAY = 0.1     # s until a publisher that ends no longer takes connec
 RECONNECT_INTERVAL = 1.0  # s between two connections to a publisher that breaks them off
 
 # By topic and publisher's address, the name of the program there, until it ends: what it latches, it has sent before.
-heard: Dict[Tuple[str, str], str] = {}
+# A new tuple for each connection, so that an answer of the master's from before that one ends nothing.
+heard: Dict[Tuple[str, str], Tuple[str]] = {}
 
 
 def repair() -> None:
@@ -96,10 +97,12 @@ def connect_again(broken: TCPROSTransport, host: str, port: int, topic: str) -> 
     subscriber, name, address = get_topic_manager().get_subscriber_impl(topic), broken.callerid_pub, broken.endpoint_id
     if not subscriber:
         return None
+    known = heard.get((topic, address))
     subscriber.remove_connection(broken)  # rospy forgets that if a publisher ends before it has answered
     with contextlib.suppress(*NO_ANSWER):
         if name not in system_state()[0].get(topic, ()):
-            heard.pop((topic, address), None)
+            if heard.get((topic, address)) is known:
+                heard.pop((topic, address), None)
             return None
         if subscriber.has_connection(address):
             return None

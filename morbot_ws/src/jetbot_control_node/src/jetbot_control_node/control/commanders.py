@@ -64,7 +64,7 @@ class Commanders:
         self._senders[connection] = Sender(name, latched, manual=name.rpartition("/")[2] == MANUAL_NODE, number=number)
         self._headers[id(header)] = connection
         place = self._topic, connection.endpoint_id
-        again, heard[place] = heard.get(place) == name, name
+        again, heard[place] = heard.get(place) == (name,), (name,)
         return self._senders[connection]._replace(old=latched and (older or again))
 
     def settle(self) -> List[Any]:
