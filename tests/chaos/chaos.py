@@ -239,11 +239,18 @@ def main() -> None:
     parser.add_argument("--keep", action="store_true", help="keep the logs")
     options = parser.parse_args()
     isolate()
-    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # else all that is started below nohup ignores a closed terminal
+    for signum in (signal.SIGINT, signal.SIGHUP):  # else all that is started ignores them too: in the background, nohup
+        signal.signal(signum, signal.default_int_handler)
     scenes = [(options.seed + played // ROUNDS_PER_SCENE, min(ROUNDS_PER_SCENE, options.rounds - played), options.keep)
               for played in range(0, options.rounds, ROUNDS_PER_SCENE)]
     with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:
-        results = list(pool.map(lambda scene: play_scene(*scene), scenes))
+        playing = [pool.submit(play_scene, *scene) for scene in scenes]
+        try:
+            results = [scene.result() for scene in playing]
+        except KeyboardInterrupt:
+            for scene in playing:
+                scene.cancel()  # those that have begun are played to their end
+            raise
     print(f"{options.rounds} rounds: {results.count(False)} of {len(scenes)} scenes failed")
     sys.exit(not all(results))
 
