@@ -34,7 +34,9 @@ STAYS = 1.0         # s for which a stop is watched without faults
 ENDS = 8.0          # s until what is broken, or has lost its parent, has ended
 DRIVES = 15.0       # s until a robot obeys a new command
 PRIORITY = 5.5      # s after a command of a page, until others count
-MOMENTS = 3.0       # s in which programs start and faults begin
+STARTS = 1.8        # s in which programs start
+FAULTS_FOR = 4.5    # s in which faults begin
+STOP_UNTIL = 6.0    # s until the stop is pressed
 MAX_LINES = 300     # of a log
 ROUNDS_PER_SCENE = 5
 SCENES_AT_ONCE = 2  # they mostly wait
@@ -75,13 +77,13 @@ def draw(names: Tuple[str, ...], chance: random.Random) -> Plan:
     commanders = {robot: chance.choice(COMMANDERS) for robot in names}
     events = []
     for robot in chance.choices(names, k=chance.randint(1, len(names) + 1)):
-        target = chance.choice((*ALL, "computer"))
+        target = chance.choice((*ALL, "controller", "commander", "computer"))  # what turns the wheels, twice
         rows = {name: fault.weight for name, fault in FAULTS.items() if target in fault.targets}
         fault, = chance.choices(list(rows), list(rows.values()))
-        events.append(Event(chance.uniform(0, MOMENTS), chance.choice((chance.uniform(0.1, 1.5), 4.0)), fault,
+        events.append(Event(chance.uniform(0, FAULTS_FOR), chance.choice((chance.uniform(0.1, 1.5), 4.0)), fault,
                             commanders[robot] if target == "commander" else target, robot, chance.randrange(1 << 30)))
     return Plan(tuple(commanders.values()), chance.choice((None, None, None, *names)), tuple(events),
-                (chance.uniform(0, 2 * MOMENTS), chance.choice(WAYS)), chance.choice(WAYS),
+                (chance.choice((chance.uniform(0, STOP_UNTIL), STOP_UNTIL)), chance.choice(WAYS)), chance.choice(WAYS),
                 tuple(chance.choice(COMMANDERS) for _ in names))
 
 
@@ -141,7 +143,7 @@ def play_events(scene: Scene, plan: Plan) -> None:
     if plan.starting:
         schedule.enter(0, 0, scene.launch, [plan.starting])
     for number, robot in enumerate(scene.names):
-        schedule.enter(number * MOMENTS / 5, 1, scene.command, [plan.commanders[number], robot])
+        schedule.enter(number * STARTS / 3, 1, scene.command, [plan.commanders[number], robot])
     for event in plan.events:
         schedule.enter(event.at, 2, begin, [event])
     schedule.run()

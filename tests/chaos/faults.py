@@ -155,7 +155,7 @@ def slow_bus(scene, process, _chance):
 
 
 FAULTS = {
-    "kill": Fault(sends(signal.SIGKILL), weight=3),
+    "kill": Fault(sends(signal.SIGKILL), weight=6),
     "Ctrl-C": Fault(sends(signal.SIGINT)),
     "closed terminal": Fault(sends(signal.SIGHUP)),
     "freeze": Fault(freeze, weight=3),
