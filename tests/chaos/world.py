@@ -110,7 +110,8 @@ class Scene:
             self.start("master", "rosmaster", "--core", "-p", str(self.port))
             self.wait(self.master_answers, "the master")
             self._ask_master("setParam", "/run_id", uuid.uuid1().hex)  # two roslaunch at once would each set their own
-        starting = [self.launch(robot) for robot in self.names if not self.find("controller", robot)]
+        starting = [self.launch(robot) for robot in self.names
+                    if not (self.find("controller", robot) and self.status(robot))]  # its parameters may be lost
         if not self.living("cockpit"):
             self.start("cockpit", "rosrun", "jetbot_cockpit_server", "cockpit.py", f"_port:={self.page_port}")
         for launch in starting:

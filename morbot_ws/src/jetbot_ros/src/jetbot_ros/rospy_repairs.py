@@ -45,8 +45,13 @@ def repair() -> None:
     connect_once()
     for kind, method in (RegManager, "start"), (TCPServer, "run"):  # rospy's threads that connect to others, and accept
         setattr(kind, method, failures.lasting(getattr(kind, method), rospy.core.is_shutdown_requested))
+    need_sockets()
+
+
+def need_sockets() -> None:
+    """End this process if it cannot have a socket: rospy would give a publisher or its own server up, a deaf node."""
     for owner, step in (socket.socket, "__init__"), (socket.socket, "connect"), (socket, "getaddrinfo"):
-        setattr(owner, step, failures.vital(getattr(owner, step)))  # rospy would give a publisher up: a deaf node
+        setattr(owner, step, failures.vital(getattr(owner, step)))
 
 
 def stay_on_this_host() -> None:

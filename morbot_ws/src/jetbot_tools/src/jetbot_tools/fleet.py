@@ -8,6 +8,7 @@ from std_msgs.msg import Bool, String
 from jetbot.wait import wait_until
 from jetbot_ros.holds import EMERGENCY_STOP
 from jetbot_ros.master import address_of, is_reachable, system_state
+from jetbot_ros.rospy_repairs import need_sockets
 
 TOPIC = "/emergency_stop"
 ASK_INTERVAL = 0.05  # s between two questions to the master
@@ -17,6 +18,7 @@ class Fleet:
     """The nodes that listen to the emergency stop and publish a status. Makes this process a node."""
 
     def __init__(self, engaged: bool):
+        need_sockets()
         rospy.init_node("emergency_stop", anonymous=True, disable_rosout=True, disable_signals=True)
         self._engaged = engaged
         self._publisher = rospy.Publisher(TOPIC, Bool, queue_size=1, latch=True)  # for robots that join meanwhile too
