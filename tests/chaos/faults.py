@@ -158,7 +158,7 @@ FAULTS = {
     "kill": Fault(sends(signal.SIGKILL), weight=6),
     "Ctrl-C": Fault(sends(signal.SIGINT)),
     "closed terminal": Fault(sends(signal.SIGHUP)),
-    "freeze": Fault(freeze, weight=3),
+    "freeze": Fault(freeze, weight=5),
     "no thread": Fault(limits(resource.RLIMIT_AS, present_size), LIMITED),
     "no memory": Fault(limits(resource.RLIMIT_DATA, lambda *_: 1 << 20), OURS),
     "no descriptor": Fault(limits(resource.RLIMIT_NOFILE, descriptors), LIMITED),
