@@ -1,6 +1,30 @@
-"""Drive a JetBot: ``from jetbot import Robot``."""
+"""Drive a JetBot, and see what it sees: ``from jetbot import Robot, Camera``, by the names of the JetBot library.
+
+These are imported when they are first used, so that ``import jetbot`` is light. Where traitlets is installed, a Robot's
+motors have traits; a node, which needs none, takes its Robot from ``jetbot.robot``.
+"""
+
+import importlib
 
 from .errors import BusError, InvalidValue, JetbotError
-from .robot import Motor, Robot
 
-__all__ = ["BusError", "InvalidValue", "JetbotError", "Motor", "Robot"]
+HOMES = {"Robot": ("traits", "robot"), "Motor": ("traits", "motor"), "Heartbeat": ("heartbeat",),
+         "Camera": ("camera.camera",), "bgr8_to_jpeg": ("camera.jpeg",)}  # the modules; the first that can be imported
+
+__all__ = ["BusError", "InvalidValue", "JetbotError", *HOMES]
+
+
+def __getattr__(name):
+    if name not in HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    *preferred, last = HOMES[name]
+    for home in preferred:
+        try:
+            return getattr(importlib.import_module(f".{home}", __name__), name)
+        except ImportError:
+            pass  # without traitlets
+    return getattr(importlib.import_module(f".{last}", __name__), name)
+
+
+def __dir__():
+    return sorted({*globals(), *HOMES})  # for Tab

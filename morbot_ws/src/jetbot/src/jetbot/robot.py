@@ -36,6 +36,8 @@ class Robot:
     any thread and any signal handler.
     """
 
+    motor_class = Motor
+
     def __init__(self, board: Optional[str] = None, i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
                  left_motor_alpha: float = 1.0, right_motor_alpha: float = 1.0, swap_motors: bool = False,
                  invert_left: bool = False, invert_right: bool = False, min_duty: float = 0.0,
@@ -48,8 +50,9 @@ class Robot:
             BOOLEAN.check(f"the option {name}", value)
         PWM_FREQUENCY.check("the pwm_frequency", pwm_frequency)
         self._speeds: Dict[Motor, float] = {}  # as they were commanded
-        self.left_motor = Motor(self._speeds, self._drive, left_motor_alpha, invert_left, min_duty, max_duty)
-        self.right_motor = Motor(self._speeds, self._drive, right_motor_alpha, invert_right, min_duty, max_duty)
+        self.left_motor, self.right_motor = (
+            self.motor_class(self._speeds, self.command, alpha, inverted, min_duty, max_duty)
+            for alpha, inverted in ((left_motor_alpha, invert_left), (right_motor_alpha, invert_right)))
         self._outputs = (self.right_motor, self.left_motor) if swap_motors else (self.left_motor, self.right_motor)
         self._given: Optional[Tuple[float, ...]] = None  # what the driver holds, as of ``_outputs``; None: not known
         self._lock = threading.RLock()  # a signal handler may come in between, in the same thread
@@ -67,7 +70,7 @@ class Robot:
 
     def set_motors(self, left_speed: float, right_speed: float) -> None:
         """Drive both wheels at these speeds."""
-        self._drive({self.left_motor: left_speed, self.right_motor: right_speed})
+        self.command({self.left_motor: left_speed, self.right_motor: right_speed})
 
     def forward(self, speed: float = 1.0) -> None:
         """Drive straight forward."""
@@ -151,7 +154,7 @@ class Robot:
         """Whether both wheels are at full power, or max_duty, the same way, and a turn or more speed was commanded."""
         return is_cut_off(self.left_motor, self.right_motor, self.driver)
 
-    def _drive(self, speeds: Dict[Motor, float]) -> None:
+    def command(self, speeds: Dict[Motor, float]) -> None:
         """Drive these wheels at new speeds; the other one keeps its own. Wait for the guard, with stopped wheels."""
         speeds = {motor: self._checked(speed) for motor, speed in speeds.items()}
         if any(speeds.values()) and not self._watched:

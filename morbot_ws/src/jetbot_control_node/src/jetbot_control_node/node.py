@@ -8,9 +8,10 @@ from typing import Dict, List
 
 import rospy
 
-from jetbot import JetbotError, Robot, fake
+from jetbot import JetbotError, fake
 from jetbot.boards import find_board
 from jetbot.connection import locate, lock_board
+from jetbot.robot import Robot
 from jetbot.supply import find_supply
 from jetbot.wait import wait_until
 from jetbot_ros import failures

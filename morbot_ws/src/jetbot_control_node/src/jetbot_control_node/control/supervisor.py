@@ -7,7 +7,8 @@ import threading
 import time
 from typing import Callable, List, NamedTuple, Optional, Tuple
 
-from jetbot import BusError, JetbotError, Robot
+from jetbot import BusError, JetbotError
+from jetbot.robot import Robot
 from jetbot.wait import wait_until
 from jetbot_ros.holds import Hold
 

@@ -10,8 +10,8 @@ import rospy
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu, JointState
 
-from jetbot import Robot
 from jetbot.boards import Telemetry
+from jetbot.robot import Robot
 from jetbot_ros import messages
 
 from ..control.supervisor import Step

@@ -2,7 +2,7 @@
 
 from typing import Dict, List, Optional, Sequence
 
-from jetbot import Robot
+from jetbot.robot import Robot
 from jetbot.text import enumeration
 from jetbot_ros.holds import WAITING
 

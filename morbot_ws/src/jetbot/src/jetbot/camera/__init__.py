@@ -1,0 +1,1 @@
+"""What the robot sees: the sources of pictures, the stream of JPEGs from one, and ``Camera``."""

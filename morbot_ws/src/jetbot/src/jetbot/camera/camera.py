@@ -1,0 +1,98 @@
+"""``Camera``: the newest picture as an array, by the names of the JetBot library."""
+
+import atexit
+import os
+import threading
+from typing import List
+
+import traitlets
+
+from ..errors import JetbotError
+from .jpeg import decode
+from .sources import find_command
+from .stream import Stream
+
+running: List["Camera"] = []  # of this process
+
+
+class Camera(traitlets.HasTraits):
+    """What the robot sees. The camera runs from here on, until ``stop``.
+
+    width, height: of the pictures, in pixels; fps: pictures per second; source: as for ``sources.find_command``.
+    value: the newest picture: an array, height x width x 3, BGR, uint8; a trait. Observers are called in a thread of
+    the camera, and while they are, newer pictures replace each other. What is wrong later is printed, once a minute.
+    Waits for the first picture; raises JetbotError if none comes. A new camera with the same source stops the old one,
+    such as a notebook's cell leaves behind when it is run again.
+    """
+
+    value = traitlets.Any()
+
+    def __init__(self, width: int = 224, height: int = 224, fps: int = 30, source: str = ""):
+        super().__init__()
+        self.width, self.height, self.fps = width, height, fps
+        self.source = source or os.environ.get("JETBOT_CAMERA", "")
+        self._stream = None
+        self.start()
+
+    @classmethod
+    def instance(cls, *args, **options) -> "Camera":
+        """Return a new camera."""
+        return cls(*args, **options)
+
+    def start(self) -> None:
+        """Wait for the first picture, then let ``value`` follow. Raise JetbotError. Does nothing if it runs already."""
+        if self._stream is not None:
+            return
+        stream = Stream(find_command(self.source, self.width, self.height, self.fps))
+        for other in [other for other in running if other.source == self.source]:
+            other.stop()
+        stream.start()
+        try:
+            number, jpeg = stream.next()
+            self.value = decode(jpeg, self.width, self.height)
+        except BaseException:  # also Ctrl-C
+            stream.stop()
+            raise
+        self._stream = stream
+        running.append(self)
+        self._thread = threading.Thread(target=self._follow, args=[stream, number], daemon=True)
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Release the camera; ``value`` keeps the last picture."""
+        stream, self._stream = self._stream, None
+        if stream is not None:
+            running.remove(self)
+            stream.stop()
+            if self._thread is not threading.current_thread():
+                self._thread.join()
+
+    def restart(self) -> None:
+        """Stop, then start."""
+        self.stop()
+        self.start()
+
+    def interrupt(self) -> None:
+        """End the child without waiting for it."""
+        self._stream.stop(wait=False)
+
+    def _follow(self, stream, number):
+        while True:
+            newer = stream.next(number)
+            if newer is None:
+                return
+            number, jpeg = newer
+            try:
+                self.value = decode(jpeg, self.width, self.height)
+            except Exception as error:  # a damaged picture, or an observer's, which ends nothing
+                stream.complain(JetbotError(f"a picture of the camera is lost: {error!r}"))
+
+
+@atexit.register
+def interrupt_all() -> None:
+    """Do not wait: the robot has yet to be stopped."""
+    for camera in running:
+        camera.interrupt()
+
+
+os.register_at_fork(after_in_child=running.clear)  # the parent's

@@ -1,0 +1,74 @@
+"""Writes JPEGs to the standard output: play.py FOLDER|fake WIDTH HEIGHT FPS QUALITY. It needs numpy and PIL only."""
+
+import io
+import math
+import sys
+import time
+from pathlib import Path
+
+import numpy
+from PIL import Image
+
+HEIGHT, TILT, FIELD_OF_VIEW = 0.108, 19.0, 75.0  # lens above the floor in m; degrees down; degrees, vertical
+FLOOR, LINE, SKY = (120, 125, 130), (235, 200, 40), (190, 210, 230)  # RGB
+LINE_WIDTH, TILE = 0.05, 0.25  # m
+
+
+def floor_points(width, height):
+    """Return the x (ahead of the lens) and y (left) in m of the floor that each pixel shows; x is inf above it."""
+    focal_length = height / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
+    across, down = numpy.meshgrid(numpy.arange(width) + 0.5 - width / 2, numpy.arange(height) + 0.5 - height / 2)
+    cosine, sine = math.cos(math.radians(TILT)), math.sin(math.radians(TILT))
+    ahead, below = focal_length * cosine - down * sine, focal_length * sine + down * cosine
+    scale = HEIGHT / numpy.where(below > 0, below, numpy.nan)
+    return numpy.nan_to_num(ahead * scale, nan=numpy.inf), numpy.nan_to_num(-across * scale)
+
+
+def floor_with_line(width, height):
+    """Return the picture of a tiled floor, on which a line leads ahead and bends to the left."""
+    x, y = floor_points(width, height)
+    seen = numpy.isfinite(x)
+    x = numpy.where(seen, x, 0)
+    tiles = 8 * ((numpy.floor(x / TILE) + numpy.floor(y / TILE)) % 2)
+    picture = numpy.array(FLOOR) + tiles[:, :, None]
+    picture[abs(y - 0.3 * x ** 2) < LINE_WIDTH / 2] = LINE
+    picture[~seen] = SKY
+    return Image.fromarray(picture.astype(numpy.uint8))
+
+
+def pictures_of(name, width, height, quality):
+    """Yield the pictures of a source as JPEGs, for ever; a folder's in the order of their names."""
+    if name == "fake":
+        jpeg = encode(floor_with_line(width, height), quality)
+        while True:
+            yield jpeg
+    while True:
+        files = sorted(file for file in Path(name).iterdir() if file.suffix.lower() in (".jpg", ".jpeg", ".png"))
+        if not files:
+            sys.exit(f"{name} has no pictures: .jpg or .png")
+        for file in files:
+            with Image.open(file) as image:
+                yield encode(image.convert("RGB").resize((width, height), Image.BILINEAR), quality)
+
+
+def encode(image, quality):
+    file = io.BytesIO()
+    image.save(file, "JPEG", quality=quality)
+    return file.getvalue()
+
+
+def main(name, *numbers):
+    width, height, fps, quality = map(int, numbers)
+    for jpeg in pictures_of(name, width, height, quality):
+        sys.stdout.buffer.write(jpeg)
+        sys.stdout.buffer.flush()
+        time.sleep(1 / fps)
+
+
+if __name__ == "__main__":
+    try:
+        main(*sys.argv[1:])
+    except (BrokenPipeError, KeyboardInterrupt):
+        sys.stderr.close()  # nobody looks any more
+    except OSError as error:
+        sys.exit(f"{error.filename}: {error.strerror}" if error.filename else str(error))

@@ -1,0 +1,99 @@
+"""Where pictures come from: a source is a command that writes JPEGs to its standard output, a row of SOURCES."""
+
+import os
+import re
+import shlex
+import shutil
+import sys
+from pathlib import Path
+from typing import NamedTuple, Tuple
+
+from ..errors import InvalidValue, JetbotError
+
+PLAY = f"exec {shlex.quote(sys.executable)} {shlex.quote(str(Path(__file__).with_name('play.py')))}"
+RPICAM = ("exec {program} --codec mjpeg --mode 1640:1232 --width {width} --height {height} --framerate {fps}"
+          " --quality {quality} --timeout 0 --nopreview --flush --output -")
+TO_STDOUT = "jpegenc quality={quality} ! fdsink fd=3 3>&1 >&2"  # GStreamer and its plugins print to stdout
+FROM_CSI = ("exec {program} -q nvarguscamerasrc sensor-mode=3 ! 'video/x-raw(memory:NVMM),width=816,height=616,"
+            "format=NV12,framerate={fps}/1' ! nvvidconv ! video/x-raw,width={width},height={height},format=I420 ! ")
+FROM_USB = ("exec {program} -q v4l2src device={name} ! decodebin ! videoconvert ! videoscale ! videorate ! "
+            "video/x-raw,width={width},height={height},format=I420,framerate={fps}/1 ! ")
+RESTART_DAEMON = "Try: sudo systemctl restart nvargus-daemon"
+REPLUG = "Unplug the camera, plug it in again, and try another port."
+
+
+class Source(NamedTuple):
+    """A source: the program that it needs, its shell command, its Debian package, what to do when no picture comes.
+
+    {program}, {name}, {width}, {height}, {fps} and {quality} in the command are replaced.
+    """
+
+    program: str
+    command: str
+    package: str = ""
+    when_hung: str = "Try the command by itself."
+
+
+SOURCES = {  # the first whose program is installed
+    "csi": (Source("rpicam-vid", RPICAM, "rpicam-apps", "Check the ribbon cable of the camera."),
+            Source("libcamera-vid", RPICAM, "libcamera-apps", "Check the ribbon cable of the camera."),
+            Source("gst-launch-1.0", FROM_CSI + TO_STDOUT, "gstreamer1.0-tools", RESTART_DAEMON)),
+    "usb": (Source("gst-launch-1.0", FROM_USB + TO_STDOUT, "gstreamer1.0-tools gstreamer1.0-plugins-good", REPLUG),),
+    "fake": (Source("sh", PLAY + " fake {width} {height} {fps} {quality}"),),
+    "file": (Source("sh", PLAY + " {name} {width} {height} {fps} {quality}"),),
+    "command": (Source("sh", "{command}"),),
+}
+
+NO_CAMERA = "Is it connected? Without a camera, type first: export JETBOT_CAMERA=fake"
+TROUBLES: Tuple[Tuple[str, str, str], ...] = (  # what a command prints: a pattern, the reason, the advice
+    (r"No module named '(?:numpy|PIL)", "numpy or PIL is missing",
+     "Install: sudo apt install python3-numpy python3-pil"),
+    (r"no element \"nv", "this computer has no CSI camera of a Jetson", "Choose another: export JETBOT_CAMERA=usb"),
+    (r"no element \"(\w+)\"", r"GStreamer has no element \1",
+     "Install: sudo apt install gstreamer1.0-plugins-base gstreamer1.0-plugins-good"),
+    (r"(?i)(?:is|resource) busy|failed to acquire camera|in use", "another program uses the camera",
+     "End that program, or shut down the other notebook's kernel."),
+    (r"(?i)permission denied", "this user may not use the camera",
+     "Join its group: sudo usermod -aG video $USER   and log in again."),
+    (r"(?i)no cameras? available|cannot identify device|no such device", "there is no such camera", NO_CAMERA),
+    (r"(?i)argus|CaptureSession", "the camera's daemon does not answer", RESTART_DAEMON),
+)
+
+
+class Command(NamedTuple):
+    """How to get the pictures of a source: a shell command, and its Source."""
+
+    line: str
+    source: Source
+
+    def explain(self, printed: str) -> JetbotError:
+        """Return the error for a command that has ended, by what it printed."""
+        for pattern, reason, advice in TROUBLES:
+            found = re.search(pattern, printed)
+            if found:
+                return JetbotError(found.expand(reason), advice)
+        last = next((line for line in reversed(printed.splitlines()) if line.strip()), "it has ended")
+        return JetbotError(f"the camera's program sends no pictures: {last}", self.source.when_hung)
+
+    def hung(self, seconds: float) -> JetbotError:
+        """Return the error for a command that has sent no picture for so long."""
+        return JetbotError(f"no picture came from the camera for {seconds:g} s", self.source.when_hung)
+
+
+def find_command(name: str = "", width: int = 224, height: int = 224, fps: int = 30, quality: int = 75) -> Command:
+    """Return the command of a source, by default JETBOT_CAMERA, else csi; quality: of the JPEGs, 1 to 95.
+
+    name: csi, usb, a device such as /dev/video0, fake, ``file:FOLDER``, or ``command:...`` for a shell command of your
+    own. Raise InvalidValue for another name, JetbotError if its program is not installed.
+    """
+    name = name or os.environ.get("JETBOT_CAMERA") or "csi"
+    kind, _, rest = ("usb", "", name) if name.startswith("/dev/") else name.partition(":")
+    if kind not in SOURCES or bool(rest) != (kind in ("file", "command") or name.startswith("/dev/")):
+        raise InvalidValue(f"a camera cannot be {name!r}",
+                           "Give csi, usb, /dev/videoN, fake, file:FOLDER or command:COMMAND.")
+    source = next((source for source in SOURCES[kind] if shutil.which(source.program)), None)
+    if source is None:
+        missing = SOURCES[kind][-1]
+        raise JetbotError(f"the program {missing.program} is missing", f"Install: sudo apt install {missing.package}")
+    return Command(source.command.format(program=source.program, name=shlex.quote(rest or "/dev/video0"), width=width,
+                                         height=height, fps=fps, quality=quality, command=rest), source)

@@ -1,0 +1,63 @@
+"""Motors whose ``value`` is a trait, which ``traitlets.link``, ``dlink`` and ``observe`` take."""
+
+import threading
+from typing import Dict, Set, Tuple
+
+import traitlets
+from traitlets.utils.bunch import Bunch
+
+from . import motor, robot
+
+commanding: Set[Tuple[int, "Robot"]] = set()  # the threads that are in a command, and of which robot
+
+
+class Speed(traitlets.TraitType):
+    """The trait of a speed: the robot keeps, checks and drives it."""
+
+    def get(self, obj: "Motor", cls: type = None) -> float:
+        """Return the speed."""
+        return motor.Motor.value.fget(obj)
+
+    def set(self, obj: "Motor", value: float) -> None:
+        """Drive the wheel."""
+        motor.Motor.value.fset(obj, value)
+
+
+class Motor(motor.Motor, traitlets.HasTraits):
+    """A motor whose ``value`` is a trait."""
+
+    value = Speed(0.0)
+
+    def __init__(self, *options):
+        super().__init__(*options)
+        self._published, self._publishing = 0.0, threading.Lock()
+
+    def publish(self) -> None:
+        """Call the observers if the speed has changed, one thread at a time; no thread waits for another's observers.
+
+        If the speed changes meanwhile, they are called once more: what they see last is the speed.
+        """
+        while self._published != self.value and self._publishing.acquire(blocking=False):
+            try:
+                old, self._published = self._published, self.value
+                self.notify_change(Bunch(name="value", old=old, new=self._published, owner=self, type="change"))
+            finally:
+                self._publishing.release()
+
+
+class Robot(robot.Robot):
+    __doc__ = robot.Robot.__doc__
+    motor_class = Motor
+
+    def command(self, speeds: Dict[motor.Motor, float]) -> None:
+        """Drive the wheels; only then call the observers, which must not run while this thread holds up others."""
+        key = threading.get_ident(), self
+        interrupted = key in commanding  # this is a signal handler's: the command that it interrupts calls them
+        commanding.add(key)
+        try:
+            super().command(speeds)
+        finally:
+            if not interrupted:
+                commanding.discard(key)
+                self.left_motor.publish()
+                self.right_motor.publish()
