@@ -22,6 +22,7 @@ for name in ("ipywidgets", "IPython", "numpy", "PIL"):
     pytest.importorskip(name)
 import ipywidgets  # noqa: E402
 from IPython.core.interactiveshell import InteractiveShell  # noqa: E402
+from ipywidgets.widgets import widget_controller  # noqa: E402
 
 import jetbot.robot  # noqa: E402
 
@@ -84,8 +85,8 @@ def test_teleoperation(shell, tmp_path):
     sources = cells("teleoperation")
     shell.run_cell(sources[0]).raise_error()
     names = shell.user_ns
-    names["controller"].axes = [ipywidgets.widget_controller.Axis() for _ in range(4)]
-    names["controller"].buttons = [ipywidgets.widget_controller.Button() for _ in range(6)]
+    names["controller"].set_trait("axes", [widget_controller.Axis() for _ in range(4)])
+    names["controller"].set_trait("buttons", [widget_controller.Button() for _ in range(6)])
     run(shell, sources[1:-1])
     assert is_jpeg(names["image"].value)
     names["controller"].axes[1].set_trait("value", -0.5)
@@ -99,7 +100,7 @@ def test_teleoperation(shell, tmp_path):
 def test_data_for_collision_avoidance(shell, tmp_path):
     *sources, stop, archive = cells("collision_avoidance")
     run(shell, sources)
-    shell.user_ns["free_button"].click()
+    shell.user_ns["free_button"]._handle_button_msg(None, {"event": "click"}, [])
     assert shell.user_ns["free_count"].value == 1
     assert is_jpeg(next((tmp_path / "dataset/free").iterdir()).read_bytes())
     run(shell, [stop, archive])

@@ -50,7 +50,7 @@ class Motor:
         A board that controls the speeds of its wheels itself is given the speed, which no trim can improve.
         """
         alpha, least, most = (1.0, 0.0, 1.0) if driver.closed_loop else (self.alpha, self.min_duty, self.max_duty)
-        speed = clamp(alpha * self.value, driver.limit)
+        speed = clamp(alpha * self._speeds[self], driver.limit)
         if abs(speed) < RESIDUE:
             return 0.0
         return math.copysign(duty(abs(speed), least, most), -speed if self._inverted else speed)

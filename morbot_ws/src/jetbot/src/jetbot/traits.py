@@ -10,17 +10,19 @@ from . import motor, robot
 
 commanding: Set[Tuple[int, "Robot"]] = set()  # the threads that are in a command, and of which robot
 
+get_speed, set_speed = motor.Motor.value.fget, motor.Motor.value.fset
+
 
 class Speed(traitlets.TraitType):
     """The trait of a speed: the robot keeps, checks and drives it."""
 
     def get(self, obj: "Motor", cls: type = None) -> float:
         """Return the speed."""
-        return motor.Motor.value.fget(obj)
+        return get_speed(obj)
 
     def set(self, obj: "Motor", value: float) -> None:
         """Drive the wheel."""
-        motor.Motor.value.fset(obj, value)
+        set_speed(obj, value)
 
 
 class Motor(motor.Motor, traitlets.HasTraits):
@@ -30,14 +32,21 @@ class Motor(motor.Motor, traitlets.HasTraits):
 
     def __init__(self, *options):
         super().__init__(*options)
+        self.observed = False  # ever; until then, a command takes no longer than without traits
         self._published, self._publishing = 0.0, threading.Lock()
+
+    def observe(self, *args, **options) -> None:
+        """As of HasTraits."""
+        super().observe(*args, **options)
+        if not self.observed:
+            self._published, self.observed = self.value, True
 
     def publish(self) -> None:
         """Call the observers if the speed has changed, one thread at a time; no thread waits for another's observers.
 
         If the speed changes meanwhile, they are called once more: what they see last is the speed.
         """
-        while self._published != self.value and self._publishing.acquire(blocking=False):
+        while self.observed and self._published != self.value and self._publishing.acquire(blocking=False):
             try:
                 old, self._published = self._published, self.value
                 self.notify_change(Bunch(name="value", old=old, new=self._published, owner=self, type="change"))
@@ -51,6 +60,9 @@ class Robot(robot.Robot):
 
     def command(self, speeds: Dict[motor.Motor, float]) -> None:
         """Drive the wheels; only then call the observers, which must not run while this thread holds up others."""
+        if not (self.left_motor.observed or self.right_motor.observed):
+            super().command(speeds)
+            return
         key = threading.get_ident(), self
         interrupted = key in commanding  # this is a signal handler's: the command that it interrupts calls them
         commanding.add(key)
