@@ -84,8 +84,10 @@ class Camera(traitlets.HasTraits):
             number, jpeg = newer
             try:
                 self.value = decode(jpeg, self.width, self.height)
-            except Exception as error:  # a damaged picture, or an observer's, which ends nothing
-                stream.complain(JetbotError(f"a picture of the camera is lost: {error!r}"))
+            except JetbotError as error:
+                stream.complain(error)
+            except Exception as error:  # an observer's: it ends nothing
+                stream.complain(JetbotError(f"an observer of the camera failed: {error!r}"))
 
 
 @atexit.register

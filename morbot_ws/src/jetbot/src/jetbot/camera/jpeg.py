@@ -4,6 +4,8 @@ import io
 import re
 from typing import Any, Optional
 
+from ..errors import JetbotError
+
 MAX_SIZE = 8 * 1024 * 1024  # bytes of a JPEG
 MAX_PIXELS = 25_000_000     # of a picture
 SOI, EOI, SOS = b"\xff\xd8", b"\xff\xd9", 0xDA  # markers, ITU-T T.81: start and end of image, start of scan
@@ -37,7 +39,7 @@ def extent(buffer: bytearray) -> int:
     """
     position = len(SOI)
     while position + 4 <= len(buffer):
-        if buffer[position] != 0xFF:
+        if buffer[position] != 0xFF or not is_segment(buffer[position + 1]):
             return -len(SOI)
         if buffer[position + 1] == SOS:
             found = END_OF_SCAN.search(buffer, position)
@@ -48,8 +50,13 @@ def extent(buffer: bytearray) -> int:
     return 0
 
 
+def is_segment(marker: int) -> bool:
+    """Return whether a segment with a length may begin with this marker."""
+    return 0xC0 <= marker <= 0xFE and not 0xD0 <= marker <= 0xD9
+
+
 def decode(jpeg: bytes, width: int, height: int) -> Any:
-    """Return a JPEG as an array: height x width x 3, BGR, uint8. Raise ValueError for one that cannot be decoded."""
+    """Return a JPEG as an array: height x width x 3, BGR, uint8. Raise JetbotError for a damaged one."""
     import numpy
     from PIL import Image
     try:
@@ -59,7 +66,7 @@ def decode(jpeg: bytes, width: int, height: int) -> Any:
             image.draft("RGB", (width, height))
             picture = image.convert("RGB")
     except (OSError, SyntaxError, Image.DecompressionBombError) as error:  # what PIL raises
-        raise ValueError(str(error)) from None
+        raise JetbotError(f"the camera sends a damaged picture: {error}") from None
     if picture.size != (width, height):
         picture = picture.resize((width, height), Image.BILINEAR)
     return numpy.ascontiguousarray(numpy.asarray(picture)[:, :, ::-1])

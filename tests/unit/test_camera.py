@@ -1,0 +1,153 @@
+"""``Camera`` and ``bgr8_to_jpeg``, with fake cameras and children that write damaged pictures."""
+
+import shlex
+import sys
+import threading
+
+import pytest
+
+from jetbot import JetbotError
+from jetbot.wait import wait_until
+
+for package in ("traitlets", "numpy", "PIL"):
+    pytest.importorskip(package)
+import numpy  # noqa: E402
+from PIL import Image  # noqa: E402
+
+from jetbot import Camera, bgr8_to_jpeg  # noqa: E402
+from jetbot.camera import camera, stream  # noqa: E402
+
+BLUE = numpy.zeros((48, 64, 3), numpy.uint8) + numpy.array([250, 20, 10], numpy.uint8)  # BGR
+
+
+@pytest.fixture(autouse=True)
+def cameras_end():
+    yield
+    for each in list(camera.running):
+        each.stop()
+
+
+@pytest.fixture
+def command(tmp_path, monkeypatch):
+    """Returns the source that runs Python code, which may write(JPEG)."""
+    monkeypatch.setattr(stream, "RESTART_INTERVAL", 0.1)
+    (tmp_path / "blue.jpg").write_bytes(bgr8_to_jpeg(BLUE))
+    (tmp_path / "red.jpg").write_bytes(bgr8_to_jpeg(BLUE[:, :, ::-1]))
+
+    def source(code):
+        (tmp_path / "child.py").write_text(
+            "import os, time\nblue, red = (open(os.path.join(os.path.dirname(__file__), name), 'rb').read()"
+            " for name in ('blue.jpg', 'red.jpg'))\ndef write(data):\n    os.write(1, data)\n"
+            f"def wait():\n    while not os.path.exists({str(tmp_path / 'go')!r}): time.sleep(0.01)\n" + code)
+        return f"command:exec {shlex.quote(sys.executable)} {tmp_path / 'child.py'}"
+
+    return source
+
+
+def is_blue(picture):
+    return abs(picture.astype(int) - BLUE[0, 0]).max() < 12
+
+
+def test_the_fake_camera_sees_a_floor_with_a_line(monkeypatch):
+    monkeypatch.setenv("JETBOT_CAMERA", "fake")
+    seen = Camera.instance(width=224, height=160)
+    assert (seen.value.shape, seen.value.dtype) == ((160, 224, 3), numpy.uint8)
+    sky, line, floor = seen.value[5, 112], seen.value[155, 112], seen.value[155, 5]
+    assert sky[0] > 200 and line[2] > 200 > 100 > line[0] and 100 < floor.min() <= floor.max() < 150
+
+
+def test_a_picture_becomes_a_jpeg_of_its_quality(tmp_path):
+    noise = numpy.random.RandomState(1).randint(0, 255, (48, 64, 3)).astype(numpy.uint8)
+    assert len(bgr8_to_jpeg(noise, quality=20)) < len(bgr8_to_jpeg(noise)) < len(bgr8_to_jpeg(noise, quality=95))
+    (tmp_path / "blue.jpg").write_bytes(bgr8_to_jpeg(BLUE))
+    with Image.open(tmp_path / "blue.jpg") as image:
+        assert image.format == "JPEG" and image.getpixel((5, 5))[2] > 230
+
+
+def test_observers_get_each_picture_until_they_leave(command):
+    seen = Camera(64, 48, source=command("while True: write(blue); time.sleep(0.01)"))
+    pictures = []
+    observer = lambda change: pictures.append(change["new"])  # noqa: E731
+    seen.observe(observer, names="value")
+    assert wait_until(lambda: len(pictures) > 3, 10) and is_blue(pictures[0])
+    seen.unobserve(observer, names="value")
+    count = len(pictures)
+    assert wait_until(lambda: seen.value is not pictures[-1], 10) and len(pictures) <= count + 1
+
+
+def test_a_folder_is_a_camera_of_any_size(tmp_path):
+    (tmp_path / "1.jpg").write_bytes(bgr8_to_jpeg(BLUE))
+    seen = Camera(32, 32, source=f"file:{tmp_path}")
+    assert seen.value.shape == (32, 32, 3) and is_blue(seen.value)
+
+
+def test_an_empty_folder_is_named(tmp_path):
+    with pytest.raises(JetbotError, match=f"{tmp_path} has no pictures"):
+        Camera(source=f"file:{tmp_path}")
+    assert not camera.running
+
+
+def test_stop_keeps_the_picture_and_start_sees_again(command):
+    seen = Camera(64, 48, source=command("write(blue); time.sleep(60)"))
+    seen.stop()
+    seen.stop()
+    last = seen.value
+    assert is_blue(last) and not camera.running
+    seen.restart()
+    assert seen.value is not last and is_blue(seen.value)
+
+
+def test_a_new_camera_stops_the_old_one_of_its_source(command):
+    source = command("write(blue); time.sleep(60)")
+    Camera(64, 48, source=source)
+    new = Camera(64, 48, source=source)
+    assert camera.running == [new]
+
+
+DAMAGED = "write(blue[:20] + b'\\xff\\xda\\0\\2\\xff\\xd9')"
+
+
+def test_a_damaged_picture_is_left_out_and_reported(command, tmp_path, capsys):
+    seen = Camera(64, 48, source=command(f"write(blue); wait(); {DAMAGED}; time.sleep(0.2); write(red); time.sleep(60)"))
+    (tmp_path / "go").touch()
+    assert wait_until(lambda: is_blue(seen.value[:, :, ::-1]), 10)
+    assert "jetbot: The camera sends a damaged picture: cannot identify image" in capsys.readouterr().err
+
+
+def test_a_camera_that_sends_damaged_pictures_only_is_none(command):
+    with pytest.raises(JetbotError, match="^The camera sends a damaged picture: "):
+        Camera(64, 48, source=command(f"{DAMAGED}; time.sleep(60)"))
+
+
+def test_an_observer_that_fails_or_may_stop_the_camera_ends_nothing_else(command):
+    seen = Camera(64, 48, source=command("while True: write(blue); time.sleep(0.01)"))
+    calls = []
+
+    def fail(_):
+        calls.append(1)
+        if len(calls) > 3:
+            seen.stop()
+        raise RuntimeError
+
+    seen.observe(fail, names="value")
+    assert wait_until(lambda: len(calls) == 4 and not camera.running, 10)
+
+
+def test_a_slow_observer_gets_the_newest_picture(command, tmp_path):
+    seen = Camera(64, 48, source=command("write(blue); wait()\n"
+                                         "for _ in range(300): write(blue); time.sleep(0.001)\n"
+                                         "write(red); time.sleep(60)"))
+    entered, leave, pictures = threading.Event(), threading.Event(), []
+
+    def observer(change):
+        pictures.append(change["new"])
+        entered.set()
+        leave.wait(20)
+
+    seen.observe(observer, names="value")
+    (tmp_path / "go").touch()
+    assert entered.wait(10)
+    jpegs = seen._stream
+    assert wait_until(lambda: jpegs.next()[1] == bgr8_to_jpeg(BLUE[:, :, ::-1]), 20)
+    leave.set()
+    assert wait_until(lambda: is_blue(pictures[-1][:, :, ::-1]), 10) and len(pictures) < 5

@@ -1,0 +1,183 @@
+"""JPEGs from a child process: cut out of what it writes; it is started again when it ends, hangs or writes garbage."""
+
+import os
+import shlex
+import sys
+
+import pytest
+
+from jetbot import InvalidValue, JetbotError
+from jetbot.camera import sources, stream
+from jetbot.camera.jpeg import MAX_SIZE, take
+from jetbot.camera.sources import find_command
+from jetbot.wait import wait_until
+
+HEAD, SCAN = b"\xff\xd8\xff\xe0\x00\x04ab", b"\xff\xda\x00\x02"
+
+
+def jpeg(data=b"", extra=b""):
+    """Return what is a JPEG for who does not decode it."""
+    return HEAD + extra + SCAN + data + b"\xff\xd9"
+
+
+THUMBNAIL = b"\xff\xe1" + (2 + len(jpeg(b"small"))).to_bytes(2, "big") + jpeg(b"small")
+
+
+@pytest.mark.parametrize("written, pictures", [
+    (jpeg(b"1") + jpeg(b"2"), [jpeg(b"1"), jpeg(b"2")]),
+    (b"GST_ARGUS: Creating output stream\n\xff\xd8\xff" + jpeg(b"1"), [jpeg(b"1")]),
+    (jpeg(b"1")[:-2] + jpeg(b"2"), [jpeg(b"2")]),
+    (HEAD[:4] + b"\0\0" + jpeg(b"2"), [jpeg(b"2")]),
+    (jpeg(b"1", THUMBNAIL), [jpeg(b"1", THUMBNAIL)]),
+    (jpeg(b"\xff\x00\xff\xd0"), [jpeg(b"\xff\x00\xff\xd0")]),
+    (jpeg(b"1")[:-1], []),
+    (b"\xff\xd8" * 20, []),
+])
+@pytest.mark.parametrize("step", [1, 7, 1000])
+def test_pictures_are_cut_out_of_a_stream(written, pictures, step):
+    buffer, found = bytearray(), []
+    for start in range(0, len(written), step):
+        buffer += written[start:start + step]
+        found += iter(lambda: take(buffer), None)
+    assert found == pictures
+
+
+def test_a_head_that_is_cut_costs_few_pictures():
+    buffer = bytearray(HEAD[:5] + 20 * jpeg(b"2"))
+    assert len(list(iter(lambda: take(buffer), None))) > 3
+
+
+@pytest.mark.parametrize("start", [b"", HEAD, HEAD + SCAN])
+def test_what_is_no_picture_takes_no_memory(start):
+    buffer = bytearray(start)
+    for _ in range(50):
+        buffer += bytes(1024 * 1024)
+        assert take(buffer) is None
+        assert len(buffer) <= MAX_SIZE
+    buffer += b"\xff\xd9" + jpeg(b"2")
+    assert take(buffer) == jpeg(b"2")
+
+
+@pytest.fixture
+def follow(tmp_path, monkeypatch):
+    """Follows a child that runs Python code; returns the stream and what it reports. Each start is a byte of a file."""
+    monkeypatch.setattr(stream, "START_TIMEOUT", 5.0)
+    monkeypatch.setattr(stream, "TIMEOUT", 1.0)
+    monkeypatch.setattr(stream, "RESTART_INTERVAL", 0.1)
+    streams = []
+
+    def start(code):
+        program = tmp_path / "child.py"
+        program.write_text(f"""\
+import os, signal, sys, time
+with open({str(tmp_path / "starts")!r}, "ab") as file:
+    file.write(b".")
+    first = file.tell() == 1
+def write(data):
+    os.write(1, data) if len(data) < 60000 else (sys.stdout.buffer.write(data), sys.stdout.buffer.flush())
+def picture(data):
+    write({HEAD + SCAN!r} + data + {jpeg()[-2:]!r})
+{code}""")
+        reports = []
+        streams.append(stream.Stream(find_command(f"command:exec {shlex.quote(sys.executable)} {program}"),
+                                     reports.append))
+        streams[-1].start()
+        return streams[-1], reports
+
+    yield start
+    for each in streams:
+        each.stop()
+
+
+def newest(follower):
+    """Return a function that returns the newest picture."""
+    return lambda: (follower.next() or (0, b""))[1]
+
+
+@pytest.mark.parametrize("misbehaviour, sentence", [
+    ("time.sleep(60)", "No picture came from the camera for 1 s."),
+    ("os.close(1); time.sleep(60)", "The camera's program sends no pictures: it has ended."),
+    ("sys.exit('v4l2src: Device is busy')", "Another program uses the camera. End that program"),
+    ("os.kill(os.getpid(), 9)", "The camera's program sends no pictures: it has ended."),
+    ("while True: write(os.urandom(50000).replace(b'\\xff\\xd8', b''))", "No picture came from the camera for 1 s."),
+    ("write(b'\\xff\\xd8\\xff\\xda\\0\\2half'); time.sleep(60)", "No picture came from the camera for 1 s."),
+    ("while True: picture(bytes(50000000))", "No picture came from the camera for 1 s."),
+], ids=["hangs", "closes", "busy", "killed", "garbage", "half", "50 MB"])
+def test_a_child_that_misbehaves_is_reported_once_and_started_again(follow, misbehaviour, sentence):
+    follower, reports = follow(f"""
+picture(b"1")
+if first:
+    {misbehaviour}
+picture(b"2")
+time.sleep(600)""")
+    assert wait_until(lambda: newest(follower)() == jpeg(b"2"), 20)
+    assert len(reports) == 1 and reports[0].startswith(sentence)
+
+
+def test_a_child_that_writes_nothing_is_an_error_at_once(follow, monkeypatch):
+    monkeypatch.setattr(stream, "START_TIMEOUT", 0.5)
+    follower, _ = follow("time.sleep(60)")
+    with pytest.raises(JetbotError, match="^No picture came from the camera for 0.5 s."):
+        follower.next()
+
+
+def test_the_same_sentence_is_reported_once(follow, tmp_path):
+    _, reports = follow("sys.exit('no such device')")
+    starts = tmp_path / "starts"
+    assert wait_until(lambda: starts.exists() and starts.stat().st_size > 3, 20)
+    assert len(reports) == 1 and reports[0].startswith("There is no such camera. Is it connected?")
+
+
+def test_the_newest_picture_wins(follow):
+    follower, _ = follow('[picture(b"%d" % number) for number in range(5000)]; time.sleep(60)')
+    assert wait_until(lambda: newest(follower)() == jpeg(b"4999"), 20)
+
+
+@pytest.mark.parametrize("code", ["", "signal.signal(signal.SIGINT, signal.SIG_IGN)\n"])
+def test_what_is_stopped_leaves_no_process(follow, code):
+    follower, _ = follow(code + 'picture(b"%d" % os.getpgrp()); time.sleep(600)')
+    group = int(newest(follower)()[len(HEAD + SCAN):-2])
+    follower.stop()
+    with pytest.raises(ProcessLookupError):
+        os.killpg(group, 0)
+    assert follower.next() is None
+
+
+@pytest.mark.parametrize("printed, sentence", [
+    ('WARNING: erroneous pipeline: no element "nvarguscamerasrc"', "This computer has no CSI camera of a Jetson. Choose"),
+    ('WARNING: erroneous pipeline: no element "v4l2src"', "GStreamer has no element v4l2src. Install: sudo apt install"),
+    ("Cannot identify device '/dev/video0'.", "There is no such camera. Is it connected? Without a camera, type first:"),
+    ("ERROR: *** no cameras available ***", "There is no such camera."),
+    ("v4l2_open failed: Permission denied", "This user may not use the camera. Join its group: sudo usermod -aG video"),
+    ("Error generated. argus: Failed to create CaptureSession",
+     "The camera's daemon does not answer. Try: sudo systemctl restart nvargus-daemon."),
+    ("ModuleNotFoundError: No module named 'PIL'", "Numpy or PIL is missing. Install: sudo apt install python3-numpy"),
+    ("something else\n", "The camera's program sends no pictures: something else."),
+])
+def test_each_known_trouble_has_its_sentence(printed, sentence):
+    assert str(find_command("fake").explain(printed)).startswith(sentence.rstrip("."))
+
+
+@pytest.mark.parametrize("name, programs, words", [
+    ("csi", {"rpicam-vid", "gst-launch-1.0"}, "exec rpicam-vid --codec mjpeg --mode 1640:1232 --width 320 --height 240"),
+    ("csi", {"libcamera-vid"}, "exec libcamera-vid --codec mjpeg"),
+    ("csi", {"gst-launch-1.0"}, "exec gst-launch-1.0 -q nvarguscamerasrc sensor-mode=3 ! "),
+    ("usb", {"gst-launch-1.0"}, "exec gst-launch-1.0 -q v4l2src device=/dev/video0 ! "),
+    ("/dev/video2", {"gst-launch-1.0"}, "exec gst-launch-1.0 -q v4l2src device=/dev/video2 ! "),
+    ("command:ffmpeg {x}", {"sh"}, "ffmpeg {x}"),
+])
+def test_a_name_means_a_command(monkeypatch, name, programs, words):
+    monkeypatch.setattr(sources.shutil, "which", lambda program: program if program in programs else None)
+    assert find_command(name, 320, 240, 20).line.startswith(words)
+
+
+def test_a_program_that_is_missing_is_named(monkeypatch):
+    monkeypatch.setattr(sources.shutil, "which", lambda program: None)
+    with pytest.raises(JetbotError, match="^The program gst-launch-1.0 is missing. Install: sudo apt install gst"):
+        find_command("usb")
+
+
+@pytest.mark.parametrize("name", ["web", "fake:1", "file:", "command", "usb:2", "csi:0"])
+def test_what_is_no_source_is_refused(name):
+    with pytest.raises(InvalidValue, match="^A camera cannot be "):
+        find_command(name)
