@@ -38,7 +38,8 @@ def command(tmp_path, monkeypatch):
         (tmp_path / "child.py").write_text(
             "import os, time\nblue, red = (open(os.path.join(os.path.dirname(__file__), name), 'rb').read()"
             " for name in ('blue.jpg', 'red.jpg'))\ndef write(data):\n    os.write(1, data)\n"
-            f"def wait():\n    while not os.path.exists({str(tmp_path / 'go')!r}): time.sleep(0.01)\n" + code)
+            f"def wait(seconds=0):\n    while not os.path.exists({str(tmp_path / 'go')!r}): time.sleep(0.01)\n"
+            "    time.sleep(seconds)\n" + code)
         return f"command:exec {shlex.quote(sys.executable)} {tmp_path / 'child.py'}"
 
     return source
@@ -108,7 +109,7 @@ DAMAGED = "write(blue[:20] + b'\\xff\\xda\\0\\2\\xff\\xd9')"
 
 
 def test_a_damaged_picture_is_left_out_and_reported(command, tmp_path, capsys):
-    seen = Camera(64, 48, source=command(f"write(blue); wait(); {DAMAGED}; time.sleep(0.2); write(red); time.sleep(60)"))
+    seen = Camera(64, 48, source=command(f"write(blue); wait(); {DAMAGED}; time.sleep(0.2); write(red); wait(60)"))
     (tmp_path / "go").touch()
     assert wait_until(lambda: is_blue(seen.value[:, :, ::-1]), 10)
     assert "jetbot: The camera sends a damaged picture: cannot identify image" in capsys.readouterr().err

@@ -17,7 +17,7 @@ HEAVY = {"traitlets", "numpy", "PIL", "ipywidgets"}
 
 def run(code, folder):
     """Run Python code in a process of its own, on a fake bus; return what it prints."""
-    return subprocess.run([sys.executable, "-c", code], check=True, stdout=subprocess.PIPE, universal_newlines=True,
+    return subprocess.run([sys.executable, "-c", code], check=True, stdout=subprocess.PIPE, text=True,
                           env={**os.environ, "PYTHONPATH": PYTHONPATH, "JETBOT_I2C_BUS": f"fake:{folder}"}).stdout
 
 
@@ -30,7 +30,7 @@ def test_what_is_heavy_is_not_imported_for_nothing(folder, code):
 def test_without_traitlets_it_drives(folder):
     code = ("import sys; sys.modules.update(traitlets=None, numpy=None, PIL=None); from jetbot import Motor, Robot\n"
             "robot = Robot(); robot.left_motor.value = 0.5; print(type(robot.left_motor) is Motor)\n"
-            "from jetbot.fake.motors import wheel_speeds; print(wheel_speeds(sys.argv[0][:0] or robot.driver.link.name[5:]))")
+            "from jetbot.fake.motors import wheel_speeds; print(wheel_speeds(robot.driver.link.name[len('fake:'):]))")
     assert run(code, folder) == "True\n(0.5, 0.0)\n"
 
 
