@@ -7,8 +7,8 @@ run_packages="ros-environment rosbash python3-rospy python3-roslaunch python3-ro
     python3-visualization-msgs python3-rosbag ros-robot-state-publisher python3-smbus2 python3-serial python3-yaml
     python3-tornado python3-segno python3-rosgraph python3-roslib python3-genpy python3-rospkg python3-catkin-pkg"
 packages="$run_packages catkin make g++ librostest-dev libgeometry-msgs-dev ros-geometry-msgs ros-std-msgs
-    python3-rostest python3-matplotlib python3-numpy python3-pil python3-traitlets python3-setuptools python3-pytest
-    python3-pytest-xdist python3-hypothesis python3-pexpect iproute2 git"
+    python3-rostest python3-matplotlib python3-setuptools python3-pytest python3-pytest-xdist python3-hypothesis
+    python3-pexpect iproute2 git"
 
 # A field of os-release(5); a derivative of Debian or Ubuntu names the release that it descends from.
 os_release() {  # FIELD...
@@ -91,7 +91,7 @@ packages_of() {  # noetic | one
         case $package in
             python3-smbus2 | python3-segno) if [ "$1" = noetic ]; then echo python3-pip; else echo "$package"; fi ;;
             make | g++ | python3-serial | python3-yaml | python3-tornado | python3-matplotlib | python3-setuptools | \
-                python3-numpy | python3-pil | python3-traitlets | python3-pytest* | python3-hypothesis | python3-pexpect | iproute2 | git) echo "$package" ;;
+                python3-pytest* | python3-hypothesis | python3-pexpect | iproute2 | git) echo "$package" ;;
             ros-environment) echo "ros-$1-ros-environment" ;;
             *) echo "$package" | sed "s/^python3-//; s/^lib//; s/^ros-//; s/-dev$//; s/^/ros-$1-/" ;;
         esac

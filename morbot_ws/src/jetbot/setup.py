@@ -2,7 +2,7 @@
 
 from setuptools import setup
 
-setup(name="jetbot", version="1.0.0", packages=["jetbot", "jetbot.boards", "jetbot.camera", "jetbot.fake", "jetbot.guard"],
+setup(name="jetbot", version="1.0.0", packages=["jetbot", *(f"jetbot.{name}" for name in ("boards", "camera", "fake", "guard"))],
       package_dir={"": "src"}, python_requires=">=3.8", install_requires=["smbus2", "pyserial"],
       extras_require={"camera": ["traitlets", "numpy", "pillow"],
                       "notebook": ["traitlets", "numpy", "pillow", "ipywidgets"]})

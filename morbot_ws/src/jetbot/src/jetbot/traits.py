@@ -65,8 +65,8 @@ class Robot(robot.Robot):
             return
         key = threading.get_ident(), self
         interrupted = key in commanding  # this is a signal handler's: the command that it interrupts calls them
-        commanding.add(key)
         try:
+            commanding.add(key)
             super().command(speeds)
         finally:
             if not interrupted:

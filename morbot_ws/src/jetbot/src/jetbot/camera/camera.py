@@ -72,10 +72,6 @@ class Camera(traitlets.HasTraits):
         self.stop()
         self.start()
 
-    def interrupt(self) -> None:
-        """End the child without waiting for it."""
-        self._stream.stop(wait=False)
-
     def _follow(self, stream, number):
         while True:
             newer = stream.next(number)
@@ -94,7 +90,7 @@ class Camera(traitlets.HasTraits):
 def interrupt_all() -> None:
     """Do not wait: the robot has yet to be stopped."""
     for camera in running:
-        camera.interrupt()
+        camera._stream.stop(wait=False)
 
 
 os.register_at_fork(after_in_child=running.clear)  # the parent's
