@@ -2,7 +2,8 @@
 
 from setuptools import setup
 
-setup(name="jetbot", version="1.0.0", packages=["jetbot", *(f"jetbot.{name}" for name in ("boards", "camera", "fake", "guard"))],
-      package_dir={"": "src"}, python_requires=">=3.8", install_requires=["smbus2", "pyserial"],
+setup(name="jetbot", version="1.0.0", package_dir={"": "src"},
+      packages=["jetbot", "jetbot.boards", "jetbot.camera", "jetbot.fake", "jetbot.guard"],
+      python_requires=">=3.8", install_requires=["smbus2", "pyserial"],
       extras_require={"camera": ["traitlets", "numpy", "pillow"],
                       "notebook": ["traitlets", "numpy", "pillow", "ipywidgets"]})
