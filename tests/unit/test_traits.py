@@ -99,14 +99,16 @@ def test_an_observer_that_hangs_delays_no_stop_of_another_thread(traits_robot, f
         seen.append(change["new"])
 
     traits_robot.left_motor.observe(hang, names="value")
-    thread = threading.Thread(target=traits_robot.forward, args=[0.5])
-    thread.start()
+    driving, stopping = (threading.Thread(target=command, daemon=True) for command in (
+        lambda: traits_robot.forward(0.5), traits_robot.stop))
+    driving.start()
     assert entered.wait(10)
-    traits_robot.stop()  # a test that hangs here has failed
-    assert wheel_speeds(folder) == (0, 0)
+    stopping.start()
+    stopping.join(10)
+    late = stopping.is_alive()
     leave.set()
-    thread.join()
-    assert seen == [0.5, 0]
+    driving.join(10)
+    assert (late, wheel_speeds(folder), seen) == (False, (0, 0), [0.5, 0])
 
 
 def test_an_observer_of_a_handlers_stop_runs_when_the_transfer_is_over(traits_robot, folder, monkeypatch):
