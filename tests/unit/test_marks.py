@@ -31,7 +31,7 @@ def test_a_mark_is_a_row_and_a_few_sentences():
     ("=1+1", "'=1+1"), (" +1", "' +1"), ("a;-@1", "a;'-@1"), ("a-1", "a-1"), ("Jörg", "Jörg"),
     ('say "a, b"', 'say "a, b"'), ("a\nb\x1b[31m", "a\\nb\\x1b[31m"), (os.fsdecode(b"\xff"), "\\udcff")])
 def test_no_name_is_a_formula_or_a_second_line(tmp_path, name, cell):
-    marks.write(str(tmp_path / "marks.csv"), ("name", "problem"), [(name, "")])
+    marks.Table(str(tmp_path / "marks.csv")).write(("name", "problem"), [(name, "")])
     content = (tmp_path / "marks.csv").read_bytes()
     assert content.startswith(b"\xef\xbb\xbfname,problem\n")  # the byte order mark: spreadsheets take it for UTF-8
     assert list(csv.reader(io.StringIO(content.decode("utf-8-sig")))) == [["name", "problem"], [cell, ""]]
@@ -65,6 +65,10 @@ def test_a_folder_that_is_too_deep_too_large_or_empty(tmp_path):
 
 def test_a_second_round_goes_into_a_file_of_its_own(tmp_path):
     file = tmp_path / "metre.csv"
-    names = [marks.write(str(file), ("name",), [(f"round {number}",)]) for number in (1, 2, 3)]
-    assert names == [str(tmp_path / name) for name in ("metre.csv", "metre_2.csv", "metre_3.csv")]
-    assert "round 1" in file.read_text("utf-8-sig") and "round 2" in (tmp_path / "metre_2.csv").read_text("utf-8-sig")
+    tables = [marks.Table(str(file)) for _ in range(3)]
+    for table in tables:
+        table.write(("name",), [("first",)])
+        table.write(("name",), [("first",), ("second",)])
+    assert [table.file for table in tables] == [
+        str(tmp_path / name) for name in ("metre.csv", "metre_2.csv", "metre_3.csv")]
+    assert file.read_text("utf-8-sig") == "name\nfirst\nsecond\n"

@@ -1,5 +1,6 @@
 """judge.py judges the drive of a simulated robot, from its first motion to its stop, and moves no wheel itself."""
 
+import json
 import math
 import os
 import re
@@ -55,8 +56,15 @@ class Judge(RobotTest):
 
     def report_driver(self, name, interruption=""):
         """Say who drives, and what has interrupted that, as the cockpit does."""
-        self.drivers = rospy.Publisher("driver", DiagnosticStatus, queue_size=10, latch=True)
-        self.drivers.publish(DiagnosticStatus(message=interruption, values=[KeyValue("name", name)]))
+        self.start("rostopic", "pub", "/driver", DiagnosticStatus._type,
+                   json.dumps({"message": interruption, "values": [{"key": "name", "value": name}]}),
+                   "__name:=jetbot_cockpit")
+
+    def lie(self, topic, message):
+        """Publish what only the simulator, or the cockpit, may say."""
+        publisher = rospy.Publisher(topic, type(message), queue_size=1, latch=True)
+        publisher.publish(message)
+        self.addCleanup(publisher.unregister)
 
     def wait_for_lines(self, judge, *lines):
         """Fail unless the judge has printed these lines."""
@@ -95,6 +103,8 @@ class Judge(RobotTest):
     def test_a_drive_gets_a_score_and_its_record_the_same(self):
         states = self.record("task", DiagnosticStatus, lambda status: status)
         courses = self.record("task_course", MarkerArray, lambda array: array.markers)
+        self.lie("driver", DiagnosticStatus(message="a lie", values=[KeyValue("name", "Eve")]))
+        self.lie("jetbot_simulator/body", String("max_speed 9"))
         options = "metre", "--record", "drive.bag", "--csv", "marks.csv"
         judge = self.start(sys.executable, "-c", EXACT_JUDGE, JUDGE, *options, cwd=self.folder)
         self.report_driver("=Ada")

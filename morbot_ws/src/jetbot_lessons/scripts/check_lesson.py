@@ -88,7 +88,9 @@ def check_class(options: Namespace) -> int:
                 mark_folders(options.lesson, options.folders))
     print(end=marks.to_csv(Row._fields, rows), flush=True)
     if options.csv:
-        print(f"Wrote {marks.write(options.csv, Row._fields, rows)}.")
+        table = marks.Table(options.csv)
+        table.write(Row._fields, rows)
+        print(f"Wrote {table.file}.")
     return 0 if all(row.done == DONE for row in rows) else 1
 
 

@@ -11,7 +11,7 @@ try:
     import contextlib
     from argparse import Namespace
     from pathlib import Path
-    from typing import Iterator, List
+    from typing import Iterator, List, Optional
 
     import rospy
 
@@ -35,15 +35,19 @@ def main() -> int:
     for file in filter(None, (given.csv, given.picture)):
         files.check_writable(file)
     judged: List[Mark] = []
+    table = marks.Table(given.csv) if given.csv else None
     try:
         with contextlib.closing(judge(given)) as found:  # whatever happens here, the robots get their worlds back
             for mark in found:
                 report(mark, given, is_first=not judged)
                 judged.append(mark)
+                judged.sort(key=lambda mark: given.robot.index(mark.label) if mark.label in given.robot else 0)
+                with contextlib.suppress(OSError):  # a full disk ends no round; the last try reports it
+                    write(table, judged)
     finally:
-        if given.csv and judged:
-            judged.sort(key=lambda mark: given.robot.index(mark.label) if mark.label in given.robot else 0)
-            show(f"Wrote {marks.write(given.csv, marks.COLUMNS, (mark.row for mark in judged))}.")
+        if table and judged:
+            write(table, judged)
+            show(f"Wrote {table.file}.")
     return 0 if judged and all(mark.result for mark in judged) else 1
 
 
@@ -57,6 +61,12 @@ def judge(given: Namespace) -> Iterator[Mark]:
         return judge_programs(given.task, given.program, given.config, given.variation)
     from driving_tasks.sources.live import judge_robots
     return judge_robots(given.task, given.robot, given.record)
+
+
+def write(table: Optional[marks.Table], judged: List[Mark]) -> None:
+    """Write the marks so far: a judge that is killed loses none. Raises OSError."""
+    if table:
+        table.write(marks.COLUMNS, (mark.row for mark in judged))
 
 
 def report(mark: Mark, given: Namespace, is_first: bool) -> None:

@@ -80,16 +80,23 @@ def to_csv(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
     return table.getvalue()
 
 
-def write(file: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    """Write a table into a new file, in one step, and return its name. Raises OSError.
-
-    Marks are never overwritten: if metre.csv exists, it is metre_2.csv.
-    """
+def unused(file: str) -> str:
+    """Return the name of a new file: metre_2.csv if metre.csv exists, because marks are never overwritten."""
     stem, suffix = os.path.splitext(file)
     numbered = (f"{stem}_{number}{suffix}" for number in itertools.count(2))
-    unused = files.first_unused(itertools.chain([file], numbered))
-    files.replace(unused, to_csv(columns, rows).encode("utf-8-sig"))  # the mark tells spreadsheets that this is UTF-8
-    return unused
+    return files.first_unused(itertools.chain([file], numbered))
+
+
+class Table:
+    """A file of marks, new with the first of them. ``file``: its name, "" until then; wanted: its name, if unused."""
+
+    def __init__(self, wanted: str):
+        self._wanted, self.file = wanted, ""
+
+    def write(self, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+        """Write the whole table in one step. Raises OSError."""
+        self.file = self.file or unused(self._wanted)
+        files.replace(self.file, to_csv(columns, rows).encode("utf-8-sig"))  # so that spreadsheets know it is UTF-8
 
 
 def _cell(value):

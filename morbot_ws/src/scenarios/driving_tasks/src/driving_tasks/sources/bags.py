@@ -68,7 +68,7 @@ def _judge(task, file, robot, settings) -> Tuple[Result, str]:
     result = judge(task, replay(track, task, **settings) if topic == "cmd_vel" else track)
     if topic == TRUTH:
         is_forged = result.drive.unexplained > UNEXPLAINED
-        return result, NOT_SIMULATED if is_forged else changed(tracks.get((robot, BODY), [""])[-1])
+        return result, NOT_SIMULATED if is_forged else changed(max(tracks.get((robot, BODY), [""]), key=len))
     return result, SOURCES[topic]
 
 

@@ -5,7 +5,7 @@ import functools
 import re
 from collections import deque
 from threading import Thread
-from typing import Iterator, List, Optional, Sequence
+from typing import Callable, Iterator, List, Optional, Sequence
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
@@ -26,6 +26,7 @@ from ..scoring.recorder import Sample
 from .bags import sample_of
 
 SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
+COCKPIT = "jetbot_cockpit"
 STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
@@ -65,8 +66,16 @@ def label(namespace: str) -> str:
     return namespace.strip("/") or "robot"
 
 
+def sender(message: rospy.Message) -> str:
+    """Return the name of the node that sent this message."""
+    return message._connection_header.get("callerid", "")
+
+
 class JudgedRobot:
-    """``poll`` reads what has arrived; the rest returns what is known by then. Needs an initialized node."""
+    """``poll`` reads what has arrived; the rest returns what is known by then. Needs an initialized node.
+
+    Raises NO_ANSWER if the master does not answer.
+    """
 
     def __init__(self, namespace: str):
         self.namespace, self.name = namespace, label(namespace)
@@ -83,17 +92,24 @@ class JudgedRobot:
         self._world = rospy.Publisher(f"{simulator}/world", String, queue_size=1, latch=True)
         self._reset = rospy.ServiceProxy(f"{simulator}/reset", Empty)
         self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/status", String, self._on_status)
-        rospy.Subscriber(f"{namespace}/world", MarkerArray, self._on_world)
+        self._simulator = system_state()[2].get(f"{simulator}/reset", [""])[0]
+        rospy.Subscriber(f"{namespace}/world", MarkerArray, self._of_simulator(self._on_world))
         rospy.Subscriber(f"{namespace}/jetbot_controller/wheels", Float32MultiArray, self._on_wheels)
         rospy.Subscriber(self.command_topic, Twist, self._on_command)
         rospy.Subscriber(f"{namespace}/driver", DiagnosticStatus, self._on_driver)
-        rospy.Subscriber(self.body_topic, String, self._on_body)
-        self._truth = rospy.Subscriber(self.truth_topic, Odometry, self._arrived.append)
+        rospy.Subscriber(self.body_topic, String, self._of_simulator(self._on_body))
+        self._truth = rospy.Subscriber(self.truth_topic, Odometry, self._of_simulator(self._arrived.append))
+
+    def _of_simulator(self, act: Callable[[rospy.Message], None]) -> Callable[[rospy.Message], None]:
+        """Return a callback for what the simulator publishes, which ignores other programs' messages."""
+        return lambda message: sender(message) == self._simulator and act(message)
 
     def _on_status(self, message):
         self._status = message.data[:MAX_STATUS]
 
     def _on_driver(self, message):
+        if sender(message).rpartition("/")[2] != COCKPIT:
+            return
         names = [printable(pair.value)[:MAX_NAME] for pair in message.values if pair.key == "name"]
         self.driver = "".join(names[:1])
         if message.message:
