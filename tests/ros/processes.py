@@ -19,8 +19,12 @@ def end_with_parent() -> None:
 
 
 def end_on_sigterm() -> None:
-    """Let SIGTERM raise KeyboardInterrupt, as Ctrl-C does, so that contexts and fixtures end what they started."""
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    """Let SIGTERM raise KeyboardInterrupt, as Ctrl-C does, so that contexts and fixtures end what they started.
+
+    Ctrl-C does so also where a shell has started the tests in the background, and they would ignore it.
+    """
+    for signum in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(signum, signal.default_int_handler)
 
 
 def start(command: List[str], log: Path, **options) -> subprocess.Popen:
