@@ -49,11 +49,11 @@ class SimulationLaunch(RobotTest):
                       "a part of a circle")
         self.command(0)
         self.wait_for(lambda: self.odometry[-1].twist.twist.linear.x == 0, START_TIMEOUT, "the end of the motion")
+        self.wait_for(lambda: near(frames, "base_footprint", "true_base_footprint", 0.1), START_TIMEOUT, "the robot to arrive")
         self.assertEqual(publishers("/odom"), ["/jetbot_controller"])
         self.assertEqual(publishers("/joint_states"), [joint_states])
         self.assertEqual(senders(transforms, "base_footprint"), {"/jetbot_controller"})
         self.assertEqual(senders(transforms, "true_base_footprint"), {"/jetbot_simulator"})
-        self.wait_for(lambda: near(frames, "base_footprint", "true_base_footprint", 0.1), 5.0, "the robot to arrive")
 
     def test_simulates_the_board_of_the_configuration_file_and_a_command_is_a_fraction_of_full_power(self):
         config = pathlib.Path(self.folder, "robot.yaml")

@@ -72,10 +72,7 @@ def sender(message: rospy.Message) -> str:
 
 
 class JudgedRobot:
-    """``poll`` reads what has arrived; the rest returns what is known by then. Needs an initialized node.
-
-    Raises NO_ANSWER if the master does not answer.
-    """
+    """``poll`` reads what has arrived; the rest returns what is known by then. Needs an initialized node."""
 
     def __init__(self, namespace: str):
         self.namespace, self.name = namespace, label(namespace)
@@ -92,7 +89,7 @@ class JudgedRobot:
         self._world = rospy.Publisher(f"{simulator}/world", String, queue_size=1, latch=True)
         self._reset = rospy.ServiceProxy(f"{simulator}/reset", Empty)
         self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/status", String, self._on_status)
-        self._simulator = system_state()[2].get(f"{simulator}/reset", [""])[0]
+        self._simulator = ""  # the node that puts the robot to its start, once it runs
         rospy.Subscriber(f"{namespace}/world", MarkerArray, self._of_simulator(self._on_world))
         rospy.Subscriber(f"{namespace}/jetbot_controller/wheels", Float32MultiArray, self._on_wheels)
         rospy.Subscriber(self.command_topic, Twist, self._on_command)
@@ -102,7 +99,13 @@ class JudgedRobot:
 
     def _of_simulator(self, act: Callable[[rospy.Message], None]) -> Callable[[rospy.Message], None]:
         """Return a callback for what the simulator publishes, which ignores other programs' messages."""
-        return lambda message: sender(message) == self._simulator and act(message)
+        return lambda message: self._is_simulator(sender(message)) and act(message)
+
+    def _is_simulator(self, node):
+        if not self._simulator:
+            with contextlib.suppress(*NO_ANSWER):
+                self._simulator = system_state()[2].get(f"{self.namespace}/jetbot_simulator/reset", [""])[0]
+        return node == self._simulator
 
     def _on_status(self, message):
         self._status = message.data[:MAX_STATUS]

@@ -18,7 +18,7 @@ from jetbot import InvalidValue, JetbotError, files
 from jetbot.wait import wait_until
 from jetbot_ros.master import NO_ANSWER, condition_of, is_registered, require_master, system_state
 
-from ..report.marks import Mark, unused
+from ..report.marks import Mark
 from ..scoring.tasks import Task
 from .attempt import Attempt
 from .judged_robot import JudgedRobot, choose_robots, label, simulated_robots
@@ -46,10 +46,7 @@ def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None)
     if record:
         files.check_writable(record)
     init_node(namespaces)
-    try:
-        robots = [JudgedRobot(namespace) for namespace in namespaces]
-    except NO_ANSWER:
-        raise LOST from None
+    robots = [JudgedRobot(namespace) for namespace in namespaces]
     attempts = [Attempt(task, robot, reporter(robot, robots)) for robot in robots]
     recording = Recording(attempts[0]) if record else None
     try:
@@ -161,7 +158,7 @@ class Recording:
         self._messages.append((topic, message, time))
 
     def save(self, file: str) -> None:
-        """Write what has arrived since the robot was at its start, in one step, into a new file. Raises OSError."""
+        """Write what has arrived since the robot was at its start, in one step. Raises OSError."""
         with tempfile.TemporaryDirectory() as folder:
             bag_file = Path(folder, "drive.bag")
             with rosbag.Bag(str(bag_file), "w") as bag:
@@ -170,4 +167,4 @@ class Recording:
                 for topic, message, time in list(self._messages):
                     if time.to_sec() >= start:
                         bag.write(topic, message, time, connection_header=message._connection_header)
-            files.replace(unused(file), bag_file.read_bytes())
+            files.replace(file, bag_file.read_bytes())
