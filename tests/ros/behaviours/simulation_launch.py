@@ -49,7 +49,7 @@ class SimulationLaunch(RobotTest):
                       "a part of a circle")
         self.command(0)
         self.wait_for(lambda: self.odometry[-1].twist.twist.linear.x == 0, START_TIMEOUT, "the end of the motion")
-        self.wait_for(lambda: near(frames, "base_footprint", "true_base_footprint", 0.1), START_TIMEOUT, "the robot to arrive")
+        self.wait_for(lambda: near(frames, "base_footprint", "true_base_footprint", 0.1), 5.0, "the robot to arrive")
         self.assertEqual(publishers("/odom"), ["/jetbot_controller"])
         self.assertEqual(publishers("/joint_states"), [joint_states])
         self.assertEqual(senders(transforms, "base_footprint"), {"/jetbot_controller"})
