@@ -116,10 +116,9 @@ def connect_again(broken: TCPROSTransport, host: str, port: int, topic: str) -> 
         try:
             new.connect(host, port, address, HEADER_TIMEOUT)
         except TransportException as error:
-            if f"[Errno {errno.ECONNREFUSED}]" not in str(error):
-                return broken
-            # It was killed. Struck off the list, as by `rosnode cleanup`, nobody asks any more who has its port next
-            proxy(master_uri()).unregisterPublisher(name, topic, address)
+            if f"[Errno {errno.ECONNREFUSED}]" in str(error):  # it was killed
+                # Struck off the list, as by `rosnode cleanup`, so that nobody asks who has its port next
+                proxy(master_uri()).unregisterPublisher(name, topic, address)
             return broken
         if new.callerid_pub == name and subscriber.add_connection(new):
             return new
