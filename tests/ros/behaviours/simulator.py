@@ -7,14 +7,19 @@ from pathlib import Path
 import rospy
 from geometry_msgs.msg import Pose2D
 from nav_msgs.msg import Odometry
+from sensor_msgs.msg import CameraInfo, CompressedImage
 from std_msgs.msg import Float32MultiArray, String
 from std_srvs.srv import Empty
 from visualization_msgs.msg import Marker, MarkerArray
 
 from harness import START_TIMEOUT, RobotTest, program, read
-from jetbot import Robot
+from jetbot import Robot, bgr8_to_jpeg
+from jetbot.camera.lens import focal_length
+from jetbot.kinematics import Pose
+from simulation.picture import render
 from simulation.recording import pose_of
 from simulation.world import FOOTPRINT
+from simulation.world_files import load
 
 STEP = 10_000_000  # ns
 WORLD = """
@@ -84,6 +89,16 @@ class Simulator(RobotTest):
         self.wait_for(lambda: pose_of(self.odometry[-1]) == (1, 0.4, 0), 5.0, "the start")
         world.publish("")
         self.wait_for(lambda: self.drawn[-1] == [("walls", 4)], 5.0, "the world of the start")
+
+    def test_its_camera_shows_the_world_while_somebody_subscribes(self):
+        maps = Path(f"/proc/{self.simulator.pid}/maps")
+        self.assertFalse("/PIL/" in maps.read_text(), "PIL is loaded before somebody subscribes")
+        pictures, infos = (self.record(f"camera/{topic}", kind) for topic, kind in (
+            ("image_raw/compressed", CompressedImage), ("camera_info", CameraInfo)))
+        self.wait_for(lambda: len(pictures) > 5 and len(infos) > 5, START_TIMEOUT, "pictures")
+        self.assertEqual({(each.format, each.header.frame_id, each.data) for each in pictures},
+                         {("jpeg", "camera", bgr8_to_jpeg(render(load("parking.yaml"), Pose(1.0, 0.4))))})
+        self.assertEqual((infos[-1].width, infos[-1].K[0], infos[-1].K[2]), (224, focal_length(224), 112))
 
     def test_its_track_is_drawn_at_ctrl_c(self):
         picture = Path(self.folder, "track.png")

@@ -15,6 +15,8 @@ from tf2_msgs.msg import TFMessage
 from jetbot import InvalidValue
 from jetbot.text import printable
 
+from . import cameras
+from .cameras import Camera, View
 from .diff_drive import Pose
 from .simulated_robot import SimulatedRobot, StepClock
 from .topics import Topics
@@ -32,6 +34,7 @@ class Simulator:
         self._prefix, self._printed = f"{namespace(node).strip('/')} ".lstrip(), ""
         self._topics = Topics(node, others, robot.model)
         self.static_transform = self._topics.static_transform
+        self.camera = Camera(node)
         rospy.Subscriber(f"{node}/set_pose", Pose2D, self._on_set_pose, queue_size=1)
         rospy.Subscriber(f"{node}/world", String, self._on_world, queue_size=1)
         rospy.Service(f"{node}/reset", Empty, self._on_reset)
@@ -69,6 +72,7 @@ class Simulator:
                 rospy.logwarn(self._prefix + sentence)
             if was_moving or self._robot.model.moving or always:
                 self._topics.publish(stamp, self._robot.model)
+            self.camera.view = View(stamp, self._robot.model.pose, self._robot.model.world)
 
     def print_state(self) -> None:
         """Print the robot's state if it has changed."""
@@ -82,6 +86,7 @@ def spin(simulators: Sequence[Simulator]) -> None:
     static_tf = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
     static_tf.publish([each.static_transform for each in simulators])  # in one: the last message alone is latched
     rospy.Timer(rospy.Duration(1.0), lambda _: [each.print_state() for each in simulators])
+    cameras.start([each.camera for each in simulators])
     clock = StepClock(now())
     for cycle in count():
         if rospy.is_shutdown():

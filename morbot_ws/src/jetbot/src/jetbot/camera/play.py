@@ -1,38 +1,27 @@
 """Writes JPEGs to the standard output: play.py FOLDER|fake WIDTH HEIGHT FPS QUALITY. It needs numpy and PIL only."""
 
 import io
-import math
 import sys
 import time
 from pathlib import Path
 
 import numpy
+from lens import HEIGHT, rays  # a neighbour: this file runs by itself
 from PIL import Image
 
-HEIGHT, TILT, FIELD_OF_VIEW = 0.108, 19.0, 75.0  # lens above the floor in m; degrees down; degrees, vertical
 FLOOR, LINE, SKY = (120, 125, 130), (235, 200, 40), (190, 210, 230)  # RGB
 LINE_WIDTH, TILE = 0.05, 0.25  # m
 
 
-def floor_points(width, height):
-    """Return the x (ahead of the lens) and y (left) in m of the floor that each pixel shows; x is inf above it."""
-    focal_length = height / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
-    across, down = numpy.meshgrid(numpy.arange(width) + 0.5 - width / 2, numpy.arange(height) + 0.5 - height / 2)
-    cosine, sine = math.cos(math.radians(TILT)), math.sin(math.radians(TILT))
-    ahead, below = focal_length * cosine - down * sine, focal_length * sine + down * cosine
-    scale = HEIGHT / numpy.where(below > 0, below, numpy.nan)
-    return numpy.nan_to_num(ahead * scale, nan=numpy.inf), numpy.nan_to_num(-across * scale)
-
-
 def floor_with_line(width, height):
     """Return the picture of a tiled floor, on which a line leads ahead and bends to the left."""
-    x, y = floor_points(width, height)
-    seen = numpy.isfinite(x)
-    x = numpy.where(seen, x, 0)
+    down, left = rays(width, height)
+    x = HEIGHT / numpy.where(down > 0, down, numpy.inf)
+    y = left * x
     tiles = 8 * ((numpy.floor(x / TILE) + numpy.floor(y / TILE)) % 2)
     picture = numpy.array(FLOOR) + tiles[:, :, None]
     picture[abs(y - 0.3 * x ** 2) < LINE_WIDTH / 2] = LINE
-    picture[~seen] = SKY
+    picture[down[:, 0] <= 0] = SKY
     return Image.fromarray(picture.astype(numpy.uint8))
 
 
