@@ -159,6 +159,8 @@ def recover(scene: Scene, monitor: Monitor, plan: Plan) -> None:
     released = set_stop(scene, False, plan.release, patience=ENDS)
     assert released == set(scene.names), f"only {released} confirm the release by {plan.release}"
     assert set_stop(scene, False, "page", patience=ENDS), "no robot's programs go on"
+    for robot in scene.names:  # until then, it says that commands do not count
+        scene.wait(lambda robot=robot: "no ROS master" not in scene.status(robot), f"{robot} to know the master")
     check_obeyed(scene, [scene.command(kind, robot) for robot, kind in zip(scene.names, plan.recovery)])
     for process in scene.living(*COMMANDERS):
         process.end()
