@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from jetbot import JetbotError
+from jetbot import InvalidValue, JetbotError
 from jetbot.wait import wait_until
 
 for package in ("traitlets", "numpy", "PIL"):
@@ -16,6 +16,8 @@ from PIL import Image  # noqa: E402
 
 from jetbot import Camera, bgr8_to_jpeg  # noqa: E402
 from jetbot.camera import camera, stream  # noqa: E402
+from jetbot.camera.jpeg import decode  # noqa: E402
+from jetbot.camera.sources import find_command  # noqa: E402
 
 BLUE = numpy.zeros((48, 64, 3), numpy.uint8) + numpy.array([250, 20, 10], numpy.uint8)  # BGR
 
@@ -27,19 +29,28 @@ def cameras_end():
         each.stop()
 
 
+CHILD = r"""import array, fcntl, os, termios, time
+blue, red = (open(f"{FOLDER}/{name}.jpg", "rb").read() for name in ("blue", "red"))
+def write(data):
+    os.write(1, data)
+def damaged():
+    write(blue[:20] + b"\xff\xda\0\2\xff\xd9")
+    left = array.array("i", [1])
+    while left[0]: fcntl.ioctl(1, termios.FIONREAD, left)
+def wait():
+    while not os.path.exists(f"{FOLDER}/go"): time.sleep(0.01)
+"""
+
+
 @pytest.fixture
 def command(tmp_path, monkeypatch):
-    """Returns the source that runs Python code, which may write(JPEG)."""
+    """Returns the source that runs Python code: write(JPEG), damaged() that is read by itself, wait() for a file go."""
     monkeypatch.setattr(stream, "RESTART_INTERVAL", 0.1)
     (tmp_path / "blue.jpg").write_bytes(bgr8_to_jpeg(BLUE))
     (tmp_path / "red.jpg").write_bytes(bgr8_to_jpeg(BLUE[:, :, ::-1]))
 
     def source(code):
-        (tmp_path / "child.py").write_text(
-            "import os, time\nblue, red = (open(os.path.join(os.path.dirname(__file__), name), 'rb').read()"
-            " for name in ('blue.jpg', 'red.jpg'))\ndef write(data):\n    os.write(1, data)\n"
-            f"def wait(seconds=0):\n    while not os.path.exists({str(tmp_path / 'go')!r}): time.sleep(0.01)\n"
-            "    time.sleep(seconds)\n" + code)
+        (tmp_path / "child.py").write_text(f"FOLDER = {str(tmp_path)!r}\n{CHILD}{code}")
         return f"command:exec {shlex.quote(sys.executable)} {tmp_path / 'child.py'}"
 
     return source
@@ -82,6 +93,20 @@ def test_a_folder_is_a_camera_of_any_size(tmp_path):
     assert seen.value.shape == (32, 32, 3) and is_blue(seen.value)
 
 
+def test_a_source_can_be_flipped(tmp_path):
+    picture = BLUE.copy()
+    picture[:24, :32] = 255 - BLUE[0, 0]
+    (tmp_path / "1.jpg").write_bytes(bgr8_to_jpeg(picture, quality=95))
+    for flip, corner in (False, picture[0, 0]), (True, picture[-1, -1]):
+        pictures = stream.Stream(find_command(f"file:{tmp_path}", 64, 48, flip=flip))
+        pictures.start()
+        pictures.require_picture()
+        pictures.stop()
+        assert abs(decode(pictures.newest, 64, 48)[:20, :28].astype(int) - corner).max() < 40
+    with pytest.raises(InvalidValue, match="^The pictures of a command cannot be flipped. Let the command itself"):
+        find_command("command:true", flip=True)
+
+
 def test_an_empty_folder_is_named(tmp_path):
     with pytest.raises(JetbotError, match=f"{tmp_path} has no pictures"):
         Camera(source=f"file:{tmp_path}")
@@ -105,19 +130,19 @@ def test_a_new_camera_stops_the_old_one_of_its_source(command):
     assert camera.running == [new]
 
 
-DAMAGED = "write(blue[:20] + b'\\xff\\xda\\0\\2\\xff\\xd9')"
-
-
-def test_a_damaged_picture_is_left_out_and_reported(command, tmp_path, capsys):
-    seen = Camera(64, 48, source=command(f"write(blue); wait(); {DAMAGED}; time.sleep(0.2); write(red); wait(60)"))
+def test_a_damaged_picture_is_left_out_and_reported_be_it_the_first(command, tmp_path, capsys):
+    seen = Camera(64, 48, source=command("damaged(); write(blue); wait(); damaged(); write(red); time.sleep(60)"))
+    assert is_blue(seen.value)
     (tmp_path / "go").touch()
     assert wait_until(lambda: is_blue(seen.value[:, :, ::-1]), 10)
-    assert "jetbot: The camera sends a damaged picture: cannot identify image" in capsys.readouterr().err
+    assert capsys.readouterr().err.count("jetbot: The camera sends a damaged picture: cannot identify image") == 1
 
 
-def test_a_camera_that_sends_damaged_pictures_only_is_none(command):
-    with pytest.raises(JetbotError, match="^The camera sends a damaged picture: "):
-        Camera(64, 48, source=command(f"{DAMAGED}; time.sleep(60)"))
+def test_a_camera_that_sends_damaged_pictures_only_is_none(command, monkeypatch):
+    monkeypatch.setattr(stream, "START_TIMEOUT", 1.0)
+    with pytest.raises(JetbotError, match="^No picture came from the camera for 1 s."):
+        Camera(64, 48, source=command("while True: damaged()"))
+    assert not camera.running
 
 
 def test_an_observer_that_fails_or_may_stop_the_camera_ends_nothing_else(command):
@@ -149,6 +174,6 @@ def test_a_slow_observer_gets_the_newest_picture(command, tmp_path):
     (tmp_path / "go").touch()
     assert entered.wait(10)
     jpegs = seen._stream
-    assert wait_until(lambda: jpegs.next()[1] == bgr8_to_jpeg(BLUE[:, :, ::-1]), 20)
+    assert wait_until(lambda: is_blue(jpegs.newest[:, :, ::-1]), 20)
     leave.set()
     assert wait_until(lambda: is_blue(pictures[-1][:, :, ::-1]), 10) and len(pictures) < 5

@@ -5,6 +5,8 @@ import os
 import threading
 from typing import List
 
+import numpy  # noqa: F401  here, and not first in the thread that decodes
+import PIL.Image  # noqa: F401
 import traitlets
 
 from ..errors import JetbotError
@@ -43,19 +45,24 @@ class Camera(traitlets.HasTraits):
         """Wait for the first picture, then let ``value`` follow. Raise JetbotError. Does nothing if it runs already."""
         if self._stream is not None:
             return
-        stream = Stream(find_command(self.source, self.width, self.height, self.fps))
+        command = find_command(self.source, self.width, self.height, self.fps)
         for other in [other for other in running if other.source == self.source]:
             other.stop()
-        stream.start()
-        try:
-            number, jpeg = stream.next()
-            self.value = decode(jpeg, self.width, self.height)
-        except BaseException:  # also Ctrl-C
-            stream.stop()
-            raise
-        self._stream = stream
+        self._stream = Stream(command, decode=lambda jpeg: decode(jpeg, self.width, self.height))
+        self._thread = None
         running.append(self)
-        self._thread = threading.Thread(target=self._follow, args=[stream, number], daemon=True)
+        try:
+            self._begin(self._stream)
+        except BaseException:  # also Ctrl-C
+            self.stop()
+            raise
+
+    def _begin(self, stream):
+        pictures = iter(stream)
+        stream.start()
+        stream.require_picture()
+        self.value = next(pictures, None)
+        self._thread = threading.Thread(target=self._follow, args=[stream, pictures], daemon=True)
         self._thread.start()
 
     def stop(self) -> None:
@@ -64,7 +71,7 @@ class Camera(traitlets.HasTraits):
         if stream is not None:
             running.remove(self)
             stream.stop()
-            if self._thread is not threading.current_thread():
+            if self._thread not in (None, threading.current_thread()):
                 self._thread.join()
 
     def restart(self) -> None:
@@ -72,25 +79,19 @@ class Camera(traitlets.HasTraits):
         self.stop()
         self.start()
 
-    def _follow(self, stream, number):
-        while True:
-            newer = stream.next(number)
-            if newer is None:
-                return
-            number, jpeg = newer
+    def _follow(self, stream, pictures):
+        for picture in pictures:
             try:
-                self.value = decode(jpeg, self.width, self.height)
-            except JetbotError as error:
-                stream.complain(error)
+                self.value = picture
             except Exception as error:  # an observer's: it ends nothing
                 stream.complain(JetbotError(f"an observer of the camera failed: {error!r}"))
 
 
 @atexit.register
-def interrupt_all() -> None:
+def abandon_all() -> None:
     """Do not wait: the robot has yet to be stopped."""
     for camera in running:
-        camera._stream.stop(wait=False)
+        camera._stream.abandon()
 
 
 os.register_at_fork(after_in_child=running.clear)  # the parent's

@@ -66,7 +66,8 @@ def decode(jpeg: bytes, width: int, height: int) -> Any:
             image.draft("RGB", (width, height))
             picture = image.convert("RGB")
     except (OSError, SyntaxError, Image.DecompressionBombError) as error:  # what PIL raises
-        raise JetbotError(f"the camera sends a damaged picture: {error}") from None
+        reason = str(error).partition(" <")[0]  # without the address of an object, which is never the same
+        raise JetbotError(f"the camera sends a damaged picture: {reason}") from None
     if picture.size != (width, height):
         picture = picture.resize((width, height), Image.BILINEAR)
     return numpy.ascontiguousarray(numpy.asarray(picture)[:, :, ::-1])

@@ -1,6 +1,9 @@
-"""Writes JPEGs to the standard output: play.py FOLDER|fake WIDTH HEIGHT FPS QUALITY. It needs numpy and PIL only."""
+"""Writes JPEGs to the standard output: play.py FOLDER|fake WIDTH HEIGHT FPS QUALITY [ROTATION].
 
-import io
+It needs numpy and PIL only. ROTATION: 0 (the default) or 180 degrees.
+"""
+
+import itertools
 import sys
 import time
 from pathlib import Path
@@ -25,31 +28,23 @@ def floor_with_line(width, height):
     return Image.fromarray(picture.astype(numpy.uint8))
 
 
-def pictures_of(name, width, height, quality):
-    """Yield the pictures of a source as JPEGs, for ever; a folder's in the order of their names."""
+def pictures_of(name, width, height):
+    """Yield the pictures of a source, for ever; a folder's in the order of their names."""
     if name == "fake":
-        jpeg = encode(floor_with_line(width, height), quality)
-        while True:
-            yield jpeg
+        yield from itertools.repeat(floor_with_line(width, height))
     while True:
         files = sorted(file for file in Path(name).iterdir() if file.suffix.lower() in (".jpg", ".jpeg", ".png"))
         if not files:
             sys.exit(f"{name} has no pictures: .jpg or .png")
         for file in files:
             with Image.open(file) as image:
-                yield encode(image.convert("RGB").resize((width, height), Image.BILINEAR), quality)
-
-
-def encode(image, quality):
-    file = io.BytesIO()
-    image.save(file, "JPEG", quality=quality)
-    return file.getvalue()
+                yield image.convert("RGB").resize((width, height), Image.BILINEAR)
 
 
 def main(name, *numbers):
-    width, height, fps, quality = map(int, numbers)
-    for jpeg in pictures_of(name, width, height, quality):
-        sys.stdout.buffer.write(jpeg)
+    width, height, fps, quality, rotation = map(int, (*numbers, 0)[:5])
+    for picture in pictures_of(name, width, height):
+        picture.rotate(rotation).save(sys.stdout.buffer, "JPEG", quality=quality)
         sys.stdout.buffer.flush()
         time.sleep(1 / fps)
 

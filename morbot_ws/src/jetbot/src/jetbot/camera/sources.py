@@ -12,35 +12,40 @@ from ..errors import InvalidValue, JetbotError
 
 PLAY = f"exec {shlex.quote(sys.executable)} {shlex.quote(str(Path(__file__).with_name('play.py')))}"
 RPICAM = ("exec {program} --codec mjpeg --mode 1640:1232 --width {width} --height {height} --framerate {fps}"
-          " --quality {quality} --timeout 0 --nopreview --flush --output -")
+          " --quality {quality} --timeout 0 --nopreview --flush{flip} --output -")
 TO_STDOUT = "jpegenc quality={quality} ! fdsink fd=3 3>&1 >&2"  # GStreamer and its plugins print to stdout
 FROM_CSI = ("exec {program} -q nvarguscamerasrc sensor-mode=3 ! 'video/x-raw(memory:NVMM),width=816,height=616,"
-            "format=NV12,framerate={fps}/1' ! nvvidconv ! video/x-raw,width={width},height={height},format=I420 ! ")
-FROM_USB = ("exec {program} -q v4l2src device={name} ! decodebin ! videoconvert ! videoscale ! videorate ! "
+            "format=NV12,framerate={fps}/1' ! nvvidconv{flip} ! "
+            "video/x-raw,width={width},height={height},format=I420 ! ")
+FROM_USB = ("exec {program} -q v4l2src device={name} ! decodebin ! videoconvert ! videoscale ! videorate{flip} ! "
             "video/x-raw,width={width},height={height},format=I420,framerate={fps}/1 ! ")
+CHECK_CABLE = "Check the ribbon cable of the camera."
 RESTART_DAEMON = "Try: sudo systemctl restart nvargus-daemon"
 REPLUG = "Unplug the camera, plug it in again, and try another port."
 
 
 class Source(NamedTuple):
-    """A source: the program that it needs, its shell command, its Debian package, what to do when no picture comes.
+    """A source: the program that it needs, its shell command, what there turns the picture upside down, the program's
+    Debian package, what to do when no picture comes.
 
-    {program}, {name}, {width}, {height}, {fps} and {quality} in the command are replaced.
+    {program}, {name}, {width}, {height}, {fps}, {quality} and {flip} in the command are replaced.
     """
 
     program: str
     command: str
+    flip: str = ""
     package: str = ""
     when_hung: str = "Try the command by itself."
 
 
 SOURCES = {  # the first whose program is installed
-    "csi": (Source("rpicam-vid", RPICAM, "rpicam-apps", "Check the ribbon cable of the camera."),
-            Source("libcamera-vid", RPICAM, "libcamera-apps", "Check the ribbon cable of the camera."),
-            Source("gst-launch-1.0", FROM_CSI + TO_STDOUT, "gstreamer1.0-tools", RESTART_DAEMON)),
-    "usb": (Source("gst-launch-1.0", FROM_USB + TO_STDOUT, "gstreamer1.0-tools gstreamer1.0-plugins-good", REPLUG),),
-    "fake": (Source("sh", PLAY + " fake {width} {height} {fps} {quality}"),),
-    "file": (Source("sh", PLAY + " {name} {width} {height} {fps} {quality}"),),
+    "csi": (Source("rpicam-vid", RPICAM, " --hflip --vflip", "rpicam-apps", CHECK_CABLE),
+            Source("libcamera-vid", RPICAM, " --hflip --vflip", "libcamera-apps", CHECK_CABLE),
+            Source("gst-launch-1.0", FROM_CSI + TO_STDOUT, " flip-method=2", "gstreamer1.0-tools", RESTART_DAEMON)),
+    "usb": (Source("gst-launch-1.0", FROM_USB + TO_STDOUT, " ! videoflip method=rotate-180",
+                   "gstreamer1.0-tools gstreamer1.0-plugins-base gstreamer1.0-plugins-good", REPLUG),),
+    "fake": (Source("sh", PLAY + " fake {width} {height} {fps} {quality}{flip}", " 180"),),
+    "file": (Source("sh", PLAY + " {name} {width} {height} {fps} {quality}{flip}", " 180"),),
     "command": (Source("sh", "{command}"),),
 }
 
@@ -66,34 +71,37 @@ class Command(NamedTuple):
     line: str
     source: Source
 
-    def explain(self, printed: str) -> JetbotError:
-        """Return the error for a command that has ended, by what it printed."""
+    def explain(self, printed: bytes, otherwise: str) -> JetbotError:
+        """Return the error for a command that sends no pictures. printed: what it says; otherwise: why, if nothing."""
+        text = printed.decode(errors="replace")
         for pattern, reason, advice in TROUBLES:
-            found = re.search(pattern, printed)
+            found = re.search(pattern, text)
             if found:
                 return JetbotError(found.expand(reason), advice)
-        last = next((line for line in reversed(printed.splitlines()) if line.strip()), "it has ended")
-        return JetbotError(f"the camera's program sends no pictures: {last}", self.source.when_hung)
-
-    def hung(self, seconds: float) -> JetbotError:
-        """Return the error for a command that has sent no picture for so long."""
-        return JetbotError(f"no picture came from the camera for {seconds:g} s", self.source.when_hung)
+        last = next((line for line in reversed(text.splitlines()) if line.strip()), None)
+        return JetbotError(f"the camera's program sends no pictures: {last}" if last else otherwise,
+                           self.source.when_hung)
 
 
-def find_command(name: str = "", width: int = 224, height: int = 224, fps: int = 30, quality: int = 75) -> Command:
-    """Return the command of a source, by default JETBOT_CAMERA, else csi; quality: of the JPEGs, 1 to 95.
+def find_command(source: str = "", width: int = 224, height: int = 224, fps: int = 30, quality: int = 75,
+                 flip: bool = False) -> Command:
+    """Return the command of a source, by default JETBOT_CAMERA, else csi.
 
-    name: csi, usb, a device such as /dev/video0, fake, ``file:FOLDER``, or ``command:...`` for a shell command of your
-    own. Raise InvalidValue for another name, JetbotError if its program is not installed.
+    source: csi, usb, a device such as /dev/video0, fake, ``file:FOLDER``, or ``command:...``, a shell command of your
+    own. quality: of the JPEGs, 1 to 95. flip: whether to turn the pictures upside down.
+    Raise InvalidValue for another name, and for a command to flip; JetbotError if the program is not installed.
     """
-    name = name or os.environ.get("JETBOT_CAMERA") or "csi"
+    name = source or os.environ.get("JETBOT_CAMERA") or "csi"
     kind, _, rest = ("usb", "", name) if name.startswith("/dev/") else name.partition(":")
     if kind not in SOURCES or bool(rest) != (kind in ("file", "command") or name.startswith("/dev/")):
         raise InvalidValue(f"a camera cannot be {name!r}",
                            "Give csi, usb, /dev/videoN, fake, file:FOLDER or command:COMMAND.")
-    source = next((source for source in SOURCES[kind] if shutil.which(source.program)), None)
-    if source is None:
+    row = next((row for row in SOURCES[kind] if shutil.which(row.program)), None)
+    if row is None:
         missing = SOURCES[kind][-1]
         raise JetbotError(f"the program {missing.program} is missing", f"Install: sudo apt install {missing.package}")
-    return Command(source.command.format(program=source.program, name=shlex.quote(rest or "/dev/video0"), width=width,
-                                         height=height, fps=fps, quality=quality, command=rest), source)
+    if flip and not row.flip:
+        raise InvalidValue("the pictures of a command cannot be flipped", "Let the command itself turn them.")
+    return Command(row.command.format(program=row.program, name=shlex.quote(rest or "/dev/video0"), command=rest,
+                                      width=width, height=height, fps=fps, quality=quality,
+                                      flip=row.flip if flip else ""), row)

@@ -8,7 +8,8 @@ import subprocess
 import sys
 import threading
 import time
-from typing import Callable, Optional, Tuple
+from collections import deque
+from typing import Any, Callable, Deque, Iterator
 
 from ..errors import JetbotError
 from ..wait import wait_until
@@ -23,6 +24,7 @@ REPEAT_AFTER = 60.0     # s until the same sentence is reported again
 POLL_INTERVAL = 0.1     # s
 CHUNK = 1024 * 1024     # bytes, more than a pipe holds: what is read at once is all there is
 LAST_WORDS = 4000       # bytes of what a child has printed
+KILL_LATER = ["sh", "-c", 'sleep "$0"; kill -KILL "-$1"', str(END_TIMEOUT)]
 
 
 def print_sentence(sentence: str) -> None:
@@ -31,16 +33,19 @@ def print_sentence(sentence: str) -> None:
 
 
 class Stream:
-    """The JPEGs of one source, read by a thread from ``start`` to ``stop``.
+    """The pictures of one source, read by a thread from ``start`` to ``stop``; iterate to follow them.
 
     report: is called with a sentence when no picture comes, from the thread.
+    decode: makes a picture of a JPEG, in the thread; raises JetbotError for one that is left out.
+    newest: the newest picture, None before the first; count: how many there were.
     error: the JetbotError since the last picture, or None.
     """
 
-    def __init__(self, command: Command, report: Callable[[str], None] = print_sentence):
-        self._command, self._report, self.error = command, report, None
+    def __init__(self, command: Command, report: Callable[[str], None] = print_sentence,
+                 decode: Callable[[bytes], Any] = bytes):
+        self._command, self._report, self._decode = command, report, decode
+        self.newest, self.count, self.error = None, 0, None
         self._changed = threading.Condition()
-        self._number, self._newest = 0, b""
         self._stopping = threading.Event()
         self._process = None
         self._reported, self._reported_at = "", 0.0
@@ -50,87 +55,116 @@ class Stream:
         """Start the child. A stream that was stopped cannot start again."""
         self._thread.start()
 
-    def stop(self, wait: bool = True) -> None:
-        """End the child; wait for that, a little more than END_TIMEOUT at most, unless told not to."""
-        self._stopping.set()
-        process = self._process
-        if process is not None and process.returncode is None:
-            send(process, signal.SIGINT)
-        with self._changed:
-            self._changed.notify_all()
-        if wait and self._thread is not threading.current_thread():
+    def stop(self) -> None:
+        """End the child, and wait for that, a little more than END_TIMEOUT at most."""
+        self._interrupt()
+        if self._thread is not threading.current_thread():
             self._thread.join(END_TIMEOUT + 1.0)
 
-    def next(self, number: int = 0) -> Optional[Tuple[int, bytes]]:
-        """Wait for a picture that is newer than that with this number; return (its number, the JPEG).
+    def abandon(self) -> None:
+        """End the child, which may outlive this process by END_TIMEOUT; do not wait."""
+        if self._interrupt():
+            subprocess.Popen([*KILL_LATER, str(self._process.pid)], start_new_session=True)
 
-        None once the stream is stopped. Before the first picture, a problem is raised.
-        """
+    def require_picture(self) -> None:
+        """Wait for the first picture. Raise the JetbotError of a child that ends or hangs before."""
         with self._changed:
-            self._changed.wait_for(lambda: self._number > number or self.error and not number
-                                   or self._stopping.is_set())
-            if self._stopping.is_set():
-                return None
-            if self._number == 0:
+            self._changed.wait_for(lambda: self.count or self.error or self._stopping.is_set())
+            if self.error and not self.count:
                 raise self.error
-            return self._number, self._newest
+
+    def __iter__(self) -> Iterator[Any]:
+        """Yield the newest picture, then each that is the newest when it is asked for, until the stream is stopped."""
+        count = 0
+        while True:
+            with self._changed:
+                self._changed.wait_for(lambda: self.count > count or self._stopping.is_set())  # noqa: B023
+                if self._stopping.is_set():
+                    return
+                count, picture = self.count, self.newest
+            yield picture
 
     def complain(self, error: JetbotError) -> None:
-        """Keep an error, and report it, unless it has just been."""
-        with self._changed:
-            self.error = error
-            self._changed.notify_all()
+        """Report an error, unless it has just been."""
         now = time.monotonic()
         if str(error) != self._reported or now - self._reported_at > REPEAT_AFTER:
             self._reported, self._reported_at = str(error), now
             self._report(str(error))
 
+    def _interrupt(self):
+        """Let the thread end; return whether there is a child, which is interrupted."""
+        with self._changed:
+            self._stopping.set()
+            self._changed.notify_all()
+        running = self._process is not None and self._process.returncode is None
+        if running:
+            send(self._process, signal.SIGINT)
+        return running
+
     def _run(self):
         while not self._stopping.is_set():
             try:
                 with child(self._command.line) as self._process:
-                    error = self._read(self._process)
+                    error = self._read(Output(self._process))
             except OSError as failure:
-                error = self._command.explain(failure.strerror)
+                error = self._command.explain(b"", failure.strerror)
             if not self._stopping.is_set():
+                self._set(error=error)
                 self.complain(error)
             self._stopping.wait(RESTART_INTERVAL)
 
-    def _read(self, process):
-        """Return the error with which a child ends, or which makes its end necessary; None when it is stopped."""
-        pictures, words, timeout = bytearray(), b"", START_TIMEOUT
-        pipes, deadline = [process.stdout, process.stderr], time.monotonic() + timeout
-        while not self._stopping.is_set():
-            if time.monotonic() > deadline:
-                return self._command.explain(words.decode(errors="replace")) if words else self._command.hung(timeout)
-            for pipe in select.select(pipes, [], [], POLL_INTERVAL)[0]:
-                data = os.read(pipe.fileno(), CHUNK)
-                if pipe is process.stderr:
-                    words = (words + data)[-LAST_WORDS:]
-                    if not data:
-                        pipes.remove(pipe)
-                elif not data:
-                    return self._command.explain((words + last_words(process.stderr)).decode(errors="replace"))
-                elif self._publish(pictures, data):
-                    timeout, deadline, words = TIMEOUT, time.monotonic() + TIMEOUT, b""
-        return None
+    def _read(self, output):
+        """Return the error with which a child ends, or which makes its end necessary."""
+        timeout, deadline = START_TIMEOUT, time.monotonic() + START_TIMEOUT
+        while not (output.ended or self._stopping.is_set()):
+            if any(map(self._publish, output.read())):
+                timeout, deadline = TIMEOUT, time.monotonic() + TIMEOUT
+            elif time.monotonic() > deadline:
+                return self._command.explain(output.words, f"no picture came from the camera for {timeout:g} s")
+        return self._command.explain(output.words, "the camera's program has ended")
 
-    def _publish(self, buffer, data):
-        """Append what was read; return whether a picture is complete, the newest of which is published."""
-        buffer += data
-        newest = None
-        for picture in iter(lambda: take(buffer), None):
-            newest = picture
-        if newest:
-            with self._changed:
-                self._number, self._newest, self.error = self._number + 1, newest, None
-                self._changed.notify_all()
-        return newest is not None
+    def _publish(self, jpeg):
+        """Make this the newest picture; return whether it is one."""
+        try:
+            self._set(newest=self._decode(jpeg), count=self.count + 1, error=None)
+        except JetbotError as error:
+            self.complain(error)
+            return False
+        return True
+
+    def _set(self, **attributes):
+        with self._changed:
+            vars(self).update(attributes)
+            self._changed.notify_all()
 
 
-def last_words(pipe):
-    """Return what a child that ends prints, without waiting for long."""
-    return os.read(pipe.fileno(), LAST_WORDS) if select.select([pipe], [], [], POLL_INTERVAL)[0] else b""
+class Output:
+    """What a child writes.
+
+    words: what it has printed to stderr since its last picture; ended: whether it has closed its stdout, and prints no
+    more.
+    """
+
+    def __init__(self, process: subprocess.Popen):
+        self._stdout, self._stderr = self._open = [process.stdout, process.stderr]
+        self._buffer, self.words, self.ended = bytearray(), b"", False
+
+    def read(self) -> Deque[bytes]:
+        """Wait for more, POLL_INTERVAL at most; return the newest JPEG since the last call, if there is one."""
+        newest = deque(maxlen=1)
+        ready = select.select(self._open, [], [], POLL_INTERVAL)[0]  # in this order: last words come last
+        for pipe in ready:
+            data = os.read(pipe.fileno(), CHUNK)
+            if not data:
+                self._open.remove(pipe)
+            elif pipe is self._stderr:
+                self.words = (self.words + data)[-LAST_WORDS:]
+            else:
+                self._buffer += data
+                newest.extend(iter(lambda: take(self._buffer), None))
+                self.words = b"" if newest else self.words
+        self.ended = not ready and self._stdout not in self._open
+        return newest
 
 
 @contextlib.contextmanager
