@@ -6,7 +6,9 @@ from typing import Optional, Sequence
 import rospy
 from geometry_msgs.msg import Quaternion, TransformStamped
 from nav_msgs.msg import Odometry
-from sensor_msgs.msg import JointState
+from sensor_msgs.msg import CameraInfo, JointState
+
+from jetbot.camera.lens import focal_length
 
 JOINTS = ["left_wheel_joint", "right_wheel_joint"]  # as in simulation/urdf/jetbot.urdf
 
@@ -49,3 +51,13 @@ def transform(stamp: rospy.Time, parent: str, child: str, pose) -> TransformStam
     message.transform.translation.x, message.transform.translation.y = pose.x, pose.y
     message.transform.rotation = quaternion(pose.yaw)
     return message
+
+
+def camera_info(frame: str, width: int, height: int) -> CameraInfo:
+    """Return the model of a camera with pictures of this size in pixels: a pinhole without distortion."""
+    focal, across, down = focal_length(height), width / 2, height / 2
+    info = CameraInfo(height=height, width=width, distortion_model="plumb_bob", D=[0.0] * 5,
+                      R=[1, 0, 0, 0, 1, 0, 0, 0, 1], K=[focal, 0, across, 0, focal, down, 0, 0, 1],
+                      P=[focal, 0, across, 0, 0, focal, down, 0, 0, 0, 1, 0])
+    info.header.frame_id = frame
+    return info

@@ -10,10 +10,9 @@ from sensor_msgs.msg import CameraInfo, CompressedImage
 from std_msgs.msg import Header
 
 from jetbot.camera.jpeg import bgr8_to_jpeg
-from jetbot.camera.lens import focal_length
 from jetbot.text import printable
 from jetbot_ros.colors import color_of
-from jetbot_ros.messages import frame_name
+from jetbot_ros.messages import camera_info, frame_name
 
 from .diff_drive import Pose
 from .world import World
@@ -37,7 +36,7 @@ class Camera:
 
     def __init__(self, node: str):
         self.color = color_of(namespace(node).strip("/").rpartition("/")[2])
-        self.view, self._info = None, camera_info(frame_name("camera", namespace(node)))
+        self.view, self._info = None, camera_info(frame_name("camera", namespace(node)), SIZE, SIZE)
         self._images, self._infos = (
             rospy.Publisher(resolve_name(f"camera/{topic}", node), kind, queue_size=1)
             for topic, kind in (("image_raw/compressed", CompressedImage), ("camera_info", CameraInfo)))
@@ -57,16 +56,6 @@ class Camera:
             self._images.publish(CompressedImage(header, "jpeg", jpeg))
         self._info.header = header
         self._infos.publish(self._info)
-
-
-def camera_info(frame: str) -> CameraInfo:
-    """Return the camera's model: a pinhole without distortion."""
-    focal, middle = focal_length(SIZE), SIZE / 2
-    info = CameraInfo(height=SIZE, width=SIZE, distortion_model="plumb_bob", D=[0.0] * 5, R=[1, 0, 0, 0, 1, 0, 0, 0, 1],
-                      K=[focal, 0, middle, 0, focal, middle, 0, 0, 1],
-                      P=[focal, 0, middle, 0, 0, focal, middle, 0, 0, 0, 1, 0])
-    info.header.frame_id = frame
-    return info
 
 
 def start(cameras: Sequence[Camera]) -> None:

@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""ROS node: publishes what a robot's camera sees. It drives nothing, and what goes wrong here stops no robot."""
+
+# ruff: noqa: E402
+import signal
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
+
+from jetbot_ros import failures
+
+failures.install()
+
+from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
+
+import contextlib
+import threading
+import time
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticStatus
+from diagnostic_updater import Updater
+from sensor_msgs.msg import CameraInfo, CompressedImage
+from std_msgs.msg import Header
+
+from jetbot.camera.sources import find_command
+from jetbot.camera.stream import Stream
+from jetbot_camera.parameters import PARAMETERS
+from jetbot_ros import lifecycle
+from jetbot_ros.messages import camera_info, frame_name
+from jetbot_ros.node_parameters import check_values, private_parameters
+
+INTERVAL = 1.0  # s between two messages on /diagnostics
+
+
+class CameraNode:
+    """Publishes each picture as it comes, the newest alone. Raise JetbotError if the source cannot be."""
+
+    def __init__(self):
+        lifecycle.init_node("jetbot_camera")
+        self.parameters = check_values(private_parameters(rospy.get_name(), rospy.get_param("~", {}), PARAMETERS),
+                                       PARAMETERS)
+        self.stream = Stream(find_command(**self.parameters), rospy.logwarn)
+        self.images = rospy.Publisher("camera/image_raw/compressed", CompressedImage, queue_size=1)
+        self.infos = rospy.Publisher("camera/camera_info", CameraInfo, queue_size=1)
+        self.info = camera_info(frame_name("camera"), self.parameters["width"], self.parameters["height"])
+        self.counted = 0, time.monotonic()
+
+    def run(self):
+        """Publish until a signal, the end of rospy or of roslaunch."""
+        ended, launcher = threading.Event(), Launcher()
+        for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(signum, lambda *_: ended.set())
+        rospy.on_shutdown(ended.set)
+        failures.before_end.append(self.stream.abandon)
+        self.stream.start()
+        threading.Thread(target=failures.lasting(self.publish, ended.is_set), daemon=True).start()
+        updater = Updater()
+        updater.setHardwareID(self.parameters["source"])
+        updater.add("camera", self.diagnose)
+        while not ended.wait(INTERVAL) and not launcher.ended:
+            launcher.poll()
+            failures.check_starts()
+            updater.force_update()
+        ended.set()
+        self.stream.stop()
+        rospy.signal_shutdown("the camera has ended")
+        return 0
+
+    def publish(self):
+        """Publish until the stream is stopped."""
+        with contextlib.suppress(rospy.ROSException):  # the end of rospy closes the topics
+            for jpeg in self.stream:
+                self.info.header = Header(stamp=rospy.Time.now(), frame_id=self.info.header.frame_id)
+                self.images.publish(CompressedImage(self.info.header, "jpeg", jpeg))
+                self.infos.publish(self.info)
+
+    def diagnose(self, result):
+        """Fill in the status for /diagnostics."""
+        count, error, now = self.stream.count, self.stream.error, time.monotonic()
+        (counted, since), self.counted = self.counted, (count, now)
+        rate = f"{(count - counted) / (now - since):.1f} pictures per second" if count else "no picture yet"
+        result.summary(DiagnosticStatus.ERROR if error else DiagnosticStatus.OK, str(error or rate))
+        for name, value in {**self.parameters, "pictures": count}.items():
+            result.add(name, value)
+        return result
+
+
+if __name__ == "__main__":
+    lifecycle.main(lambda: CameraNode().run())

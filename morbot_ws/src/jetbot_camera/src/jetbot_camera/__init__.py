@@ -1,0 +1,1 @@
+"""What the camera's node publishes, and its parameters."""
