@@ -73,12 +73,13 @@ def test_a_wall_has_its_foot_and_its_top_where_a_pinhole_shows_them():
     assert is_color(seen[rows[0] - 3, 112, ::-1] / 255, SKY) and is_color(seen[rows[-1] + 3, 112, ::-1] / 255, *TILES)
 
 
-def test_a_wall_at_an_angle_ends_where_a_pinhole_shows_its_edge():
+@pytest.mark.parametrize("end, right", [((0.4, 0.05), 1.5), ((0.7, 0.4), -1.5)])
+def test_a_wall_at_an_angle_ends_where_a_pinhole_shows_its_edges(end, right):
     seen = render(World(walls=(((0.4, 0.05), (0.7, 0.4)),)), Pose())
     for z in (0.02, 0.1, 0.18):
-        column, row = pixel(0.4, 0.05, z)
-        assert is_shade(seen[int(row), int(column - 1.5), ::-1] / 255, WALL)
-        assert not is_shade(seen[int(row), int(column + 1.5), ::-1] / 255, WALL)
+        column, row = pixel(*end, z)
+        assert is_shade(seen[int(row), int(column - right), ::-1] / 255, WALL)
+        assert not is_shade(seen[int(row), int(column + right), ::-1] / 255, WALL)
 
 
 def test_the_walls_of_a_corner_differ_in_brightness():
@@ -105,12 +106,12 @@ def test_another_robot_is_a_box_of_its_footprint_in_its_colour():
     assert not is_shade(at(seen, back, 0.1, 0.135), RED)
 
 
-def test_a_robot_that_stands_askew_shows_its_nearest_corner():
+def test_a_robot_that_stands_askew_shows_two_sides():
     other = Pose(0.45, 0.0, 0.8)
     seen = render(EMPTY, Pose(), [(other, RED)])
-    column, row = pixel(*min(from_frame(other, corner) for corner in FOOTPRINT.corners))
-    reds = numpy.argwhere([[is_shade(color, RED) for color in colors] for colors in seen[:, :, ::-1] / 255])
-    assert reds[-1] == pytest.approx([row, column], abs=2)
+    for x, y in ((FOOTPRINT.left, 0.0), (-0.03, FOOTPRINT.top)):
+        assert is_shade(at(seen, *from_frame(other, (x, y)), 0.005), RED)
+        assert not is_shade(at(seen, *from_frame(other, (1.2 * x, 1.2 * y))), RED)
 
 
 def test_a_robot_that_touches_a_wall_sees_nothing_else():
