@@ -23,10 +23,13 @@ DRIVE = {"type": "drive", "robot": "/", "forward": 1, "left": 0}
 
 
 class StandIn:
-    """A control that notes what it is asked for. state_size: characters of a status, which changes all the time."""
+    """A control that notes what it is asked for. state_size: characters of a status, which changes all the time.
+
+    It stands in for the cameras, too. picture: the newest one of the robot "/".
+    """
 
     def __init__(self):
-        self.handled, self.left, self.state_size = [], [], 1
+        self.handled, self.left, self.state_size, self.picture = [], [], 1, None
 
     def handle(self, client, message, now):
         self.handled.append((client, message))
@@ -38,7 +41,13 @@ class StandIn:
         return []
 
     def robots(self):
-        return []
+        return [{"id": "/"}]
+
+    def watch(self, robots):
+        pass
+
+    def newest(self, robot, now):
+        return self.picture
 
     def history(self):
         return []
@@ -57,7 +66,7 @@ class Cockpit:
         self.access = Access(self.port, ["class.test"], GRANTS)
         self.control = StandIn()
         self.server = Server(sockets, self.access, Hub(
-            self.control, [Card(grant, "class.test", self.port).message() for grant in GRANTS]))
+            self.control, [Card(grant, "class.test", self.port).message() for grant in GRANTS], self.control))
         self.server.start()
 
     def headers(self, name="localhost", **headers):

@@ -5,6 +5,7 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 
 import pytest
 
+from jetbot_cockpit_server.session.collection import Collection
 from jetbot_cockpit_server.session.control import Control
 from jetbot_cockpit_server.session.protocol import Message
 from jetbot_cockpit_server.session.rights import Client, DeadMan
@@ -70,12 +71,26 @@ class FakeDrivers:
         self.velocities[robot] = STOPPED
 
 
-class Cockpit:
-    """Control, and pads that are held down as the pages hold them."""
+class FakeCameras:
+    """One picture of each robot, by its name; and what the hub asks for."""
 
     def __init__(self):
+        self.pictures, self.watched = {}, set()
+
+    def newest(self, robot, now):
+        return self.pictures.get(robot)
+
+    def watch(self, robots):
+        self.watched = robots
+
+
+class Cockpit:
+    """Control, and pads that are held down as the pages hold them. pictures: the folder for those that are saved."""
+
+    def __init__(self, pictures=False):
         self.robots, self.drivers, self.time = FakeRobots(), FakeDrivers(), 100.0
-        self.control = Control(self.robots, self.drivers)
+        self.cameras, self.collection = FakeCameras(), Collection(pictures)
+        self.control = Control(self.robots, self.drivers, self.cameras, self.collection)
         self.control.check(self.time)
 
     def do(self, client, message):

@@ -3,6 +3,7 @@
 import json
 
 import pytest
+from cockpit_control import FakeCameras
 
 from jetbot_cockpit_server.session import hub as hubs
 from jetbot_cockpit_server.session import protocol
@@ -73,7 +74,7 @@ def control():
 
 @pytest.fixture
 def hub(control):
-    return Hub(control, [])
+    return Hub(control, [], FakeCameras())
 
 
 def join(hub, role=TEACHER, now=0.0):
@@ -169,7 +170,7 @@ def test_replies_do_not_pile_up_for_a_page_that_takes_nothing(hub):
 
 @pytest.mark.parametrize("role, codes", [(TEACHER, CODES), (TEACHER, []), (PUPIL, CODES)])
 def test_a_teacher_gets_the_codes_where_there_are_some(control, role, codes):
-    hub = Hub(control, codes)
+    hub = Hub(control, codes, FakeCameras())
     page, viewer = join(hub, role)
     assert page.sent[0]["codes"] is (role == TEACHER and bool(codes))
     hub.receive(viewer, '{"type": "codes"}', 0.0)

@@ -15,7 +15,7 @@ TEXTS = {"text": "ground surface calm-ground", "muted": "ground surface calm-gro
          "good": "surface good-ground", "warn": "surface warn-ground", "bad": "surface bad-ground"}
 
 
-@pytest.mark.parametrize("name", ["pad", "speed", "stop", "release", "status", "robot", "map", "wheels"])
+@pytest.mark.parametrize("name", ["pad", "speed", "stop", "release", "status", "robot", "map", "camera", "wheels"])
 def test_the_page_has_its_binding_ids(name):
     assert PAGE.count(f'id="{name}"') == 1
 

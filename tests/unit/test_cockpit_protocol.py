@@ -19,7 +19,9 @@ FROM_PAGE, FROM_COCKPIT = (ROOT / "docs/protocol.md").read_text().split("## The 
     {"type": "stop"}, {"type": "stop", "robot": None}, {"type": "stop", "robot": "/"},
     {"type": "release", "robot": "/"}, {"type": "reset"}, {"type": "name", "name": "Ada Łovelace"},
     {"type": "name", "name": "<b>Eve</b> + 🙂"}, {"type": "name", "name": "\U0001fadf"},  # newer than Unicode 15
-    {"type": "ping", "sent": 12.5}, {"type": "codes"}], ids=str)
+    {"type": "ping", "sent": 12.5}, {"type": "codes"},
+    {"type": "look", "robot": "/"}, {"type": "look"}, {"type": "seen", "number": 7},
+    {"type": "save", "robot": "/", "label": "free"}, {"type": "delete", "robot": "/"}], ids=str)
 def test_what_a_page_sends(fields):
     assert parse(json.dumps(fields)) == Message(**fields)
 
@@ -31,7 +33,9 @@ def test_what_a_page_sends(fields):
     '{"type": "name", "name": "a\\nb"}', '{"type": "name", "name": "\\ud800"}', '{"type": "name", "name": "\\u202eb"}',
     json.dumps({"type": "name", "name": "x" * 21}), json.dumps({"type": "stop", "robot": "x" * 1000}),
     '{"type": "ping", "sent": true}', '{"type": "ping", "sent": NaN}', '{"type": "ping", "sent": 1e999}',
-    '{"type": "ping", "sent": 1%s}' % ("0" * 400), '{"type": "ping", "sent": "1"}', b'{"type": "stop"}'],
+    '{"type": "ping", "sent": 1%s}' % ("0" * 400), '{"type": "ping", "sent": "1"}', b'{"type": "stop"}',
+    *(json.dumps({"type": "save", "robot": "/", "label": label}) for label in ("../x", "", "Free", None, ["free"])),
+    '{"type": "delete"}', '{"type": "seen", "number": "7"}'],
     ids=lambda text: str(text)[:30])
 def test_anything_else_is_refused(text):
     with pytest.raises(ProtocolError):

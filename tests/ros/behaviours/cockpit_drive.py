@@ -14,6 +14,7 @@ from tf2_msgs.msg import TFMessage
 from harness import CONTROLLER, START_TIMEOUT, RobotTest, near, publishers
 from jetbot_cockpit_server.robots.discovery import Robots
 from jetbot_cockpit_server.robots.publishers import Drivers
+from jetbot_cockpit_server.session.collection import Collection
 from jetbot_cockpit_server.session.control import Control
 from jetbot_cockpit_server.session.protocol import Message
 from jetbot_cockpit_server.session.rights import Client
@@ -49,7 +50,7 @@ class CockpitDrive(RobotTest):
     def setUp(self):
         super().setUp()
         self.bus, self.processes = self.host.bus, []
-        self.control, self.lock = Control(self.robots, self.drivers), threading.Lock()
+        self.control, self.lock = Control(self.robots, self.drivers, None, Collection(False)), threading.Lock()
         self.addCleanup(self.drivers.close)
         checks = rospy.Timer(rospy.Duration(0.05), self.check)
         self.addCleanup(checks.shutdown)

@@ -22,8 +22,10 @@ import rospy
 
 from jetbot import JetbotError
 from jetbot_cockpit_server.parameters import PARAMETERS, resolve
+from jetbot_cockpit_server.robots.cameras import Cameras
 from jetbot_cockpit_server.robots.discovery import Robots
 from jetbot_cockpit_server.robots.publishers import Drivers
+from jetbot_cockpit_server.session.collection import Collection
 from jetbot_cockpit_server.session.control import Control
 from jetbot_cockpit_server.session.hub import Hub
 from jetbot_cockpit_server.session.snapshot import Snapshot
@@ -59,8 +61,10 @@ class Cockpit:
 
         # What clients ask for goes into the control, and what the robots report comes out
         self.drivers = Drivers()
-        self.control = Control(Robots(), self.drivers)
-        self.server = Server(sockets, self.access, Hub(self.control, [card.message() for card in self.cards]))
+        cameras = Cameras()
+        self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]))
+        hub = Hub(self.control, [card.message() for card in self.cards], cameras)
+        self.server = Server(sockets, self.access, hub)
         self.logged, self.no_robot_at = Snapshot(), time.monotonic() + NO_ROBOT_AFTER
 
     def run(self):

@@ -18,7 +18,7 @@ function explain(code, reason) {
 }
 
 export class Link {
-  // receive(message); changed(sentence): what is wrong, "" once connected; refused(): a code is needed;
+  // receive(message): binary ones have the type "part"; changed(sentence): what is wrong, "" once connected; refused(): a code is needed;
   // measured(ms)
   constructor({ receive, changed, refused, measured }) {
     Object.assign(this, { receive, changed, refused, measured });
@@ -31,6 +31,7 @@ export class Link {
     const previous = this.socket;
     const scheme = location.protocol === "https:" ? "wss" : "ws";
     const socket = new WebSocket(`${scheme}://${location.host}/socket`);
+    socket.binaryType = "arraybuffer";
     socket.onopen = () => this.opened(socket);
     socket.onmessage = (event) => this.received(socket, event.data);
     socket.onclose = (event) => this.ended(socket, event.code, event.reason);
@@ -60,10 +61,10 @@ export class Link {
     this.check();
   }
 
-  received(socket, text) {
+  received(socket, data) {
     if (socket !== this.socket) return;
     this.receivedAt = performance.now();
-    const message = JSON.parse(text);
+    const message = typeof data === "string" ? JSON.parse(data) : { type: "part", bytes: data };
     if (message.type === "pong") this.measured(performance.now() - message.sent);
     else this.receive(message);
   }

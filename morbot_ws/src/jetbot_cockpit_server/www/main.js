@@ -1,5 +1,6 @@
 // The cockpit's page: connects what the person does, what the cockpit sends, and what is shown.
 
+import { Camera } from "./camera.js";
 import { element, setClass, setText } from "./dom.js";
 import { Driving } from "./driving.js";
 import { Keys, Pad, watchGamepads } from "./inputs.js";
@@ -29,6 +30,7 @@ const choice = new Choice(world, changeRobot);
 const choose = (id) => choice.choose(id);
 const fleet = new Fleet(world, choose, send);
 const map = new RobotMap(element("map"), world, { choose, redraw: show });
+const camera = new Camera(world, send);
 const driving = new Driving({
   send: command, ready: () => link.connected && Boolean(world.robot(world.chosen)), changed: show,
 });
@@ -40,6 +42,7 @@ const keys = new Keys(deflect("keys"), () => stops.stop());
 const RECEIVERS = {
   hello(message) {
     world.hello(message);
+    camera.forget();
     showScores([]);
     nameField.announce();
   },
@@ -68,9 +71,11 @@ const RECEIVERS = {
     if (!late) notice.show(text);
   },
   codes: ({ codes }) => showCodes(codes),
+  picture: (message) => camera.begin(message),
 };
 
 function receive(message) {
+  if (message.type === "part") return camera.take(message.bytes);
   RECEIVERS[message.type]?.(message);
   show();
 }
@@ -133,6 +138,7 @@ function showNow() {
   pad.point(...driving.command);
   stops.show();
   fleet.show();
+  camera.show();
   map.draw();
 }
 

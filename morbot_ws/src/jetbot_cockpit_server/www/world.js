@@ -8,7 +8,7 @@ const TRAIL_LENGTH = 500; // points
 const UNKNOWN = {
   status: "", warning: false, answers: true, stopped: false,
   pose: null, speed: null, command: null, wheels: null, program: "",
-  driver: null, resumes: null, held: false, stalls: 0, task: null,
+  driver: null, resumes: null, held: false, stalls: 0, task: null, pictures: null,
 };
 
 export class World {

@@ -23,6 +23,11 @@ def is_host(value: object) -> bool:
     return isinstance(value, str) and bool(HOST.fullmatch(value))
 
 
+def is_folder(value: object) -> bool:
+    """Return whether this names a folder wherever it is typed, or is False."""
+    return value is False or isinstance(value, str) and value.startswith(("/", "~"))
+
+
 PARAMETERS = {
     "lan": Parameter(False, BOOLEAN, "true: phones and other computers in the network may use it, with a code"),
     "port": Parameter(COCKPIT_PORT, integer_to(MAX_PORT), "TCP port of the page; 0 takes a free one"),
@@ -30,6 +35,8 @@ PARAMETERS = {
                       "name or address of this computer that phones can reach it by, where it is not what the computer "
                       "itself finds out"),
     "robots": Parameter(0, integer_to(MAX_ROBOTS), "how many of jetbot_01, jetbot_02 and so on get a code each"),
+    "pictures": Parameter("~/jetbot_pictures", Kind(is_folder, "a folder, such as ~/jetbot_pictures, or false"),
+                          "folder on this computer for the pictures that people collect on the page; false: none"),
     "browser": Parameter(False, Kind(lambda value: value in (False, "auto"), "false or auto"),
                          "auto: also opens the page, where there is a desktop"),
 }

@@ -5,11 +5,13 @@ from typing import Callable, Dict, List, Optional, Set
 
 from jetbot.text import enumeration
 
+from .collection import Collection
 from .history import History
 from .protocol import Message, notice
 from .rights import COMMAND_TIMEOUT, TEACHER, Client, Lease, StopRights
 from .snapshot import Snapshot, label
 
+NO_PICTURE = "There is no picture."
 LET_GO = "Let go, then drive again."
 NO_COMMAND = f"No command for {COMMAND_TIMEOUT} s. {LET_GO}"
 TAKEN, LEFT = "a teacher took the robot over", "the driver's page was closed, or lost its connection"  # interruptions
@@ -20,11 +22,11 @@ class Control:
     """Does what the clients ask for, in one thread.
 
     robots: what they report (robots.discovery.Robots), which ``check`` reads once for all clients;
-    drivers: what commands them (robots.publishers.Drivers).
+    drivers: what commands them (robots.publishers.Drivers); cameras: what they see (robots.cameras.Cameras).
     """
 
-    def __init__(self, robots, drivers):
-        self._robots, self._drivers = robots, drivers
+    def __init__(self, robots, drivers, cameras, collection: Collection):
+        self._robots, self._drivers, self._cameras, self._collection = robots, drivers, cameras, collection
         self.snapshot: Snapshot = robots.snapshot()  # as of the last check
         self._leases: Dict[str, Lease] = {}  # by robot
         self._stop_rights, self._history = StopRights(), History()
@@ -35,7 +37,8 @@ class Control:
         self._checked_at, self._stale_until = math.inf, -math.inf
         self._actions: Dict[str, Callable] = {
             "drive": self._on_drive, "take": self._on_take, "stop": self._on_engage_stop,
-            "release": self._on_release_stop, "go_on": self._on_go_on, "reset": self._on_reset, "name": self._on_name}
+            "release": self._on_release_stop, "go_on": self._on_go_on, "reset": self._on_reset, "name": self._on_name,
+            "save": self._on_save, "delete": self._on_delete}
 
     def handle(self, client: Client, message: Message, now: float) -> Optional[dict]:
         """Do what a client asks for; return None, or a message of the socket that says why not."""
@@ -82,7 +85,7 @@ class Control:
         """Return the message "state"."""
         states = {name: robot.state(self._describe_driver(name), self._seconds_until_programs(robot),
                                     name in self._held, self._history.task(robot),
-                                  self._drivers.stalls(name, self._checked_at))
+                                    self._drivers.stalls(name, self._checked_at), self._collection.state(name))
                   for name, robot in self.snapshot.robots.items()}
         return {"type": "state", "emergency": self.snapshot.emergency,
                 "pupils_release": self._stop_rights.pupils_release, "robots": states}
@@ -171,6 +174,22 @@ class Control:
     def _on_name(self, client, message, now):
         self._typed[client.id] = message.name.strip()
         self._names[client.id] = self._typed[client.id] or client.name
+        return ""
+
+    def _on_save(self, client, message, now):
+        picture = self._cameras.newest(message.robot, now)
+        return (self._refuse_collecting(client, message.robot, now)
+                or (self._collection.save(message.robot, message.label, picture.jpeg) if picture else NO_PICTURE))
+
+    def _on_delete(self, client, message, now):
+        return self._refuse_collecting(client, message.robot, now) or self._collection.delete(message.robot)
+
+    def _refuse_collecting(self, client, robot, now) -> str:
+        """Return why the client may not collect pictures of this robot, or "": who drives it may, and so keeps it."""
+        if self._driver(robot) != client.id:
+            return f"Only who drives {label(robot)} collects its pictures. Drive it first."
+        if not self._leases[robot].driving:
+            self._lease(client, robot, now, driving=False)
         return ""
 
     def _note_interruption(self, now):

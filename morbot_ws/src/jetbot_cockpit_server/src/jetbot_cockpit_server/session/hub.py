@@ -8,7 +8,9 @@ from typing import Callable, Dict, List, Optional, Sequence
 from ..parameters import MAX_ROBOTS
 from . import protocol
 from .control import Control
+from .feed import Feed, Picture, interval
 from .rights import TEACHER, Client
+from .snapshot import label
 
 MAX_CLIENTS = MAX_ROBOTS + 1  # a page for each robot, and a teacher's
 MAX_FRAME = 8192  # bytes of a message that is read at all; Tornado closes the socket of a larger one with 1009
@@ -16,6 +18,7 @@ REFUSED, LOG_IN, FULL, ENDED, BAD_FRAME = 4000, 4001, 4002, 1001, 1002  # why a 
 NO_ROOM = f"{MAX_CLIENTS} pages are connected already"
 TOO_MANY = f"more than {protocol.MAX_RATE} messages per second"
 FRAME_INTERVAL = 0.08   # s between two frames: what the pages draw more often delays a stop
+PICTURE_INTERVAL = 0.02  # s between two looks at the cameras, while somebody looks
 STOP_PAUSE = 0.1        # s without frames and commands after a stop of all: first of all, it has to reach the wheels
 STILL_INTERVAL = 1.0    # s between two frames while nothing changes, and between two pings
 ABSENT_AFTER = 3.0      # s without a sign of life: frames would only queue up
@@ -30,6 +33,7 @@ class Viewer:
         self.allowance = float(protocol.MAX_BURST)  # messages that it may send now
         self.active_at = self.pinged_at = self.shown_at = now
         self.state = self.robots = ""
+        self.feed = Feed()
 
     def record_activity(self, now: float) -> bool:
         """Record a sign of life; return whether there are not too many: MAX_RATE, after a pause MAX_BURST at once."""
@@ -37,6 +41,12 @@ class Viewer:
         self.allowance = min(protocol.MAX_BURST, refilled) - 1
         self.active_at = now
         return self.allowance >= 0
+
+    def show_picture(self, picture: Optional[Picture], pause: float, now: float) -> None:
+        """Send a part of the newest picture, if it is due. What acknowledges it is within the limit of messages."""
+        for message in [] if self.connection.is_backlogged() else self.feed.next(picture, pause, now):
+            self.connection.send(message if isinstance(message, bytes) else dumps(message))
+            self.allowance += isinstance(message, bytes)
 
     def is_ready(self, now: float) -> bool:
         """Return whether the page takes what it is sent; a frozen browser or a bad network does not."""
@@ -54,10 +64,12 @@ class Viewer:
 
 
 class Hub:
-    """All clients. codes: the rows of the message "codes", with what a teacher hands out."""
+    """All clients. codes: the rows of the message "codes", with what a teacher hands out; cameras: what the robots see
+    (robots.cameras.Cameras).
+    """
 
-    def __init__(self, control: Control, codes: Sequence[dict]):
-        self._control, self._codes = control, codes
+    def __init__(self, control: Control, codes: Sequence[dict], cameras):
+        self._control, self._codes, self._cameras = control, codes, cameras
         self._numbers = itertools.count(1)
         self._paused_until = -math.inf
         self._viewers: Dict[int, Viewer] = {}
@@ -139,19 +151,39 @@ class Hub:
                 viewer.pinged_at = now
                 viewer.connection.ping()
 
+    def send_pictures(self, now: float) -> bool:
+        """Send what is due of the robots' pictures; return whether somebody looks. Call it every PICTURE_INTERVAL."""
+        looking = [viewer for viewer in self._viewers.values() if viewer.feed.is_used(now)]
+        self._cameras.watch({viewer.feed.robot for viewer in looking})
+        for viewer in looking if now >= self._paused_until else ():
+            viewer.show_picture(self._cameras.newest(viewer.feed.robot, now), interval(len(looking)), now)
+        return bool(looking)
+
     def _answer(self, viewer: Viewer, message: protocol.Message, now: float) -> None:
-        reply = self._reply(viewer.client, message, now)
+        reply = self._reply(viewer, message, now)
         if reply and not viewer.connection.is_backlogged():
             viewer.connection.send(dumps(reply))
 
-    def _reply(self, client: Client, message: protocol.Message, now: float) -> Optional[dict]:
+    def _reply(self, viewer: Viewer, message: protocol.Message, now: float) -> Optional[dict]:
+        client = viewer.client
         if message.type == "ping":
             return {"type": "pong", "sent": message.sent}
+        if message.type == "seen":
+            return viewer.feed.acknowledge(message.number)
+        if message.type == "look":
+            return self._look(viewer, message.robot)
         if message.type != "codes":
             return self._control.handle(client, message, now)
         if client.role != TEACHER:
             return protocol.notice("Only a teacher can see the codes.")
         return {"type": "codes", "codes": self._codes}
+
+    def _look(self, viewer: Viewer, robot: Optional[str]) -> Optional[dict]:
+        known = robot in [each["id"] for each in self._control.robots()]
+        allowed = known and viewer.client.may_drive(robot)
+        viewer.feed.look(robot if allowed else None)
+        return protocol.notice(f"With your code, you see only through {label(viewer.client.robot)}'s camera.") \
+            if known and not allowed else None
 
 
 def dumps(message: dict) -> str:

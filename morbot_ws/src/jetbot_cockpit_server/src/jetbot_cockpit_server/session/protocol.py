@@ -6,6 +6,8 @@ from typing import Any, Callable, Dict, NamedTuple, Optional, Union
 
 from jetbot.kinds import is_number
 
+from .collection import LABELS
+
 MAX_MESSAGE = 1000      # bytes of a message of the page
 MAX_RATE = 40           # messages per second of a page,
 MAX_BURST = 50          # and at once: what a pause of the network has held back
@@ -20,7 +22,8 @@ class Message(NamedTuple):
     """What a page sends. What its type does not have, or what was left out, has the default.
 
     robot: a namespace, None: all robots; forward, left: deflections in [-1, 1], both 0: the pad was let go;
-    name: what the person wants to be called; sent: a number that is sent back at once.
+    name: what the person wants to be called; sent: a number that is sent back at once; number: of a picture; label:
+    what a picture shows, one of LABELS.
     """
 
     type: str
@@ -29,6 +32,8 @@ class Message(NamedTuple):
     left: float = 0.0
     name: str = ""
     sent: float = 0.0
+    number: float = 0.0
+    label: str = ""
 
 
 def is_deflection(value: Any) -> bool:
@@ -52,6 +57,11 @@ def is_name(value: Any) -> bool:
         character.isprintable() or unicodedata.category(character) == "Cn" for character in value)
 
 
+def is_label(value: Any) -> bool:
+    """Return whether this may be said of a picture."""
+    return value in list(LABELS)
+
+
 # The fields of each type; one that may be None may be left out.
 MESSAGES: Dict[str, Dict[str, Callable[[Any], bool]]] = {
     "drive": {"robot": is_robot, "forward": is_deflection, "left": is_deflection},
@@ -63,6 +73,10 @@ MESSAGES: Dict[str, Dict[str, Callable[[Any], bool]]] = {
     "name": {"name": is_name},
     "ping": {"sent": is_number},
     "codes": {},                            # a teacher asks for the addresses and codes to hand out
+    "look": {"robot": is_robot_or_all},     # the page shows this robot's camera, None: none
+    "seen": {"number": is_number},          # a part of this picture has come
+    "save": {"robot": is_robot, "label": is_label},
+    "delete": {"robot": is_robot},          # all pictures of the robot that were saved
 }
 
 
@@ -76,7 +90,7 @@ def parse(text: Union[str, bytes]) -> Message:
         fields = None
     kind = fields.pop("type", None) if isinstance(fields, dict) else None
     if kind not in list(MESSAGES):  # a list: what is not hashable may be there
-        raise ProtocolError(f"a message is a JSON object with a type: {', '.join(MESSAGES)}")
+        raise ProtocolError(f"a message is a JSON object of type {', '.join(MESSAGES)}")
     checks = MESSAGES[kind]
     if not set(fields) <= set(checks) or not all(check(fields.get(name)) for name, check in checks.items()):
         raise ProtocolError(f"the fields of {kind} are: {', '.join(checks) or 'none'}")

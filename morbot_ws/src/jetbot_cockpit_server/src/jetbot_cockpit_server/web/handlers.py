@@ -6,7 +6,7 @@ import secrets
 import time
 from functools import partial
 from pathlib import Path
-from typing import Callable, Dict, Optional
+from typing import Callable, Dict, Optional, Union
 
 from tornado.httputil import HTTPServerRequest
 from tornado.iostream import StreamClosedError
@@ -155,10 +155,11 @@ class Socket(Handler, WebSocketHandler):
         if self.viewer:
             self.hub.leave(self.viewer)
 
-    def send(self, text: str) -> None:
+    def send(self, message: Union[str, bytes]) -> None:
         with contextlib.suppress(*CLOSED):
             # A write that fails needs no notice: the socket is closed, and ``on_close`` is called
-            self.write_message(text).add_done_callback(lambda written: written.cancelled() or written.exception())
+            written = self.write_message(message, binary=isinstance(message, bytes))
+            written.add_done_callback(lambda written: written.cancelled() or written.exception())
 
     def ping(self, data: bytes = b"") -> None:
         with contextlib.suppress(*CLOSED):

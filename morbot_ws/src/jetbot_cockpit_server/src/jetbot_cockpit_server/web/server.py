@@ -14,7 +14,7 @@ from tornado.web import Application
 
 from jetbot.wait import wait_until
 
-from ..session.hub import FRAME_INTERVAL, MAX_FRAME, Hub
+from ..session.hub import FRAME_INTERVAL, MAX_FRAME, PICTURE_INTERVAL, Hub
 from .access import Access
 from .handlers import Login, Page, Socket, read_files
 
@@ -105,11 +105,18 @@ class Server:
                                idle_connection_timeout=IDLE_TIMEOUT, body_timeout=IDLE_TIMEOUT)
         server.add_sockets(self._sockets)
         self._started.set()
+        pictures = asyncio.ensure_future(self._send_pictures())
         while not self._ended.is_set():
             self._hub.tick(time.monotonic())
             await asyncio.sleep(FRAME_INTERVAL)  # Tornado's PeriodicCallback halts when the clock is set back
+        pictures.cancel()
         server.stop()
         self._hub.close()
         await asyncio.sleep(CLOSE_TIMEOUT)
         server.close_streams()
         await asyncio.sleep(0)
+
+    async def _send_pictures(self) -> None:
+        while True:
+            somebody_looks = self._hub.send_pictures(time.monotonic())
+            await asyncio.sleep(PICTURE_INTERVAL if somebody_looks else FRAME_INTERVAL)

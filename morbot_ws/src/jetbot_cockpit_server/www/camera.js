@@ -1,0 +1,100 @@
+// What the chosen robot's camera sees, while a person looks, and the pictures of it that are collected.
+
+import { element, onPress, setClass, setText } from "./dom.js";
+
+const TIMEOUT = 2000; // ms without a picture
+const NO_PICTURE = "No picture: is a camera running? (camera:=true)";
+const SURE_WITHIN = 3000; // ms
+const LABELS = { free: "Free", blocked: "Blocked" };
+
+export class Camera {
+  robot = null; // whose pictures the cockpit was asked for
+  sure = false; // the next press deletes
+
+  constructor(world, send) {
+    Object.assign(this, { world, send });
+    const button = element("show-camera");
+    button.addEventListener("click", () => this.open(button.getAttribute("aria-pressed") === "false"));
+    document.addEventListener("visibilitychange", () => this.look());
+    for (const label of Object.keys(LABELS)) this.onPress(`save-${label}`, { type: "save", label });
+    onPress(element("delete"), () => this.delete(), () => false);
+  }
+
+  open(on) {
+    element("show-camera").setAttribute("aria-pressed", on);
+    element("sight").hidden = !on;
+    setClass(document.body, "looking", on);
+    this.look();
+  }
+
+  show() {
+    const { pictures } = this.world.state(this.world.chosen);
+    element("collect").hidden = !pictures;
+    for (const [label, text] of Object.entries(LABELS)) setText(element(`save-${label}`), `${text} ${pictures?.[label]}`);
+    setText(element("collect-text"), pictures?.problem ?? "");
+    setText(element("delete"), this.sure ? "Delete all?" : "Delete");
+    this.look();
+  }
+
+  // Asks for the pictures of the robot that a person sees now, or for none.
+  look() {
+    const covered = ["codes", "scores"].includes(document.body.dataset.view) || !element("sight").clientWidth;
+    const wanted = covered || document.hidden ? null : this.world.robot(this.world.chosen)?.id ?? null;
+    if (wanted === this.robot || !this.send({ type: "look", robot: wanted })) return;
+    this.robot = wanted;
+    this.clear("");
+    element("camera").setAttribute("aria-label", `What ${this.world.robot(wanted)?.label} sees`);
+  }
+
+  // A connection begins: the cockpit does not know what was asked for.
+  forget() {
+    this.robot = null;
+  }
+
+  // A picture has begun to come, in parts.
+  begin(header) {
+    Object.assign(this, { header, parts: [], missing: header.bytes });
+  }
+
+  // The next one is sent once this one is acknowledged: a slow device gets fewer pictures, never later ones.
+  async take(part) {
+    const { header, parts } = this;
+    parts.push(part);
+    this.missing -= part.byteLength;
+    if (this.missing <= 0) await this.draw(header, parts);
+    this.send({ type: "seen", number: header.number });
+  }
+
+  async draw({ robot }, parts) {
+    const picture = await createImageBitmap(new Blob(parts, { type: "image/jpeg" })).catch(() => null);
+    if (picture && robot === this.robot) {
+      this.clear("", false);
+      const { width, height } = picture;
+      const canvas = element("camera");
+      if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+      canvas.getContext("2d").drawImage(picture, 0, 0);
+    }
+    picture?.close();
+  }
+
+  // Says what is shown instead of a picture; an old one would look as if it were now.
+  clear(text, hidden = true) {
+    setText(element("no-picture"), text);
+    element("camera").hidden = hidden;
+    clearTimeout(this.timer);
+    if (this.robot !== null && !text) this.timer = setTimeout(() => this.clear(NO_PICTURE), TIMEOUT);
+  }
+
+  onPress(id, message) {
+    onPress(element(id), () => this.send({ robot: this.world.chosen, ...message }), () => false);
+  }
+
+  // Deletes at the second press.
+  delete() {
+    if (this.sure) this.send({ type: "delete", robot: this.world.chosen });
+    this.sure = !this.sure;
+    clearTimeout(this.timeout);
+    this.timeout = setTimeout(() => { this.sure = false; this.show(); }, SURE_WITHIN);
+    this.show();
+  }
+}
