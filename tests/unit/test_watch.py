@@ -1,5 +1,6 @@
 """A master that has ended, or is frozen, stops the robot; a slow answer does not; a restarted one drives again."""
 
+import time
 from unittest.mock import Mock
 
 import pytest
@@ -16,7 +17,7 @@ class Master:
 
     def __init__(self):
         self.says = True
-        self.registered = 0
+        self.refuses = False
 
     def is_registered(self):
         if isinstance(self.says, Exception):
@@ -24,8 +25,7 @@ class Master:
         return self.says
 
     def register(self):
-        self.registered += 1
-        self.says = True
+        self.says = not self.refuses
 
 
 @pytest.fixture
@@ -69,11 +69,22 @@ def test_a_frozen_master_is_gone_within_two_and_a_half_seconds_and_a_slow_one_is
 
 def test_a_new_master_is_lost_until_this_node_is_registered(asked, master):
     asked.ask()
-    master.says = False
+    master.says, master.refuses = False, True
     asked.ask()
-    assert asked.poll() and master.registered == 1
+    assert asked.poll()
+    master.refuses = False
     asked.ask()
     assert not asked.poll()
+
+
+def test_a_command_counts_as_soon_as_the_master_is_back(asked, master):
+    master.says = ConnectionRefusedError()
+    asked.ask()
+    master.says = False
+    asked.ask()
+    started = time.monotonic()
+    asked.wait(60.0)
+    assert not asked.poll() and time.monotonic() < started + 30.0
 
 
 @pytest.fixture

@@ -30,6 +30,7 @@ class MasterWatch:
         self._failures = 0
         self._seen = 0      # only ``poll`` writes these
         self._silent = 0    # polls: while this process is suspended, none is counted
+        self._back = threading.Event()
 
     def poll(self) -> bool:
         """Return whether the master is lost; call it every POLL_INTERVAL."""
@@ -40,23 +41,32 @@ class MasterWatch:
     def ask(self) -> float:
         """Ask the master once; return the seconds until the next question."""
         try:
-            if self._is_registered():
-                self._failures = 0
-                self._answers += 1
-                return ASK_INTERVAL
-            self._failures = 2  # a new master, which no emergency stop passes on yet
-            self._register()
+            if not self._is_registered():
+                self._failures = 2  # a new master, which no emergency stop passes on yet
+                self._register()
+                if not self._is_registered():
+                    return RETRY_INTERVAL
         except NO_ANSWER:
             self._failures += 1
-        return RETRY_INTERVAL
+            return RETRY_INTERVAL
+        was_lost, self._failures = self._failures, 0
+        self._answers += 1
+        if was_lost:
+            self._back.set()
+        return ASK_INTERVAL
+
+    def wait(self, seconds: float) -> None:
+        """Wait until the next ``poll``; not after the master is back, when commands may come at once."""
+        self._back.wait(seconds)
+        self._back.clear()
 
 
 def start(supervisor: Supervisor, master: MasterWatch) -> None:
     """Hold the supervisor while the master is lost or the terminal suspended, and end it with roslaunch."""
     launcher = Launcher()
     check(supervisor, launcher, master)
-    threading.Thread(target=repeat, args=[supervisor, lambda: check(supervisor, launcher, master)], daemon=True).start()
-    threading.Thread(target=repeat, args=[supervisor, master.ask], daemon=True).start()
+    for action, wait in (lambda: check(supervisor, launcher, master), master.wait), (master.ask, time.sleep):
+        threading.Thread(target=repeat, args=[supervisor, action, wait], daemon=True).start()
 
 
 def check(supervisor: Supervisor, launcher: Launcher, master: MasterWatch) -> float:
@@ -76,11 +86,11 @@ def set_hold(supervisor: Supervisor, hold: Hold, engaged: bool) -> None:
         supervisor.hold(hold, engaged)
 
 
-def repeat(supervisor: Supervisor, action: Callable[[], float]) -> None:
+def repeat(supervisor: Supervisor, action: Callable[[], float], wait: Callable[[float], None] = time.sleep) -> None:
     """Call the action, with the pauses it returns, until the supervisor has ended; end that if the action fails."""
     try:
         while not supervisor.closed:
-            time.sleep(action())
+            wait(action())
     except JetbotError as failure:
         supervisor.fail(failure)
     finally:
