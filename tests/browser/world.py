@@ -91,6 +91,14 @@ class World:
         assert wait_until(condition, within), f"waited {within} s for {what}; wheels " \
             f"{[self.wheels(robot) for robot in self.robots]}{self._logs()}"
 
+    def is_seen(self, robot: str) -> bool:
+        """Return whether somebody looks through a robot's camera."""
+        return bool(self._nodes(1, f"/{robot}/camera/image_raw/compressed"))
+
+    def pictures(self, robot: str, label: str) -> List[Path]:
+        """Return the pictures of a robot that were kept with this label."""
+        return sorted((self._folder / "jetbot_pictures" / robot / label).glob("*.jpg"))
+
     @contextmanager
     def stops(self, *robots: str, what: str) -> Iterator[None]:
         """Fail unless what is done in this context stops these robots in time, and they stay stopped a while."""

@@ -1,0 +1,94 @@
+"""A page shows what a robot's camera sees, while somebody looks, and keeps pictures; driving and stopping go first."""
+
+import pytest
+
+from .conftest import ROBOT
+from .test_page import DESKTOP, TOUCH_SCREENS, check_screen
+
+BLIND = "jetbot_09"  # without a camera
+PICTURE = """const camera = document.getElementById('camera');
+    return camera.checkVisibility() ? camera.toDataURL() : ''"""
+KEEP_STAMPS = """const receive = socket.onmessage, decode = createImageBitmap;
+    window.stamps = [];
+    window.drawn = new Promise(go => window.draw = go);
+    window.createImageBitmap = async (jpeg) => { await drawn; return decode(jpeg); };
+    socket.onmessage = (event) => {
+        const message = typeof event.data === 'string' ? JSON.parse(event.data) : {};
+        if (message.type === 'picture') stamps.push(message.stamp);
+        receive(event);
+    };"""
+WAITED = "return Date.now() / 1000 - stamps[0]"
+
+
+@pytest.fixture
+def looking(page, world):
+    """The page shows ROBOT's camera."""
+    page.click("#show-camera")
+    page.wait_for(lambda: page.run(PICTURE), "a picture")
+    return page
+
+
+def test_the_picture_follows_and_stop_stops_while_pictures_come(looking, world):
+    before = looking.run(PICTURE)
+    world.drive(looking, ROBOT, 0.0, 1.0)
+    looking.wait_for(lambda: looking.run(PICTURE) not in ("", before), "another picture")
+    with world.stops(ROBOT, what="a click on STOP beside the pictures"):
+        looking.click("#stop")
+
+
+def test_picture_and_buttons_fit_the_screen_and_the_finger(looking):
+    for screen in [*TOUCH_SCREENS, DESKTOP]:
+        check_screen(looking, screen, "pad", "stop", "status", "camera", "save-free", "save-blocked", "delete")
+
+
+def test_a_camera_is_used_only_while_a_page_shows_it(looking, world):
+    looking.new_tab()
+    world.wait_for(lambda: not world.is_seen(ROBOT), 10.0, "the camera to rest while the page is hidden")
+    looking.old_tab()
+    looking.wait_for(lambda: looking.run(PICTURE) and world.is_seen(ROBOT), "a picture")
+    looking.click("#show-codes")
+    world.wait_for(lambda: not world.is_seen(ROBOT), 10.0, "the camera to rest behind the codes")
+    looking.click("#close-codes")
+    looking.wait_for(lambda: looking.run(PICTURE) and world.is_seen(ROBOT), "a picture")
+    looking.click("#show-camera")
+    world.wait_for(lambda: not world.is_seen(ROBOT), 10.0, "the camera to rest once it is closed")
+
+
+def test_a_slow_page_gets_the_newest_picture_next(looking):
+    looking.run(KEEP_STAMPS)
+    looking.wait_for(lambda: (looking.run(WAITED) or 0) > 1, "a picture to be late")
+    assert looking.run("return stamps.length") == 1
+    looking.run("draw()")
+    looking.wait_for(lambda: looking.run("return stamps.length") > 1, "the next picture")
+    first, second = looking.run("return stamps.slice(0, 2)")
+    assert second - first > 0.5
+
+
+def test_pictures_are_kept_and_deleted_by_who_drives(looking, pupil, world):
+    pupil.click("#show-camera")
+    pupil.wait_for(lambda: pupil.run(PICTURE), "a picture")
+    world.drive(looking, ROBOT)
+    looking.lift()
+    for label in "free", "blocked":
+        looking.click(f"#save-{label}")
+        looking.wait_for_text(f"save-{label}", "1")
+        assert world.pictures(ROBOT, label)[0].read_bytes().startswith(b"\xff\xd8")
+    pupil.click("#save-free")
+    pupil.wait_for_text("notice", f"Only who drives {ROBOT} collects its pictures.")
+    looking.click("#delete")
+    looking.wait_for_text("delete", "Delete all?")
+    assert len(world.pictures(ROBOT, "free")) == 1
+    looking.click("#delete")
+    looking.wait_for_text("save-free", "0")
+    assert not world.pictures(ROBOT, "free")
+
+
+def test_without_a_camera_the_page_says_so_and_shows_no_old_picture(looking, world):
+    robot = world.publish_status(BLIND, "blind")
+    looking.choose(BLIND)
+    looking.wait_for_text("no-picture", "No picture: is a camera running? (camera:=true)")
+    assert not looking.run(PICTURE)
+    looking.choose(ROBOT)
+    looking.wait_for(lambda: looking.run(PICTURE), "a picture")
+    world.kill(robot)
+    looking.wait_for(lambda: f"/{BLIND}" not in looking.robots(), f"{BLIND} to go")
