@@ -1,7 +1,7 @@
 """What the tests of the doctor share: a bare computer, and its lines."""
 
 from jetbot import host, i2c, supply
-from jetbot_tools.doctor import checkup, computer
+from jetbot_tools.doctor import camera, checkup, computer
 
 
 def lines(bus=None, port=None, address=None, board=""):
@@ -19,4 +19,6 @@ def make_bare(monkeypatch, tmp_path):
     monkeypatch.setattr(host, "model", lambda: "")
     monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
     monkeypatch.setattr(supply, "on_computer", lambda sysfs: [])
+    monkeypatch.setattr(camera, "VIDEO", tmp_path / "video4linux")
+    monkeypatch.delenv("JETBOT_CAMERA", raising=False)
     monkeypatch.setenv("ROS_HOME", str(tmp_path))

@@ -12,6 +12,7 @@ from jetbot.serial_link import SerialLink
 from jetbot_control_node.parameters import checked, default_file, load
 
 from ..options import launch_command
+from .camera import check_cameras
 from .computer import Check, check_cockpit_port, check_host, check_module, check_supply, check_users
 from .motor_board import JUMPER_ADDRESSES, check_board, check_chips, check_serial
 
@@ -51,6 +52,7 @@ def all_checks(i2c_bus: Union[int, str, None], port: Optional[str], i2c_address:
         yield check
     if not (found or board and on_bus):
         yield from check_port(port or DEFAULT_PORT)
+    yield from check_cameras()
 
 
 def check_buses(i2c_bus: Union[int, str, None], i2c_address: Optional[int], board: str) -> Iterator[Check]:
