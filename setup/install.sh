@@ -5,7 +5,8 @@ run_packages="ros-environment rosbash python3-rospy python3-roslaunch python3-ro
     python3-rosservice python3-rosparam python3-geometry-msgs python3-std-msgs python3-diagnostic-msgs
     python3-diagnostic-updater python3-nav-msgs python3-sensor-msgs python3-std-srvs python3-tf2-ros python3-tf2-msgs
     python3-visualization-msgs python3-rosbag ros-robot-state-publisher python3-smbus2 python3-serial python3-yaml
-    python3-tornado python3-segno python3-rosgraph python3-roslib python3-genpy python3-rospkg python3-catkin-pkg"
+    python3-numpy python3-pil python3-tornado python3-segno python3-rosgraph python3-roslib python3-genpy python3-rospkg
+    python3-catkin-pkg"
 packages="$run_packages catkin make g++ librostest-dev libgeometry-msgs-dev ros-geometry-msgs ros-std-msgs
     python3-rostest python3-matplotlib python3-setuptools python3-pytest python3-pytest-xdist python3-hypothesis
     python3-pexpect iproute2 git"
@@ -90,8 +91,9 @@ packages_of() {  # noetic | one
     for package in $packages; do
         case $package in
             python3-smbus2 | python3-segno) if [ "$1" = noetic ]; then echo python3-pip; else echo "$package"; fi ;;
-            make | g++ | python3-serial | python3-yaml | python3-tornado | python3-matplotlib | python3-setuptools | \
-                python3-pytest* | python3-hypothesis | python3-pexpect | iproute2 | git) echo "$package" ;;
+            make | g++ | python3-serial | python3-yaml | python3-numpy | python3-pil | python3-tornado | \
+                python3-matplotlib | python3-setuptools | python3-pytest* | python3-hypothesis | python3-pexpect | \
+                iproute2 | git) echo "$package" ;;
             ros-environment) echo "ros-$1-ros-environment" ;;
             *) echo "$package" | sed "s/^python3-//; s/^lib//; s/^ros-//; s/-dev$//; s/^/ros-$1-/" ;;
         esac
