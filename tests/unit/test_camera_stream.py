@@ -159,7 +159,6 @@ def is_running(group):
     ("v4l2_open failed: Permission denied", "This user may not use the camera. Join its group: sudo usermod -aG video"),
     ("Error generated. argus: Failed to create CaptureSession",
      "The camera's daemon does not answer. Try: sudo systemctl restart nvargus-daemon."),
-    ("ModuleNotFoundError: No module named 'PIL'", "Numpy or PIL is missing. Install: sudo apt install python3-numpy"),
     ("something else\n", "The camera's program sends no pictures: something else."),
 ])
 def test_each_known_trouble_has_its_sentence(printed, sentence):

@@ -13,6 +13,7 @@ failures.install()
 from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
 
 import contextlib
+import os
 import threading
 import time
 
@@ -29,7 +30,8 @@ from jetbot_ros import lifecycle
 from jetbot_ros.messages import camera_info, frame_name
 from jetbot_ros.node_parameters import check_values, private_parameters
 
-INTERVAL = 1.0  # s between two messages on /diagnostics
+INTERVAL = 1.0          # s between two messages on /diagnostics
+SHUTDOWN_TIMEOUT = 5.0  # s for the end of this node, more than the stream takes
 
 
 class CameraNode:
@@ -44,6 +46,9 @@ class CameraNode:
         self.infos = rospy.Publisher("camera/camera_info", CameraInfo, queue_size=1)
         self.info = camera_info(frame_name("camera"), self.parameters["width"], self.parameters["height"])
         self.counted = 0, time.monotonic()
+        self.updater = Updater()
+        self.updater.setHardwareID(self.parameters["source"])
+        self.updater.add("camera", self.diagnose)
 
     def run(self):
         """Publish until a signal, the end of rospy or of roslaunch."""
@@ -54,17 +59,21 @@ class CameraNode:
         failures.before_end.append(self.stream.abandon)
         self.stream.start()
         threading.Thread(target=failures.lasting(self.publish, ended.is_set), daemon=True).start()
-        updater = Updater()
-        updater.setHardwareID(self.parameters["source"])
-        updater.add("camera", self.diagnose)
         while not ended.wait(INTERVAL) and not launcher.ended:
             launcher.poll()
             failures.check_starts()
-            updater.force_update()
+            self.updater.force_update()
         ended.set()
+        self.end()
+        return 0
+
+    def end(self):
+        """End the camera's program, and leave ROS; within SHUTDOWN_TIMEOUT."""
+        limit = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # the master may hang
+        limit.daemon = True
+        limit.start()
         self.stream.stop()
         rospy.signal_shutdown("the camera has ended")
-        return 0
 
     def publish(self):
         """Publish until the stream is stopped."""
@@ -73,6 +82,7 @@ class CameraNode:
                 self.info.header = Header(stamp=rospy.Time.now(), frame_id=self.info.header.frame_id)
                 self.images.publish(CompressedImage(self.info.header, "jpeg", jpeg))
                 self.infos.publish(self.info)
+                time.sleep(0.5 / self.parameters["fps"])  # a command may write more: the newest wins
 
     def diagnose(self, result):
         """Fill in the status for /diagnostics."""

@@ -51,8 +51,6 @@ SOURCES = {  # the first whose program is installed
 
 NO_CAMERA = "Is it connected? Without a camera, type first: export JETBOT_CAMERA=fake"
 TROUBLES: Tuple[Tuple[str, str, str], ...] = (  # what a command prints: a pattern, the reason, the advice
-    (r"No module named '(?:numpy|PIL)", "numpy or PIL is missing",
-     "Install: sudo apt install python3-numpy python3-pil"),
     (r"no element \"nv", "this computer has no CSI camera of a Jetson", "Choose another: export JETBOT_CAMERA=usb"),
     (r"no element \"(\w+)\"", r"GStreamer has no element \1",
      "Install: sudo apt install gstreamer1.0-plugins-base gstreamer1.0-plugins-good"),
