@@ -45,7 +45,7 @@ class Looker(Page):
 
 
 class Scene:
-    """A hub, and cameras that have a new picture each 50 ms, of this size in bytes."""
+    """A hub, and cameras that have a new picture each 50 ms. size: of a picture, in bytes."""
 
     def __init__(self):
         self.cameras, control = FakeCameras(), Control()
@@ -61,7 +61,7 @@ class Scene:
         """Let the time pass; the pages acknowledge at once."""
         for step in range(round(seconds / PICTURE_INTERVAL)):
             self.time += PICTURE_INTERVAL
-            if step % 3 == 0:
+            if step % 5 == 0:
                 self.expose(step)
             self.hub.send_pictures(self.time)
             for page in pages:
@@ -74,7 +74,7 @@ def scene():
     return Scene()
 
 
-def test_a_page_sees_fifteen_pictures_a_second_and_sixteen_pages_see_five_each(scene):
+def test_a_page_sees_fifteen_pictures_a_second_and_fifteen_pages_see_five_each(scene):
     page = Looker(scene.hub)
     scene.run(10, page)
     assert 140 <= len(page.seen) <= 151

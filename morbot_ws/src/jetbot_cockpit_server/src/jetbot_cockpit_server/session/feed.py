@@ -57,7 +57,7 @@ class Feed:
         messages = []
         if not self._rest:
             self._newest, self._rest, self._number = newest, newest.jpeg, self._number + 1
-            self._due_at = max(now, self._due_at + pause)
+            self._due_at = max(self._due_at, now - pause) + pause  # one may come early: a camera as fast never waits
             messages = [{"type": "picture", "robot": self.robot, "number": self._number, "stamp": newest.stamp,
                          "bytes": len(newest.jpeg)}]
         part, self._rest = self._rest[:PART], self._rest[PART:]
