@@ -65,14 +65,16 @@ def start(cameras: Sequence[Camera]) -> None:
 
 def run(cameras: Sequence[Camera]) -> None:
     """Do what ``start`` says, in this thread."""
+    due = time.monotonic()
     while not rospy.is_shutdown():
-        end = time.monotonic() + INTERVAL
         for camera in cameras:
             if camera.view and camera.wanted:
                 begin = time.monotonic()
                 publish(camera, [other for other in cameras if other is not camera and other.view])
                 time.sleep((time.monotonic() - begin) * (1 / SHARE - 1))
-        time.sleep(max(0.0, end - time.monotonic()))
+        now = time.monotonic()
+        due = max(due + INTERVAL, now)
+        time.sleep(due - now)
 
 
 def publish(camera: Camera, others: Sequence[Camera]) -> None:

@@ -19,6 +19,7 @@ TILES, TILE = ((0.83, 0.82, 0.80), (0.79, 0.78, 0.76)), 0.25  # m
 WALL_HEIGHT, ROBOT_HEIGHT = 0.2, 0.12  # m; both above the lens: the nearest hides all others of its height
 SHADE, LIGHT = 0.12, 0.5  # how much the direction of a face changes its brightness; rad, of the brightest on the map
 TOUCHING = FOOTPRINT.right - AHEAD  # m ahead of the lens; a wall that the robot touches has passed the lens
+AT_LENS = 1e6    # 1/m
 SAMPLES = 2      # of a pixel, in each direction
 BEARINGS = 1024  # in which the nearest wall is looked for
 
@@ -50,20 +51,29 @@ def render(world: World, pose: Pose, others: Iterable[Tuple[Pose, Color]] = (), 
     optics, scene, others = optics_of(width, height), scene_of(world), list(others)
     lens = Pose(*from_frame(pose, (AHEAD, 0.0)), pose.yaw)
     floor = optics.down[:, 0] > 0
-    seen = numpy.zeros(optics.left.shape, numpy.intp)  # rows of the palette
-    seen[floor] = floor_seen(scene, lens, optics.down[floor, 0], optics.left[floor])
-    palette, nearest = [numpy.array([SKY, *TILES, LINE])], numpy.float32(0)
+    seen, nearest = numpy.zeros(optics.left.shape, numpy.intp), numpy.zeros(optics.left.shape, numpy.float32)
+    seen[floor] = floor_seen(scene, lens, optics.down[floor, 0], optics.left[floor])  # rows of the palette
+    palette = [numpy.array([SKY, *TILES, LINE])]
     boxes = numpy.array([box(other) for other, _ in others]).reshape(-1, 2, 2)
     robots = numpy.repeat(numpy.array([color for _, color in others]).reshape(-1, 3), 4, axis=0)
     for faces, colors, top in ((scene.walls, numpy.array(WALL), WALL_HEIGHT), (boxes, robots, ROBOT_HEIGHT)):
         if len(faces):
-            face, nearness = nearest_faces(to_lens(lens, faces), optics)
-            visible = (nearness > nearest) & (optics.down < HEIGHT * nearness)
-            visible &= optics.down > (HEIGHT - top) * nearness
-            seen[visible] = face[visible] + sum(map(len, palette))
+            add_faces(to_lens(lens, faces), top, optics, sum(map(len, palette)), seen, nearest)
             palette.append(colors * brightness(faces)[:, None])
-            nearest = nearness
     return average(numpy.concatenate(palette), seen)
+
+
+def add_faces(faces: Any, top: float, optics: Optics, first: int, seen: Any, nearest: Any) -> None:
+    """Put faces up to a height into what is seen, the first of them as this number, where nothing nearer is."""
+    face, constant, factor = nearest_faces(faces, optics.bearings)
+    step = optics.bearings[1] - optics.bearings[0]
+    largest = (constant + factor * optics.bearings + step * abs(factor)).max()
+    rows = slice(*numpy.searchsorted(optics.down[:, 0], [(HEIGHT - top) * largest, HEIGHT * largest]))
+    index, down = optics.index[rows], optics.down[rows]
+    nearness = constant.take(index) + factor.take(index) * optics.left[rows]
+    visible = (nearness > nearest[rows]) & (down < HEIGHT * nearness) & (down > (HEIGHT - top) * nearness)
+    numpy.copyto(seen[rows], (first + face).take(index), where=visible)
+    numpy.copyto(nearest[rows], nearness, where=visible)
 
 
 def floor_seen(scene: Scene, lens: Pose, down: Any, left: Any) -> Any:
@@ -72,14 +82,15 @@ def floor_seen(scene: Scene, lens: Pose, down: Any, left: Any) -> Any:
     cosine, sine = math.cos(lens.yaw), math.sin(lens.yaw)
     x = (lens.x + cosine * ahead)[:, None] - (sine * ahead)[:, None] * left
     y = (lens.y + sine * ahead)[:, None] + (cosine * ahead)[:, None] * left
-    tiles = (numpy.floor(x / TILE) + numpy.floor(y / TILE)).astype(numpy.intp) % len(TILES)
+    floor = 1 + (numpy.floor(x / TILE).astype(numpy.intp) + numpy.floor(y / TILE).astype(numpy.intp) & 1)
     rights, lefts = (numpy.concatenate(each) for each in zip(
         cut_strips(to_lens(lens, scene.strips), scene.radius, ahead.astype(float)),
         cut_discs(to_lens(lens, scene.discs), scene.radius, ahead.astype(float))))
     first, step = left[:, :1].T.astype(float), (left[:, 0] - left[:, 1]).astype(float)
     begins, ends = (numpy.clip(numpy.ceil((first - each / ahead) / step), 0, left.shape[1]).astype(numpy.intp)
                     for each in (lefts, rights))
-    return numpy.where(filled(begins, ends, left.shape), 1 + len(TILES), 1 + tiles)
+    floor[filled(begins, ends, left.shape)] = 1 + len(TILES)
+    return floor
 
 
 def cut_strips(strips: Any, radius: float, ahead: Any) -> Tuple[Any, Any]:
@@ -120,26 +131,23 @@ def filled(begins: Any, ends: Any, shape: Tuple[int, int]) -> Any:
     return numpy.cumsum(depth).reshape(rows, columns + 1)[:, :-1] > 0
 
 
-def nearest_faces(faces: Any, optics: Optics) -> Tuple[Any, Any]:
-    """Return which face each sample sees first, and 1 / how far ahead that is, in 1/m; 0 where there is none.
+def nearest_faces(faces: Any, bearings: Any) -> Tuple[Any, Any, Any]:
+    """Return the face that is seen first at each bearing, and how near it is: 1 / m ahead is constant + factor * left.
 
-    faces: n x 2 x 2, in the frame of the lens. What the robot touches is infinitely near.
+    faces: n x 2 x 2, in the frame of the lens. 0 is nothing; what the robot touches is as good as at the lens.
     """
     (x, y), (along_x, along_y) = faces[:, 0].T[:, :, None], (faces[:, 1] - faces[:, 0]).T[:, :, None]
     cross = x * along_y - y * along_x
     cross = numpy.where(abs(cross) < 1e-12, 1e-12, cross)  # seen along its edge
-    slope = along_y - along_x * optics.bearings
-    nearness = slope / cross
-    part = (x * optics.bearings - y) * numpy.sign(slope)
-    hit = (part >= -1e-9) & (part <= abs(slope) + 1e-9)
-    nearness[~hit] = 0
-    nearness[nearness < 1 / TOUCHING] = numpy.inf
-    face = nearness.argmax(axis=0)
-    touched = numpy.isinf(nearness.max(axis=0))
-    none = nearness.max(axis=0) <= 0
-    constant = numpy.where(none, 0, numpy.where(touched, 1e6, (along_y / cross)[face, 0])).astype(numpy.float32)
-    factor = numpy.where(none | touched, 0, (-along_x / cross)[face, 0]).astype(numpy.float32)
-    return face[optics.index], constant[optics.index] + factor[optics.index] * optics.left
+    slope = along_y - along_x * bearings
+    part = (x * bearings - y) * numpy.sign(slope)  # of the face's length, times abs(slope)
+    nearness = numpy.where((part >= -1e-9) & (part <= abs(slope) + 1e-9), slope / cross, 0)
+    nearness[nearness < 1 / TOUCHING] = AT_LENS
+    face, nearness = nearness.argmax(axis=0), nearness.max(axis=0)
+    plane = (nearness > 0) & (nearness < AT_LENS)
+    constant = numpy.where(plane, (along_y / cross)[face, 0], numpy.where(nearness > 0, AT_LENS, 0))
+    factor = numpy.where(plane, (-along_x / cross)[face, 0], 0)
+    return face, constant.astype(numpy.float32), factor.astype(numpy.float32)
 
 
 def to_lens(lens: Pose, points: Any) -> Any:
