@@ -19,7 +19,7 @@ from .world import World
 
 SIZE = 224          # pixels, of the width and of the height
 INTERVAL = 1 / 15   # s from one picture of a robot to the next, or more
-SHARE = 0.6         # of the time, that rendering takes at most
+SHARE = 0.6         # of a core, that pictures take at most
 RETRY_AFTER = 10.0  # s
 
 
@@ -69,9 +69,9 @@ def run(cameras: Sequence[Camera]) -> None:
     while not rospy.is_shutdown():
         for camera in cameras:
             if camera.view and camera.wanted:
-                begin = time.monotonic()
+                begin = time.thread_time()
                 publish(camera, [other for other in cameras if other is not camera and other.view])
-                time.sleep((time.monotonic() - begin) * (1 / SHARE - 1))
+                time.sleep((time.thread_time() - begin) * (1 / SHARE - 1))
         now = time.monotonic()
         due = max(due + INTERVAL, now)
         time.sleep(due - now)

@@ -50,7 +50,7 @@ def render(world: World, pose: Pose, others: Iterable[Tuple[Pose, Color]] = (), 
     """
     optics, scene, others = optics_of(width, height), scene_of(world), list(others)
     lens = Pose(*from_frame(pose, (AHEAD, 0.0)), pose.yaw)
-    floor = optics.down[:, 0] > 0
+    floor = slice(numpy.searchsorted(optics.down[:, 0], 0, side="right"), None)  # below the horizon
     seen, nearest = numpy.zeros(optics.left.shape, numpy.intp), numpy.zeros(optics.left.shape, numpy.float32)
     seen[floor] = floor_seen(scene, lens, optics.down[floor, 0], optics.left[floor])  # rows of the palette
     palette = [numpy.array([SKY, *TILES, LINE])]
@@ -82,7 +82,7 @@ def floor_seen(scene: Scene, lens: Pose, down: Any, left: Any) -> Any:
     cosine, sine = math.cos(lens.yaw), math.sin(lens.yaw)
     x = (lens.x + cosine * ahead)[:, None] - (sine * ahead)[:, None] * left
     y = (lens.y + sine * ahead)[:, None] + (cosine * ahead)[:, None] * left
-    floor = 1 + (numpy.floor(x / TILE).astype(numpy.intp) + numpy.floor(y / TILE).astype(numpy.intp) & 1)
+    floor = 1 + (numpy.floor(x / TILE).astype(numpy.int32) + numpy.floor(y / TILE).astype(numpy.int32) & 1)
     rights, lefts = (numpy.concatenate(each) for each in zip(
         cut_strips(to_lens(lens, scene.strips), scene.radius, ahead.astype(float)),
         cut_discs(to_lens(lens, scene.discs), scene.radius, ahead.astype(float))))
@@ -128,7 +128,7 @@ def filled(begins: Any, ends: Any, shape: Tuple[int, int]) -> Any:
     real = begins < ends
     depth = (numpy.bincount((row + begins)[real], minlength=rows * (columns + 1))
              - numpy.bincount((row + ends)[real], minlength=rows * (columns + 1)))
-    return numpy.cumsum(depth).reshape(rows, columns + 1)[:, :-1] > 0
+    return numpy.cumsum(depth.astype(numpy.int16), dtype=numpy.int16).reshape(rows, columns + 1)[:, :-1] > 0
 
 
 def nearest_faces(faces: Any, bearings: Any) -> Tuple[Any, Any, Any]:
