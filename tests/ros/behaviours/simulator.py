@@ -1,6 +1,7 @@
 """The simulator's topics: where the robot is, the world around it, what it sees, and what puts it elsewhere."""
 
 import math
+import os
 import signal
 from pathlib import Path
 
@@ -99,6 +100,17 @@ class Simulator(RobotTest):
         self.assertEqual({(each.format, each.header.frame_id, each.data) for each in pictures},
                          {("jpeg", "camera", bgr8_to_jpeg(render(load("parking.yaml"), Pose(1.0, 0.4))))})
         self.assertEqual((infos[-1].width, infos[-1].K[0], infos[-1].K[2]), (224, focal_length(224), 112))
+
+    def test_without_pil_it_logs_one_sentence_and_the_robot_drives_on(self):
+        Path(self.folder, "PIL.py").write_text("raise ImportError('no PIL')")
+        blind = self.start(program("simulation", "simulator.py"), "__ns:=blind", f"_i2c_bus:=fake:{self.bus}",
+                           env={**os.environ, "PYTHONPATH": f"{self.folder}:{os.environ['PYTHONPATH']}"})
+        self.record("/blind/camera/image_raw/compressed", CompressedImage)
+        truth = self.record("/blind/jetbot_simulator/ground_truth", Odometry)
+        sentence = "The simulated cameras show nothing: no PIL. Install: sudo apt install python3-numpy python3-pil"
+        self.wait_for(lambda: sentence in read(blind), START_TIMEOUT, "the sentence")
+        before = len(truth)
+        self.wait_for(lambda: len(truth) > before + 5, 5.0, "the robot to be simulated")
 
     def test_its_track_is_drawn_at_ctrl_c(self):
         picture = Path(self.folder, "track.png")

@@ -83,5 +83,6 @@ def publish(camera: Camera, others: Sequence[Camera]) -> None:
         camera.publish([(other.view.pose, other.color) for other in others])
     except Exception as error:
         if not rospy.is_shutdown():  # which closes the topics
-            rospy.logwarn_throttle_identical(600, printable(f"The simulated cameras show nothing: {error}."))
+            advice = " Install: sudo apt install python3-numpy python3-pil" * isinstance(error, ImportError)
+            rospy.logwarn_throttle_identical(600, printable(f"The simulated cameras show nothing: {error}.{advice}"))
             time.sleep(RETRY_AFTER)
