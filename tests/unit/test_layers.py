@@ -22,6 +22,7 @@ PURE = {  # modules and packages, and what they must not import
     "jetbot": ROS,
     "jetbot_cockpit_server.session": ROS + "|tornado|socket$|time$",
     "simulation.world": ROS,
+    "simulation.picture": ROS + "|time$",
     "simulation.variation": ROS + "|time$",
     "simulation.diff_drive": ROS + "|time$",
     "simulation.simulated_robot": ROS + "|time$",
