@@ -93,6 +93,15 @@ def test_what_an_earlier_start_has_kept_is_counted_and_no_picture_is_replaced(fo
     assert [kept(folder)[f"robot/free/000{number}.jpg"] for number in (1, 2, 3, 4)] == [b"old", b"new", b"old", b"new"]
 
 
+def test_the_pictures_of_a_whole_class_are_counted(folder):
+    robots = [f"/jetbot_{number:02}" for number in range(1, 31)]
+    for robot in robots:
+        (folder / f"{robot[1:]}/blocked").mkdir(parents=True)
+        (folder / f"{robot[1:]}/blocked/0001.jpg").write_bytes(b"x")
+    collection = Collection(str(folder))
+    assert wait_until(lambda: all((collection.state(robot) or {}).get("blocked") == 1 for robot in robots), WITHIN)
+
+
 def test_a_name_with_slashes_stays_one_folder_below_the_pictures(folder):
     collection = Collection(str(folder))
     collection.save("/class/jetbot_07", "blocked", b"x")

@@ -42,11 +42,11 @@ class Collection:
     def _do(self, robot: str, action: Callable[[], str]) -> str:
         if not self._folder:
             return OFF
-        self._states.setdefault(robot, {**dict.fromkeys(LABELS, 0), "problem": ""})
         try:
             self._actions.put_nowait((robot, action))
         except queue.Full:
             return BUSY
+        self._states.setdefault(robot, {**dict.fromkeys(LABELS, 0), "problem": ""})
         return ""
 
     def _run(self):
