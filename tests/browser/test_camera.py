@@ -2,7 +2,7 @@
 
 import pytest
 
-from .conftest import ROBOT
+from .conftest import OTHER_ROBOT, ROBOT
 from .test_page import DESKTOP, TOUCH_SCREENS, check_screen
 
 BLIND = "jetbot_09"  # without a camera
@@ -75,6 +75,11 @@ def test_pictures_are_kept_and_deleted_by_who_drives(looking, pupil, world):
         assert world.pictures(ROBOT, label)[0].read_bytes().startswith(b"\xff\xd8")
     pupil.click("#save-free")
     pupil.wait_for_text("notice", f"Only who drives {ROBOT} collects its pictures.")
+    looking.click("#delete")
+    looking.wait_for_text("delete", "Delete all?")
+    looking.choose(OTHER_ROBOT)
+    looking.choose(ROBOT)
+    looking.wait_for(lambda: looking.text("delete") == "Delete", "the question to go with the robot")
     looking.click("#delete")
     looking.wait_for_text("delete", "Delete all?")
     assert len(world.pictures(ROBOT, "free")) == 1

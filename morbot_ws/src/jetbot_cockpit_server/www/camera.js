@@ -16,7 +16,9 @@ export class Camera {
     const button = element("show-camera");
     button.addEventListener("click", () => this.open(button.getAttribute("aria-pressed") === "false"));
     document.addEventListener("visibilitychange", () => this.look());
-    for (const label of Object.keys(LABELS)) this.onPress(`save-${label}`, { type: "save", label });
+    for (const label of Object.keys(LABELS)) {
+      onPress(element(`save-${label}`), () => send({ type: "save", robot: world.chosen, label }), () => false);
+    }
     onPress(element("delete"), () => this.delete(), () => false);
   }
 
@@ -32,7 +34,6 @@ export class Camera {
     element("collect").hidden = !pictures;
     for (const [label, text] of Object.entries(LABELS)) setText(element(`save-${label}`), `${text} ${pictures?.[label]}`);
     setText(element("collect-text"), pictures?.problem ?? "");
-    setText(element("delete"), this.sure ? "Delete all?" : "Delete");
     this.look();
   }
 
@@ -42,6 +43,7 @@ export class Camera {
     const wanted = covered || document.hidden ? null : this.world.robot(this.world.chosen)?.id ?? null;
     if (wanted === this.robot || !this.send({ type: "look", robot: wanted })) return;
     this.robot = wanted;
+    this.ask(false);
     this.clear("");
     element("camera").setAttribute("aria-label", `What ${this.world.robot(wanted)?.label} sees`);
   }
@@ -85,16 +87,16 @@ export class Camera {
     if (this.robot !== null && !text) this.timer = setTimeout(() => this.clear(NO_PICTURE), TIMEOUT);
   }
 
-  onPress(id, message) {
-    onPress(element(id), () => this.send({ robot: this.world.chosen, ...message }), () => false);
-  }
-
   // Deletes at the second press.
   delete() {
     if (this.sure) this.send({ type: "delete", robot: this.world.chosen });
-    this.sure = !this.sure;
-    clearTimeout(this.timeout);
-    this.timeout = setTimeout(() => { this.sure = false; this.show(); }, SURE_WITHIN);
-    this.show();
+    this.ask(!this.sure);
+  }
+
+  ask(sure) {
+    this.sure = sure;
+    setText(element("delete"), sure ? "Delete all?" : "Delete");
+    clearTimeout(this.asking);
+    if (sure) this.asking = setTimeout(() => this.ask(false), SURE_WITHIN);
   }
 }
