@@ -4,11 +4,12 @@ import re
 from pathlib import Path
 from typing import Iterator, NamedTuple, Pattern, Tuple
 
-RUN, FILE = "run", "file"
+RUN, FILE, ON_PAGE = "run", "file", "on the page"
 LEAVE, FAILS, INTERNET, PRESS, SEE = "leave it running", "this fails", "with internet", "press", "you see"
 HEADING = re.compile(
     rf"(?:Terminals? (?P<terminals>\d(?:(?:, | and )\d)*)(?:, (?P<how>{LEAVE}|{FAILS}|{INTERNET}|{PRESS}|{SEE}))?"
-    r"|(?P<see>You see)|File `(?P<file>[^`]+)`):")
+    r"|(?P<see>You see)|(?P<page>On the page, press)|File `(?P<file>[^`]+)`):")
+NAMED = {"see": SEE, "page": ON_PAGE, "file": FILE}
 BOX = re.compile(r"^(?P<heading>[^\n]*)\n\n```(?P<language>\w*)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 FENCES = re.compile(r"^```", re.MULTILINE)
 DRAWING = "mermaid"
@@ -37,7 +38,7 @@ def boxes(page: Path) -> Iterator[Box]:
         if not heading:
             raise ValueError(f"{place}: {match['heading']!r} is no heading of a box")
         terminals = tuple(map(int, re.findall(r"\d", heading["terminals"] or ""))) or terminals
-        how = SEE if heading["see"] else FILE if heading["file"] else heading["how"] or RUN
+        how = next((how for group, how in NAMED.items() if heading[group]), heading["how"] or RUN)
         yield Box(place, how, terminals, heading["file"], match["text"])
 
 

@@ -8,8 +8,9 @@ import signal
 from pathlib import Path
 from typing import Dict, List, Sequence
 
+import collected_pictures
 import pytest
-from lesson_pages import FAILS, FILE, INTERNET, LEAVE, PRESS, RUN, SEE, Box, boxes
+from lesson_pages import FAILS, FILE, INTERNET, LEAVE, ON_PAGE, PRESS, RUN, SEE, Box, boxes
 from pupil_terminal import PS1, Terminal
 
 from harness import free_port
@@ -65,6 +66,8 @@ class Pupil:
                 terminal.skip_output()
         if box.how == FILE:
             (self._project / box.file).write_text(box.text)
+        if box.how == ON_PAGE:
+            collected_pictures.press(self._home / "jetbot_pictures", box.text)
         for number in box.terminals:
             if number not in self._terminals:
                 self._terminals[number] = Terminal(self._project, self._environment)

@@ -40,7 +40,7 @@ def test_package_that_was_handed_in(mine, tmp_path):
          "rosrun driving_tasks judge.py metre --record {bag}")], ids=["a recorded bag", "a bag made by hand"])
 def test_a_drive_that_was_handed_in(mine, publisher, problem):
     bag = write(str(mine / "metre.bag"), publisher=publisher)
-    assert package_files.check_drive(mine) == (problem and problem.format(bag=bag))
+    assert package_files.check_drive(mine, "metre") == (problem and problem.format(bag=bag))
 
 
 ENTITIES = "".join(f'<!ENTITY l{n} "{10 * f"&l{n - 1};"}">' for n in range(1, 12))

@@ -146,6 +146,11 @@ def square(side=1.0, corner=90, corners=(1, 1, 1, 1, -1, -1, -1, -1), **at):
     return one_after_the_other(*parts)
 
 
+def round_trip(*parts):
+    """Drive lengths in m, with turns in degrees between them."""
+    return one_after_the_other(*(turn(part) if number % 2 else straight(part) for number, part in enumerate(parts)))
+
+
 def ramp(length, rate, speed=0.3):
     """Speed up and brake at a rate in m/s^2."""
     def program(robot, start):
@@ -178,6 +183,8 @@ SOLUTIONS = {
     "smooth": ramp(1.0, 0.27),
     "park": one_after_the_other(arc(0.5, BEND, stop=False), arc(0.5, -BEND, stop=False), straight(0.3)),
     "follow": follow,
+    "camera": follow,
+    "roam": round_trip(0.75, 90, 0.75, 90, 1.0, 90, 0.75, -90, 0.5, -90, 0.75, 180, 1.62, 90, 1.5, 90, 0.62, 90, 0.4),
 }
 
 

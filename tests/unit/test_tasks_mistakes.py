@@ -63,12 +63,26 @@ MISTAKES = [
     ("park", one_after_the_other(PARK, at_once(0.3, 2.0), straight(-0.065)), "touched a wall"),
     ("park", one_after_the_other(PARK, straight(0.2)), "stopped 10 cm short of the goal"),
     ("follow", straight(1.9566), "stopped 80 cm right of the goal and 46 cm past it"),
+    ("camera", straight(1.36, speed=0.2), "stopped 80 cm right of the goal"),
+    ("roam", turn(3600), "was in 0 squares of the floor, and 30 are wanted"),
+    ("roam", arc(0.1, 3600), "was in 1 squares of the floor, and 30 are wanted"),
+    ("roam", arc(0.2, 1800), "was in 6 squares of the floor, and 30 are wanted"),
+    ("roam", at_once(0.3, 20), "was in 4 squares of the floor, and 30 are wanted"),
+    ("roam", one_after_the_other(*[straight(0.5), straight(-0.5)] * 9),
+     "was in 2 squares of the floor, and 30 are wanted"),
 ]
 
 
 @pytest.mark.parametrize("name, program, sentence", MISTAKES, ids=[f"{row[0]}: {row[2]}" for row in MISTAKES])
 def test_the_largest_loss_of_a_typical_mistake(name, program, sentence):
     assert result(name, program).largest_loss == sentence
+
+
+@pytest.mark.parametrize("program, points", [
+    (turn(3600), 0), (arc(0.1, 3600), 3.3), (arc(0.2, 1800), 20), (at_once(0.3, 20), 0)],
+    ids=["turns on the spot", "a tiny circle", "a small circle", "pushes a wall"])
+def test_who_does_not_roam_gets_little_for_it(program, points):
+    assert result("roam", program).score == pytest.approx(points, abs=0.1)
 
 
 def test_a_robot_that_never_moves_has_no_score():

@@ -8,7 +8,7 @@ from catkin_pkg.package import InvalidPackage
 
 from driving_tasks import contained
 
-from . import Problem, answers, graph, motion, package_files, packages
+from . import Problem, answers, graph, motion, package_files, packages, sight
 from .packages import NameOrFolder
 
 FIRST_OWN = 7  # lesson about the pupil's own package
@@ -17,6 +17,8 @@ CONTROLLER, SCENARIO, KEYBOARD = "jetbot_control_node", "workshop", "teleop_twis
 RUN = f"rosrun {CONTROLLER} jetbot_controller.py _i2c_bus:=fake"
 LAUNCH = f"roslaunch {CONTROLLER} jetbot_controller.launch i2c_bus:=fake"
 LAUNCH_SCENARIO = f"roslaunch {SCENARIO} workshop_jetbot_controller.launch i2c_bus:=fake"
+SIMULATE = "roslaunch simulation simulation.launch world:=line.yaml"
+SEES = "sensor_msgs", "std_msgs"  # what a package needs that looks at pictures
 IN_A_LOOP = "publish in a loop, with rate = rospy.Rate(10) and rate.sleep()"
 GET_KEYBOARD = "get it with git clone and ./morbot setup, as in lesson 4"
 EXERCISE = "in another terminal, start the exercise's rostopic pub -r 10, and leave it running"
@@ -109,7 +111,11 @@ def own_lessons(own: str) -> Dict[int, Checks]:
         7: [*package(own), *controller(LAUNCH, ""), *drives(own, run)],
         8: [*package(own, CONTROLLER), limited(package_files.check_launch_files, own), *controller(launch, ""),
             partial(graph.check_launched_together, CONTROLLER, own), *drives(own, launch)],
-        9: [*package(own), partial(package_files.check_drive, own)],
+        9: [*package(own), partial(package_files.check_drive, own, "metre")],
+        10: [*package(own, *SEES), partial(graph.check_master, SIMULATE),
+             partial(graph.check_publishes, own, sight.ANSWERS, run), sight.check_answer],
+        11: [*package(own, *SEES), partial(package_files.check_drive, own, "camera")],
+        12: [*package(own, *SEES), partial(package_files.check_drive, own, "roam")],
     }
 
 
@@ -123,7 +129,10 @@ def handed_in_package(place: Path) -> Dict[int, Checks]:
         7: known,
         8: [*known, limited(package_files.check_depends, place, CONTROLLER),
             limited(package_files.check_launch_files, place)],
-        9: [*known, partial(package_files.check_drive, place)],
+        9: [*known, partial(package_files.check_drive, place, "metre")],
+        10: [*known, limited(package_files.check_depends, place, *SEES)],
+        11: [*known, partial(package_files.check_drive, place, "camera")],
+        12: [*known, partial(package_files.check_drive, place, "roam")],
     }
 
 

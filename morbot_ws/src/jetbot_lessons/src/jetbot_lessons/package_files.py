@@ -18,10 +18,7 @@ CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch
 SHEBANG = "#!/usr/bin/env python3"
 AXES = {"linear": "linear.x", "angular": "angular.z"}  # vectors of a Twist, and what of them drives the robot
 MAX_SCRIPT = 1024 * 1024  # bytes
-TASK = "metre"
-BAG = f"{TASK}.bag"
-NEEDED = 60.0  # points of 100
-RECORD = f"rosrun driving_tasks judge.py {TASK} --record"
+NEEDED = {"metre": 60.0, "camera": 60.0, "roam": 20.0}  # points of 100, by the task's name
 
 
 def check_handed_in(place: Path) -> Problem:
@@ -137,19 +134,20 @@ def _check_launch_file(file: Path) -> Problem:
     return None
 
 
-def check_drive(package: NameOrFolder) -> Problem:
-    """Return the problem, or None if the bag in the package is a drive with NEEDED points."""
-    bag = folder(package) / BAG
+def check_drive(package: NameOrFolder, task: str) -> Problem:
+    """Return the problem, or None if the bag in the package is a drive with the points that this task NEEDED."""
+    bag = folder(package) / f"{task}.bag"
+    record = f"rosrun driving_tasks judge.py {task} --record {bag}"
     if not bag.is_file():
-        return f"There is no file {bag}: record your drive with {RECORD} {bag}"
+        return f"There is no file {bag}: record your drive with {record}"
     from driving_tasks.sources.bags import judge_bag  # here: rosbag takes long to import
-    mark = judge_bag(TASKS[TASK], str(bag))
+    mark = judge_bag(TASKS[task], str(bag))
     if not mark.result:
         return f"{bag} has no score: {mark.problem}"
     if mark.source and not mark.source.startswith(SIMULATOR):
-        return f"{bag} is not what the simulator has measured ({mark.source}): record your drive with {RECORD} {bag}"
+        return f"{bag} is not what the simulator has measured ({mark.source}): record your drive with {record}"
     score = round(mark.result.score, 1)
-    if score >= NEEDED:
+    if score >= NEEDED[task]:
         return None
-    return (f"{BAG} has {score:.1f} of 100 points, and {NEEDED:.0f} are needed: "
+    return (f"{bag.name} has {score:.1f} of 100 points, and {NEEDED[task]:.0f} are needed: "
             f"it {mark.result.largest_loss}; improve your program, and record it again")

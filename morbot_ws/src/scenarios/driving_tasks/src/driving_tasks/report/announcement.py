@@ -45,7 +45,8 @@ class Announcement:
                       points=[Point(*from_frame(start, point), HEIGHT) for point in course.points])
         place, heading = from_frame(start, course.goal[:2]), start.yaw + course.goal.yaw
         goal = marker("goal", Marker.ARROW, ARROW, pose=Pose(Point(*place, 0.0), quaternion(heading)))
-        self._course.publish([Marker(action=Marker.DELETEALL)] + [line] * (len(line.points) > 1) + [goal])
+        shown = [line] * (len(line.points) > 1) + [goal] * bool(course.steps)
+        self._course.publish([Marker(action=Marker.DELETEALL), *shown])
 
     def clear(self) -> None:
         """Show no course."""

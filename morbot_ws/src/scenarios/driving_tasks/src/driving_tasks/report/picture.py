@@ -52,8 +52,8 @@ def draw_drive(axes: Axes, course: Course, drive: Drive) -> None:
     axes.plot([pose.x for pose in path], [pose.y for pose in path], **DRIVEN)
     for pose in path[::max(1, len(path) // HEADINGS)]:
         draw_heading(axes, pose, BLUE, scale=45, width=0.005)
-    for pose, style in ((Pose(), {"edgecolor": GREEN, "label": "start"}),
-                        (course.goal, {"edgecolor": ORANGE, "linestyle": "--", "label": "goal"}),
+    goal = (course.goal, {"edgecolor": ORANGE, "linestyle": "--", "label": "goal"})
+    for pose, style in ((Pose(), {"edgecolor": GREEN, "label": "start"}), *[goal] * bool(course.steps),
                         (drive.end, {"edgecolor": BLUE, "label": "stop"})):
         draw_robot(axes, pose, style)
     axes.set(xlabel="x (m)", ylabel="y (m)")

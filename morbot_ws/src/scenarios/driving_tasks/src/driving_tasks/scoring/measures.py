@@ -11,6 +11,8 @@ from .polygon import driven_sides
 from .recorder import Drive
 
 AT_END = " at the end"
+TOLERANCE = 10.0   # cm or degrees of error that leave 1/e of the points
+SQUARE = 0.25      # m, of the floor
 MAX_POINTS = 1000  # of a resampled path: a longer one has fewer points per metre
 
 
@@ -91,6 +93,16 @@ def corners(course: Course, drive: Drive) -> List[Error]:
         sentence = describe_turn(turn, degrees, f" at corner {number}")
         errors.append(Error(abs(turn - degrees), sentence, side.end, "degree" if turn * degrees > 0 else ""))
     return errors + [_missing(abs(degrees), len(driven), drive) for degrees in wanted[len(errors):]]
+
+
+def squares(_: Course, drive: Drive, wanted: int) -> List[Error]:
+    """Return an error that leaves as large a part of the points as the robot was in of the squares that are wanted.
+
+    Where its axle's middle was counts, beside the square in whose middle it starts.
+    """
+    seen = {(round(pose.x / SQUARE), round(pose.y / SQUARE)) for pose in drive.poses} - {(0, 0)}
+    size = TOLERANCE * math.log(wanted / min(wanted, len(seen))) if seen else math.inf
+    return [Error(size, f"was in {len(seen)} squares of the floor, and {wanted} are wanted", drive.end[:2])]
 
 
 def _missing(size, corner, drive):

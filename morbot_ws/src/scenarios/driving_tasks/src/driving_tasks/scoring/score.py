@@ -3,12 +3,11 @@
 import math
 from typing import NamedTuple, Sequence, Tuple
 
-from .measures import describe, worst
+from .measures import TOLERANCE, describe, worst
 from .penalties import Loss
 from .recorder import DONE, Drive, Recorder, Sample
 from .tasks import Task
 
-TOLERANCE = 10.0    # cm or degrees of error that leave 1/e of the points
 TIME_SHARE = 0.2    # of the points depend on the time
 NEGLIGIBLE = 0.5    # points that are not worth a sentence
 NO_LOSS = "No loss of more than half a point."

@@ -8,18 +8,21 @@ from simulation.world import EMPTY, World
 from simulation.world_files import load
 
 from .course import Arc, Course, Step, Straight, Turn, s_bend
-from .measures import Measure, corners, end, line, sides
+from .measures import Measure, corners, end, line, sides, squares
 from .penalties import Penalty, acceleration, contacts
 
 SPEED = 0.3         # m/s, of the ideal drive
 ACCELERATION = 0.3  # m/s^2, allowed in the task smooth
+SQUARES = 30        # wanted in the task roam
+TRACK = (Straight(0.4), Arc(0.4, 90), Arc(0.4, -90), Straight(0.3))  # of line.yaml
 
 
 class Task(NamedTuple):
     """A task: its name, its title for people, what to drive, the steps of its course, what it measures.
 
     world: a file of the package simulation, "" for none; speed: m/s of the ideal drive, which reaches it with
-    ``acceleration`` in m/s^2.
+    ``acceleration`` in m/s^2; seconds: of a drive without steps; by_camera: no program that drives it may read where
+    the robot is, or its line sensor.
     """
 
     name: str
@@ -31,6 +34,8 @@ class Task(NamedTuple):
     world: str = ""
     speed: float = SPEED
     acceleration: float = math.inf
+    seconds: float = 0.0
+    by_camera: bool = False
 
     @property
     def course(self) -> Course:
@@ -40,12 +45,12 @@ class Task(NamedTuple):
     @property
     def ideal_seconds(self) -> float:
         """How long the ideal drive takes."""
-        return self.course.seconds(self.speed) + self.speed / self.acceleration
+        return self.seconds or self.course.seconds(self.speed) + self.speed / self.acceleration
 
     @property
     def time_limit(self) -> float:
         """How many seconds a drive may take; then it is judged as it is."""
-        return max(60.0, 10 * self.ideal_seconds)
+        return self.seconds or max(60.0, 10 * self.ideal_seconds)
 
     def load_world(self) -> World:
         """Return the walls and lines, in the task's frame. Raises InvalidValue."""
@@ -65,6 +70,9 @@ TASKS = {task.name: task for task in (
          (partial(acceleration, limit=ACCELERATION),), acceleration=ACCELERATION),
     Task("park", "Park between two walls", "two equal arcs to (0.8, 0.4), then 0.3 m ahead into the gap",
          (*s_bend(0.8, 0.4), Straight(0.3)), (end,), (contacts,), "parking.yaml"),
-    Task("follow", "Follow the line", "along the tape to its end",
-         (Straight(0.4), Arc(0.4, 90), Arc(0.4, -90), Straight(0.3)), (end, line), world="line.yaml", speed=0.2),
+    Task("follow", "Follow the line", "along the tape to its end", TRACK, (end, line), world="line.yaml", speed=0.2),
+    Task("camera", "Follow the line by camera", "along the tape to its end, by camera alone", TRACK, (end, line),
+         world="line.yaml", speed=0.2, by_camera=True),
+    Task("roam", "Roam", "around the room for a minute, by camera alone, without touching a wall", (),
+         (partial(squares, wanted=SQUARES),), (contacts,), "boxes.yaml", seconds=60.0, by_camera=True),
 )}

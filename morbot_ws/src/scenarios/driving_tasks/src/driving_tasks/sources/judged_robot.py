@@ -24,6 +24,7 @@ from ..report.marks import changed
 from ..scoring.power import Power
 from ..scoring.recorder import Sample
 from .bags import sample_of
+from .readers import Readers
 
 SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
 COCKPIT = "jetbot_cockpit"
@@ -72,15 +73,19 @@ def sender(message: rospy.Message) -> str:
 
 
 class JudgedRobot:
-    """``poll`` reads what has arrived; the rest returns what is known by then. Needs an initialized node."""
+    """``poll`` reads what has arrived; the rest returns what is known by then. Needs an initialized node.
 
-    def __init__(self, namespace: str):
+    by_camera: whether no program may read where the robot is, or its line sensor.
+    """
+
+    def __init__(self, namespace: str, by_camera: bool = False):
         self.namespace, self.name = namespace, label(namespace)
         self.samples: List[Sample] = []  # what the last poll has read: the newest ground truth, oldest first
         self.latest: Optional[Sample] = None  # of all
         self.driver, self.interruptions = "", []  # the name of who drives by a page; what the last poll has read
         self._arrived, self._silent_polls, self._moved_at = deque(), 0, 0.0
         self._interruptions, self._power = deque(), Power()
+        self._readers = Readers(namespace) if by_camera else None
         self._status, self._worlds, self._known_worlds = "", 0, 0
         self.body = "an unknown body"  # until the simulator has said how it differs
         simulator = f"{namespace}/jetbot_simulator"
@@ -134,6 +139,8 @@ class JudgedRobot:
         """Read what has arrived; call it every POLL_INTERVAL."""
         self.interruptions = [self._interruptions.popleft() for _ in range(len(self._interruptions))]
         self.samples = [sample_of(self._arrived.popleft()) for _ in range(len(self._arrived))]
+        if self._readers:
+            self._readers.poll()
         self._silent_polls = 0 if self.samples else self._silent_polls + 1
         for sample in self.samples:
             if not self.latest or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.latest.pose)):
@@ -173,7 +180,9 @@ class JudgedRobot:
             return "The controller has ended. Start it again: rosrun jetbot_control_node jetbot_controller.py"
         if self._status.startswith(EMERGENCY):
             return f"The robot is {printable(self._status)}. Release it: ./morbot stop --release"
-        return f"The robot is {printable(self._status)}." if self._status.startswith(HELD) else ""
+        if self._status.startswith(HELD):
+            return f"The robot is {printable(self._status)}."
+        return self._readers.problem if self._readers else ""
 
     def commanders(self) -> List[str]:
         """Return the nodes that publish commands for this robot; none if the master does not answer."""

@@ -46,7 +46,7 @@ def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None)
     if record:
         files.check_writable(record)
     init_node(namespaces)
-    robots = [JudgedRobot(namespace) for namespace in namespaces]
+    robots = [JudgedRobot(namespace, task.by_camera) for namespace in namespaces]
     attempts = [Attempt(task, robot, reporter(robot, robots)) for robot in robots]
     recording = Recording(attempts[0]) if record else None
     try:

@@ -85,7 +85,7 @@ class Trial:
             if not wait_until(lambda: is_reachable(os.environ["ROS_MASTER_URI"]), START_TIMEOUT):
                 return self._mark("Its ROS master does not start.")
         init_node([""])
-        return self._judge(Attempt(self._task, JudgedRobot(""), self._sentences.append))
+        return self._judge(Attempt(self._task, JudgedRobot("", self._task.by_camera), self._sentences.append))
 
     def _judge(self, attempt):
         problem = ""
