@@ -1,5 +1,6 @@
 """JPEGs from a child process: cut out of what it writes; it is started again when it ends, hangs or writes garbage."""
 
+import os
 import shlex
 import shutil
 import subprocess
@@ -7,6 +8,7 @@ import sys
 
 import pytest
 
+from conftest import PYTHONPATH
 from jetbot import InvalidValue, JetbotError
 from jetbot.camera import sources, stream
 from jetbot.camera.jpeg import MAX_SIZE, take
@@ -75,7 +77,7 @@ def follow(tmp_path, monkeypatch):
     def start(code):
         program = tmp_path / "child.py"
         program.write_text(f"""\
-import os, signal, sys, time
+import array, fcntl, os, signal, sys, termios, time
 with open({str(tmp_path / "starts")!r}, "ab") as file:
     file.write(b".")
     first = file.tell() == 1
@@ -115,6 +117,23 @@ time.sleep(600)""")
     assert len(reports) == 1 and reports[0].startswith(sentence)
 
 
+def test_what_a_child_has_printed_before_a_picture_is_no_reason(follow):
+    _, reports = follow("""
+left = array.array("i", [1])
+os.write(2, b"Device is busy")
+while left[0]: fcntl.ioctl(2, termios.FIONREAD, left)
+picture(b"1")
+time.sleep(600)""")
+    assert wait_until(lambda: reports, 20) and reports[0].startswith("No picture came from the camera for 1 s.")
+
+
+def test_a_child_that_stutters_runs_on(follow, tmp_path, monkeypatch):
+    monkeypatch.setattr(stream, "START_TIMEOUT", 3.0)
+    monkeypatch.setattr(stream, "TIMEOUT", 5.0)
+    follower, reports = follow("for number in range(10): picture(b'%d' % number); time.sleep(0.4)\ntime.sleep(600)")
+    assert wait_until(lambda: follower.newest == jpeg(b"9"), 20) and reports == []
+
+
 def test_a_child_that_writes_nothing_is_an_error_at_once(follow, monkeypatch):
     monkeypatch.setattr(stream, "START_TIMEOUT", 0.5)
     follower, _ = follow("time.sleep(60)")
@@ -134,15 +153,33 @@ def test_the_newest_picture_wins(follow):
     assert wait_until(lambda: follower.newest == jpeg(b"4999"), 20)
 
 
-@pytest.mark.parametrize("end", ["stop", "abandon"])
-@pytest.mark.parametrize("code", ["", "signal.signal(signal.SIGINT, signal.SIG_IGN)\n"])
-def test_what_is_stopped_leaves_no_process(follow, code, end):
+STUBBORN = "signal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+
+
+@pytest.mark.parametrize("code", ["", STUBBORN])
+def test_what_is_stopped_leaves_no_process(follow, code):
     follower, _ = follow(code + 'picture(b"%d" % os.getpgrp()); time.sleep(600)')
     follower.require_picture()
     group = int(follower.newest[len(HEAD + SCAN):-2])
-    getattr(follower, end)()
+    follower.stop()
+    assert not is_running(group) and list(follower) == []
+
+
+def test_a_program_that_ends_at_once_leaves_no_process(tmp_path):
+    child, program = tmp_path / "child.py", tmp_path / "program.py"
+    child.write_text(f"import os, signal, time\n{STUBBORN}"
+                     f"os.write(1, {HEAD + SCAN!r} + b'%d' % os.getpgrp() + {jpeg()[-2:]!r})\ntime.sleep(600)")
+    program.write_text(f"""\
+from jetbot.camera import sources, stream
+pictures = stream.Stream(sources.find_command("command:exec {sys.executable} {child}"))
+pictures.start()
+pictures.require_picture()
+print(pictures.newest[{len(HEAD + SCAN)}:-2].decode())
+pictures.abandon()""")
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
+    group = int(subprocess.run([sys.executable, program], env=environment, stdout=subprocess.PIPE, check=True).stdout)
+    assert is_running(group)
     assert wait_until(lambda: not is_running(group), 20)
-    assert list(follower) == []
 
 
 def is_running(group):
@@ -186,6 +223,7 @@ def test_a_camera_on_usb_runs_with_a_test_picture_for_it(flip):
                                                                 "videotestsrc is-live=true ! video/x-raw,width=320")))
     follower.start()
     try:
+        follower.require_picture()
         pictures = [picture for picture, _ in zip(follower, range(3))]
     finally:
         follower.stop()

@@ -17,7 +17,7 @@ PICTURE = b"\xff\xd8\xff\xe0\x00\x04ab\xff\xda\x00\x02picture\xff\xd9"
 CHILD = """\
 import os, sys, time
 while not os.path.exists({end!r}):
-    os.write(1, {picture!r})
+    os.path.exists({hang!r}) or os.write(1, {picture!r})
     time.sleep(0.05)
 sys.exit("Device is busy")
 """
@@ -26,8 +26,8 @@ sys.exit("Device is busy")
 class Camera(RobotTest):
     def setUp(self):
         super().setUp()
-        self.end, self.child = Path(self.folder, "end"), Path(self.folder, "child.py")
-        self.child.write_text(CHILD.format(end=str(self.end), picture=PICTURE))
+        self.end, self.hang, self.child = (Path(self.folder, name) for name in ("end", "hang", "child.py"))
+        self.child.write_text(CHILD.format(end=str(self.end), hang=str(self.hang), picture=PICTURE))
 
     def start_camera(self):
         command = f"command:exec {shlex.quote(sys.executable)} {self.child}"
@@ -58,6 +58,7 @@ class Camera(RobotTest):
         del images[:]
         self.end.unlink()
         self.wait_for(lambda: images, 10.0, "pictures of the child that was started again")
+        self.hang.touch()
         camera.terminate()
         self.assertEqual(camera.wait(START_TIMEOUT), 0)
         self.wait_for(lambda: not find_processes(str(self.child)), 1.0, "the child to end with its node")

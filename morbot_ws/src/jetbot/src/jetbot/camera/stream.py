@@ -24,7 +24,7 @@ REPEAT_AFTER = 60.0     # s until the same sentence is reported again
 POLL_INTERVAL = 0.1     # s
 CHUNK = 1024 * 1024     # bytes, more than a pipe holds: what is read at once is all there is
 LAST_WORDS = 4000       # bytes of what a child has printed
-KILL_LATER = ["sh", "-c", 'sleep "$0"; kill -KILL "-$1"', str(END_TIMEOUT)]
+KILL_LATER = ["sh", "-c", 'exec <&- >&- 2>&-; sleep "$0"; kill -KILL "-$1"', str(END_TIMEOUT)]
 
 
 def print_sentence(sentence: str) -> None:
