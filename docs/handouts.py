@@ -29,6 +29,7 @@ p, ol {{ margin: 1.5mm 0 }}
 code {{ font: 9.5pt/1.3 monospace; overflow-wrap: anywhere }}
 table {{ width: 100%; border-collapse: collapse }}
 th, td {{ padding: 0.8mm 2mm; border: 0.25mm solid; text-align: left }}
+td:first-child code {{ white-space: nowrap }}
 td:empty {{ min-width: 20mm; height: 6.5mm }}
 hr {{ height: 5.5mm; margin: 0; border: 0; border-bottom: 0.25mm solid }}
 </style></head><body>
@@ -102,7 +103,7 @@ def handout(page: Path, goal: str) -> str:
 def score_sheet() -> str:
     """Return a sheet for the scores of all driving tasks."""
     page = (LESSONS.parent / "tasks.md").read_text(encoding="utf-8")
-    rows = re.findall(r"^\| (`\w+`) \| (.*?) \|", page, re.MULTILINE)
+    rows = re.findall(r"^\| (`\w+`) \| (.*?) \| [\d.]+ s \|", page, re.MULTILINE)
     head = ["task", "what to drive", "first", "second", "best", "where the best one lost most"]
     return ('<section id="tasks"><header><h1>Driving tasks</h1><b>Name:</b></header>'
             + table([head, *([inline(name), inline(what), "", "", "", ""] for name, what in rows)])

@@ -21,8 +21,8 @@ def ask(monkeypatch):
 
 
 @pytest.mark.parametrize("topic, namespace", [
-    ("/line", ""), ("/odom", ""), ("/path", ""), ("/jetbot_simulator/ground_truth", ""), ("/tf", ""),
-    ("/tf", "/red"), ("/red/odom", "/red")])
+    ("/line", ""), ("/odom", ""), ("/path", ""), ("/joint_states", ""), ("/jetbot_simulator/ground_truth", ""),
+    ("/tf", ""), ("/tf", "/red"), ("/red/odom", "/red")])
 def test_who_reads_where_the_robot_is_or_its_line_sensor_is_named(ask, topic, namespace):
     assert ask(topic, "/pupil", namespace=namespace) == (
         f"/pupil reads {topic}. End it: in this task, programs see with the camera alone.")
@@ -31,6 +31,7 @@ def test_who_reads_where_the_robot_is_or_its_line_sensor_is_named(ask, topic, na
 @pytest.mark.parametrize("topic, node, alive", [
     ("/camera/image_raw/compressed", "/pupil", True), ("/cmd_vel", "/pupil", True), ("/red/odom", "/pupil", True),
     ("/odom", "/pupil", False), ("/odom", "/jetbot_cockpit", True), ("/tf", "/rviz", True),
+    ("/joint_states", "/robot_state_publisher", True),
     ("/tf", "/rviz_1700000000000000000", True), ("/odom", "/record_1700000000000000000", True),
     ("/odom", "/draw_track_12_1700000000000", True)])
 def test_who_may_read(ask, topic, node, alive):

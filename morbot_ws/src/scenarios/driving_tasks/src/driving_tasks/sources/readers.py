@@ -7,8 +7,9 @@ from typing import Iterator
 from jetbot.text import printable
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 
-CLOSED = ("line", "odom", "path", "jetbot_simulator/ground_truth")  # of the robot
-WATCHERS = re.compile(r".*/(judge|jetbot_cockpit|(rviz|record|draw_track)(_\d+)*)")  # they show it, and drive nothing
+CLOSED = ("line", "odom", "path", "joint_states", "jetbot_simulator/ground_truth")  # of the robot
+WATCHERS = re.compile(  # they show it, and drive nothing
+    r".*/(judge|jetbot_cockpit|robot_state_publisher|(rviz|record|draw_track)(_\d+)*)")
 ASK_INTERVAL = 1.0  # s
 
 
