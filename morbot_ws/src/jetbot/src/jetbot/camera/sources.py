@@ -89,11 +89,7 @@ def find_command(source: str = "", width: int = 224, height: int = 224, fps: int
     own. quality: of the JPEGs, 1 to 95. flip: whether to turn the pictures upside down.
     Raise InvalidValue for another name, and for a command to flip; JetbotError if the program is not installed.
     """
-    name = source or os.environ.get("JETBOT_CAMERA") or "csi"
-    kind, _, rest = ("usb", "", name) if name.startswith("/dev/") else name.partition(":")
-    if kind not in SOURCES or bool(rest) != (kind in ("file", "command") or name.startswith("/dev/")):
-        raise InvalidValue(f"a camera cannot be {name!r}",
-                           "Give csi, usb, /dev/videoN, fake, file:FOLDER or command:COMMAND.")
+    kind, rest = parse(source or os.environ.get("JETBOT_CAMERA") or "csi")
     row = next((row for row in SOURCES[kind] if shutil.which(row.program)), None)
     if row is None:
         missing = SOURCES[kind][-1]
@@ -103,3 +99,12 @@ def find_command(source: str = "", width: int = 224, height: int = 224, fps: int
     return Command(row.command.format(program=row.program, name=shlex.quote(rest or "/dev/video0"), command=rest,
                                       width=width, height=height, fps=fps, quality=quality,
                                       flip=row.flip if flip else ""), row)
+
+
+def parse(name: str) -> Tuple[str, str]:
+    """Return which SOURCES a name means, and its device, folder or command, or "". Raise InvalidValue."""
+    kind, _, rest = ("usb", "", name) if name.startswith("/dev/") else name.partition(":")
+    if kind not in SOURCES or bool(rest) != (kind in ("file", "command") or name.startswith("/dev/")):
+        raise InvalidValue(f"a camera cannot be {name!r}",
+                           "Give csi, usb, /dev/videoN, fake, file:FOLDER or command:COMMAND.")
+    return kind, rest

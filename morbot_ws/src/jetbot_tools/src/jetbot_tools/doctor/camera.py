@@ -42,16 +42,21 @@ def check_camera(source: str) -> Check:
         return Check(name, True, f"in use by {', '.join(users)}")
     begin = time.monotonic()
     try:
-        stream = Stream(find_command(source), report=lambda _: None)
-        stream.start()
-        try:
-            stream.require_picture()
-        finally:
-            stream.stop()
+        require_picture(source)
     except JetbotError as error:
         return Check(name, error.reason == "there is no such camera", error.reason, error.advice)
     return Check(name, True, f"its first picture came after {time.monotonic() - begin:.1f} s",
                  f"Start it with the robot: camera:=true camera_source:={shlex.quote(source)}")
+
+
+def require_picture(source: str) -> None:
+    """Wait for a picture; raise JetbotError if none comes."""
+    stream = Stream(find_command(source), report=lambda _: None)
+    stream.start()
+    try:
+        stream.require_picture()
+    finally:
+        stream.stop()
 
 
 def users_of(source: str, proc: Path = Path("/proc")) -> List[str]:
