@@ -65,7 +65,7 @@ MISTAKES = [
     ("follow", straight(1.9566), "stopped 80 cm right of the goal and 46 cm past it"),
     ("camera", straight(1.36, speed=0.2), "stopped 80 cm right of the goal"),
     ("roam", turn(3600), "was in 0 squares of the floor, and 30 are wanted"),
-    ("roam", arc(0.1, 3600), "was in 1 squares of the floor, and 30 are wanted"),
+    ("roam", arc(0.1, 3600), "was in 1 square of the floor, and 30 are wanted"),
     ("roam", arc(0.2, 1800), "was in 6 squares of the floor, and 30 are wanted"),
     ("roam", at_once(0.3, 20), "was in 4 squares of the floor, and 30 are wanted"),
     ("roam", one_after_the_other(*[straight(0.5), straight(-0.5)] * 9),

@@ -26,6 +26,7 @@ READY = "Drive when you are ready."
 MOVED = "The robot was moved, and not by its wheels, so the drive does not count."
 CHANGED = "Walls or lines around the robot were changed, so the drive does not count."
 TAKEN = "The drive does not count: a teacher took the robot over."
+BY_CAMERA = "End it: in this task, programs see with the camera alone."
 RELEASE = "The robot is stopped: emergency stop, on a fake bus. Release it: ./morbot stop --release"
 EXACT_JUDGE = """
 import runpy, sys
@@ -127,6 +128,13 @@ class Judge(RobotTest):
         bag = judge_bag(TASKS["metre"], os.path.join(self.folder, "drive.bag"))
         self.assertEqual((bag.result.score, bag.source), (float(exact), ""))
         self.assertEqual(score, f"{bag.result.score:.1f}")
+
+    def test_in_a_task_by_camera_who_reads_where_the_robot_is_must_end(self):
+        reader = rospy.Subscriber("odom", Odometry, lambda _: None)
+        judge = self.judge("camera")
+        self.wait_for_lines(judge, f"{rospy.get_name()} reads /odom. {BY_CAMERA}")
+        reader.unregister()
+        self.wait_for_last_lines(judge, READY, before=BY_CAMERA)
 
     def test_what_interrupts_a_drive_ends_no_judge_and_a_signal_gives_the_world_back(self):
         worlds = self.record("world", MarkerArray, lambda array: len(array.markers))

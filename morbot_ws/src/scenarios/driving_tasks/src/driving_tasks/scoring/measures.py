@@ -102,7 +102,7 @@ def squares(_: Course, drive: Drive, wanted: int) -> List[Error]:
     """
     seen = {(round(pose.x / SQUARE), round(pose.y / SQUARE)) for pose in drive.poses} - {(0, 0)}
     size = TOLERANCE * math.log(wanted / min(wanted, len(seen))) if seen else math.inf
-    return [Error(size, f"was in {len(seen)} squares of the floor, and {wanted} are wanted", drive.end[:2])]
+    return [Error(size, f"was in {amount(len(seen), 'square')} of the floor, and {wanted} are wanted", drive.end[:2])]
 
 
 def _missing(size, corner, drive):
