@@ -48,7 +48,8 @@ def draw(result: Result, file: str, note: str = "") -> None:
 def draw_drive(axes: Axes, course: Course, drive: Drive) -> None:
     """Draw the course and the drive from above."""
     path = drive.poses[::1 + len(drive.path) // MAX_POINTS]
-    axes.plot(*zip(*course.points), **IDEAL)
+    if course.steps:
+        axes.plot(*zip(*course.points), **IDEAL)
     axes.plot([pose.x for pose in path], [pose.y for pose in path], **DRIVEN)
     for pose in path[::max(1, len(path) // HEADINGS)]:
         draw_heading(axes, pose, BLUE, scale=45, width=0.005)
