@@ -8,8 +8,10 @@ DOCS = ROOT / "docs"
 
 
 @pytest.mark.parametrize("pages", [
-    [*LESSONS[:6], DOCS / "boards.md", DOCS / "safety.md"], [LESSONS[0], *LESSONS[6:]]],  # lesson 1 opens terminals
-    ids=["first lessons", "own package"])
+    [*LESSONS[:6], DOCS / "boards.md", DOCS / "safety.md"],
+    [LESSONS[0], *LESSONS[6:9]],  # lesson 1 opens terminals
+    [LESSONS[0], LESSONS[6], *LESSONS[9:]]],
+    ids=["first lessons", "own package", "camera"])
 def test_pages(tmp_path, pages):
     follow(pages, tmp_path)
 
