@@ -127,7 +127,7 @@ def test_a_file_that_is_no_world_is_refused(tmp_path, monkeypatch, name, reason)
 
 
 def test_in_the_shipped_worlds_the_robots_are_free_at_their_starts():
-    assert all(load(name).clearance(Pose()) > 0.3 for name in names())
+    assert all(load(name).clearance(Pose()) > 0.25 for name in names())
 
 
 def test_the_example_of_the_page_is_a_world_and_its_lists_and_numbers_are_those_of_the_code():
