@@ -37,6 +37,9 @@ class FakeRobots:
         else:
             self.change(robot, stopped=engaged)
 
+    def senses(self, robot):
+        return {"pose": [1, 2, 3], "line": None, "wheels": [0, 0]}
+
     def report_driver(self, robot, name, interruption):
         if self.reports[-1:] != [(robot, name, interruption)]:
             self.reports.append((robot, name, interruption))
@@ -56,6 +59,9 @@ class FakeDrivers:
         accepted = self._switches.setdefault(robot, DeadMan()).feed(now)
         self.velocities[robot] = velocity if accepted else STOPPED
         return accepted
+
+    def hold(self, robot):
+        return True
 
     def keep_waiting(self, robot, waiting):
         (self.waiting.add if waiting else self.waiting.discard)(robot)

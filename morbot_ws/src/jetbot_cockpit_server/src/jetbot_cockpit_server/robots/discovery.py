@@ -51,6 +51,10 @@ class Robots:
         elif robot in self._robots:
             self._robots[robot].emergency_stop.set(engaged)
 
+    def senses(self, robot: str) -> dict:
+        """Return what a program may read of the robot now; docs/protocol.md explains it."""
+        return self._robots[robot].senses(time.monotonic()) if robot in self._robots else {}
+
     def report_driver(self, robot: str, name: str, interruption: str) -> None:
         """Publish who drives a robot, "" for nobody or no name, and what has interrupted that, "" for nothing."""
         if robot in self._robots:
@@ -81,6 +85,7 @@ class Robots:
         for name in found:
             robots[name] = robots.get(name) or RobotTopics(name, self._frames)
         for name, robot in robots.items():
+            robot.follow_line()
             robot.simulated = name.rstrip("/") + SIMULATOR_RESET in services
         self._robots = dict(sorted(robots.items()))
         self._commanded = frozenset(name for name in robots if {

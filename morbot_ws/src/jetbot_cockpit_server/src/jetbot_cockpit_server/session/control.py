@@ -36,7 +36,7 @@ class Control:
         self._held: Set[str] = set()  # robots whose programs wait until a teacher says that they go on
         self._checked_at, self._stale_until = math.inf, -math.inf
         self._actions: Dict[str, Callable] = {
-            "drive": self._on_drive, "take": self._on_take, "stop": self._on_engage_stop,
+            "drive": self._on_drive, "program": self._on_program, "take": self._on_take, "stop": self._on_engage_stop,
             "release": self._on_release_stop, "go_on": self._on_go_on, "reset": self._on_reset, "name": self._on_name,
             "save": self._on_save, "delete": self._on_delete}
 
@@ -45,8 +45,11 @@ class Control:
         self._names.setdefault(client.id, client.name)
         self._note_interruption(now)
         refusal = self._actions[message.type](client, message, now)
-        if refusal and message.type == "drive":
+        if refusal and message.type in ("drive", "program"):
             return {"type": "lift", "robot": message.robot, "text": refusal}
+        if message.type == "program":
+            ready = self._drivers.hold(message.robot)
+            return {"type": "program", "robot": message.robot, "ready": ready, **self._robots.senses(message.robot)}
         return notice(refusal) if refusal else None
 
     def leave(self, client: int) -> None:
@@ -111,6 +114,14 @@ class Control:
                 self._drivers.let_go(robot)
                 if not self.snapshot.problem(robot):  # which the robot's status says
                     self._report(robot, SILENT)
+        return refusal
+
+    def _on_program(self, client, message, now):
+        """A program runs: its robot stays its own while it stands. What drives is commands alone."""
+        refusal = self._refusal(client, message.robot, now)
+        driven = self._driver(message.robot) == client.id and self._leases[message.robot].driving
+        if not refusal and not driven:
+            self._lease(client, message.robot, now, driving=False)
         return refusal
 
     def _on_let_go(self, client, robot, now):

@@ -19,9 +19,13 @@ from ..session.hub import BAD_FRAME, LOG_IN, Hub, Viewer
 from .access import Access, TooManyTries
 
 WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit_server", "www")
-TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
-HEADERS = {"Content-Security-Policy": "default-src 'self'; frame-ancestors 'none'", "X-Frame-Options": "DENY",
+TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
+         ".cur": "image/x-icon"}
+POLICY = "default-src 'self'; frame-ancestors 'none'"
+HEADERS = {"Content-Security-Policy": POLICY, "X-Frame-Options": "DENY",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cache-Control": "no-store"}
+PAGES = {"": "index.html", "program": "program.html"}  # by what stands in the address
+STYLED = {"program.html": POLICY + "; style-src 'self' 'unsafe-inline'"}  # Blockly inserts two styles
 CLOSED = WebSocketClosedError, StreamClosedError
 
 
@@ -32,8 +36,9 @@ def reached_address(request: HTTPServerRequest) -> str:
 
 
 def read_files(folder: Path = WWW) -> Dict[str, bytes]:
-    """Return the page's files by their names; nothing else is ever served."""
-    return {file.name: file.read_bytes() for file in folder.iterdir() if file.suffix in TYPES}
+    """Return the pages' files by their names below the folder; nothing else is ever served."""
+    return {file.relative_to(folder).as_posix(): file.read_bytes() for file in folder.rglob("*")
+            if file.suffix in TYPES}
 
 
 class Handler(RequestHandler):
@@ -74,11 +79,13 @@ class Page(Handler):
         self.files = files
 
     def get(self, name: str) -> None:
-        name = name or "index.html"
+        name = PAGES.get(name, name)
         if name not in self.files:
             raise HTTPError(404)
-        if name == "index.html" and not self.get_cookie(self.access.visitor_cookie):
+        if name in PAGES.values() and not self.get_cookie(self.access.visitor_cookie):
             self.give_cookie(self.access.visitor_cookie, secrets.token_urlsafe(16))
+        if name in STYLED:
+            self.set_header("Content-Security-Policy", STYLED[name])
         self.set_header("Content-Type", f"{TYPES[Path(name).suffix]}; charset=UTF-8")
         self.finish(self.files[name])
 
