@@ -91,7 +91,7 @@ def parse(text: Union[str, bytes]) -> Message:
         fields = None
     kind = fields.pop("type", None) if isinstance(fields, dict) else None
     if kind not in list(MESSAGES):  # a list: what is not hashable may be there
-        raise ProtocolError(f"a message is a JSON object of type {', '.join(MESSAGES)}")
+        raise ProtocolError("a message is a JSON object of a type that docs/protocol.md lists")
     checks = MESSAGES[kind]
     if not set(fields) <= set(checks) or not all(check(fields.get(name)) for name, check in checks.items()):
         raise ProtocolError(f"the fields of {kind} are: {', '.join(checks) or 'none'}")
