@@ -5,6 +5,7 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 
 import pytest
 
+from jetbot_cockpit_server.classroom.classroom import Classroom
 from jetbot_cockpit_server.session.collection import Collection
 from jetbot_cockpit_server.session.control import Control
 from jetbot_cockpit_server.session.protocol import Message
@@ -23,7 +24,7 @@ class FakeRobots:
     def __init__(self):
         self.now = Snapshot({name: Robot(name, geometry=WORKSHOP, simulated=True, status="driving")
                              for name in ("/red", "/blue")})
-        self.were_reset, self.reports = [], []
+        self.were_reset, self.reports, self.offered, self.judged = [], [], (), []
 
     def snapshot(self):
         return self.now
@@ -39,6 +40,12 @@ class FakeRobots:
 
     def senses(self, robot):
         return {"pose": [1, 2, 3], "line": None, "wheels": [0, 0]}
+
+    def tasks(self):
+        return self.offered
+
+    def judge(self, robot, task):
+        self.judged.append((robot, task))
 
     def report_driver(self, robot, name, interruption):
         if self.reports[-1:] != [(robot, name, interruption)]:
@@ -93,10 +100,10 @@ class FakeCameras:
 class Cockpit:
     """Control, and pads that are held down as the pages hold them. pictures: the folder for those that are saved."""
 
-    def __init__(self, pictures=False):
+    def __init__(self, pictures=False, folder=None):
         self.robots, self.drivers, self.time = FakeRobots(), FakeDrivers(), 100.0
         self.cameras, self.collection = FakeCameras(), Collection(pictures)
-        self.control = Control(self.robots, self.drivers, self.cameras, self.collection)
+        self.control = Control(self.robots, self.drivers, self.cameras, self.collection, Classroom(folder))
         self.control.check(self.time)
 
     def do(self, client, message):

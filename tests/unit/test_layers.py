@@ -21,6 +21,7 @@ ROS = r"ros|genpy|\w+_msgs$|tf2|diagnostic_updater"
 PURE = {  # modules and packages, and what they must not import
     "jetbot": ROS,
     "jetbot_cockpit_server.session": ROS + "|tornado|socket$|time$",
+    "jetbot_cockpit_server.classroom": ROS + "|tornado|socket$|time$",
     "simulation.world": ROS,
     "simulation.picture": ROS + "|time$",
     "simulation.variation": ROS + "|time$",

@@ -62,6 +62,11 @@ class Handler(RequestHandler):
         if acts and not self.access.accepts_origin(self.request.headers.get("Origin"), address):
             raise HTTPError(403)
 
+    def check_type(self) -> None:
+        """Refuse what is not sent as JSON, which no other site's form sends."""
+        if self.request.headers.get("Content-Type", "").partition(";")[0].strip().lower() != "application/json":
+            raise HTTPError(415)
+
     def give_cookie(self, name: str, value: str) -> None:
         """Set a cookie that no script can read and no other site can use, until the browser is closed."""
         self.set_cookie(name, value, expires_days=None, httponly=True, samesite="Strict")
@@ -105,8 +110,7 @@ class Login(Handler):
         self.set_status(204)
 
     def _code(self) -> str:
-        if self.request.headers.get("Content-Type", "").partition(";")[0].strip().lower() != "application/json":
-            raise HTTPError(415)
+        self.check_type()
         try:
             fields = json.loads(self.request.body)
         except (ValueError, RecursionError):
