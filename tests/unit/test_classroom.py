@@ -228,7 +228,8 @@ STEPS = st.lists(st.tuples(st.sampled_from(["save", "delete", "restore", "restar
                            st.integers(1, 4)), max_size=12)
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=60, deadline=None, database=None,
+          suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(steps=STEPS)
 def test_in_whatever_order_what_was_answered_is_there(classes, monkeypatch, steps):
     for file in classes.path.glob("*") if classes.path.exists() else ():
