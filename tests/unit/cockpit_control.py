@@ -103,7 +103,8 @@ class Cockpit:
     def __init__(self, pictures=False, folder=None):
         self.robots, self.drivers, self.time = FakeRobots(), FakeDrivers(), 100.0
         self.cameras, self.collection = FakeCameras(), Collection(pictures)
-        self.control = Control(self.robots, self.drivers, self.cameras, self.collection, Classroom(folder))
+        self.classroom = Classroom(folder)
+        self.control = Control(self.robots, self.drivers, self.cameras, self.collection, self.classroom)
         self.control.check(self.time)
 
     def do(self, client, message):
