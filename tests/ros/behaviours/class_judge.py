@@ -23,7 +23,7 @@ class ClassJudge(RobotTest):
         self.wait_for(lambda: self.offered and self.requests.get_num_connections(), START_TIMEOUT, "the judge")
 
     def note(self, message):
-        self.states.append((message.name, dict((each.key, each.value) for each in message.values)["state"],
+        self.states.append((message.name, {each.key: each.value for each in message.values}["state"],
                             message.message))
 
     def ask(self, task):

@@ -13,10 +13,12 @@ import { parseProgram, Refusal } from "./check.js";
 import { currentProgram, openEditor, showProgram } from "./editor.js";
 import { EMPTY, EXAMPLES } from "./examples.js";
 import { shown } from "./interpreter.js";
+import { Overview } from "./overview.js";
 import { packageName, packageZip } from "./package.js";
 import { toPython } from "./python.js";
 import { Runner } from "./runner.js";
-import { keepWork, loadWork } from "./work.js";
+import { Judging } from "./tasks.js";
+import { Work } from "./work.js";
 
 const MAX_PRINTS = 200;
 const MAX_FILE = 20e6; // bytes that are read at all
@@ -44,9 +46,22 @@ const choice = new Choice(world, changeRobot);
 const stops = new Stops(world, { send, notice, stopped: () => runner.end("All robots were stopped.") });
 const runner = new Runner({ send, printed, changed: show, ended });
 const workspace = openEditor(element("blocks"), programChanged);
+const work = new Work({
+  show: (title, program) => (program ? open(title, program) : load(EMPTY.title, EMPTY.program)),
+  current: () => ({ name: element("title").value, program: programText() }),
+  lock(on) {
+    workspace.setIsReadOnly(on);
+    element("title").disabled = on;
+  },
+});
+const judging = new Judging({ send, run: () => start(false), world });
+const overview = new Overview({ send, look: (row) => work.look(row), download, world });
 
 const RECEIVERS = {
-  hello: (message) => world.hello(message),
+  hello(message) {
+    world.hello(message);
+    overview.hello();
+  },
   robots(message) {
     world.list(message);
     choice.begin();
@@ -57,8 +72,18 @@ const RECEIVERS = {
     world.update(message);
     stops.update();
     endIfStopped();
+    work.update(world.chosen, world.state(world.chosen).programs);
+    judging.update();
   },
-  notice: ({ text }) => notice.show(text),
+  tasks({ tasks }) {
+    judging.list(tasks);
+    overview.show({ tasks });
+  },
+  scores: ({ scores }) => overview.show({ scores }),
+  notice({ text }) {
+    notice.show(text);
+    judging.refused(text);
+  },
   lift: ({ robot, text }) => robot === runner.robot?.id && runner.end(text),
   program: (message) => runner.receive(message),
 };
@@ -142,7 +167,7 @@ function writePython() {
   writing = null;
   python = toPython(workspace, packageName(element("title").value), world.robot(world.chosen) ?? NO_ROBOT);
   element("python").replaceChildren(...python.text.trimEnd().split("\n").map((line) => create("div", "", line || " ")));
-  if (!loading) keepWork({ title: element("title").value, program: programText() });
+  if (!loading) work.changed();
 }
 
 function load(title, program) {
@@ -153,26 +178,30 @@ function load(title, program) {
     showProgram(workspace, program);
     element("title").value = title;
     setOutcome("Press Run.");
+    return true;
   } catch {
     showProgram(workspace, before);
     notice.show(BROKEN, () => false);
+    return false;
   } finally {
     loading = false;
+    showUnits();
   }
-  showUnits();
 }
 
-// Opens a program from elsewhere; says in a sentence why it is refused.
+// Opens a program from elsewhere; says in a sentence why it is refused. Returns whether it is shown.
 function open(title, text) {
   try {
-    load(title, parseProgram(text));
+    return load(title, parseProgram(text));
   } catch (error) {
     notice.show(error instanceof Refusal ? error.message : BROKEN, () => false);
+    return false;
   }
 }
 
 async function openFile({ target }) {
   const [file] = target.files;
+  if (file) work.begin();
   if (file) open(file.name.replace(/\.json$/, "").slice(0, 40), await file.slice(0, MAX_FILE).text());
   target.value = "";
 }
@@ -270,6 +299,7 @@ element("save").addEventListener("click", saveProgram);
 element("package").addEventListener("click", savePackage);
 element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));
 element("examples").addEventListener("change", ({ target }) => {
+  if (target.value) work.begin();
   if (target.value) load(target.value, EXAMPLES[target.value]);
   target.value = "";
 });
@@ -287,7 +317,6 @@ async function enter() {
 }
 
 load(EMPTY.title, EMPTY.program);
-const kept = loadWork();
-if (typeof kept?.program === "string") open(String(kept.title).slice(0, 40), kept.program);
+work.restore();
 show();
 enter();

@@ -59,8 +59,10 @@ class Work(Handler):
         fields = parse(bytes(self._body))
         try:
             self.finish(await self._answer(**fields))
-        except (Refused, DiskBusy) as refusal:
-            self._refuse(409, str(refusal) or BUSY)
+        except Refused as refusal:
+            self._refuse(409, str(refusal))
+        except DiskBusy:
+            self._refuse(503, BUSY)
         except OSError as error:
             self._refuse(507, f"This computer could not keep it: {error.strerror or error}.")
 
