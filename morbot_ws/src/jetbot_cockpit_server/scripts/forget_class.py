@@ -16,7 +16,7 @@ def main() -> str:
     given = parser.parse_args()
     name, path = printable(given.name), path_of(given.classes, given.name)
     if not given.name or not CLASS_NAME.accepts(given.name):
-        return f"{name} is no name of a class: it has {CLASS_NAME.description}."
+        return f"{name} is no name of a class, which has {CLASS_NAME.description}."
     try:
         count = forget(given.classes, given.name)
     except Busy:
