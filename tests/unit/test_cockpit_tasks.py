@@ -115,8 +115,9 @@ def test_a_class_keeps_its_tasks_and_best_scores(cockpit, kept):
         [{"task": "One metre", "robot": "red", "score": 80.0, "seconds": 4.0, "name": "Ada"}]]
 
 
-@pytest.mark.parametrize("damaged", [None, 7, [], ["/red"], [*"abcdefg"],
-                                     ["/red", "metre", "M", "red", float("nan"), 1, ""], ["/red", "metre", "M", "red", True, 1, ""], [[], "metre", "M", "red", 1, 1, ""]])
+@pytest.mark.parametrize("damaged", [
+    None, 7, [], ["/red"], [*"abcdefg"], ["/red", "metre", "M", "red", float("nan"), 1, ""],
+    ["/red", "metre", "M", "red", True, 1, ""], [[], "metre", "M", "red", 1, 1, ""]])
 def test_scores_that_are_damaged_are_left_out(damaged):
     good = ["/red", "metre", "One metre", "red", 80.0, None, ""]
     assert len(Scores([damaged, good]).messages()[0]["scores"]) == 1
