@@ -132,15 +132,16 @@ def test_a_full_disk_is_said_in_a_sentence_and_the_old_version_stays(cockpit, mo
 
 
 def test_a_disk_that_hangs_holds_up_no_page(cockpit, monkeypatch):
-    goes_on = threading.Event()
-    monkeypatch.setattr(cockpit.classroom.programs._folder, "write", lambda *_: goes_on.wait(WITHIN))
-    cookie = cockpit.cookie(FIRST_PUPIL)
-    saving = threading.Thread(target=post, args=(cockpit, SAVE))
+    hangs, goes_on = threading.Event(), threading.Event()
+    monkeypatch.setattr(cockpit.classroom.programs._folder, "write", lambda *_: hangs.set() or goes_on.wait())
+    saving = threading.Thread(target=post, args=(cockpit, SAVE), daemon=True)
     saving.start()
-    page = cockpit.page("class.test", Cookie=cookie)
-    assert page.receive("hello") and not goes_on.is_set()
-    assert post(cockpit, LIST)[0] == 200
-    goes_on.set()
+    try:
+        assert hangs.wait(WITHIN)
+        assert cockpit.page().receive("hello")
+        assert post(cockpit, LIST) == (200, {"programs": []})
+    finally:
+        goes_on.set()
     saving.join(WITHIN)
     assert wait_until(lambda: post(cockpit, LIST)[1]["programs"], WITHIN)
 

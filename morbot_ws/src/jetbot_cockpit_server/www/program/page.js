@@ -61,6 +61,7 @@ const RECEIVERS = {
   hello(message) {
     world.hello(message);
     overview.hello();
+    judging.cancel();
   },
   robots(message) {
     world.list(message);

@@ -13,10 +13,12 @@ export class Judging {
   // send(message); run(): runs the program; world
   constructor({ send, run, world }) {
     Object.assign(this, { send, run, world });
-    element("judge").addEventListener("click", () => (this.waiting ? this.cancel(CANCELLED) : this.begin()));
-    for (const id of ["end", "stop", "run", "step"]) element(id).addEventListener("pointerdown", () => this.cancel(CANCELLED));
-    addEventListener("keydown", ({ key }) => key === "Escape" && this.cancel(CANCELLED), true);
-    document.addEventListener("visibilitychange", () => document.hidden && this.cancel(CANCELLED));
+    element("judge").addEventListener("click", () => (this.waiting ? this.cancel() : this.begin()));
+    for (const id of ["end", "stop", "run", "step"]) {
+      for (const event of ["pointerdown", "click"]) element(id).addEventListener(event, () => this.cancel());
+    }
+    addEventListener("keydown", ({ key }) => key === "Escape" && this.cancel(), true);
+    document.addEventListener("visibilitychange", () => document.hidden && this.cancel());
   }
 
   // Shows which tasks there are for this person.
@@ -32,6 +34,7 @@ export class Judging {
     const [robot, task] = [this.world.chosen, element("task-choice").value];
     this.waiting = { robot, task, since: performance.now() };
     this.judged = null;
+    this.send({ type: "drive", robot, forward: 0, left: 0 }); // who had to let go, has
     this.send({ type: "judge", robot, task });
     this.say("The robot goes to the start of the task.");
   }
@@ -41,7 +44,7 @@ export class Judging {
     if (this.waiting) this.cancel(text);
   }
 
-  cancel(text) {
+  cancel(text = CANCELLED) {
     if (!this.waiting) return;
     this.waiting = null;
     this.say(text);
@@ -55,7 +58,7 @@ export class Judging {
 
   wait(task) {
     const { robot, since } = this.waiting;
-    if (robot !== this.world.chosen || this.world.isBlocked(robot)) return this.cancel(CANCELLED);
+    if (robot !== this.world.chosen || this.world.isBlocked(robot)) return this.cancel();
     if (task?.name === this.waiting.task && task.state === "ready") return this.start();
     if (task?.state === "cancelled") return this.cancel(task.text);
     if (performance.now() - since > READY_TIMEOUT) this.cancel(NO_ANSWER);
