@@ -32,9 +32,8 @@ let problem = "Connecting"; // why there is no connection
 let wasDriver = false;
 let prints = []; // that are not shown yet
 let python = { text: "", lines: new Map() };
-let loading = false; // the blocks are put there by the page
 let frame = null; // the next one shows what has changed
-let writing = null; // the next update of the Python
+let changing = null; // the next look at what was changed
 
 const world = new World();
 const link = new Link({ receive, changed: connectionChanged, refused: askForCode, measured: showRoundTrip });
@@ -158,22 +157,25 @@ function setOutcome(text, level = "") {
   element("outcome").dataset.level = level;
 }
 
+// Blockly reports each part of a change, also a little later; where a block lies is no change of the program.
 function programChanged() {
-  if (!loading) runner.end(CHANGED);
-  writing ??= setTimeout(writePython, 150);
+  changing ??= setTimeout(() => {
+    changing = null;
+    const before = python.text;
+    writePython();
+    if (python.text !== before) runner.end(CHANGED);
+  });
 }
 
 function writePython() {
-  clearTimeout(writing);
-  writing = null;
   python = toPython(workspace, packageName(element("title").value), world.robot(world.chosen) ?? NO_ROBOT);
   element("python").replaceChildren(...python.text.trimEnd().split("\n").map((line) => create("div", "", line || " ")));
-  if (!loading) work.changed();
+  work.changed();
+  show();
 }
 
 function load(title, program) {
   runner.end(CHANGED);
-  loading = true;
   const before = currentProgram(workspace);
   try {
     showProgram(workspace, program);
@@ -185,7 +187,6 @@ function load(title, program) {
     notice.show(BROKEN, () => false);
     return false;
   } finally {
-    loading = false;
     showUnits();
   }
 }
