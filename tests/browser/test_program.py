@@ -30,8 +30,8 @@ PACKAGE = """const blob = []; const create = URL.createObjectURL;
 
 def run(page, world, speeds=FORWARD, button="run"):
     """Run the program until the wheels turn at these speeds, as far as the chip's steps can tell."""
-    page.click(f"#{button}")
-    page.wait_for(lambda: close(world.wheels(ROBOT), speeds), f"the wheels to turn at {speeds}")
+    world.hold(page, lambda: page.click(f"#{button}"), lambda: page.click("#end"), ROBOT,
+               lambda *wheels: close(wheels, speeds))
 
 
 def close(wheels, speeds):
@@ -59,13 +59,15 @@ def test_a_program_reads_its_robots_place_wheels_and_clock(blocks, world):
         "logic_compare", {"OP": "GTE"}, A=plug("robot_here", {"WHAT": "X"}), B=num(0.15)),
         DO=chain(wait(0.1), let("w", plug("robot_wheel", {"WHAT": "LEFT"}))))
     page = blocks(program(set_motion(0.5, 0), until, block("robot_stop"), show(var("w")),
-                          show(plug("robot_time")), show(plug("robot_here", {"WHAT": "X"})), variables="w"))
+                          show(plug("robot_time")), show(plug("robot_here", {"WHAT": "X"})),
+                          show(plug("robot_eye", {"WHAT": "MIDDLE"})), variables="w"))
     run(page, world)
     page.wait_for_text("outcome", "The program has ended.")
-    wheel, seconds, x = map(float, page.text("prints").split())
+    wheel, seconds, x, eye = map(float, page.text("prints").split())
     assert wheel == pytest.approx(0.5, abs=0.01)
     assert 0.4 < seconds < 5
-    assert 0.14 < x < 0.3
+    assert 0.14 < x < 0.4
+    assert eye == 1, "there is no line"
 
 
 ENDS = {
@@ -230,6 +232,22 @@ def test_a_package_is_accepted_by_the_lessons_and_drives_the_same(blocks, world,
     world.wait_for_stop(OTHER_ROBOT)
     assert [change.speeds for change in world.record.since(OTHER_ROBOT, begin)] == [each.speeds for each in by_node]
     assert float(page.text("prints")) == pytest.approx(float(node.log.read_text()), abs=10)
+
+
+def test_a_robot_in_si_units_has_them_on_its_blocks_and_in_its_python(blocks):
+    page = blocks(program(set_motion(0.3, 0), wait(0.5), block("robot_wheels", LEFT=num(0.5), RIGHT=num(0.5)), wait(9)))
+    page.wait_for(lambda: "power" in page.text("blocks"), "the workshop's units")
+    page.receive({"type": "robots", "robots": [{
+        "id": f"/{ROBOT}", "label": ROBOT, "color": "#808080", "workshop": False, "wheel_separation": 0.1125,
+        "max_speed": 0.6, "simulated": True}]})
+    page.wait_for(lambda: "m/s" in page.text("blocks"), "SI units")
+    assert "(right - left) / 0.1125 * 0.6" in page.text("python")
+    start = time.time()
+    page.click("#run")
+    page.wait_for_text("outcome", "Running")
+    page.wait_for(lambda: len([command for command in page.sent() if command.time > start and command.forward]) > 15,
+                  "commands")
+    assert {command.forward for command in page.sent() if command.time > start and command.forward} == {0.5}
 
 
 def test_the_keyboard_alone_builds_runs_and_stops_a_program(blocks, world):

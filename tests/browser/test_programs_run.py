@@ -118,6 +118,17 @@ def test_blocks_print_and_command_what_their_python_does(name, editor, monkeypat
     assert prints or len(commands) > 3 or name == "nothing"
 
 
+EXAMPLES = "import('/program/examples.js').then(({EXAMPLES}) => arguments[0](EXAMPLES))"
+SENSES = {"here X": 0.97, "eye LEFT": 0.3, "eye MIDDLE": 0, "eye RIGHT": 1}
+
+
+def test_the_examples_drive_and_their_python_is_a_program(editor):
+    for name, example in editor.driver.execute_async_script(EXAMPLES).items():
+        done = interpret(editor, example, SENSES)
+        assert not done["error"] and done["commands"], name
+        compile(python_of(editor, example), name, "exec")
+
+
 FAULTS = {
     "This calculation has no result.": program(show(calculate("DIVIDE", num(1), num(0)))),
     "Functions call functions too deep": program(block("procedures_callnoreturn"), functions=(
