@@ -148,6 +148,7 @@ function printed(text) {
 }
 
 function ended(sentence, block) {
+  showOutput();
   setOutcome(sentence || "The program has ended.", sentence ? "warning" : "");
   if (block && workspace.getBlockById(block)) Blockly.common.setSelected(workspace.getBlockById(block));
 }
