@@ -80,7 +80,8 @@ def test_a_request_of_another_form_is_refused(cockpit, change):
     assert post(cockpit, {**SAVE, **change})[0] == 400
 
 
-@pytest.mark.parametrize("body", [b"x", b"[]", b"[" * 100000, b'{"do":' * 20000, b"\xff"],
+@pytest.mark.parametrize("body", [b"x", b"[]", b"[" * 100000, b'{"do":' * 20000, b"\xff",
+                                  b'{"do":' + b"9" * 150000 + b"}"],
                          ids=lambda body: str(body[:9]))
 def test_what_is_no_request_is_refused(cockpit, body):
     assert post(cockpit, body)[0] == 400

@@ -17,6 +17,7 @@ class Kept(Nowhere):
     """What a class keeps, without a disk."""
 
     def __init__(self):
+        super().__init__()
         self.content = {}
 
     def read(self, name):

@@ -1,8 +1,7 @@
-// The teacher's sheet: which tasks are on, robot x task, and all programs, to look at or as one zip.
+// The teacher's sheet: which tasks are on, the best scores, and all programs, to look at or as one zip.
 
 import { create, element, setText } from "../dom.js";
 import { ask } from "./ask.js";
-import { Tasks } from "./tasks.js";
 import { zip } from "./zip.js";
 
 const FILE_MODE = 0o644;
@@ -12,7 +11,7 @@ export class Overview {
 
   // send(message); look(row): shows a program; download(name, bytes, type); world
   constructor({ send, look, download, world }) {
-    Object.assign(this, { look, download, world, tasks: new Tasks(send) });
+    Object.assign(this, { send, look, download, world });
     element("overview-button").addEventListener("click", () => this.toggle());
     element("close-overview").addEventListener("click", () => this.toggle(false));
     element("zip").addEventListener("click", () => this.downloadAll());
@@ -25,9 +24,26 @@ export class Overview {
   }
 
   show({ tasks, scores }) {
-    if (tasks) this.tasks.list(tasks);
+    if (tasks) element("task-switches").replaceChildren(...tasks.map((task) => this.toSwitch(task)));
     this.scores = scores ?? this.scores;
-    if (!element("overview").hidden) this.tasks.show(this.world.robots, this.scores);
+    if (!element("overview").hidden) this.showScores();
+  }
+
+  toSwitch({ name, title, on }) {
+    const [label, box] = [create("label", "", title), create("input")];
+    Object.assign(box, { type: "checkbox", checked: on });
+    box.addEventListener("change", () => this.send({ type: "offer", task: name, on: box.checked }));
+    label.prepend(box);
+    return label;
+  }
+
+  // Shows a row for each robot, a column for each task in which there is a score.
+  showScores() {
+    const titles = [...new Set(this.scores.map(({ task }) => task))];
+    const best = (robot, title) => this.scores.find((each) => each.task === title && each.robot === robot);
+    const cell = (robot, title) => best(robot, title)?.score.toFixed(1) ?? "–";
+    const rows = this.world.robots.map(({ label }) => row("td", [label, ...titles.map((title) => cell(label, title))]));
+    element("score-table").replaceChildren(row("th", ["Robot", ...titles]), ...rows);
   }
 
   async toggle(on = element("overview").hidden) {
@@ -68,6 +84,12 @@ export class Overview {
     }
     this.download("programs.zip", zip(files), "application/zip");
   }
+}
+
+function row(kind, texts) {
+  const made = create("tr");
+  made.append(...texts.map((text) => create(kind, "", text)));
+  return made;
 }
 
 function label(robot) {

@@ -1,6 +1,6 @@
 // A task from the page: Judge me puts the robot at its start, runs the program, and shows the score.
 
-import { create, element, inSeconds, setText } from "../dom.js";
+import { element, inSeconds, setText } from "../dom.js";
 
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
 const NO_ANSWER = "The judge did not put the robot at its start. Try again.";
@@ -82,43 +82,4 @@ export class Judging {
     setText(element("score"), text);
     setText(element("judge"), this.waiting ? "Cancel" : "Judge me");
   }
-}
-
-// What a teacher sees of the class: which tasks are on, the best scores, and everybody's programs.
-export class Tasks {
-  tasks = [];
-
-  // send(message)
-  constructor(send) {
-    this.send = send;
-  }
-
-  list(tasks) {
-    this.tasks = tasks;
-    element("task-switches").replaceChildren(...tasks.map(({ name, title, on }) => {
-      const [label, box] = [create("label", "", title), create("input")];
-      Object.assign(box, { type: "checkbox", checked: on });
-      box.addEventListener("change", () => this.send({ type: "offer", task: name, on: box.checked }));
-      label.prepend(box);
-      return label;
-    }));
-  }
-
-  // Shows a row for each robot, a column for each task in which there is a score.
-  show(robots, scores) {
-    const titles = [...new Set(scores.map(({ task }) => task))];
-    const best = (robot, title) => scores.find((each) => each.task === title && each.robot === robot);
-    const head = row("th", ["Robot", ...titles]);
-    const rows = robots.map(({ label }) => row("td", [label, ...titles.map((title) => {
-      const score = best(label, title);
-      return score ? score.score.toFixed(1) : "–";
-    })]));
-    element("score-table").replaceChildren(head, ...rows);
-  }
-}
-
-function row(kind, texts) {
-  const made = create("tr");
-  made.append(...texts.map((text) => create(kind, "", text)));
-  return made;
 }

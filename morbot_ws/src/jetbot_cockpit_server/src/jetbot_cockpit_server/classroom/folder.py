@@ -92,23 +92,16 @@ class ClassFolder:
             os.close(folder)
 
 
-class Nowhere:
-    """Stands for the folder of a class without a name: everything ends with the cockpit."""
+class Nowhere(ClassFolder):
+    """Stands for the folder of a class without a name: nothing is kept, and everything ends with the cockpit."""
 
-    problems: List[str] = []
+    def __init__(self):
+        self.problems = []
 
-    def names(self, prefix: str) -> List[str]:
-        """Return none."""
-        return []
+    def _do_nothing(self, *_):
+        return ()
 
-    def read(self, name: str) -> Any:
-        """Return None."""
-
-    def write(self, name: str, content: Any) -> None:
-        """Keep nothing."""
-
-    def remove(self, name: str) -> None:
-        """Nothing is kept."""
+    names = read = write = remove = _do_nothing
 
 
 def unusable(path: Path, error: OSError) -> InvalidValue:
