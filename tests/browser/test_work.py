@@ -81,3 +81,16 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     pupil.wait_for_text("score", "points")
     assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
     page.wait_for(lambda: page.run("return document.querySelector('#score-table').rows[1].cells.length") == 2, "it")
+
+
+def test_who_comes_back_in_a_new_browser_goes_on_with_the_newest_program(page, pupil, world):
+    rename(page, "Newest")
+    pupil.run("localStorage.clear()")
+    open_programs(pupil, pupil.driver.current_url)
+    pupil.wait_for(lambda: pupil.value("title") == "Newest", "the newest program")
+    pupil.driver.set_network_conditions(offline=True, latency=0, throughput=0)
+    pupil.type("title", "Changed without a network")
+    pupil.wait_for_text("kept", "does not answer")
+    pupil.driver.set_network_conditions(offline=False, latency=0, throughput=-1)
+    pupil.wait_for(lambda: pupil.text("kept") == "Kept", "the change to be kept")
+    pupil.errors()

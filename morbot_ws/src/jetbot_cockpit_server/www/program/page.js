@@ -204,7 +204,7 @@ function open(title, text) {
 
 async function openFile({ target }) {
   const [file] = target.files;
-  if (file) work.begin();
+  if (file) work.choose();
   if (file) open(file.name.replace(/\.json$/, "").slice(0, 40), await file.slice(0, MAX_FILE).text());
   target.value = "";
 }
@@ -302,7 +302,7 @@ element("save").addEventListener("click", saveProgram);
 element("package").addEventListener("click", savePackage);
 element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));
 element("examples").addEventListener("change", ({ target }) => {
-  if (target.value) work.begin();
+  if (target.value) work.choose();
   if (target.value) load(target.value, EXAMPLES[target.value]);
   target.value = "";
 });

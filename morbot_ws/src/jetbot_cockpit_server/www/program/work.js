@@ -32,10 +32,16 @@ export class Work {
 
   // What is shown from now on is another program; it is not kept until it is changed.
   begin(id = newId(), looking = false) {
-    Object.assign(this, { id, looking, shown: null });
+    Object.assign(this, { id, looking, shown: null, touched: false });
     element("copy").hidden = true;
     this.tell(looking ? "To look at only." : "");
     this.lock(looking);
+  }
+
+  // The person shows something else: it stays, whatever the cockpit has.
+  choose() {
+    this.begin();
+    this.touched = true;
   }
 
   // Shows what this device kept when the page was left.
@@ -51,21 +57,16 @@ export class Work {
   update(robot, changes) {
     if (!robot || changes === undefined) return;
     const { restored } = this;
+    const first = this.robot === null; // what has no robot yet becomes this one's
+    const other = robot !== this.robot;
     this.restored = null;
-    if (robot !== this.robot) this.use(robot);
-    else if (restored?.unsaved) this.keep(restored);
+    if (other && !first) this.begin();
+    if (other) Object.assign(this, { robot, changes: undefined, openNewest: true });
+    if (restored) this.reopen = !restored.unsaved;
+    if (restored?.unsaved && (first || !other)) this.keep(restored);
+    else if (first && this.touched) this.keep(this.current());
     if (changes !== this.changes) this.refresh(robot);
     this.changes = changes;
-  }
-
-  // Another robot was chosen: shows its newest program. What has no robot yet becomes this one's.
-  use(robot) {
-    const first = this.robot === null;
-    this.robot = robot;
-    this.changes = undefined;
-    if (first) return;
-    this.begin();
-    this.openNewest = true;
   }
 
   async refresh(robot) {
@@ -80,11 +81,14 @@ export class Work {
     this.list();
     const row = this.rows.find(({ id }) => id === this.id);
     const idle = !this.pending.size && !this.saving && !this.looking;
-    if (row && idle && row.version !== this.versions.get(this.id)) this.refuse(CHANGED);
+    if (row && idle && row.version !== this.versions.get(this.id)) {
+      if (this.reopen) this.open(this.id);
+      else this.refuse(CHANGED);
+    }
     if (!row && idle && this.versions.has(this.id)) this.keep(this.current()); // the cockpit was started again
     const newest = this.rows.find(({ deleted }) => !deleted);
-    if (this.openNewest && newest) this.open(newest.id);
-    this.openNewest = false;
+    if (this.openNewest && newest && !this.touched) this.open(newest.id);
+    this.openNewest = this.reopen = false;
   }
 
   // The blocks or the name may have changed.
@@ -99,6 +103,7 @@ export class Work {
   }
 
   keep({ name, program }) {
+    this.touched = true;
     store({ robot: this.robot, id: this.id, version: this.versions.get(this.id), name, program, unsaved: true });
     if (!this.robot || !element("copy").hidden) return;
     if (new TextEncoder().encode(program).length > MAX_SIZE) return this.tell(TOO_LARGE, true);
@@ -172,6 +177,7 @@ export class Work {
 
   create() {
     this.display("Program", "");
+    this.touched = true;
     this.toggle(false);
   }
 
