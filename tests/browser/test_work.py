@@ -77,6 +77,12 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     page.click("#task-switches input")
     pupil.wait_for(lambda: pupil.element("judge").is_displayed(), "the task")
     pupil.set("examples", "Drive until I am there")
+    with world.stops(ROBOT, what="a stop before the robot is at its start"):
+        pupil.click("#judge")
+        page.click("#stop")
+    pupil.wait_for_text("score", "cancelled")
+    page.click("#release")
+    pupil.wait_for(lambda: not pupil.run("return document.body.classList.contains('emergency')"), "the release")
     pupil.click("#judge")
     pupil.wait_for_text("score", "points")
     assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
