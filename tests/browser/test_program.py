@@ -113,7 +113,7 @@ def test_a_page_that_freezes_stops_the_robot_and_its_program_does_not_go_on(bloc
             page.signal(signal.SIGSTOP)
     finally:
         page.signal(signal.SIGCONT)
-    page.wait_for(lambda: page.text("outcome") not in ("", "Running"), "the end")
+    page.wait_for_text("outcome", "This page was interrupted")
     world.stay_stopped(ROBOT, for_seconds=1.0)
 
 
@@ -138,6 +138,17 @@ def test_pause_step_and_slow(blocks, world):
     start = time.time()
     run(page, world)
     assert time.time() - start > 0.9, "a slow program waits for a second before each block"
+
+
+def test_the_clock_stands_during_a_pause(blocks, world):
+    page = blocks(program(drive(0.5, 1), show(plug("robot_time"))))
+    run(page, world)
+    page.click("#pause")
+    world.wait_for_stop(ROBOT, "Pause")
+    world.stay_stopped(ROBOT, for_seconds=1.5)
+    run(page, world, button="pause")
+    page.wait_for_text("outcome", "The program has ended.")
+    assert float(page.text("prints")) == pytest.approx(1, abs=0.3)
 
 
 def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blocks, world):

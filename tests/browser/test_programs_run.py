@@ -151,6 +151,12 @@ def test_what_cannot_be_run_is_named_in_a_sentence(sentence, editor):
     assert interpret(editor, FAULTS[sentence])["error"].startswith(sentence)
 
 
+def test_no_text_ends_a_line_of_the_python(editor):
+    source = python_of(editor, program(show(plug("text", {"TEXT": "a\rimport os\x0cb\nc"}))))
+    assert not set("\r\x0c") & set(source)
+    assert "print('aimport osb\\nc')" in source
+
+
 def test_a_loop_without_a_wait_lets_the_page_have_its_turn(editor):
     endless = program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"})))
     assert interpret(editor, endless)["steps"] > 20000
