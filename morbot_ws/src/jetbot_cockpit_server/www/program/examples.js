@@ -20,6 +20,7 @@ const compare = (left, operator, right) => plug("logic_compare", { OP: operator 
 const variable = (id) => ({ VAR: { id } });
 const get = (id) => plug("variables_get", variable(id));
 const assign = (id, value) => ({ type: "variables_set", fields: variable(id), inputs: { VALUE: value } });
+const leave = { type: "controls_flow_statements", fields: { FLOW: "BREAK" } };
 const eye = (side) => plug("robot_eye", { WHAT: side });
 
 const program = (blocks, variables = [], others = []) => ({
@@ -57,11 +58,12 @@ export const EXAMPLES = {
     stop, print(plug("robot_here", { WHAT: "X" })),
   ]),
   "Follow the line": program([loop({
-    type: "controls_if", extraState: { elseIfCount: 1, hasElse: true },
+    type: "controls_if", extraState: { elseIfCount: 2, hasElse: true },
     inputs: {
       IF0: compare(eye("LEFT"), "LT", num(0.5)), DO0: body(set(0.2, 0.1)),
       IF1: compare(eye("RIGHT"), "LT", num(0.5)), DO1: body(set(0.2, -0.1)),
+      IF2: compare(eye("MIDDLE"), "GT", num(0.9)), DO2: body(leave),
       ELSE: body(set(0.3, 0)),
     },
-  })]),
+  }), stop]),
 };
