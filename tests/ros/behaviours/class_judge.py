@@ -45,10 +45,11 @@ class ClassJudge(RobotTest):
 
     def test_an_interruption_ends_it_and_a_new_request_begins_again(self):
         self.ask("metre")
-        driver = rospy.Publisher("/jetbot_simulator/world", String, queue_size=1, latch=True)
-        driver.publish("walls: [[[1, 1], [2, 2]]]")
+        world = rospy.Publisher("/jetbot_simulator/world", String, queue_size=1, latch=True)
+        world.publish("walls: [[[1, 1], [2, 2]]]")
         self.wait_for(lambda: self.states[-1][1] == "cancelled", START_TIMEOUT, "its end")
         self.assertIn("Walls or lines around the robot were changed", self.states[-1][2])
-        driver.unregister()
+        self.wait_for(lambda: "Walls or lines" in read(self.judge), START_TIMEOUT, "its row")
+        world.unregister()
         self.ask("quarter")
         self.ask("metre")

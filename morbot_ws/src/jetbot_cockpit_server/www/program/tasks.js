@@ -74,8 +74,8 @@ export class Judging {
   follow(task) {
     if (!["done", "cancelled"].includes(task?.state)) return;
     this.judged = null;
-    const points = task.state === "done" ? `${task.title}: ${task.score.toFixed(1)} points, ${inSeconds(task.seconds)}. ` : "";
-    this.say(points + task.text);
+    const { state, title, score, seconds, text } = task;
+    this.say(state === "done" ? `${title}: ${score.toFixed(1)} points, ${inSeconds(seconds)}. ${text}` : text);
   }
 
   say(text) {

@@ -24,6 +24,7 @@ export class Work {
   constructor({ show, current, lock }) {
     Object.assign(this, { show, current, lock });
     this.begin();
+    this.shown = null; // the first program is still to come
     element("programs").addEventListener("click", () => this.toggle());
     element("close-work").addEventListener("click", () => this.toggle(false));
     element("new").addEventListener("click", () => this.create());
@@ -32,7 +33,7 @@ export class Work {
 
   // What is shown from now on is another program; it is not kept until it is changed.
   begin(id = newId(), looking = false) {
-    Object.assign(this, { id, looking, shown: null, touched: false });
+    Object.assign(this, { id, looking, touched: false, shown: JSON.stringify(this.current()) });
     element("copy").hidden = true;
     this.tell(looking ? "To look at only." : "");
     this.lock(looking);
@@ -41,7 +42,7 @@ export class Work {
   // The person shows something else: it stays, whatever the cockpit has.
   choose() {
     this.begin();
-    this.touched = true;
+    Object.assign(this, { shown: null, touched: true });
   }
 
   // Shows what this device kept when the page was left.
@@ -184,6 +185,7 @@ export class Work {
   // What cannot be shown is not overwritten by what is shown instead.
   display(name, program, id = newId(), looking = false) {
     this.begin(id, looking);
+    this.shown = null; // the blocks come back a little different
     if (!this.show(name, program)) this.begin();
   }
 
