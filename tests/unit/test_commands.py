@@ -7,7 +7,7 @@ import pytest
 
 from conftest import ROOT
 
-COMMANDS = "run test setup shell doctor calibrate check stop help"
+COMMANDS = "run test setup shell doctor calibrate check stop forget help"
 
 
 def morbot(*words, **environment):
