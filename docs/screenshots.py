@@ -21,22 +21,26 @@ from geometry_msgs.msg import Twist
 
 DOCS = Path(__file__).resolve().parent
 sys.path += [str(DOCS.parent / "tests"), str(DOCS.parent / "tests/ros")]
+from browser import programs  # noqa: E402
 from browser.page import Page  # noqa: E402
 
 from processes import end, end_on_sigterm, free_port, start  # noqa: E402
 
-PHONE, DESKTOP = (390, 844, 2), (1280, 800, 1)  # width and height in CSS pixels; pixels per CSS pixel
+PHONE, TABLET, DESKTOP = (390, 844, 2), (1024, 768, 1), (1280, 800, 1)  # width, height in CSS pixels; pixels per one
 COLORS = 128            # of a PNG
 START_TIMEOUT = 120.0   # s
 STEP = 0.5              # s
 CLASS = 15
 EIGHT = [(0.9, 0.25, 9.5), (0.9, -0.25, 7.5)]  # what the pad is given: forward, left, s
+TURN = programs.block("robot_turn", {"SIDE": "LEFT"}, Z=programs.num(0.1), SECONDS=programs.num(1.47))
+SQUARE = programs.program(programs.block(
+    "controls_repeat_ext", TIMES=programs.num(4), DO=programs.chain(programs.drive(0.5, 2), TURN)))
 ONE = ["simulation", "simulation.launch", "cockpit:=true", "rviz:=false"]
 
 
 def main() -> None:
     end_on_sigterm()  # the nodes and the browser, too
-    wanted = sys.argv[1:] or ["cockpit_desktop.png", "cockpit_phone.png", "cockpit_class.png"]
+    wanted = sys.argv[1:] or ["cockpit_desktop.png", "cockpit_phone.png", "cockpit_class.png", "program_tablet.png"]
     if "cockpit_desktop.png" in wanted:
         with launched(*ONE) as address:
             take(address, DESKTOP, "cockpit_desktop.png")
@@ -46,6 +50,9 @@ def main() -> None:
     if "cockpit_class.png" in wanted:
         with launched("jetbot_cockpit", "class.launch", f"robots:={CLASS}") as address, others_drive():
             take(address, DESKTOP, "cockpit_class.png", CLASS)
+    if "program_tablet.png" in wanted:
+        with launched(*ONE) as address:
+            take_program(f"{address}/program", "program_tablet.png")
 
 
 @contextlib.contextmanager
@@ -79,6 +86,29 @@ def wait_for_page(address: str) -> None:
 
 def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -> None:
     """Open the page, drive an eight with the pad, a circle in a class, and save what the page shows meanwhile."""
+    with opened(address, size, robots) as page:
+        for forward, left, seconds in EIGHT if robots == 1 else EIGHT[:1]:
+            drive(page, forward, left, seconds)
+        if robots > 1:
+            page.run("document.getElementById('fit').click()")
+            time.sleep(STEP)
+        save(page, DOCS / name)
+
+
+def take_program(address: str, name: str) -> None:
+    """Open the page for programs, run the lesson's square, and save what the page shows meanwhile."""
+    with opened(address, TABLET) as page, tempfile.TemporaryDirectory() as folder:
+        page.element("file").send_keys(programs.as_file(Path(folder), SQUARE))
+        page.type("title", "square")
+        page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
+        page.click("#run")
+        page.wait_for(lambda: "0.5" in page.text_of("#python .now"), "the first side to run")
+        save(page, DOCS / name)
+
+
+@contextlib.contextmanager
+def opened(address: str, size: Tuple[int, int, int], robots: int = 1) -> Iterator[Page]:
+    """Open a page in light colours, on a screen of this size, with so many robots."""
     width, height, scale = size
     with tempfile.TemporaryDirectory() as profile, contextlib.closing(Page(Path(profile))) as page:
         page.media(prefers_color_scheme="light")
@@ -86,12 +116,7 @@ def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -
         page.screen(width, height, touch=width < height, scale=scale)
         page.driver.execute_cdp_cmd("Emulation.setScrollbarsHidden", {"hidden": True})
         page.wait_for(lambda: len(page.robots()) == robots, "all robots", START_TIMEOUT)
-        for forward, left, seconds in EIGHT if robots == 1 else EIGHT[:1]:
-            drive(page, forward, left, seconds)
-        if robots > 1:
-            page.run("document.getElementById('fit').click()")
-            time.sleep(STEP)
-        save(page, DOCS / name)
+        yield page
 
 
 def drive(page: Page, forward: float, left: float, seconds: float) -> None:

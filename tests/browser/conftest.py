@@ -4,8 +4,10 @@ import shutil
 
 import pytest
 
+from .programs import as_file
 from .world import World
 
+TABLET = (1024, 768)  # px
 ROBOT, OTHER_ROBOT = "jetbot_01", "jetbot_02"
 
 
@@ -41,8 +43,24 @@ def world(browsers, tmp_path_factory):
 @pytest.fixture
 def page(world, browsers):
     """A teacher's page on a phone, with ROBOT chosen; nothing drives before and after the test."""
+    yield from opened(browsers(1), world, world.address)
+
+
+@pytest.fixture
+def blocks(world, browsers, tmp_path):
+    """A function that opens a program in the teacher's page for programs, on a tablet, and returns the page."""
+    def load(content):
+        page.element("file").send_keys(as_file(tmp_path, content))
+        return page
     page = browsers(1)
-    page.open(world.address, ROBOT)
+    for _ in opened(page, world, f"{world.address}program"):
+        page.screen(*TABLET)
+        yield load
+
+
+def opened(page, world, url):
+    """Open a page; check that it logs no error, and that all robots stop after the test."""
+    page.open(url, ROBOT)
     page.errors()
     yield page
     errors = page.errors()

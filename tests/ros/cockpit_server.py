@@ -8,6 +8,7 @@ import time
 
 import pytest
 
+from jetbot_cockpit_server.classroom.classroom import Classroom
 from jetbot_cockpit_server.session.hub import Hub
 from jetbot_cockpit_server.web.access import Access, make_grants
 from jetbot_cockpit_server.web.addresses import listen
@@ -64,9 +65,10 @@ class Cockpit:
         sockets = listen(0, lan=False)
         self.port = sockets[0].getsockname()[1]
         self.access = Access(self.port, ["class.test"], GRANTS)
-        self.control = StandIn()
-        self.server = Server(sockets, self.access, Hub(
-            self.control, [Card(grant, "class.test", self.port).message() for grant in GRANTS], self.control))
+        self.control, self.classroom = StandIn(), Classroom()
+        cards = [Card(grant, "class.test", self.port).message() for grant in GRANTS]
+        hub = Hub(self.control, cards, self.control)
+        self.server = Server(sockets, self.access, hub, self.classroom)
         self.server.start()
 
     def headers(self, name="localhost", **headers):

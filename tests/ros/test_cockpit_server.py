@@ -28,7 +28,16 @@ def test_every_answer_has_the_headers_that_protect_the_page(cockpit):
         assert not {"server", "access-control-allow-origin"} & set(answer.headers)
 
 
-@pytest.mark.parametrize("path", ["/../package.xml", "/%2e%2e/package.xml", "/www/index.html", "//etc/passwd",
+def test_only_the_page_for_programs_lets_blockly_insert_styles_and_no_page_other_scripts(cockpit):
+    policies = {path: request(cockpit.port, "GET", path, cockpit.headers()).headers["content-security-policy"]
+                for path in ("/", "/program", "/program.html", "/program/page.js", "/vendor/blockly/msg/en.js")}
+    styled = [path for path, policy in policies.items() if "style-src 'self' 'unsafe-inline'" in policy]
+    assert styled == ["/program", "/program.html"]
+    assert not [policy for policy in policies.values() if "script-src" in policy or "unsafe-eval" in policy]
+
+
+@pytest.mark.parametrize("path", ["/vendor/blockly/SHA256SUMS", "/program/", "/../package.xml",
+                                  "/%2e%2e/package.xml", "/www/index.html", "//etc/passwd",
                                   "/index.html/", "/.", "/main.js%00", "/socket/", "/login/"])
 def test_nothing_but_the_pages_files_is_served(cockpit, path):
     assert request(cockpit.port, "GET", path, cockpit.headers()).status == 404

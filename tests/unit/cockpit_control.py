@@ -5,6 +5,7 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 
 import pytest
 
+from jetbot_cockpit_server.classroom.classroom import Classroom
 from jetbot_cockpit_server.session.collection import Collection
 from jetbot_cockpit_server.session.control import Control
 from jetbot_cockpit_server.session.protocol import Message
@@ -23,7 +24,7 @@ class FakeRobots:
     def __init__(self):
         self.now = Snapshot({name: Robot(name, geometry=WORKSHOP, simulated=True, status="driving")
                              for name in ("/red", "/blue")})
-        self.were_reset, self.reports = [], []
+        self.were_reset, self.reports, self.offered, self.judged = [], [], (), []
 
     def snapshot(self):
         return self.now
@@ -36,6 +37,15 @@ class FakeRobots:
             self.now = self.now._replace(emergency=engaged)
         else:
             self.change(robot, stopped=engaged)
+
+    def senses(self, robot):
+        return {"pose": [1, 2, 3], "line": None, "wheels": [0, 0]}
+
+    def tasks(self):
+        return self.offered
+
+    def judge(self, robot, task):
+        self.judged.append((robot, task))
 
     def report_driver(self, robot, name, interruption):
         if self.reports[-1:] != [(robot, name, interruption)]:
@@ -56,6 +66,9 @@ class FakeDrivers:
         accepted = self._switches.setdefault(robot, DeadMan()).feed(now)
         self.velocities[robot] = velocity if accepted else STOPPED
         return accepted
+
+    def hold(self, robot):
+        return True
 
     def keep_waiting(self, robot, waiting):
         (self.waiting.add if waiting else self.waiting.discard)(robot)
@@ -87,10 +100,11 @@ class FakeCameras:
 class Cockpit:
     """Control, and pads that are held down as the pages hold them. pictures: the folder for those that are saved."""
 
-    def __init__(self, pictures=False):
+    def __init__(self, pictures=False, folder=None):
         self.robots, self.drivers, self.time = FakeRobots(), FakeDrivers(), 100.0
         self.cameras, self.collection = FakeCameras(), Collection(pictures)
-        self.control = Control(self.robots, self.drivers, self.cameras, self.collection)
+        self.classroom = Classroom(folder)
+        self.control = Control(self.robots, self.drivers, self.cameras, self.collection, self.classroom)
         self.control.check(self.time)
 
     def do(self, client, message):

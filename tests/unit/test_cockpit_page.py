@@ -5,10 +5,12 @@ import re
 import pytest
 
 from conftest import ROOT
+from jetbot_cockpit_server.web.handlers import PAGES
 
 WWW = ROOT / "morbot_ws/src/jetbot_cockpit_server/www"
-PAGE = (WWW / "index.html").read_text()
-SCRIPTS = sorted(WWW.glob("*.js"))
+PAGE, PROGRAM = ((WWW / name).read_text() for name in ("index.html", "program.html"))
+PADS, PROGRAMS = (sorted(WWW.glob(names)) for names in ("*.js", "program/*.js"))
+SCRIPTS = PADS + PROGRAMS
 LIGHT, DARK = (dict(re.findall(r"--([\w-]+): (#\w{6})", block))
                for block in re.findall(r":root \{(.*?)\}", (WWW / "style.css").read_text(), re.S))
 TEXTS = {"text": "ground surface calm-ground", "muted": "ground surface calm-ground", "accent": "ground surface",
@@ -20,15 +22,19 @@ def test_the_page_has_its_binding_ids(name):
     assert PAGE.count(f'id="{name}"') == 1
 
 
-def test_each_element_that_a_script_uses_is_in_the_page():
-    used = {name for script in SCRIPTS for name in re.findall(r'element\("([^"]+)"\)', script.read_text())}
-    assert {name for name in used if f'id="{name}"' not in PAGE} == set()
+@pytest.mark.parametrize("page, scripts", [
+    (PAGE, PADS), (PROGRAM, [*PROGRAMS, *(WWW / name for name in ("stops.js", "login.js", "link.js"))])],
+    ids=["pad", "program"])
+def test_each_element_that_a_script_uses_is_in_the_page(page, scripts):
+    used = {name for script in scripts for name in re.findall(r'element\("([^"]+)"\)', script.read_text())}
+    assert {name for name in used if f'id="{name}"' not in page} - {"name"} == set()
 
 
 def test_each_file_that_is_loaded_exists():
-    loaded = re.findall(r'(?:src|href)="([^"]+)"', PAGE)
-    imported = [name for script in SCRIPTS for name in re.findall(r'from "\./([^"]+)"', script.read_text())]
-    assert {name for name in [*loaded, *imported] if not (WWW / name).is_file()} == set()
+    loaded = {WWW / PAGES.get(name.strip("/"), name) for name in re.findall(r'(?:src|href)="([^"]+)"', PAGE + PROGRAM)}
+    imported = {script.parent / name for script in SCRIPTS
+                for name in re.findall(r'from "(\.[^"]+)"', script.read_text())}
+    assert {file for file in loaded | imported if not file.is_file()} == set()
 
 
 def test_nothing_stands_inline_or_comes_from_another_host():

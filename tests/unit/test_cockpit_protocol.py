@@ -10,8 +10,8 @@ from conftest import ROOT
 from jetbot_cockpit_server.session import hub, protocol
 from jetbot_cockpit_server.session.protocol import Message, ProtocolError, parse
 
-FROM_PAGE, FROM_COCKPIT = (ROOT / "docs/protocol.md").read_text().split("## The page sends")[1].split(
-    "## The cockpit sends")
+SOCKET, _, KEPT = (ROOT / "docs/protocol.md").read_text().partition("## Programs that are kept")
+FROM_PAGE, FROM_COCKPIT = SOCKET.split("## The page sends")[1].split("## The cockpit sends")
 
 
 @pytest.mark.parametrize("fields", [

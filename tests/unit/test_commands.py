@@ -7,7 +7,7 @@ import pytest
 
 from conftest import ROOT
 
-COMMANDS = "run test setup shell doctor calibrate check stop help"
+COMMANDS = "run test setup shell doctor calibrate check stop forget help"
 
 
 def morbot(*words, **environment):
@@ -28,7 +28,7 @@ def without_python(tmp_path):
 
 @pytest.mark.parametrize("typed, meant", [
     ("rnu", "run"), ("Run", "run"), ("--run", "run"), ("docter", "doctor"), ("calibarte", "calibrate"),
-    ("STOP", "stop")])
+    ("STOP", "stop"), ("forgett", "forget")])
 def test_a_mistyped_command_is_refused_with_what_was_meant(typed, meant):
     assert morbot(typed) == (2, f"morbot: there is no command {typed}. Did you mean ./morbot {meant}?\n")
 

@@ -12,7 +12,7 @@ from driving_tasks.scoring.score import TOLERANCE
 from driving_tasks.scoring.tasks import TASKS as ROWS
 
 GUIDE = (ROOT / "docs/teaching.md").read_text()
-PAGES = ["phone.md", *(page.name for page in (ROOT / "docs/lessons").glob("[0-9]*.md"))]
+PAGES = ["phone.md", "tablet.md", *(page.name for page in (ROOT / "docs/lessons").glob("[0-9]*.md"))]
 TABLES = [[[cell.strip() for cell in line.strip("|").split(" | ")] for line in table.splitlines()]
           for table in re.findall(r"(?:^\|.*\|\n)+", GUIDE, re.MULTILINE)]
 SAID = [row[1] for table in TABLES if table[0][1:2] == ["the software says"] for row in table[2:]]
@@ -37,7 +37,8 @@ def texts():
     """All texts of the programs and pages of which pupils see some."""
     files = [file for folder in ("src", "scripts") for package in (*SOURCE.parent.iterdir(), TASKS)
              for file in (package / folder).rglob("*.py")]
-    scripts = "".join(file.read_text() for file in sorted(SOURCE.parent.rglob("www/*.js")))
+    pages = [page for each in ("www/*.js", "www/program/*.js") for page in sorted(SOURCE.parent.rglob(each))]
+    scripts = "".join(page.read_text() for page in pages)
     return [*(text for file in files for text in texts_of(file.read_text())), *scripts.splitlines()]
 
 
@@ -51,7 +52,7 @@ def test_the_software_says_each_quoted_sentence(quote, texts):
 
 def test_sentences_are_quoted_for_each_lesson():
     sections = re.split(r"^## ", GUIDE, flags=re.MULTILINE)
-    lessons = [section for section in sections if re.match(r"(Phone|\d+):", section)]
+    lessons = [section for section in sections if re.match(r"(Phone|Tablet|\d+):", section)]
     assert len(lessons) == len(PAGES)
     for part in "**Goal.**", "**Reached**", "the software says", "**Slow:**", "**Fast:**", "**Answers.**":
         assert [section.splitlines()[0] for section in lessons if part not in section] == []

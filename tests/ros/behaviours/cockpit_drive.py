@@ -12,6 +12,7 @@ from std_srvs.srv import Empty, EmptyResponse
 from tf2_msgs.msg import TFMessage
 
 from harness import CONTROLLER, START_TIMEOUT, RobotTest, near, publishers
+from jetbot_cockpit_server.classroom.classroom import Classroom
 from jetbot_cockpit_server.robots.discovery import Robots
 from jetbot_cockpit_server.robots.publishers import Drivers
 from jetbot_cockpit_server.session.collection import Collection
@@ -50,7 +51,8 @@ class CockpitDrive(RobotTest):
     def setUp(self):
         super().setUp()
         self.bus, self.processes = self.host.bus, []
-        self.control, self.lock = Control(self.robots, self.drivers, None, Collection(False)), threading.Lock()
+        self.control = Control(self.robots, self.drivers, None, Collection(False), Classroom())
+        self.lock = threading.Lock()
         self.addCleanup(self.drivers.close)
         checks = rospy.Timer(rospy.Duration(0.05), self.check)
         self.addCleanup(checks.shutdown)

@@ -1,5 +1,6 @@
 """The cockpit beside a robot, as ./morbot run starts it, and with a class: one page, which no robot needs to drive."""
 
+import json
 import os
 import signal
 import socket
@@ -80,10 +81,11 @@ class CockpitLaunch(RobotTest):
         statuses = {name: self.record(f"{name}/jetbot_controller/status", String) for name in CLASS}
         poses = {name: self.record(f"{name}/jetbot_simulator/ground_truth", Odometry, pose_of) for name in CLASS}
         launch = self.start("roslaunch", "jetbot_cockpit", "class.launch", "robots:=2", "lan:=true",
-                            f"port:={self.port}", env=self.environment)
+                            f"port:={self.port}", "class:=7", f"classes:={self.folder}", env=self.environment)
         self.wait_for(self.is_served, START_TIMEOUT, "the page")
         self.wait_for(lambda: all(statuses.values()), START_TIMEOUT, "both robots")
         self.wait_for(lambda: read(launch).count(f":{self.port}/#") == 1 + len(CLASS), 10.0, "a code for each")
+        self.assertEqual(len(json.loads(Path(self.folder, "7/codes.json").read_text())), 1 + len(CLASS), "kept")
         self.assertEqual(self.open_ports(), {self.port})
         self.wait_for(lambda: all(poses.values()), START_TIMEOUT, "the simulator")
         os.kill(pid(f"{CLASS[0]}/jetbot_controller"), signal.SIGKILL)

@@ -21,6 +21,7 @@ import time
 import rospy
 
 from jetbot import JetbotError
+from jetbot_cockpit_server.classroom.classroom import open_classroom
 from jetbot_cockpit_server.parameters import PARAMETERS, resolve
 from jetbot_cockpit_server.robots.cameras import Cameras
 from jetbot_cockpit_server.robots.discovery import Robots
@@ -54,7 +55,8 @@ class Cockpit:
         self.browser = given["browser"]
 
         # Who gets in, and what is handed out: other computers need a code
-        grants = make_grants(given["robots"]) if given["lan"] else []
+        self.classroom = open_classroom(given["classes"], given["class"])
+        grants = self.grants(given["robots"]) if given["lan"] else []
         names = [given["name"]] if given["name"] else addresses.lan_addresses()
         self.access = Access(self.port, [*names, *addresses.host_names()] if given["lan"] else [], grants)
         self.cards = [handout.Card(grant, (names or ["localhost"])[0], self.port) for grant in grants]
@@ -62,10 +64,17 @@ class Cockpit:
         # What clients ask for goes into the control, and what the robots report comes out
         self.drivers = Drivers()
         cameras = Cameras()
-        self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]))
+        self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]), self.classroom)
         hub = Hub(self.control, [card.message() for card in self.cards], cameras)
-        self.server = Server(sockets, self.access, hub)
+        self.server = Server(sockets, self.access, hub, self.classroom)
         self.logged, self.no_robot_at = Snapshot(), time.monotonic() + NO_ROBOT_AFTER
+
+    def grants(self, robots):
+        """Return who gets in, by the codes that the class has already, and keep the new ones."""
+        kept = self.classroom.read("codes", dict)
+        grants = make_grants(robots, kept)
+        self.classroom.write("codes", {**kept, **{each.label: [each.code, each.cookie] for each in grants}})
+        return grants
 
     def run(self):
         """Serve until a signal, the end of rospy or of roslaunch."""
@@ -85,7 +94,7 @@ class Cockpit:
     def log_changes(self):
         """Log which robots have come, ended or fallen silent since the last call, and from where nobody gets in."""
         before, self.logged = self.logged, self.control.snapshot
-        lines = [*self.logged.changes_since(before), *self.access.take_log()]
+        lines = [*self.logged.changes_since(before), *self.access.take_log(), *self.classroom.take_problems()]
         if self.logged.robots:
             self.no_robot_at = math.inf
         if time.monotonic() > self.no_robot_at:

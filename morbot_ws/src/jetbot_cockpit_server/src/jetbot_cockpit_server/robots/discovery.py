@@ -3,7 +3,7 @@
 import re
 import threading
 import time
-from typing import Dict, FrozenSet, Iterable, Optional, Set
+from typing import Dict, FrozenSet, Iterable, Optional, Set, Tuple
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
@@ -13,6 +13,7 @@ from jetbot_ros.holds import EMERGENCY_STOP
 
 from ..parameters import MAX_ROBOTS
 from ..session.snapshot import Snapshot
+from .judge import Judge
 from .map_topics import Frames
 from .topics import CONTROLLER, SIMULATOR_RESET, EmergencyStop, RobotTopics
 
@@ -29,7 +30,7 @@ class Robots:
         self._robots: Dict[str, RobotTopics] = {}  # replaced, never changed
         self._commanded: FrozenSet[str] = frozenset()
         self._frames = Frames()
-        self._emergency_stop = EmergencyStop(STOP_TOPIC)
+        self._emergency_stop, self._judge = EmergencyStop(STOP_TOPIC), Judge()
         self._answered_at = time.monotonic()
         rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics)
         threading.Thread(target=self._run, daemon=True).start()
@@ -50,6 +51,18 @@ class Robots:
             self._emergency_stop.set(engaged)
         elif robot in self._robots:
             self._robots[robot].emergency_stop.set(engaged)
+
+    def senses(self, robot: str) -> dict:
+        """Return what a program may read of the robot now; docs/protocol.md explains it."""
+        return self._robots[robot].senses(time.monotonic()) if robot in self._robots else {}
+
+    def tasks(self) -> Tuple[Tuple[str, str], ...]:
+        """Return (name, title) of each task that a judge offers now."""
+        return self._judge.tasks()
+
+    def judge(self, robot: str, task: str) -> None:
+        """Ask the judge to put a robot at the start of a task, and to judge its next drive."""
+        self._judge.request(robot, task)
 
     def report_driver(self, robot: str, name: str, interruption: str) -> None:
         """Publish who drives a robot, "" for nobody or no name, and what has interrupted that, "" for nothing."""
@@ -81,6 +94,7 @@ class Robots:
         for name in found:
             robots[name] = robots.get(name) or RobotTopics(name, self._frames)
         for name, robot in robots.items():
+            robot.follow_line()
             robot.simulated = name.rstrip("/") + SIMULATOR_RESET in services
         self._robots = dict(sorted(robots.items()))
         self._commanded = frozenset(name for name in robots if {

@@ -41,6 +41,10 @@ class Drivers:
         if robot in self._drivers:
             self._drivers[robot].let_go()
 
+    def hold(self, robot: str) -> bool:
+        """Keep the robot's publisher while it stands; return whether a controller is connected to it."""
+        return self._driver(robot).hold()
+
     def keep_waiting(self, robot: str, waiting: bool) -> None:
         """Let programs that command the robot wait until False, by zeros while nobody drives it."""
         self._driver(robot).keep_waiting(waiting)
@@ -80,6 +84,7 @@ class Driver(rospy.SubscribeListener):
         self._pending = False  # something is to be sent
         self._waiting = False  # programs are to wait: zeros are repeated
         self._runs = False     # the thread
+        self._connected = False  # a subscriber, to the publisher
         self.sent_at = -math.inf
         self._condition = threading.Condition()
         self.idle = threading.Event()
@@ -94,6 +99,14 @@ class Driver(rospy.SubscribeListener):
             self.idle.clear()
             self._start()
         return True
+
+    def hold(self) -> bool:
+        """Send a zero unless the robot is driven, so that the publisher stays; return whether it is connected."""
+        with self._condition:
+            if self._velocity == ZERO:
+                self._send(ZERO)
+                self._start()
+            return self._connected
 
     def keep_waiting(self, waiting: bool) -> None:
         """Repeat zeros while the robot is not driven (True), or end that."""
@@ -117,6 +130,7 @@ class Driver(rospy.SubscribeListener):
     def peer_subscribe(self, *_) -> None:
         """A controller has connected: send it what was commanded before."""
         with self._condition:
+            self._connected = True
             self._send(self._velocity)
 
     def _start(self):
@@ -154,6 +168,7 @@ class Driver(rospy.SubscribeListener):
             self._runs = self._pending or self._waiting or self._velocity != ZERO
             self._pending = False
             if not self._runs:
+                self._connected = False
                 return None
             self.sent_at = time.monotonic()
             return self._velocity

@@ -25,6 +25,7 @@ CONTROLLER = "/jetbot_controller"
 SIMULATOR_RESET = "/jetbot_simulator/reset"
 ANSWER_TIMEOUT = 3.0  # s; a controller publishes diagnostics every second
 MOTION_TIMEOUT = 2.0  # s after which a speed that nobody repeats is not shown
+ATTENTION = 5.0       # s for which the line is followed after a program has asked for it
 MAX_STATUS = 300      # characters
 IN_FLIGHT = 0.3       # s that a message of another program may take
 
@@ -83,6 +84,7 @@ class RobotTopics:
         self._program = ""
         self._wheels = None, None  # command, duties
         self._odom, self._moved_at = None, 0.0
+        self._asked_at, self._line, self._line_subscriber = -math.inf, None, None
         self._resetting: Optional[threading.Thread] = None
         self._tracker = TaskTracker()
         self._drawings = [Drawing(f"{self._base}/{topic}", frames) for topic in ("world", "task_course")]
@@ -100,7 +102,7 @@ class RobotTopics:
         """End all topics."""
         self.emergency_stop.close()
         self._driver.unregister()
-        for subscriber in self._subscribers:
+        for subscriber in filter(None, [*self._subscribers, self._line_subscriber]):
             subscriber.unregister()
 
     @property
@@ -135,6 +137,21 @@ class RobotTopics:
             warning=self._level > 0, answers=answers, stopped=stopped, pose=pose, speed=speed, command=command,
             wheels=wheels, program=self._program, shapes=shapes, task=task)
 
+    def senses(self, now: float) -> dict:
+        """Return where the robot is, its line sensor and its wheels, as a program reads them; None: not known."""
+        self._asked_at = now
+        return {"pose": self._pose_and_speed(now)[0], "line": self._line, "wheels": self._wheels[1]}
+
+    def follow_line(self) -> None:
+        """Subscribe to the line sensor while a program asks for it: it costs a message per 20 ms. It may block."""
+        asked = time.monotonic() - self._asked_at < ATTENTION
+        if asked and not self._line_subscriber:
+            self._line_subscriber = rospy.Subscriber(f"{self._base}/line", Float32MultiArray, self._on_line,
+                                                     queue_size=1)
+        elif self._line_subscriber and not asked:
+            self._line_subscriber.unregister()
+            self._line = self._line_subscriber = None
+
     def report_driver(self, name: str, interruption: str) -> None:
         """Publish what ``driver`` holds, if it has changed."""
         if (name, interruption) != self._reported:
@@ -164,6 +181,9 @@ class RobotTopics:
         self._active_at, self._repeats = time.monotonic(), True
         if len(message.data) == 4:  # x, z, left, right
             self._wheels = rounded(message.data[:2]), rounded(message.data[2:])
+
+    def _on_line(self, message):
+        self._line = rounded(message.data) if len(message.data) == 3 else None
 
     def _on_odom(self, message):
         self._odom, self._moved_at = message, time.monotonic()

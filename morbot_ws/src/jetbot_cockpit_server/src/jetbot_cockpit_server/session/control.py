@@ -1,15 +1,18 @@
 """Who may drive which robot, and what it is given. Times are monotonic seconds."""
 
 import math
+from functools import partial
 from typing import Callable, Dict, List, Optional, Set
 
 from jetbot.text import enumeration
 
+from ..classroom.classroom import Classroom
 from .collection import Collection
-from .history import History
+from .history import History, Scores
 from .protocol import Message, notice
 from .rights import COMMAND_TIMEOUT, TEACHER, Client, Lease, StopRights
 from .snapshot import Snapshot, label
+from .tasks import Tasks
 
 NO_PICTURE = "There is no picture."
 LET_GO = "Let go, then drive again."
@@ -25,28 +28,33 @@ class Control:
     drivers: what commands them (robots.publishers.Drivers); cameras: what they see (robots.cameras.Cameras).
     """
 
-    def __init__(self, robots, drivers, cameras, collection: Collection):
+    def __init__(self, robots, drivers, cameras, collection: Collection, classroom: Classroom):
         self._robots, self._drivers, self._cameras, self._collection = robots, drivers, cameras, collection
         self.snapshot: Snapshot = robots.snapshot()  # as of the last check
         self._leases: Dict[str, Lease] = {}  # by robot
-        self._stop_rights, self._history = StopRights(), History()
+        self._stop_rights, self._programs = StopRights(), classroom.programs
+        self._history = History(Scores(classroom.read("scores", list), partial(classroom.keep, "scores")))
+        self._tasks = Tasks(classroom.read("tasks", list), partial(classroom.keep, "tasks"))
         self._names: Dict[int, str] = {}
         self._typed: Dict[int, str] = {}  # those of them that a person has typed
         self._must_lift: Set[int] = set()
         self._held: Set[str] = set()  # robots whose programs wait until a teacher says that they go on
         self._checked_at, self._stale_until = math.inf, -math.inf
         self._actions: Dict[str, Callable] = {
-            "drive": self._on_drive, "take": self._on_take, "stop": self._on_engage_stop,
+            "drive": self._on_drive, "program": self._on_program, "take": self._on_take, "stop": self._on_engage_stop,
             "release": self._on_release_stop, "go_on": self._on_go_on, "reset": self._on_reset, "name": self._on_name,
-            "save": self._on_save, "delete": self._on_delete}
+            "save": self._on_save, "delete": self._on_delete, "judge": self._on_judge, "offer": self._on_offer}
 
     def handle(self, client: Client, message: Message, now: float) -> Optional[dict]:
         """Do what a client asks for; return None, or a message of the socket that says why not."""
         self._names.setdefault(client.id, client.name)
         self._note_interruption(now)
         refusal = self._actions[message.type](client, message, now)
-        if refusal and message.type == "drive":
+        if refusal and message.type in ("drive", "program"):
             return {"type": "lift", "robot": message.robot, "text": refusal}
+        if message.type == "program":
+            ready = self._drivers.hold(message.robot)
+            return {"type": "program", "robot": message.robot, "ready": ready, **self._robots.senses(message.robot)}
         return notice(refusal) if refusal else None
 
     def leave(self, client: int) -> None:
@@ -75,7 +83,7 @@ class Control:
         for robot in self._held - self.snapshot.commanded:
             self._hold(robot, False)
         self._stop_rights.update(self.snapshot.is_stopped_here)
-        return self._history.update(self.snapshot.robots, now)
+        return self._history.update(self.snapshot.robots, now) + self._tasks.update(self._robots.tasks())
 
     def robots(self) -> List[dict]:
         """Return the robots of the message "robots"."""
@@ -85,14 +93,15 @@ class Control:
         """Return the message "state"."""
         states = {name: robot.state(self._describe_driver(name), self._seconds_until_programs(robot),
                                     name in self._held, self._history.task(robot),
-                                    self._drivers.stalls(name, self._checked_at), self._collection.state(name))
+                                    self._drivers.stalls(name, self._checked_at), self._collection.state(name),
+                                    self._programs.changed(name))
                   for name, robot in self.snapshot.robots.items()}
         return {"type": "state", "emergency": self.snapshot.emergency,
                 "pupils_release": self._stop_rights.pupils_release, "robots": states}
 
     def history(self) -> List[dict]:
         """Return the messages that a new page needs besides "robots" and "state"."""
-        return self._history.messages()
+        return [*self._history.messages(), self._tasks.message()]
 
     # What a client asks for; each returns why that is refused, or "".
 
@@ -111,6 +120,14 @@ class Control:
                 self._drivers.let_go(robot)
                 if not self.snapshot.problem(robot):  # which the robot's status says
                     self._report(robot, SILENT)
+        return refusal
+
+    def _on_program(self, client, message, now):
+        """A program runs: its robot stays its own while it stands. What drives is commands alone."""
+        refusal = self._refusal(client, message.robot, now)
+        driven = self._driver(message.robot) == client.id and self._leases[message.robot].driving
+        if not refusal and not driven:
+            self._lease(client, message.robot, now, driving=False)
         return refusal
 
     def _on_let_go(self, client, robot, now):
@@ -191,6 +208,20 @@ class Control:
         if not self._leases[robot].driving:
             self._lease(client, robot, now, driving=False)
         return ""
+
+    def _on_judge(self, client, message, now):
+        robot = message.robot
+        refusal = self._refusal(client, robot, now) or self._tasks.refusal(client, message.task)
+        if refusal or not self.snapshot.robots[robot].simulated:
+            return refusal or "Only simulated robots can be judged."
+        self._drivers.let_go(robot)
+        self._lease(client, robot, now, driving=False)
+        self._history.forget_task(self.snapshot.robots[robot])
+        self._robots.judge(robot, message.task)
+        return ""
+
+    def _on_offer(self, client, message, now):
+        return self._tasks.switch(client, message.task, message.on)
 
     def _note_interruption(self, now):
         """Drive nothing for a moment if this process was frozen: old commands waited in the sockets."""

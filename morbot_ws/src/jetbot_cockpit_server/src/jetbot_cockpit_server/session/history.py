@@ -2,7 +2,9 @@
 
 import math
 from collections import deque
-from typing import Deque, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Deque, Dict, Iterable, List, NamedTuple, Optional, Tuple
+
+from jetbot.kinds import is_number
 
 from .snapshot import Robot, Shape, Task, label
 
@@ -60,10 +62,12 @@ class Score(NamedTuple):
 
 
 class Scores:
-    """The best of each robot in each task."""
+    """The best of each robot in each task. kept: what ``keep`` was called with, after the last change."""
 
-    def __init__(self):
-        self._best: Dict[Tuple[str, str], Score] = {}  # by robot and name of the task
+    def __init__(self, kept: Iterable[Any] = (), keep: Callable[[List[list]], None] = lambda rows: None):
+        self._best: Dict[Tuple[str, str], Score] = {  # by robot and name of the task
+            tuple(row[:2]): Score(*row[2:]) for row in kept if is_score(row)}
+        self._keep = keep
 
     def add(self, robot: str, task: Optional[Task]) -> bool:
         """Take a robot's task; return whether that is a better score."""
@@ -73,6 +77,7 @@ class Scores:
         if key in self._best and score.rank >= self._best[key].rank:
             return False
         self._best[key] = score
+        self._keep([[*key, *best] for key, best in self._best.items()])
         return True
 
     def messages(self) -> List[dict]:
@@ -81,14 +86,20 @@ class Scores:
         return [{"type": "scores", "scores": [row._asdict() for row in rows]}] if rows else []
 
 
+def is_score(row: Any) -> bool:
+    """Return whether this is a robot's id, the name of a task, and the values of a Score."""
+    return (isinstance(row, list) and len(row) == 7 and all(isinstance(row[each], str) for each in (0, 1, 2, 3, 6))
+            and is_number(row[4]) and (row[5] is None or is_number(row[5])))
+
+
 class History:
     """All of it, by the robots' ids."""
 
-    def __init__(self):
+    def __init__(self, scores: Optional[Scores] = None):
         self._trails: Dict[str, Trail] = {}
         self._forgotten: Dict[str, Optional[Task]] = {}
         self._scenes: Dict[str, Tuple[Shape, ...]] = {}
-        self._scores = Scores()
+        self._scores = scores or Scores()
 
     def reset(self, robot: str, now: float) -> None:
         """The robot is asked to go back to its start."""
@@ -98,6 +109,10 @@ class History:
     def task(self, robot: Robot) -> Optional[Task]:
         """Return the robot's task; not the result of a drive after which it was put somewhere else."""
         return None if robot.task is self._forgotten.get(robot.id) else robot.task
+
+    def forget_task(self, robot: Robot) -> None:
+        """The robot gets another task: what is still shown of the last one is over."""
+        self._forgotten[robot.id] = robot.task
 
     def update(self, robots: Dict[str, Robot], now: float) -> List[dict]:
         """Take all robots as they are now; return messages with what has changed. now: in monotonic seconds."""

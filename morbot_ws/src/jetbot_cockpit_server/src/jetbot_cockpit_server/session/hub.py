@@ -127,6 +127,10 @@ class Hub:
         self.leave(viewer)
         viewer.connection.close(code, reason)
 
+    def knows(self, robot: Optional[str]) -> bool:
+        """Return whether there is this robot."""
+        return robot in [each["id"] for each in self._control.robots()]
+
     def close(self) -> None:
         """Disconnect all clients."""
         for viewer in list(self._viewers.values()):
@@ -179,7 +183,7 @@ class Hub:
         return {"type": "codes", "codes": self._codes}
 
     def _look(self, viewer: Viewer, robot: Optional[str]) -> Optional[dict]:
-        known = robot in [each["id"] for each in self._control.robots()]
+        known = self.knows(robot)
         allowed = known and viewer.client.may_drive(robot)
         viewer.feed.look(robot if allowed else None)
         return protocol.notice(f"With your code, you see only through {label(viewer.client.robot)}'s camera.") \

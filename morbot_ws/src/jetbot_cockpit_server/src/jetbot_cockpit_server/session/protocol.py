@@ -1,10 +1,10 @@
 """The messages of the cockpit's socket: JSON objects with a ``type``. docs/protocol.md lists them."""
 
 import json
-import unicodedata
 from typing import Any, Callable, Dict, NamedTuple, Optional, Union
 
 from jetbot.kinds import is_number
+from jetbot.text import is_printable
 
 from .collection import LABELS
 
@@ -12,6 +12,7 @@ MAX_MESSAGE = 1000      # bytes of a message of the page
 MAX_RATE = 40           # messages per second of a page,
 MAX_BURST = 50          # and at once: what a pause of the network has held back
 MAX_NAME = 20           # characters of a person's name
+MAX_TASK = 60           # characters of a task's name
 
 
 class ProtocolError(Exception):
@@ -23,7 +24,7 @@ class Message(NamedTuple):
 
     robot: a namespace, None: all robots; forward, left: deflections in [-1, 1], both 0: the pad was let go;
     name: what the person wants to be called; sent: a number that is sent back at once; number: of a picture; label:
-    what a picture shows, one of LABELS.
+    what a picture shows, one of LABELS; task: its name; on: whether pupils may choose it.
     """
 
     type: str
@@ -34,6 +35,8 @@ class Message(NamedTuple):
     sent: float = 0.0
     number: float = 0.0
     label: str = ""
+    task: str = ""
+    on: bool = False
 
 
 def is_deflection(value: Any) -> bool:
@@ -52,9 +55,18 @@ def is_robot_or_all(value: Any) -> bool:
 
 
 def is_name(value: Any) -> bool:
-    """Return whether this is a person's name; browsers know newer characters than this Python, such as emoji."""
-    return isinstance(value, str) and len(value) <= MAX_NAME and all(
-        character.isprintable() or unicodedata.category(character) == "Cn" for character in value)
+    """Return whether this may be a person's name."""
+    return is_printable(value, MAX_NAME)
+
+
+def is_task(value: Any) -> bool:
+    """Return whether this may be a task's name; Tasks knows which there are."""
+    return is_printable(value, MAX_TASK)
+
+
+def is_boolean(value: Any) -> bool:
+    """Return whether this is true or false."""
+    return isinstance(value, bool)
 
 
 def is_label(value: Any) -> bool:
@@ -65,6 +77,7 @@ def is_label(value: Any) -> bool:
 # The fields of each type; one that may be None may be left out.
 MESSAGES: Dict[str, Dict[str, Callable[[Any], bool]]] = {
     "drive": {"robot": is_robot, "forward": is_deflection, "left": is_deflection},
+    "program": {"robot": is_robot},         # a program of the page runs: keep its robot, and say what that senses
     "take": {"robot": is_robot},            # a teacher takes the robot from whoever drives it
     "go_on": {"robot": is_robot},           # a teacher lets programs drive on that a take or stop keeps waiting
     "stop": {"robot": is_robot_or_all},     # engages the emergency stop of all robots, or of one
@@ -77,6 +90,8 @@ MESSAGES: Dict[str, Dict[str, Callable[[Any], bool]]] = {
     "seen": {"number": is_number},          # a part of this picture has come
     "save": {"robot": is_robot, "label": is_label},
     "delete": {"robot": is_robot},          # all pictures of the robot that were saved
+    "judge": {"robot": is_robot, "task": is_task},  # puts the robot at the start of a task, and judges its next drive
+    "offer": {"task": is_task, "on": is_boolean},   # a teacher lets pupils choose a task, or not any more
 }
 
 
@@ -90,7 +105,7 @@ def parse(text: Union[str, bytes]) -> Message:
         fields = None
     kind = fields.pop("type", None) if isinstance(fields, dict) else None
     if kind not in list(MESSAGES):  # a list: what is not hashable may be there
-        raise ProtocolError(f"a message is a JSON object of type {', '.join(MESSAGES)}")
+        raise ProtocolError("a message is a JSON object of a type that docs/protocol.md lists")
     checks = MESSAGES[kind]
     if not set(fields) <= set(checks) or not all(check(fields.get(name)) for name, check in checks.items()):
         raise ProtocolError(f"the fields of {kind} are: {', '.join(checks) or 'none'}")

@@ -100,12 +100,12 @@ class Robot(NamedTuple):
                 "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated}
 
     def state(self, driver: Optional[dict], resumes: Optional[int], held: bool, task: Optional[Task],
-              stalls: int, pictures: Optional[dict]) -> dict:
+              stalls: int, pictures: Optional[dict], programs: int) -> dict:
         """Return its entry of the message "state"; docs/protocol.md explains it."""
         fields = "status", "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
         return {**{name: getattr(self, name) for name in fields}, "driver": driver,
                 "resumes": resumes, "held": held, "stalls": stalls, "task": task and task._asdict(),
-                "pictures": pictures}
+                "pictures": pictures, "programs": programs}
 
 
 class Snapshot(NamedTuple):

@@ -3,7 +3,8 @@
 import hmac
 import secrets
 from collections import deque
-from typing import Deque, Iterable, List, NamedTuple, Optional, Sequence, Set, Tuple
+from types import MappingProxyType
+from typing import Any, Deque, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple
 
 from jetbot.host import is_loopback
 
@@ -11,6 +12,7 @@ from ..session.rights import PUPIL, TEACHER
 
 ALPHABET = "ABCDEFGHJKMNPQRSTUVWXYZ23456789"  # none that looks like another
 CODE_LENGTH = {PUPIL: 6, TEACHER: 10}
+COOKIE_LENGTH = 43  # characters of 32 random bytes
 LOOPBACK = ("localhost", "127.0.0.1", "::1")
 MINUTE = 60.0              # s, in which wrong codes are counted
 MAX_WRONG = 5              # wrong codes from one browser in that time: a class may share one address
@@ -31,17 +33,26 @@ class Grant(NamedTuple):
     cookie: str
 
 
-def make_grant(label: str, role: str, robot: Optional[str] = None) -> Grant:
-    """Return a grant with a new code and a new cookie."""
+def make_grant(label: str, role: str, robot: Optional[str] = None, kept: Any = None) -> Grant:
+    """Return a grant with a new code and a new cookie, or with those that were kept, if they are some."""
     code = "".join(secrets.choice(ALPHABET) for _ in range(CODE_LENGTH[role]))
-    return Grant(label, role, robot, code, secrets.token_urlsafe(32))
+    return Grant(label, role, robot, *(kept if are_secrets(kept, role) else (code, secrets.token_urlsafe(32))))
 
 
-def make_grants(robots: int) -> List[Grant]:
-    """Return the teacher's grant, and one for each of jetbot_01, jetbot_02 and so on; with 0, one for all pupils."""
+def are_secrets(kept: Any, role: str) -> bool:
+    """Return whether this is a code and a cookie for such a role."""
+    return (isinstance(kept, list) and len(kept) == 2 and all(isinstance(each, str) for each in kept)
+            and len(kept[0]) == CODE_LENGTH[role] and set(kept[0]) <= set(ALPHABET) and len(kept[1]) >= COOKIE_LENGTH)
+
+
+def make_grants(robots: int, kept: Mapping[str, Any] = MappingProxyType({})) -> List[Grant]:
+    """Return the teacher's grant, and one for each of jetbot_01, jetbot_02 and so on; with 0, one for all pupils.
+
+    kept: [code, cookie] of earlier grants, by their labels.
+    """
     names = [f"jetbot_{number:02d}" for number in range(1, robots + 1)]
-    return [make_grant("teacher", TEACHER), *([make_grant(name, PUPIL, f"/{name}") for name in names]
-                                              or [make_grant("pupils", PUPIL)])]
+    pupils = [(name, PUPIL, f"/{name}") for name in names] or [("pupils", PUPIL, None)]
+    return [make_grant(*each, kept.get(each[0])) for each in [("teacher", TEACHER, None), *pupils]]
 
 
 def authority(host: str, port: int) -> str:

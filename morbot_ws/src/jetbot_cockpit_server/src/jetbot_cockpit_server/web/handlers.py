@@ -19,9 +19,13 @@ from ..session.hub import BAD_FRAME, LOG_IN, Hub, Viewer
 from .access import Access, TooManyTries
 
 WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit_server", "www")
-TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
-HEADERS = {"Content-Security-Policy": "default-src 'self'; frame-ancestors 'none'", "X-Frame-Options": "DENY",
+TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
+         ".cur": "image/x-icon"}
+POLICY = "default-src 'self'; frame-ancestors 'none'"
+HEADERS = {"Content-Security-Policy": POLICY, "X-Frame-Options": "DENY",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cache-Control": "no-store"}
+PAGES = {"": "index.html", "program": "program.html"}  # by what stands in the address
+STYLED = {"program.html": POLICY + "; style-src 'self' 'unsafe-inline'"}  # Blockly inserts two styles
 CLOSED = WebSocketClosedError, StreamClosedError
 
 
@@ -32,8 +36,9 @@ def reached_address(request: HTTPServerRequest) -> str:
 
 
 def read_files(folder: Path = WWW) -> Dict[str, bytes]:
-    """Return the page's files by their names; nothing else is ever served."""
-    return {file.name: file.read_bytes() for file in folder.iterdir() if file.suffix in TYPES}
+    """Return the pages' files by their names below the folder; nothing else is ever served."""
+    return {file.relative_to(folder).as_posix(): file.read_bytes() for file in folder.rglob("*")
+            if file.suffix in TYPES}
 
 
 class Handler(RequestHandler):
@@ -57,6 +62,11 @@ class Handler(RequestHandler):
         if acts and not self.access.accepts_origin(self.request.headers.get("Origin"), address):
             raise HTTPError(403)
 
+    def check_type(self) -> None:
+        """Refuse what is not sent as JSON, which no other site's form sends."""
+        if self.request.headers.get("Content-Type", "").partition(";")[0].strip().lower() != "application/json":
+            raise HTTPError(415)
+
     def give_cookie(self, name: str, value: str) -> None:
         """Set a cookie that no script can read and no other site can use, until the browser is closed."""
         self.set_cookie(name, value, expires_days=None, httponly=True, samesite="Strict")
@@ -74,11 +84,13 @@ class Page(Handler):
         self.files = files
 
     def get(self, name: str) -> None:
-        name = name or "index.html"
+        name = PAGES.get(name, name)
         if name not in self.files:
             raise HTTPError(404)
-        if name == "index.html" and not self.get_cookie(self.access.visitor_cookie):
+        if name in PAGES.values() and not self.get_cookie(self.access.visitor_cookie):
             self.give_cookie(self.access.visitor_cookie, secrets.token_urlsafe(16))
+        if name in STYLED:
+            self.set_header("Content-Security-Policy", STYLED[name])
         self.set_header("Content-Type", f"{TYPES[Path(name).suffix]}; charset=UTF-8")
         self.finish(self.files[name])
 
@@ -98,8 +110,7 @@ class Login(Handler):
         self.set_status(204)
 
     def _code(self) -> str:
-        if self.request.headers.get("Content-Type", "").partition(";")[0].strip().lower() != "application/json":
-            raise HTTPError(415)
+        self.check_type()
         try:
             fields = json.loads(self.request.body)
         except (ValueError, RecursionError):

@@ -14,9 +14,11 @@ from tornado.web import Application
 
 from jetbot.wait import wait_until
 
+from ..classroom.classroom import Classroom
 from ..session.hub import FRAME_INTERVAL, MAX_FRAME, PICTURE_INTERVAL, Hub
 from .access import Access
 from .handlers import Login, Page, Socket, read_files
+from .work import Work
 
 MAX_CONNECTIONS = 512      # a process may have 1,024 files, and the ROS side needs some
 MAX_BODY = 1000            # bytes of a request's body
@@ -75,10 +77,11 @@ class LimitedServer(HTTPServer):
 class Server:
     """Serves the page and its socket on sockets that listen already."""
 
-    def __init__(self, sockets: List[socket.socket], access: Access, hub: Hub):
+    def __init__(self, sockets: List[socket.socket], access: Access, hub: Hub, classroom: Classroom):
         self._sockets, self._hub = sockets, hub
         self._application = Application(
             [(r"/login", Login, {"access": access}), (r"/socket", Socket, {"access": access, "hub": hub}),
+             (r"/work", Work, {"access": access, "classroom": classroom, "knows": hub.knows}),
              (r"/(.*)", Page, {"access": access, "files": read_files()})],
             websocket_max_message_size=MAX_FRAME, log_function=lambda handler: None)
         self._thread = threading.Thread(target=lambda: asyncio.run(self._serve()), daemon=True)

@@ -29,6 +29,11 @@ class Announcement:
         self._state = rospy.Publisher(f"{namespace}/task", DiagnosticStatus, queue_size=10, latch=True)
         self._course = rospy.Publisher(f"{namespace}/task_course", MarkerArray, queue_size=10, latch=True)
 
+    def close(self) -> None:
+        """Publish nothing more; what is still to be sent is lost."""
+        self._state.unregister()
+        self._course.unregister()
+
     def driving(self, seconds: float) -> None:
         """Publish that the robot has been driving for so long."""
         self.publish(DRIVING, f"{seconds:.0f} s", seconds=f"{seconds:.1f}")

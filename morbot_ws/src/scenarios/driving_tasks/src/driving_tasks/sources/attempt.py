@@ -28,12 +28,13 @@ class Interrupted(Exception):
 class Attempt:
     """Judges the first drive of a robot that nothing interrupts; after an interruption, the robot starts again.
 
-    show: prints a sentence for the person who drives. mark: the result, once it is known. ready: whether the robot
-    is at its start, and may drive; start: the last sample before it might.
+    show: prints a sentence for the person who drives; once: whether an interruption ends it, without a score. mark: the
+    result, once it is known. ready: whether the robot is at its start, and may drive; start: the last sample before it
+    might.
     """
 
-    def __init__(self, task: Task, robot: JudgedRobot, show: Callable[[str], None]):
-        self._task, self.robot, self._show = task, robot, show
+    def __init__(self, task: Task, robot: JudgedRobot, show: Callable[[str], None], once: bool = False):
+        self._task, self.robot, self._show, self._once = task, robot, show, once
         self._announcement = Announcement(robot.namespace, task)
         self._world, self._fed_at, self._announced_at = task.load_world(), 0.0, 0.0
         self._recorder = self._new_recorder()
@@ -61,10 +62,17 @@ class Attempt:
             self._announcement.publish(CANCELLED, "Cancelled.")
             self._announcement.clear()
             problem = "The robot did not drive."
-            self.mark = Mark(self._name, self._task.name, problem=problem, robot=self.robot.name)
+            self.mark = self._without_score(problem)
         else:
             self._announcement.done(result, self._name)
             self.mark = Mark(self._name, self._task.name, result, source=self.robot.source, robot=self.robot.name)
+
+    def close(self) -> None:
+        """Show the task no longer to those who come now."""
+        self._announcement.close()
+
+    def _without_score(self, problem):
+        return Mark(self._name, self._task.name, problem=problem, robot=self.robot.name)
 
     def _run(self) -> Iterator[None]:
         while not self.mark:
@@ -85,6 +93,7 @@ class Attempt:
         self.ready, self._recorder = False, self._new_recorder()
         self._announcement.publish(CANCELLED, interruption)
         self._report(interruption)
+        self.mark = self._without_score(interruption) if self._once else None
 
     def _new_recorder(self):
         return Recorder(self._task.time_limit, self._world)

@@ -75,7 +75,7 @@ def check_only_judge(namespaces: Sequence[str]) -> None:
     try:
         publishers = system_state()[0]
         others = [(node, namespace) for namespace in namespaces for node in publishers.get(f"{namespace}/task", ())
-                  if condition_of(node)]
+                  if node != rospy.get_name() and condition_of(node)]
     except NO_ANSWER:
         raise LOST from None
     for node, namespace in others:

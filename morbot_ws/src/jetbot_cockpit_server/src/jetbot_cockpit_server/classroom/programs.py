@@ -1,0 +1,171 @@
+"""The programs of the robots, made of blocks on the page: each one a JSON text, and a file of the class."""
+
+import json
+import re
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional
+
+from jetbot.text import is_printable
+
+PREFIX = "program_"
+ID = re.compile(r"[0-9a-f]{16}")
+MAX_NAME = 40              # characters
+MAX_TEXT = 64 * 1024       # bytes of a program
+MAX_PROGRAMS = 50          # of a robot, those that were deleted last included,
+MAX_TOTAL = 1024 * 1024    # and bytes of all of them
+CHANGED = "This program was changed on another page. Open it again, or save yours as a copy."
+GONE = "This program is not there any more."
+TOO_LARGE = f"This program is too large to be kept here: {MAX_TEXT // 1024} kB at most. Save it as a file."
+NO_PROGRAM = "This is no program."
+FULL = f"There is no room for more: delete a program. A robot has {MAX_PROGRAMS} programs at most, and 1 MB in all."
+
+
+class Refused(Exception):
+    """One sentence: why a program is not kept or shown."""
+
+
+class Program(NamedTuple):
+    """A program of a robot. version: grows with each change; changed: the order of the changes to all programs."""
+
+    id: str
+    robot: str
+    name: str
+    version: int
+    changed: int
+    deleted: bool
+    program: str
+
+    def row(self) -> dict:
+        """Return it as in a list: without its text."""
+        return {name: value for name, value in self._asdict().items() if name not in ("program", "changed")}
+
+
+class Programs:
+    """All programs, which one thread may change, and others read. folder: a ClassFolder, or Nowhere."""
+
+    def __init__(self, folder):
+        self._folder = folder
+        self._programs: Dict[str, Program] = {each.id: each for each in read_all(folder)}  # replaced, never changed
+        self._latest: Dict[str, int] = {}
+        for each in self._programs.values():
+            self._latest[each.robot] = max(each.changed, self._latest.get(each.robot, 0))
+
+    def changed(self, robot: str) -> int:
+        """Return a number that grows with each change to the robot's programs; 0 without one."""
+        return self._latest.get(robot, 0)
+
+    def rows(self, robot: Optional[str]) -> List[dict]:
+        """Return the programs of a robot, or of all (None), those first that were changed last."""
+        return [each.row() for each in sorted(self._of(robot), key=lambda each: -each.changed)]
+
+    def open(self, robot: str, id: str) -> Program:
+        """Return a program of the robot. Raise Refused."""
+        found = self._programs.get(id)
+        if not found or found.robot != robot:
+            raise Refused(GONE)
+        return found
+
+    def save(self, robot: str, id: str, version: int, name: str, program: str) -> Program:
+        """Keep a program; return it with its new version. Raise Refused, OSError.
+
+        version: the one that was changed, 0 for a new program. The same again is answered again: the first answer was
+        lost. A program that is not known is kept as well: the cockpit was started again.
+        """
+        before = self._programs.get(id)
+        if before and before.robot != robot:
+            raise Refused(GONE)
+        if before and (before.name, before.program, before.deleted) == (name, program, False):
+            return before
+        if before and before.version != version:
+            raise Refused(CHANGED)
+        problem = problem_of(program)
+        if problem:
+            raise Refused(problem)
+        version = before.version + 1 if before else 1
+        new = Program(id, robot, name, version, self._next(), False, program)
+        return self._keep(new, self._leaving(new))
+
+    def delete(self, robot: str, id: str, version: int, deleted: bool) -> Program:
+        """Delete a program, or undo that; return it with its new version. Raise Refused, OSError."""
+        before = self.open(robot, id)
+        if before.deleted == deleted:
+            return before
+        if before.version != version:
+            raise Refused(CHANGED)
+        return self._keep(before._replace(version=version + 1, changed=self._next(), deleted=deleted))
+
+    def _keep(self, program, leaving=()):
+        """Write before it counts; what makes room for it goes last, so that a kill at any moment loses nothing."""
+        self._folder.write(PREFIX + program.id, program._asdict())
+        self._programs = {**self._programs, program.id: program}
+        self._latest = {**self._latest, program.robot: program.changed}
+        for each in leaving:
+            self._folder.remove(PREFIX + each.id)
+            self._programs = {id: other for id, other in self._programs.items() if id != each.id}
+        return program
+
+    def _leaving(self, new):
+        """Return the deleted programs that make room for a new one, the oldest first. Raise Refused."""
+        others = [each for each in self._of(new.robot) if each.id != new.id]
+        count, total = len(others) + 1, sum(len(each.program.encode()) for each in [*others, new])
+        leaving = []
+        for each in sorted(others, key=lambda each: (not each.deleted, each.changed)):
+            if count <= MAX_PROGRAMS and total <= MAX_TOTAL:
+                break
+            if not each.deleted:
+                raise Refused(FULL)
+            leaving.append(each)
+            count, total = count - 1, total - len(each.program.encode())
+        return leaving
+
+    def _of(self, robot):
+        return [each for each in self._programs.values() if robot in (None, each.robot)]
+
+    def _next(self):
+        return 1 + max(self._latest.values(), default=0)
+
+
+def is_id(value: Any) -> bool:
+    """Return whether this may be the id of a program."""
+    return isinstance(value, str) and bool(ID.fullmatch(value))
+
+
+def is_version(value: Any) -> bool:
+    """Return whether this may be the version of a program."""
+    return type(value) is int and 0 <= value < 1 << 31
+
+
+def is_program_name(value: Any) -> bool:
+    """Return whether a program may be called this."""
+    return is_printable(value, MAX_NAME) and value.strip() != ""
+
+
+def problem_of(program: str) -> str:
+    """Return why this text is not kept as a program, or ""."""
+    try:
+        if len(program.encode()) > MAX_TEXT:
+            return TOO_LARGE
+        # Numbers stay text: a long one would take long
+        content = json.loads(program, parse_int=str, parse_float=str)
+    except (ValueError, RecursionError):
+        return NO_PROGRAM
+    return "" if isinstance(content, dict) else NO_PROGRAM
+
+
+def read_all(folder) -> Iterator[Program]:
+    """Yield the programs of a class; a file that holds none is put aside."""
+    for name in folder.names(PREFIX):
+        content = folder.read(name)
+        if is_program(content) and name == PREFIX + content["id"]:
+            yield Program(**content)
+        elif content is not None:
+            folder.set_aside(name)
+
+
+def is_program(content: Any) -> bool:
+    """Return whether this is a Program's content."""
+    if not isinstance(content, dict) or set(content) != set(Program._fields):
+        return False
+    return (is_id(content["id"]) and isinstance(content["robot"], str) and is_program_name(content["name"])
+            and is_version(content["version"]) and is_version(content["changed"])
+            and isinstance(content["deleted"], bool) and isinstance(content["program"], str)
+            and not problem_of(content["program"]))

@@ -1,0 +1,59 @@
+// The blocks on the page: Blockly's workspace, in the page's colours.
+
+import { defineBlocks, TOOLBOX } from "./blocks.js";
+import { prepareGenerator } from "./python.js";
+
+const { Blockly } = globalThis;
+const DARK = matchMedia("(prefers-color-scheme: dark)");
+const COLORS = { // of Blockly's parts: the page's names
+  workspaceBackgroundColour: "--ground", toolboxBackgroundColour: "--surface", toolboxForegroundColour: "--text",
+  flyoutBackgroundColour: "--calm-ground", flyoutForegroundColour: "--text", scrollbarColour: "--muted",
+};
+
+const STYLES = { // of Blockly's own blocks, on which white text stands out
+  logic_blocks: "#2a6a8a", loop_blocks: "#3c7a1f", math_blocks: "#4a55b5", text_blocks: "#6a4fb5",
+  variable_blocks: "#a03060", procedure_blocks: "#8a4a9a",
+};
+
+// Returns a new workspace in this element. changed(): the program is another one
+export function openEditor(target, changed) {
+  defineBlocks();
+  prepareGenerator();
+  const workspace = Blockly.inject(target, {
+    toolbox: TOOLBOX, media: "vendor/blockly/media/", renderer: "thrasos", theme: theme(), sounds: false,
+    trashcan: true, comments: false, collapse: false, disable: false, maxInstances: { robot_start: 1 },
+    zoom: { controls: true, pinch: true, wheel: false, startScale: 0.9, minScale: 0.4, maxScale: 2 },
+    move: { scrollbars: true, drag: true, wheel: true }, grid: { spacing: 24, length: 2, colour: "#8884", snap: false },
+  });
+  Blockly.ShortcutItems.registerNavigationShortcuts();
+  workspace.addChangeListener(Blockly.Events.disableOrphans);
+  workspace.addChangeListener((event) => event.isUiEvent || changed());
+  DARK.addEventListener("change", () => workspace.setTheme(theme()));
+  new ResizeObserver(() => Blockly.svgResize(workspace)).observe(target);
+  return workspace;
+}
+
+function theme() {
+  const style = getComputedStyle(document.documentElement);
+  const colors = Object.entries(COLORS).map(([part, name]) => [part, style.getPropertyValue(name).trim()]);
+  const styles = Object.entries(STYLES).map(([name, colourPrimary]) => [name, { colourPrimary }]);
+  return Blockly.Theme.defineTheme(DARK.matches ? "night" : "day", {
+    name: DARK.matches ? "night" : "day", base: Blockly.Themes.Classic,
+    blockStyles: Object.fromEntries(styles),
+    componentStyles: { ...Object.fromEntries(colors), flyoutOpacity: 1, scrollbarOpacity: 0.6 },
+  });
+}
+
+// Shows this program; its first block is always there.
+export function showProgram(workspace, program) {
+  Blockly.serialization.workspaces.load(program, workspace);
+  const [start] = workspace.getBlocksByType("robot_start");
+  const first = start ?? Blockly.serialization.blocks.append({ type: "robot_start", x: 30, y: 30 }, workspace);
+  first.setDeletable(false);
+  workspace.clearUndo();
+  workspace.scroll(0, 0);
+}
+
+export function currentProgram(workspace) {
+  return Blockly.serialization.workspaces.save(workspace);
+}

@@ -1,0 +1,63 @@
+// What a program commands: sent when it changes, and 20 times a second while the program runs, as wheels can obey it.
+
+const INTERVAL = 50; // ms between two commands: 20 Hz
+const HOLD = 1000; // ms for which a command counts, as in the controller: a program that only computes stops
+const SOON = 15; // ms; a command that changes so soon is not repeated before
+const [RATE, BURST] = [26, 6]; // commands a second, and at once: the cockpit takes 40 messages of a page
+
+export class Motion {
+  command = [0, 0]; // forward, left: in [-1, 1], as a pad's
+  changesAt = -Infinity; // when the program will publish again, as performance.now() counts
+  allowance = BURST;
+  sentAt = -Infinity;
+  timer = null;
+
+  // send(forward, left)
+  constructor(send) {
+    this.send = send;
+  }
+
+  begin() {
+    this.timer ??= setInterval(() => this.repeat(), INTERVAL);
+  }
+
+  // Stops, whatever was commanded, and is silent from now on.
+  end() {
+    clearInterval(this.timer);
+    this.timer = null;
+    this.command = [0, 0];
+    this.send(0, 0);
+  }
+
+  // Drives x, z, in the units of this robot's commands.
+  publish([x, z], { wheel_separation: separation, max_speed: maxSpeed }) {
+    const power = (side) => Math.max(-1, Math.min(1, (x + side * z * separation / 2) / maxSpeed));
+    this.publishedAt = performance.now();
+    this.set((power(-1) + power(1)) / 2, (power(1) - power(-1)) / 2);
+  }
+
+  // A stop is sent at once; another change waits for the next of the 20 if there were too many.
+  set(...command) {
+    const changes = String(command) !== String(this.command);
+    this.command = command;
+    const stops = changes && !command.some(Boolean);
+    if (stops || changes && this.allowed() >= 1) this.sendNow();
+  }
+
+  repeat() {
+    const now = performance.now();
+    if (now - this.publishedAt > HOLD) this.set(0, 0);
+    const soon = this.changesAt > now && this.changesAt - now < SOON;
+    if (!soon && now - this.sentAt > INTERVAL / 2) this.sendNow();
+  }
+
+  sendNow() {
+    this.allowance = this.allowed() - 1;
+    this.sentAt = performance.now();
+    this.send(...this.command);
+  }
+
+  allowed() {
+    return Math.min(BURST, this.allowance + (performance.now() - this.sentAt) * RATE / 1000);
+  }
+}

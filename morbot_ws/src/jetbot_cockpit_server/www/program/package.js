@@ -1,0 +1,59 @@
+// The program as a catkin package: unpacked into morbot_ws/src and built with ./morbot setup, rosrun starts it.
+
+import { zip } from "./zip.js";
+
+const EXECUTABLE = 0o755, PLAIN = 0o644;
+const SCRIPT = "program.py"; // not the program's name: a script random.py would be imported in place of Python's module
+
+// Returns the name of the package of a program: it clashes with no package of the workspace.
+export function packageName(title) {
+  const name = title.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^_+|_+$/g, "").slice(0, 40);
+  return name.startsWith("my_") ? name : `my_${name || "program"}`;
+}
+
+// Returns the bytes of a zip. python: the script; program: the JSON of the blocks, to be opened again
+export function packageZip(name, python, program) {
+  const files = [
+    { name: "package.xml", text: manifest(name, python), mode: PLAIN },
+    { name: "CMakeLists.txt", text: cmake(name), mode: PLAIN },
+    { name: `scripts/${SCRIPT}`, text: python, mode: EXECUTABLE },
+    { name: `launch/${name}.launch`, text: launch(name), mode: PLAIN },
+    { name: `${name}.json`, text: program, mode: PLAIN },
+  ];
+  return zip(files.map((file) => ({ ...file, name: `${name}/${file.name}` })));
+}
+
+function manifest(name, python) {
+  const used = ["rospy", "geometry_msgs", "nav_msgs", "std_msgs"].filter((each) => python.includes(each));
+  const depends = [...used, "jetbot_control_node"].map((each) => `  <exec_depend>${each}</exec_depend>\n`).join("");
+  return `<?xml version="1.0"?>
+<package format="3">
+  <name>${name}</name>
+  <version>0.0.1</version>
+  <description>Drives a JetBot; made of blocks.</description>
+  <maintainer email="me@example.com">Me</maintainer>
+  <license>MIT</license>
+
+  <buildtool_depend>catkin</buildtool_depend>
+${depends}</package>
+`;
+}
+
+function cmake(name) {
+  return `cmake_minimum_required(VERSION 3.10)
+project(${name})
+find_package(catkin REQUIRED)
+catkin_package()
+catkin_install_python(PROGRAMS scripts/${SCRIPT}
+  DESTINATION \${CATKIN_PACKAGE_BIN_DESTINATION})
+install(DIRECTORY launch DESTINATION \${CATKIN_PACKAGE_SHARE_DESTINATION})
+`;
+}
+
+function launch(name) {
+  return `<launch>
+  <include file="$(find jetbot_control_node)/launch/jetbot_controller.launch" pass_all_args="true"/>
+  <node name="${name}" pkg="${name}" type="${SCRIPT}" output="screen"/>
+</launch>
+`;
+}

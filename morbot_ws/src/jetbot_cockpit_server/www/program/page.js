@@ -1,0 +1,325 @@
+// The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
+
+import { visible } from "../colors.js";
+import { create, element, onPress, setClass, setText } from "../dom.js";
+import { Link } from "../link.js";
+import { LoginForm, logIn, takeCodeFromAddress } from "../login.js";
+import { showRoundTrip } from "../panel.js";
+import { Choice } from "../robots.js";
+import { Notice, Stops } from "../stops.js";
+import { World } from "../world.js";
+import { setUnits } from "./blocks.js";
+import { parseProgram, Refusal } from "./check.js";
+import { currentProgram, openEditor, showProgram } from "./editor.js";
+import { EMPTY, EXAMPLES } from "./examples.js";
+import { shown } from "./interpreter.js";
+import { Overview } from "./overview.js";
+import { packageName, packageZip } from "./package.js";
+import { toPython } from "./python.js";
+import { Runner } from "./runner.js";
+import { Judging } from "./tasks.js";
+import { Work } from "./work.js";
+
+const MAX_PRINTS = 200;
+const MAX_FILE = 20e6; // bytes that are read at all
+const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
+const HIDDEN = "The page was hidden, so the program was stopped.";
+const CHANGED = "The program was changed. Run it again.";
+const NO_ROBOT = { workshop: true, wheel_separation: 2, max_speed: 1 };
+const BROKEN = "This file is no program of this page.";
+
+let problem = "Connecting"; // why there is no connection
+let wasDriver = false;
+let prints = []; // that are not shown yet
+let python = { text: "", lines: new Map() };
+let frame = null; // the next one shows what has changed
+let changing = null; // the next look at what was changed
+
+const world = new World();
+const link = new Link({ receive, changed: connectionChanged, refused: askForCode, measured: showRoundTrip });
+const send = (message) => (message.type === "drive" && (message.forward || message.left)
+  ? link.sendFresh(message) : link.send(message));
+const notice = new Notice();
+const login = new LoginForm(() => link.open());
+const choice = new Choice(world, changeRobot);
+const stops = new Stops(world, { send, notice, stopped: () => runner.end("All robots were stopped.") });
+const runner = new Runner({ send, printed, changed: show, ended });
+const workspace = openEditor(element("blocks"), programChanged);
+const work = new Work({
+  show: (title, program) => (program ? open(title, program) : load(EMPTY.title, EMPTY.program)),
+  current: () => ({ name: element("title").value, program: programText() }),
+  lock(on) {
+    workspace.setIsReadOnly(on);
+    element("title").disabled = on;
+  },
+});
+const judging = new Judging({ send, run: () => start(false), world });
+const overview = new Overview({ send, look: (row) => work.look(row), download, world });
+
+const RECEIVERS = {
+  hello(message) {
+    world.hello(message);
+    overview.hello();
+    judging.cancel();
+  },
+  robots(message) {
+    world.list(message);
+    choice.begin();
+    showUnits();
+    if (runner.runs && !world.robot(runner.robot.id)) runner.end("The robot is not running any more.");
+  },
+  state(message) {
+    world.update(message);
+    stops.update();
+    endIfStopped();
+    work.update(world.chosen, world.state(world.chosen).programs);
+    judging.update();
+  },
+  tasks({ tasks }) {
+    judging.list(tasks);
+    overview.show({ tasks });
+  },
+  scores: ({ scores }) => overview.show({ scores }),
+  notice({ text }) {
+    notice.show(text);
+    judging.refused(text);
+  },
+  lift: ({ robot, text }) => robot === runner.robot?.id && runner.end(text),
+  program: (message) => runner.receive(message),
+};
+
+function receive(message) {
+  RECEIVERS[message.type]?.(message);
+  show();
+}
+
+// The cockpit also refuses the next command; this comes first where the program waits.
+function endIfStopped() {
+  if (!runner.runs) return;
+  const { id } = runner.robot;
+  const { driver } = world.state(id);
+  if (wasDriver && driver && !world.isMine(id)) runner.end(`${driver.name} has taken the robot.`);
+  else if (world.isBlocked(id) && !driver) runner.end(world.summarize(id).text);
+  wasDriver = world.isMine(id);
+}
+
+function connectionChanged(sentence) {
+  problem = sentence;
+  if (sentence) {
+    runner.end("The connection to the cockpit was lost.");
+    setText(element("link"), "–");
+  } else {
+    stops.resend();
+  }
+  show();
+}
+
+function askForCode() {
+  runner.end("The cockpit asks for the code.");
+  login.ask();
+}
+
+function changeRobot() {
+  runner.end("Another robot was chosen.");
+  showUnits();
+  show();
+}
+
+function showUnits() {
+  setUnits(workspace, world.robot(world.chosen)?.workshop);
+  writePython();
+}
+
+// The program
+
+function start(stepping) {
+  const robot = world.robot(world.chosen);
+  if (!link.connected || !robot) return ended(problem || "No robot is running: start one.", null);
+  element("prints").replaceChildren();
+  prints = [];
+  wasDriver = false;
+  setOutcome("Running");
+  runner.start(currentProgram(workspace), robot, stepping);
+}
+
+function printed(text) {
+  prints = [...prints.slice(1 - MAX_PRINTS), text];
+  show();
+}
+
+function ended(sentence, block) {
+  showOutput();
+  setOutcome(sentence || "The program has ended.", sentence ? "warning" : "");
+  if (block && workspace.getBlockById(block)) Blockly.common.setSelected(workspace.getBlockById(block));
+}
+
+function setOutcome(text, level = "") {
+  setText(element("outcome"), text);
+  element("outcome").dataset.level = level;
+}
+
+// Blockly reports each part of a change, also a little later; where a block lies is no change of the program.
+function programChanged() {
+  changing ??= setTimeout(() => {
+    changing = null;
+    const before = python.text;
+    writePython();
+    if (python.text !== before) runner.end(CHANGED);
+  });
+}
+
+function writePython() {
+  python = toPython(workspace, packageName(element("title").value), world.robot(world.chosen) ?? NO_ROBOT);
+  element("python").replaceChildren(...python.text.trimEnd().split("\n").map((line) => create("div", "", line || " ")));
+  work.changed();
+  show();
+}
+
+function load(title, program) {
+  runner.end(CHANGED);
+  const before = currentProgram(workspace);
+  try {
+    showProgram(workspace, program);
+    element("title").value = title;
+    setOutcome("Press Run.");
+    return true;
+  } catch {
+    showProgram(workspace, before);
+    notice.show(BROKEN, () => false);
+    return false;
+  } finally {
+    showUnits();
+  }
+}
+
+// Opens a program from elsewhere; says in a sentence why it is refused. Returns whether it is shown.
+function open(title, text) {
+  try {
+    return load(title, parseProgram(text));
+  } catch (error) {
+    notice.show(error instanceof Refusal ? error.message : BROKEN, () => false);
+    return false;
+  }
+}
+
+async function openFile({ target }) {
+  const [file] = target.files;
+  if (file) work.choose();
+  if (file) open(file.name.replace(/\.json$/, "").slice(0, 40), await file.slice(0, MAX_FILE).text());
+  target.value = "";
+}
+
+function download(name, content, type) {
+  const address = URL.createObjectURL(new Blob([content], { type }));
+  Object.assign(create("a"), { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10000);
+}
+
+function programText() {
+  return JSON.stringify(currentProgram(workspace));
+}
+
+function saveProgram() {
+  download(`${packageName(element("title").value)}.json`, programText(), "application/json");
+}
+
+function savePackage() {
+  writePython();
+  const name = packageName(element("title").value);
+  download(`${name}.zip`, packageZip(name, python.text, programText()), "application/zip");
+}
+
+// What is shown
+
+function show() {
+  frame ??= requestAnimationFrame(showNow);
+}
+
+function showNow() {
+  frame = null;
+  const robot = world.robot(world.chosen);
+  const summary = robot ? world.summarize(robot.id) : { text: "No robot is running: start one.", level: "waiting" };
+  const { text, level } = problem ? { text: problem, level: "warning" } : summary;
+  setText(element("sentence"), text);
+  element("status").dataset.level = level;
+  if (robot) document.documentElement.style.setProperty("--robot", visible(robot.color));
+  setClass(document.body, "offline", problem);
+  notice.update(world.isBlocked(world.chosen), runner.runs);
+  stops.show();
+  showButtons();
+  showPlace(runner.runs ? runner.at : null);
+  showOutput();
+}
+
+function showButtons() {
+  const { runs, held } = runner;
+  element("run").disabled = runs;
+  element("pause").disabled = element("end").disabled = !runs;
+  element("step").disabled = runs && !held;
+  element("pause").setAttribute("aria-pressed", held);
+  setText(element("pause"), held ? "Go on" : "Pause");
+  if (runs) setText(element("outcome"), held ? "Paused" : "Running");
+}
+
+// Marks the block that runs, and its line.
+function showPlace(id) {
+  workspace.highlightBlock(id);
+  const line = element("python").children[python.lines.get(id)];
+  const before = element("python").querySelector(".now");
+  if (before === (line ?? null)) return;
+  before?.classList.remove("now");
+  line?.classList.add("now");
+  line?.scrollIntoView({ block: "nearest" });
+}
+
+function showOutput() {
+  const list = element("prints");
+  if (prints.length) {
+    list.append(...prints.map((text) => create("li", "", text || " ")));
+    while (list.children.length > MAX_PRINTS) list.firstChild.remove();
+    prints = [];
+    element("output").scrollTop = element("output").scrollHeight;
+  }
+  const values = runner.interpreter?.variables ?? new Map();
+  const rows = workspace.getVariableMap().getAllVariables().filter((each) => values.has(each.getId()));
+  const texts = rows.flatMap((each) => [each.getName(), String(shown(values.get(each.getId()))).slice(0, 100)]);
+  const parts = element("variables");
+  if (parts.children.length === texts.length) texts.forEach((text, index) => setText(parts.children[index], text));
+  else parts.replaceChildren(...texts.map((text, index) => create(index % 2 ? "dd" : "dt", "", text)));
+}
+
+// What a person does
+
+onPress(element("run"), () => element("run").disabled || start(false), () => false);
+onPress(element("end"), () => runner.end("Stopped."));
+element("pause").addEventListener("click", () => (runner.held ? runner.resume() : runner.pause()));
+element("step").addEventListener("click", () => (runner.runs ? runner.step() : start(true)));
+element("speed").addEventListener("input", () => { runner.delay = DELAYS[element("speed").value]; });
+element("title").addEventListener("change", writePython);
+element("open").addEventListener("click", () => element("file").click());
+element("file").addEventListener("change", openFile);
+element("save").addEventListener("click", saveProgram);
+element("package").addEventListener("click", savePackage);
+element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));
+element("examples").addEventListener("change", ({ target }) => {
+  if (target.value) work.choose();
+  if (target.value) load(target.value, EXAMPLES[target.value]);
+  target.value = "";
+});
+addEventListener("keydown", (event) => event.key === "Escape" && runner.end("Stopped."), true);
+for (const event of ["pagehide", "freeze"]) addEventListener(event, () => runner.end(HIDDEN));
+document.addEventListener("visibilitychange", () => document.hidden && runner.end(HIDDEN));
+addEventListener("hashchange", () => location.hash && enter());
+
+async function enter() {
+  const code = takeCodeFromAddress();
+  const error = code && await logIn(code);
+  login.close();
+  if (error) login.ask(error);
+  link.open();
+}
+
+load(EMPTY.title, EMPTY.program);
+work.restore();
+show();
+enter();

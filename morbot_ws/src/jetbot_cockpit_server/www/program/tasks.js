@@ -1,0 +1,85 @@
+// A task from the page: Judge me puts the robot at its start, runs the program, and shows the score.
+
+import { element, inSeconds, setText } from "../dom.js";
+
+const READY_TIMEOUT = 20000; // ms until the robot is at its start
+const NO_ANSWER = "The judge did not put the robot at its start. Try again.";
+const CANCELLED = "Judge me was cancelled.";
+
+export class Judging {
+  waiting = null; // { robot, task, since } until the robot is at its start
+  judged = null; // { robot, task } until the result is shown
+
+  // send(message); run(): runs the program; world
+  constructor({ send, run, world }) {
+    Object.assign(this, { send, run, world });
+    element("judge").addEventListener("click", () => (this.waiting ? this.cancel() : this.begin()));
+    for (const id of ["end", "stop", "run", "step"]) {
+      for (const event of ["pointerdown", "click"]) element(id).addEventListener(event, () => this.cancel());
+    }
+    addEventListener("keydown", ({ key }) => key === "Escape" && this.cancel(), true);
+    document.addEventListener("visibilitychange", () => document.hidden && this.cancel());
+  }
+
+  // Shows which tasks there are for this person.
+  list(tasks) {
+    const offered = tasks.filter(({ on }) => on || this.world.teacher);
+    const { value } = element("task-choice");
+    element("task-choice").replaceChildren(...offered.map(({ name, title }) => new Option(title, name)));
+    if (offered.some(({ name }) => name === value)) element("task-choice").value = value;
+    for (const id of ["task-choice", "judge"]) element(id).hidden = !offered.length;
+  }
+
+  begin() {
+    const [robot, task] = [this.world.chosen, element("task-choice").value];
+    this.waiting = { robot, task, since: performance.now() };
+    this.judged = null;
+    this.send({ type: "drive", robot, forward: 0, left: 0 }); // who had to let go, has
+    this.send({ type: "judge", robot, task });
+    this.say("The robot goes to the start of the task.");
+  }
+
+  // A notice has arrived, perhaps why the cockpit refuses this.
+  refused(text) {
+    if (this.waiting) this.cancel(text);
+  }
+
+  cancel(text = CANCELLED) {
+    if (!this.waiting) return;
+    this.waiting = null;
+    this.say(text);
+  }
+
+  // A state has arrived.
+  update() {
+    if (this.waiting) this.wait(this.world.state(this.waiting.robot).task);
+    else if (this.judged) this.follow(this.world.state(this.judged.robot).task);
+  }
+
+  wait(task) {
+    const { robot, since } = this.waiting;
+    if (robot !== this.world.chosen || this.world.isBlocked(robot)) return this.cancel();
+    if (task?.name === this.waiting.task && task.state === "ready") return this.start();
+    if (task?.state === "cancelled") return this.cancel(task.text);
+    if (performance.now() - since > READY_TIMEOUT) this.cancel(NO_ANSWER);
+  }
+
+  start() {
+    this.judged = this.waiting;
+    this.waiting = null;
+    this.say("The judge measures from the first motion until the robot has stood still for 3 s.");
+    this.run();
+  }
+
+  follow(task) {
+    if (!["done", "cancelled"].includes(task?.state)) return;
+    this.judged = null;
+    const { state, title, score, seconds, text } = task;
+    this.say(state === "done" ? `${title}: ${score.toFixed(1)} points, ${inSeconds(seconds)}. ${text}` : text);
+  }
+
+  say(text) {
+    setText(element("score"), text);
+    setText(element("judge"), this.waiting ? "Cancel" : "Judge me");
+  }
+}

@@ -1,0 +1,108 @@
+"""Judges robots on request: each one that a page asks for, as often as it asks."""
+
+import contextlib
+import time
+from collections import deque
+from typing import Callable, Deque, Dict, List, Tuple
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
+
+from jetbot import JetbotError
+from jetbot_ros.master import NO_ANSWER, require_master
+
+from ..report.announcement import CANCELLED, Announcement
+from ..report.marks import to_csv
+from ..scoring.tasks import TASKS
+from .attempt import Attempt
+from .judged_robot import JudgedRobot, simulated_robots
+from .live import ASK_INTERVAL, LOST, POLL_INTERVAL, check_only_judge, close, is_known
+
+NAME = "class_judge"
+TASKS_TOPIC, REQUESTS_TOPIC = "/judge_tasks", "/judge_requests"
+DRIVE_TIMEOUT = 60.0  # s from a request until the robot must drive
+LINGER = 2.0          # s after a result until it is not published any more, and another judge may judge the robot
+
+
+def serve() -> None:
+    """Judge until Ctrl-C. Raise JetbotError if the master ends."""
+    require_master("roslaunch jetbot_cockpit class.launch")
+    rospy.init_node(NAME, argv=[], disable_signals=True)  # rospy's own handlers would ask the master
+    tasks = rospy.Publisher(TASKS_TOPIC, DiagnosticStatus, queue_size=1, latch=True)
+    tasks.publish(name="tasks", values=[KeyValue(task.name, task.title) for task in TASKS.values()])
+    judge, asked_at, failures = ClassJudge(), time.monotonic(), 0
+    try:
+        while failures < 2 and not rospy.is_shutdown():
+            judge.step(time.monotonic())
+            if time.monotonic() - asked_at > ASK_INTERVAL:
+                failures, asked_at = 0 if is_known() else failures + 1, time.monotonic()
+            time.sleep(POLL_INTERVAL)
+        raise LOST
+    finally:
+        close(judge.judging())
+
+
+class ClassJudge:
+    """Judges each robot's newest request. ``step`` does what is due, and never waits for a robot."""
+
+    def __init__(self):
+        self._requests: Deque[KeyValue] = deque(maxlen=100)
+        self._robots: Dict[str, JudgedRobot] = {}  # by namespace; a robot that was judged is followed from then on
+        self._attempts: Dict[str, Tuple[Attempt, float]] = {}  # with the time of the request
+        self._closing: List[Tuple[float, Callable[[], None]]] = []  # what is due later
+        rospy.Subscriber(REQUESTS_TOPIC, KeyValue, self._requests.append)
+
+    def judging(self) -> List[JudgedRobot]:
+        """Return the robots that are judged now."""
+        return [attempt.robot for attempt, _ in self._attempts.values()]
+
+    def step(self, now: float) -> None:
+        """Begin what was asked for, and go on with it; call it every POLL_INTERVAL."""
+        while self._requests:
+            request = self._requests.popleft()
+            self._begin(request.key.rstrip("/"), request.value, now)
+        for namespace, robot in self._robots.items():
+            if namespace not in self._attempts:
+                robot.poll()
+        for namespace, (attempt, since) in list(self._attempts.items()):
+            attempt.step()
+            if not attempt.mark and not attempt.has_driven and now - since > DRIVE_TIMEOUT:
+                attempt.finish()
+            if attempt.mark:
+                self._end(namespace, now)
+        for due in [each for each in self._closing if each[0] <= now]:
+            self._closing.remove(due)
+            due[1]()
+
+    def _begin(self, namespace, name, now):
+        """Put a robot to the start of a task. An attempt that it replaces gets no score."""
+        if name not in TASKS or namespace not in self._running():
+            return
+        try:
+            check_only_judge([namespace])
+        except JetbotError as error:
+            self._refuse(namespace, name, str(error), now)
+            return
+        if namespace not in self._robots:
+            self._robots[namespace] = JudgedRobot(namespace)
+        robot = self._robots[namespace]
+        before = self._attempts.get(namespace)
+        self._attempts[namespace] = Attempt(TASKS[name], robot, lambda sentence: None, once=True), now
+        if before:
+            before[0].close()
+
+    def _running(self):
+        with contextlib.suppress(*NO_ANSWER):
+            return simulated_robots()
+        return []
+
+    def _refuse(self, namespace, name, sentence, now):
+        announcement = Announcement(namespace, TASKS[name])
+        announcement.publish(CANCELLED, sentence)
+        self._closing.append((now + LINGER, announcement.close))
+
+    def _end(self, namespace, now):
+        attempt, _ = self._attempts.pop(namespace)
+        attempt.robot.set_world("")
+        self._closing.append((now + LINGER, attempt.close))
+        print(to_csv((), [attempt.mark.row]), end="", flush=True)

@@ -1,0 +1,102 @@
+"""Programs that the cockpit keeps, on several pages; and Judge me, from the pupil's press to the score."""
+
+import pytest
+
+from harness import program
+
+from .conftest import ROBOT
+
+
+def open_programs(page, url):
+    """Open the page for programs, with ROBOT chosen."""
+    page.resize(1024, 768)
+    page.driver.get(url)
+    page.wait_for_link()
+    page.choose(ROBOT)
+
+
+@pytest.fixture
+def page(page, world):
+    """A teacher's page for programs on a tablet."""
+    open_programs(page, f"{world.address}program")
+    return page
+
+
+@pytest.fixture
+def pupil(pupil, world):
+    """A pupil's one in another browser, which has the code already."""
+    open_programs(pupil, world.codes()["pupil"].partition("#")[0] + "program")
+    return pupil
+
+
+def rename(page, name):
+    """Give the shown program a name, and wait until the cockpit has kept that."""
+    page.type("title", name)
+    page.wait_for(lambda: page.text("kept") == "Kept", f"{name} to be kept")
+
+
+def names(page):
+    """Return the names of the programs that the page lists."""
+    if not page.element("work").is_displayed():
+        page.click("#programs")
+    return page.run("return [...document.querySelectorAll('#work-list li:not(.deleted) .name')]"
+                    ".map(name => name.textContent)")
+
+
+def press(page, name, button=".name"):
+    """Press a button of a program in the list."""
+    page.wait_for(lambda: name in names(page), name)
+    page.run("[...document.querySelectorAll('#work-list li')].find(e => e.firstChild.textContent === arguments[0])"
+             ".querySelector(arguments[1]).click()", name, button)
+
+
+def test_two_pages_on_one_program_are_both_told_and_nothing_is_lost(page, pupil):
+    rename(page, "<b>Mine</b>")
+    press(pupil, "<b>Mine</b>")
+    pupil.wait_for(lambda: pupil.value("title") == "<b>Mine</b>", "the program to be open")
+    rename(pupil, "Theirs")
+    page.wait_for_text("kept", "changed on another page")
+    page.type("title", "Mine too")
+    page.click("#copy")
+    page.wait_for(lambda: page.text("kept") == "Kept", "the copy to be kept")
+    page.wait_for(lambda: {"Theirs", "Mine too copy"} <= set(names(page)), "both")
+    press(page, "Theirs", "[aria-label^=Delete]")
+    page.wait_for(lambda: "Theirs" not in names(page), "it to be deleted")
+    page.click("#work-list [aria-label='Undo: Theirs']")
+    page.wait_for(lambda: "Theirs" in names(page), "it to be there again")
+    pupil.driver.refresh()
+    pupil.wait_for_link()
+    assert pupil.value("title") == "Theirs"
+
+
+def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world):
+    world.start(program("driving_tasks", "class_judge.py"))
+    page.click("#overview-button")
+    page.wait_for(lambda: page.has("#task-switches input"), "the tasks")
+    assert not pupil.element("judge").is_displayed(), "no task is on"
+    page.click("#task-switches input")
+    pupil.wait_for(lambda: pupil.element("judge").is_displayed(), "the task")
+    pupil.set("examples", "Drive until I am there")
+    with world.stops(ROBOT, what="a stop before the robot is at its start"):
+        pupil.click("#judge")
+        page.click("#stop")
+    pupil.wait_for_text("score", "cancelled")
+    page.click("#release")
+    pupil.wait_for(lambda: not pupil.run("return document.body.classList.contains('emergency')"), "the release")
+    pupil.click("#judge")
+    pupil.wait_for_text("score", "points")
+    assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
+    page.wait_for(lambda: page.run("return document.querySelector('#score-table').rows[1].cells.length") == 2, "it")
+
+
+def test_who_comes_back_in_a_new_browser_goes_on_with_the_newest_program(page, pupil, world):
+    rename(page, "Newest")
+    pupil.run("localStorage.clear()")
+    open_programs(pupil, pupil.driver.current_url)
+    pupil.wait_for(lambda: pupil.value("title") == "Newest", "the newest program")
+    pupil.driver.set_network_conditions(offline=True, latency=0, throughput=0)
+    pupil.type("title", "Changed without a network")
+    pupil.wait_for_text("kept", "does not answer")
+    pupil.driver.set_network_conditions(offline=False, latency=0, throughput=-1)
+    pupil.wait_for(lambda: pupil.text("kept") == "Kept", "the change to be kept")
+    pupil.errors()

@@ -1,0 +1,55 @@
+"""class_judge.py judges a robot as often as a page asks for it, and offers its tasks to the cockpit."""
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
+from std_msgs.msg import String
+
+from driving_tasks.scoring.tasks import TASKS
+from harness import START_TIMEOUT, RobotTest, program, read
+
+SIMULATOR = program("simulation", "simulator.py")
+SPEED = 0.5  # of full power
+
+
+class ClassJudge(RobotTest):
+    def setUp(self):
+        super().setUp()
+        self.start(SIMULATOR, f"_i2c_bus:=fake:{self.bus}")
+        self.controller()
+        self.judge = self.start(program("driving_tasks", "class_judge.py"))
+        self.offered, self.states, self.requests = [], [], rospy.Publisher("/judge_requests", KeyValue, queue_size=1)
+        for topic, act in (("/judge_tasks", self.offered.append), ("/task", self.note)):
+            self.addCleanup(rospy.Subscriber(topic, DiagnosticStatus, act).unregister)
+        self.wait_for(lambda: self.offered and self.requests.get_num_connections(), START_TIMEOUT, "the judge")
+
+    def note(self, message):
+        self.states.append((message.name, {each.key: each.value for each in message.values}["state"],
+                            message.message))
+
+    def ask(self, task):
+        """Ask for the robot to be judged, and wait until it may drive."""
+        self.states.clear()
+        self.requests.publish("/", task)
+        self.wait_for(lambda: [state[:2] for state in self.states][-1:] == [(task, "ready")], START_TIMEOUT, "ready")
+
+    def test_a_robot_is_judged_as_often_as_it_is_asked_for(self):
+        self.assertEqual([(each.key, each.value) for each in self.offered[0].values],
+                         [(task.name, task.title) for task in TASKS.values()])
+        for task, wanted in (("metre", "done"), ("quarter", "done")):
+            self.ask(task)
+            self.wait_for(lambda: self.command(SPEED) or self.states[-1][1] == "driving", START_TIMEOUT, "a drive")
+            self.command(0.0)
+            self.wait_for(lambda wanted=wanted: self.states[-1][1] == wanted, START_TIMEOUT, "the score")
+            self.assertIn("Largest loss: ", self.states[-1][2])
+        self.wait_for(lambda: len(read(self.judge).splitlines()) == 2, START_TIMEOUT, "two marks")
+
+    def test_an_interruption_ends_it_and_a_new_request_begins_again(self):
+        self.ask("metre")
+        world = rospy.Publisher("/jetbot_simulator/world", String, queue_size=1, latch=True)
+        world.publish("walls: [[[1, 1], [2, 2]]]")
+        self.wait_for(lambda: self.states[-1][1] == "cancelled", START_TIMEOUT, "its end")
+        self.assertIn("Walls or lines around the robot were changed", self.states[-1][2])
+        self.wait_for(lambda: "Walls or lines" in read(self.judge), START_TIMEOUT, "its row")
+        world.unregister()
+        self.ask("quarter")
+        self.ask("metre")

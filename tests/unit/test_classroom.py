@@ -1,0 +1,337 @@
+"""What a class keeps: nothing is lost by a kill, a full disk or a second page, and nobody gets what is another's."""
+
+import errno
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from conftest import PACKAGES, PYTHONPATH
+from jetbot import InvalidValue
+from jetbot_cockpit_server.classroom import programs as rules
+from jetbot_cockpit_server.classroom.classroom import Classroom, open_classroom
+from jetbot_cockpit_server.classroom.folder import CLASS_NAME, ClassFolder, Nowhere
+from jetbot_cockpit_server.classroom.programs import Program, Programs, Refused, is_program_name
+from jetbot_cockpit_server.web.access import make_grants
+
+IDS = [f"{number:016x}" for number in range(100)]
+SQUARE, CIRCLE = '{"blocks":{"square":4}}', '{"blocks":{"circle":1}}'
+CALLS = "os.replace", "os.fsync", "pathlib.Path.open", "pathlib.Path.unlink"
+
+
+class Killed(BaseException):
+    """The process ends here: what would follow does not happen."""
+
+
+@pytest.fixture
+def classes(tmp_path):
+    """A function that starts a cockpit with the class 7b, after the last one was killed, and returns its folder."""
+    opened = []
+
+    def start():
+        if opened:
+            start.end()
+        opened.append(ClassFolder(str(tmp_path), "7b"))
+        return opened[-1]
+    start.path, start.end = tmp_path / "7b", lambda: opened.pop().close()
+    yield start
+    if opened:
+        start.end()
+
+
+def save(programs, id=IDS[0], version=0, name="Square", program=SQUARE, robot="/red"):
+    return programs.save(robot, id, version, name, program)
+
+
+def kept(programs, robot="/red"):
+    return {row["id"]: programs.open(robot, row["id"]).program for row in programs.rows(robot) if not row["deleted"]}
+
+
+def test_a_program_is_there_again_at_the_next_start(classes):
+    programs = Programs(classes())
+    save(programs, name="Größer 🙂 <b>")
+    assert save(programs, version=1, name="Größer 🙂 <b>", program=CIRCLE).version == 2
+    again = Programs(classes())
+    assert again.open("/red", IDS[0]) == Program(IDS[0], "/red", "Größer 🙂 <b>", 2, 2, False, CIRCLE)
+    assert save(again, IDS[1]).changed == 3
+
+
+def test_without_a_name_a_class_ends_with_the_cockpit(tmp_path, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    classroom = open_classroom("~/classes", "")
+    save(classroom.programs)
+    classroom.write("scores", [])
+    assert kept(classroom.programs) and not list(tmp_path.iterdir())
+
+
+def test_only_the_owner_reads_the_folder(classes):
+    classes().write("codes", {})
+    assert classes.path.stat().st_mode & 0o777 == 0o700
+    classes.path.chmod(0o755)
+    classes()
+    assert classes.path.stat().st_mode & 0o777 == 0o700
+
+
+def test_two_pages_on_one_program_do_not_overwrite_each_other():
+    programs = Programs(Nowhere())
+    save(programs)
+    assert save(programs, version=1, program=CIRCLE).version == 2
+    for late in (lambda: save(programs, version=1, name="other"), lambda: programs.delete("/red", IDS[0], 1, True)):
+        with pytest.raises(Refused, match="changed on another page"):
+            late()
+    assert kept(programs) == {IDS[0]: CIRCLE}
+
+
+def test_what_is_sent_again_because_its_answer_was_lost_is_kept_once():
+    programs = Programs(Nowhere())
+    assert save(programs) == save(programs)
+    assert programs.delete("/red", IDS[0], 1, True) == programs.delete("/red", IDS[0], 1, True)
+    assert save(Programs(Nowhere()), version=7).version == 1, "after the cockpit was started again"
+
+
+def test_the_other_page_sees_that_something_has_changed():
+    programs = Programs(Nowhere())
+    seen = [programs.changed("/red")]
+    for change in (lambda: save(programs), lambda: save(programs, version=1, name="Big square"),
+                   lambda: programs.delete("/red", IDS[0], 2, True), lambda: programs.delete("/red", IDS[0], 3, False)):
+        change()
+        seen.append(programs.changed("/red"))
+    assert seen == sorted(set(seen)) and programs.changed("/blue") == 0
+
+
+def test_a_deleted_program_comes_back_by_undo_also_after_a_restart(classes):
+    programs = Programs(classes())
+    save(programs)
+    programs.delete("/red", IDS[0], 1, True)
+    programs = Programs(classes())
+    assert kept(programs) == {} and programs.rows("/red")[0]["deleted"]
+    programs.delete("/red", IDS[0], 2, False)
+    assert kept(Programs(classes())) == {IDS[0]: SQUARE}
+
+
+def test_no_robot_reads_or_changes_another_ones_programs():
+    programs = Programs(Nowhere())
+    save(programs)
+    for foreign in (lambda: programs.open("/blue", IDS[0]), lambda: programs.delete("/blue", IDS[0], 1, True),
+                    lambda: save(programs, version=1, robot="/blue", program=CIRCLE)):
+        with pytest.raises(Refused):
+            foreign()
+    assert (kept(programs), kept(programs, "/blue")) == ({IDS[0]: SQUARE}, {})
+
+
+def test_a_robot_has_room_for_some_programs_and_deleted_ones_make_room(classes):
+    programs = Programs(classes())
+    for id in IDS[:rules.MAX_PROGRAMS]:
+        save(programs, id)
+    with pytest.raises(Refused, match="no room"):
+        save(programs, IDS[-1])
+    save(programs, IDS[-1], robot="/blue")
+    for id in IDS[3], IDS[2]:
+        programs.delete("/red", id, 1, True)
+    save(programs, IDS[-2])
+    left = set(kept(programs))
+    assert left == {*IDS[:rules.MAX_PROGRAMS], IDS[-2]} - {IDS[2], IDS[3]}
+    assert [row["id"] for row in programs.rows("/red") if row["deleted"]] == [IDS[2]], "the oldest goes first"
+    assert set(kept(Programs(classes()))) == left
+
+
+def test_a_robots_programs_are_limited_in_all():
+    programs, large = Programs(Nowhere()), json.dumps({"blocks": "x" * (rules.MAX_TEXT - 20)})
+    with pytest.raises(Refused, match="no room"):
+        for id in IDS:
+            save(programs, id, program=large)
+    assert len(kept(programs)) == rules.MAX_TOTAL // len(large)
+
+
+@pytest.mark.parametrize("program", [
+    "", "x", "[]", "1", "null", '"text"', "[" * 10000, '{"a":' * 10000, '{"a": "\ud800"}',
+    json.dumps({"a": "x" * 65536}), json.dumps({"a": "ä" * 32768}, ensure_ascii=False), "9" * 60000],
+    ids=lambda each: each[:9])
+def test_what_is_no_program_is_refused(program):
+    programs = Programs(Nowhere())
+    with pytest.raises(Refused):
+        save(programs, program=program)
+    assert not programs.rows("/red")
+
+
+@pytest.mark.parametrize("name, good", [
+    ("<img src=x onerror=alert(1)>", True), ("../../etc/passwd", True), ("🙂" * 40, True), ("x" * 41, False),
+    ("", False), (" ", False), ("a\nb", False), ("a\u202eb", False), ("\ud800", False), (7, False), (None, False)])
+def test_the_name_of_a_program_is_printable_text(name, good):
+    assert is_program_name(name) == good
+
+
+def test_files_have_numbers_whatever_a_program_is_called(classes):
+    save(Programs(classes()), name="../../codes")
+    assert [file.name for file in classes.path.rglob("*")] == [f"program_{IDS[0]}.json"]
+
+
+@pytest.mark.parametrize("content", [
+    "", "[]", "{}", "[" * 10000, '{"id": 1}',
+    *(json.dumps({**Program(IDS[0], "/red", "Square", 1, 1, False, SQUARE)._asdict(), **changes}) for changes in (
+        {"id": IDS[1]}, {"name": ""}, {"version": "1"}, {"deleted": 0}, {"program": "x"}, {"robot": None},
+        {"new": 1}))])
+def test_a_damaged_file_is_put_aside_and_the_others_are_read(classes, content):
+    folder = classes()
+    save(Programs(folder), IDS[5])
+    (classes.path / f"program_{IDS[0]}.json").write_text(content)
+    folder = classes()
+    assert set(kept(Programs(folder))) == {IDS[5]}
+    assert "is damaged" in folder.problems[0]
+    assert (classes.path / f"program_{IDS[0]}.damaged").read_text() == content
+
+
+def interrupted(monkeypatch, call, at, exception, *arguments, **options):
+    """Save this; let the call of this name fail the at-th time. Return whether it did."""
+    module, _, name = call.rpartition(".")
+    target = os if module == "os" else __import__("pathlib").Path
+    real, calls = getattr(target, name), []
+
+    def fails(*arguments, **options):
+        calls.append(call)
+        if len(calls) == at:
+            raise exception
+        return real(*arguments, **options)
+    with monkeypatch.context() as patch:
+        patch.setattr(target, name, fails)
+        try:
+            save(*arguments, **options)
+        except (Killed, OSError):
+            pass
+    return len(calls) >= at
+
+
+@pytest.mark.parametrize("exception", [Killed(), OSError(errno.ENOSPC, "No space")], ids=["kill", "full"])
+@pytest.mark.parametrize("call", CALLS)
+def test_whatever_fails_while_saving_the_old_version_or_the_new_one_is_there(classes, monkeypatch, call, exception):
+    failures = 0
+    for at in range(1, 5):
+        programs = Programs(classes())
+        base = next((row["version"] for row in programs.rows("/red")), 0)
+        save(programs, version=base, program=SQUARE)
+        base = programs.rows("/red")[0]["version"]
+        failures += interrupted(monkeypatch, call, at, exception, programs, version=base, program=CIRCLE)
+        again = Programs(classes())
+        assert kept(again) in ({IDS[0]: SQUARE}, {IDS[0]: CIRCLE})
+        assert [file.name for file in classes.path.iterdir()] == [f"program_{IDS[0]}.json"], "nothing is left over"
+        save(again, version=again.rows("/red")[0]["version"], name="goes on", program=CIRCLE)
+        again.delete("/red", IDS[0], again.rows("/red")[0]["version"], True)
+        again.delete("/red", IDS[0], again.rows("/red")[0]["version"], False)
+    assert failures
+
+
+def test_what_a_killed_cockpit_left_half_written_is_gone_at_the_next_start(classes):
+    classes()
+    (classes.path / ".0123456789abcdef.new").write_text("{")
+    classes()
+    assert not list(classes.path.iterdir())
+
+
+def test_a_program_is_on_the_disk_before_it_is_answered(classes, monkeypatch):
+    programs, synced, fsync = Programs(classes()), [], os.fsync
+    monkeypatch.setattr(os, "fsync", lambda file: fsync(file) or synced.append(os.readlink(f"/proc/self/fd/{file}")))
+    save(programs)
+    assert len(synced) == 2 and synced[0].endswith(".new") and synced[1] == str(classes.path)
+
+
+STEPS = st.lists(st.tuples(st.sampled_from(["save", "delete", "restore", "restart", "kill"]), st.integers(0, 2),
+                           st.integers(1, 4)), max_size=12)
+
+
+@settings(max_examples=60, deadline=None, database=None,
+          suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(steps=STEPS)
+def test_in_whatever_order_what_was_answered_is_there(classes, monkeypatch, steps):
+    for file in classes.path.glob("*") if classes.path.exists() else ():
+        file.unlink()
+    programs, expected = Programs(classes()), {}
+    for number, (step, index, at) in enumerate(steps):
+        id = IDS[index]
+        version = next((row["version"] for row in programs.rows("/red") if row["id"] == id), 0)
+        text = json.dumps({"step": number})
+        if step == "save":
+            expected[id] = save(programs, id, version, program=text).program
+        elif step in ("delete", "restore") and version:
+            program = programs.delete("/red", id, version, step == "delete")
+            expected.pop(id, None)
+            expected.update({} if program.deleted else {id: program.program})
+        elif step == "kill":
+            interrupted(monkeypatch, "os.fsync", at, Killed(), programs, id, version, program=text)
+            programs = Programs(classes())
+            assert kept(programs).get(id) in (text, expected.get(id))
+            expected = {**{key: value for key, value in expected.items() if key != id},
+                        **{key: value for key, value in kept(programs).items() if key == id}}
+        elif step == "restart":
+            programs = Programs(classes())
+        assert kept(programs) == expected
+
+
+def test_a_second_cockpit_with_the_same_class_is_refused_until_the_first_one_ends(classes, tmp_path):
+    classes()
+    with pytest.raises(InvalidValue, match="nother cockpit has the class 7b open"):
+        ClassFolder(str(tmp_path), "7b")
+    classes()
+
+
+def test_a_folder_that_cannot_be_used_is_named(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InvalidValue, match="file/7b cannot be used to keep a class: File exists"):
+        ClassFolder(str(tmp_path / "file"), "7b")
+
+
+@pytest.mark.parametrize("name, good", [("7b", True), ("Year_7-b", True), ("", True), ("x" * 21, False), ("a/b", False),
+                                        ("..", False), ("a b", False), ("ä", False), ("a\n", False), (7, False)])
+def test_a_class_has_a_plain_name(name, good):
+    assert CLASS_NAME.accepts(name) == good
+
+
+def test_printed_codes_hold_at_the_next_lesson_and_damaged_ones_are_new():
+    grants = make_grants(2)
+    kept = {each.label: [each.code, each.cookie] for each in grants}
+    assert make_grants(2, kept) == grants
+    assert make_grants(3, kept)[:3] == grants, "more robots than last time"
+    for damaged in ["", "X"], ["ABC234"], "ABC234", None, ["ABC23!", "x" * 43], ["ABC234", ""], [1, 2]:
+        code, cookie = make_grants(2, {**kept, "jetbot_01": damaged})[1][3:]
+        assert [code, cookie] != damaged and len(code) == 6 and len(cookie) == 43
+
+
+def test_what_cannot_be_kept_soon_is_reported():
+    class Full(Nowhere):
+        def write(self, name, content):
+            raise OSError(errno.ENOSPC, "No space left on device")
+    classroom = Classroom(Full())
+    classroom.keep("scores", [])
+    classroom.do(str).result()
+    assert classroom.take_problems() == ["The class cannot be kept: [Errno 28] No space left on device"]
+    with pytest.raises(InvalidValue, match="No space left on device"):
+        classroom.write("codes", {})
+
+
+def forget(*arguments, home):
+    script = PACKAGES / "jetbot_cockpit_server/scripts/forget_class.py"
+    return subprocess.run([sys.executable, script, *arguments], capture_output=True, text=True,
+                          env={**os.environ, "HOME": str(home), "PYTHONPATH": PYTHONPATH})
+
+
+def test_a_class_is_forgotten_but_not_while_a_cockpit_has_it(classes, tmp_path):
+    save(Programs(classes()))
+    refused = forget("7b", "--classes", tmp_path, home=tmp_path)
+    assert (refused.returncode, refused.stderr) == (1, "A cockpit runs with the class 7b: end it first.\n")
+    classes.end()
+    done = forget("7b", "--classes", tmp_path, home=tmp_path)
+    assert (done.returncode, done.stdout) == (0, f"Deleted {classes.path}: 1 files with the codes, programs and best "
+                                                 "scores of the class 7b.\n")
+    assert not classes.path.exists()
+    classes()
+
+
+@pytest.mark.parametrize("name, sentence", [("8a", "There is no class 8a"), ("../x", "is no name of a class"),
+                                            ("", "is no name of a class")])
+def test_what_is_no_class_is_not_forgotten(tmp_path, name, sentence):
+    (tmp_path / ".ros/x").mkdir(parents=True)
+    assert sentence in forget(name, home=tmp_path).stderr
+    assert (tmp_path / ".ros/x").is_dir()
