@@ -15,8 +15,8 @@ def test_the_source_and_the_files_of_a_judgement(tmp_path):
 
 @pytest.mark.parametrize("arguments, sentence", [
     (["meter"], "There is no task meter. Did you mean metre?"),
-    (["xyz"],
-     "There is no task xyz. The tasks are metre, quarter, square, circle, s_bend, smooth, park, follow, camera and roam."),
+    (["xyz"], "There is no task xyz. The tasks are metre, quarter, square, circle, s_bend, smooth, park, follow, "
+              "camera and roam."),
     (["metre", "--bags", "x"], "Unrecognized arguments: --bags x. See judge.py --help."),
     (["metre", "--bag", ".", "--picture", "x.png"],
      "--picture is for one drive; for several, use --pictures FOLDER."),
