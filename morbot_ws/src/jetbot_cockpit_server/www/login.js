@@ -62,7 +62,7 @@ export class LoginForm {
 export class NameField {
   constructor(send) {
     this.send = send;
-    element("name").value = load();
+    element("name").value = storedName();
     element("name").addEventListener("change", () => this.announce());
     element("name").addEventListener("keydown", (event) => event.key === "Enter" && event.target.blur());
   }
@@ -75,7 +75,8 @@ export class NameField {
   }
 }
 
-function load() {
+// Returns what the person wants to be called, or "".
+export function storedName() {
   try {
     return localStorage.getItem(STORED_NAME) ?? "";
   } catch { // a browser that stores nothing

@@ -3,7 +3,8 @@
 import { visible } from "../colors.js";
 import { create, element, onPress, setClass, setText } from "../dom.js";
 import { Link } from "../link.js";
-import { LoginForm, logIn, takeCodeFromAddress } from "../login.js";
+import { LoginForm, logIn, storedName, takeCodeFromAddress } from "../login.js";
+import { RobotMap } from "../map.js";
 import { showRoundTrip } from "../panel.js";
 import { Choice } from "../robots.js";
 import { Notice, Stops } from "../stops.js";
@@ -54,12 +55,14 @@ const work = new Work({
   },
 });
 const judging = new Judging({ send, run: () => start(false), world });
+const map = new RobotMap(element("map"), world, { choose() {}, redraw: show }); // a tap ends no program
 const overview = new Overview({ send, look: (row) => work.look(row), download, world });
 
 const RECEIVERS = {
   hello(message) {
     world.hello(message);
     overview.hello();
+    if (storedName()) send({ type: "name", name: storedName() });
     judging.cancel();
   },
   robots(message) {
@@ -74,6 +77,10 @@ const RECEIVERS = {
     endIfStopped();
     work.update(world.chosen, world.state(world.chosen).programs);
     judging.update();
+  },
+  trail: ({ robot, points }) => world.trails.set(robot, points),
+  scene(message) {
+    if (world.scene(message)) map.showCourse(message.robot);
   },
   tasks({ tasks }) {
     judging.list(tasks);
@@ -121,6 +128,8 @@ function askForCode() {
 
 function changeRobot() {
   runner.end("Another robot was chosen.");
+  map.follow(true);
+  map.showCourse(world.chosen);
   showUnits();
   show();
 }
@@ -215,8 +224,13 @@ function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
+// Blocks get new ids when they are shown again; a variable keeps its own.
+function withoutIds(key, value) {
+  return key === "id" && this.type ? undefined : value;
+}
+
 function programText() {
-  return JSON.stringify(currentProgram(workspace));
+  return JSON.stringify(currentProgram(workspace), withoutIds);
 }
 
 function saveProgram() {
@@ -249,6 +263,14 @@ function showNow() {
   showButtons();
   showPlace(runner.runs ? runner.at : null);
   showOutput();
+  if (element("map").clientWidth) map.draw();
+}
+
+// Shows the map in place of the Python, or that again.
+function showMap(on) {
+  element("show-map").setAttribute("aria-pressed", on);
+  setText(element("python-title"), on ? "Map" : "Python");
+  [element("view").hidden, element("python").hidden] = [!on, on];
 }
 
 function showButtons() {
@@ -298,6 +320,8 @@ element("speed").addEventListener("input", () => { runner.delay = DELAYS[element
 element("title").addEventListener("change", writePython);
 element("open").addEventListener("click", () => element("file").click());
 element("file").addEventListener("change", openFile);
+element("show-map").addEventListener("click", () => showMap(element("view").hidden));
+element("judge").addEventListener("click", () => showMap(true));
 element("save").addEventListener("click", saveProgram);
 element("package").addEventListener("click", savePackage);
 element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));
