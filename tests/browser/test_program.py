@@ -248,11 +248,11 @@ def test_the_map_shows_the_robot_its_trail_and_the_tasks_world_while_the_program
     page.click("#show-map")
     assert not page.text("python")
     page.receive({"type": "scene", "robot": f"/{ROBOT}", "shapes": [
-        {"kind": "wall", "width": 0.1, "points": [[-1, -1], [-1, 1]], "color": "#ff0000"},
-        {"kind": "course", "width": 0.01, "points": [[0, 0], [1, 0]]}]})
+        {"kind": "course", "width": 0.01, "points": [[0, 0], [1, 0]]},
+        {"kind": "goal", "width": 0.2, "points": [[1, 0], [1.2, 0]]}]})
     run(page, world)
     page.wait_for(page.robot_on_map, "the robot on the map")
-    assert page.shows_on_map(page.run("return getComputedStyle(document.documentElement).getPropertyValue('--course')"))
+    page.wait_for(lambda: page.shows_on_map("#7c3aed"), "the task's goal")
     page.click("#show-map")
     page.wait_for_text("python", "drive(0.5, 0, 30)")
 
