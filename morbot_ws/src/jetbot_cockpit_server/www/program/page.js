@@ -1,16 +1,15 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
-import { visible } from "../colors.js";
-import { create, element, onPress, setClass, setText } from "../dom.js";
+import { create, element, onPress, setText } from "../dom.js";
 import { Link } from "../link.js";
 import { LoginForm, logIn, storedName, takeCodeFromAddress } from "../login.js";
 import { RobotMap } from "../map.js";
-import { showRoundTrip } from "../panel.js";
+import { showRoundTrip, showStatus } from "../panel.js";
 import { Choice } from "../robots.js";
 import { Notice, Stops } from "../stops.js";
 import { World } from "../world.js";
 import { setUnits } from "./blocks.js";
-import { parseProgram, Refusal } from "./check.js";
+import { NO_PROGRAM, parseProgram, Refusal } from "./check.js";
 import { currentProgram, openEditor, showProgram } from "./editor.js";
 import { EMPTY, EXAMPLES } from "./examples.js";
 import { shown } from "./interpreter.js";
@@ -27,7 +26,6 @@ const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fa
 const HIDDEN = "The page was hidden, so the program was stopped.";
 const CHANGED = "The program was changed. Run it again.";
 const NO_ROBOT = { workshop: true, wheel_separation: 2, max_speed: 1 };
-const BROKEN = "This file is no program of this page.";
 
 let problem = "Connecting"; // why there is no connection
 let wasDriver = false;
@@ -194,7 +192,7 @@ function load(title, program) {
     return true;
   } catch {
     showProgram(workspace, before);
-    notice.show(BROKEN, () => false);
+    notice.show(NO_PROGRAM, () => false);
     return false;
   } finally {
     showUnits();
@@ -206,7 +204,7 @@ function open(title, text) {
   try {
     return load(title, parseProgram(text));
   } catch (error) {
-    notice.show(error instanceof Refusal ? error.message : BROKEN, () => false);
+    notice.show(error instanceof Refusal ? error.message : NO_PROGRAM, () => false);
     return false;
   }
 }
@@ -251,13 +249,7 @@ function show() {
 
 function showNow() {
   frame = null;
-  const robot = world.robot(world.chosen);
-  const summary = robot ? world.summarize(robot.id) : { text: "No robot is running: start one.", level: "waiting" };
-  const { text, level } = problem ? { text: problem, level: "warning" } : summary;
-  setText(element("sentence"), text);
-  element("status").dataset.level = level;
-  if (robot) document.documentElement.style.setProperty("--robot", visible(robot.color));
-  setClass(document.body, "offline", problem);
+  showStatus(world, problem);
   notice.update(world.isBlocked(world.chosen), runner.runs);
   stops.show();
   showButtons();
