@@ -214,6 +214,58 @@ def test_a_thousand_blocks_load_in_two_seconds(blocks):
     start = time.time()
     page.wait_for(lambda: page.text("python").count("drive(0.5, 0, 1)") == 320, "the Python of all blocks")
     assert time.time() - start < 2.0 + 3.0  # a busy computer
+    page.type("title", "Large")
+    page.wait_for_text("kept", "Kept")
+
+
+@pytest.mark.parametrize("editor, field", [("showEditor", "blocklyHtmlInput"),
+                                           ("showPromptEditor", "blocklyDialogInput")], ids=["computer", "Android"])
+def test_a_number_may_have_a_decimal_comma(editor, field, blocks):
+    page = blocks(program(drive(0.5, 1)))
+    page.wait_for_text("python", "drive(0.5, 0, 1)")
+    for typed, x in ("0,7", 0.7), ("-,25", -0.25), ("1,2,3", -0.25):
+        page.run(f"Blockly.getMainWorkspace().getBlocksByType('math_number')[0].getField('NUM').{editor}();"
+                 f"document.querySelector('.{field}').select()")
+        box = page.driver.switch_to.active_element
+        assert box.get_attribute("inputmode") == "decimal"
+        box.send_keys(f"{typed}\n")
+        page.wait_for_text("python", f"drive({x}, 0, 1)")
+
+
+def test_what_is_said_of_keeping_moves_nothing(blocks):
+    page = blocks(program(drive(0.5, 1)))
+    for screen in TABLETS:
+        page.resize(*screen)
+        places = [page.run("document.getElementById('kept').textContent = arguments[0];"
+                           "document.getElementById('copy').hidden = !arguments[0];"
+                           "return document.getElementById('blocks').getBoundingClientRect().toJSON()", text)
+                  for text in ("", "Not kept yet", "This program was changed on another page. " * 2)]
+        assert places[0] == places[1] == places[2]
+
+
+def test_the_map_shows_the_robot_its_trail_and_the_tasks_world_while_the_program_runs(blocks, world):
+    page = blocks(program(drive(0.5, 30)))
+    page.click("#show-map")
+    assert not page.text("python")
+    page.receive({"type": "scene", "robot": f"/{ROBOT}", "shapes": [
+        {"kind": "course", "width": 0.01, "points": [[0, 0], [1, 0]]},
+        {"kind": "goal", "width": 0.2, "points": [[1, 0], [1.2, 0]]}]})
+    run(page, world)
+    page.wait_for(page.robot_on_map, "the robot on the map")
+    page.wait_for(lambda: page.shows_on_map("#7c3aed"), "the task's goal")
+    page.click("#show-map")
+    page.wait_for_text("python", "drive(0.5, 0, 30)")
+
+
+def test_the_name_that_the_device_knows_is_announced(blocks, world, pupil):
+    page = blocks(program(drive(0.5, 30)))
+    page.run("localStorage.setItem('name', 'Ada')")
+    page.driver.refresh()
+    page.wait_for_link()
+    page.choose(ROBOT)
+    run(blocks(program(drive(0.5, 30))), world)
+    pupil.wait_for_text("driver", "Ada drives it")
+    page.run("localStorage.removeItem('name')")
 
 
 def unpack(packed, folder):

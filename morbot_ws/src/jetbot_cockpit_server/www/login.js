@@ -1,12 +1,12 @@
 // How a person gets in, by a code that is sent once for a cookie, and what they want to be called.
 
 import { element } from "./dom.js";
+import { recall, remember, toName } from "./storage.js";
 
 const WRONG = "This code is wrong. Codes change when the cockpit starts again.";
 const TOO_MANY = "Too many wrong codes. Wait a minute, and try again.";
 const NO_ANSWER = "The cockpit does not answer: check the network, and try again.";
 const STORED_NAME = "name";
-const UNWANTED = /(?! )[\p{C}\p{Z}]/gu; // control characters and the like, which the cockpit refuses
 
 // Returns the code after the # of the address and takes it out of there, or "".
 export function takeCodeFromAddress() {
@@ -62,29 +62,20 @@ export class LoginForm {
 export class NameField {
   constructor(send) {
     this.send = send;
-    element("name").value = load();
+    element("name").value = storedName();
     element("name").addEventListener("change", () => this.announce());
     element("name").addEventListener("keydown", (event) => event.key === "Enter" && event.target.blur());
   }
 
   announce() {
-    const name = element("name").value.replace(UNWANTED, "").trim();
+    const name = toName(element("name").value);
     element("name").value = name;
-    store(name);
+    remember(STORED_NAME, name);
     if (name) this.send({ type: "name", name });
   }
 }
 
-function load() {
-  try {
-    return localStorage.getItem(STORED_NAME) ?? "";
-  } catch { // a browser that stores nothing
-    return "";
-  }
-}
-
-function store(name) {
-  try {
-    localStorage.setItem(STORED_NAME, name);
-  } catch { /* the name is typed again next time */ }
+// Returns what the person wants to be called, or "".
+export function storedName() {
+  return recall(STORED_NAME);
 }

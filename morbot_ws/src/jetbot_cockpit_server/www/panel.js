@@ -11,16 +11,22 @@ const SIDES = [["left", "−", -1], ["right", "+", 1]];
 export function showPanel(world, problem) {
   const id = world.chosen;
   const [robot, state] = [world.robot(id), world.state(id)];
-  const { text, level } = problem ? { text: problem, level: "warning" } : currentStatus(world, id);
-  setText(element("sentence"), text);
-  element("status").dataset.level = level;
+  showStatus(world, problem);
   setText(element("driver"), robot && !problem ? world.describeDriver(id) : "");
   setClass(element("driver"), "soon", state.resumes);
-  if (robot) document.documentElement.style.setProperty("--robot", visible(robot.color));
-  setClass(document.body, "offline", problem);
   showWheels(robot, state);
   showTask(robot && state.task);
   showTeachersTools(world, robot, state);
+}
+
+// Shows the chosen robot's status, and its colour.
+export function showStatus(world, problem) {
+  const robot = world.robot(world.chosen);
+  const { text, level } = problem ? { text: problem, level: "warning" } : currentStatus(world, world.chosen);
+  setText(element("sentence"), text);
+  element("status").dataset.level = level;
+  if (robot) document.documentElement.style.setProperty("--robot", visible(robot.color));
+  setClass(document.body, "offline", problem);
 }
 
 function currentStatus(world, id) {

@@ -5,6 +5,23 @@ const { Blockly } = globalThis;
 const WORKSHOP = { X: "power", Z: "power" };
 const SI = { X: "m/s", Z: "rad/s" };
 const HELP = "x is forward, z to the left. In the workshop's units, 1 is full power: left = x − z, right = x + z.";
+
+// Takes a number as a person types it: 0,7 is 0.7, while Blockly drops the comma, and makes it 7.
+class NumberField extends Blockly.FieldNumber {
+  doClassValidation_(value) {
+    return super.doClassValidation_(typeof value === "string" ? value.replaceAll(",", ".") : value);
+  }
+
+  widgetCreate_() {
+    return Object.assign(super.widgetCreate_(), { inputMode: "decimal" });
+  }
+
+  showPromptEditor() {
+    super.showPromptEditor();
+    document.querySelector(".blocklyDialogInput").inputMode = "decimal";
+  }
+}
+
 const statement = { previousStatement: null, nextStatement: null };
 const number = (name) => ({ type: "input_value", name, check: "Number" });
 const unit = (name) => ({ type: "field_label", name: `UNIT_${name}`, text: "" });
@@ -80,6 +97,8 @@ export function defineBlocks() {
   Blockly.Extensions.register("units", function label() {
     showUnits(this);
   });
+  Blockly.fieldRegistry.unregister("field_number");
+  Blockly.fieldRegistry.register("field_number", NumberField);
   delete Blockly.Blocks.text;
   Blockly.common.defineBlocksWithJsonArray([...DRIVE, ...SENSE, ...OTHERS]);
   Blockly.libraryBlocks?.loops?.loopTypes.add("robot_loop");

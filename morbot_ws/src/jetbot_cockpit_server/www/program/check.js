@@ -7,7 +7,7 @@ const MAX_BLOCKS = 2000;
 const MAX_NESTING = 60; // blocks in blocks; those below each other do not count
 const MAX_PARTS = 50; // branches of an if, parts of a text
 const MAX_NAME = 100; // characters of a text
-const NO_PROGRAM = "This file is no program of this page.";
+export const NO_PROGRAM = "This file is no program of this page.";
 const BLOCK_KEYS = ["type", "id", "x", "y", "fields", "inputs", "next", "extraState"];
 
 // Why a program is refused, in a sentence for the person.

@@ -1,15 +1,15 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
-import { visible } from "../colors.js";
-import { create, element, onPress, setClass, setText } from "../dom.js";
+import { create, element, onPress, setText } from "../dom.js";
 import { Link } from "../link.js";
-import { LoginForm, logIn, takeCodeFromAddress } from "../login.js";
-import { showRoundTrip } from "../panel.js";
+import { LoginForm, logIn, storedName, takeCodeFromAddress } from "../login.js";
+import { RobotMap } from "../map.js";
+import { showRoundTrip, showStatus } from "../panel.js";
 import { Choice } from "../robots.js";
 import { Notice, Stops } from "../stops.js";
 import { World } from "../world.js";
 import { setUnits } from "./blocks.js";
-import { parseProgram, Refusal } from "./check.js";
+import { NO_PROGRAM, parseProgram, Refusal } from "./check.js";
 import { currentProgram, openEditor, showProgram } from "./editor.js";
 import { EMPTY, EXAMPLES } from "./examples.js";
 import { shown } from "./interpreter.js";
@@ -26,7 +26,6 @@ const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fa
 const HIDDEN = "The page was hidden, so the program was stopped.";
 const CHANGED = "The program was changed. Run it again.";
 const NO_ROBOT = { workshop: true, wheel_separation: 2, max_speed: 1 };
-const BROKEN = "This file is no program of this page.";
 
 let problem = "Connecting"; // why there is no connection
 let wasDriver = false;
@@ -54,12 +53,14 @@ const work = new Work({
   },
 });
 const judging = new Judging({ send, run: () => start(false), world });
+const map = new RobotMap(element("map"), world, { choose() {}, redraw: show }); // a tap ends no program
 const overview = new Overview({ send, look: (row) => work.look(row), download, world });
 
 const RECEIVERS = {
   hello(message) {
     world.hello(message);
     overview.hello();
+    if (storedName()) send({ type: "name", name: storedName() });
     judging.cancel();
   },
   robots(message) {
@@ -74,6 +75,10 @@ const RECEIVERS = {
     endIfStopped();
     work.update(world.chosen, world.state(world.chosen).programs);
     judging.update();
+  },
+  trail: ({ robot, points }) => world.trails.set(robot, points),
+  scene(message) {
+    if (world.scene(message)) map.showCourse(message.robot);
   },
   tasks({ tasks }) {
     judging.list(tasks);
@@ -121,6 +126,8 @@ function askForCode() {
 
 function changeRobot() {
   runner.end("Another robot was chosen.");
+  map.follow(true);
+  map.showCourse(world.chosen);
   showUnits();
   show();
 }
@@ -185,7 +192,7 @@ function load(title, program) {
     return true;
   } catch {
     showProgram(workspace, before);
-    notice.show(BROKEN, () => false);
+    notice.show(NO_PROGRAM, () => false);
     return false;
   } finally {
     showUnits();
@@ -197,7 +204,7 @@ function open(title, text) {
   try {
     return load(title, parseProgram(text));
   } catch (error) {
-    notice.show(error instanceof Refusal ? error.message : BROKEN, () => false);
+    notice.show(error instanceof Refusal ? error.message : NO_PROGRAM, () => false);
     return false;
   }
 }
@@ -215,8 +222,13 @@ function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
+// Blocks get new ids when they are shown again; a variable keeps its own.
+function withoutIds(key, value) {
+  return key === "id" && this.type ? undefined : value;
+}
+
 function programText() {
-  return JSON.stringify(currentProgram(workspace));
+  return JSON.stringify(currentProgram(workspace), withoutIds);
 }
 
 function saveProgram() {
@@ -237,18 +249,20 @@ function show() {
 
 function showNow() {
   frame = null;
-  const robot = world.robot(world.chosen);
-  const summary = robot ? world.summarize(robot.id) : { text: "No robot is running: start one.", level: "waiting" };
-  const { text, level } = problem ? { text: problem, level: "warning" } : summary;
-  setText(element("sentence"), text);
-  element("status").dataset.level = level;
-  if (robot) document.documentElement.style.setProperty("--robot", visible(robot.color));
-  setClass(document.body, "offline", problem);
+  showStatus(world, problem);
   notice.update(world.isBlocked(world.chosen), runner.runs);
   stops.show();
   showButtons();
   showPlace(runner.runs ? runner.at : null);
   showOutput();
+  if (element("map").clientWidth) map.draw();
+}
+
+// Shows the map in place of the Python, or that again.
+function showMap(on) {
+  element("show-map").setAttribute("aria-pressed", on);
+  setText(element("python-title"), on ? "Map" : "Python");
+  [element("view").hidden, element("python").hidden] = [!on, on];
 }
 
 function showButtons() {
@@ -298,6 +312,8 @@ element("speed").addEventListener("input", () => { runner.delay = DELAYS[element
 element("title").addEventListener("change", writePython);
 element("open").addEventListener("click", () => element("file").click());
 element("file").addEventListener("change", openFile);
+element("show-map").addEventListener("click", () => showMap(element("view").hidden));
+element("judge").addEventListener("click", () => showMap(true));
 element("save").addEventListener("click", saveProgram);
 element("package").addEventListener("click", savePackage);
 element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));

@@ -1,6 +1,7 @@
 // The programs of the chosen robot: each change is kept by the cockpit after a second, and until then by this device.
 
 import { create, element, setText } from "../dom.js";
+import { recall, remember, toName } from "../storage.js";
 import { ask, newId, NotKept } from "./ask.js";
 
 const SAVE_AFTER = 1000; // ms after the last change
@@ -8,7 +9,6 @@ const RETRY_AFTER = 3000; // ms
 const MAX_SIZE = 64 * 1024; // bytes
 const KEY = "program";
 const MAX_NAME = 40; // characters
-const UNWANTED = /(?! )[\p{C}\p{Z}]/gu; // what the cockpit refuses in a name
 const TOO_LARGE = "Too large to be kept here, 64 kB at most. Save it as a file.";
 const CHANGED = "This program was changed on another page. Open it again, or save yours as a copy.";
 const WAITS = "Not kept yet: the cockpit does not answer.";
@@ -257,7 +257,7 @@ function button(text, name, action) {
 }
 
 function clean(name) {
-  return String(name).slice(0, MAX_NAME).replace(UNWANTED, "").trim() || "Program";
+  return toName(String(name).slice(0, MAX_NAME)) || "Program";
 }
 
 function copyOf(name) {
@@ -266,14 +266,12 @@ function copyOf(name) {
 
 function load() {
   try {
-    return JSON.parse(localStorage.getItem(KEY));
-  } catch { // a browser that stores nothing, or something else is there
+    return JSON.parse(recall(KEY));
+  } catch { // nothing, or something else, is there
     return null;
   }
 }
 
 function store(work) {
-  try {
-    localStorage.setItem(KEY, JSON.stringify(work));
-  } catch { /* the cockpit keeps it */ }
+  remember(KEY, JSON.stringify(work));
 }
