@@ -42,6 +42,19 @@ class MasterLost(RobotTest):
         self.start("rostopic", "pub", "/emergency_stop", "std_msgs/Bool", "true", env=self.environment)
         self.wait_for_stop(within=START_TIMEOUT)
 
+    def test_a_new_master_knows_the_cameras(self):
+        def have_cameras():
+            publishers = dict(rosgraph.Master(rospy.get_name(), self.environment["ROS_MASTER_URI"]).getSystemState()[0])
+            return {*publishers.get("/camera/image_raw/compressed", ())} == {"/jetbot_camera", "/jetbot_simulator"}
+
+        self.start(program("jetbot_camera", "camera.py"), "_source:=command:sleep 60", env=self.environment)
+        self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}", env=self.environment)
+        self.wait_for(have_cameras, START_TIMEOUT, "the cameras")
+        self.master.kill()
+        self.master.wait(START_TIMEOUT)
+        self.start_master()
+        self.wait_for(have_cameras, START_TIMEOUT, "the cameras to register again")
+
     def test_a_robot_that_a_new_master_knows_by_a_parameter_alone_hears_the_emergency_stop(self):
         node = self.controller_below()
         self.start(program("workshop", "jetbot_motion_control.py"), env=self.environment)

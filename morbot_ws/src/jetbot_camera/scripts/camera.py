@@ -58,6 +58,7 @@ class CameraNode:
         rospy.on_shutdown(ended.set)
         failures.before_end.append(self.stream.abandon)
         self.stream.start()
+        lifecycle.stay_registered()
         threading.Thread(target=failures.lasting(self.publish, ended.is_set), daemon=True).start()
         while not ended.wait(INTERVAL) and not launcher.ended:
             launcher.poll()

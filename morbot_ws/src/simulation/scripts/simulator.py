@@ -66,6 +66,7 @@ def main() -> int:
     parameters = {node: rospy.get_param(node, {}) for node in nodes} or {rospy.get_name(): own}
     simulators = [make_simulator(*each) for each in parameters.items()]
     end_with_roslaunch()
+    lifecycle.stay_registered()
     spin(simulators)
     return 0
 
