@@ -162,22 +162,25 @@ def test_what_is_stopped_leaves_no_process(follow, code):
     follower.require_picture()
     group = int(follower.newest[len(HEAD + SCAN):-2])
     follower.stop()
-    assert not is_running(group) and list(follower) == []
+    assert wait_until(lambda: not is_running(group), 1) and list(follower) == []
 
 
-def test_a_program_that_ends_at_once_leaves_no_process(tmp_path):
+@pytest.mark.parametrize("end", ["pictures.abandon()", "os.kill(os.getpid(), 9)"], ids=["leaves", "is killed"])
+@pytest.mark.parametrize("rest", ["", "; true"], ids=["a program", "a child of the shell"])
+def test_a_program_that_ends_at_once_leaves_no_process(tmp_path, end, rest):
     child, program = tmp_path / "child.py", tmp_path / "program.py"
     child.write_text(f"import os, signal, time\n{STUBBORN}"
                      f"os.write(1, {HEAD + SCAN!r} + b'%d' % os.getpgrp() + {jpeg()[-2:]!r})\ntime.sleep(600)")
     program.write_text(f"""\
+import os
 from jetbot.camera import sources, stream
-pictures = stream.Stream(sources.find_command("command:exec {sys.executable} {child}"))
+pictures = stream.Stream(sources.find_command("command:{sys.executable} {child}{rest}"))
 pictures.start()
 pictures.require_picture()
-print(pictures.newest[{len(HEAD + SCAN)}:-2].decode())
-pictures.abandon()""")
+print(pictures.newest[{len(HEAD + SCAN)}:-2].decode(), flush=True)
+{end}""")
     environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
-    group = int(subprocess.run([sys.executable, program], env=environment, stdout=subprocess.PIPE, check=True).stdout)
+    group = int(subprocess.run([sys.executable, program], env=environment, stdout=subprocess.PIPE).stdout)
     assert is_running(group)
     assert wait_until(lambda: not is_running(group), 20)
 

@@ -24,7 +24,9 @@ REPEAT_AFTER = 60.0     # s until the same sentence is reported again
 POLL_INTERVAL = 0.1     # s
 CHUNK = 1024 * 1024     # bytes, more than a pipe holds: what is read at once is all there is
 LAST_WORDS = 4000       # bytes of what a child has printed
-KILL_LATER = ["sh", "-c", 'exec <&- >&- 2>&-; sleep "$0"; kill -KILL "-$1"', str(END_TIMEOUT)]
+# Runs the command $0 beside a watcher, which ends their group if this process ends: its end of stdin closes then.
+RUN = ("exec 3<&0 </dev/null; (trap '' INT; read _ <&3; kill -INT 0; sleep {:g}; kill -KILL 0) >/dev/null 2>&1 &"
+       ' exec sh -c "$0" 3<&-').format(END_TIMEOUT)
 
 
 def print_sentence(sentence: str) -> None:
@@ -63,8 +65,7 @@ class Stream:
 
     def abandon(self) -> None:
         """End the child, which may outlive this process by END_TIMEOUT; do not wait."""
-        if self._interrupt():
-            subprocess.Popen([*KILL_LATER, str(self._process.pid)], start_new_session=True)
+        self._interrupt()
 
     def require_picture(self) -> None:
         """Wait for the first picture. Raise the JetbotError of a child that ends or hangs before."""
@@ -92,14 +93,12 @@ class Stream:
             self._report(str(error))
 
     def _interrupt(self):
-        """Let the thread end; return whether there is a child, which is interrupted."""
+        """Let the thread end; interrupt the child."""
         with self._changed:
             self._stopping.set()
             self._changed.notify_all()
-        running = self._process is not None and self._process.returncode is None
-        if running:
+        if self._process is not None and self._process.returncode is None:
             send(self._process, signal.SIGINT)
-        return running
 
     def _run(self):
         while not self._stopping.is_set():
@@ -169,9 +168,12 @@ class Output:
 
 @contextlib.contextmanager
 def child(line):
-    """Run a shell command in a group of its own, which ends with the context: interrupted first, then killed."""
-    with subprocess.Popen(["sh", "-c", line], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          start_new_session=True) as process:
+    """Run a shell command in a group of its own, which ends with the context: interrupted first, then killed.
+
+    It also ends, within END_TIMEOUT, if this process does, be it killed.
+    """
+    with subprocess.Popen(["sh", "-c", RUN, line], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, start_new_session=True) as process:
         try:
             yield process
         finally:
