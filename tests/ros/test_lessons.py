@@ -15,6 +15,7 @@ from jetbot.fake.bus import power_on
 from jetbot_lessons import graph, motion
 from jetbot_lessons.lessons import LAST
 from jetbot_lessons.motion import check_command
+from jetbot_ros import processes
 from lesson_package import make_package
 
 SCRIPT = Path(__file__).parents[2] / "morbot_ws/src/jetbot_lessons/scripts/check_lesson.py"
@@ -149,9 +150,9 @@ def command_of(mine, monkeypatch):
         process = subprocess.Popen([sys.executable, *arguments], cwd=folder, stdin=subprocess.PIPE,
                                    stdout=subprocess.PIPE)
         process.stdout.readline()  # it runs
-        monkeypatch.setattr(graph, "address_of", lambda node: "http://localhost:1/")
-        monkeypatch.setattr(graph, "ask", lambda server, method: process.pid)
-        command = graph.command_of("/mine")
+        monkeypatch.setattr(processes, "address_of", lambda node: "http://localhost:1/")
+        monkeypatch.setattr(processes, "ask", lambda server, method: process.pid)
+        command = processes.command_of("/mine")
         process.communicate(b"\n")
         return command
 

@@ -11,12 +11,14 @@ from driving_tasks.sources.readers import ASK_INTERVAL, Readers
 @pytest.fixture
 def ask(monkeypatch):
     """Returns the problem where a node subscribes to a topic. alive: whether it runs."""
-    def run(topic, node, alive=True, namespace=""):
+    def run(topic, node, alive=True, namespace="", command=()):
         monkeypatch.setattr(readers, "system_state", lambda: [{}, {topic: ["/judge", node]}, {}])
         monkeypatch.setattr(readers, "condition_of", lambda _: alive and "is already running")
+        monkeypatch.setattr(readers, "command_of", lambda _: command)
         asked = Readers(namespace)
-        asked.poll()
+        asked.poll(moves=False)
         return asked.problem
+    monkeypatch.setattr(readers.rospy, "get_name", lambda: "/judge")
     return run
 
 
@@ -38,6 +40,41 @@ def test_who_may_read(ask, topic, node, alive):
     assert ask(topic, node, alive) == ""
 
 
+@pytest.mark.parametrize("program, may", [
+    ("/ws/devel/lib/jetbot_cockpit_server/cockpit.py", True), ("/ws/src/simulation/scripts/draw_track.py", True),
+    ("/usr/lib/rosbag/record", True), ("/usr/bin/rviz", True), ("/ws/devel/lib/my_scenario/record", False),
+    ("/ws/src/my_scenario/scripts/cockpit.py", False), ("/home/me/rviz.py", False)])
+@pytest.mark.parametrize("node", ["/record", "/red/judge", "/jetbot_cockpit", "/pupil"])
+def test_a_name_makes_no_watcher(ask, node, program, may):
+    assert (ask("/odom", node, command=["/usr/bin/python3.8", program]) == "") is may
+
+
+@pytest.mark.parametrize("looks, blind", [
+    (["/pupil", "/pupil"], False), (["/record", "/record"], True), (["/pupil", "/record"], False),
+    (["/record", "/pupil"], False)])
+def test_somebody_looks_while_the_robot_moves(monkeypatch, looks, blind):
+    states = iter([[{}, {"/red/camera/image_raw/compressed": [node]}, {}] for node in looks])
+    monkeypatch.setattr(readers, "system_state", lambda: next(states))
+    monkeypatch.setattr(readers, "condition_of", lambda _: True)
+    monkeypatch.setattr(readers, "command_of", lambda _: [])
+    monkeypatch.setattr(readers, "ASK_INTERVAL", 0.0)
+    asked = Readers("/red")
+    for _ in looks:
+        asked.poll(moves=True)
+    assert asked.are_blind is blind
+    asked.start()
+    assert not asked.are_blind
+
+
+def test_a_robot_that_stands_needs_nobody_who_looks(monkeypatch):
+    monkeypatch.setattr(readers, "system_state", lambda: [{}, {}, {}])
+    monkeypatch.setattr(readers, "ASK_INTERVAL", 0.0)
+    asked = Readers("")
+    for _ in range(3):
+        asked.poll(moves=False)
+    assert not asked.are_blind
+
+
 def test_the_master_is_asked_once_a_second_and_its_silence_changes_nothing(ask, monkeypatch):
     now = [100.0]
     monkeypatch.setattr(readers.time, "monotonic", lambda: now[0])
@@ -45,8 +82,8 @@ def test_the_master_is_asked_once_a_second_and_its_silence_changes_nothing(ask, 
     states = iter([[{}, {"/odom": ["/pupil"]}, {}], [{}, {}, {}]])
     monkeypatch.setattr(readers, "system_state", lambda: next(states))
     asked = Readers("")
-    asked.poll()
-    asked.poll()
+    asked.poll(moves=False)
+    asked.poll(moves=False)
     assert asked.problem
 
     def fail():
@@ -54,8 +91,8 @@ def test_the_master_is_asked_once_a_second_and_its_silence_changes_nothing(ask, 
     now[0] += ASK_INTERVAL
     with monkeypatch.context() as patched:
         patched.setattr(readers, "system_state", fail)
-        asked.poll()
+        asked.poll(moves=False)
     assert asked.problem
     now[0] += ASK_INTERVAL
-    asked.poll()
+    asked.poll(moves=False)
     assert not asked.problem

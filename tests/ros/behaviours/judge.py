@@ -27,6 +27,7 @@ MOVED = "The robot was moved, and not by its wheels, so the drive does not count
 CHANGED = "Walls or lines around the robot were changed, so the drive does not count."
 TAKEN = "The drive does not count: a teacher took the robot over."
 BY_CAMERA = "End it: in this task, programs see with the camera alone."
+BLIND = "The drive does not count. No program looks at the camera, with which this task is driven."
 RELEASE = "The robot is stopped: emergency stop, on a fake bus. Release it: ./morbot stop --release"
 EXACT_JUDGE = """
 import runpy, sys
@@ -135,6 +136,8 @@ class Judge(RobotTest):
         self.wait_for_lines(judge, f"{rospy.get_name()} reads /odom. {BY_CAMERA}")
         reader.unregister()
         self.wait_for_last_lines(judge, READY, before=BY_CAMERA)
+        self.wait_for(lambda: self.command(SPEED) or BLIND in read(judge), START_TIMEOUT, BLIND)
+        self.wait_for_last_lines(judge, READY, before=BLIND)
 
     def test_what_interrupts_a_drive_ends_no_judge_and_a_signal_gives_the_world_back(self):
         worlds = self.record("world", MarkerArray, lambda array: len(array.markers))

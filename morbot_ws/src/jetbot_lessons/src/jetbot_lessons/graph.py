@@ -1,29 +1,24 @@
 """Checks of the running system: what the ROS master, its nodes and roslaunch report."""
 
 import contextlib
-import os
 import socket
 import time
 from pathlib import Path
 from threading import Thread
 from typing import Callable, Iterator, List, Optional, Set
-from urllib.parse import urlsplit
 from xmlrpc.client import Fault
-
-import rosgraph
 
 from jetbot.text import enumeration
 from jetbot_ros.master import (
     ALIVE,
     NO_ANSWER,
-    address_of,
-    ask,
     ask_master,
     condition_of,
     master_uri,
     proxy,
     system_state,
 )
+from jetbot_ros.processes import command_of
 
 from . import Problem
 from .packages import folder
@@ -72,18 +67,6 @@ def nodes() -> List[str]:
 def is_alive(node: str) -> bool:
     """Return whether a node answers."""
     return condition_of(node) == ALIVE
-
-
-def command_of(node: str) -> List[Path]:
-    """Return the interpreter and the script of a node on this computer; nothing for another computer's node."""
-    with contextlib.suppress(*NO_ANSWER):
-        uri = address_of(node)
-        if rosgraph.network.is_local_address(urlsplit(uri).hostname):
-            process = Path("/proc", str(ask(proxy(uri), "getPid")))
-            working_folder = (process / "cwd").resolve()
-            words = [os.fsdecode(word) for word in (process / "cmdline").read_bytes().split(b"\0")]
-            return [(working_folder / word).resolve() for word in words if word and not word.startswith("-")][:2]
-    return []
 
 
 def belongs(command: List[Path], package: str) -> bool:

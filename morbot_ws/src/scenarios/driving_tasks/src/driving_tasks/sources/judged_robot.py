@@ -75,7 +75,7 @@ def sender(message: rospy.Message) -> str:
 class JudgedRobot:
     """``poll`` reads what has arrived; the rest returns what is known by then. Needs an initialized node.
 
-    by_camera: whether no program may read where the robot is, or its line sensor.
+    by_camera: whether a program must look at the camera, and none may read where the robot is, or its line sensor.
     """
 
     def __init__(self, namespace: str, by_camera: bool = False):
@@ -139,14 +139,14 @@ class JudgedRobot:
         """Read what has arrived; call it every POLL_INTERVAL."""
         self.interruptions = [self._interruptions.popleft() for _ in range(len(self._interruptions))]
         self.samples = [sample_of(self._arrived.popleft()) for _ in range(len(self._arrived))]
-        if self._readers:
-            self._readers.poll()
         self._silent_polls = 0 if self.samples else self._silent_polls + 1
         for sample in self.samples:
             if not self.latest or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.latest.pose)):
                 self._moved_at = sample.time
                 self._power.move()
             self.latest = sample
+        if self._readers:
+            self._readers.poll(not self.has_stopped)
 
     @property
     def lacks_power(self) -> bool:
@@ -182,6 +182,8 @@ class JudgedRobot:
             return f"The robot is {printable(self._status)}. Release it: ./morbot stop --release"
         if self._status.startswith(HELD):
             return f"The robot is {printable(self._status)}."
+        if self._readers and self._readers.are_blind and not self.has_stopped:
+            return "No program looks at the camera, with which this task is driven."
         return self._readers.problem if self._readers else ""
 
     def commanders(self) -> List[str]:
@@ -192,6 +194,8 @@ class JudgedRobot:
 
     def put_at_start(self) -> Iterator[None]:
         """Put the robot to its start; yield until the ground truth shows it there, or an obstacle."""
+        if self._readers:
+            self._readers.start()
         call = Thread(target=self._call_reset, daemon=True)  # a frozen simulator never answers
         call.start()
         while call.is_alive() and not self.obstacle:

@@ -1,36 +1,63 @@
-"""Who reads what a task by camera alone keeps closed: where the robot is, and what its line sensor sees."""
+"""Who looks in a task by camera alone: at the camera, as one must, or at what it keeps closed."""
 
 import re
 import time
 from typing import Iterator
 
+import rospy
+
 from jetbot.text import printable
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
+from jetbot_ros.processes import command_of
 
 CLOSED = ("line", "odom", "path", "joint_states", "jetbot_simulator/ground_truth")  # of the robot
-WATCHERS = re.compile(  # they show it, and drive nothing
-    r".*/(judge|jetbot_cockpit|robot_state_publisher|(rviz|record|draw_track)(_\d+)*)")
+CAMERA = "camera/image_raw/compressed"
+# Programs that show it, and drive nothing; what they are called, where their program is on another computer.
+WATCHERS = re.compile(r".*/(jetbot_cockpit_server/(scripts/)?cockpit\.py|simulation/(scripts/)?draw_track\.py|"
+                      r"(bin|rviz)/rviz|rosbag/record|robot_state_publisher/robot_state_publisher)")
+NAMES = re.compile(r".*/(jetbot_cockpit|robot_state_publisher|(rviz|record|draw_track)(_\d+)*)")
 ASK_INTERVAL = 1.0  # s
+MAX_BLIND = 2       # answers in which nobody looks while the robot moves; one, where a program has just ended
 
 
 class Readers:
-    """problem: a sentence on the first of them, "" without; as of the last ``poll``. namespace: the robot's."""
+    """problem: a sentence on the first who reads what is closed, "" without; as of the last ``poll``.
+
+    namespace: the robot's.
+    """
 
     def __init__(self, namespace: str):
-        self._closed, self._asked_at, self.problem = [*(f"{namespace}/{name}" for name in CLOSED), "/tf"], 0.0, ""
+        self._closed, self._camera = [*(f"{namespace}/{name}" for name in CLOSED), "/tf"], f"{namespace}/{CAMERA}"
+        self._asked_at, self._blind, self.problem = 0.0, 0, ""
 
-    def poll(self) -> None:
-        """Ask the master once per ASK_INTERVAL; call it as often as you like."""
+    def start(self) -> None:
+        """Forget that nobody has looked."""
+        self._blind = 0
+
+    @property
+    def are_blind(self) -> bool:
+        """Whether the robot moves, and no program looks at its camera."""
+        return self._blind >= MAX_BLIND
+
+    def poll(self, moves: bool) -> None:
+        """Ask the master once per ASK_INTERVAL; call it as often as you like. moves: whether the robot does."""
         if time.monotonic() - self._asked_at < ASK_INTERVAL:
             return
         try:
-            self.problem = next(self._problems(system_state()[1]), "")
+            subscribers = system_state()[1]
+            self.problem = next((f"{printable(node)} reads {topic}. End it: in this task, programs see with the camera "
+                                 "alone." for topic in self._closed for node in self._programs(subscribers, topic)), "")
+            self._blind = 0 if any(self._programs(subscribers, self._camera)) else self._blind + moves
         except NO_ANSWER:  # what drives notices that, too
             pass
         self._asked_at = time.monotonic()
 
-    def _problems(self, subscribers) -> Iterator[str]:
-        for topic in self._closed:
-            for node in subscribers.get(topic, ()):
-                if not WATCHERS.fullmatch(node) and condition_of(node):
-                    yield f"{printable(node)} reads {topic}. End it: in this task, programs see with the camera alone."
+    def _programs(self, subscribers, topic) -> Iterator[str]:
+        return (node for node in subscribers.get(topic, ()) if not is_watcher(node) and condition_of(node))
+
+
+def is_watcher(node: str) -> bool:
+    """Return whether the node is this one, or a program that only shows what it reads."""
+    command = command_of(node)
+    return (node == rospy.get_name() or any(WATCHERS.fullmatch(str(path)) for path in command)
+            or not command and bool(NAMES.fullmatch(node)))
