@@ -42,10 +42,10 @@ class Camera(RobotTest):
         camera = self.start_camera()
         self.wait_for(lambda: images and infos, START_TIMEOUT, "a picture")
         image = images[-1]
-        self.assertEqual((image.data, image.format, image.header.frame_id), (PICTURE, "jpeg", "red/camera"))
+        self.assertEqual((image.data, image.format, image.header.frame_id), (PICTURE, "jpeg", "red/camera_optical"))
         self.wait_for(lambda: {image.header.stamp for image in images[:]} & {info.header.stamp for info in infos[:]},
                       5.0, "the info of a picture")
-        self.assertEqual((infos[-1].width, infos[-1].K[2], infos[-1].header.frame_id), (224, 112, "red/camera"))
+        self.assertEqual((infos[-1].width, infos[-1].K[2], infos[-1].header.frame_id), (224, 111.5, "red/camera_optical"))
 
         def said(text):
             return any(text in status.message for array in arrays for status in array.status

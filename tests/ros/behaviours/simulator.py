@@ -98,8 +98,8 @@ class Simulator(RobotTest):
             ("image_raw/compressed", CompressedImage), ("camera_info", CameraInfo)))
         self.wait_for(lambda: len(pictures) > 5 and len(infos) > 5, START_TIMEOUT, "pictures")
         self.assertEqual({(each.format, each.header.frame_id, each.data) for each in pictures},
-                         {("jpeg", "camera", bgr8_to_jpeg(render(load("parking.yaml"), Pose(1.0, 0.4))))})
-        self.assertEqual((infos[-1].width, infos[-1].K[0], infos[-1].K[2]), (224, focal_length(224), 112))
+                         {("jpeg", "camera_optical", bgr8_to_jpeg(render(load("parking.yaml"), Pose(1.0, 0.4))))})
+        self.assertEqual((infos[-1].width, infos[-1].K[0], infos[-1].K[2]), (224, focal_length(224), 111.5))
 
     def test_without_pil_it_logs_one_sentence_and_the_robot_drives_on(self):
         Path(self.folder, "PIL.py").write_text("raise ImportError('no PIL')")

@@ -27,7 +27,7 @@ from jetbot.camera.sources import find_command
 from jetbot.camera.stream import Stream
 from jetbot_camera.parameters import PARAMETERS
 from jetbot_ros import lifecycle
-from jetbot_ros.messages import camera_info, frame_name
+from jetbot_ros.messages import camera_info
 from jetbot_ros.node_parameters import check_values, private_parameters
 
 INTERVAL = 1.0          # s between two messages on /diagnostics
@@ -44,7 +44,7 @@ class CameraNode:
         self.stream = Stream(find_command(**self.parameters), rospy.logwarn)
         self.images = rospy.Publisher("camera/image_raw/compressed", CompressedImage, queue_size=1)
         self.infos = rospy.Publisher("camera/camera_info", CameraInfo, queue_size=1)
-        self.info = camera_info(frame_name("camera"), self.parameters["width"], self.parameters["height"])
+        self.info = camera_info(self.parameters["width"], self.parameters["height"])
         self.counted = 0, time.monotonic()
         self.updater = Updater()
         self.updater.setHardwareID(self.parameters["source"])

@@ -53,11 +53,14 @@ def transform(stamp: rospy.Time, parent: str, child: str, pose) -> TransformStam
     return message
 
 
-def camera_info(frame: str, width: int, height: int) -> CameraInfo:
-    """Return the model of a camera with pictures of this size in pixels: a pinhole without distortion."""
-    focal, across, down = focal_length(height), width / 2, height / 2
+def camera_info(width: int, height: int, namespace: Optional[str] = None) -> CameraInfo:
+    """Return the model of a camera with pictures of this size in pixels: a pinhole without distortion.
+
+    namespace: as for ``frame_name``.
+    """
+    focal, across, down = focal_length(height), (width - 1) / 2, (height - 1) / 2  # from the middle of the first pixel
     info = CameraInfo(height=height, width=width, distortion_model="plumb_bob", D=[0.0] * 5,
                       R=[1, 0, 0, 0, 1, 0, 0, 0, 1], K=[focal, 0, across, 0, focal, down, 0, 0, 1],
                       P=[focal, 0, across, 0, 0, focal, down, 0, 0, 0, 1, 0])
-    info.header.frame_id = frame
+    info.header.frame_id = frame_name("camera_optical", namespace)  # as in simulation/urdf/jetbot.urdf
     return info

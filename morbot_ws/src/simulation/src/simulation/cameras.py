@@ -12,7 +12,7 @@ from std_msgs.msg import Header
 from jetbot.camera.jpeg import bgr8_to_jpeg
 from jetbot.text import printable
 from jetbot_ros.colors import color_of
-from jetbot_ros.messages import camera_info, frame_name
+from jetbot_ros.messages import camera_info
 
 from .diff_drive import Pose
 from .world import World
@@ -36,7 +36,7 @@ class Camera:
 
     def __init__(self, node: str):
         self.color = color_of(namespace(node).strip("/").rpartition("/")[2])
-        self.view, self._info = None, camera_info(frame_name("camera", namespace(node)), SIZE, SIZE)
+        self.view, self._info = None, camera_info(SIZE, SIZE, namespace(node))
         self._images, self._infos = (
             rospy.Publisher(resolve_name(f"camera/{topic}", node), kind, queue_size=1)
             for topic, kind in (("image_raw/compressed", CompressedImage), ("camera_info", CameraInfo)))

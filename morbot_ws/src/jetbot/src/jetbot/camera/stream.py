@@ -25,8 +25,8 @@ POLL_INTERVAL = 0.1     # s
 CHUNK = 1024 * 1024     # bytes, more than a pipe holds: what is read at once is all there is
 LAST_WORDS = 4000       # bytes of what a child has printed
 # Runs the command $0 beside a watcher, which ends their group if this process ends: its end of stdin closes then.
-RUN = ("exec 3<&0 </dev/null; (trap '' INT; read _ <&3; kill -INT 0; sleep {:g}; kill -KILL 0) >/dev/null 2>&1 &"
-       ' exec sh -c "$0" 3<&-').format(END_TIMEOUT)
+RUN = (f"exec 3<&0 </dev/null; (trap '' INT; read _ <&3; kill -INT 0; sleep {END_TIMEOUT:g}; kill -KILL 0) "
+       '>/dev/null 2>&1 & exec sh -c "$0" 3<&-')
 
 
 def print_sentence(sentence: str) -> None:
