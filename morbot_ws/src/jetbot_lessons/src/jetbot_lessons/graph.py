@@ -5,13 +5,15 @@ import socket
 import time
 from pathlib import Path
 from threading import Thread
-from typing import Callable, Iterator, List, Optional, Set
+from typing import Callable, Dict, Iterator, List, Optional, Set
 from xmlrpc.client import Fault
 
 from jetbot.text import enumeration
 from jetbot_ros.master import (
     ALIVE,
     NO_ANSWER,
+    address_of,
+    ask,
     ask_master,
     condition_of,
     master_uri,
@@ -56,6 +58,13 @@ def _wait_for_problem(callback):
 def publishers_of(topic: str) -> List[str]:
     """Return the nodes that publish on a topic; those that have died are among them."""
     return system_state()[0].get(topic, [])
+
+
+def subscriptions_of(node: str) -> Dict[str, str]:
+    """Return the type of each topic to which a node subscribes; nothing if it does not answer."""
+    with contextlib.suppress(*NO_ANSWER):
+        return dict(ask(proxy(address_of(node)), "getSubscriptions"))
+    return {}
 
 
 def nodes() -> List[str]:
