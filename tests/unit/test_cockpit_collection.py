@@ -41,7 +41,8 @@ def kept(folder):
 
 
 def test_the_driver_keeps_pictures_with_a_count_and_deletes_them_and_nothing_else(cockpit, folder):
-    for label in "free", "free", "blocked":
+    for number, label in enumerate(("free", "free", "blocked")):
+        cockpit.cameras.pictures["/red"] = Picture(b"/red", number, number)
         assert cockpit.do(ADA, Message("save", "/red", label=label)) is None
     wait_for(cockpit.collection, free=2, blocked=1)
     assert kept(folder) == dict.fromkeys(
@@ -51,6 +52,41 @@ def test_the_driver_keeps_pictures_with_a_count_and_deletes_them_and_nothing_els
     assert cockpit.do(ADA, DELETE) is None
     wait_for(cockpit.collection, free=0, blocked=0)
     assert kept(folder) == {"red/free/notes.txt": b"mine"}
+
+
+def test_a_picture_is_kept_once(cockpit, folder):
+    for label in "free", "free", "blocked":
+        assert cockpit.do(ADA, Message("save", "/red", label=label)) is None
+    cockpit.cameras.pictures["/red"] = Picture(b"next", 1.0, 1.0)
+    assert cockpit.do(ADA, FREE) is None
+    wait_for(cockpit.collection, free=2)
+    assert kept(folder) == {"red/free/0001.jpg": b"/red", "red/free/0002.jpg": b"next"}
+
+
+def test_a_robot_named_robot_shares_no_folder_with_one_without_a_name(folder):
+    collection = Collection(str(folder))
+    for name in "/", "/robot":
+        collection.save(name, "free", name.encode())
+        wait_for(collection, name, free=1)
+    collection.delete("/robot")
+    wait_for(collection, "/robot", free=0)
+    assert kept(folder) == {"robot/free/0001.jpg": b"/"}
+
+
+@pytest.mark.parametrize("link", ["red", "red/blocked"])
+def test_no_link_leads_out_of_the_folder(folder, tmp_path, link):
+    mine = tmp_path / "mine/blocked/0001.jpg"
+    mine.parent.mkdir(parents=True)
+    mine.write_bytes(b"mine")
+    (folder / link).parent.mkdir(parents=True)
+    (folder / link).symlink_to(mine.parent if link.endswith("blocked") else tmp_path / "mine")
+    collection = Collection(str(folder))
+    collection.delete("/red")
+    wait_for(collection, problem=f"This folder is a link: {folder}/{link}")
+    collection.save("/red", "blocked", b"x")
+    collection.save("/blue", "free", b"x")
+    wait_for(collection, "/blue", free=1)
+    assert kept(tmp_path / "mine") == {"blocked/0001.jpg": b"mine"}
 
 
 @pytest.mark.parametrize("message", [FREE, DELETE], ids=["save", "delete"])

@@ -1,5 +1,6 @@
 """The pictures that people collect to train with: FOLDER/ROBOT/LABEL/NNNN.jpg on this computer."""
 
+import errno
 import os
 import queue
 import threading
@@ -12,6 +13,7 @@ LABELS = "free", "blocked"
 MAX_PICTURES = 1000  # of a label
 MAX_WAITING = 10     # actions that a slow disk holds up
 OFF = "This cockpit keeps no pictures."
+FOLDERS = {"": "robot", "robot": "robot."}  # of robots whose names would collide; no name has a dot
 BUSY = "The disk is busy: wait until the number changes."
 
 
@@ -28,7 +30,7 @@ class Collection:
     def state(self, robot: str) -> Optional[dict]:
         """Return how many pictures of each label there are, and what went wrong, or ""; None if none are kept."""
         if robot not in self._states:
-            self._do(robot, str)
+            self._do(robot, lambda: "")  # it only counts
         return self._states.get(robot)
 
     def save(self, robot: str, label: str, jpeg: bytes) -> str:
@@ -60,7 +62,7 @@ class Collection:
             self._states[robot] = {**counts, "problem": problem}
 
     def _write(self, robot, label, jpeg):
-        folder = self._folder_of(robot, label)
+        folder = self._check(robot, label)
         folder.mkdir(parents=True, exist_ok=True)
         names = (folder / f"{number:04}.jpg" for number in range(1, MAX_PICTURES + 1))
         unused = next((name for name in names if not os.path.lexists(name)), None)
@@ -71,6 +73,7 @@ class Collection:
 
     def _unlink(self, robot):
         for label in LABELS:
+            self._check(robot, label)
             for file in self._files(robot, label):
                 file.unlink()
         return ""
@@ -78,5 +81,14 @@ class Collection:
     def _files(self, robot, label):
         return list(self._folder_of(robot, label).glob("[0-9][0-9][0-9][0-9].jpg"))
 
+    def _check(self, robot, label):
+        """Return the folder; raise OSError where a link leads elsewhere."""
+        folder = self._folder_of(robot, label)
+        for place in folder.parent, folder:
+            if place.is_symlink():
+                raise OSError(errno.ELOOP, "This folder is a link", str(place))
+        return folder
+
     def _folder_of(self, robot, label):
-        return self._folder / (robot.strip("/").replace("/", ".") or "robot") / label
+        name = robot.strip("/")
+        return self._folder / FOLDERS.get(name, name.replace("/", ".")) / label

@@ -30,6 +30,7 @@ class Control:
 
     def __init__(self, robots, drivers, cameras, collection: Collection, classroom: Classroom):
         self._robots, self._drivers, self._cameras, self._collection = robots, drivers, cameras, collection
+        self._kept = {}  # by the robot: the picture of it that was kept last
         self.snapshot: Snapshot = robots.snapshot()  # as of the last check
         self._leases: Dict[str, Lease] = {}  # by robot
         self._stop_rights, self._programs = StopRights(), classroom.programs
@@ -194,9 +195,12 @@ class Control:
         return ""
 
     def _on_save(self, client, message, now):
-        picture = self._cameras.newest(message.robot, now)
-        return (self._refuse_collecting(client, message.robot, now)
-                or (self._collection.save(message.robot, message.label, picture.jpeg) if picture else NO_PICTURE))
+        robot, picture = message.robot, self._cameras.newest(message.robot, now)
+        refusal = self._refuse_collecting(client, robot, now) or ("" if picture else NO_PICTURE)
+        if not refusal and picture != self._kept.get(robot):
+            refusal = self._collection.save(robot, message.label, picture.jpeg)
+            self._kept[robot] = self._kept.get(robot) if refusal else picture
+        return refusal
 
     def _on_delete(self, client, message, now):
         return self._refuse_collecting(client, message.robot, now) or self._collection.delete(message.robot)
