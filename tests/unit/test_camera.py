@@ -107,10 +107,10 @@ def test_a_source_can_be_flipped(tmp_path):
         find_command("command:true", flip=True)
 
 
-def test_an_empty_folder_is_named(tmp_path):
-    with pytest.raises(JetbotError, match=f"{tmp_path} has no pictures"):
+def test_an_empty_folder_is_named_once(tmp_path, capsys):
+    with pytest.raises(JetbotError, match=f"{tmp_path} has no pictures: .jpg or .png.$"):
         Camera(source=f"file:{tmp_path}")
-    assert not camera.running
+    assert not camera.running and capsys.readouterr().err == ""
 
 
 def test_stop_keeps_the_picture_and_start_sees_again(command):

@@ -100,7 +100,7 @@ def picture(data):
 @pytest.mark.parametrize("misbehaviour, sentence", [
     ("time.sleep(60)", "No picture came from the camera for 1 s."),
     ("os.close(1); time.sleep(60)", "The camera's program has ended. Try the command by itself."),
-    ("sys.exit('v4l2src: Device is busy')", "Another program uses the camera. End that program"),
+    ("sys.exit('v4l2src: Device is busy')", "The camera's program sends no pictures: v4l2src: Device is busy. Try the"),
     ("os.kill(os.getpid(), 9)", "The camera's program has ended."),
     ("while True: write(os.urandom(50000).replace(b'\\xff\\xd8', b''))", "No picture came from the camera for 1 s."),
     ("write(b'\\xff\\xd8\\xff\\xda\\0\\2half'); time.sleep(60)", "No picture came from the camera for 1 s."),
@@ -145,7 +145,7 @@ def test_the_same_sentence_is_reported_once(follow, tmp_path):
     _, reports = follow("sys.exit('no such device')")
     starts = tmp_path / "starts"
     assert wait_until(lambda: starts.exists() and starts.stat().st_size > 3, 20)
-    assert len(reports) == 1 and reports[0].startswith("There is no such camera. Is it connected?")
+    assert len(reports) == 1 and reports[0].startswith("The camera's program sends no pictures: no such device.")
 
 
 def test_the_newest_picture_wins(follow):
@@ -202,7 +202,14 @@ def is_running(group):
     ("something else\n", "The camera's program sends no pictures: something else."),
 ])
 def test_each_known_trouble_has_its_sentence(printed, sentence):
-    assert str(find_command("fake").explain(printed.encode(), "")).startswith(sentence.rstrip("."))
+    usb, = sources.SOURCES["usb"]
+    assert str(sources.Command("", usb).explain(printed.encode(), "")).startswith(sentence.rstrip("."))
+
+
+@pytest.mark.parametrize("name, advice", [("fake", ""), ("file:x", ""), ("command:x", " Try the command by itself.")])
+def test_what_is_no_camera_has_no_trouble_of_one(name, advice):
+    error = find_command(name).explain(b"sh: 1: x: Permission denied", "")
+    assert str(error) == f"The camera's program sends no pictures: sh: 1: x: Permission denied.{advice}"
 
 
 @pytest.mark.parametrize("name, programs, words", [
@@ -244,3 +251,11 @@ def test_a_program_that_is_missing_is_named(monkeypatch):
 def test_what_is_no_source_is_refused(name):
     with pytest.raises(InvalidValue, match="^A camera cannot be "):
         find_command(name)
+
+
+@pytest.mark.parametrize("given", [
+    {"fps": 29.97}, {"width": 224.5}, {"width": 0}, {"height": "8; reboot"}, {"quality": 96}], ids=str)
+def test_a_number_that_cannot_be_is_refused(given):
+    name, = given
+    with pytest.raises(InvalidValue, match=f"^The {name} must be a whole number from 1 to "):
+        find_command("fake", **given)

@@ -64,7 +64,7 @@ def test_a_board_at_an_address_that_its_jumpers_select(plug_in, address, chip, b
     (0x40, "board:=waveshare_hat"), (0x41, "board:=waveshare_hat i2c_address:=0x41")])
 def test_what_may_be_a_servo_board_is_offered_on_one_condition(plug_in, address, command):
     plug_in({address: PCA9685})
-    *_, chip, robot = checkup.run_checks(1)
+    *_, chip, _, robot = checkup.run_checks(1)
     assert str(chip).endswith(" A servo board answers in the same way: do not drive that.")
     condition = f"the chip at 0x{address:02x} is the motor board waveshare_hat and no servo board"
     assert str(robot) == f"NOT robot: could drive if {condition}. Start it with: {LAUNCH} {command}"

@@ -45,7 +45,8 @@ class Camera(RobotTest):
         self.assertEqual((image.data, image.format, image.header.frame_id), (PICTURE, "jpeg", "red/camera_optical"))
         self.wait_for(lambda: {image.header.stamp for image in images[:]} & {info.header.stamp for info in infos[:]},
                       5.0, "the info of a picture")
-        self.assertEqual((infos[-1].width, infos[-1].K[2], infos[-1].header.frame_id), (224, 111.5, "red/camera_optical"))
+        info = infos[-1]
+        self.assertEqual((info.width, info.K[2], info.header.frame_id), (224, 111.5, "red/camera_optical"))
 
         def said(text):
             return any(text in status.message for array in arrays for status in array.status
@@ -53,8 +54,8 @@ class Camera(RobotTest):
 
         self.wait_for(lambda: said(" pictures per second"), 10.0, "their rate")
         self.end.touch()
-        self.wait_for(lambda: said("Another program uses the camera."), 10.0, "the trouble in /diagnostics")
-        self.assertEqual(read(camera).count("Another program uses the camera."), 1)
+        self.wait_for(lambda: said("sends no pictures: Device is busy."), 10.0, "the trouble in /diagnostics")
+        self.assertEqual(read(camera).count("sends no pictures: Device is busy."), 1)
         del images[:]
         self.end.unlink()
         self.wait_for(lambda: images, 10.0, "pictures of the child that was started again")

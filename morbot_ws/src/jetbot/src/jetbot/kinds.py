@@ -33,6 +33,11 @@ def is_number(value: object) -> bool:
     return is_finite(value) and not isinstance(value, bool)
 
 
+def whole(limit: int) -> Kind:
+    """Return the kind of a whole number from 1 to this one."""
+    return Kind(lambda value: type(value) is int and 1 <= value <= limit, f"a whole number from 1 to {limit}")
+
+
 def is_address(value: object) -> bool:
     """Return whether a chip may have this I2C address: a number, or its hexadecimal text as roslaunch passes it on."""
     with suppress(ValueError, TypeError):

@@ -12,7 +12,7 @@ import traitlets
 from ..errors import JetbotError
 from .jpeg import decode
 from .sources import find_command
-from .stream import Stream
+from .stream import Stream, print_sentence
 
 running: List["Camera"] = []  # of this process
 
@@ -48,7 +48,7 @@ class Camera(traitlets.HasTraits):
         command = find_command(self.source, self.width, self.height, self.fps)
         for other in [other for other in running if other.source == self.source]:
             other.stop()
-        self._stream = Stream(command, decode=lambda jpeg: decode(jpeg, self.width, self.height))
+        self._stream = Stream(command, self._report, lambda jpeg: decode(jpeg, self.width, self.height))
         self._thread = None
         running.append(self)
         try:
@@ -78,6 +78,12 @@ class Camera(traitlets.HasTraits):
         """Stop, then start."""
         self.stop()
         self.start()
+
+    def _report(self, sentence):
+        """Print a sentence, unless ``start`` raises it."""
+        stream = self._stream
+        if stream and (stream.count or not stream.error):
+            print_sentence(sentence)
 
     def _follow(self, stream, pictures):
         for picture in pictures:

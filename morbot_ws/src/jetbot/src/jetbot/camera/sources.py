@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import NamedTuple, Tuple
 
 from ..errors import InvalidValue, JetbotError
+from ..kinds import whole
 
 PLAY = f"exec {shlex.quote(sys.executable)} {shlex.quote(str(Path(__file__).with_name('play.py')))}"
 RPICAM = ("exec {program} --codec mjpeg --mode 1640:1232 --width {width} --height {height} --framerate {fps}"
@@ -21,36 +22,10 @@ FROM_USB = ("exec {program} -q v4l2src device={name} ! decodebin ! videoconvert 
             "video/x-raw,width={width},height={height},format=I420,framerate={fps}/1 ! ")
 CHECK_CABLE = "Check the ribbon cable of the camera."
 RESTART_DAEMON = "Try: sudo systemctl restart nvargus-daemon"
+NUMBERS = {"width": whole(4096), "height": whole(4096), "fps": whole(120), "quality": whole(95)}
 REPLUG = "Unplug the camera, plug it in again, and try another port."
-
-
-class Source(NamedTuple):
-    """A source: the program that it needs, its shell command, what there turns the picture upside down, the program's
-    Debian package, what to do when no picture comes.
-
-    {program}, {name}, {width}, {height}, {fps}, {quality} and {flip} in the command are replaced.
-    """
-
-    program: str
-    command: str
-    flip: str = ""
-    package: str = ""
-    when_hung: str = "Try the command by itself."
-
-
-SOURCES = {  # the first whose program is installed
-    "csi": (Source("rpicam-vid", RPICAM, " --hflip --vflip", "rpicam-apps", CHECK_CABLE),
-            Source("libcamera-vid", RPICAM, " --hflip --vflip", "libcamera-apps", CHECK_CABLE),
-            Source("gst-launch-1.0", FROM_CSI + TO_STDOUT, " flip-method=2", "gstreamer1.0-tools", RESTART_DAEMON)),
-    "usb": (Source("gst-launch-1.0", FROM_USB + TO_STDOUT, " ! videoflip method=rotate-180",
-                   "gstreamer1.0-tools gstreamer1.0-plugins-base gstreamer1.0-plugins-good", REPLUG),),
-    "fake": (Source("sh", PLAY + " fake {width} {height} {fps} {quality}{flip}", " 180"),),
-    "file": (Source("sh", PLAY + " {name} {width} {height} {fps} {quality}{flip}", " 180"),),
-    "command": (Source("sh", "{command}"),),
-}
-
 NO_CAMERA = "Is it connected? Without a camera, type first: export JETBOT_CAMERA=fake"
-TROUBLES: Tuple[Tuple[str, str, str], ...] = (  # what a command prints: a pattern, the reason, the advice
+TROUBLES = (  # what a command prints: a pattern, the reason, the advice
     (r"no element \"nv", "this computer has no CSI camera of a Jetson", "Choose another: export JETBOT_CAMERA=usb"),
     (r"no element \"(\w+)\"", r"GStreamer has no element \1",
      "Install: sudo apt install gstreamer1.0-plugins-base gstreamer1.0-plugins-good"),
@@ -63,6 +38,34 @@ TROUBLES: Tuple[Tuple[str, str, str], ...] = (  # what a command prints: a patte
 )
 
 
+class Source(NamedTuple):
+    """A source: the program that it needs, its shell command, what there turns the picture upside down, the program's
+    Debian package, what to do when no picture comes, what it may print.
+
+    {program}, {name}, {width}, {height}, {fps}, {quality} and {flip} in the command are replaced.
+    """
+
+    program: str
+    command: str
+    flip: str = ""
+    package: str = ""
+    when_hung: str = ""
+    troubles: Tuple[Tuple[str, str, str], ...] = ()
+
+
+SOURCES = {  # the first whose program is installed
+    "csi": (Source("rpicam-vid", RPICAM, " --hflip --vflip", "rpicam-apps", CHECK_CABLE, TROUBLES),
+            Source("libcamera-vid", RPICAM, " --hflip --vflip", "libcamera-apps", CHECK_CABLE, TROUBLES),
+            Source("gst-launch-1.0", FROM_CSI + TO_STDOUT, " flip-method=2", "gstreamer1.0-tools", RESTART_DAEMON,
+                   TROUBLES)),
+    "usb": (Source("gst-launch-1.0", FROM_USB + TO_STDOUT, " ! videoflip method=rotate-180",
+                   "gstreamer1.0-tools gstreamer1.0-plugins-base gstreamer1.0-plugins-good", REPLUG, TROUBLES),),
+    "fake": (Source("sh", PLAY + " fake {width} {height} {fps} {quality}{flip}", " 180"),),
+    "file": (Source("sh", PLAY + " {name} {width} {height} {fps} {quality}{flip}", " 180"),),
+    "command": (Source("sh", "{command}", when_hung="Try the command by itself."),),
+}
+
+
 class Command(NamedTuple):
     """How to get the pictures of a source: a shell command, and its Source."""
 
@@ -72,7 +75,7 @@ class Command(NamedTuple):
     def explain(self, printed: bytes, otherwise: str) -> JetbotError:
         """Return the error for a command that sends no pictures. printed: what it says; otherwise: why, if nothing."""
         text = printed.decode(errors="replace")
-        for pattern, reason, advice in TROUBLES:
+        for pattern, reason, advice in self.source.troubles:
             found = re.search(pattern, text)
             if found:
                 return JetbotError(found.expand(reason), advice)
@@ -87,8 +90,12 @@ def find_command(source: str = "", width: int = 224, height: int = 224, fps: int
 
     source: csi, usb, a device such as /dev/video0, fake, ``file:FOLDER``, or ``command:...``, a shell command of your
     own. quality: of the JPEGs, 1 to 95. flip: whether to turn the pictures upside down.
-    Raise InvalidValue for another name, and for a command to flip; JetbotError if the program is not installed.
+    Raise InvalidValue for another name, a number that is none of NUMBERS, and a command to flip; JetbotError if the
+    program is not installed.
     """
+    numbers = {"width": width, "height": height, "fps": fps, "quality": quality}
+    for name, value in numbers.items():
+        NUMBERS[name].check(f"the {name}", value)
     kind, rest = parse(source or os.environ.get("JETBOT_CAMERA") or "csi")
     row = next((row for row in SOURCES[kind] if shutil.which(row.program)), None)
     if row is None:
@@ -97,8 +104,7 @@ def find_command(source: str = "", width: int = 224, height: int = 224, fps: int
     if flip and not row.flip:
         raise InvalidValue("the pictures of a command cannot be flipped", "Let the command itself turn them.")
     return Command(row.command.format(program=row.program, name=shlex.quote(rest or "/dev/video0"), command=rest,
-                                      width=width, height=height, fps=fps, quality=quality,
-                                      flip=row.flip if flip else ""), row)
+                                      flip=row.flip if flip else "", **numbers), row)
 
 
 def parse(name: str) -> Tuple[str, str]:

@@ -16,14 +16,18 @@ from .computer import Check
 VIDEO = Path("/sys/class/video4linux")
 CAMERAS = ("csi", "usb")  # sources that may be any device
 BETWEEN = "nvargus-daemon"  # a Jetson's, between its camera and every program
+NONE = Check("camera", True, "none found")
 
 
 def check_cameras() -> Iterator[Check]:
     """Yield a check of what JETBOT_CAMERA names; without, of what this computer has: on a ribbon cable, and on USB."""
+    named = os.environ.get("JETBOT_CAMERA")
     on_usb = [f"/dev/{video.name}" for video in sorted(VIDEO.glob("video*")) if is_on_usb(video)]
     on_cable = ["csi"] if host.robot_bus(host.model()) is not None else []
-    named = os.environ.get("JETBOT_CAMERA")
-    yield from map(check_camera, [named] if named else on_cable + on_usb)
+    sources = [named] if named else on_cable + on_usb
+    yield from (check_camera(source, bool(named)) for source in sources)
+    if not sources:
+        yield NONE
 
 
 def is_on_usb(video: Path) -> bool:
@@ -35,8 +39,8 @@ def is_on_usb(video: Path) -> bool:
         return False
 
 
-def check_camera(source: str) -> Check:
-    """Check whether a picture comes, unless another program uses the camera; that there is none is no fault."""
+def check_camera(source: str, named: bool) -> Check:
+    """Check whether a picture comes, unless another program uses the camera; no camera is a fault if it is named."""
     name, users = f"camera {source}", users_of(source)
     if users:
         return Check(name, True, f"in use by {', '.join(users)}")
@@ -44,7 +48,7 @@ def check_camera(source: str) -> Check:
     try:
         require_picture(source)
     except JetbotError as error:
-        return Check(name, error.reason == "there is no such camera", error.reason, error.advice)
+        return Check(name, not named and error.reason == "there is no such camera", error.reason, error.advice)
     return Check(name, True, f"its first picture came after {time.monotonic() - begin:.1f} s",
                  f"Start it with the robot: camera:=true camera_source:={shlex.quote(source)}")
 
