@@ -130,6 +130,17 @@ def test_a_new_camera_stops_the_old_one_of_its_source(command):
     assert camera.running == [new]
 
 
+def test_the_instance_is_the_camera_that_runs_with_the_same_arguments(command):
+    source = command("while True: write(blue); time.sleep(0.01)")
+    seen = Camera.instance(64, 48, source=source)
+    assert Camera.instance(width=64, height=48, source=source) is seen
+    seen.stop()
+    again = Camera.instance(64, 48, source=source)
+    assert again is not seen and camera.running == [again]
+    larger = Camera.instance(128, 96, source=source)
+    assert larger.value.shape == (96, 128, 3) and camera.running == [larger]
+
+
 def test_a_damaged_picture_is_left_out_and_reported_be_it_the_first(command, tmp_path, capsys):
     seen = Camera(64, 48, source=command("damaged(); write(blue); wait(); damaged(); write(red); time.sleep(60)"))
     assert is_blue(seen.value)

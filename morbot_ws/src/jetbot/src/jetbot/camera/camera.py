@@ -37,9 +37,11 @@ class Camera(traitlets.HasTraits):
         self.start()
 
     @classmethod
-    def instance(cls, *args, **options) -> "Camera":
-        """Return a new camera."""
-        return cls(*args, **options)
+    def instance(cls, width: int = 224, height: int = 224, fps: int = 30, source: str = "") -> "Camera":
+        """Return the camera that runs with these arguments, or a new one."""
+        wanted = width, height, fps, source or os.environ.get("JETBOT_CAMERA", "")
+        same = (each for each in running if (each.width, each.height, each.fps, each.source) == wanted)
+        return next(same, None) or cls(*wanted)
 
     def start(self) -> None:
         """Wait for the first picture, then let ``value`` follow. Raise JetbotError. Does nothing if it runs already."""
