@@ -8,6 +8,7 @@ from driving_pupil import BEND, arc, one_after_the_other, ramp, run, solution, s
 from driving_tasks.scoring.recorder import NoDrive
 from driving_tasks.scoring.score import judge
 from driving_tasks.scoring.tasks import TASKS
+from jetbot_lessons.package_files import NEEDED
 
 
 def result(name, program):
@@ -83,6 +84,10 @@ def test_the_largest_loss_of_a_typical_mistake(name, program, sentence):
     ids=["turns on the spot", "a tiny circle", "a small circle", "pushes a wall"])
 def test_who_does_not_roam_gets_little_for_it(program, points):
     assert result("roam", program).score == pytest.approx(points, abs=0.1)
+
+
+def test_a_circle_is_too_little_for_lesson_12():
+    assert 20 < result("roam", arc(0.225, 3000)).score < NEEDED["roam"]
 
 
 def test_a_robot_that_never_moves_has_no_score():
