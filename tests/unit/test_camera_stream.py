@@ -162,7 +162,7 @@ def test_what_is_stopped_leaves_no_process(follow, code):
     follower.require_picture()
     group = int(follower.newest[len(HEAD + SCAN):-2])
     follower.stop()
-    assert wait_until(lambda: not is_running(group), 1) and list(follower) == []
+    assert wait_until(lambda: not is_running(group), 10) and list(follower) == []
 
 
 @pytest.mark.parametrize("end", ["pictures.abandon()", "os.kill(os.getpid(), 9)"], ids=["leaves", "is killed"])
