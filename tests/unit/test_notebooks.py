@@ -4,6 +4,7 @@ MORBOT_NOTEBOOKS names a folder with basic_motion.ipynb, teleoperation.ipynb, an
 whatever folders or with whatever prefixes: https://github.com/NVIDIA-AI-IOT/jetbot, MIT license.
 """
 
+import importlib.util
 import json
 import os
 import sys
@@ -18,8 +19,10 @@ from jetbot.wait import wait_until
 NOTEBOOKS = os.environ.get("MORBOT_NOTEBOOKS")
 if not NOTEBOOKS:
     pytest.skip("MORBOT_NOTEBOOKS names no folder with NVIDIA's notebooks", allow_module_level=True)
-for name in ("ipywidgets", "IPython", "numpy", "PIL"):
-    pytest.importorskip(name)
+missing = [name for name in ("ipywidgets", "IPython", "numpy", "PIL") if not importlib.util.find_spec(name)]
+if missing:
+    pytest.fail(f"The notebooks need {', '.join(missing)}: "
+                "sudo apt install python3-ipywidgets python3-ipython python3-numpy python3-pil", pytrace=False)
 import ipywidgets  # noqa: E402
 from IPython.core.interactiveshell import InteractiveShell  # noqa: E402
 from ipywidgets.widgets import widget_controller  # noqa: E402

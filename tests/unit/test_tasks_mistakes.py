@@ -8,7 +8,6 @@ from driving_pupil import BEND, arc, one_after_the_other, ramp, run, solution, s
 from driving_tasks.scoring.recorder import NoDrive
 from driving_tasks.scoring.score import judge
 from driving_tasks.scoring.tasks import TASKS
-from jetbot_lessons.package_files import NEEDED
 
 
 def result(name, program):
@@ -87,7 +86,8 @@ def test_who_does_not_roam_gets_little_for_it(program, points):
 
 
 def test_a_circle_is_too_little_for_lesson_12():
-    assert 20 < result("roam", arc(0.225, 3000)).score < NEEDED["roam"]
+    needed = pytest.importorskip("jetbot_lessons.package_files").NEEDED["roam"]
+    assert 20 < result("roam", arc(0.225, 3000)).score < needed
 
 
 def test_a_robot_that_never_moves_has_no_score():
