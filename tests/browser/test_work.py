@@ -84,9 +84,16 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     page.click("#release")
     pupil.wait_for(lambda: not pupil.run("return document.body.classList.contains('emergency')"), "the release")
     pupil.click("#judge")
-    pupil.wait_for_text("score", "points")
+    pupil.wait_for(lambda: "points" in pupil.text("score"), "the score", within=60.0)
     assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
     page.wait_for(lambda: page.run("return document.querySelector('#score-table').rows[1].cells.length") == 2, "it")
+    pupil.click("#programs")
+    pupil.click("#new")
+    pupil.click("#judge")
+    pupil.wait_for_text("score", "has not driven")
+    pupil.set("examples", "One metre")
+    pupil.click("#judge")
+    pupil.wait_for(lambda: "points" in pupil.text("score"), "the score", within=60.0)
 
 
 def test_who_comes_back_in_a_new_browser_goes_on_with_the_newest_program(page, pupil, world):
