@@ -27,20 +27,20 @@ from browser.page import Page  # noqa: E402
 from processes import end, end_on_sigterm, free_port, start  # noqa: E402
 
 PHONE, TABLET, DESKTOP = (390, 844, 2), (1024, 768, 1), (1280, 800, 1)  # width, height in CSS pixels; pixels per one
+UPRIGHT = (768, 1024, 1)  # the tablet
+PICTURES = ["cockpit_desktop.png", "cockpit_phone.png", "cockpit_class.png", "program_tablet.png", "program_map.png"]
 COLORS = 128            # of a PNG
 START_TIMEOUT = 120.0   # s
 STEP = 0.5              # s
 CLASS = 15
 EIGHT = [(0.9, 0.25, 9.5), (0.9, -0.25, 7.5)]  # what the pad is given: forward, left, s
-TURN = programs.block("robot_turn", {"SIDE": "LEFT"}, Z=programs.num(0.1), SECONDS=programs.num(1.47))
-SQUARE = programs.program(programs.block(
-    "controls_repeat_ext", TIMES=programs.num(4), DO=programs.chain(programs.drive(0.5, 2), TURN)))
+SIDE = 2.0              # s, of the lesson's square
 ONE = ["simulation", "simulation.launch", "cockpit:=true", "rviz:=false"]
 
 
 def main() -> None:
     end_on_sigterm()  # the nodes and the browser, too
-    wanted = sys.argv[1:] or ["cockpit_desktop.png", "cockpit_phone.png", "cockpit_class.png", "program_tablet.png"]
+    wanted = sys.argv[1:] or PICTURES
     if "cockpit_desktop.png" in wanted:
         with launched(*ONE) as address:
             take(address, DESKTOP, "cockpit_desktop.png")
@@ -52,7 +52,10 @@ def main() -> None:
             take(address, DESKTOP, "cockpit_class.png", CLASS)
     if "program_tablet.png" in wanted:
         with launched(*ONE) as address:
-            take_program(f"{address}/program", "program_tablet.png")
+            take_program(f"{address}/program", TABLET, "program_tablet.png", turn=1)
+    if "program_map.png" in wanted:
+        with launched(*ONE) as address:
+            take_program(f"{address}/program", UPRIGHT, "program_map.png", turn=1.47, sides=3)
 
 
 @contextlib.contextmanager
@@ -95,15 +98,25 @@ def take(address: str, size: Tuple[int, int, int], name: str, robots: int = 1) -
         save(page, DOCS / name)
 
 
-def take_program(address: str, name: str) -> None:
-    """Open the page for programs, run the lesson's square, and save what the page shows meanwhile."""
-    with opened(address, TABLET) as page, tempfile.TemporaryDirectory() as folder:
-        page.element("file").send_keys(programs.as_file(Path(folder), SQUARE))
+def take_program(address: str, size: Tuple[int, int, int], name: str, turn: float, sides: int = 0) -> None:
+    """Run the square of the lesson, with turns of so many seconds; save what the page shows after so many sides."""
+    with opened(address, size) as page, tempfile.TemporaryDirectory() as folder:
+        page.element("file").send_keys(programs.as_file(Path(folder), square(turn)))
         page.type("title", "square")
         page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
         page.click("#run")
-        page.wait_for(lambda: "0.5" in page.text_of("#python .now"), "the first side to run")
+        page.wait_for(lambda: page.text_of("#python .now").startswith("drive(0.5"), "the first side to run")
+        if sides:
+            page.click("#show-map")
+            time.sleep(sides * (SIDE + turn) + STEP)
         save(page, DOCS / name)
+
+
+def square(turn: float) -> dict:
+    """Return a program of four sides, with turns of so many seconds."""
+    corner = programs.block("robot_turn", {"SIDE": "LEFT"}, Z=programs.num(0.1), SECONDS=programs.num(turn))
+    return programs.program(programs.block(
+        "controls_repeat_ext", TIMES=programs.num(4), DO=programs.chain(programs.drive(0.5, SIDE), corner)))
 
 
 @contextlib.contextmanager

@@ -215,7 +215,7 @@ def test_a_thousand_blocks_load_in_two_seconds(blocks):
     page.wait_for(lambda: page.text("python").count("drive(0.5, 0, 1)") == 320, "the Python of all blocks")
     assert time.time() - start < 2.0 + 3.0  # a busy computer
     page.type("title", "Large")
-    page.wait_for_text("kept", "Kept")
+    page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
 
 
 @pytest.mark.parametrize("editor, field", [("showEditor", "blocklyHtmlInput"),

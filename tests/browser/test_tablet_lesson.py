@@ -60,6 +60,6 @@ def test_the_lesson_for_the_tablet_from_pad_to_blocks_to_python_to_the_judge(pag
     judge = world.start(program("driving_tasks", "class_judge.py"))
     page.wait_for(lambda: page.element("judge").is_displayed(), "the tasks")
     page.click("#judge")
-    page.wait_for_text("score", "points")
+    page.wait_for(lambda: "points" in page.text("score"), "the score", within=60.0)
     assert page.text("score").startswith("One metre: ")
     end([judge])

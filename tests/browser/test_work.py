@@ -2,7 +2,7 @@
 
 import pytest
 
-from harness import program
+from harness import end, program
 
 from .conftest import ROBOT
 
@@ -70,7 +70,7 @@ def test_two_pages_on_one_program_are_both_told_and_nothing_is_lost(page, pupil)
 
 
 def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world):
-    world.start(program("driving_tasks", "class_judge.py"))
+    judge = world.start(program("driving_tasks", "class_judge.py"))
     page.click("#overview-button")
     page.wait_for(lambda: page.has("#task-switches input"), "the tasks")
     assert not pupil.element("judge").is_displayed(), "no task is on"
@@ -84,9 +84,17 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     page.click("#release")
     pupil.wait_for(lambda: not pupil.run("return document.body.classList.contains('emergency')"), "the release")
     pupil.click("#judge")
-    pupil.wait_for_text("score", "points")
+    pupil.wait_for(lambda: "points" in pupil.text("score"), "the score", within=60.0)
     assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
     page.wait_for(lambda: page.run("return document.querySelector('#score-table').rows[1].cells.length") == 2, "it")
+    pupil.click("#programs")
+    pupil.click("#new")
+    pupil.click("#judge")
+    pupil.wait_for_text("score", "has not driven")
+    pupil.set("examples", "One metre")
+    pupil.click("#judge")
+    pupil.wait_for(lambda: "points" in pupil.text("score"), "the score", within=60.0)
+    end([judge])
 
 
 def test_who_comes_back_in_a_new_browser_goes_on_with_the_newest_program(page, pupil, world):

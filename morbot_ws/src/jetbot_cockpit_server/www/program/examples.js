@@ -30,7 +30,7 @@ const program = (blocks, variables = [], others = []) => ({
 
 const call = { type: "procedures_callnoreturn", extraState: { name: "side" } };
 const side = {
-  type: "procedures_defnoreturn", x: 380, y: 30, fields: { NAME: "side" },
+  type: "procedures_defnoreturn", x: 30, y: 230, fields: { NAME: "side" },
   inputs: { STACK: body(drive(0.5, 3.4), turn("LEFT", 0.147, 1.05)) },
 };
 

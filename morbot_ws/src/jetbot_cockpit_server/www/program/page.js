@@ -155,6 +155,7 @@ function printed(text) {
 }
 
 function ended(sentence, block) {
+  judging.programEnded();
   showOutput();
   setOutcome(sentence || "The program has ended.", sentence ? "warning" : "");
   if (block && workspace.getBlockById(block)) Blockly.common.setSelected(workspace.getBlockById(block));
@@ -283,7 +284,7 @@ function showPlace(id) {
   if (before === (line ?? null)) return;
   before?.classList.remove("now");
   line?.classList.add("now");
-  line?.scrollIntoView({ block: "nearest" });
+  line?.scrollIntoView({ block: "center", inline: "nearest" });
 }
 
 function showOutput() {

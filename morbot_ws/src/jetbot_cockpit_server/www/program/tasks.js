@@ -4,6 +4,7 @@ import { element, inSeconds, setText } from "../dom.js";
 
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
 const NO_ANSWER = "The judge did not put the robot at its start. Try again.";
+const NOT_DRIVEN = "The program has ended, and the robot has not driven.";
 const CANCELLED = "Judge me was cancelled.";
 
 export class Judging {
@@ -35,8 +36,14 @@ export class Judging {
     this.waiting = { robot, task, since: performance.now() };
     this.judged = null;
     this.send({ type: "drive", robot, forward: 0, left: 0 }); // who had to let go, has
-    this.send({ type: "judge", robot, task });
+    if (!this.isReady(this.waiting)) this.send({ type: "judge", robot, task });
     this.say("The robot goes to the start of the task.");
+  }
+
+  // Returns whether the robot stands at the start of this task, and its judge waits.
+  isReady({ robot, task }) {
+    const { name, state } = this.world.state(robot).task ?? {};
+    return name === task && state === "ready";
   }
 
   // A notice has arrived, perhaps why the cockpit refuses this.
@@ -59,7 +66,7 @@ export class Judging {
   wait(task) {
     const { robot, since } = this.waiting;
     if (robot !== this.world.chosen || this.world.isBlocked(robot)) return this.cancel();
-    if (task?.name === this.waiting.task && task.state === "ready") return this.start();
+    if (this.isReady(this.waiting)) return this.start();
     if (task?.state === "cancelled") return this.cancel(task.text);
     if (performance.now() - since > READY_TIMEOUT) this.cancel(NO_ANSWER);
   }
@@ -69,6 +76,11 @@ export class Judging {
     this.waiting = null;
     this.say("The judge measures from the first motion until the robot has stood still for 3 s.");
     this.run();
+  }
+
+  // Says so if there is nothing to judge; who drives on by hand gets the score all the same.
+  programEnded() {
+    if (this.judged && this.isReady(this.judged)) this.say(NOT_DRIVEN);
   }
 
   follow(task) {
