@@ -8,6 +8,11 @@ from .test_page import DESKTOP, TOUCH_SCREENS, check_screen
 BLIND = "jetbot_09"  # without a camera
 PICTURE = """const camera = document.getElementById('camera');
     return camera.checkVisibility() ? camera.toDataURL() : ''"""
+MARGINS = """for (const [id, text] of Object.entries({'save-free': 'Free 1000', 'save-blocked': 'Blocked 1000'}))
+        document.getElementById(id).textContent = text;
+    const box = (id) => document.getElementById(id).getBoundingClientRect(), view = box('view');
+    return [box('camera').left - view.left, ...['save-free', 'save-blocked', 'delete'].flatMap(
+        (id) => [box(id).left - box('camera').right, view.right - box(id).right, view.bottom - box(id).bottom])]"""
 KEEP_STAMPS = """const receive = socket.onmessage, decode = createImageBitmap;
     window.stamps = [];
     window.drawn = new Promise(go => window.draw = go);
@@ -39,6 +44,7 @@ def test_the_picture_follows_and_stop_stops_while_pictures_come(looking, world):
 def test_picture_and_buttons_fit_the_screen_and_the_finger(looking):
     for screen in [*TOUCH_SCREENS, DESKTOP]:
         check_screen(looking, screen, "pad", "stop", "status", "camera", "save-free", "save-blocked", "delete")
+        assert min(looking.run(MARGINS)) >= 5, (screen, looking.run(MARGINS))
 
 
 def test_a_camera_is_used_only_while_a_page_shows_it(looking, world):

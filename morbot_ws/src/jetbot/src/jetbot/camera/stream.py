@@ -24,9 +24,9 @@ REPEAT_AFTER = 60.0     # s until the same sentence is reported again
 POLL_INTERVAL = 0.1     # s
 CHUNK = 1024 * 1024     # bytes, more than a pipe holds: what is read at once is all there is
 LAST_WORDS = 4000       # bytes of what a child has printed
-# Runs the command $0 beside a watcher, which ends their group if this process ends: its end of stdin closes then.
-RUN = (f"exec 3<&0 </dev/null; (trap '' INT; read _ <&3; kill -INT 0; sleep {END_TIMEOUT:g}; kill -KILL 0) "
-       '>/dev/null 2>&1 & exec sh -c "$0" 3<&-')
+# Reads the id of a group, then waits for the end of this process, which closes the pipe, and ends the group.
+WATCH = ["sh", "-c", 'read group || exit; read _; kill -INT "-$group"; sleep "$0"; kill -KILL "-$group"',
+         str(END_TIMEOUT)]
 
 
 def print_sentence(sentence: str) -> None:
@@ -172,15 +172,19 @@ def child(line):
 
     It also ends, within END_TIMEOUT, if this process does, be it killed.
     """
-    with subprocess.Popen(["sh", "-c", RUN, line], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, start_new_session=True) as process:
+    with subprocess.Popen(WATCH, 0, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                          start_new_session=True) as watcher, \
+            subprocess.Popen(["sh", "-c", line], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, start_new_session=True) as process:
         try:
+            watcher.stdin.write(b"%d\n" % process.pid)
             yield process
         finally:
             process.stdout.close()  # it may wait for room in the pipe
             send(process, signal.SIGINT)
             wait_until(lambda: os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT | os.WNOHANG), END_TIMEOUT)
             send(process, signal.SIGKILL)  # all of its group
+            watcher.kill()
 
 
 def send(process, signum):
