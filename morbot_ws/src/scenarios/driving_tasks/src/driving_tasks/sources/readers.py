@@ -17,7 +17,7 @@ WATCHERS = re.compile(r".*/(jetbot_cockpit_server/(scripts/)?cockpit\.py|simulat
                       r"(bin|rviz)/rviz|rosbag/record|robot_state_publisher/robot_state_publisher)")
 NAMES = re.compile(r".*/(jetbot_cockpit|robot_state_publisher|(rviz|record|draw_track)(_\d+)*)")
 ASK_INTERVAL = 1.0  # s
-MAX_BLIND = 2       # answers in which nobody looks while the robot moves; one, where a program has just ended
+MAX_BLIND = 4       # answers in a row, while the robot moves, in which nobody looks: wait_for_message often looks away
 
 
 class Readers:
