@@ -185,6 +185,15 @@ def test_a_damaged_file_is_put_aside_and_the_others_are_read(classes, content):
     assert (classes.path / f"program_{IDS[0]}.damaged").read_text() == content
 
 
+@pytest.mark.parametrize("content", ["{", "[1]"])
+def test_damaged_codes_are_put_aside_and_the_terminal_says_so(classes, content):
+    classroom = Classroom(classes())
+    (classes.path / "codes.json").write_text(content)
+    assert classroom.read("codes", dict) == {}
+    assert classroom.take_problems() == [f"{classes.path}/codes.json is damaged, and was renamed to codes.damaged"]
+    assert (classes.path / "codes.damaged").read_text() == content and not classroom.take_problems()
+
+
 def interrupted(monkeypatch, call, at, exception, *arguments, **options):
     """Save this; let the call of this name fail the at-th time. Return whether it did."""
     module, _, name = call.rpartition(".")

@@ -21,13 +21,16 @@ class Classroom:
     def __init__(self, folder=None):
         self._folder = folder or Nowhere()
         self.programs = Programs(self._folder)
-        self._problems: List[str] = list(self._folder.problems)
         self._thread, self._room = ThreadPoolExecutor(1), threading.Semaphore(MAX_WAITING)
 
     def read(self, name: str, kind: type) -> Any:
-        """Return what is kept by this name, or an empty one if nothing of this kind is. Raise InvalidValue."""
+        """Return what is kept by this name, or an empty one; another kind is put aside. Raise InvalidValue."""
         content = self._folder.read(name)
-        return content if isinstance(content, kind) else kind()
+        if isinstance(content, kind):
+            return content
+        if content:
+            self._folder.set_aside(name)
+        return kind()
 
     def write(self, name: str, content: Any) -> None:
         """Keep this; it is on the disk when this returns. Raise InvalidValue."""
@@ -50,12 +53,12 @@ class Classroom:
 
     def take_problems(self) -> List[str]:
         """Return what the terminal should report since the last call."""
-        problems, self._problems = self._problems, []
+        problems, self._folder.problems = self._folder.problems, []
         return problems
 
     def _report(self, future):
         if future.exception():
-            self._problems.append(f"The class cannot be kept: {future.exception()}")
+            self._folder.problems.append(f"The class cannot be kept: {future.exception()}")
 
 
 def open_classroom(folder: str, name: str) -> Classroom:
