@@ -48,8 +48,9 @@ class MasterLost(RobotTest):
             return {*publishers.get("/camera/image_raw/compressed", ())} == {"/jetbot_camera", "/jetbot_simulator"}
 
         self.start(program("jetbot_camera", "camera.py"), "_source:=command:sleep 60", env=self.environment)
-        self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}", env=self.environment)
-        self.wait_for(have_cameras, START_TIMEOUT, "the cameras")
+        simulator = self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}",
+                               env=self.environment)
+        self.wait_for(lambda: "at x" in read(simulator) and have_cameras(), START_TIMEOUT, "the cameras")
         self.master.kill()
         self.master.wait(START_TIMEOUT)
         self.start_master()
