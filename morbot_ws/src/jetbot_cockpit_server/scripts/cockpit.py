@@ -73,7 +73,9 @@ class Cockpit:
         """Return who gets in, by the codes that the class has already, and keep the new ones."""
         kept = self.classroom.read("codes", dict)
         grants = make_grants(robots, kept)
-        self.classroom.write("codes", {**kept, **{each.label: [each.code, each.cookie] for each in grants}})
+        codes = {**kept, **{each.label: [each.code, each.cookie] for each in grants}}
+        if codes != kept:  # a full disk holds up no class that has them all
+            self.classroom.write("codes", codes)
         return grants
 
     def run(self):
