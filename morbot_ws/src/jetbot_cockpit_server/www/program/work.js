@@ -151,11 +151,11 @@ export class Work {
     if (this.pending.get(work.id) === work) this.pending.delete(work.id);
   }
 
-  // The shown program is not kept under its id any more.
+  // The shown program is not kept as it is now; if another page has changed it, under its id no more.
   refuse(text) {
     this.pending.delete(this.id);
     this.tell(text, true);
-    element("copy").hidden = false;
+    element("copy").hidden = text !== CHANGED;
   }
 
   async open(id) {
