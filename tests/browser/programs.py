@@ -21,7 +21,7 @@ Promise.all([import('/program/interpreter.js'), import('/program/python.js'), im
         for (const event of interpreter.run()) {
             if ((steps += 1) > 20000 || now > 100) break;
             if ("print" in event) prints.push(event.print);
-            if ("step" in event || "print" in event) continue;
+            if ("step" in event || "print" in event || "breathe" in event) continue;
             commands.push([Math.round(now), ...interpreter.motion]);
             if (event.wait > 0) now += 10 * event.wait;
             if (event.tick) [now, ticked] = [Math.max(now, ticked + 1), now - ticked > 3 ? now : ticked + 1];
@@ -144,8 +144,10 @@ def run_python(source: str, monkeypatch) -> Tuple[List[str], List[List[float]]]:
 
 
 def printed(value) -> str:
-    """Return a value as the page prints it: numbers with six digits."""
-    return f"{value:.6g}" if isinstance(value, (int, float)) and not isinstance(value, bool) else str(value)
+    """Return a value as the page prints it: numbers with six digits, large ones with all."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return str(value)
+    return f"{value:.6g}" if abs(value) < 1e5 else f"{value:.15g}"
 
 
 def changes(commands: List[List[float]]) -> List[List[float]]:

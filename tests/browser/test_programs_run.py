@@ -59,8 +59,14 @@ COUNT = {"type": "procedures_defreturn", "fields": {"NAME": "count"},
                     "RETURN": calculate("ADD", var("n"), {"block": {
                         "type": "procedures_callreturn", "extraState": {"name": "count", "params": ["n"]},
                         "inputs": {"ARG0": calculate("MINUS", var("n"), num(1))}}})}}
-CALL = {"block": {"type": "procedures_callreturn", "extraState": {"name": "count", "params": ["n"]},
-                  "inputs": {"ARG0": num(4)}}}
+
+
+def called(value):
+    """Return a call of ``count`` with this input."""
+    return {"block": {"type": "procedures_callreturn", "extraState": {"name": "count", "params": ["n"]},
+                      "inputs": {"ARG0": value}}}
+
+
 PROGRAMS = {
     "numbers": program(*[show(value) for value in (
         calculate("DIVIDE", num(7), num(2)), calculate("POWER", num(2), num(-1)), calculate("MINUS", num(2), num(-3)),
@@ -68,7 +74,8 @@ PROGRAMS = {
         single("math_round", "ROUND", -1.5), single("math_round", "ROUNDUP", 1.2),
         single("math_round", "ROUNDDOWN", -1.2),
         single("math_single", "ROOT", 9), single("math_single", "NEG", 9), single("math_single", "POW10", 2),
-        single("math_trig", "SIN", 30), single("math_trig", "ATAN", 1), plug("math_constant", {"CONSTANT": "PI"}),
+        single("math_trig", "SIN", 30), single("math_trig", "ATAN", 1), num(1234567), num(123456.789),
+        plug("math_constant", {"CONSTANT": "PI"}),
         plug("math_constrain", VALUE=num(7), LOW=num(-1), HIGH=num(1)))]),
     "logic": program(*[show(value) for value in (
         check(-3, "ODD"), check(2.5, "WHOLE"), check(4, "EVEN"),
@@ -92,7 +99,7 @@ PROGRAMS = {
     "texts": program(show(plug("text", {"TEXT": "a'b\\n<b>\"\"\""})),
                      let("x", plug("text", {"TEXT": "#@1"})), show(var("x")),
                      show(plug("text_join", ADD0=plug("text", {"TEXT": "x"}), ADD1=num(2))), variables="x"),
-    "functions": program(let("x", num(0)), show(CALL), show(var("x")), functions=(COUNT,), variables="xn"),
+    "functions": program(let("x", num(0)), show(called(num(4))), show(var("x")), functions=(COUNT,), variables="xn"),
     "drives": program(
         drive(0.5, 1), block("robot_turn", {"SIDE": "RIGHT"}, Z=num(0.2), SECONDS=num(0.5)), wait(1),
         set_motion(0.3, 0.1), wait(0.5), block("robot_stop"),
@@ -104,6 +111,12 @@ PROGRAMS = {
         block("controls_if", IF0=compare("EQ", var("x"), num(5)), DO0=chain(wait(0.5))),
         block("controls_if", IF0=compare("GT", var("x"), num(8)), DO0=chain(
             block("controls_flow_statements", {"FLOW": "BREAK"}))))), variables="x"),
+    "continue at 10 Hz": program(block("robot_loop", DO=chain(
+        block("math_change", X_EQ, DELTA=num(1)),
+        block("robot_set", X=calculate("DIVIDE", var("x"), num(10)), Z=num(0)),
+        block("controls_if", IF0=compare("GT", var("x"), num(6)), DO0=chain(
+            block("controls_flow_statements", {"FLOW": "BREAK"}))),
+        block("controls_flow_statements", {"FLOW": "CONTINUE"}))), variables="x"),
     "nothing": program(),
 }
 
@@ -133,6 +146,7 @@ def test_the_examples_drive_and_their_python_is_a_program(editor):
 
 FAULTS = {
     "This calculation has no result.": program(show(calculate("DIVIDE", num(1), num(0)))),
+    "This calculation has no result": program(show(plug("math_constant", {"CONSTANT": "INFINITY"}))),
     "Functions call functions too deep": program(block("procedures_callnoreturn"), functions=(
         {"type": "procedures_defnoreturn", "fields": {"NAME": "again"}, "inputs": {"STACK": chain(
             {"type": "procedures_callnoreturn", "extraState": {"name": "again"}})}},)),
@@ -162,3 +176,28 @@ def test_no_text_ends_a_line_of_the_python(editor):
 def test_a_loop_without_a_wait_lets_the_page_have_its_turn(editor):
     endless = program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"})))
     assert interpret(editor, endless)["steps"] > 20000
+
+
+def test_a_long_calculation_lets_the_page_have_its_turn(editor):
+    fibonacci = {**COUNT, "inputs": {"RETURN": plug(
+        "logic_ternary", IF=compare("LT", var("n"), num(2)), THEN=var("n"),
+        ELSE=calculate("ADD", *(called(calculate("MINUS", var("n"), num(less))) for less in (1, 2))))}}
+    endless = program(show(called(num(40))), functions=(fibonacci,), variables="n")
+    assert interpret(editor, endless)["steps"] > 20000
+
+
+PULSES = """const [done] = arguments;
+import("/program/motion.js").then(({ Motion }) => {
+    const sent = [];
+    const motion = new Motion((...command) => sent.push(command));
+    for (let count = 0; count < 100; count += 1) {
+        motion.set(1, 0);
+        motion.set(0, 0);
+    }
+    done(sent);
+})"""
+
+
+def test_short_pulses_are_not_more_than_the_cockpit_takes(editor):
+    sent = editor.driver.execute_async_script(PULSES)
+    assert 2 <= len(sent) < 20 and sent[-1] == [0, 0]

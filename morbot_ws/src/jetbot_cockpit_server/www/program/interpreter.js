@@ -1,11 +1,13 @@
 // Runs a program, the JSON in which Blockly saves blocks, statement by statement. It knows no page and no clock: run()
 // is a generator that yields what is to be done, and goes on once that is done:
 // { step }: the id of the block whose statement comes next; { wait }: seconds in which the robot drives `motion`;
-// { tick }: the same until the next tenth of a second; { publish }: drive `motion` from now on; { print }: a text.
+// { tick }: the same until the next tenth of a second; { publish }: drive `motion` from now on; { print }: a text;
+// { breathe }: nothing, it has computed for a while.
 
 const MAX_DEPTH = 1000; // blocks in blocks, functions that call functions
 const MAX_TEXT = 10000; // characters
-const MAX_PRIME = 1e12; // what is larger takes too long
+const MAX_PRIME = 1e10; // what is larger takes too long
+const BREATHE_AFTER = 50; // values that are evaluated
 const TOO_DEEP = "Functions call functions too deep: one of them calls itself for ever.";
 const [BREAK, CONTINUE] = ["BREAK", "CONTINUE"];
 
@@ -22,6 +24,7 @@ export class Interpreter {
   locals = new Map(); // of the function that runs
   motion = [0, 0]; // x, z: in the units of the robot's commands
   depth = 0;
+  evaluated = 0; // values
 
   // program: as Blockly.serialization saves it; geometry: { wheel_separation, max_speed } of the robot;
   // read(kind, part): what the robot senses, a number, or null if that is not known
@@ -67,6 +70,8 @@ export class Interpreter {
     const inner = input?.block ?? input?.shadow;
     if (!inner) return fallback;
     this.enter(inner);
+    this.evaluated += 1;
+    if (this.evaluated % BREATHE_AFTER === 0) yield { breathe: true };
     const evaluate = VALUES[inner.type];
     if (!evaluate) throw new ProgramError(`This page cannot run ${inner.type}.`, inner.id);
     return this.leave(yield* evaluate(this, inner));
@@ -219,6 +224,7 @@ const OPERATIONS = {
 };
 const CONSTANTS = {
   PI: Math.PI, E: Math.E, GOLDEN_RATIO: (1 + Math.sqrt(5)) / 2, SQRT2: Math.SQRT2, SQRT1_2: Math.SQRT1_2,
+  INFINITY: Infinity,
 };
 const PROPERTIES = {
   EVEN: (a) => modulo(a, 2) === 0, ODD: (a) => modulo(a, 2) === 1, WHOLE: (a) => modulo(a, 1) === 0, PRIME: isPrime,
@@ -304,8 +310,7 @@ export const TYPES = new Set([...Object.keys(STATEMENTS), ...Object.keys(VALUES)
   "procedures_defnoreturn", "procedures_defreturn"]);
 
 function finite(result, block) {
-  const isNumber = typeof result === "number";
-  if (isNumber && !Number.isFinite(result)) throw new ProgramError("This calculation has no result.", block.id);
+  if (typeof result !== "boolean" && !Number.isFinite(result)) throw new ProgramError("This calculation has no result.", block.id);
   return result;
 }
 
@@ -322,5 +327,5 @@ function isPrime(number) {
 // Returns a value as it is printed.
 export function shown(value) {
   if (typeof value === "boolean") return value ? "True" : "False";
-  return typeof value === "number" ? String(Number(value.toPrecision(6))) : value;
+  return typeof value === "number" ? String(Number(value.toPrecision(Math.abs(value) < 1e5 ? 6 : 15))) : value;
 }

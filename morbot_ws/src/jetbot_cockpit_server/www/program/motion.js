@@ -7,6 +7,7 @@ const [RATE, BURST] = [26, 6]; // commands a second, and at once: the cockpit ta
 
 export class Motion {
   command = [0, 0]; // forward, left: in [-1, 1], as a pad's
+  sent = [0, 0]; // the last one
   changesAt = -Infinity; // when the program will publish again, as performance.now() counts
   allowance = BURST;
   sentAt = -Infinity;
@@ -25,7 +26,7 @@ export class Motion {
   end() {
     clearInterval(this.timer);
     this.timer = null;
-    this.command = [0, 0];
+    this.command = this.sent = [0, 0];
     this.send(0, 0);
   }
 
@@ -40,7 +41,7 @@ export class Motion {
   set(...command) {
     const changes = String(command) !== String(this.command);
     this.command = command;
-    const stops = changes && !command.some(Boolean);
+    const stops = this.sent.some(Boolean) && !command.some(Boolean);
     if (stops || changes && this.allowed() >= 1) this.sendNow();
   }
 
@@ -54,6 +55,7 @@ export class Motion {
   sendNow() {
     this.allowance = this.allowed() - 1;
     this.sentAt = performance.now();
+    this.sent = this.command;
     this.send(...this.command);
   }
 

@@ -6,6 +6,8 @@ const Order = globalThis.python.Order;
 
 const MARK = /^\s*#@(\d+)\n/; // a line of its own before a block's first line: which of the marked blocks it is
 const ENDS = /[^\n\x20-\x7e\u00a0-\u{10ffff}]/gu; // other ends of lines, and control characters
+const TICK = ["publisher.publish(motion)", "rate.sleep()"];
+const LOOPS = ["robot_loop", "controls_repeat_ext", "controls_whileUntil", "controls_for"];
 const STOP = "motion.linear.x = motion.angular.z = 0";
 const HEAD = ["rospy.init_node(%)", 'publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)',
   "rate = rospy.Rate(10)", "motion = Twist()"];
@@ -112,8 +114,15 @@ const ROBOT = {
     return `wait(${value(block, "SECONDS")})\n`;
   },
   robot_loop(block) {
-    const end = [`publisher.publish(motion)`, `rate.sleep()`].map((line) => `${python.INDENT}${line}\n`).join("");
+    const end = TICK.map((line) => `${python.INDENT}${line}\n`).join("");
     return `while not rospy.is_shutdown():\n${python.statementToCode(block, "DO")}${end}`;
+  },
+  controls_flow_statements(block) {
+    const flow = block.getFieldValue("FLOW").toLowerCase();
+    let loop = block.getSurroundParent();
+    while (loop && !LOOPS.includes(loop.type)) loop = loop.getSurroundParent();
+    const before = flow === "continue" && loop?.type === "robot_loop" ? TICK : [];
+    return [...before, flow].map((line) => `${line}\n`).join("");
   },
   robot_print: (block) => `print(${python.valueToCode(block, "VALUE", Order.NONE) || '""'})\n`,
   robot_here(block) {

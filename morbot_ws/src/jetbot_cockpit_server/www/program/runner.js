@@ -116,6 +116,7 @@ export class Runner {
     for (const event of interpreter.run()) {
       if ("print" in event) this.printed(event.print);
       else if ("step" in event) await this.before(event.step);
+      else if ("breathe" in event) await this.between();
       else await this.drive(event, interpreter.motion);
       if (over()) return;
     }
@@ -133,12 +134,17 @@ export class Runner {
     }
   }
 
-  // Comes before each statement: shows it, and waits if the program is paused, slow, or has computed for long.
+  // Comes before each statement: shows it, and waits if the program is slow or paused.
   async before(block) {
     this.at = block;
     if (this.stepping) this.pause();
     else if (this.delay) await this.rest();
-    else if (performance.now() - this.awakeAt > SLICE) await this.breathe();
+    await this.between();
+  }
+
+  // Lets the page have its turn if the program has computed for long, and waits while it is paused.
+  async between() {
+    if (performance.now() - this.awakeAt > SLICE) await this.breathe();
     while (this.held && this.runs) await this.sleep();
   }
 
