@@ -5,6 +5,7 @@ import pytest
 from harness import end, program
 
 from .conftest import ROBOT
+from .world import moving
 
 
 def open_programs(page, url):
@@ -87,6 +88,11 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     pupil.wait_for(lambda: "points" in pupil.text("score"), "the score", within=60.0)
     assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
     page.wait_for(lambda: page.run("return document.querySelector('#score-table').rows[1].cells.length") == 2, "it")
+    for button in "#pause", "#end":
+        pupil.click("#judge")
+        world.wait_for(lambda: moving(*world.wheels(ROBOT)), 20.0, "the drive")
+        pupil.click(button)
+        pupil.wait_for_text("score", "its program was stopped")
     pupil.click("#programs")
     pupil.click("#new")
     pupil.click("#judge")

@@ -105,6 +105,17 @@ def test_whoever_is_judged_has_the_robot_and_the_last_result_is_gone(cockpit):
     assert "drives red" in cockpit.do(ADA, Message("drive", "/red", 0.5, 0.0))["text"]
 
 
+def test_only_who_drives_a_robot_ends_that_it_is_judged_also_by_leaving(cockpit):
+    cockpit.do(TEACHER, JUDGE)
+    end = Message("judge", "/red", task="")
+    assert cockpit.do(ADA, end) is None and cockpit.do(OWN, end) is None
+    assert cockpit.robots.judged == [("/red", "metre")]
+    assert cockpit.do(TEACHER, end) is None and cockpit.robots.judged[1:] == [("/red", "")]
+    cockpit.do(TEACHER, Message("judge", "/other", task=""))
+    cockpit.control.leave(TEACHER.id)
+    assert cockpit.robots.judged[2:] == [("/red", "")]
+
+
 def test_a_class_keeps_its_tasks_and_best_scores(cockpit, kept):
     switch(cockpit, "park")
     cockpit.robots.change("/red", task=DONE)

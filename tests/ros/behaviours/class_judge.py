@@ -53,3 +53,11 @@ class ClassJudge(RobotTest):
         world.unregister()
         self.ask("quarter")
         self.ask("metre")
+
+    def test_a_program_that_is_stopped_gets_no_score(self):
+        self.ask("metre")
+        self.wait_for(lambda: self.command(SPEED) or self.states[-1][1] == "driving", START_TIMEOUT, "a drive")
+        self.requests.publish("/", "")
+        self.wait_for(lambda: self.states[-1][1] == "cancelled", START_TIMEOUT, "its end")
+        self.assertEqual(self.states[-1][2], "The drive does not count: its program was stopped.")
+        self.wait_for(lambda: "program was stopped" in read(self.judge), START_TIMEOUT, "its row")

@@ -155,7 +155,7 @@ function printed(text) {
 }
 
 function ended(sentence, block) {
-  judging.programEnded();
+  judging.programEnded(Boolean(sentence));
   showOutput();
   setOutcome(sentence || "The program has ended.", sentence ? "warning" : "");
   if (block && workspace.getBlockById(block)) Blockly.common.setSelected(workspace.getBlockById(block));

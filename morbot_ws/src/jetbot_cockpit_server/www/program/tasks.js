@@ -18,6 +18,7 @@ export class Judging {
     for (const id of ["end", "stop", "run", "step"]) {
       for (const event of ["pointerdown", "click"]) element(id).addEventListener(event, () => this.cancel());
     }
+    element("pause").addEventListener("click", () => this.disarm(this.judged));
     addEventListener("keydown", ({ key }) => key === "Escape" && this.cancel(), true);
     document.addEventListener("visibilitychange", () => document.hidden && this.cancel());
   }
@@ -53,8 +54,14 @@ export class Judging {
 
   cancel(text = CANCELLED) {
     if (!this.waiting) return;
+    this.disarm(this.waiting);
     this.waiting = null;
     this.say(text);
+  }
+
+  // The judge gives no score for this drive, and says so.
+  disarm(drive) {
+    if (drive) this.send({ type: "judge", robot: drive.robot, task: "" });
   }
 
   // A state has arrived.
@@ -78,9 +85,10 @@ export class Judging {
     this.run();
   }
 
-  // Says so if there is nothing to judge; who drives on by hand gets the score all the same.
-  programEnded() {
-    if (this.judged && this.isReady(this.judged)) this.say(NOT_DRIVEN);
+  // Says so if there is nothing to judge; who drives on by hand gets the score all the same. early: before its own end
+  programEnded(early) {
+    if (early) this.disarm(this.judged);
+    else if (this.judged && this.isReady(this.judged)) this.say(NOT_DRIVEN);
   }
 
   follow(task) {

@@ -61,7 +61,7 @@ class Robots:
         return self._judge.tasks()
 
     def judge(self, robot: str, task: str) -> None:
-        """Ask the judge to put a robot at the start of a task, and to judge its next drive."""
+        """Ask the judge to put a robot at the start of a task, and to judge its next drive; "" ends that."""
         self._judge.request(robot, task)
 
     def report_driver(self, robot: str, name: str, interruption: str) -> None:

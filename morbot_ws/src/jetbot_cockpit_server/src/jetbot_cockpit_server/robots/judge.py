@@ -26,7 +26,7 @@ class Judge:
         return self._tasks if self._subscriber.get_num_connections() else ()
 
     def request(self, robot: str, task: str) -> None:
-        """Ask for a robot to be put at the start of a task, and judged."""
+        """Ask for a robot to be put at the start of a task, and judged; "" ends that."""
         self._requests.publish(robot, task)
 
     def _on_tasks(self, message):

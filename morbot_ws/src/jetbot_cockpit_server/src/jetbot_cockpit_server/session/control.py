@@ -63,6 +63,8 @@ class Control:
         robot = self._robot_of(client)
         if robot and self._leases[robot].driving:
             self._report(robot, LEFT)
+        elif robot:
+            self._robots.judge(robot, "")
         self._free(robot)
         self._names.pop(client, None)
         self._typed.pop(client, None)
@@ -215,6 +217,8 @@ class Control:
 
     def _on_judge(self, client, message, now):
         robot = message.robot
+        if not message.task:
+            return self._end_judging(client, robot)
         refusal = self._refusal(client, robot, now) or self._tasks.refusal(client, message.task)
         if refusal or not self.snapshot.robots[robot].simulated:
             return refusal or "Only simulated robots can be judged."
@@ -222,6 +226,11 @@ class Control:
         self._lease(client, robot, now, driving=False)
         self._history.forget_task(self.snapshot.robots[robot])
         self._robots.judge(robot, message.task)
+        return ""
+
+    def _end_judging(self, client, robot):
+        if robot in self.snapshot.robots and client.may_drive(robot) and self._driver(robot) in (None, client.id):
+            self._robots.judge(robot, "")
         return ""
 
     def _on_offer(self, client, message, now):

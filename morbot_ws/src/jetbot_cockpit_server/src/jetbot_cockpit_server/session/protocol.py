@@ -90,7 +90,7 @@ MESSAGES: Dict[str, Dict[str, Callable[[Any], bool]]] = {
     "seen": {"number": is_number},          # a part of this picture has come
     "save": {"robot": is_robot, "label": is_label},
     "delete": {"robot": is_robot},          # all pictures of the robot that were saved
-    "judge": {"robot": is_robot, "task": is_task},  # puts the robot at the start of a task, and judges its next drive
+    "judge": {"robot": is_robot, "task": is_task},  # judges its next drive in a task; "": not any more
     "offer": {"task": is_task, "on": is_boolean},   # a teacher lets pupils choose a task, or not any more
 }
 

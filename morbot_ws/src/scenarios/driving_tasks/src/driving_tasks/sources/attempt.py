@@ -67,6 +67,18 @@ class Attempt:
             self._announcement.done(result, self._name)
             self.mark = Mark(self._name, self._task.name, result, source=self.robot.source, robot=self.robot.name)
 
+    def cancel(self, interruption: str) -> None:
+        """Give this drive no score, for this reason: a sentence."""
+        if self.robot.obstacle:  # which is over before the invitation
+            self._cancelled = f"{NO_MARK}. " if self.has_driven else ""
+            interruption = f"{self._cancelled}{interruption}"
+        else:
+            self._cancelled = f"{interruption} "
+        self.ready, self._recorder = False, self._new_recorder()
+        self._announcement.publish(CANCELLED, interruption)
+        self._report(interruption)
+        self.mark = self._without_score(interruption) if self._once else None
+
     def close(self) -> None:
         """Show the task no longer to those who come now."""
         self._announcement.close()
@@ -82,18 +94,7 @@ class Attempt:
                 yield from self._measure()
                 self.finish()
             except Interrupted as interruption:
-                self._cancel(str(interruption))
-
-    def _cancel(self, interruption):
-        if self.robot.obstacle:  # which is over before the invitation
-            self._cancelled = f"{NO_MARK}. " if self.has_driven else ""
-            interruption = f"{self._cancelled}{interruption}"
-        else:
-            self._cancelled = f"{interruption} "
-        self.ready, self._recorder = False, self._new_recorder()
-        self._announcement.publish(CANCELLED, interruption)
-        self._report(interruption)
-        self.mark = self._without_score(interruption) if self._once else None
+                self.cancel(str(interruption))
 
     def _new_recorder(self):
         return Recorder(self._task.time_limit, self._world)

@@ -14,7 +14,7 @@ from jetbot_ros.master import NO_ANSWER, require_master
 from ..report.announcement import CANCELLED, Announcement
 from ..report.marks import to_csv
 from ..scoring.tasks import TASKS
-from .attempt import Attempt
+from .attempt import NO_MARK, Attempt
 from .judged_robot import JudgedRobot, simulated_robots
 from .live import ASK_INTERVAL, LOST, POLL_INTERVAL, check_only_judge, close, is_known
 
@@ -60,7 +60,7 @@ class ClassJudge:
         """Begin what was asked for, and go on with it; call it every POLL_INTERVAL."""
         while self._requests:
             request = self._requests.popleft()
-            self._begin(request.key.rstrip("/"), request.value, now)
+            (self._begin if request.value else self._cancel)(request.key.rstrip("/"), request.value, now)
         for namespace, robot in self._robots.items():
             if namespace not in self._attempts:
                 robot.poll()
@@ -90,6 +90,12 @@ class ClassJudge:
         self._attempts[namespace] = Attempt(TASKS[name], robot, lambda sentence: None, once=True), now
         if before:
             before[0].close()
+
+    def _cancel(self, namespace, _, now):
+        """End a robot's attempt without a score: the program that drives it was stopped."""
+        if namespace in self._attempts:
+            self._attempts[namespace][0].cancel(f"{NO_MARK}: its program was stopped.")
+            self._end(namespace, now)
 
     def _running(self):
         with contextlib.suppress(*NO_ANSWER):
