@@ -100,7 +100,10 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     pupil.set("examples", "One metre")
     pupil.click("#judge")
     pupil.wait_for(lambda: "points" in pupil.text("score"), "the score", within=60.0)
-    end([judge])
+    pupil.click("#judge")
+    world.wait_for(lambda: moving(*world.wheels(ROBOT)), 20.0, "the drive")
+    world.kill(judge)
+    pupil.wait_for_text("score", "The judge has ended")
 
 
 def test_who_comes_back_in_a_new_browser_goes_on_with_the_newest_program(page, pupil, world):

@@ -5,6 +5,7 @@ import { element, inSeconds, setText } from "../dom.js";
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
 const NO_ANSWER = "The judge did not put the robot at its start. Try again.";
 const NOT_DRIVEN = "The program has ended, and the robot has not driven.";
+const JUDGE_ENDED = "The judge has ended. Try again.";
 const CANCELLED = "Judge me was cancelled.";
 
 export class Judging {
@@ -92,8 +93,10 @@ export class Judging {
   }
 
   follow(task) {
-    if (!["done", "cancelled"].includes(task?.state)) return;
+    const gone = task?.name !== this.judged.task;
+    if (!gone && !["done", "cancelled"].includes(task.state)) return;
     this.judged = null;
+    if (gone) return this.say(JUDGE_ENDED);
     const { state, title, score, seconds, text } = task;
     this.say(state === "done" ? `${title}: ${score.toFixed(1)} points, ${inSeconds(seconds)}. ${text}` : text);
   }
