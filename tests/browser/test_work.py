@@ -2,7 +2,7 @@
 
 import pytest
 
-from harness import end, program
+from harness import program
 
 from .conftest import ROBOT
 from .world import moving
