@@ -70,6 +70,32 @@ def test_two_pages_on_one_program_are_both_told_and_nothing_is_lost(page, pupil)
     assert pupil.value("title") == "Theirs"
 
 
+FILL = """
+const [robot, change, done] = arguments;
+const ask = (fields) => fetch("/work", { method: "POST", headers: { "Content-Type": "application/json" },
+  body: JSON.stringify({ robot, ...fields }) }).then((answer) => answer.json());
+(async () => {
+  for (let each = 0; each < 50; each++) {
+    const id = `${each}`.padStart(16, "0");
+    if (change === "save") await ask({ do: "save", id, version: 0, name: `${each}`, program: "{}" });
+    else await ask({ do: "delete", id, version: 1 });
+  }
+})().then(done);
+"""
+
+
+def test_a_change_is_kept_once_there_is_room_again(page):
+    page.driver.execute_async_script(FILL, f"/{ROBOT}", "save")
+    page.click("#programs")
+    page.click("#new")
+    page.type("title", "One more")
+    page.wait_for_text("kept", "no room")
+    assert not page.element("copy").is_displayed()
+    page.driver.execute_async_script(FILL, f"/{ROBOT}", "delete")
+    rename(page, "Kept")
+    page.errors()  # the browser's own, about what was refused
+
+
 def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world):
     judge = world.start(program("driving_tasks", "class_judge.py"))
     page.click("#overview-button")
