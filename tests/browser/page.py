@@ -93,6 +93,8 @@ class Page(Chromium):
         self.receive({"type": "robots", "robots": [
             {"id": robot, "label": robot[1:], "color": color or f"#{96 + 8 * number:02x}4040", "workshop": True,
              "wheel_separation": 2.0, "max_speed": 1.0, "simulated": True} for number, robot in enumerate(ids)]})
+        for robot in ids:
+            self.receive({"type": "trail", "robot": robot, "points": []})  # of earlier drives
         known = {"status": "", "warning": False, "answers": True, "stopped": False, "speed": [-0.24, -0.68],
                  "command": [-0.4, -0.06], "wheels": [-0.46, 0.34], "program": "", "driver": None, "resumes": None,
                  "held": False, "stalls": 0, "task": None, **state}

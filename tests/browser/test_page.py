@@ -43,8 +43,8 @@ def test_all_shows_the_robots_between_buttons_and_legend(page):
     for screen in (1024, 768), DESKTOP:
         page.resize(*screen)
         page.receive_class()
-        page.wait_for(lambda: page.click("#fit") or page.under_tools() == [],  # the class may move the button away
-                      f"all robots on the map of {screen}")
+        page.click("#fit")
+        page.wait_for(lambda: page.under_tools() == [], f"all robots on the map of {screen}")
 
 
 def test_on_an_upright_tablet_the_map_keeps_a_third_and_on_small_screens_the_legend_its_words(page):

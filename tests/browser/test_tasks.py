@@ -11,7 +11,7 @@ COURSE = """markers:
 - {action: 3}
 - {header: {frame_id: map}, ns: course, type: 4, scale: {x: 0.01}, points: [{x: 0.0}, {x: 0.5}]}
 - {header: {frame_id: map}, ns: goal, scale: {x: 0.1}, pose: {position: {x: 0.5}, orientation: {w: 1.0}}}"""
-TASK = """{{name: metre, message: "{message}", values: [{{key: title, value: "One <b>metre</b>"}},
+TASK = """{{name: stand_in, message: "{message}", values: [{{key: title, value: "One <b>metre</b>"}},
   {{key: state, value: {state}}}, {{key: seconds, value: "3.4"}}, {{key: score, value: "87.3"}},
   {{key: driver, value: "<b>Ada</b>"}}]}}"""
 
