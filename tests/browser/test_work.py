@@ -113,7 +113,7 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     pupil.click("#judge")
     pupil.wait_for(lambda: "points" in pupil.text("score"), "the score", within=60.0)
     assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
-    page.wait_for(lambda: page.run("return document.querySelector('#score-table').rows[1].cells.length") == 2, "it")
+    page.wait_for_text("score-table", "One metre")
     for button in "#pause", "#end":
         pupil.click("#judge")
         world.wait_for(lambda: moving(*world.wheels(ROBOT)), 20.0, "the drive")

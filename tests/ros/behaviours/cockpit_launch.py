@@ -59,7 +59,7 @@ class CockpitLaunch(RobotTest):
                          "browser:=auto", "rviz:=false", f"i2c_bus:=fake:{self.bus}", f"cockpit_port:={self.port}",
                          env=environment)
         self.wait_for(self.is_served, START_TIMEOUT, "the page")
-        self.wait_for(opened.exists, START_TIMEOUT, "the browser")
+        self.wait_for(lambda: opened.exists() and opened.read_text(), START_TIMEOUT, "the browser")
         self.assertEqual(opened.read_text().split(), [self.address()])
         self.assertIn(f" {self.address()}\n", read(run))
         self.wait_for_wheels(0.4, 0.6, START_TIMEOUT)
