@@ -288,12 +288,12 @@ def test_a_package_is_accepted_by_the_lessons_and_drives_the_same(blocks, world,
     node = world.start(str(folder / "scripts/program.py"), f"__ns:=/{OTHER_ROBOT}")  # no page drives it before
     assert node.wait(START_TIMEOUT) == 0
     world.wait_for_stop(OTHER_ROBOT)
-    by_node, begin = world.record.since(OTHER_ROBOT, begin), time.time()
+    by_node, begin = world.record.driven(OTHER_ROBOT, begin), time.time()
     page.choose(OTHER_ROBOT)
     page.click("#run")
     page.wait_for_text("outcome", "The program has ended.")
     world.wait_for_stop(OTHER_ROBOT)
-    assert [change.speeds for change in world.record.since(OTHER_ROBOT, begin)] == [each.speeds for each in by_node]
+    assert world.record.driven(OTHER_ROBOT, begin) == by_node
     assert float(page.text("prints")) == pytest.approx(float(node.log.read_text()), abs=10)
 
 

@@ -1,5 +1,6 @@
 """An independent record of what the wheels do: a thread polls the registers of the chips on the fake buses."""
 
+import math
 import threading
 import time
 from pathlib import Path
@@ -8,6 +9,7 @@ from typing import Dict, List, NamedTuple, Tuple
 from jetbot.fake.motors import STOPPED, Motors
 
 POLL_INTERVAL = 0.002  # s
+WRITING = 0.03  # s from one wheel's write to the other's, much less than between two commands
 PAUSE = 0.1  # s; a thread that was not scheduled for so long shows that the computer is too busy
 
 Speeds = Tuple[float, float]  # left, right
@@ -38,6 +40,12 @@ class WheelRecord:
     def since(self, robot: str, start: float) -> List[Change]:
         """Return the robot's changes after this time."""
         return [change for change in self._changes[robot] if change.time > start]
+
+    def driven(self, robot: str, start: float) -> List[Speeds]:
+        """Return the speeds of both wheels since this time; not while one was set already, and the other not yet."""
+        changes = self.since(robot, start)
+        ends = [*(change.time for change in changes[1:]), math.inf]
+        return [change.speeds for change, end in zip(changes, ends) if end - change.time > WRITING]
 
     def close(self) -> None:
         """End the thread."""

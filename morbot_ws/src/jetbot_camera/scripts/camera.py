@@ -13,7 +13,6 @@ failures.install()
 from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
 
 import contextlib
-import os
 import threading
 import time
 
@@ -52,10 +51,7 @@ class CameraNode:
 
     def run(self):
         """Publish until a signal, the end of rospy or of roslaunch."""
-        ended, launcher = threading.Event(), Launcher()
-        for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            signal.signal(signum, lambda *_: ended.set())
-        rospy.on_shutdown(ended.set)
+        ended, launcher = lifecycle.ending(), Launcher()
         failures.before_end.append(self.stream.abandon)
         self.stream.start()
         lifecycle.stay_registered()
@@ -70,9 +66,7 @@ class CameraNode:
 
     def end(self):
         """End the camera's program, and leave ROS; within SHUTDOWN_TIMEOUT."""
-        limit = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # the master may hang
-        limit.daemon = True
-        limit.start()
+        lifecycle.leave_within(SHUTDOWN_TIMEOUT)
         self.stream.stop()
         rospy.signal_shutdown("the camera has ended")
 

@@ -13,9 +13,7 @@ failures.install()
 from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
 
 import math
-import os
 import sys
-import threading
 import time
 
 import rospy
@@ -80,10 +78,7 @@ class Cockpit:
 
     def run(self):
         """Serve until a signal, the end of rospy or of roslaunch."""
-        ended = threading.Event()
-        for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            signal.signal(signum, lambda *_: ended.set())
-        rospy.on_shutdown(ended.set)
+        ended = lifecycle.ending()
         self.server.start()
         self.show()
         launcher = Launcher()
@@ -119,9 +114,7 @@ class Cockpit:
 
     def end(self):
         """Disconnect the clients, whose robots stop, and leave ROS; within SHUTDOWN_TIMEOUT."""
-        limit = threading.Timer(SHUTDOWN_TIMEOUT, os._exit, [1])  # the master may hang
-        limit.daemon = True
-        limit.start()
+        lifecycle.leave_within(SHUTDOWN_TIMEOUT)
         self.server.end()
         self.drivers.close()
         rospy.signal_shutdown("the cockpit has ended")

@@ -9,7 +9,7 @@ const FILE_MODE = 0o644;
 export class Overview {
   scores = [];
 
-  // send(message); look(row): shows a program; download(name, bytes, type); world
+  // send(message); look(row): shows a program; download(name, content, type); world
   constructor({ send, look, download, world }) {
     Object.assign(this, { send, look, download, world });
     element("overview-button").addEventListener("click", () => this.toggle());

@@ -11,7 +11,7 @@ export function packageName(title) {
   return name.startsWith("my_") ? name : `my_${name || "program"}`;
 }
 
-// Returns the bytes of a zip. python: the script; program: the JSON of the blocks, to be opened again
+// Returns a zip as a Blob. python: the script; program: the JSON of the blocks, to be opened again
 export function packageZip(name, python, program) {
   const files = [
     { name: "package.xml", text: manifest(name, python), mode: PLAIN },

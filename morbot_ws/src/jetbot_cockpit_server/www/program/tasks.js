@@ -9,7 +9,7 @@ const JUDGE_ENDED = "The judge has ended. Try again.";
 const CANCELLED = "Judge me was cancelled.";
 
 export class Judging {
-  waiting = null; // { robot, task, since } until the robot is at its start
+  waiting = null; // { robot, task, since, old } until the robot is at its start; old: what the last judging still says
   judged = null; // { robot, task } until the result is shown
 
   // send(message); run(): runs the program; world
@@ -35,7 +35,7 @@ export class Judging {
 
   begin() {
     const [robot, task] = [this.world.chosen, element("task-choice").value];
-    this.waiting = { robot, task, since: performance.now() };
+    this.waiting = { robot, task, since: performance.now(), old: this.world.state(robot).task?.text };
     this.judged = null;
     this.send({ type: "drive", robot, forward: 0, left: 0 }); // who had to let go, has
     if (!this.isReady(this.waiting)) this.send({ type: "judge", robot, task });
@@ -72,10 +72,11 @@ export class Judging {
   }
 
   wait(task) {
-    const { robot, since } = this.waiting;
+    const { robot, since, old } = this.waiting;
+    if (task?.text !== old) this.waiting.old = null;
     if (robot !== this.world.chosen || this.world.isBlocked(robot)) return this.cancel();
     if (this.isReady(this.waiting)) return this.start();
-    if (task?.state === "cancelled") return this.cancel(task.text);
+    if (task?.state === "cancelled" && this.waiting.old === null) return this.cancel(task.text);
     if (performance.now() - since > READY_TIMEOUT) this.cancel(NO_ANSWER);
   }
 

@@ -7,7 +7,7 @@ const CRC = Uint32Array.from({ length: 256 }, (_, byte) => {
   return sum;
 });
 
-// Returns the zip's bytes. files: { name, text, mode }, mode as of chmod
+// Returns the zip as a Blob. files: { name, text, mode }, mode as of chmod
 export function zip(files) {
   const encoder = new TextEncoder();
   const [parts, entries] = [[], []];
@@ -23,7 +23,7 @@ export function zip(files) {
   }
   const size = entries.reduce((sum, { length }) => sum + length, 0);
   const end = bytes([0x06054b50], 0, 0, files.length, files.length, [size], [offset], 0);
-  return new Uint8Array([...parts, ...entries, end].flatMap((part) => [...part]));
+  return new Blob([...parts, ...entries, end]);
 }
 
 // Returns the numbers in 2 bytes each, those in brackets in 4.

@@ -1,7 +1,9 @@
 """The start and the end of a node: one clear error at most, no wait for a master that hangs."""
 
 import contextlib
+import os
 import re
+import signal
 import socket
 import sys
 import threading
@@ -48,6 +50,22 @@ def stay_registered() -> None:
             time.sleep(ASK_INTERVAL)
 
     threading.Thread(target=failures.lasting(run, is_over), daemon=True).start()
+
+
+def ending() -> threading.Event:
+    """Return what a signal that ends programs sets from now on, and the end of rospy."""
+    ended = threading.Event()
+    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(signum, lambda *_: ended.set())
+    rospy.on_shutdown(ended.set)
+    return ended
+
+
+def leave_within(seconds: float) -> None:
+    """End the process after this time if it has not ended by itself: the master may hang."""
+    limit = threading.Timer(seconds, os._exit, [1])
+    limit.daemon = True
+    limit.start()
 
 
 def leave(code: int) -> None:

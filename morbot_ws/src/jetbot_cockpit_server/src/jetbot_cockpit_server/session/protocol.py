@@ -95,6 +95,11 @@ MESSAGES: Dict[str, Dict[str, Callable[[Any], bool]]] = {
 }
 
 
+def fit(fields: Dict[str, Any], checks: Dict[str, Callable[[Any], bool]]) -> bool:
+    """Return whether these are fields that have a check, and pass it; one that may be None may be left out."""
+    return set(fields) <= set(checks) and all(check(fields.get(name)) for name, check in checks.items())
+
+
 def parse(text: Union[str, bytes]) -> Message:
     """Return the message; raise ProtocolError for one that is not of the documented form."""
     if not isinstance(text, str) or len(text.encode(errors="replace")) > MAX_MESSAGE:
@@ -107,7 +112,7 @@ def parse(text: Union[str, bytes]) -> Message:
     if kind not in list(MESSAGES):  # a list: what is not hashable may be there
         raise ProtocolError("a message is a JSON object of a type that docs/protocol.md lists")
     checks = MESSAGES[kind]
-    if not set(fields) <= set(checks) or not all(check(fields.get(name)) for name, check in checks.items()):
+    if not fit(fields, checks):
         raise ProtocolError(f"the fields of {kind} are: {', '.join(checks) or 'none'}")
     return Message(kind, **fields)
 

@@ -8,7 +8,7 @@ from tornado.web import HTTPError, stream_request_body
 
 from ..classroom.classroom import Classroom, DiskBusy
 from ..classroom.programs import Refused, is_id, is_program_name, is_version
-from ..session.protocol import is_robot, is_robot_or_all
+from ..session.protocol import fit, is_robot, is_robot_or_all
 from ..session.rights import TEACHER, Client
 from .access import Access
 from .handlers import Handler
@@ -98,8 +98,6 @@ def parse(body: bytes) -> Dict[str, Any]:
         fields = None
     do = fields.get("do") if isinstance(fields, dict) else None
     checks = WORK.get(do) if isinstance(do, str) else None
-    if checks is None or not set(fields) <= {"do", *checks}:
-        raise HTTPError(400)
-    if not all(check(fields.get(name)) for name, check in checks.items()):
+    if checks is None or not fit(fields, {"do": is_text, **checks}):
         raise HTTPError(400)
     return fields

@@ -111,17 +111,26 @@ def finished(attempts: Sequence[Attempt]) -> Iterator[Attempt]:
 
 def run(attempts: Sequence[Attempt]) -> Iterator[Attempt]:
     """Judge all at the same time; yield each as it ends. Raise JetbotError."""
-    waiting, asked_at, failures = list(attempts), time.monotonic(), 0
-    while waiting:
+    waiting = list(attempts)
+    for _ in polls():
+        if not waiting:
+            return
+        for attempt in waiting:
+            attempt.step()
+        yield from (attempt for attempt in waiting if attempt.mark)
+        waiting = [attempt for attempt in waiting if not attempt.mark]
+
+
+def polls() -> Iterator[None]:
+    """Yield every POLL_INTERVAL. Raise JetbotError once the master has ended, or does not know this node any more."""
+    asked_at, failures = time.monotonic(), 0
+    while True:
         if time.monotonic() - asked_at > ASK_INTERVAL:
             failures = 0 if is_known() else failures + 1
             asked_at = time.monotonic()
         if failures == 2 or rospy.is_shutdown():  # the first time, the master may have been busy
             raise LOST
-        for attempt in waiting:
-            attempt.step()
-        yield from (attempt for attempt in waiting if attempt.mark)
-        waiting = [attempt for attempt in waiting if not attempt.mark]
+        yield
         time.sleep(POLL_INTERVAL)
 
 

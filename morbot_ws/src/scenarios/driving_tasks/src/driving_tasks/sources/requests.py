@@ -16,7 +16,7 @@ from ..report.marks import to_csv
 from ..scoring.tasks import TASKS
 from .attempt import NO_MARK, Attempt
 from .judged_robot import JudgedRobot, simulated_robots
-from .live import ASK_INTERVAL, LOST, POLL_INTERVAL, check_only_judge, close, is_known
+from .live import check_only_judge, close, polls
 
 NAME = "class_judge"
 TASKS_TOPIC, REQUESTS_TOPIC = "/judge_tasks", "/judge_requests"
@@ -30,14 +30,10 @@ def serve() -> None:
     rospy.init_node(NAME, argv=[], disable_signals=True)  # rospy's own handlers would ask the master
     tasks = rospy.Publisher(TASKS_TOPIC, DiagnosticStatus, queue_size=1, latch=True)
     tasks.publish(name="tasks", values=[KeyValue(task.name, task.title) for task in TASKS.values()])
-    judge, asked_at, failures = ClassJudge(), time.monotonic(), 0
+    judge = ClassJudge()
     try:
-        while failures < 2 and not rospy.is_shutdown():
+        for _ in polls():
             judge.step(time.monotonic())
-            if time.monotonic() - asked_at > ASK_INTERVAL:
-                failures, asked_at = 0 if is_known() else failures + 1, time.monotonic()
-            time.sleep(POLL_INTERVAL)
-        raise LOST
     finally:
         close(judge.judging())
 
