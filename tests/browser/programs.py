@@ -3,7 +3,7 @@
 import json
 import sys
 from types import SimpleNamespace
-from typing import Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 from geometry_msgs.msg import Twist
 
@@ -15,8 +15,7 @@ Promise.all([import('/program/interpreter.js'), import('/program/python.js'), im
     const geometry = { wheel_separation: 2, max_speed: 1 };
     const [prints, commands] = [[], []];
     let [now, ticked, steps, error] = [0, 0, 0, ""];
-    const read = (kind, part) => kind === "time" ? now / 10 : senses[`${kind} ${part}`] ?? null;
-    const interpreter = new Interpreter(program, geometry, read);
+    const interpreter = new Interpreter(program, geometry, () => ({ seconds: now / 10, ...senses }));
     try {
         for (const event of interpreter.run()) {
             if ((steps += 1) > 20000 || now > 100) break;
@@ -102,7 +101,7 @@ def calculate(operator: str, left: dict, right: dict) -> dict:
     return plug("math_arithmetic", {"OP": operator}, A=left, B=right)
 
 
-def interpret(page, blocks: dict, senses: Optional[Dict[str, float]] = None) -> dict:
+def interpret(page, blocks: dict, senses: Optional[Dict[str, Any]] = None) -> dict:
     """Return what the page's interpreter does with a program: prints, commands, error and steps."""
     return page.driver.execute_async_script(INTERPRET, blocks, senses or {})
 

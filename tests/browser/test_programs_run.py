@@ -47,6 +47,14 @@ def single(kind, operator, value):
     return plug(kind, {"OP": operator}, NUM=num(value))
 
 
+TRUE = plug("logic_boolean", {"BOOL": "TRUE"})
+
+
+def either(operator, left=None, right=None):
+    """Return a logic operation; an input without a value is empty."""
+    return plug("logic_operation", {"OP": operator}, **{k: v for k, v in (("A", left), ("B", right)) if v})
+
+
 def check(number, name):
     return plug("math_number_property", {"PROPERTY": name}, NUMBER_TO_CHECK=num(number))
 
@@ -82,9 +90,16 @@ PROGRAMS = {
         check(91, "PRIME"), check(97, "PRIME"), check(-1, "NEGATIVE"), compare("EQ", num(2), num(2)),
         compare("NEQ", num(2), plug("text", {"TEXT": "2"})), compare("LT", num(2), num(3)),
         plug("logic_operation", {"OP": "OR"}, A=compare("GT", num(1), num(2)),
-             B=plug("logic_boolean", {"BOOL": "TRUE"})),
-        plug("logic_negate", BOOL=plug("logic_boolean", {"BOOL": "TRUE"})),
+             B=TRUE),
+        plug("logic_negate", BOOL=TRUE),
         plug("logic_ternary", IF=compare("GTE", num(1), num(2)), THEN=num(1), ELSE=num(2)))]),
+    "truths as numbers": program(
+        let("x", num(3)), let("t", TRUE), *[show(value) for value in (
+            either("OR", var("x"), TRUE), either("AND", var("x"), var("z")), either("AND", var("z"), TRUE),
+            either("AND", var("x")), either("OR", None, var("z")), either("OR"), plug("logic_negate"),
+            plug("logic_ternary"), calculate("ADD", var("t"), num(1)), compare("EQ", var("t"), num(1)),
+            compare("LT", var("t"), num(2)), plug("math_modulo", DIVIDEND=num(1), DIVISOR=num(0.1)))],
+        block("math_change", {"VAR": {"id": "t"}}, DELTA=num(1)), show(var("t")), variables="xtz"),
     "loops": program(
         block("controls_for", X_EQ, FROM=num(1), TO=num(10), BY=num(3), DO=chain(show(var("x")))),
         block("controls_for", X_EQ, FROM=num(3), TO=num(1), BY=num(1), DO=chain(
@@ -134,7 +149,7 @@ def test_blocks_print_and_command_what_their_python_does(name, editor, monkeypat
 
 
 EXAMPLES = "import('/program/examples.js').then(({EXAMPLES}) => arguments[0](EXAMPLES))"
-SENSES = {"here X": 0.97, "eye LEFT": 0.3, "eye MIDDLE": 0, "eye RIGHT": 1}
+SENSES = {"here": {"X": 0.97}, "line": [0.3, 0, 1]}
 
 
 def test_the_examples_drive_and_their_python_is_a_program(editor):
@@ -165,6 +180,14 @@ FAULTS["Functions call functions too deep"]["blocks"]["blocks"][0]["next"]["bloc
 @pytest.mark.parametrize("sentence", FAULTS)
 def test_what_cannot_be_run_is_named_in_a_sentence(sentence, editor):
     assert interpret(editor, FAULTS[sentence])["error"].startswith(sentence)
+
+
+@pytest.mark.parametrize("root", [single("math_single", "ROOT", -4), calculate("POWER", num(-8), num(0.5))])
+def test_a_root_of_a_negative_number_ends_the_program_and_its_python(root, editor, monkeypatch):
+    blocks = program(show(root))
+    assert interpret(editor, blocks)["error"] == "This calculation has no result."
+    with pytest.raises(ValueError, match="math domain error"):
+        run_python(python_of(editor, blocks), monkeypatch)
 
 
 def test_no_text_ends_a_line_of_the_python(editor):

@@ -1,6 +1,7 @@
 // Programs to begin with, one for each idea of the lessons.
 
-const num = (value) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
+import { num } from "./blocks.js";
+
 const plug = (type, fields = {}, inputs = {}, more = {}) => ({ block: { type, fields, inputs, ...more } });
 const set = (x, z) => ({ type: "robot_set", inputs: { X: num(x), Z: num(z) } });
 const wait = (seconds) => ({ type: "robot_wait", inputs: { SECONDS: num(seconds) } });

@@ -12,12 +12,12 @@ import { setUnits } from "./blocks.js";
 import { NO_PROGRAM, parseProgram, Refusal } from "./check.js";
 import { currentProgram, openEditor, showProgram } from "./editor.js";
 import { EMPTY, EXAMPLES } from "./examples.js";
-import { shown } from "./interpreter.js";
 import { Overview } from "./overview.js";
 import { packageName, packageZip } from "./package.js";
 import { toPython } from "./python.js";
 import { Runner } from "./runner.js";
 import { Judging } from "./tasks.js";
+import { shown } from "./values.js";
 import { Work } from "./work.js";
 
 const MAX_PRINTS = 200;

@@ -42,7 +42,7 @@ export class Runner {
     Object.assign(this, { robot, stepping, held: false, frozenAt: null, lost: 0, at: null, ready: false, senses: {} });
     [this.sensing, this.looking] = [SENSORS, EYES].map((pattern) => pattern.test(JSON.stringify(program)));
     this.beatenAt = this.sensedAt = performance.now();
-    const interpreter = new Interpreter(program, robot, (...what) => this.read(...what));
+    const interpreter = new Interpreter(program, robot, () => this.sensed());
     this.interpreter = interpreter;
     this.motion.end(); // the cockpit obeys this page again only after a zero
     this.execute(interpreter).catch((error) => {
@@ -224,13 +224,11 @@ export class Runner {
     this.awakeAt = performance.now();
   }
 
-  // Returns what the robot senses: a number, or null if that is not known.
-  read(kind, part) {
-    if (kind === "time") return (this.now - this.startedAt) / 1000;
+  // Returns what the robot senses; what is not known is undefined.
+  sensed() {
     const { pose, line, wheels } = this.senses;
-    if (kind === "here") return pose && this.origin ? relative(pose, this.origin)[part] : null;
-    if (kind === "eye") return line ? line[["LEFT", "MIDDLE", "RIGHT"].indexOf(part)] : null;
-    return wheels ? wheels[["LEFT", "RIGHT"].indexOf(part)] : null;
+    const here = pose && this.origin ? relative(pose, this.origin) : undefined;
+    return { here, line, wheels, seconds: (this.now - this.startedAt) / 1000 };
   }
 
   // Returns whether the program runs: not after the page was frozen, when the cockpit has stopped the robot.
