@@ -243,8 +243,8 @@ const toCalculation = ([inputs, calculate]) => function* calculation(run, block)
 };
 
 const toReading = ({ read, unknown }) => function* reading(run, block) {
-  const value = read(block.fields ?? {}, run.senses());
-  if (value === undefined) throw new ProgramError(`This robot does not report ${unknown}.`, block.id);
+  const value = read(block.fields ?? {}, run.senses()) ?? null;
+  if (value === null) throw new ProgramError(`This robot does not report ${unknown}.`, block.id);
   return value;
 };
 

@@ -15,7 +15,7 @@ import { EMPTY, EXAMPLES } from "./examples.js";
 import { Overview } from "./overview.js";
 import { packageName, packageZip } from "./package.js";
 import { toPython } from "./python.js";
-import { Runner } from "./runner.js";
+import { Run } from "./run.js";
 import { Judging } from "./tasks.js";
 import { shown } from "./values.js";
 import { Work } from "./work.js";
@@ -28,7 +28,7 @@ const CHANGED = "The program was changed. Run it again.";
 const NO_ROBOT = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
 let problem = "Connecting"; // why there is no connection
-let wasDriver = false;
+let run = null; // of a program, the last one
 let prints = []; // that are not shown yet
 let python = { text: "", lines: new Map() };
 let frame = null; // the next one shows what has changed
@@ -41,8 +41,7 @@ const send = (message) => (message.type === "drive" && (message.forward || messa
 const notice = new Notice();
 const login = new LoginForm(() => link.open());
 const choice = new Choice(world, changeRobot);
-const stops = new Stops(world, { send, notice, stopped: () => runner.end("All robots were stopped.") });
-const runner = new Runner({ send, printed, changed: show, ended });
+const stops = new Stops(world, { send, notice, stopped: () => end("All robots were stopped.") });
 const workspace = openEditor(element("blocks"), programChanged);
 const work = new Work({
   show: (title, program) => (program ? open(title, program) : load(EMPTY.title, EMPTY.program)),
@@ -67,7 +66,7 @@ const RECEIVERS = {
     world.list(message);
     choice.begin();
     showUnits();
-    if (runner.runs && !world.robot(runner.robot.id)) runner.end("The robot is not running any more.");
+    if (run && !world.robot(run.robot.id)) end("The robot is not running any more.");
   },
   state(message) {
     world.update(message);
@@ -89,8 +88,8 @@ const RECEIVERS = {
     notice.show(text);
     judging.refused(text);
   },
-  lift: ({ robot, text }) => robot === runner.robot?.id && runner.end(text),
-  program: (message) => runner.receive(message),
+  lift: ({ robot, text }) => robot === run?.robot.id && end(text),
+  program: (message) => message.robot === run?.robot.id && run.senses.receive(message),
 };
 
 function receive(message) {
@@ -100,18 +99,17 @@ function receive(message) {
 
 // The cockpit also refuses the next command; this comes first where the program waits.
 function endIfStopped() {
-  if (!runner.runs) return;
-  const { id } = runner.robot;
+  if (!runs()) return;
+  const { id } = run.robot;
   const { driver } = world.state(id);
-  if (wasDriver && driver && !world.isMine(id)) runner.end(`${driver.name} has taken the robot.`);
-  else if (world.isBlocked(id) && !driver) runner.end(world.summarize(id).text);
-  wasDriver = world.isMine(id);
+  if (driver && !world.isMine(id)) end(`${driver.name} drives the robot.`);
+  else if (world.isBlocked(id)) end(world.summarize(id).text);
 }
 
 function connectionChanged(sentence) {
   problem = sentence;
   if (sentence) {
-    runner.end("The connection to the cockpit was lost.");
+    end("The connection to the cockpit was lost.");
     setText(element("link"), "–");
   } else {
     stops.resend();
@@ -120,12 +118,12 @@ function connectionChanged(sentence) {
 }
 
 function askForCode() {
-  runner.end("The cockpit asks for the code.");
+  end("The cockpit asks for the code.");
   login.ask();
 }
 
 function changeRobot() {
-  runner.end("Another robot was chosen.");
+  end("Another robot was chosen.");
   map.follow(true);
   map.showCourse(world.chosen);
   showUnits();
@@ -144,9 +142,23 @@ function start(stepping) {
   if (!link.connected || !robot) return ended(problem || "No robot is running: start one.", null);
   element("prints").replaceChildren();
   prints = [];
-  wasDriver = false;
+  end();
   setOutcome("Running");
-  runner.start(currentProgram(workspace), robot, stepping);
+  run = new Run(currentProgram(workspace), robot, stepping, { send, printed, changed: show, ended, delay });
+  show();
+}
+
+function delay() {
+  return DELAYS[element("speed").value];
+}
+
+function runs() {
+  return run !== null && !run.over;
+}
+
+// Ends the program, if one runs.
+function end(sentence) {
+  run?.end(sentence);
 }
 
 function printed(text) {
@@ -159,6 +171,7 @@ function ended(sentence, block) {
   showOutput();
   setOutcome(sentence || "The program has ended.", sentence ? "warning" : "");
   if (block && workspace.getBlockById(block)) Blockly.common.setSelected(workspace.getBlockById(block));
+  show();
 }
 
 function setOutcome(text, level = "") {
@@ -172,7 +185,7 @@ function programChanged() {
     changing = null;
     const before = python.text;
     writePython();
-    if (python.text !== before) runner.end(CHANGED);
+    if (python.text !== before) end(CHANGED);
   });
 }
 
@@ -184,7 +197,7 @@ function writePython() {
 }
 
 function load(title, program) {
-  runner.end(CHANGED);
+  end(CHANGED);
   const before = currentProgram(workspace);
   try {
     showProgram(workspace, program);
@@ -251,10 +264,10 @@ function show() {
 function showNow() {
   frame = null;
   showStatus(world, problem);
-  notice.update(world.isBlocked(world.chosen), runner.runs);
+  notice.update(world.isBlocked(world.chosen), runs());
   stops.show();
   showButtons();
-  showPlace(runner.runs ? runner.at : null);
+  showPlace(runs() ? run.at : null);
   showOutput();
   if (element("map").clientWidth) map.draw();
 }
@@ -267,13 +280,13 @@ function showMap(on) {
 }
 
 function showButtons() {
-  const { runs, held } = runner;
-  element("run").disabled = runs;
-  element("pause").disabled = element("end").disabled = !runs;
-  element("step").disabled = runs && !held;
+  const [going, held] = [runs(), runs() && run.held];
+  element("run").disabled = going;
+  element("pause").disabled = element("end").disabled = !going;
+  element("step").disabled = going && !held;
   element("pause").setAttribute("aria-pressed", held);
   setText(element("pause"), held ? "Go on" : "Pause");
-  if (runs) setText(element("outcome"), held ? "Paused" : "Running");
+  if (going) setText(element("outcome"), held ? "Paused" : "Running");
 }
 
 // Marks the block that runs, and its line.
@@ -295,7 +308,7 @@ function showOutput() {
     prints = [];
     element("output").scrollTop = element("output").scrollHeight;
   }
-  const values = runner.interpreter?.variables ?? new Map();
+  const values = run?.interpreter.variables ?? new Map();
   const rows = workspace.getVariableMap().getAllVariables().filter((each) => values.has(each.getId()));
   const texts = rows.flatMap((each) => [each.getName(), String(shown(values.get(each.getId()))).slice(0, 100)]);
   const parts = element("variables");
@@ -306,10 +319,9 @@ function showOutput() {
 // What a person does
 
 onPress(element("run"), () => element("run").disabled || start(false), () => false);
-onPress(element("end"), () => runner.end("Stopped."));
-element("pause").addEventListener("click", () => (runner.held ? runner.resume() : runner.pause()));
-element("step").addEventListener("click", () => (runner.runs ? runner.step() : start(true)));
-element("speed").addEventListener("input", () => { runner.delay = DELAYS[element("speed").value]; });
+onPress(element("end"), () => end("Stopped."));
+element("pause").addEventListener("click", () => (run.held ? run.resume() : run.pause()));
+element("step").addEventListener("click", () => (runs() ? run.step() : start(true)));
 element("title").addEventListener("change", writePython);
 element("open").addEventListener("click", () => element("file").click());
 element("file").addEventListener("change", openFile);
@@ -323,9 +335,9 @@ element("examples").addEventListener("change", ({ target }) => {
   if (target.value) load(target.value, EXAMPLES[target.value]);
   target.value = "";
 });
-addEventListener("keydown", (event) => event.key === "Escape" && runner.end("Stopped."), true);
-for (const event of ["pagehide", "freeze"]) addEventListener(event, () => runner.end(HIDDEN));
-document.addEventListener("visibilitychange", () => document.hidden && runner.end(HIDDEN));
+addEventListener("keydown", (event) => event.key === "Escape" && end("Stopped."), true);
+for (const event of ["pagehide", "freeze"]) addEventListener(event, () => end(HIDDEN));
+document.addEventListener("visibilitychange", () => document.hidden && end(HIDDEN));
 addEventListener("hashchange", () => location.hash && enter());
 
 async function enter() {

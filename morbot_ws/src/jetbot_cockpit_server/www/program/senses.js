@@ -1,0 +1,64 @@
+// What the robot senses while a program runs: the cockpit is asked for it, not too often.
+
+const INTERVAL = 90; // ms between two questions
+const TIMEOUT = 100; // ms for the answer
+const LINE_TIMEOUT = 2000; // ms until the line sensor of a robot reports, if it has one
+const SENSORS = /"type":"robot_(here|eye|wheel)"/; // blocks that ask the robot
+const EYES = /"type":"robot_eye"/;
+
+export class Senses {
+  answer = {}; // the cockpit's last one
+  askedAt = -Infinity;
+  beganAt = performance.now();
+
+  // program: the JSON; ask(): asks the cockpit, whose answer comes to receive()
+  constructor(program, ask) {
+    this.ask = ask;
+    [this.used, this.looks] = [SENSORS, EYES].map((blocks) => blocks.test(JSON.stringify(program)));
+  }
+
+  receive(answer) {
+    this.answer = answer;
+    this.answered?.();
+  }
+
+  // Asks again if the last question was long ago; returns whether it has asked.
+  refresh() {
+    if (performance.now() - this.askedAt < INTERVAL) return false;
+    this.askedAt = performance.now();
+    this.ask();
+    return true;
+  }
+
+  async wait() {
+    await new Promise((resolve) => {
+      this.answered = resolve;
+      setTimeout(resolve, TIMEOUT);
+    });
+  }
+
+  // Whether the robot's controller is connected, and its sensors report: else the first command would arrive late.
+  get ready() {
+    const patient = performance.now() - this.beganAt < LINE_TIMEOUT;
+    return Boolean(this.answer.ready) && !(this.looks && !this.answer.line && patient);
+  }
+
+  // The robot's place is seen from where it is now.
+  begin() {
+    this.origin = this.answer.pose;
+  }
+
+  // What the robot senses; what is not known is null or undefined.
+  get values() {
+    const { pose, line, wheels } = this.answer;
+    return { here: pose && this.origin && relative(pose, this.origin), line, wheels };
+  }
+}
+
+// Returns where a pose (m, m, rad) is as seen from another one: m ahead, m to the left, degrees to the left.
+function relative([x, y, yaw], [fromX, fromY, fromYaw]) {
+  const [ahead, left, turn] = [x - fromX, y - fromY, yaw - fromYaw];
+  const [cosine, sine] = [Math.cos(fromYaw), Math.sin(fromYaw)];
+  const heading = Math.atan2(Math.sin(turn), Math.cos(turn)) * 180 / Math.PI;
+  return { X: ahead * cosine + left * sine, Y: left * cosine - ahead * sine, HEADING: heading };
+}
