@@ -1,6 +1,8 @@
 """What the thread that drives does and when, with a clock turned by hand and no master."""
 
 import threading
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from unittest.mock import Mock
 
 import pytest
@@ -12,6 +14,7 @@ from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.guard.process import HEARTBEAT_TIMEOUT
 from jetbot.wait import wait_until
+from jetbot_control_node.control import supervisor as supervisors
 from jetbot_control_node.control.state import Sender
 from jetbot_control_node.control.supervisor import Supervisor
 from jetbot_control_node.status.status_line import StatusLine
@@ -179,16 +182,53 @@ def test_a_board_that_does_not_answer_is_tried_again(supervisor, folder, statuse
     assert statuses == ["driving", f"stopped: no answer from 0x60 on fake:{folder}, trying again", "driving"]
 
 
+@contextmanager
+def run(supervisor):
+    """Run the supervisor in a thread of its own; give its Future once it drives or sleeps."""
+    stepped = threading.Event()
+    supervisor.watchers.append(lambda step: stepped.set())
+    with ThreadPoolExecutor() as pool:
+        running = pool.submit(supervisor.run)
+        try:
+            assert stepped.wait(1.0)
+            yield running
+        finally:
+            supervisor.end()
+
+
 @pytest.fixture
 def running(supervisor, folder):
     """The supervisor in a thread of its own, driving."""
-    thread = threading.Thread(target=supervisor.run)
-    thread.start()
-    supervisor.command(0.5, 0.1, PUPIL)
-    assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
-    yield supervisor
-    supervisor.end()
-    thread.join()
+    with run(supervisor):
+        supervisor.command(0.5, 0.1, PUPIL)
+        assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
+        yield supervisor
+
+
+def test_a_command_is_driven_by_the_thread_that_brings_it(running, robot):
+    threads = []
+    robot.set_motors = Mock(side_effect=lambda *_: threads.append(threading.current_thread()))
+
+    def drives_at_once():
+        running.command(0.3, 0.0, PUPIL)
+        return threading.current_thread() in threads
+    assert wait_until(drives_at_once, 1.0)  # the first time, unless the other thread is in a step
+
+
+def test_the_timeout_of_such_a_command_is_not_left_to_the_next_heartbeat(supervisor, folder, statuses, monkeypatch):
+    monkeypatch.setattr(supervisors, "STOPPED_INTERVAL", 30.0)
+    supervisor.state = supervisor.state._replace(timeout=0.1)
+    with run(supervisor):
+        supervisor.command(0.5, 0.1, PUPIL)
+        assert wait_until(lambda: "no command for" in statuses[-1] and wheel_speeds(folder) == STOPPED, 5.0)
+
+
+def test_what_fails_in_the_thread_of_a_command_ends_the_other_one_with_the_wheels_stopped(supervisor, robot, folder):
+    with run(supervisor) as running:
+        robot.set_motors = Mock(side_effect=[JetbotError("out of file descriptors"), *[None] * 100])
+        supervisor.command(0.5, 0.1, PUPIL)
+        assert isinstance(running.exception(5.0), JetbotError)
+    assert wheel_speeds(folder) == STOPPED
 
 
 def test_an_emergency_stop_wakes_the_thread_and_lasts(running, folder):

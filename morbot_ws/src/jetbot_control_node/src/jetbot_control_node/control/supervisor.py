@@ -1,4 +1,4 @@
-"""The one thread that drives the robot: it owns the time, and stops the robot when it must not move. No ROS here."""
+"""Drives the robot, one step at a time: it owns the time, and stops the robot when it must not move. No ROS here."""
 
 import contextlib
 import math
@@ -42,6 +42,8 @@ class Step(NamedTuple):
 class Supervisor:
     """Drives the velocity that its ``state`` allows. Any thread may call what happens: ``command`` to ``end``.
 
+    A command is driven by the thread that brings it, which saves a change of threads; all else by the one in ``run``.
+
     drive: drives the robot at (linear, angular). ramp: limits how fast the wheels speed up. ``watchers`` are called
     with each Step that differs from the one before, and with each heartbeat; none may block or drive.
     asking: set while the sender of the command that is driven must be asked whether it runs.
@@ -57,11 +59,14 @@ class Supervisor:
         self.asking = threading.Event()
         self.faults, self.closed = 0, False
         self._lock = threading.Lock()  # held while ``state`` is replaced, never during a transfer
+        self._stepping = threading.Lock()  # held during a step, and while ``run`` does not drive
+        self._stepping.acquire()
         self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
         self._ending, self._failure = False, None
         self._step = Step(-math.inf, self.state, None, STOPPED, STOPPED)
         self._kept_up_at = -math.inf
         self._stepped_at = self._due_at = math.inf  # there is no step yet, and so no gap after it
+        self._wakes_at = math.inf  # when the thread in ``run`` looks whether a step is due
 
     def command(self, linear: float, angular: float, sender: Sender) -> None:
         """Accept a command: m/s forward and rad/s to the left."""
@@ -70,7 +75,7 @@ class Supervisor:
             self.commands.record(sender, now)
         with self._lock:
             self.state = self.state.command(linear, angular, sender, now)
-        self._wake()
+        self._step_at_once()
 
     def hold(self, hold: Hold, engaged: bool) -> None:
         """Keep the robot stopped, whatever is commanded (True), or end that (False)."""
@@ -104,14 +109,31 @@ class Supervisor:
         if self._events.empty():  # one that the thread has not taken yet will do
             self._events.put(None)
 
+    def _step_at_once(self):
+        """Do a step in this thread; while another thread does one, leave it to the thread in ``run``."""
+        if self._ending or not self._stepping.acquire(blocking=False):
+            return self._wake()
+        try:
+            if self.step(time.monotonic(), woken=True) < self._wakes_at:
+                self._wake()
+        except Exception as failure:  # the caller is rospy, which would only log it
+            self.fail(failure)
+        finally:
+            self._stepping.release()
+
     def run(self) -> None:
         """Drive until ``end``, then close the robot. Raise JetbotError for what cannot be retried."""
         try:
             wait_until(lambda: self.robot.guarded or self._ending, GUARD_START_TIMEOUT)
             self.confirm(self.state.must_answer, time.monotonic())  # nobody was asked while the node started
-            woken = False
+            woken = True
             while not self._ending:
-                woken = self._sleep_until(self.step(time.monotonic(), woken))
+                if woken or time.monotonic() >= self._due_at:
+                    self.step(time.monotonic(), woken)
+                self._wakes_at = self._due_at
+                self._stepping.release()
+                woken = self._sleep_until(self._wakes_at)
+                self._stepping.acquire()
             if self._failure:
                 raise self._failure
         finally:
