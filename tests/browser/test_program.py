@@ -162,6 +162,18 @@ def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blo
     page.wait_for_text("outcome", "Stopped.")
 
 
+def test_waits_too_short_to_send_each_command_drive_on(blocks, world):
+    run(blocks(program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}),
+                             DO=chain(set_motion(0.5, 0), wait(0.01))))), world)
+    world.stay(lambda *wheels: wheels != STOPPED, ROBOT, for_seconds=0.6)
+
+
+def test_long_texts_and_names_open_again(blocks):
+    long = {"name": "x" * 200, "id": "x"}
+    page = blocks({**program(let("x", plug("text", {"TEXT": "y" * 300}))), "variables": [long]})
+    page.wait_for_text("python", f"{'x' * 200} = '{'y' * 300}'")
+
+
 def nested(depth):
     value = num(1)
     for _ in range(depth):
@@ -184,7 +196,6 @@ FORGED = {
     "10 MB": " " * 10_000_000 + json.dumps(program()), "2,001 blocks": program(functions=(block("robot_stop"),) * 2001),
     "many branches": program({"type": "controls_if", "extraState": {"elseIfCount": 1e9}}),
     "XML as a state": program({"type": "controls_if", "extraState": "<mutation elseif='1000000'/>"}),
-    "a long name": {**program(), "variables": [{"name": "x" * 101, "id": "x"}]},
 }
 
 

@@ -88,7 +88,7 @@ def test_what_is_no_request_is_refused(cockpit, body):
 
 
 @pytest.mark.parametrize("program, sentence", [
-    ('{"a":' * 10000, "This is no program."), ("[1]", "This is no program."),
+    ("[" * 10000, "This is no program."), ("[1]", "This is no program."),
     (json.dumps({"a": "x" * 70000}), "too large to be kept here: 64 kB at most")], ids=["nested", "list", "large"])
 def test_what_is_no_program_is_refused_in_a_sentence(cockpit, program, sentence):
     status, answer = post(cockpit, {**SAVE, "program": program})

@@ -148,7 +148,7 @@ def test_a_robots_programs_are_limited_in_all():
 
 
 @pytest.mark.parametrize("program", [
-    "", "x", "[]", "1", "null", '"text"', "[" * 10000, '{"a":' * 10000, '{"a": "\ud800"}',
+    "", "x", "[]", "1", "null", '"text"', "[" * 10000, '{"a":' * 10, '{"a": "\ud800"}',
     json.dumps({"a": "x" * 65536}), json.dumps({"a": "ä" * 32768}, ensure_ascii=False), "9" * 60000],
     ids=lambda each: each[:9])
 def test_what_is_no_program_is_refused(program):
@@ -156,6 +156,12 @@ def test_what_is_no_program_is_refused(program):
     with pytest.raises(Refused):
         save(programs, program=program)
     assert not programs.rows("/red")
+
+
+def test_a_chain_of_blocks_may_be_deeper_than_python_reads_json(classes):
+    chain = '{"type":"robot_stop","next":{"block":' * 1000 + "{}" + "}}" * 1000
+    save(Programs(classes()), program=chain)
+    assert Programs(classes()).open("/red", IDS[0]).program == chain
 
 
 @pytest.mark.parametrize("name, good", [

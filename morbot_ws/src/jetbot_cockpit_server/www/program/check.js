@@ -6,7 +6,7 @@ const MAX_SIZE = 512 * 1024; // characters
 const MAX_BLOCKS = 2000;
 const MAX_NESTING = 60; // blocks in blocks; those below each other do not count
 const MAX_PARTS = 50; // branches of an if, parts of a text
-const MAX_NAME = 100; // characters of a text
+const MAX_TYPE = 40; // characters of a block's type that are shown
 export const NO_PROGRAM = "This file is no program of this page.";
 const BLOCK_KEYS = ["type", "id", "x", "y", "fields", "inputs", "next", "extraState"];
 
@@ -14,11 +14,11 @@ const BLOCK_KEYS = ["type", "id", "x", "y", "fields", "inputs", "next", "extraSt
 export class Refusal extends Error {}
 
 // Returns the program, with what this page knows of it alone; throws a Refusal.
-export function parseProgram(text) {
-  if (text.length > MAX_SIZE) throw new Refusal(`This file is too large: a program has ${MAX_SIZE / 1024} kB at most.`);
+export function parseProgram(file) {
+  if (file.length > MAX_SIZE) throw new Refusal(`This file is too large: a program has ${MAX_SIZE / 1024} kB at most.`);
   let given;
   try {
-    given = JSON.parse(text);
+    given = JSON.parse(file);
   } catch {
     throw new Refusal(NO_PROGRAM);
   }
@@ -26,7 +26,7 @@ export function parseProgram(text) {
   need(Array.isArray(tops) && Array.isArray(variables));
   return {
     blocks: { languageVersion: 0, blocks: checkBlocks(tops) },
-    variables: variables.slice(0, MAX_BLOCKS).map(({ name, id }) => ({ name: short(name), id: short(id) })),
+    variables: variables.slice(0, MAX_BLOCKS).map(({ name, id }) => ({ name: text(name), id: text(id) })),
   };
 }
 
@@ -42,7 +42,7 @@ function checkBlocks(tops) {
     if (next) todo.push({ block: need(next.block), depth, put: (copy) => { own.next = { block: copy }; } });
     if (inputs) own.inputs = {};
     for (const [name, input] of Object.entries(inputs ?? {})) {
-      const filled = own.inputs[short(name)] = {};
+      const filled = own.inputs[text(name)] = {};
       for (const kind of ["block", "shadow"]) {
         if (input?.[kind]) todo.push({ block: input[kind], depth: depth + 1, put: (copy) => { filled[kind] = copy; } });
       }
@@ -53,29 +53,29 @@ function checkBlocks(tops) {
 
 function checkBlock(block) {
   need(typeof block?.type === "string");
-  if (!TYPES.has(block.type)) throw new Refusal(`This page does not know the block ${short(block.type)}.`);
+  if (!TYPES.has(block.type)) throw new Refusal(`This page does not know the block ${text(block.type).slice(0, MAX_TYPE)}.`);
   const known = Object.fromEntries(BLOCK_KEYS.filter((key) => key in block).map((key) => [key, block[key]]));
   if (known.fields) known.fields = copy(known.fields);
   need(typeof (known.extraState ?? {}) === "object"); // a text would be XML
   if (known.extraState) known.extraState = copy(known.extraState);
   for (const part of ["elseIfCount", "itemCount"]) need(!(known.extraState?.[part] > MAX_PARTS));
-  if ("id" in known) known.id = short(known.id);
+  if ("id" in known) known.id = text(known.id);
   for (const key of ["x", "y"]) if (key in known) known[key] = Math.max(-1e5, Math.min(1e5, Number(known[key]) || 0));
   return known;
 }
 
-// Copies fields and the like: objects of few levels with short texts.
+// Copies fields and the like: objects of few levels.
 function copy(value, depth = 0) {
   need(depth < 5);
-  if (typeof value === "string") return short(value);
+  if (typeof value === "string") return text(value);
   if (value === null || typeof value !== "object") return value;
   if (Array.isArray(value)) return value.slice(0, MAX_PARTS).map((each) => copy(each, depth + 1));
-  return Object.fromEntries(Object.entries(value).map(([key, each]) => [short(key), copy(each, depth + 1)]));
+  return Object.fromEntries(Object.entries(value).map(([key, each]) => [text(key), copy(each, depth + 1)]));
 }
 
-function short(text) {
-  need(typeof text === "string" && text.length <= MAX_NAME);
-  return text.replace(/\p{C}/gu, "");
+function text(value) {
+  need(typeof value === "string");
+  return value.replace(/\p{C}/gu, "");
 }
 
 function need(condition) {

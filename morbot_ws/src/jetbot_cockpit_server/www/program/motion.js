@@ -48,8 +48,9 @@ export class Motion {
   repeat() {
     const now = performance.now();
     if (now - this.publishedAt > HOLD) this.set(0, 0);
-    const soon = this.changesAt > now && this.changesAt - now < SOON;
-    if (!soon && now - this.sentAt > INTERVAL / 2) this.sendNow();
+    const [since, until] = [now - this.sentAt, this.changesAt - now];
+    const soon = until > 0 && until < SOON && since < 2 * INTERVAL;
+    if (!soon && since > INTERVAL / 2) this.sendNow();
   }
 
   sendNow() {

@@ -140,14 +140,16 @@ def is_program_name(value: Any) -> bool:
 
 
 def problem_of(program: str) -> str:
-    """Return why this text is not kept as a program, or ""."""
+    """Return why this text is not kept as a program, or "". Deep ones are left to the page: a chain nests its blocks."""
+    if len(program.encode(errors="replace")) > MAX_TEXT:
+        return TOO_LARGE
     try:
-        if len(program.encode()) > MAX_TEXT:
-            return TOO_LARGE
-        # Numbers stay text: a long one would take long
-        content = json.loads(program, parse_int=str, parse_float=str)
-    except (ValueError, RecursionError):
-        return NO_PROGRAM
+        program.encode()
+        content = json.loads(program, parse_int=str, parse_float=str)  # numbers stay text: a long one would take long
+    except RecursionError:
+        content = {} if program.startswith("{") else None
+    except ValueError:
+        content = None
     return "" if isinstance(content, dict) else NO_PROGRAM
 
 
