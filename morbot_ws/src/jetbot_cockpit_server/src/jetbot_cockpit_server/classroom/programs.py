@@ -140,13 +140,12 @@ def is_program_name(value: Any) -> bool:
 
 
 def problem_of(program: str) -> str:
-    """Return why this text is not kept as a program, or "". Deep ones are left to the page: a chain nests its blocks."""
-    if len(program.encode(errors="replace")) > MAX_TEXT:
-        return TOO_LARGE
+    """Return why this text is not kept as a program, or ""; the page checks what it opens."""
     try:
-        program.encode()
+        if len(program.encode()) > MAX_TEXT:
+            return TOO_LARGE
         content = json.loads(program, parse_int=str, parse_float=str)  # numbers stay text: a long one would take long
-    except RecursionError:
+    except RecursionError:  # a chain of blocks is nested: each one holds the next
         content = {} if program.startswith("{") else None
     except ValueError:
         content = None
