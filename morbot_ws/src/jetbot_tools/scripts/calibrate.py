@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, Dict, List, Optional
 
 from jetbot import JetbotError
-from jetbot.boards import BOARDS, find_board
+from jetbot.boards import BOARDS, SERIAL_BOARD, find_board
 from jetbot.connection import locate, lock_board
 from jetbot.host import doctor_command, model, robot_bus
 from jetbot.text import printable
@@ -71,7 +71,7 @@ def main() -> None:
         raise JetbotError("calibrate.py asks questions and needs a terminal")
     sys.stdin.reconfigure(errors="replace")  # a key may give what is no text
     if options.i2c_bus is None:
-        options.board = options.board or options.port and "jetbot_pro"  # the only board on a port
+        options.board = options.board or options.port and SERIAL_BOARD
         options.i2c_bus = robot_bus(model()) or PARAMETERS["i2c_bus"].default
     place = {"i2c_bus": options.i2c_bus, "port": options.port or PARAMETERS["port"].default}
     boards = [options.board] if options.board else find_boards(options.i2c_address, **place)

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Collection, Dict, Optional, Union
 
 from jetbot import InvalidValue, fake, files
-from jetbot.boards import BOARDS, DEFAULT_PORT, DEFAULT_PWM_FREQUENCY, find_board
+from jetbot.boards import BOARDS, DEFAULT_PORT, DEFAULT_PWM_FREQUENCY, SERIAL_BOARD, find_board
 from jetbot.host import ros_home
 from jetbot.kinds import (
     ADDRESS,
@@ -107,7 +107,7 @@ def resolve(typed: Dict[str, object]) -> Dict[str, object]:
     file = find_file(typed.pop("config", ""), simulated)
     values = load(file) if file else {}
     if simulated == ["port"]:
-        values.setdefault("board", "jetbot_pro")  # the only board on a port
+        values.setdefault("board", SERIAL_BOARD)
     values = checked({**values, **typed})
     place = place_of(values["board"])
     if simulated and place not in typed and not is_fake(values):  # else the real robot would drive

@@ -9,10 +9,11 @@ from .jetbot_pro import JetBotPro
 from .pwm_motors import ADAFRUIT, WAVESHARE, WAVESHARE_HAT, HBridge, PwmMotors, Wiring
 from .scmd import ScmdMotors
 
-__all__ = ["BOARDS", "DEFAULT_PORT", "DEFAULT_PWM_FREQUENCY", "Board", "HBridge", "MotorDriver", "PwmMotors",
-           "Telemetry", "Wiring", "find_board"]
+__all__ = ["BOARDS", "DEFAULT_PORT", "DEFAULT_PWM_FREQUENCY", "SERIAL_BOARD", "Board", "HBridge", "MotorDriver",
+           "PwmMotors", "Telemetry", "Wiring", "find_board"]
 
-DEFAULT_PORT = "/dev/ttyACM0"  # of a JetBot Pro
+SERIAL_BOARD = "jetbot_pro"  # the only one on a serial port
+DEFAULT_PORT = "/dev/ttyACM0"  # of that
 
 
 class Board(NamedTuple):
@@ -46,7 +47,7 @@ BOARDS = {
     "waveshare_hat": Board(PwmMotors, 0x40, range(0x40, 0x60), (WAVESHARE_HAT,),
                            chip="PCA9685", left=(0, 2, 1), right=(5, 4, 3)),
     "sparkfun": Board(ScmdMotors, 0x5D, range(0x58, 0x64), chip="SCMD", left=0x20, right=0x21),
-    "jetbot_pro": Board(JetBotPro, chip="JetBotPro", left=-1, right=1),
+    SERIAL_BOARD: Board(JetBotPro, chip="JetBotPro", left=-1, right=1),
 }
 
 

@@ -6,7 +6,7 @@ import threading
 from typing import List, Optional, Sequence, Type, Union
 
 from jetbot import host
-from jetbot.boards import BOARDS, MotorDriver, PwmMotors, find_board
+from jetbot.boards import BOARDS, SERIAL_BOARD, MotorDriver, PwmMotors, find_board
 from jetbot.boards.jetbot_pro import JetBotPro
 from jetbot.connection import locate
 from jetbot.errors import BusError, JetbotError, NoAnswer
@@ -136,5 +136,5 @@ def check_serial(port: str) -> Check:
     except JetbotError as error:
         return Check(port, False, error.reason, error.advice)
     if arrived.is_set():
-        return Check(port, True, "a JetBot Pro reports", command=launch_command(board="jetbot_pro", port=port))
+        return Check(port, True, "a JetBot Pro reports", command=launch_command(board=SERIAL_BOARD, port=port))
     return Check(port, False, "opens, but no JetBot Pro reports", "Is it this port, and is the robot switched on?")
