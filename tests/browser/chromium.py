@@ -17,7 +17,7 @@ from selenium.webdriver.common.keys import Keys
 from jetbot.wait import wait_until
 from processes import end_with_parent
 
-from .world import NAME
+from .world import LONGEST_GAP, NAME
 
 # chromedriver's own switches, without which a hidden tab is slowed down as it is for everybody
 EXCLUDED = ["disable-background-timer-throttling", "disable-renderer-backgrounding",
@@ -27,8 +27,14 @@ KEYS = {"ArrowUp": Keys.ARROW_UP, "ArrowDown": Keys.ARROW_DOWN, "ArrowLeft": Key
         "Enter": Keys.ENTER}
 CAUSED_BY_TESTS = "/favicon.ico", "willReadFrequently"  # a picture in a tab of its own; the map's pixels that are read
 END_TIMEOUT = 20.0  # s
-# Keeps the socket, and for other pages of this origin the newest commands that the page sends.
-KEEP_SENT = """if (location.protocol === "http:") { const send = WebSocket.prototype.send, sent = [];
+# Keeps the socket, and for other pages of this origin the newest commands that the page sends, and when it paused.
+KEEP_SENT = f"""if (location.protocol === "http:") {{ let turn = performance.now();
+    setInterval(() => {{
+        const now = performance.now();
+        if (now - turn > {1000 * LONGEST_GAP}) localStorage.setItem("paused", (performance.timeOrigin + now) / 1000);
+        turn = now;
+    }}, 20); }}""" + """
+if (location.protocol === "http:") { const send = WebSocket.prototype.send, sent = [];
     WebSocket.prototype.send = function (text) {
         window.socket = this;
         const {type, forward, left} = JSON.parse(text);
@@ -105,6 +111,10 @@ class Chromium:
     def sent(self) -> List[Command]:
         """Return the newest commands that the page in the first tab sent; the tab in front may show another page."""
         return [Command(*each) for each in json.loads(self.run("return localStorage.getItem('sent')") or "[]")]
+
+    def paused_at(self) -> float:
+        """Return when a page of this origin last had no turn for LONGEST_GAP, in s since the epoch."""
+        return float(self.run("return localStorage.getItem('paused')") or 0)
 
     def new_tab(self, url: str = "about:blank") -> None:
         """Open a tab in front of the page."""

@@ -1,6 +1,7 @@
 """Fixtures: one world with two robots, and two browsers, for all tests; each test opens the page again."""
 
 import shutil
+from functools import partial
 
 import pytest
 
@@ -55,6 +56,7 @@ def blocks(world, browsers, tmp_path):
     page = browsers(1)
     for _ in opened(page, world, f"{world.address}program"):
         page.screen(*TABLET)
+        load.undisturbed = partial(world.undisturbed, page)
         yield load
 
 

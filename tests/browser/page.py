@@ -127,11 +127,15 @@ class Page(Chromium):
                               "return [box.x + box.width / 2, box.y + box.height / 2]", selector))
 
     def gamepad(self, x: float, y: float) -> None:
-        """Plug in a gamepad whose left stick is held still here: -1 is left, and forward; its timestamp goes on."""
-        self.run("const pad = {index: 0, id: 'test', connected: true, mapping: 'standard', buttons: [],"
-                 f" get timestamp() {{ return performance.now(); }}, axes: [{x}, {y}, 0, 0]}};"
-                 "navigator.getGamepads = () => [pad, null, null, null];"
-                 "window.dispatchEvent(Object.assign(new Event('gamepadconnected'), {gamepad: pad}))")
+        """Plug in a gamepad whose left stick is held still here, and wait until the page has looked at it.
+
+        -1 is left, and forward; the gamepad's timestamp goes on.
+        """
+        self.driver.execute_async_script(
+            "const [x, y, looked] = arguments, pad = {index: 0, id: 'test', connected: true, mapping: 'standard',"
+            "  buttons: [], get timestamp() { return performance.now(); }, axes: [x, y, 0, 0]};"
+            "navigator.getGamepads = () => { looked(); return [pad, null, null, null]; };"
+            "window.dispatchEvent(Object.assign(new Event('gamepadconnected'), {gamepad: pad}))", x, y)
 
     def unplug_gamepad(self) -> None:
         """Unplug the gamepad, wherever its stick is."""

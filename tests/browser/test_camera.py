@@ -85,8 +85,8 @@ def test_pictures_are_kept_and_deleted_by_who_drives(looking, pupil, world):
     looking.click("#delete")
     looking.wait_for_text("delete", "Delete all?")
     looking.choose(OTHER_ROBOT)
-    looking.choose(ROBOT)
     looking.wait_for(lambda: looking.text("delete") == "Delete", "the question to go with the robot")
+    looking.choose(ROBOT)
     looking.click("#delete")
     looking.wait_for_text("delete", "Delete all?")
     assert len(world.pictures(ROBOT, "free")) == 1

@@ -37,7 +37,6 @@ def test_the_teacher_sees_which_robots_network_stalls(page, victim, world):
     assert "network stalls" not in page.text_of(f"#fleet li[data-robot='/{OTHER_ROBOT}']")
 
 
-
 def test_the_switch_does_not_fire_while_a_finger_drives(page, world):
     world.drive(page, ROBOT, wanted=lambda left, right: left > 0.4)
     start = time.time()

@@ -9,6 +9,8 @@ from jetbot.fake.motors import STOPPED
 
 from .conftest import OTHER_ROBOT, ROBOT
 
+FORMULA = r"left = x − z = 0\.\d\d − 0\.\d\d = 0\.\d\d"
+
 
 def forward(left, right):
     return abs(left - right) < 0.02 and left > 0
@@ -26,26 +28,30 @@ def turn_right(left, right):
     return right < 0 < left
 
 
-def test_the_wheels_follow_the_finger(page, world):
+def test_the_wheels_follow_the_finger_and_show_the_lessons_formula(page, world):
     world.drive(page, ROBOT, 1.0, wanted=lambda left, right: left == right > 0.4)
     for x, z, wanted in [(-1, 0, backward), (0, 1, turn_left), (0, -1, turn_right),
                          (0.9, 0.3, lambda left, right: 0 < left < right),
                          (0.25, 0, lambda left, right: 0 < left == right < 0.4)]:
         world.hold(page, lambda x=x, z=z: page.move(x, z), lambda: page.touch(0, 0), ROBOT, wanted)
     assert world.wheels(OTHER_ROBOT) == STOPPED
+    world.hold(page, lambda: page.move(0.6, 0.2), lambda: page.touch(0, 0), ROBOT)
+    page.wait_for(lambda: re.search(FORMULA, page.text("wheels")), "the formula")
 
 
-def test_a_finger_that_lifts_stops_the_robot_and_others_may_command_it(page, world):
-    world.drive(page, ROBOT)
+def test_a_second_finger_changes_nothing_and_at_their_release_the_robot_stops_and_others_may_command_it(page, world):
+    world.drive(page, ROBOT, 1.0, wanted=forward)
     assert world.publishers(ROBOT)
-    with world.stops(ROBOT, what="the finger's release"):
+    page.touch_event("touchStart", page.on_pad(1, 0), page.on_pad(-1, 0))
+    page.touch_event("touchMove", page.on_pad(1, 0), page.on_pad(-1, 0.2))
+    world.stay(lambda left, right: left >= 0 and right >= 0, ROBOT)
+    with world.stops(ROBOT, what="the release of both fingers"):
         page.lift()
     assert page.sent()[-1].is_zero
     world.wait_for(lambda: not world.publishers(ROBOT), 10.0, "the cockpit to unregister cmd_vel")
 
 
 ENDS = {
-    "another tab is in front": lambda page: page.show_tab(1),
     "the tab shows another page": lambda page: page.driver.get("about:blank"),
     "the tab is closed": lambda page: page.driver.close(),
 }
@@ -85,8 +91,9 @@ def test_the_page_sends_zero_at_each_event_that_may_be_the_last(page, world):
 
 def test_a_finger_that_stayed_on_the_pad_must_lift_after_another_tab_was_in_front(page, world):
     world.drive(page, ROBOT)
-    page.new_tab()
-    world.wait_for_stop(ROBOT)
+    with world.stops(ROBOT, what="another tab is in front"):
+        page.new_tab(f"{world.address}icon.svg")
+    assert page.sent()[-1].is_zero
     start = time.time()
     page.old_tab()
     page.wait_for_text("status", "stopped: ")
@@ -97,32 +104,15 @@ def test_a_finger_that_stayed_on_the_pad_must_lift_after_another_tab_was_in_fron
     world.drive(page, ROBOT)
 
 
-def test_a_second_finger_on_the_pad_changes_nothing(page, world):
-    world.drive(page, ROBOT, 1.0, wanted=forward)
-    page.touch_event("touchStart", page.on_pad(1, 0), page.on_pad(-1, 0))
-    page.touch_event("touchMove", page.on_pad(1, 0), page.on_pad(-1, 0.2))
-    world.stay(lambda left, right: left >= 0 and right >= 0, ROBOT)
-    with world.stops(ROBOT, what="the release of both fingers"):
-        page.lift()
-
-
 KEYS = {"ArrowUp": forward, "w": forward, "ArrowDown": backward, "s": backward,
         "ArrowLeft": turn_left, "a": turn_left, "ArrowRight": turn_right, "d": turn_right}
 
 
-def test_a_key_drives_until_it_is_let_go(page, world):
+def test_a_key_drives_until_it_is_let_go_also_if_the_page_never_sees_that(page, world):
     for key, wanted in KEYS.items():
         hold(key, page, world, wanted)
         page.let_go(key)
         world.wait_for_stop(ROBOT)
-    world.stay_stopped(ROBOT)
-
-
-def hold(key, page, world, wanted=forward):
-    world.hold(page, lambda: page.press(key), lambda: page.let_go(key), ROBOT, wanted)
-
-
-def test_a_key_whose_release_the_page_never_sees(page, world):
     hold("ArrowUp", page, world)
     page.new_tab()
     page.let_go("ArrowUp")
@@ -131,6 +121,11 @@ def test_a_key_whose_release_the_page_never_sees(page, world):
     world.stay_stopped(ROBOT)
     hold("ArrowUp", page, world)
     page.let_go("ArrowUp")
+    world.wait_for_stop(ROBOT)
+
+
+def hold(key, page, world, wanted=forward):
+    world.hold(page, lambda: page.press(key), lambda: page.let_go(key), ROBOT, wanted)
 
 
 def test_a_gamepads_stick_drives_until_it_is_let_go_or_the_gamepad_is_unplugged(page, world):
@@ -185,16 +180,13 @@ def test_the_slider_sets_how_fast_full_deflection_is_and_drives_nothing(page, wo
     world.hold(page, lambda: None, lambda: page.touch(1, 0), ROBOT, lambda left, right: left > 0.9)
 
 
-def test_keys_in_a_text_field_are_text(page, world):
+def test_keys_in_a_text_field_are_text_and_arrows_move_the_slider_beside_which_w_drives(page, world):
     name = page.element("name")
     name.clear()
     name.send_keys("wasd d")
     world.stay_stopped(ROBOT)
     assert page.value("name") == "wasd d"
     assert not world.publishers(ROBOT)
-
-
-def test_w_drives_while_the_slider_has_the_focus_and_the_arrows_move_it(page, world):
     page.click("#speed")
     before = page.value("speed")
     hold("w", page, world)
@@ -203,9 +195,3 @@ def test_w_drives_while_the_slider_has_the_focus_and_the_arrows_move_it(page, wo
     page.tap("ArrowUp")
     assert page.value("speed") != before
     world.stay_stopped(ROBOT)
-
-
-def test_the_wheels_show_the_lessons_formula(page, world):
-    world.drive(page, ROBOT, 0.6, 0.2)
-    formula = r"left = x − z = 0\.\d\d − 0\.\d\d = 0\.\d\d"
-    page.wait_for(lambda: re.search(formula, page.text("wheels")), "the formula")

@@ -30,16 +30,13 @@ def test_everything_fits_the_screen_and_the_finger(page, pupil):
             assert each.fits(), f"with long texts on {screen}"
 
 
-def test_a_teacher_sees_a_class_on_one_screen_with_each_status_to_its_end(page):
+def test_a_teacher_sees_a_class_on_one_screen_each_status_to_its_end_and_all_robots_on_the_map(page):
     page.resize(*DESKTOP, touch=False)
     page.receive_class(status="stopped: no command for 1.0 s, on a fake bus")
     page.wait_for_text("fleet", "15 robots")
     assert page.outside("#fleet li", "#fleet-list") == []
     assert page.cut("#fleet .why") == []
     assert "fake" not in page.text("fleet")
-
-
-def test_all_shows_the_robots_between_buttons_and_legend(page):
     for screen in (1024, 768), DESKTOP:
         page.resize(*screen)
         page.receive_class()
@@ -88,8 +85,12 @@ def check_screen(page, screen, *parts):
     assert page.small_controls(MOUSE if screen == DESKTOP else FINGER) == [], screen
 
 
-def test_the_tab_key_reaches_every_control_and_the_keyboard_alone_drives_and_stops(page, world):
+def test_each_control_has_a_name_and_is_reached_by_tab_and_the_keyboard_alone_drives_and_stops(page, world):
     controls = page.controls()
+    for name in {*controls, "pad", "map", "wheels"}:
+        assert page.element(name).accessible_name, f"#{name} has no label"
+    assert page.element("status").aria_role == "status"
+    assert page.element("link").get_attribute("aria-live") == "off", "the round trip is not read out each second"
     assert {"pad", "stop", "release", "robot", "speed", "name"} <= set(controls)
     assert set(controls) <= {page.tab() for _ in range(len(controls) + 5)}
     page.tab_to("speed")
@@ -109,13 +110,6 @@ def test_the_tab_key_reaches_every_control_and_the_keyboard_alone_drives_and_sto
     page.tab_to("release")
     page.tap("Enter")
     page.wait_for_text("status", "was released")
-
-
-def test_each_control_has_a_name_for_a_screen_reader(page):
-    for name in {*page.controls(), "pad", "map", "wheels"}:
-        assert page.element(name).accessible_name, f"#{name} has no label"
-    assert page.element("status").aria_role == "status"
-    assert page.element("link").get_attribute("aria-live") == "off", "the round trip is not read out each second"
 
 
 def test_nothing_moves_for_those_who_prefer_that(page):

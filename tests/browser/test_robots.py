@@ -8,7 +8,7 @@ VISITOR = "visitor"
 ROW = f"#fleet li[data-robot='/{OTHER_ROBOT}']"
 
 
-def test_a_robot_that_comes_and_goes(page, world):
+def test_a_robot_that_comes_and_goes_and_a_chosen_one_that_stays_when_it_runs_no_more(page, world):
     visitor = world.publish_status(VISITOR, "<img src=x>")
     page.choose(VISITOR)
     page.wait_for_text("status", "<img src=x>")
@@ -17,10 +17,8 @@ def test_a_robot_that_comes_and_goes(page, world):
     page.wait_for_text("status", "does not answer")
     page.choose(ROBOT)
     world.drive(page, ROBOT)
-
-
-
-def test_a_robot_that_runs_no_more_stays_chosen(page):
+    page.lift()
+    page.wait_for(lambda: f"/{VISITOR}" not in page.robots(), f"{VISITOR} to go")
     page.receive({"type": "robots", "robots": []})
     page.wait_for_text("status", f"{ROBOT} is not running")
     page.wait_for_text("notice", "robots are not running any more")

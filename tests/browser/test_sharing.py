@@ -64,7 +64,7 @@ def test_a_program_drives_on_after_a_countdown_but_after_a_teachers_take_only_on
         each.wait_for_text("driver", "The program drives on in ")
     page.click("#take")
     pupil.wait_for_text("driver", "The program waits until a teacher presses Go on")
-    world.stay_stopped(ROBOT, for_seconds=6.0)
+    world.stay_stopped(ROBOT)
     page.click("#go-on")
     world.wait_for(lambda: drives(world), 10.0, "the program to drive on")
 
@@ -74,18 +74,13 @@ def test_a_pupil_has_neither_fleet_nor_codes_nor_others_robots(pupil):
         assert not pupil.element(name).is_displayed(), name
 
 
-def test_the_teachers_code_is_shown_only_when_asked_for(page, world):
+def test_codes_are_shown_when_asked_for_and_15_fit_on_a_sheet_of_paper_with_a_line_for_each_name(page, world):
     codes = {role: url.partition("#")[2] for role, url in world.codes().items()}
     page.click("#show-codes")
     page.wait_for_text("codes", codes["pupil"])
     assert codes["teacher"] not in page.text("codes")
     page.click("#show-teacher")
     page.wait_for_text("codes", codes["teacher"])
-
-
-def test_the_codes_of_15_fit_on_a_sheet_of_paper_with_a_line_for_each_name(page, world):
-    page.click("#show-codes")
-    page.wait_for_text("codes", world.codes()["pupil"].partition("#")[2])
     show = """const [show, done] = [(await import("/views.js")).showCodes, arguments[0]];
         show(Array.from({length: 15}, (_, n) => ({label: `jetbot_${n + 1}`, role: "pupil", code: "7KQ2MX",
             url: "http://192.168.100.200:8080/#7KQ2MX", rows: Array(33).fill("10".repeat(16) + "1")}))); done()"""

@@ -4,6 +4,8 @@ from harness import program
 from processes import end
 
 from .conftest import ROBOT, TABLET
+from .test_work import judge
+from .world import moving
 
 
 def box(page, selector):
@@ -51,15 +53,14 @@ def test_the_lesson_for_the_tablet_from_pad_to_blocks_to_python_to_the_judge(pag
     drag(page, "robot_stop", "robot_drive")
     type_into(page, ".blocklySvg .robot_drive .math_number ~ .math_number .blocklyEditableField", "3.33")
     page.wait_for_text("python", "    drive(0.5, 0, 3.33)\n    stop()")
-    world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)
-    page.wait_for(lambda: page.text_of("#python .now") == "drive(0.5, 0, 3.33)", "the mark on the line that runs")
+    world.press_until(lambda: page.text_of("#python .now") == "drive(0.5, 0, 3.33)" and moving(*world.wheels(ROBOT)),
+                      page, lambda: page.click("#run"), lambda: page.click("#end"))
     page.click("#end")
     world.wait_for_stop(ROBOT)
     page.type("title", "my metre")
     page.wait_for(lambda: page.text("kept") == "Kept", "the program to be kept")
-    judge = world.start(program("driving_tasks", "class_judge.py"))
+    process = world.start(program("driving_tasks", "class_judge.py"))
     page.wait_for(lambda: page.element("judge").is_displayed(), "the tasks")
-    page.click("#judge")
-    page.wait_for(lambda: "points" in page.text("score"), "the score", within=60.0)
+    judge(page, world, "points")
     assert page.text("score").startswith("One metre: ")
-    end([judge])
+    end([process])

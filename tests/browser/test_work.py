@@ -7,6 +7,8 @@ from harness import program
 from .conftest import ROBOT
 from .world import moving
 
+LATE = "no command came from the driver's page"  # what the judge says if the page pauses
+
 
 def open_programs(page, url):
     """Open the page for programs, with ROBOT chosen."""
@@ -96,8 +98,20 @@ def test_a_change_is_kept_once_there_is_room_again(page):
     page.errors()  # the browser's own, about what was refused
 
 
+def judge(pupil, world, sentence, act=None):
+    """Press Judge me, and do this while the robot drives; again only if the page paused: fail unless it says this."""
+    def press():
+        pupil.click("#judge")
+        if act:
+            world.wait_for(lambda: moving(*world.wheels(ROBOT)), 20.0, "the drive")
+            act()
+        pupil.wait_for(lambda: sentence in pupil.text("score") or LATE in pupil.text("score"), sentence, within=60.0)
+        assert sentence in pupil.text("score")
+    world.undisturbed(pupil, press)
+
+
 def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world):
-    judge = world.start(program("driving_tasks", "class_judge.py"))
+    process = world.start(program("driving_tasks", "class_judge.py"))
     page.click("#overview-button")
     page.wait_for(lambda: page.has("#task-switches input"), "the tasks")
     assert not pupil.element("judge").is_displayed(), "no task is on"
@@ -110,26 +124,16 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     pupil.wait_for_text("score", "cancelled")
     page.click("#release")
     pupil.wait_for(lambda: not pupil.run("return document.body.classList.contains('emergency')"), "the release")
-    pupil.click("#judge")
-    pupil.wait_for(lambda: "points" in pupil.text("score"), "the score", within=60.0)
-    assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
-    page.wait_for_text("score-table", "One metre")
     for button in "#pause", "#end":
-        pupil.click("#judge")
-        world.wait_for(lambda: moving(*world.wheels(ROBOT)), 20.0, "the drive")
-        pupil.click(button)
-        pupil.wait_for_text("score", "its program was stopped")
+        judge(pupil, world, "its program was stopped", lambda button=button: pupil.click(button))
     pupil.click("#programs")
     pupil.click("#new")
-    pupil.click("#judge")
-    pupil.wait_for_text("score", "has not driven")
-    pupil.set("examples", "One metre")
-    pupil.click("#judge")
-    pupil.wait_for(lambda: "points" in pupil.text("score"), "the score", within=60.0)
-    pupil.click("#judge")
-    world.wait_for(lambda: moving(*world.wheels(ROBOT)), 20.0, "the drive")
-    world.kill(judge)
-    pupil.wait_for_text("score", "The judge has ended")
+    judge(pupil, world, "has not driven")
+    pupil.set("examples", "Drive until I am there")
+    judge(pupil, world, "points")
+    assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
+    page.wait_for_text("score-table", "One metre")
+    judge(pupil, world, "The judge has ended", lambda: world.kill(process))
 
 
 def test_who_comes_back_in_a_new_browser_goes_on_with_the_newest_program(page, pupil, world):

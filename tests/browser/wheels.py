@@ -1,16 +1,21 @@
-"""An independent record of what the wheels do: a thread polls the registers of the chips on the fake buses."""
+"""An independent record of what the wheels do: a thread polls the registers of the chips on the fake buses.
+
+It also sees when this computer is too busy for a test that drives.
+"""
 
 import math
 import threading
 import time
+from contextlib import suppress
 from pathlib import Path
-from typing import Dict, List, NamedTuple, Tuple
+from typing import Dict, List, NamedTuple, Optional, Tuple
 
 from jetbot.fake.motors import STOPPED, Motors
 
 POLL_INTERVAL = 0.002  # s
 WRITING = 0.03  # s from one wheel's write to the other's, much less than between two commands
 PAUSE = 0.1  # s; a thread that was not scheduled for so long shows that the computer is too busy
+LOOK_INTERVAL = 0.1  # s between two looks at the watched process
 
 Speeds = Tuple[float, float]  # left, right
 
@@ -23,12 +28,15 @@ class Change(NamedTuple):
 
 
 class WheelRecord:
-    """Polls the chips until ``close``. folders: of the fake buses, by robot."""
+    """Polls the chips until ``close``. folders: of the fake buses, by robot.
+
+    watched: the id of the process whose pauses count beside this one's; paused_at: when one of them has last paused.
+    """
 
     def __init__(self, folders: Dict[str, Path]):
         self._changes: Dict[str, List[Change]] = {robot: [Change(time.time(), STOPPED)] for robot in folders}
         self._motors = {robot: Motors(folder) for robot, folder in folders.items()}
-        self.paused_at = 0.0
+        self.paused_at, self.watched = 0.0, None
         self._over = threading.Event()
         self._thread = threading.Thread(target=self._poll, daemon=True)
         self._thread.start()
@@ -53,13 +61,27 @@ class WheelRecord:
         self._thread.join()
 
     def _poll(self):
-        last = time.time()
+        last = looked_at = time.time()
+        waited = 0.0
         while not self._over.wait(POLL_INTERVAL):
             now = time.time()
             if now - last > PAUSE:
                 self.paused_at = now
             last = now
+            if now - looked_at > LOOK_INTERVAL:
+                waited, before, looked_at = waiting_time(self.watched), waited, now
+                if waited - before > PAUSE:
+                    self.paused_at = now
             for robot, motors in self._motors.items():
                 speeds = motors.speeds()
                 if speeds != self._changes[robot][-1].speeds:
                     self._changes[robot].append(Change(time.time(), speeds))
+
+
+def waiting_time(process: Optional[int]) -> float:
+    """Return for how many s the threads of a process have waited for a processor so far."""
+    waited = 0
+    for file in Path(f"/proc/{process}/task").glob("*/schedstat"):
+        with suppress(OSError):  # it has just ended
+            waited += int(file.read_text().split()[1])
+    return waited / 1e9

@@ -19,9 +19,9 @@ from processes import end, free_port, start
 from .wheels import Speeds, WheelRecord
 
 NAME = "class.test"  # a name of this computer that needs a code; the browsers of the tests resolve it to 127.0.0.1
+LONGEST_GAP = 0.2    # s between two turns of a page, above which the switch may rightly fire
 OBEY_TIMEOUT = 2.0   # s until what a person does has moved a robot
 STOP_TIMEOUT = 0.7   # s; the cockpit's switch fires after 0.3 s; the rest is for a busy computer
-LONGEST_GAP = 0.2    # s between two commands of a page, above which the switch may rightly fire
 TRIES = 5            # on a busy computer
 
 Condition = Callable[[float, float], bool]  # for the speeds left, right
@@ -66,6 +66,7 @@ class World:
         """Start the cockpit, and wait until it prints the addresses with the codes of a class."""
         self.cockpit = self.start(program("jetbot_cockpit_server", "cockpit.py"), f"_port:={self.port}", "_lan:=true",
                                   f"_name:={NAME}")
+        self.record.watched = self.cockpit.pid
         self.wait_for(lambda: len(self.codes()) == 2, START_TIMEOUT, "the cockpit's codes")
 
     def codes(self) -> dict:
@@ -117,14 +118,17 @@ class World:
 
     def hold(self, page, press: Callable, let_go: Callable, robot: str, wanted: Condition = moving) -> None:
         """Press, and fail unless the wheels turn as wanted soon."""
-        self._press_until(page, press, let_go, lambda: wanted(*self.wheels(robot)))
+        self.press_until(lambda: wanted(*self.wheels(robot)), page, press, let_go)
 
     def drive_until(self, condition: Callable[[], object], page) -> None:
         """Put a finger on the pad of a page, and fail unless the condition becomes true soon."""
-        self._press_until(page, page.touch, page.lift, condition)
+        self.press_until(condition, page, page.touch, page.lift)
 
-    def _press_until(self, page, press, let_go, condition):
-        """Only if the page or this process paused meanwhile, which lets the switch fire, let go, and press again."""
+    def press_until(self, condition: Callable[[], object], page, press: Callable, let_go: Callable) -> None:
+        """Press, and fail unless the condition becomes true soon.
+
+        Only if the page, the cockpit or this process paused, which lets the switch fire, let go, and press again.
+        """
         for _ in range(TRIES):
             start = time.time()
             press()
@@ -138,10 +142,19 @@ class World:
             f"and shows {page.text_of('body')!r}{self._logs()}")
 
     def paused(self, page, start: float) -> bool:
-        """Return whether the page or this process paused since then for so long that the switch may rightly fire."""
-        times = [command.time for command in page.sent() if command.time > start]
-        return self.record.paused_at > start or any(later - earlier > LONGEST_GAP
-                                                    for earlier, later in zip(times, times[1:]))
+        """Return whether the page, the cockpit or this process paused since then, and the switch may rightly fire."""
+        return max(self.record.paused_at, page.paused_at()) > start
+
+    def undisturbed(self, page, act: Callable) -> None:
+        """Do this; only if it fails, and the page, the cockpit or this process paused meanwhile, do it again."""
+        for tries_left in reversed(range(TRIES)):
+            start = time.time()
+            try:
+                act()
+                return
+            except AssertionError:
+                if not (tries_left and self.paused(page, start)):
+                    raise
 
     def stay(self, wanted: Condition, *robots: str, for_seconds: float = 0.25) -> None:
         """Fail if the speeds (left, right) of the robots' wheels are not as wanted for this many seconds."""

@@ -4,6 +4,7 @@ import { prepareShapes } from "./drawing.js";
 
 const TRAIL_STEP = 0.03; // m between two points, as in history.py
 const TRAIL_LENGTH = 500; // points
+const HELD = /emergency stop|trying again/; // what a robot says once it has heard of a stop, or cannot hear
 
 const UNKNOWN = {
   status: "", warning: false, answers: true, stopped: false,
@@ -126,7 +127,9 @@ export class World {
     const label = this.robot(id)?.label ?? "The robot";
     if (!answers) return { text: status || `${label} does not answer: look after its node.`, level: "warning" };
     if (this.emergency && this.mustWait) return { text: "Your teacher stopped all robots.", level: "stopped" };
-    if (this.emergency || stopped) return { text: status || "stopped: emergency stop", level: "stopped" };
+    if (this.emergency || stopped) {
+      return { text: HELD.test(status) ? status : "stopped: emergency stop", level: "stopped" };
+    }
     const level = warning ? "warning" : status.startsWith("stopped") ? "waiting" : "driving";
     return { text: status || "waiting for its status", level };
   }
