@@ -11,7 +11,8 @@ sys.path.append(str(Path(__file__).parent / "ros"))
 from processes import end_on_sigterm  # noqa: E402
 
 LONGEST = ("::test_pages[", "::test_rostest[")
-IN_ONE_PROCESS = "tests/browser/"  # they share a world and its browsers
+BROWSER = "tests/browser/"  # each half shares a world and its browsers
+OF_PROGRAMS = tuple(f"{BROWSER}test_{name}" for name in ("program", "tablet", "tasks", "work"))  # one half
 PROCESSES = 6  # of ./morbot test
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
 
@@ -43,12 +44,14 @@ def pytest_collection_modifyitems(items):
 
 @pytest.hookimpl(optionalhook=True)  # pytest-xdist may be missing
 def pytest_xdist_make_scheduler(config, log):
-    """Give each process one file after the other, or one long test, and all tests in a browser to the same one."""
+    """Give each process one file after the other, or one long test, or a half of the tests in a browser."""
     from xdist.scheduler import LoadScopeScheduling
 
     class Scheduling(LoadScopeScheduling):
         def _split_scope(self, nodeid):
             file = nodeid.partition("::")[0]
-            return IN_ONE_PROCESS if file.startswith(IN_ONE_PROCESS) else nodeid if is_long(nodeid) else file
+            if file.startswith(BROWSER):
+                return BROWSER + str(file.startswith(OF_PROGRAMS))
+            return nodeid if is_long(nodeid) else file
 
     return Scheduling(config, log)
