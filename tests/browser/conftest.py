@@ -52,6 +52,7 @@ def blocks(world, browsers, tmp_path):
     """A function that opens a program in the teacher's page for programs, on a tablet, and returns the page."""
     def load(content):
         page.element("file").send_keys(as_file(tmp_path, content))
+        page.wait_for(lambda: not page.value("file"), "the file to be read")
         return page
     page = browsers(1)
     for _ in opened(page, world, f"{world.address}program"):

@@ -1,6 +1,7 @@
 """The page for programs runs blocks as Python runs the node that it makes of them."""
 
 import ast
+import json
 
 import pytest
 
@@ -154,9 +155,9 @@ SENSES = {"here": {"X": 0.97}, "line": [0.3, 0, 1]}
 
 def test_the_examples_drive_and_their_python_is_a_program(editor):
     for name, example in editor.driver.execute_async_script(EXAMPLES).items():
-        done = interpret(editor, example, SENSES)
+        done = interpret(editor, json.loads(example), SENSES)
         assert not done["error"] and done["commands"], name
-        compile(python_of(editor, example), name, "exec")
+        compile(python_of(editor, json.loads(example)), name, "exec")
 
 
 FAULTS = {

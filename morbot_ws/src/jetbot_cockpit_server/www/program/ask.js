@@ -1,8 +1,10 @@
 // Asks the cockpit for what it keeps; docs/protocol.md explains it.
 
-const [BUSY, FULL] = [503, 507]; // what is over by itself, perhaps
+const AGAIN = [403, 503, 507]; // once the code is entered, the disk is idle, or has room
+const NO_ANSWER = "The cockpit does not answer.";
+const REFUSED = "The cockpit has refused this.";
 
-// The cockpit's own sentence why not; again: whether it may be asked again.
+// A sentence why not, the cockpit's own if it has one; again: whether the same may be asked again.
 export class NotKept extends Error {
   constructor(text, again) {
     super(text);
@@ -10,13 +12,14 @@ export class NotKept extends Error {
   }
 }
 
-// Returns the cockpit's answer; throws a NotKept, or a TypeError if there is none.
+// Returns the cockpit's answer; throws a NotKept.
 export async function ask(fields) {
   const headers = { "Content-Type": "application/json" };
-  const answer = await fetch("/work", { method: "POST", headers, body: JSON.stringify(fields) });
-  if (answer.ok) return answer.json();
-  const { text } = await answer.json().catch(() => ({ text: "The cockpit has refused this." }));
-  throw new NotKept(text, [BUSY, FULL].includes(answer.status));
+  const answer = await fetch("/work", { method: "POST", headers, body: JSON.stringify(fields) }).catch(() => null);
+  const content = await answer?.json().catch(() => null);
+  if (answer?.ok && content) return content;
+  const lost = !answer || answer.ok; // perhaps in the middle
+  throw new NotKept(lost ? NO_ANSWER : content?.text ?? REFUSED, lost || AGAIN.includes(answer.status));
 }
 
 // Returns 16 random hexadecimal digits.

@@ -16,18 +16,15 @@ export class Refusal extends Error {}
 // Returns the program, with what this page knows of it alone; throws a Refusal.
 export function parseProgram(file) {
   if (file.length > MAX_SIZE) throw new Refusal(`This file is too large: a program has ${MAX_SIZE / 1024} kB at most.`);
-  let given;
   try {
-    given = JSON.parse(file);
-  } catch {
-    throw new Refusal(NO_PROGRAM);
+    const { blocks: { blocks }, variables = [] } = JSON.parse(file);
+    return {
+      blocks: { languageVersion: 0, blocks: checkBlocks(blocks) },
+      variables: variables.slice(0, MAX_BLOCKS).map(({ name, id }) => ({ name: text(name), id: text(id) })),
+    };
+  } catch (error) { // what is of another form causes a TypeError
+    throw error instanceof Refusal ? error : new Refusal(NO_PROGRAM);
   }
-  const [tops, variables] = [given?.blocks?.blocks, given?.variables ?? []];
-  need(Array.isArray(tops) && Array.isArray(variables));
-  return {
-    blocks: { languageVersion: 0, blocks: checkBlocks(tops) },
-    variables: variables.slice(0, MAX_BLOCKS).map(({ name, id }) => ({ name: text(name), id: text(id) })),
-  };
 }
 
 // Goes from block to block in a list, not by recursion: what is nested deep ends no page.
@@ -39,7 +36,7 @@ function checkBlocks(tops) {
     if (depth > MAX_NESTING) throw new Refusal(`This program nests more than ${MAX_NESTING} blocks in each other.`);
     const { inputs, next, ...own } = checkBlock(block);
     put(own);
-    if (next) todo.push({ block: need(next.block), depth, put: (copy) => { own.next = { block: copy }; } });
+    if (next) todo.push({ block: next.block, depth, put: (copy) => { own.next = { block: copy }; } });
     if (inputs) own.inputs = {};
     for (const [name, input] of Object.entries(inputs ?? {})) {
       const filled = own.inputs[text(name)] = {};
@@ -52,8 +49,8 @@ function checkBlocks(tops) {
 }
 
 function checkBlock(block) {
-  need(typeof block?.type === "string");
-  if (!TYPES.has(block.type)) throw new Refusal(`This page does not know the block ${text(block.type).slice(0, MAX_TYPE)}.`);
+  const { type } = block;
+  if (!TYPES.has(type)) throw new Refusal(`This page does not know the block ${text(type).slice(0, MAX_TYPE)}.`);
   const known = Object.fromEntries(BLOCK_KEYS.filter((key) => key in block).map((key) => [key, block[key]]));
   if (known.fields) known.fields = copy(known.fields);
   need(typeof (known.extraState ?? {}) === "object"); // a text would be XML
@@ -80,5 +77,4 @@ function text(value) {
 
 function need(condition) {
   if (!condition) throw new Refusal(NO_PROGRAM);
-  return condition;
 }

@@ -1,6 +1,7 @@
 // The blocks on the page: Blockly's workspace, in the page's colours.
 
 import { defineBlocks, TOOLBOX } from "./blocks.js";
+import { NO_PROGRAM, Refusal } from "./check.js";
 import { prepareGenerator } from "./python.js";
 
 const { Blockly } = globalThis;
@@ -44,9 +45,15 @@ function theme() {
   });
 }
 
-// Shows this program; its first block is always there.
+// Shows this program, or the one before and throws a Refusal; its first block is always there.
 export function showProgram(workspace, program) {
-  Blockly.serialization.workspaces.load(program, workspace);
+  const before = currentProgram(workspace);
+  try {
+    Blockly.serialization.workspaces.load(program, workspace);
+  } catch {
+    Blockly.serialization.workspaces.load(before, workspace);
+    throw new Refusal(NO_PROGRAM);
+  }
   const [start] = workspace.getBlocksByType("robot_start");
   const first = start ?? Blockly.serialization.blocks.append({ type: "robot_start", x: 30, y: 30 }, workspace);
   first.setDeletable(false);

@@ -24,7 +24,7 @@ const assign = (id, value) => ({ type: "variables_set", fields: variable(id), in
 const leave = { type: "controls_flow_statements", fields: { FLOW: "BREAK" } };
 const eye = (side) => plug("robot_eye", { WHAT: side });
 
-const program = (blocks, variables = [], others = []) => ({
+const program = (blocks, variables = [], others = []) => JSON.stringify({
   blocks: { languageVersion: 0, blocks: [stack([{ type: "robot_start", x: 30, y: 30 }, ...blocks]), ...others] },
   variables: variables.map((name) => ({ name, id: name })),
 });
@@ -35,7 +35,7 @@ const side = {
   inputs: { STACK: body(drive(0.5, 3.4), turn("LEFT", 0.147, 1.05)) },
 };
 
-export const EMPTY = { title: "my program", program: program([]) };
+export const EMPTY = program([]);
 
 export const EXAMPLES = {
   "One metre": program([drive(0.5, 3.33), stop]),

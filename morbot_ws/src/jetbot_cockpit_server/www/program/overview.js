@@ -2,6 +2,7 @@
 
 import { create, element, setText } from "../dom.js";
 import { ask } from "./ask.js";
+import { Sheet } from "./sheet.js";
 import { zip } from "./zip.js";
 
 const FILE_MODE = 0o644;
@@ -12,26 +13,34 @@ export class Overview {
   // send(message); look(row): shows a program; download(name, content, type); world
   constructor({ send, look, download, world }) {
     Object.assign(this, { send, look, download, world });
-    element("overview-button").addEventListener("click", () => this.toggle());
-    element("close-overview").addEventListener("click", () => this.toggle(false));
-    element("zip").addEventListener("click", () => this.downloadAll());
+    this.sheet = new Sheet("overview", "overview-button", () => this.open());
+    element("zip").addEventListener("click", () => this.act(() => this.downloadAll()));
   }
 
   // Messages of the cockpit
   hello() {
     element("overview-button").hidden = !this.world.teacher;
-    if (!this.world.teacher) this.toggle(false);
+    if (!this.world.teacher) this.sheet.toggle(false);
   }
 
   show({ tasks, scores }) {
-    if (tasks) element("task-switches").replaceChildren(...tasks.map((task) => this.toSwitch(task)));
+    if (tasks) this.showTasks(tasks);
     this.scores = scores ?? this.scores;
-    if (!element("overview").hidden) this.showScores();
+    if (this.sheet.isOpen) this.showScores();
   }
 
-  toSwitch({ name, title, on }) {
+  // The same switches stay, with the keyboard's focus.
+  showTasks(tasks) {
+    const switches = element("task-switches");
+    const names = String(tasks.map(({ name }) => name));
+    if (switches.dataset.names !== names) switches.replaceChildren(...tasks.map((task) => this.toSwitch(task)));
+    switches.dataset.names = names;
+    switches.querySelectorAll("input").forEach((box, index) => { box.checked = tasks[index].on; });
+  }
+
+  toSwitch({ name, title }) {
     const [label, box] = [create("label", "", title), create("input")];
-    Object.assign(box, { type: "checkbox", checked: on });
+    box.type = "checkbox";
     box.addEventListener("change", () => this.send({ type: "offer", task: name, on: box.checked }));
     label.prepend(box);
     return label;
@@ -42,42 +51,39 @@ export class Overview {
     const titles = [...new Set(this.scores.map(({ task }) => task))];
     const best = (robot, title) => this.scores.find((each) => each.task === title && each.robot === robot);
     const cell = (robot, title) => best(robot, title)?.score.toFixed(1) ?? "–";
-    const rows = this.world.robots.map(({ label }) => row("td", [label, ...titles.map((title) => cell(label, title))]));
-    element("score-table").replaceChildren(row("th", ["Robot", ...titles]), ...rows);
+    const rows = this.world.robots.map(({ label }) => row("td", label, titles.map((title) => cell(label, title))));
+    element("score-table").replaceChildren(row("th", "Robot", titles), ...rows);
   }
 
-  async toggle(on = element("overview").hidden) {
-    element("overview").hidden = !on;
-    element("overview-button").setAttribute("aria-pressed", on);
-    if (!on) return;
-    this.show({});
-    const rows = await this.rows();
-    element("all-programs").replaceChildren(...rows.map((each) => this.item(each)));
-    setText(element("overview-problem"), rows.length ? "" : "No robot has a program yet.");
+  open() {
+    this.showScores();
+    element("all-programs").replaceChildren();
+    this.act(async () => {
+      const rows = await allPrograms();
+      element("all-programs").replaceChildren(...rows.map((each) => this.item(each)));
+      return rows.length ? "" : "No robot has a program yet.";
+    });
   }
 
-  async rows() {
-    try {
-      const { programs } = await ask({ do: "list", robot: null });
-      return programs.filter(({ deleted }) => !deleted).sort((one, other) => one.robot.localeCompare(other.robot));
-    } catch {
-      return [];
-    }
+  // Says what the action returns, or why the cockpit refuses it.
+  async act(action) {
+    const text = await action().catch(({ message }) => message);
+    setText(element("overview-problem"), text ?? "");
   }
 
   item(program) {
     const [item, look] = [create("li"), create("button", "name", `${label(program.robot)}: ${program.name}`)];
-    look.addEventListener("click", () => {
-      this.toggle(false);
-      this.look(program);
-    });
+    look.addEventListener("click", () => this.act(async () => {
+      await this.look(program);
+      this.sheet.toggle(false);
+    }));
     item.append(look);
     return item;
   }
 
   async downloadAll() {
     const files = [];
-    for (const [index, { robot, id, name }] of (await this.rows()).entries()) {
+    for (const [index, { robot, id, name }] of (await allPrograms()).entries()) {
       const { program } = await ask({ do: "open", robot, id });
       const plain = name.replace(/[^A-Za-z0-9]+/g, "_");
       files.push({ name: `${label(robot)}/${index + 1}_${plain}.json`, text: program, mode: FILE_MODE });
@@ -86,9 +92,14 @@ export class Overview {
   }
 }
 
-function row(kind, texts) {
+async function allPrograms() {
+  const { programs } = await ask({ do: "list", robot: null });
+  return programs.filter(({ deleted }) => !deleted).sort((one, other) => one.robot.localeCompare(other.robot));
+}
+
+function row(kind, heading, texts) {
   const made = create("tr");
-  made.append(...texts.map((text) => create(kind, "", text)));
+  made.append(create("th", "", heading), ...texts.map((text) => create(kind, "", text)));
   return made;
 }
 

@@ -9,18 +9,17 @@ import { Choice } from "../robots.js";
 import { Notice, Stops } from "../stops.js";
 import { World } from "../world.js";
 import { setUnits } from "./blocks.js";
-import { NO_PROGRAM, parseProgram, Refusal } from "./check.js";
+import { parseProgram } from "./check.js";
 import { currentProgram, openEditor, showProgram } from "./editor.js";
 import { EMPTY, EXAMPLES } from "./examples.js";
+import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
 import { Overview } from "./overview.js";
 import { packageName, packageZip } from "./package.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
 import { Judging } from "./tasks.js";
-import { shown } from "./values.js";
 import { Work } from "./work.js";
 
-const MAX_PRINTS = 200;
 const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
 const HIDDEN = "The page was hidden, so the program was stopped.";
@@ -29,7 +28,6 @@ const NO_ROBOT = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
 let problem = "Connecting"; // why there is no connection
 let run = null; // of a program, the last one
-let prints = []; // that are not shown yet
 let python = { text: "", lines: new Map() };
 let frame = null; // the next one shows what has changed
 let changing = null; // the next look at what was changed
@@ -44,7 +42,7 @@ const choice = new Choice(world, changeRobot);
 const stops = new Stops(world, { send, notice, stopped: () => end("All robots were stopped.") });
 const workspace = openEditor(element("blocks"), programChanged);
 const work = new Work({
-  show: (title, program) => (program ? open(title, program) : load(EMPTY.title, EMPTY.program)),
+  show: open,
   current: () => ({ name: element("title").value, program: programText() }),
   lock(on) {
     workspace.setIsReadOnly(on);
@@ -140,8 +138,7 @@ function showUnits() {
 function start(stepping) {
   const robot = world.robot(world.chosen);
   if (!link.connected || !robot) return ended(problem || "No robot is running: start one.", null);
-  element("prints").replaceChildren();
-  prints = [];
+  clearPrints();
   end();
   setOutcome("Running");
   run = new Run(currentProgram(workspace), robot, stepping, { send, printed, changed: show, ended, delay });
@@ -162,21 +159,15 @@ function end(sentence) {
 }
 
 function printed(text) {
-  prints = [...prints.slice(1 - MAX_PRINTS), text];
+  print(text);
   show();
 }
 
 function ended(sentence, block) {
   judging.programEnded(Boolean(sentence));
-  showOutput();
   setOutcome(sentence || "The program has ended.", sentence ? "warning" : "");
   if (block && workspace.getBlockById(block)) Blockly.common.setSelected(workspace.getBlockById(block));
   show();
-}
-
-function setOutcome(text, level = "") {
-  setText(element("outcome"), text);
-  element("outcome").dataset.level = level;
 }
 
 // Blockly reports each part of a change, also a little later; where a block lies is no change of the program.
@@ -191,36 +182,24 @@ function programChanged() {
 
 function writePython() {
   python = toPython(workspace, packageName(element("title").value), world.robot(world.chosen) ?? NO_ROBOT);
-  element("python").replaceChildren(...python.text.trimEnd().split("\n").map((line) => create("div", "", line || " ")));
+  showPython(python);
   work.changed();
   show();
 }
 
-function load(title, program) {
-  end(CHANGED);
-  const before = currentProgram(workspace);
-  try {
-    showProgram(workspace, program);
-    element("title").value = title;
-    setOutcome("Press Run.");
-    return true;
-  } catch {
-    showProgram(workspace, before);
-    notice.show(NO_PROGRAM, () => false);
-    return false;
-  } finally {
-    showUnits();
-  }
-}
-
-// Opens a program from elsewhere; says in a sentence why it is refused. Returns whether it is shown.
+// Shows a program from elsewhere, or says in a sentence why it is refused. Returns whether it is shown.
 function open(title, text) {
   try {
-    return load(title, parseProgram(text));
-  } catch (error) {
-    notice.show(error instanceof Refusal ? error.message : NO_PROGRAM, () => false);
+    showProgram(workspace, parseProgram(text));
+  } catch ({ message }) {
+    notice.show(message, () => false);
     return false;
   }
+  end(CHANGED);
+  element("title").value = title;
+  setOutcome("Press Run.");
+  showUnits();
+  return true;
 }
 
 async function openFile({ target }) {
@@ -267,8 +246,8 @@ function showNow() {
   notice.update(world.isBlocked(world.chosen), runs());
   stops.show();
   showButtons();
-  showPlace(runs() ? run.at : null);
-  showOutput();
+  showPlace(workspace, runs() ? run.at : null);
+  showOutput(workspace, run?.interpreter.variables ?? new Map());
   if (element("map").clientWidth) map.draw();
 }
 
@@ -289,33 +268,6 @@ function showButtons() {
   if (going) setText(element("outcome"), held ? "Paused" : "Running");
 }
 
-// Marks the block that runs, and its line.
-function showPlace(id) {
-  workspace.highlightBlock(id);
-  const line = element("python").children[python.lines.get(id)];
-  const before = element("python").querySelector(".now");
-  if (before === (line ?? null)) return;
-  before?.classList.remove("now");
-  line?.classList.add("now");
-  line?.scrollIntoView({ block: "center", inline: "nearest" });
-}
-
-function showOutput() {
-  const list = element("prints");
-  if (prints.length) {
-    list.append(...prints.map((text) => create("li", "", text || " ")));
-    while (list.children.length > MAX_PRINTS) list.firstChild.remove();
-    prints = [];
-    element("output").scrollTop = element("output").scrollHeight;
-  }
-  const values = run?.interpreter.variables ?? new Map();
-  const rows = workspace.getVariableMap().getAllVariables().filter((each) => values.has(each.getId()));
-  const texts = rows.flatMap((each) => [each.getName(), String(shown(values.get(each.getId()))).slice(0, 100)]);
-  const parts = element("variables");
-  if (parts.children.length === texts.length) texts.forEach((text, index) => setText(parts.children[index], text));
-  else parts.replaceChildren(...texts.map((text, index) => create(index % 2 ? "dd" : "dt", "", text)));
-}
-
 // What a person does
 
 onPress(element("run"), () => element("run").disabled || start(false), () => false);
@@ -332,7 +284,7 @@ element("package").addEventListener("click", savePackage);
 element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));
 element("examples").addEventListener("change", ({ target }) => {
   if (target.value) work.choose();
-  if (target.value) load(target.value, EXAMPLES[target.value]);
+  if (target.value) open(target.value, EXAMPLES[target.value]);
   target.value = "";
 });
 addEventListener("keydown", (event) => event.key === "Escape" && end("Stopped."), true);
@@ -348,7 +300,7 @@ async function enter() {
   link.open();
 }
 
-load(EMPTY.title, EMPTY.program);
+open("my program", EMPTY);
 work.restore();
 show();
 enter();

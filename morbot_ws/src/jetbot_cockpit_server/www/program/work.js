@@ -1,45 +1,46 @@
-// The programs of the chosen robot: each change is kept by the cockpit after a second, and until then by this device.
+// The program that is shown: which one it is, whether the cockpit keeps it, and until then this device.
 
-import { create, element, setText } from "../dom.js";
-import { recall, remember, toName } from "../storage.js";
-import { ask, newId, NotKept } from "./ask.js";
+import { element, setText } from "../dom.js";
+import { recall, remember } from "../storage.js";
+import { ask } from "./ask.js";
+import { EMPTY } from "./examples.js";
+import { CHANGED, clean, copyOf, Kept } from "./kept.js";
+import { Shelf } from "./shelf.js";
 
-const SAVE_AFTER = 1000; // ms after the last change
-const RETRY_AFTER = 3000; // ms
-const MAX_SIZE = 64 * 1024; // bytes
 const KEY = "program";
-const MAX_NAME = 40; // characters
-const TOO_LARGE = "Too large to be kept here, 64 kB at most. Save it as a file.";
-const CHANGED = "This program was changed on another page. Open it again, or save yours as a copy.";
-const WAITS = "Not kept yet: the cockpit does not answer.";
 
 export class Work {
   robot = null; // whose programs these are
-  rows = [];
-  versions = new Map(); // by id, as the cockpit has them
-  pending = new Map(); // what is to be kept, by id
-  unanswered = null; // what was sent, and may have been kept: it is sent again before anything newer
+  touched = false; // whether the person has chosen or changed what is shown: it stays, whatever the cockpit has
 
-  // show(name, program): shows a program; current(): returns { name, program }; lock(on): nobody may change the blocks
+  // show(name, program): shows a program, returns whether it can; current(): returns { name, program };
+  // lock(on): nobody may change the blocks
   constructor({ show, current, lock }) {
     Object.assign(this, { show, current, lock });
+    this.shelf = new Shelf({
+      open: (id) => this.open(id), isShown: (id) => id === this.kept.id,
+      deleted: (id) => id === this.kept.id && this.begin(),
+    });
+    element("new").addEventListener("click", () => {
+      this.choose();
+      this.show("my program", EMPTY);
+      this.shelf.sheet.toggle(false);
+    });
+    element("copy").addEventListener("click", () => this.copyShown());
     this.begin();
     this.shown = null; // the first program is still to come
-    element("programs").addEventListener("click", () => this.toggle());
-    element("close-work").addEventListener("click", () => this.toggle(false));
-    element("new").addEventListener("click", () => this.create());
-    element("copy").addEventListener("click", () => this.copyShown());
   }
 
   // What is shown from now on is another program; it is not kept until it is changed.
-  begin(id = newId(), looking = false) {
-    Object.assign(this, { id, looking, touched: false, shown: JSON.stringify(this.current()) });
-    element("copy").hidden = true;
-    this.tell(looking ? "To look at only." : "");
+  begin({ id, version = 0, looking = false } = {}) {
+    this.kept?.save();
+    this.kept = new Kept(this.robot, id, version, (...what) => this.report(...what));
+    Object.assign(this, { looking, touched: false, shown: JSON.stringify(this.current()) });
+    this.report(this.kept, looking ? "To look at only." : "", false);
     this.lock(looking);
   }
 
-  // The person shows something else: it stays, whatever the cockpit has.
+  // The person shows something else.
   choose() {
     this.begin();
     Object.assign(this, { shown: null, touched: true });
@@ -49,142 +50,94 @@ export class Work {
   restore() {
     const { robot, id, version, name, program, unsaved } = load() ?? {};
     if (typeof program !== "string" || !/^[0-9a-f]{16}$/.test(id)) return;
-    Object.assign(this, { robot: robot ?? null, restored: { name: clean(name), program, unsaved: Boolean(unsaved) } });
-    if (version) this.versions.set(id, version);
-    this.display(clean(name), program, id);
+    Object.assign(this, { robot: robot ?? null, arriving: true });
+    this.display(clean(name), program, { id, version });
+    if (unsaved) this.keep({ name: clean(name), program });
   }
 
   // A state has arrived. changes: grows with each change to the robot's programs
   update(robot, changes) {
     if (!robot || changes === undefined) return;
-    const { restored } = this;
-    const first = this.robot === null; // what has no robot yet becomes this one's
-    const other = robot !== this.robot;
-    this.restored = null;
-    if (other && !first) this.begin();
-    if (other) Object.assign(this, { robot, changes: undefined, openNewest: true });
-    if (restored) this.reopen = !restored.unsaved;
-    if (restored?.unsaved && (first || !other)) this.keep(restored);
-    else if (first && this.touched) this.keep(this.current());
+    if (robot !== this.robot) this.changeRobot(robot);
     if (changes !== this.changes) this.refresh(robot);
     this.changes = changes;
+  }
+
+  // What has had no robot yet becomes this one's.
+  changeRobot(robot) {
+    const first = this.robot === null;
+    Object.assign(this, { robot, changes: undefined, arriving: true });
+    if (!first) return this.begin();
+    this.kept.robot = robot;
+    if (this.touched) this.keep(this.current());
   }
 
   async refresh(robot) {
     try {
       const { programs } = await ask({ do: "list", robot });
-      if (robot !== this.robot) return;
-      this.rows = programs;
+      if (robot === this.robot) this.compare(programs);
     } catch {
       this.changes = undefined; // asks again with the next state
-      return;
     }
-    this.list();
-    const row = this.rows.find(({ id }) => id === this.id);
-    const idle = !this.pending.size && !this.saving && !this.looking;
-    if (row && idle && row.version !== this.versions.get(this.id)) {
-      if (this.reopen) this.open(this.id);
-      else this.refuse(CHANGED);
-    }
-    if (!row && idle && this.versions.has(this.id)) this.keep(this.current()); // the cockpit was started again
-    const newest = this.rows.find(({ deleted }) => !deleted);
-    if (this.openNewest && newest && !this.touched) this.open(newest.id);
-    this.openNewest = this.reopen = false;
+  }
+
+  // Compares what is shown with what the cockpit has.
+  compare(rows) {
+    this.shelf.list(rows);
+    const { kept, arriving, touched } = this;
+    const row = rows.find(({ id }) => id === kept.id);
+    const newest = rows.find(({ deleted }) => !deleted);
+    this.arriving = false;
+    if (this.looking || kept.pending) return;
+    if (row && row.version === kept.version) return;
+    if (row && !arriving) kept.refuse(CHANGED);
+    else if (row) this.open(row.id);
+    else if (kept.version) this.keep(this.current()); // the cockpit was started again
+    else if (arriving && newest && !touched) this.open(newest.id);
   }
 
   // The blocks or the name may have changed.
   changed() {
-    if (this.looking) return;
     const work = this.current();
-    const text = JSON.stringify(work);
     const before = this.shown;
-    this.shown = text;
-    if (before === null || text === before) return;
-    this.keep(work);
+    this.shown = JSON.stringify(work);
+    if (!this.looking && before !== null && this.shown !== before) this.keep(work);
   }
 
-  keep({ name, program }) {
+  keep(work) {
     this.touched = true;
-    store({ robot: this.robot, id: this.id, version: this.versions.get(this.id), name, program, unsaved: true });
-    if (!this.robot || !element("copy").hidden) return;
-    if (new TextEncoder().encode(program).length > MAX_SIZE) return this.tell(TOO_LARGE, true);
-    this.pending.set(this.id, { robot: this.robot, id: this.id, name: clean(name), program });
-    this.tell("Not kept yet");
-    this.saveAfter(SAVE_AFTER);
+    this.kept.keep(work);
   }
 
-  saveAfter(ms) {
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.save(), ms);
+  // Says what has become of a program if it is shown, and keeps it on this device.
+  report(kept, text, bad) {
+    if (kept !== this.kept) return;
+    const { robot, id, version, content, foreign, unsaved } = kept;
+    setText(element("kept"), text);
+    element("kept").dataset.level = bad ? "warning" : "";
+    element("copy").hidden = !foreign;
+    if (content) remember(KEY, JSON.stringify({ robot, id, version, ...content, unsaved }));
   }
 
-  async save() {
-    const work = this.unanswered ?? [...this.pending.values()][0];
-    if (this.saving || !work) return;
-    this.saving = true;
-    this.unanswered = work;
-    const again = await this.send(work);
-    this.saving = false;
-    if (again || this.pending.size) this.saveAfter(again ? RETRY_AFTER : 0);
-  }
-
-  // Sends a program; returns whether it must be sent again.
-  async send(work) {
-    try {
-      const { version } = await ask({ do: "save", version: this.versions.get(work.id) ?? 0, ...work });
-      this.versions.set(work.id, version);
-      this.answered(work);
-      if (!this.pending.size) this.tell("Kept");
-      if (work.id === this.id) store({ ...work, version, unsaved: this.pending.has(work.id) });
-      return false;
-    } catch (error) {
-      const refused = error instanceof NotKept;
-      if (refused && !error.again) this.answered(work);
-      if (refused && !error.again && work.id === this.id) this.refuse(error.message);
-      else this.tell(refused ? error.message : WAITS, true);
-      return !refused || error.again;
-    }
-  }
-
-  answered(work) {
-    this.unanswered = null;
-    if (this.pending.get(work.id) === work) this.pending.delete(work.id);
-  }
-
-  // The shown program is not kept as it is now; if another page has changed it, under its id no more.
-  refuse(text) {
-    this.pending.delete(this.id);
-    this.tell(text, true);
-    element("copy").hidden = text !== CHANGED;
-  }
-
-  async open(id) {
-    await this.act(async () => {
-      const { name, program, version, robot } = await ask({ do: "open", robot: this.robot, id });
-      this.versions.set(id, version);
-      this.display(name, program, id);
-      store({ robot, id: this.id, version, name, program });
-      this.toggle(false);
+  open(id) {
+    return this.shelf.act(async () => {
+      const { name, program, version } = await ask({ do: "open", robot: this.robot, id });
+      this.display(name, program, { id, version });
+      this.kept.content = { name, program };
+      this.report(this.kept, "", false);
+      this.shelf.sheet.toggle(false);
     });
   }
 
-  // Shows a program of any robot, which is not changed.
+  // Shows a program of any robot, which is not changed; throws a NotKept.
   async look({ robot, id }) {
-    await this.act(async () => {
-      const { name, program } = await ask({ do: "open", robot, id });
-      this.display(name, program, newId(), true);
-    });
-  }
-
-  create() {
-    this.display("Program", "");
-    this.touched = true;
-    this.toggle(false);
+    const { name, program } = await ask({ do: "open", robot, id });
+    this.display(name, program, { looking: true });
   }
 
   // What cannot be shown is not overwritten by what is shown instead.
-  display(name, program, id = newId(), looking = false) {
-    this.begin(id, looking);
+  display(name, program, which) {
+    this.begin(which);
     this.shown = null; // the blocks come back a little different
     if (!this.show(name, program)) this.begin();
   }
@@ -196,72 +149,6 @@ export class Work {
     this.shown = "";
     this.show(copyOf(name), program);
   }
-
-  copy({ id, robot }) {
-    return this.act(async () => {
-      const { name, program } = await ask({ do: "open", robot, id });
-      await ask({ do: "save", robot, id: newId(), version: 0, name: copyOf(name), program });
-    });
-  }
-
-  // Deletes a program, or undoes that.
-  remove({ id, robot, version, deleted }) {
-    return this.act(async () => {
-      await ask({ do: deleted ? "restore" : "delete", robot, id, version });
-      if (id === this.id) this.begin();
-    });
-  }
-
-  async act(action) {
-    try {
-      await action();
-    } catch (error) {
-      setText(element("work-problem"), error instanceof NotKept ? error.message : "The cockpit does not answer.");
-    }
-  }
-
-  toggle(on = element("work").hidden) {
-    element("work").hidden = !on;
-    element("programs").setAttribute("aria-pressed", on);
-    setText(element("work-problem"), "");
-    this.list();
-  }
-
-  list() {
-    if (!element("work").hidden) element("work-list").replaceChildren(...this.rows.map((row) => this.item(row)));
-  }
-
-  item(row) {
-    const item = create("li", row.deleted ? "deleted" : "");
-    const buttons = row.deleted ? [button("Undo", row.name, () => this.remove(row))] : [
-      button("Copy", row.name, () => this.copy(row)), button("Delete", row.name, () => this.remove(row))];
-    const name = create("button", "name", row.name);
-    name.disabled = row.deleted;
-    name.addEventListener("click", () => this.open(row.id));
-    if (row.id === this.id) name.setAttribute("aria-current", "true");
-    item.append(name, ...buttons);
-    return item;
-  }
-
-  tell(text, bad = false) {
-    setText(element("kept"), text);
-    element("kept").dataset.level = bad ? "warning" : "";
-  }
-}
-
-function button(text, name, action) {
-  const made = create("button", "", text);
-  made.setAttribute("aria-label", `${text}: ${name}`);
-  made.addEventListener("click", action);
-  return made;
-}
-
-function clean(name) {
-  return toName(String(name).slice(0, MAX_NAME)) || "Program";
-}
-
-function copyOf(name) {
-  return clean(`${name.slice(0, MAX_NAME - 5)} copy`);
 }
 
 function load() {
@@ -270,8 +157,4 @@ function load() {
   } catch { // nothing, or something else, is there
     return null;
   }
-}
-
-function store(work) {
-  remember(KEY, JSON.stringify(work));
 }

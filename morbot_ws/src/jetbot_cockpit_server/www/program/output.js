@@ -1,0 +1,52 @@
+// What is shown of a program that runs: its Python, the block and the line that run, its variables, what it prints.
+
+import { create, element, setText } from "../dom.js";
+import { shown } from "./values.js";
+
+const MAX_PRINTS = 200;
+const MAX_VALUE = 100; // characters
+
+let lines = new Map(); // of the Python, by the ids of the blocks
+let printed = false; // since it was shown
+
+export function showPython(python) {
+  lines = python.lines;
+  element("python").replaceChildren(...python.text.trimEnd().split("\n").map((line) => create("div", "", line || " ")));
+}
+
+// Marks the block that runs, and its line.
+export function showPlace(workspace, id) {
+  workspace.highlightBlock(id);
+  const line = element("python").children[lines.get(id)] ?? null;
+  const before = element("python").querySelector(".now");
+  if (before === line) return;
+  before?.classList.remove("now");
+  line?.classList.add("now");
+  line?.scrollIntoView({ block: "center", inline: "nearest" });
+}
+
+export function clearPrints() {
+  element("prints").replaceChildren();
+}
+
+export function print(text) {
+  element("prints").append(create("li", "", text || " "));
+  if (element("prints").childElementCount > MAX_PRINTS) element("prints").firstChild.remove();
+  printed = true;
+}
+
+// Shows the values of the variables, by their ids, and what was printed last.
+export function showOutput(workspace, values) {
+  const known = workspace.getVariableMap().getAllVariables().filter((each) => values.has(each.getId()));
+  const valueOf = (each) => String(shown(values.get(each.getId()))).slice(0, MAX_VALUE);
+  const parts = known.flatMap((each) => [create("dt", "", each.getName()), create("dd", "", valueOf(each))]);
+  const changed = parts.map(({ textContent }) => textContent).join("") !== element("variables").textContent;
+  if (changed) element("variables").replaceChildren(...parts);
+  if (printed) element("output").scrollTop = element("output").scrollHeight;
+  printed = false;
+}
+
+export function setOutcome(text, level = "") {
+  setText(element("outcome"), text);
+  element("outcome").dataset.level = level;
+}
