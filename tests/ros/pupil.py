@@ -11,9 +11,10 @@ from typing import Dict, List, Sequence
 import collected_pictures
 import pytest
 from lesson_pages import FAILS, FILE, INTERNET, LEAVE, ON_PAGE, PRESS, RUN, SEE, Box, boxes
-from pupil_terminal import PS1, Terminal
+from pupil_terminal import PS1, TIMEOUT, Terminal
 
-from harness import free_port
+from jetbot.wait import wait_until
+from processes import SHUTDOWN_TIMEOUT, free_port
 
 ROOT = Path(__file__).parents[2]
 LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"), key=lambda page: int(page.name.partition("_")[0]))
@@ -47,13 +48,15 @@ class Pupil:
                 self._do(box)
             except AssertionError as error:
                 raise AssertionError(f"{box.place}: {box.text}{error}") from None
-        running = [number for number, terminal in self._terminals.items() if terminal.result is None]
-        assert not running, f"{page.name} leaves something running in the terminals {running}"
+        terminals = self._terminals.values()  # what ends with something else, does so a moment later
+        assert wait_until(lambda: all(terminal.result is not None for terminal in terminals), TIMEOUT), (
+            f"{page.name} leaves something running")
 
     def leave(self) -> List[str]:
         """Close the terminals, kill what the pupil left running, and return the command lines of that."""
         for terminal in self._terminals.values():
             terminal.close()
+        wait_until(lambda: not processes_of(self._home), SHUTDOWN_TIMEOUT, interval=0.2)
         remaining = processes_of(self._home)
         for pid in remaining:
             with contextlib.suppress(ProcessLookupError):

@@ -1,5 +1,6 @@
 """The wheels stop when the controller, or roslaunch above it, is asked to end, killed or frozen."""
 
+import contextlib
 import os
 import signal
 from pathlib import Path
@@ -19,9 +20,8 @@ class Crash(RobotTest):
 
     def guards(self, node):
         """Return the process ids of a node's guards."""
-        children = [child for file in Path(f"/proc/{node.pid}/task").glob("*/children")
-                    for child in file.read_text().split()]
-        return [int(child) for child in children if Path(f"/proc/{child}/comm").read_text() == "jetbot_guard\n"]
+        return [child for file in Path(f"/proc/{node.pid}/task").glob("*/children")
+                for child in map(int, file.read_text().split()) if name_of(child) == "jetbot_guard"]
 
     def launched_workshop(self):
         """Start the workshop's launch file; wait until its robot drives."""
@@ -86,3 +86,9 @@ class Crash(RobotTest):
         self.wait_for_stop(within=STOP_TIMEOUT)
         for node in "/jetbot_controller", "/jetbot_simulator":
             self.wait_for(lambda node=node: pid(node) is None, START_TIMEOUT, f"{node} to end, too")
+
+
+def name_of(process):
+    """Return the name of a process; None for one that has just ended."""
+    with contextlib.suppress(OSError):
+        return Path(f"/proc/{process}/comm").read_text().strip()
