@@ -141,6 +141,24 @@ class RobotTest(unittest.TestCase):
         return "".join(f"\n--- {process.args}\n{read(process)}" for process in self.processes)
 
 
+class SharedRobotTest(RobotTest):
+    """Tests on one fake bus, whose processes ``setUpClass`` starts once, by the methods of ``shared``."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.shared = RobotTest("setUp")
+        cls.shared.setUp()
+        cls.addClassCleanup(cls.shared.doCleanups)
+        cls.addClassCleanup(cls.shared.tearDown)
+
+    def setUp(self):
+        super().setUp()
+        self.bus = self.shared.bus
+
+    def logs(self) -> str:
+        return self.shared.logs() + super().logs()
+
+
 def find_processes(text: str) -> List[int]:
     """Return the ids of the processes with this text in their command line."""
     ids = []

@@ -5,18 +5,23 @@ from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from std_msgs.msg import String
 
 from driving_tasks.scoring.tasks import TASKS
-from harness import START_TIMEOUT, RobotTest, program, read
+from harness import START_TIMEOUT, SharedRobotTest, program, read
 
 SIMULATOR = program("simulation", "simulator.py")
 SPEED = 0.5  # of full power
 
 
-class ClassJudge(RobotTest):
+class ClassJudge(SharedRobotTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.shared.start(SIMULATOR, f"_i2c_bus:=fake:{cls.shared.bus}")
+        cls.shared.controller()
+        cls.judge = cls.shared.start(program("driving_tasks", "class_judge.py"))
+
     def setUp(self):
         super().setUp()
-        self.start(SIMULATOR, f"_i2c_bus:=fake:{self.bus}")
-        self.controller()
-        self.judge = self.start(program("driving_tasks", "class_judge.py"))
+        self.judged_before = len(read(self.judge).splitlines())
         self.offered, self.states, self.requests = [], [], rospy.Publisher("/judge_requests", KeyValue, queue_size=1)
         for topic, act in (("/judge_tasks", self.offered.append), ("/task", self.note)):
             self.addCleanup(rospy.Subscriber(topic, DiagnosticStatus, act).unregister)
@@ -25,6 +30,10 @@ class ClassJudge(RobotTest):
     def note(self, message):
         self.states.append((message.name, {each.key: each.value for each in message.values}["state"],
                             message.message))
+
+    def rows(self):
+        """Return what the judge has printed in this test."""
+        return read(self.judge).splitlines()[self.judged_before:]
 
     def ask(self, task):
         """Ask for the robot to be judged, and wait until it may drive."""
@@ -41,7 +50,7 @@ class ClassJudge(RobotTest):
             self.command(0.0)
             self.wait_for(lambda wanted=wanted: self.states[-1][1] == wanted, START_TIMEOUT, "the score")
             self.assertIn("Largest loss: ", self.states[-1][2])
-        self.wait_for(lambda: len(read(self.judge).splitlines()) == 2, START_TIMEOUT, "two marks")
+        self.wait_for(lambda: len(self.rows()) == 2, START_TIMEOUT, "two marks")
 
     def test_an_interruption_ends_it_and_a_new_request_begins_again(self):
         self.ask("metre")
@@ -49,7 +58,7 @@ class ClassJudge(RobotTest):
         world.publish("walls: [[[1, 1], [2, 2]]]")
         self.wait_for(lambda: self.states[-1][1] == "cancelled", START_TIMEOUT, "its end")
         self.assertIn("Walls or lines around the robot were changed", self.states[-1][2])
-        self.wait_for(lambda: "Walls or lines" in read(self.judge), START_TIMEOUT, "its row")
+        self.wait_for(lambda: "Walls or lines" in "".join(self.rows()), START_TIMEOUT, "its row")
         world.unregister()
         self.ask("quarter")
         self.ask("metre")
@@ -60,4 +69,4 @@ class ClassJudge(RobotTest):
         self.requests.publish("/", "")
         self.wait_for(lambda: self.states[-1][1] == "cancelled", START_TIMEOUT, "its end")
         self.assertEqual(self.states[-1][2], "The drive does not count: its program was stopped.")
-        self.wait_for(lambda: "program was stopped" in read(self.judge), START_TIMEOUT, "its row")
+        self.wait_for(lambda: "program was stopped" in "".join(self.rows()), START_TIMEOUT, "its row")

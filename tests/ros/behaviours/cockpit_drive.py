@@ -11,7 +11,7 @@ from nav_msgs.msg import Odometry
 from std_srvs.srv import Empty, EmptyResponse
 from tf2_msgs.msg import TFMessage
 
-from harness import CONTROLLER, START_TIMEOUT, RobotTest, near, publishers
+from harness import CONTROLLER, START_TIMEOUT, SharedRobotTest, near, publishers
 from jetbot_cockpit_server.classroom.classroom import Classroom
 from jetbot_cockpit_server.robots.discovery import Robots
 from jetbot_cockpit_server.robots.publishers import Drivers
@@ -33,24 +33,20 @@ def wait_for_page(condition):
     return evaluate
 
 
-class CockpitDrive(RobotTest):
+class CockpitDrive(SharedRobotTest):
     @classmethod
     def setUpClass(cls):
         """Start one controller, and one cockpit, for all tests."""
+        super().setUpClass()
         cls.drivers, cls.robots = Drivers(), Robots()
-        cls.host = RobotTest("setUp")
-        cls.host.setUp()
-        cls.addClassCleanup(cls.host.doCleanups)
-        cls.addClassCleanup(cls.host.tearDown)
         cls.start_controller()
 
     @classmethod
     def start_controller(cls):
-        cls.controller = cls.host.start(CONTROLLER, f"_i2c_bus:=fake:{cls.host.bus}", "_cmd_vel_timeout:=0")
+        cls.process = cls.shared.start(CONTROLLER, f"_i2c_bus:=fake:{cls.shared.bus}", "_cmd_vel_timeout:=0")
 
     def setUp(self):
         super().setUp()
-        self.bus, self.processes = self.host.bus, []
         self.control = Control(self.robots, self.drivers, None, Collection(False), Classroom())
         self.lock = threading.Lock()
         self.addCleanup(self.drivers.close)
@@ -130,15 +126,15 @@ class CockpitDrive(RobotTest):
 
     def test_a_robot_that_freezes_or_is_killed_does_not_answer_and_does_not_jump_off_later(self):
         self.push(0.5)
-        self.controller.send_signal(signal.SIGSTOP)
+        self.process.send_signal(signal.SIGSTOP)
         self.wait_for_refusal(NO_ANSWER)
         self.assertIs(self.robot()["answers"], False)
-        self.controller.send_signal(signal.SIGCONT)
+        self.process.send_signal(signal.SIGCONT)
         self.wait_for_refusal(LET_GO)
         self.wait_for_stop(within=1.0)
         self.lift()
         self.push(0.5)
-        self.controller.kill()
+        self.process.kill()
         self.wait_for(lambda: not self.robot()["answers"], 5.0, "the loss of the robot")
         self.wait_for_refusal(NO_ANSWER)
         self.start_controller()

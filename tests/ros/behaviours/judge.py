@@ -17,7 +17,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from driving_tasks.scoring.tasks import TASKS
 from driving_tasks.sources.bags import judge_bag
-from harness import START_TIMEOUT, RobotTest, program, read
+from harness import START_TIMEOUT, SharedRobotTest, program, read
 from jetbot.fake.motors import STOPPED
 
 JUDGE = program("driving_tasks", "judge.py")
@@ -46,11 +46,12 @@ runpy.run_path(sys.argv[0], run_name="__main__")
 SPEED, SECONDS = 0.5, 3.3  # of full power; s, for about a metre
 
 
-class Judge(RobotTest):
-    def setUp(self):
-        super().setUp()
-        self.simulator = self.start(SIMULATOR, f"_i2c_bus:=fake:{self.bus}", "_x:=2", "_yaw:=1")
-        self.controller()
+class Judge(SharedRobotTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.simulator = cls.shared.start(SIMULATOR, f"_i2c_bus:=fake:{cls.shared.bus}", "_x:=2", "_yaw:=1")
+        cls.shared.controller()
 
     def judge(self, task):
         """Start the judge."""

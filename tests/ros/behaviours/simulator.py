@@ -13,7 +13,7 @@ from std_msgs.msg import Float32MultiArray, String
 from std_srvs.srv import Empty
 from visualization_msgs.msg import Marker, MarkerArray
 
-from harness import START_TIMEOUT, RobotTest, program, read
+from harness import START_TIMEOUT, SharedRobotTest, program, read
 from jetbot import Robot, bgr8_to_jpeg
 from jetbot.camera.lens import focal_length
 from jetbot.kinematics import Pose
@@ -30,7 +30,13 @@ origin: [1, 0, 0]
 """
 
 
-class Simulator(RobotTest):
+class Simulator(SharedRobotTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.simulator = cls.shared.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{cls.shared.bus}",
+                                         "_world:=parking.yaml", "_x:=1", "_y:=0.4")
+
     def setUp(self):
         super().setUp()
         self.odometry = self.record("odom", Odometry)
@@ -38,8 +44,6 @@ class Simulator(RobotTest):
         self.drawn = self.record("world", MarkerArray, lambda message: [
             (marker.ns, len(marker.points)) for marker in message.markers if marker.action == Marker.ADD])
         self.seen = self.record("line", Float32MultiArray)
-        self.simulator = self.start(program("simulation", "simulator.py"), f"_i2c_bus:=fake:{self.bus}",
-                                    "_world:=parking.yaml", "_x:=1", "_y:=0.4")
         self.wait_for(lambda: self.odometry and self.truth and self.drawn and self.seen, START_TIMEOUT, "the simulator")
 
     def publisher_of(self, topic, kind):
