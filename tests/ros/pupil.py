@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import signal
+import subprocess
 from pathlib import Path
 from typing import Dict, List, Sequence
 
@@ -18,7 +19,7 @@ from processes import SHUTDOWN_TIMEOUT, free_port
 
 ROOT = Path(__file__).parents[2]
 LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"), key=lambda page: int(page.name.partition("_")[0]))
-NOT_COPIED = ("build", "devel", "install", ".git", "__pycache__", "teleop_twist_keyboard", "my_scenario")
+NOT_COPIED = ("build", "devel", "install", ".git", "__pycache__", "tests", "teleop_twist_keyboard", "my_scenario")
 WORKSPACE = ("ROS", "CMAKE", "PYTHON", "PKG_CONFIG", "LD_LIBRARY", "JETBOT")  # variables that a sourced one sets
 OFFLINE = re.compile(r"Could not resolve|unable to access|unable to look up|timed out")
 
@@ -40,6 +41,12 @@ class Pupil:
         self._environment = {name: value for name, value in os.environ.items() if not name.startswith(WORKSPACE)}
         self._environment.update(HOME=str(home), TERM="dumb", GIT_TERMINAL_PROMPT="0")
         self._terminals = {}
+
+    def make_package(self, name: str) -> None:
+        """Have a package already, as lesson 7 makes it."""
+        scenarios = self._project / "morbot_ws/src/scenarios"
+        subprocess.run(["catkin_create_pkg", name, "rospy", "geometry_msgs"], cwd=scenarios, check=True)
+        (scenarios / name / "scripts").mkdir()
 
     def follow(self, page: Path) -> None:
         """Do what the page asks for; raise AssertionError with the line of the page if something else happens."""
@@ -99,9 +106,14 @@ ACTIONS = {RUN: run, FAILS: run, INTERNET: run, LEAVE: leave_running,
            SEE: lambda terminal, box: terminal.see(box.text)}
 
 
-def follow(pages: Sequence[Path], home: Path) -> None:
-    """Let a pupil follow the pages in this folder, and leave nothing running; skip if only the internet fails."""
+def follow(pages: Sequence[Path], home: Path, package: str = "") -> None:
+    """Let a pupil follow the pages in this folder, and leave nothing running; skip if only the internet fails.
+
+    package: the name of one that the pupil has already.
+    """
     pupil, offline = Pupil(home), []
+    if package:
+        pupil.make_package(package)
     try:
         for page in pages:
             try:

@@ -7,13 +7,13 @@ from pupil import LESSONS, ROOT, follow
 DOCS = ROOT / "docs"
 
 
-@pytest.mark.parametrize("pages", [
-    [*LESSONS[:6], DOCS / "boards.md", DOCS / "safety.md"],
-    [LESSONS[0], *LESSONS[6:9]],  # lesson 1 opens terminals
-    [LESSONS[0], LESSONS[6], *LESSONS[9:]]],
+@pytest.mark.parametrize("pages, package", [
+    ([*LESSONS[:6], DOCS / "boards.md", DOCS / "safety.md"], ""),
+    ([LESSONS[0], *LESSONS[6:9]], ""),  # lesson 1 opens terminals
+    ([LESSONS[0], *LESSONS[9:]], "my_scenario")],
     ids=["first lessons", "own package", "camera"])
-def test_pages(tmp_path, pages):
-    follow(pages, tmp_path)
+def test_pages(tmp_path, pages, package):
+    follow(pages, tmp_path, package)
 
 
 @pytest.mark.parametrize("text", [

@@ -10,22 +10,12 @@ from harness import CONTROLLER, START_TIMEOUT, RobotTest, program, read
 
 RUN = Path(__file__).parents[3] / "setup/run.py"
 ERRORS = [  # a sentence, and the parameters that cause it
-    ("There is no I2C bus /dev/i2c-77. This computer has ", "_i2c_bus:=77"),
     ("There is no parameter bord. Do you mean board?", "_bord:=sparkfun"),
     ("A robot cannot be named jetbot-07. Begin with a letter, and use letters, digits and _.",
      "_i2c_bus:=fake", "__ns:=jetbot-07")]
 
 
 class Launch(RobotTest):
-    def test_an_argument_wins_over_the_file_and_the_file_over_the_default(self):
-        file = Path(self.folder, "robot.yaml")
-        file.write_text("max_speed: 0.5\nleft_motor_alpha: 0.5\n")
-        self.launch("jetbot_control_node", "jetbot_controller.launch", f"config:={file}", "max_speed:=1.0",
-                    "left_motor_alpha:=")
-        self.wait_for_controller()
-        self.command(0.4)
-        self.wait_for_wheels(0.2, 0.4)
-
     def test_one_line(self):
         for sentence, *parameters in ERRORS:
             node = self.start(CONTROLLER, *parameters)

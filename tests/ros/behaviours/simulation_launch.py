@@ -55,14 +55,10 @@ class SimulationLaunch(RobotTest):
         self.assertEqual(senders(transforms, "base_footprint"), {"/jetbot_controller"})
         self.assertEqual(senders(transforms, "true_base_footprint"), {"/jetbot_simulator"})
 
-    def test_simulates_the_board_of_the_configuration_file_and_a_command_is_a_fraction_of_full_power(self):
+    def test_open_loop_odometry_of_a_configured_board_is_the_only_one_and_ends_where_the_robot_does(self):
         config = pathlib.Path(self.folder, "robot.yaml")
-        config.write_text("board: waveshare_hat\ni2c_address: 0x61")
-        self.simulate(f"config:={config}")
-        self.assert_drives((0.5, 0.1), (0.5 * 0.6, 2 * 0.1 * 0.6 / 0.1125))
-
-    def test_open_loop_odometry_is_the_only_one_and_ends_where_the_robot_does(self):
-        self.assert_one_odometry("/jetbot_controller", (0.4, 0.5), "config:=si_units.yaml", "publish_odom:=true")
+        config.write_text("board: waveshare_hat\ni2c_address: 0x61\nwheel_separation: 0.1125\nmax_speed: 0.6")
+        self.assert_one_odometry("/jetbot_controller", (0.4, 0.5), f"config:={config}", "publish_odom:=true")
 
     def test_the_odometry_of_a_jetbot_pro_is_the_only_one_and_ends_where_the_robot_does(self):
         self.assert_one_odometry("/jetbot_simulator", (1.0, 0.5), "board:=jetbot_pro", "publish_odom:=true")

@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 import time
+from pathlib import Path
 
 import rosgraph
 import rospy
@@ -53,9 +54,12 @@ class Workshop(RobotTest):
         self.assertAlmostEqual(20 / (received[20][0] - received[0][0]), 10, delta=0.5)
         self.assertEqual({(twist.linear.x, twist.angular.z) for _, twist in received}, {(0.5, 0.1)})
 
-    def test_its_launch_file_passes_arguments_on_to_both_nodes(self):
-        self.launch(*LAUNCH, "robot_name:=red", "board:=waveshare", "max_speed:=2", "linear:=1.0", "angular:=0.0")
-        self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") == (0.5, 0.5), START_TIMEOUT,
+    def test_its_launch_file_passes_arguments_on_to_both_nodes_and_they_win_over_the_file_and_it_over_the_default(self):
+        file = Path(self.folder, "robot.yaml")
+        file.write_text("max_speed: 0.5\nleft_motor_alpha: 0.5\n")
+        self.launch(*LAUNCH, "robot_name:=red", "board:=waveshare", f"config:={file}", "max_speed:=2.0",
+                    "left_motor_alpha:=", "linear:=1.0", "angular:=0.0")
+        self.wait_for(lambda: wheel_speeds(self.bus, "waveshare") == (0.25, 0.5), START_TIMEOUT,
                       "the Waveshare board's wheels")
         self.assertEqual(self.wheels(), (0, 0), "and not the Adafruit board's")
         publishers, subscribers, _ = map(dict, rosgraph.Master("/test").getSystemState())
