@@ -2,7 +2,7 @@
 
 import re
 from pathlib import Path
-from typing import Iterator, NamedTuple, Pattern, Tuple
+from typing import Iterator, NamedTuple, Optional, Tuple
 
 RUN, FILE, ON_PAGE = "run", "file", "on the page"
 LEAVE, FAILS, INTERNET, PRESS, SEE = "leave it running", "this fails", "with internet", "press", "you see"
@@ -42,9 +42,16 @@ def boxes(page: Path) -> Iterator[Box]:
         yield Box(place, how, terminals, heading["file"], match["text"])
 
 
-def pattern(text: str) -> Pattern[str]:
-    """Return a regular expression for what a page shows: ``...`` is anything in a line, or any lines."""
-    lines = [".*" if line == "..." else r"[^\n]*".join(map(re.escape, line.rstrip().split("...")))
-             for line in text.splitlines()]
-    source = "".join(line if line == ".*" else rf"^{line}[ \t]*$\n?" for line in lines)
-    return re.compile(source, re.MULTILINE | re.DOTALL)
+def find(text: str, output: str, start: int) -> Optional[int]:
+    """Return where in the output what a page shows ends, at ``start`` or later; None if it is not there.
+
+    ``...`` is anything in a line, or any lines; what is between two of these is looked for by itself: one expression
+    for all would try every combination of their places.
+    """
+    for block in re.split(r"^\.\.\.\n", text, flags=re.MULTILINE):
+        lines = (r"[^\n]*".join(map(re.escape, line.rstrip().split("..."))) for line in block.splitlines())
+        match = re.compile("".join(rf"^{line}[ \t]*$\n?" for line in lines), re.MULTILINE).search(output, start)
+        if not match:
+            return None
+        start = match.end()
+    return start

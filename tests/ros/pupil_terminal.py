@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Callable, Dict, Optional
 
 import pexpect
-from lesson_pages import pattern
+from lesson_pages import find
 
 from jetbot.wait import wait_until
 
@@ -55,11 +55,12 @@ class Terminal:
 
     def see(self, text: str) -> None:
         """Wait until this is shown, after what was seen before."""
-        wanted = pattern(text)
-        self._wait_until(lambda: wanted.search(self.output, self._seen) or self.result is not None, text)
-        match = wanted.search(self.output, self._seen)
-        assert match, f"showed something else:\n{self.output}"
-        self._seen = match.end()
+        def end():
+            return find(text, self.output, self._seen)
+
+        self._wait_until(lambda: end() is not None or self.result is not None, text)
+        assert end() is not None, f"showed something else:\n{self.output}"
+        self._seen = end()
 
     def wait_for_end(self) -> int:
         """Wait until the last command has ended, and return its exit code."""

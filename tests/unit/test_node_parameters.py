@@ -16,7 +16,7 @@ NAMES = ["board", "i2c_bus"]
     ("_i2c_bus:=fake", {"i2c_bus": "fake"}), ("_i2c_bus:=fake:/tmp/x", {"i2c_bus": "fake:/tmp/x"}),
     ("_i2c_bus:=7", {"i2c_bus": 7}), ("_swap:=yes", {"swap": True}), ("_a:=b:=c", {"a": "b:=c"}), ("_board:=", {}),
     ("_config:=/a: b\x07.yaml", {"config": "/a: b\x07.yaml"}), ("_board:=[", {"board": "["}),
-    ("_board:=" + "[" * 2000, {"board": "[" * 2000}),
+    ("_board:=" + "[" * 1000, {"board": "[" * 1000}),
     ("__ns:=red", {}), ("__log:=/tmp/log", {}), ("cmd_vel:=/red/cmd_vel", {}), ("/a:=/b", {})],
     ids=lambda value: ascii(value)[:30])
 def test_a_word_of_the_command_line(word, parameters):

@@ -155,7 +155,7 @@ def test_a_place_that_is_named_counts(tmp_path, typed, config):
     (b"42", "it holds no parameters"),
     (b"[board, jetbot]", "it holds no parameters"),
     (b"a: [", "line 1: expected the node content, but found '<stream end>'"),
-    (b"[" * 2000, "maximum recursion depth exceeded"),
+    (b"[" * 1000, "maximum recursion depth exceeded"),
     (b"max_speed: [1, 2]", "it must give max_speed one value"),
     (b"a: &a [1]\nb: &b [*a, *a]\nc: [*b, *b]", "it must give a one value"),
     (b"a: !!python/name:os.system x",
