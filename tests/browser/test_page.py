@@ -24,7 +24,7 @@ def test_everything_fits_the_screen_and_the_finger(page, pupil):
     for each in page, pupil:
         for screen in [*TOUCH_SCREENS, DESKTOP]:
             each.run("document.getElementById('notice').hidden = true")
-            check_screen(each, screen, "pad", "stop", "status", "map")
+            check_screen(each, screen, "pad", "stop", "status", "map", "to-program")
             each.run(LONG_TEXTS)
             assert each.misplaced("pad", "stop", "release") == [], f"with long texts on {screen}"
             assert each.fits(), f"with long texts on {screen}"

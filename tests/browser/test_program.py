@@ -382,6 +382,9 @@ def test_the_page_fits_tablets_and_phones_and_what_is_said_of_keeping_moves_noth
                                         "output"), f"all on {screen}")
         assert not page.text("small")
         assert len(set(page.run(PLACES))) == 1
+    page.receive({"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]})
+    page.resize(1024, 768)
+    assert page.run("return document.getElementById('running').clientHeight") < 60, "all in one row"
     page.resize(390, 844)
     page.wait_for(lambda: page.fits("run", "end", "stop", "blocks", "output"), "a phone")
     assert "tablet" in page.text("small")

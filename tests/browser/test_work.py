@@ -4,7 +4,9 @@ import pytest
 
 from harness import program
 
+from . import programs
 from .conftest import ROBOT
+from .programs import as_file, drive, num, show
 from .world import moving
 
 LATE = "no command came from the driver's page"  # what the judge says if the page pauses
@@ -86,6 +88,25 @@ const ask = (fields) => fetch("/work", { method: "POST", headers: { "Content-Typ
 """
 
 
+@pytest.mark.parametrize("button, sheet, first", [("programs", "work", "new"), ("overview-button", "overview", "zip")])
+def test_a_sheet_takes_the_keyboards_focus_and_gives_it_back(button, sheet, first, page):
+    page.tab_to(button)
+    page.tap("Enter")
+    assert page.run("return document.activeElement.id") == sheet
+    assert page.tab() == first and page.element(sheet).accessible_name
+    page.tap("Escape")
+    assert not page.element(sheet).is_displayed()
+    assert page.run("return document.activeElement.id") == button
+
+
+def test_a_teacher_is_told_why_no_programs_are_listed(page):
+    page.driver.set_network_conditions(offline=True, latency=0, throughput=0)
+    page.click("#overview-button")
+    page.wait_for_text("overview-problem", "The cockpit does not answer.")
+    page.driver.set_network_conditions(offline=False, latency=0, throughput=-1)
+    page.errors()  # the browser's own, about the network
+
+
 def test_a_change_is_kept_once_there_is_room_again(page):
     page.driver.execute_async_script(FILL, f"/{ROBOT}", "save")
     page.click("#programs")
@@ -96,6 +117,9 @@ def test_a_change_is_kept_once_there_is_room_again(page):
     page.driver.execute_async_script(FILL, f"/{ROBOT}", "delete")
     rename(page, "Kept")
     page.errors()  # the browser's own, about what was refused
+
+
+FAILS = programs.program(drive(0.5, 1), show(programs.calculate("DIVIDE", num(1), num(0))))
 
 
 def judge(pupil, world, sentence, act=None):
@@ -110,7 +134,7 @@ def judge(pupil, world, sentence, act=None):
     world.undisturbed(pupil, press)
 
 
-def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world):
+def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world, tmp_path):
     process = world.start(program("driving_tasks", "class_judge.py"))
     page.click("#overview-button")
     page.wait_for(lambda: page.has("#task-switches input"), "the tasks")
@@ -124,8 +148,12 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     pupil.wait_for_text("score", "cancelled")
     page.click("#release")
     pupil.wait_for(lambda: not pupil.run("return document.body.classList.contains('emergency')"), "the release")
-    for button in "#pause", "#end":
-        judge(pupil, world, "its program was stopped", lambda button=button: pupil.click(button))
+    for act in (lambda: pupil.click("#pause"), lambda: pupil.click("#end"), lambda: (pupil.new_tab(), pupil.old_tab())):
+        judge(pupil, world, "its program was stopped", act)
+    pupil.element("file").send_keys(as_file(tmp_path, FAILS))
+    pupil.wait_for(lambda: pupil.value("title") == "program", "the program that fails")
+    judge(pupil, world, "its program was stopped")
+    assert "no result" in pupil.text("outcome")
     pupil.click("#programs")
     pupil.click("#new")
     judge(pupil, world, "has not driven")

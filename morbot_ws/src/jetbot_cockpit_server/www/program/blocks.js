@@ -56,7 +56,8 @@ const text = (value) => ({ shadow: { type: "text", fields: { TEXT: value } } });
 
 // Returns a block of the toolbox. inputs: the numbers or texts in it
 function block(type, inputs = {}, more = {}) {
-  const shadows = Object.entries(inputs).map(([name, value]) => [name, typeof value === "number" ? num(value) : text(value)]);
+  const shadow = (value) => (typeof value === "number" ? num(value) : text(value));
+  const shadows = Object.entries(inputs).map(([name, value]) => [name, shadow(value)]);
   return { kind: "block", type, inputs: Object.fromEntries(shadows), ...more };
 }
 

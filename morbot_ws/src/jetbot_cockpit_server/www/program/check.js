@@ -52,22 +52,17 @@ function checkBlock(block) {
   const { type } = block;
   if (!TYPES.has(type)) throw new Refusal(`This page does not know the block ${text(type).slice(0, MAX_TYPE)}.`);
   const known = Object.fromEntries(BLOCK_KEYS.filter((key) => key in block).map((key) => [key, block[key]]));
-  if (known.fields) known.fields = copy(known.fields);
+  for (const key of ["fields", "extraState"].filter((each) => each in known)) known[key] = copy(known[key]);
+  const { elseIfCount, itemCount, params } = known.extraState ?? {};
   need(typeof (known.extraState ?? {}) === "object"); // a text would be XML
-  if (known.extraState) known.extraState = copy(known.extraState);
-  for (const part of ["elseIfCount", "itemCount"]) need(!(known.extraState?.[part] > MAX_PARTS));
+  for (const parts of [elseIfCount, itemCount, params?.length]) need(!(parts > MAX_PARTS));
   if ("id" in known) known.id = text(known.id);
   for (const key of ["x", "y"]) if (key in known) known[key] = Math.max(-1e5, Math.min(1e5, Number(known[key]) || 0));
   return known;
 }
 
-// Copies fields and the like: objects of few levels.
-function copy(value, depth = 0) {
-  need(depth < 5);
-  if (typeof value === "string") return text(value);
-  if (value === null || typeof value !== "object") return value;
-  if (Array.isArray(value)) return value.slice(0, MAX_PARTS).map((each) => copy(each, depth + 1));
-  return Object.fromEntries(Object.entries(value).map(([key, each]) => [text(key), copy(each, depth + 1)]));
+function copy(value) {
+  return JSON.parse(JSON.stringify(value), (_, each) => (typeof each === "string" ? text(each) : each));
 }
 
 function text(value) {

@@ -141,12 +141,9 @@ function start(stepping) {
   clearPrints();
   end();
   setOutcome("Running");
+  const delay = () => DELAYS[element("speed").value];
   run = new Run(currentProgram(workspace), robot, stepping, { send, printed, changed: show, ended, delay });
   show();
-}
-
-function delay() {
-  return DELAYS[element("speed").value];
 }
 
 function runs() {

@@ -8,7 +8,7 @@ import { Senses } from "./senses.js";
 const SLICE = 8; // ms that a program computes before the page has its turn
 const HEARTBEAT = 50; // ms; no sleep is longer
 const FROZEN = 300; // ms without a heartbeat: the cockpit has stopped the robot meanwhile
-const READY_TIMEOUT = 4000; // ms until a robot's controller is connected
+const READY_TIMEOUT = 4000; // ms until a robot's controller is connected, and its sensors report
 const NOT_READY = "The robot is not connected to the cockpit. Start its controller again.";
 const INTERRUPTED = "This page was interrupted, so the robot stopped.";
 
@@ -85,12 +85,12 @@ export class Run {
 
   // Waits until the robot is this page's.
   async prepare() {
-    const start = performance.now();
-    while (!this.over && !this.senses.ready) {
-      if (performance.now() - start > READY_TIMEOUT) throw new ProgramError(NOT_READY);
+    const end = performance.now() + READY_TIMEOUT;
+    while (!this.over && !this.senses.complete && performance.now() < end) {
       this.senses.refresh();
       await this.sleep();
     }
+    if (!this.senses.answer.ready) throw new ProgramError(NOT_READY);
   }
 
   // Comes before each statement: shows it, and waits if the program is slow or paused.

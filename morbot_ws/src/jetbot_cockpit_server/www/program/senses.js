@@ -2,14 +2,12 @@
 
 const INTERVAL = 90; // ms between two questions
 const TIMEOUT = 100; // ms for the answer
-const LINE_TIMEOUT = 2000; // ms until the line sensor of a robot reports, if it has one
 const SENSORS = /"type":"robot_(here|eye|wheel)"/; // blocks that ask the robot
 const EYES = /"type":"robot_eye"/;
 
 export class Senses {
   answer = {}; // the cockpit's last one
   askedAt = -Infinity;
-  beganAt = performance.now();
 
   // program: the JSON; ask(): asks the cockpit, whose answer comes to receive()
   constructor(program, ask) {
@@ -38,9 +36,8 @@ export class Senses {
   }
 
   // Whether the robot's controller is connected, and its sensors report: else the first command would arrive late.
-  get ready() {
-    const patient = performance.now() - this.beganAt < LINE_TIMEOUT;
-    return Boolean(this.answer.ready) && !(this.looks && !this.answer.line && patient);
+  get complete() {
+    return Boolean(this.answer.ready && (this.answer.line || !this.looks));
   }
 
   // The robot's place is seen from where it is now.
