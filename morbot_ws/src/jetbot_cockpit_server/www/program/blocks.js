@@ -51,14 +51,16 @@ function showUnits(block) {
   for (const name of ["X", "Z"]) block.getField(`UNIT_${name}`)?.setValue(units[name]);
 }
 
-export const num = (value) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
-const text = (value) => ({ shadow: { type: "text", fields: { TEXT: value } } });
+const INPUTS = {
+  number: (value) => ({ shadow: { type: "math_number", fields: { NUM: value } } }),
+  string: (value) => ({ shadow: { type: "text", fields: { TEXT: value } } }),
+  object: (input) => input,
+};
 
-// Returns a block of the toolbox. inputs: the numbers or texts in it
-function block(type, inputs = {}, more = {}) {
-  const shadow = (value) => (typeof value === "number" ? num(value) : text(value));
-  const shadows = Object.entries(inputs).map(([name, value]) => [name, shadow(value)]);
-  return { kind: "block", type, inputs: Object.fromEntries(shadows), ...more };
+// Returns the JSON of a block. inputs: numbers, texts, or inputs with blocks in them
+export function block(type, inputs = {}, more = {}) {
+  const filled = Object.entries(inputs).map(([name, value]) => [name, INPUTS[typeof value](value)]);
+  return { kind: "block", type, inputs: Object.fromEntries(filled), ...more };
 }
 
 const category = (name, colour, ...blocks) => ({

@@ -1,39 +1,33 @@
 // Programs to begin with, one for each idea of the lessons.
 
-import { num } from "./blocks.js";
+import { block } from "./blocks.js";
 
-const plug = (type, fields = {}, inputs = {}, more = {}) => ({ block: { type, fields, inputs, ...more } });
-const set = (x, z) => ({ type: "robot_set", inputs: { X: num(x), Z: num(z) } });
-const wait = (seconds) => ({ type: "robot_wait", inputs: { SECONDS: num(seconds) } });
-const drive = (x, seconds) => ({ type: "robot_drive", inputs: { X: num(x), SECONDS: num(seconds) } });
-const turn = (side, z, seconds) => ({
-  type: "robot_turn", fields: { SIDE: side }, inputs: { Z: num(z), SECONDS: num(seconds) },
-});
-const stop = { type: "robot_stop" };
+const plug = (type, inputs, fields) => ({ block: block(type, inputs, { fields }) });
+const set = (X, Z) => block("robot_set", { X, Z });
+const wait = (SECONDS) => block("robot_wait", { SECONDS });
+const drive = (X, SECONDS) => block("robot_drive", { X, SECONDS });
+const turn = (SIDE, Z, SECONDS) => block("robot_turn", { Z, SECONDS }, { fields: { SIDE } });
+const stop = block("robot_stop");
 const stack = ([first, ...others]) => (others.length ? { ...first, next: { block: stack(others) } } : first);
 const body = (...blocks) => ({ block: stack(blocks) });
-const loop = (...blocks) => ({ type: "robot_loop", inputs: { DO: body(...blocks) } });
-const repeat = (times, ...blocks) => ({
-  type: "controls_repeat_ext", inputs: { TIMES: num(times), DO: body(...blocks) },
-});
-const print = (value) => ({ type: "robot_print", inputs: { VALUE: value } });
-const compare = (left, operator, right) => plug("logic_compare", { OP: operator }, { A: left, B: right });
-const variable = (id) => ({ VAR: { id } });
-const get = (id) => plug("variables_get", variable(id));
-const assign = (id, value) => ({ type: "variables_set", fields: variable(id), inputs: { VALUE: value } });
-const leave = { type: "controls_flow_statements", fields: { FLOW: "BREAK" } };
-const eye = (side) => plug("robot_eye", { WHAT: side });
+const loop = (...blocks) => block("robot_loop", { DO: body(...blocks) });
+const repeat = (TIMES, ...blocks) => block("controls_repeat_ext", { TIMES, DO: body(...blocks) });
+const print = (VALUE) => block("robot_print", { VALUE });
+const compare = (A, OP, B) => plug("logic_compare", { A, B }, { OP });
+const get = (id) => plug("variables_get", {}, { VAR: { id } });
+const assign = (id, VALUE) => block("variables_set", { VALUE }, { fields: { VAR: { id } } });
+const leave = block("controls_flow_statements", {}, { fields: { FLOW: "BREAK" } });
+const eye = (WHAT) => plug("robot_eye", {}, { WHAT });
+const x = plug("robot_here", {}, { WHAT: "X" });
 
 const program = (blocks, variables = [], others = []) => JSON.stringify({
   blocks: { languageVersion: 0, blocks: [stack([{ type: "robot_start", x: 30, y: 30 }, ...blocks]), ...others] },
   variables: variables.map((name) => ({ name, id: name })),
 });
 
-const call = { type: "procedures_callnoreturn", extraState: { name: "side" } };
-const side = {
-  type: "procedures_defnoreturn", x: 30, y: 230, fields: { NAME: "side" },
-  inputs: { STACK: body(drive(0.5, 3.4), turn("LEFT", 0.147, 1.05)) },
-};
+const call = block("procedures_callnoreturn", {}, { extraState: { name: "side" } });
+const side = block("procedures_defnoreturn", { STACK: body(drive(0.5, 3.4), turn("LEFT", 0.147, 1.05)) },
+  { x: 30, y: 230, fields: { NAME: "side" } });
 
 export const EMPTY = program([]);
 
@@ -41,30 +35,24 @@ export const EXAMPLES = {
   "One metre": program([drive(0.5, 3.33), stop]),
   "The workshop's loop": program([loop(set(0.5, 0.1))]),
   "x − z and x + z": program([
-    { type: "robot_wheels", inputs: { LEFT: num(0.4), RIGHT: num(0.6) } }, wait(2), set(0.5, 0.1), wait(2), stop,
+    block("robot_wheels", { LEFT: 0.4, RIGHT: 0.6 }), wait(2), set(0.5, 0.1), wait(2), stop,
   ]),
   Zigzag: program([
-    assign("z", num(0.05)),
-    repeat(4, { type: "robot_set", inputs: { X: num(0.3), Z: get("z") } }, wait(2),
-      assign("z", plug("math_arithmetic", { OP: "MULTIPLY" }, { A: get("z"), B: num(-1) }))),
+    assign("z", 0.05),
+    repeat(4, set(0.3, get("z")), wait(2),
+      assign("z", plug("math_arithmetic", { A: get("z"), B: -1 }, { OP: "MULTIPLY" }))),
     stop,
   ], ["z"]),
   "A square, with a function": program([repeat(4, call), stop], [], [side]),
   "Drive until I am there": program([
     set(0.4, 0),
-    {
-      type: "controls_whileUntil", fields: { MODE: "UNTIL" },
-      inputs: { BOOL: compare(plug("robot_here", { WHAT: "X" }), "GTE", num(0.96)), DO: body(wait(0.1)) },
-    },
-    stop, print(plug("robot_here", { WHAT: "X" })),
+    block("controls_whileUntil", { BOOL: compare(x, "GTE", 0.96), DO: body(wait(0.1)) }, { fields: { MODE: "UNTIL" } }),
+    stop, print(x),
   ]),
-  "Follow the line": program([loop({
-    type: "controls_if", extraState: { elseIfCount: 2, hasElse: true },
-    inputs: {
-      IF0: compare(eye("LEFT"), "LT", num(0.5)), DO0: body(set(0.2, 0.1)),
-      IF1: compare(eye("RIGHT"), "LT", num(0.5)), DO1: body(set(0.2, -0.1)),
-      IF2: compare(eye("MIDDLE"), "GT", num(0.9)), DO2: body(leave),
-      ELSE: body(set(0.3, 0)),
-    },
-  }), stop]),
+  "Follow the line": program([loop(block("controls_if", {
+    IF0: compare(eye("LEFT"), "LT", 0.5), DO0: body(set(0.2, 0.1)),
+    IF1: compare(eye("RIGHT"), "LT", 0.5), DO1: body(set(0.2, -0.1)),
+    IF2: compare(eye("MIDDLE"), "GT", 0.9), DO2: body(leave),
+    ELSE: body(set(0.3, 0)),
+  }, { extraState: { elseIfCount: 2, hasElse: true } })), stop]),
 };

@@ -109,12 +109,13 @@ export class Work {
     this.kept.keep(work);
   }
 
-  // Says what has become of a program if it is shown, and keeps it on this device.
+  // Says what has become of a program, of another one only if it is bad; keeps the shown one on this device.
   report(kept, text, bad) {
-    if (kept !== this.kept) return;
     const { robot, id, version, content, foreign, unsaved } = kept;
-    setText(element("kept"), text);
-    element("kept").dataset.level = bad ? "warning" : "";
+    const isShown = kept === this.kept;
+    if (isShown || bad) setText(element("kept"), isShown ? text : `${content.name}: ${text}`);
+    if (isShown || bad) element("kept").dataset.level = bad ? "warning" : "";
+    if (!isShown) return;
     element("copy").hidden = !foreign;
     if (content) remember(KEY, JSON.stringify({ robot, id, version, ...content, unsaved }));
   }
