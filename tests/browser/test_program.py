@@ -151,7 +151,7 @@ def test_pause_step_and_slow(blocks, world):
     run(page, world, button="step")
     page.wait_for_text("outcome", "Paused")
     assert page.text_of("#python .now") == "x = 3"
-    assert world.wheels(ROBOT) == STOPPED
+    world.wait_for_stop(ROBOT, "a step")
     page.click("#step")
     page.wait_for_text("variables", "3")
     run(page, world, (-0.5, -0.5), "pause")
@@ -190,6 +190,7 @@ def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blo
     page.wait_for_text("outcome", "Stopped.")
 
 
+@undisturbed
 def test_waits_too_short_to_send_each_command_drive_on(blocks, world):
     run(blocks(program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}),
                              DO=chain(set_motion(0.5, 0), wait(0.01))))), world)

@@ -57,6 +57,7 @@ def test_the_map_follows_the_robot_or_not_and_zooms(page, world):
     def offset():
         return page.robot_on_map()[1]
 
+    page.receive({"type": "trail", "robot": f"/{ROBOT}", "points": []})  # of earlier drives, in the robot's colour
     page.wait_for(page.robot_on_map, "the robot on the map")
     if page.has("#follow[aria-pressed=false]"):  # it shows all robots first
         page.click("#follow")

@@ -58,12 +58,15 @@ def drives(world):
 
 def test_a_program_drives_on_after_a_countdown_but_after_a_teachers_take_only_once_that_is_allowed(
         page, pupil, world, scenario):
-    world.drive(pupil, ROBOT, -1.0, wanted=lambda left, right: left == right < 0)
-    pupil.lift()
-    for each in page, pupil:
-        each.wait_for_text("driver", "The program drives on in ")
-    page.click("#take")
-    pupil.wait_for_text("driver", "The program waits until a teacher presses Go on")
+    def take_during_countdown():
+        world.drive(pupil, ROBOT, -1.0, wanted=lambda left, right: left == right < 0)
+        pupil.lift()
+        for each in page, pupil:
+            each.wait_for_text("driver", "The program drives on in ")
+        page.click("#take")
+        for each in page, pupil:
+            each.wait_for_text("driver", "The program waits until a teacher presses Go on")
+    world.undisturbed(pupil, take_during_countdown)
     world.stay_stopped(ROBOT)
     page.click("#go-on")
     world.wait_for(lambda: drives(world), 10.0, "the program to drive on")

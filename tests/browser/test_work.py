@@ -1,5 +1,8 @@
 """Programs that the cockpit keeps, on several pages; and Judge me, from the pupil's press to the score."""
 
+import signal
+from contextlib import contextmanager
+
 import pytest
 
 from harness import program
@@ -134,6 +137,14 @@ def judge(pupil, world, sentence, act=None):
     world.undisturbed(pupil, press)
 
 
+@contextmanager
+def suspended(process):
+    """Suspend a process in this context."""
+    process.send_signal(signal.SIGSTOP)
+    yield
+    process.send_signal(signal.SIGCONT)
+
+
 def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world, tmp_path):
     process = world.start(program("driving_tasks", "class_judge.py"))
     page.click("#overview-button")
@@ -142,10 +153,10 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     page.click("#task-switches input")
     pupil.wait_for(lambda: pupil.element("judge").is_displayed(), "the task")
     pupil.set("examples", "Drive until I am there")
-    with world.stops(ROBOT, what="a stop before the robot is at its start"):
+    with suspended(process), world.stops(ROBOT, what="a stop before the robot is at its start"):
         pupil.click("#judge")
         page.click("#stop")
-    pupil.wait_for_text("score", "cancelled")
+        pupil.wait_for_text("score", "cancelled")
     page.click("#release")
     pupil.wait_for(lambda: not pupil.run("return document.body.classList.contains('emergency')"), "the release")
     for act in (lambda: pupil.click("#pause"), lambda: pupil.click("#end"), lambda: (pupil.new_tab(), pupil.old_tab())):
