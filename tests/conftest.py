@@ -10,7 +10,8 @@ import pytest
 sys.path.append(str(Path(__file__).parent / "ros"))
 from processes import end_on_sigterm  # noqa: E402
 
-LONGEST = ("::test_pages[", "::test_rostest[")
+LONGEST = ("::test_pages[", *(f"::test_rostest[{name}" for name in (
+    "simulation_launch]", "cockpit_launch]", "launch]", "")))
 BROWSER = "tests/browser/"  # each half shares a world and its browsers
 OF_PROGRAMS = tuple(f"{BROWSER}test_{name}" for name in ("program", "tablet", "tasks", "work"))  # one half
 PROCESSES = 6  # of ./morbot test
@@ -34,7 +35,7 @@ def pytest_collection_modifyitems(items):
 
     pytest-xdist gives each process two at once; the second ones are short, as they wait for the first.
     """
-    longest = [item for item in items if is_long(item.nodeid)]
+    longest = list(dict.fromkeys(item for name in LONGEST for item in items if name in item.nodeid))
     others = [item for item in items if not is_long(item.nodeid)]
     second = list(dict.fromkeys(item.location[0] for item in others))[:PROCESSES]
     others.sort(key=lambda item: item.location[0] not in second)
