@@ -16,7 +16,7 @@ MARGINS = """for (const [id, text] of Object.entries({'save-free': 'Free 1000', 
 KEEP_STAMPS = """const receive = socket.onmessage, decode = createImageBitmap;
     window.stamps = [];
     window.drawn = new Promise(go => window.draw = go);
-    window.createImageBitmap = async (jpeg) => { await drawn; return decode(jpeg); };
+    window.createImageBitmap = async (jpeg) => { if (stamps.length) await drawn; return decode(jpeg); };
     socket.onmessage = (event) => {
         const message = typeof event.data === 'string' ? JSON.parse(event.data) : {};
         if (message.type === 'picture') stamps.push(message.stamp);

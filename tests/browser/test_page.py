@@ -1,5 +1,7 @@
 """The page fits the screen, and works with a keyboard alone, with a finger, and with a screen reader."""
 
+from jetbot.wait import wait_until
+
 from .conftest import OTHER_ROBOT, ROBOT
 from .test_driving import hold
 
@@ -81,7 +83,8 @@ def test_on_the_map_the_number_suffices_where_names_differ_in_nothing_else(page)
 
 def check_screen(page, screen, *parts):
     page.resize(*screen, touch=screen != DESKTOP)
-    page.wait_for(lambda: page.fits(*parts), f"all on the screen of {screen}")
+    wait_until(lambda: page.fits(*parts), 20.0)
+    assert page.misplaced(*parts) == [] and page.fits(*parts), f"not all is on the screen of {screen}"
     assert page.small_controls(MOUSE if screen == DESKTOP else FINGER) == [], screen
 
 

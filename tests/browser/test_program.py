@@ -102,8 +102,10 @@ def test_the_program_ends_and_the_robot_stops_at_any_stop_a_change_or_in_the_bac
         page.wait_for_text("outcome", sentence)
 
 
-def test_a_lost_lease_ends_the_program(blocks, victim):
+@undisturbed
+def test_no_program_drives_a_robot_that_somebody_else_drives(blocks, world, victim):
     page = blocks(program(drive(0.5, 30)))
+    world.drive(victim, ROBOT)
     page.click("#run")
     page.wait_for_text("outcome", "drives")  # somebody else does
 
@@ -129,6 +131,7 @@ def test_an_emergency_stop_from_elsewhere_ends_the_program_whatever_the_robot_st
     world.stay_stopped(ROBOT)
 
 
+@undisturbed
 def test_a_page_that_freezes_stops_the_robot_and_its_program_does_not_go_on(blocks, world):
     page = blocks(program(block("controls_repeat_ext", TIMES=num(99), DO=chain(drive(0.5, 0.5), block("robot_stop")))))
     run(page, world)
@@ -238,6 +241,7 @@ def test_a_forged_program_is_refused_in_a_sentence(blocks):
         assert page.run("return Blockly.getMainWorkspace().getAllBlocks().length") == 3, "the one before is still there"
 
 
+@undisturbed
 def test_markup_and_ends_of_lines_in_names_stay_names(blocks):
     evil = "</svg><img src=x onerror=window.evil=1>\r\nimport os\nos.x()"
     page = blocks({**program(let("x", num(1)), show(plug("text", {"TEXT": evil})), wait(9)),
@@ -249,8 +253,11 @@ def test_markup_and_ends_of_lines_in_names_stay_names(blocks):
     assert not [line for line in page.text("python").splitlines() if line.strip().startswith(("import os", "os."))]
 
 
+@undisturbed
 def test_a_thousand_blocks_load_in_two_seconds(blocks):
-    page = blocks(program(*[block("controls_repeat_ext", TIMES=num(1), DO=chain(*[drive(0.5, 1)] * 32))] * 10))
+    page = blocks(program())
+    page.wait_for(lambda: "drive(" not in page.text("python"), "an empty program")
+    blocks(program(*[block("controls_repeat_ext", TIMES=num(1), DO=chain(*[drive(0.5, 1)] * 32))] * 10))
     start = time.time()
     page.wait_for(lambda: page.text("python").count("drive(0.5, 0, 1)") == 320, "the Python of all blocks")
     assert time.time() - start < 2.0 + 3.0  # a busy computer

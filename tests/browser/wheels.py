@@ -37,6 +37,7 @@ class WheelRecord:
         self._changes: Dict[str, List[Change]] = {robot: [Change(time.time(), STOPPED)] for robot in folders}
         self._motors = {robot: Motors(folder) for robot, folder in folders.items()}
         self.paused_at, self.watched = 0.0, None
+        self._waited = self._looked_at = 0.0
         self._over = threading.Event()
         self._thread = threading.Thread(target=self._poll, daemon=True)
         self._thread.start()
@@ -61,21 +62,22 @@ class WheelRecord:
         self._thread.join()
 
     def _poll(self):
-        last = looked_at = time.time()
-        waited = 0.0
+        last = time.time()
         while not self._over.wait(POLL_INTERVAL):
             now = time.time()
-            if now - last > PAUSE:
+            if now - last > PAUSE or self._watched_paused(now):
                 self.paused_at = now
             last = now
-            if now - looked_at > LOOK_INTERVAL:
-                waited, before, looked_at = waiting_time(self.watched), waited, now
-                if waited - before > PAUSE:
-                    self.paused_at = now
             for robot, motors in self._motors.items():
                 speeds = motors.speeds()
                 if speeds != self._changes[robot][-1].speeds:
                     self._changes[robot].append(Change(time.time(), speeds))
+
+    def _watched_paused(self, now):
+        if now - self._looked_at < LOOK_INTERVAL:
+            return False
+        before, self._waited, self._looked_at = self._waited, waiting_time(self.watched), now
+        return self._waited - before > PAUSE
 
 
 def waiting_time(process: Optional[int]) -> float:
