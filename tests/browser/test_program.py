@@ -231,6 +231,13 @@ FORGED = {
 }
 
 
+def test_what_could_not_be_opened_again_is_not_called_kept(blocks):
+    page = blocks(program())
+    page.run("Blockly.serialization.workspaces.load(JSON.parse(arguments[0]), Blockly.getMainWorkspace())",
+             json.dumps(nested(70)))
+    page.wait_for_text("kept", "nests more than 60 blocks")
+
+
 def test_a_forged_program_is_refused_in_a_sentence(blocks):
     page = blocks(program(show(num(5))))
     page.wait_for_text("python", "print(5)")

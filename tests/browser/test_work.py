@@ -8,7 +8,7 @@ import pytest
 from harness import program
 
 from . import programs
-from .conftest import ROBOT
+from .conftest import OTHER_ROBOT, ROBOT
 from .programs import as_file, drive, num, show
 from .world import moving
 
@@ -115,6 +115,11 @@ def test_a_change_is_kept_once_there_is_room_again(page):
     page.type("title", "One more")
     page.wait_for_text("kept", "no room")
     assert not page.element("copy").is_displayed()
+    page.choose(OTHER_ROBOT)
+    page.wait_for(lambda: not page.text("kept"), "the other robot's programs")
+    rename(page, "Another")
+    page.choose(ROBOT)
+    page.wait_for(lambda: page.value("title") == "One more", "the program that only this browser has")
     page.driver.execute_async_script(FILL, f"/{ROBOT}", "delete")
     rename(page, "Kept")
     page.errors()  # the browser's own, about what was refused
@@ -151,10 +156,11 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     page.click("#task-switches input")
     pupil.wait_for(lambda: pupil.element("judge").is_displayed(), "the task")
     pupil.set("examples", "Drive until I am there")
-    with suspended(process), world.stops(ROBOT, what="a stop before the robot is at its start"):
-        pupil.click("#judge")
-        page.click("#stop")
-        pupil.wait_for_text("score", "cancelled")
+    for stop in (lambda: pupil.click("#end"), lambda: page.click("#stop")):
+        with suspended(process), world.stops(ROBOT, what="a stop before the robot is at its start"):
+            pupil.click("#judge")
+            stop()
+            pupil.wait_for_text("score", "cancelled")
     page.click("#release")
     pupil.wait_for(lambda: not pupil.run("return document.body.classList.contains('emergency')"), "the release")
     for act in (lambda: pupil.click("#pause"), lambda: pupil.click("#end"), lambda: (pupil.new_tab(), pupil.old_tab())):

@@ -27,6 +27,16 @@ export function parseProgram(file) {
   }
 }
 
+// Returns why this text could not be opened again, or "".
+export function problemOf(text) {
+  try {
+    parseProgram(text);
+  } catch (error) {
+    return error.message;
+  }
+  return "";
+}
+
 // Goes from block to block in a list, not by recursion: what is nested deep ends no page.
 function checkBlocks(tops) {
   const [checked, todo] = [[], tops.map((block) => ({ block, depth: 0, put: (copy) => checked.push(copy) }))];

@@ -2,6 +2,7 @@
 
 import { toName } from "../storage.js";
 import { ask, newId } from "./ask.js";
+import { problemOf } from "./check.js";
 
 const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
@@ -15,6 +16,7 @@ export class Kept {
   unsaved = false; // whether the cockpit has another content
   waiting = null; // the content that is to be sent
   sent = null; // what may have been kept, without an answer: it is sent again before anything newer
+  problem = ""; // why the content is not even sent
   foreign = false; // whether another page has changed it: this page keeps it no more
 
   // robot: whose program it is, null as long as there is none; version: as the cockpit has it, 0 for a new program;
@@ -30,7 +32,8 @@ export class Kept {
   keep(content) {
     Object.assign(this, { content, unsaved: true });
     const tooLarge = new TextEncoder().encode(content.program).length > MAX_SIZE;
-    if (this.foreign || tooLarge) return this.report(this, this.foreign ? CHANGED : TOO_LARGE, true);
+    this.problem = this.foreign ? CHANGED : tooLarge ? TOO_LARGE : problemOf(content.program);
+    if (this.problem) return this.report(this, this.problem, true);
     this.waiting = content;
     this.report(this, "Not kept yet", false);
     clearTimeout(this.timer);
@@ -51,8 +54,8 @@ export class Kept {
     try {
       ({ version: this.version } = await ask({ do: "save", robot, id, version, name: clean(name), program }));
       this.sent = null;
-      this.unsaved = this.pending;
-      this.report(this, this.pending ? "Not kept yet" : "Kept", false);
+      this.unsaved = this.pending || this.problem !== "";
+      this.report(this, this.problem || (this.pending ? "Not kept yet" : "Kept"), Boolean(this.problem));
     } catch ({ message, again }) {
       if (!again) return this.refuse(message);
       this.report(this, message, true);

@@ -143,6 +143,7 @@ function start(stepping) {
   setOutcome("Running");
   const delay = () => DELAYS[element("speed").value];
   run = new Run(currentProgram(workspace), robot, stepping, { send, printed, changed: show, ended, delay });
+  showButtons(); // now: Stop may be pressed at once
   show();
 }
 
@@ -258,7 +259,8 @@ function showMap(on) {
 function showButtons() {
   const [going, held] = [runs(), runs() && run.held];
   element("run").disabled = going;
-  element("pause").disabled = element("end").disabled = !going;
+  element("pause").disabled = !going;
+  element("end").disabled = !going && !judging.waiting;
   element("step").disabled = going && !held;
   element("pause").setAttribute("aria-pressed", held);
   setText(element("pause"), held ? "Go on" : "Pause");

@@ -48,9 +48,14 @@ export class Work {
 
   // Shows what this device kept when the page was left.
   restore() {
-    const { robot, id, version, name, program, unsaved } = load() ?? {};
-    if (typeof program !== "string" || !/^[0-9a-f]{16}$/.test(id)) return;
-    Object.assign(this, { robot: robot ?? null, arriving: true });
+    const left = load(KEY);
+    if (!left) return;
+    Object.assign(this, { robot: left.robot ?? null, arriving: true });
+    this.goOn(left);
+  }
+
+  // Shows what this device kept.
+  goOn({ id, version, name, program, unsaved }) {
     this.display(clean(name), program, { id, version });
     if (unsaved) this.keep({ name: clean(name), program });
   }
@@ -67,9 +72,14 @@ export class Work {
   changeRobot(robot) {
     const first = this.robot === null;
     Object.assign(this, { robot, changes: undefined, arriving: true });
-    if (!first) return this.begin();
-    this.kept.robot = robot;
-    if (this.touched) this.keep(this.current());
+    if (first) {
+      this.kept.robot = robot;
+      if (this.touched) this.keep(this.current());
+      return;
+    }
+    this.begin();
+    const left = load(keyOf(robot));
+    if (left?.unsaved) this.goOn(left);
   }
 
   async refresh(robot) {
@@ -117,7 +127,8 @@ export class Work {
     if (isShown || bad) element("kept").dataset.level = bad ? "warning" : "";
     if (!isShown) return;
     element("copy").hidden = !foreign;
-    if (content) remember(KEY, JSON.stringify({ robot, id, version, ...content, unsaved }));
+    const left = JSON.stringify({ robot, id, version, ...content, unsaved });
+    if (content) [KEY, keyOf(robot)].forEach((key) => remember(key, left));
   }
 
   open(id) {
@@ -152,10 +163,16 @@ export class Work {
   }
 }
 
-function load() {
+// Returns what is kept under this key, or null.
+function load(key) {
   try {
-    return JSON.parse(recall(KEY));
+    const left = JSON.parse(recall(key));
+    return typeof left.program === "string" && /^[0-9a-f]{16}$/.test(left.id) ? left : null;
   } catch { // nothing, or something else, is there
     return null;
   }
+}
+
+function keyOf(robot) {
+  return `${KEY} ${robot}`;
 }

@@ -1,6 +1,7 @@
 """The folder of a class, which one cockpit has at a time: JSON in files that are replaced in one step."""
 
 import contextlib
+import errno
 import fcntl
 import json
 import os
@@ -55,7 +56,9 @@ class ClassFolder:
         try:
             return json.loads(files.read(file, MAX_FILE)) if file.exists() else None
         except OSError as error:
-            raise unusable(file, error) from None
+            if error.errno not in (errno.EFBIG, errno.EINVAL):  # too large, or no regular file
+                raise unusable(file, error) from None
+            self.set_aside(name)
         except (ValueError, RecursionError):
             self.set_aside(name)
         return None
