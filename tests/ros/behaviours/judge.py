@@ -44,6 +44,7 @@ sys.argv = sys.argv[1:]
 runpy.run_path(sys.argv[0], run_name="__main__")
 """  # judge.py, which also prints the score to the last digit
 SPEED, SECONDS = 0.5, 3.3  # of full power; s, for about a metre
+SLOW = 0.1                   # of full power
 
 
 class Judge(SharedRobotTest):
@@ -99,9 +100,13 @@ class Judge(SharedRobotTest):
         self.wait_for(world.get_num_connections, START_TIMEOUT, "the simulator")
         world.publish(text)
 
-    def drive_a_little(self, states):
-        self.drive(0.5)
-        self.wait_for(lambda: states and states[-1].values[0].value == "driving", START_TIMEOUT, "the drive")
+    def drive_until(self, judge, text):
+        """Command a speed at which the robot is far from all walls until the judge has printed this."""
+        self.wait_for(lambda: self.command(SLOW) or text in read(judge), START_TIMEOUT, text)
+
+    def begin_to_drive(self, states):
+        self.wait_for(lambda: self.command(SLOW) or states and states[-1].values[0].value == "driving", START_TIMEOUT,
+                      "the drive")
 
     def test_a_drive_gets_a_score_and_its_record_the_same(self):
         states = self.record("task", DiagnosticStatus, lambda status: status)
@@ -137,7 +142,7 @@ class Judge(SharedRobotTest):
         self.wait_for_lines(judge, f"{rospy.get_name()} reads /odom. {BY_CAMERA}")
         reader.unregister()
         self.wait_for_last_lines(judge, READY, before=BY_CAMERA)
-        self.wait_for(lambda: self.command(SPEED) or BLIND in read(judge), START_TIMEOUT, BLIND)
+        self.drive_until(judge, BLIND)
         self.wait_for_last_lines(judge, READY, before=BLIND)
 
     def test_what_interrupts_a_drive_ends_no_judge_and_a_signal_gives_the_world_back(self):
@@ -150,15 +155,17 @@ class Judge(SharedRobotTest):
         self.send_world("{walls: [[[9, 9], [9, 8]]]}")
         self.wait_for_last_lines(judge, READY, before=CHANGED)
         states = self.record("task", DiagnosticStatus, lambda status: status)
-        self.drive_a_little(states)
+        self.begin_to_drive(states)
         self.report_driver("Ada", "a teacher took the robot over")
+        self.drive_until(judge, TAKEN)
         self.wait_for_last_lines(judge, READY, before=TAKEN)
         self.wait_for(lambda: states[-1].message.startswith(f"{TAKEN} {READY[:-1]}: "), START_TIMEOUT, "it on the page")
         second = self.judge("metre")
         self.assertEqual(second.wait(START_TIMEOUT), 1)
         self.assertRegex(read(second), r"^/judge judges this robot already\. End it first: .*\n$")
-        self.drive_a_little(states)
+        self.begin_to_drive(states)
         self.emergency_stop(True)
+        self.drive_until(judge, RELEASE)
         self.wait_for_last_lines(judge, f"The drive does not count. {RELEASE}")
         self.emergency_stop(False)
         self.wait_for_last_lines(judge, READY, before=RELEASE)
