@@ -171,7 +171,7 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     assert "no result" in pupil.text("outcome")
     pupil.click("#programs")
     pupil.click("#new")
-    judge(pupil, world, "has not driven")
+    judge(pupil, world, "stands at the start")
     pupil.set("examples", "Drive until I am there")
     judge(pupil, world, "points")
     assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")

@@ -49,9 +49,9 @@ def test_a_robot_that_is_put_somewhere_else_starts_its_trail_again(history):
     assert points(history) == {"/red": [[0, 0]]}
 
 
-@pytest.mark.parametrize("state, shown", [("ready", True), ("driving", True), ("done", False), ("cancelled", False)])
-def test_a_result_and_its_course_are_forgotten_when_the_robot_is_put_back_and_a_task_begins(history, state, shown):
-    task = DONE._replace(state=state)
+@pytest.mark.parametrize("state, shown", [("ready", True), ("driving", True), ("done", False), ("cancelled", True)])
+def test_a_score_and_its_course_are_forgotten_when_the_robot_is_put_back_and_a_task_begins(history, state, shown):
+    task = DONE._replace(state=state, score=80.0 if state == "done" else None)
     update(history, at(1.0, task=task, shapes=(COURSE,)))
     assert history.task(at(1.0, task=task)) == task
     update(history, at(0.0, task=task, shapes=(COURSE,)), now=0.05)

@@ -4,12 +4,12 @@ import { element, inSeconds, setText } from "../dom.js";
 
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
 const NO_ANSWER = "The judge did not put the robot at its start. Try again.";
-const NOT_DRIVEN = "The program has ended, and the robot has not driven.";
+const NOT_DRIVEN = "The program has ended, and the robot stands at the start.";
 const JUDGE_ENDED = "The judge has ended. Try again.";
 const CANCELLED = "Judge me was cancelled.";
 
 export class Judging {
-  waiting = null; // { robot, task, since, old } until the robot is at its start; old: what the last judging still says
+  waiting = null; // { robot, task, since, text } until the robot is at its start; text: what the judge says of the task
   judged = null; // { robot, task } until the result is shown
 
   // send(message); run(): runs the program; world
@@ -35,7 +35,7 @@ export class Judging {
 
   begin() {
     const [robot, task] = [this.world.chosen, element("task-choice").value];
-    this.waiting = { robot, task, since: performance.now(), old: this.world.state(robot).task?.text };
+    this.waiting = { robot, task, since: performance.now(), text: this.world.state(robot).task?.text };
     this.judged = null;
     this.send({ type: "drive", robot, forward: 0, left: 0 }); // who had to let go, has
     if (!this.isReady(this.waiting)) this.send({ type: "judge", robot, task });
@@ -72,12 +72,13 @@ export class Judging {
   }
 
   wait(task) {
-    const { robot, since, old } = this.waiting;
-    if (task?.text !== old) this.waiting.old = null;
+    const { robot, since, text } = this.waiting;
     if (robot !== this.world.chosen || this.world.isBlocked(robot)) return this.cancel();
     if (this.isReady(this.waiting)) return this.start();
-    if (task?.state === "cancelled" && this.waiting.old === null) return this.cancel(task.text);
-    if (performance.now() - since > READY_TIMEOUT) this.cancel(NO_ANSWER);
+    const refused = task?.state === "cancelled"; // perhaps what was asked for before
+    if (refused && task.text !== text) this.say(task.text);
+    this.waiting.text = task?.text;
+    if (performance.now() - since > READY_TIMEOUT) this.cancel(refused ? task.text : NO_ANSWER);
   }
 
   start() {
@@ -87,13 +88,15 @@ export class Judging {
     this.run();
   }
 
-  // Says so if there is nothing to judge; who drives on by hand gets the score all the same. early: before its own end
+  // early: before its own end
   programEnded(early) {
     if (early) this.disarm(this.judged);
-    else if (this.judged && this.isReady(this.judged)) this.say(NOT_DRIVEN);
+    else if (this.judged) this.judged.over = true;
   }
 
+  // Says so if there is nothing to judge; who drives on by hand gets the score all the same.
   follow(task) {
+    if (this.judged.over && this.isReady(this.judged)) return this.say(NOT_DRIVEN);
     const gone = task?.name !== this.judged.task;
     if (!gone && !["done", "cancelled"].includes(task.state)) return;
     this.judged = null;

@@ -25,11 +25,6 @@ class Task(NamedTuple):
     score: Optional[float] = None
     driver: str = ""
 
-    @property
-    def has_ended(self) -> bool:
-        """Whether what is shown is a result."""
-        return self.state in ("done", "cancelled")
-
 
 class Shape(NamedTuple):
     """A polyline on the map, in m. kind: wall, line, course or goal, which is an arrow that begins there."""
