@@ -11,12 +11,15 @@ from diagnostic_msgs.msg import DiagnosticStatus
 from diagnostic_updater import Updater
 from std_msgs.msg import String
 
+from jetbot.wait import wait_until
+
 from ..control.supervisor import Supervisor
 from .status_line import Status, StatusLine
 from .summary import start_line, start_warnings, status_suffix, summary
 from .supply_watch import SupplyWatch
 
 DIAGNOSTICS_INTERVAL = 1.0  # s
+SEND_TIMEOUT = 0.2          # s for the last status to be sent
 REPEAT_LOG = 1.0            # s before the same line is logged again
 
 
@@ -47,6 +50,8 @@ class Report:
         """Publish the last status, and end ``spin``."""
         self._ended = True
         self._publish("stopped: the controller has ended")
+        # rospy sends from other threads, and its shutdown, which follows, would drop what they have not sent
+        wait_until(lambda: not any(each._queue for each in self._status_publisher.impl.connections), SEND_TIMEOUT)
         with contextlib.suppress(queue.Full):
             self._changes.put_nowait(None)
 
