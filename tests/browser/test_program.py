@@ -220,6 +220,7 @@ def deep(depth):
             '{"VALUE": ' + before * depth + "{}" + "}}}" * depth + "}}}}]}}")
 
 
+DEEP = '{"a": ' * 9999 + "1" + "}" * 9999
 FORGED = {
     "no program": "hello", "another JSON": "[1, 2]", "nothing in it": "{}",
     "an unknown block": program(block("lists_create_with")),
@@ -227,7 +228,7 @@ FORGED = {
     "nested 100 deep": nested(100), "nested 10,000 deep": deep(10000),
     "10 MB": " " * 10_000_000 + json.dumps(program()), "2,001 blocks": program(functions=(block("robot_stop"),) * 2001),
     "many branches": program({"type": "controls_if", "extraState": {"elseIfCount": 1e9}}),
-    "deep fields": deep(0).replace('"robot_print"', '"robot_print", "fields": ' + '{"a": ' * 9999 + "1" + "}" * 9999),
+    "deep fields": deep(0).replace('"robot_print"', f'"robot_print", "fields": {DEEP}'),
     "XML as a state": program({"type": "controls_if", "extraState": "<mutation elseif='1000000'/>"}),
 }
 
