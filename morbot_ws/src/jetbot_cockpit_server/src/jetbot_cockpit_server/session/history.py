@@ -119,7 +119,7 @@ class History:
         self._trails = {robot: self._trails.get(robot) or Trail() for robot in robots}
         restarts = [robot for robot in robots.values()
                     if robot.pose and self._trails[robot.id].update(*robot.pose[:2], now)]
-        self._forgotten.update((robot.id, robot.task) for robot in restarts if robot.task and robot.task.state == "done")
+        self._forgotten.update((each.id, each.task) for each in restarts if each.task and each.task.state == "done")
         before, self._scenes = self._scenes, {robot.id: self._scene(robot) for robot in robots.values()}
         scenes = [scene(robot, shapes) for robot, shapes in self._scenes.items() if shapes != before.get(robot, ())]
         better = [self._scores.add(robot.id, robot.task) for robot in robots.values()]
