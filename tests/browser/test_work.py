@@ -65,6 +65,7 @@ def test_two_pages_on_one_program_are_both_told_and_nothing_is_lost(page, pupil)
     rename(pupil, "Theirs")
     page.wait_for_text("kept", "changed on another page")
     page.type("title", "Mine too")
+    pupil.wait_for_text("kept", "Another page changes this program, too")
     page.click("#copy")
     page.wait_for(lambda: page.text("kept") == "Kept", "the copy to be kept")
     page.wait_for(lambda: {"Theirs", "Mine too copy"} <= set(names(page)), "both")
@@ -75,6 +76,7 @@ def test_two_pages_on_one_program_are_both_told_and_nothing_is_lost(page, pupil)
     pupil.driver.refresh()
     pupil.wait_for_link()
     assert pupil.value("title") == "Theirs"
+    page.errors()  # the browser's own, about what was refused
 
 
 FILL = """

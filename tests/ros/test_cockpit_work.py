@@ -37,7 +37,8 @@ def post(cockpit, fields, grant=FIRST_PUPIL, **headers):
 
 def test_a_pupil_keeps_and_opens_the_programs_of_the_own_robot(cockpit):
     status, saved = post(cockpit, SAVE)
-    assert (status, saved) == (200, {"id": ID, "robot": MINE, "name": "<b>Square</b>", "version": 1, "deleted": False})
+    assert (status, saved) == (200, {"id": ID, "robot": MINE, "name": "<b>Square</b>", "version": 1, "deleted": False,
+                                     "contested": False})
     assert post(cockpit, LIST) == (200, {"programs": [saved]})
     assert post(cockpit, {"do": "open", "robot": MINE, "id": ID})[1]["program"] == PROGRAM
     assert post(cockpit, {"do": "delete", "robot": MINE, "id": ID, "version": 1})[1]["deleted"]

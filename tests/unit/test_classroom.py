@@ -86,6 +86,18 @@ def test_two_pages_on_one_program_do_not_overwrite_each_other():
     assert kept(programs) == {IDS[0]: CIRCLE}
 
 
+def test_the_page_that_keeps_a_program_sees_that_another_one_changes_it_too():
+    programs = Programs(Nowhere())
+    save(programs)
+    save(programs, version=1, program=CIRCLE)
+    seen = programs.changed("/red")
+    with pytest.raises(Refused):
+        save(programs, version=1, name="other")
+    assert programs.changed("/red") > seen and programs.rows("/red")[0]["contested"]
+    save(programs, version=2, name="mine")
+    assert not programs.rows("/red")[0]["contested"]
+
+
 def test_what_is_sent_again_because_its_answer_was_lost_is_kept_once():
     programs = Programs(Nowhere())
     assert save(programs) == save(programs)

@@ -9,6 +9,7 @@ const RETRY_AFTER = 3000; // ms
 const MAX_SIZE = 64 * 1024; // bytes
 const MAX_NAME = 40; // characters
 const TOO_LARGE = "Too large to be kept here, 64 kB at most. Save it as a file.";
+const CONTESTED = "Another page changes this program, too, and is told that its changes are not kept.";
 export const CHANGED = "This program was changed on another page. Open it again, or save yours as a copy.";
 
 export class Kept {
@@ -32,7 +33,7 @@ export class Kept {
   keep(content) {
     Object.assign(this, { content, unsaved: true });
     const tooLarge = new TextEncoder().encode(content.program).length > MAX_SIZE;
-    this.problem = this.foreign ? CHANGED : tooLarge ? TOO_LARGE : problemOf(content.program);
+    this.problem = tooLarge ? TOO_LARGE : problemOf(content.program);
     if (this.problem) return this.report(this, this.problem, true);
     this.waiting = content;
     this.report(this, "Not kept yet", false);
@@ -61,6 +62,12 @@ export class Kept {
       this.report(this, message, true);
       await new Promise((resolve) => { setTimeout(resolve, RETRY_AFTER); });
     }
+  }
+
+  // Compares it with what the cockpit has, a row of its list. This page's next change is refused, or the other page's.
+  compare({ version, contested }) {
+    if (version !== this.version) this.refuse(CHANGED);
+    else if (contested) this.report(this, CONTESTED, true);
   }
 
   // It is not kept as it is now.

@@ -4,7 +4,7 @@ import { element, setText } from "../dom.js";
 import { recall, remember } from "../storage.js";
 import { ask } from "./ask.js";
 import { EMPTY } from "./examples.js";
-import { CHANGED, clean, copyOf, Kept } from "./kept.js";
+import { clean, copyOf, Kept } from "./kept.js";
 import { Shelf } from "./shelf.js";
 
 const KEY = "program";
@@ -99,8 +99,7 @@ export class Work {
     const newest = rows.find(({ deleted }) => !deleted);
     this.arriving = false;
     if (this.looking || kept.pending) return;
-    if (row && row.version === kept.version) return;
-    if (row && !arriving) kept.refuse(CHANGED);
+    if (row && (!arriving || row.version === kept.version)) kept.compare(row);
     else if (row) this.open(row.id);
     else if (kept.version) this.keep(this.current()); // the cockpit was started again
     else if (arriving && newest && !touched) this.open(newest.id);

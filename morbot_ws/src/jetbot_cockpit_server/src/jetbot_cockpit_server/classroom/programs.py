@@ -2,7 +2,7 @@
 
 import json
 import re
-from typing import Any, Dict, Iterator, List, NamedTuple, Optional
+from typing import Any, Dict, FrozenSet, Iterator, List, NamedTuple, Optional
 
 from jetbot.text import is_printable
 
@@ -34,9 +34,10 @@ class Program(NamedTuple):
     deleted: bool
     program: str
 
-    def row(self) -> dict:
-        """Return it as in a list: without its text."""
-        return {name: value for name, value in self._asdict().items() if name not in ("program", "changed")}
+    def row(self, contested: bool = False) -> dict:
+        """Return it as in a list: without its text. contested: whether another page's change of it was refused."""
+        row = {name: value for name, value in self._asdict().items() if name not in ("program", "changed")}
+        return {**row, "contested": contested}
 
 
 class Programs:
@@ -46,6 +47,7 @@ class Programs:
         self._folder = folder
         self._programs: Dict[str, Program] = {each.id: each for each in read_all(folder)}  # replaced, never changed
         self._latest: Dict[str, int] = {}
+        self._contested: FrozenSet[str] = frozenset()
         for each in self._programs.values():
             self._latest[each.robot] = max(each.changed, self._latest.get(each.robot, 0))
 
@@ -55,7 +57,8 @@ class Programs:
 
     def rows(self, robot: Optional[str]) -> List[dict]:
         """Return the programs of a robot, or of all (None), those first that were changed last."""
-        return [each.row() for each in sorted(self._of(robot), key=lambda each: -each.changed)]
+        programs = sorted(self._of(robot), key=lambda each: -each.changed)
+        return [each.row(each.id in self._contested) for each in programs]
 
     def open(self, robot: str, id: str) -> Program:
         """Return a program of the robot. Raise Refused."""
@@ -76,6 +79,8 @@ class Programs:
         if before and (before.name, before.program, before.deleted) == (name, program, False):
             return before
         if before and before.version != version:
+            self._contested |= {id}
+            self._latest = {**self._latest, robot: self._next()}  # so that the other page looks
             raise Refused(CHANGED)
         problem = problem_of(program)
         if problem:
@@ -98,6 +103,7 @@ class Programs:
         self._folder.write(PREFIX + program.id, program._asdict())
         self._programs = {**self._programs, program.id: program}
         self._latest = {**self._latest, program.robot: program.changed}
+        self._contested -= {program.id}
         for each in leaving:
             self._folder.remove(PREFIX + each.id)
             self._programs = {id: other for id, other in self._programs.items() if id != each.id}
