@@ -43,6 +43,12 @@ def run(page, world, speeds=FORWARD, button="run"):
                lambda *wheels: close(wheels, speeds))
 
 
+def release(page):
+    """Release what is stopped, if anything is, and wait until the page knows that."""
+    page.click("#release")
+    page.wait_for(lambda: not page.has("#release.needed"), "the release")
+
+
 def close(wheels, speeds):
     return all(abs(one - other) < 0.003 for one, other in zip(wheels, speeds))
 
@@ -95,7 +101,7 @@ def test_the_program_ends_and_the_robot_stops_at_any_stop_a_change_or_in_the_bac
     for name, (act, sentence) in ENDS.items():
         page = blocks(program(drive(0.5, 30)))
         page.choose(ROBOT)
-        page.click("#release")
+        release(page)
         run(page, world)
         with world.stops(ROBOT, what=name):
             act(page)
@@ -126,8 +132,7 @@ def test_an_emergency_stop_from_elsewhere_ends_the_program_whatever_the_robot_st
             world.emergency_stop()
         page.wait_for_text("outcome", "emergency stop")
     finally:
-        page.click("#release")
-    page.wait_for(lambda: not page.has(".emergency"), "the release")
+        release(page)
     world.stay_stopped(ROBOT)
 
 

@@ -164,7 +164,7 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
             stop()
             pupil.wait_for_text("score", "cancelled")
     page.click("#release")
-    pupil.wait_for(lambda: not pupil.run("return document.body.classList.contains('emergency')"), "the release")
+    pupil.wait_for(lambda: not pupil.has("#release.needed"), "the release")
     for act in (lambda: pupil.click("#pause"), lambda: pupil.click("#end"), lambda: (pupil.new_tab(), pupil.old_tab())):
         judge(pupil, world, "its program was stopped", act)
     pupil.element("file").send_keys(as_file(tmp_path, FAILS))
