@@ -44,6 +44,7 @@ class SimulationLaunch(RobotTest):
         frames, transforms = tf2_ros.Buffer(), self.record("/tf", TFMessage)
         self.addCleanup(tf2_ros.TransformListener(frames).unregister)
         self.simulate("x:=1", *arguments)
+        self.wait_for(lambda: near(frames, "base_footprint", "true_base_footprint", 0.01), START_TIMEOUT, "its start")
         self.assert_drives(command, command)
         self.wait_for(lambda: self.command(*command) or self.odometry[-1].pose.pose.position.y > 0.2, START_TIMEOUT,
                       "a part of a circle")
