@@ -38,10 +38,10 @@ export function print(text) {
 // Shows the values of the variables, by their ids, and what was printed last.
 export function showOutput(workspace, values) {
   const known = workspace.getVariableMap().getAllVariables().filter((each) => values.has(each.getId()));
-  const valueOf = (each) => String(shown(values.get(each.getId()))).slice(0, MAX_VALUE);
-  const parts = known.flatMap((each) => [create("dt", "", each.getName()), create("dd", "", valueOf(each))]);
-  const changed = parts.map(({ textContent }) => textContent).join("") !== element("variables").textContent;
-  if (changed) element("variables").replaceChildren(...parts);
+  const texts = known.flatMap((each) => [each.getName(), String(shown(values.get(each.getId()))).slice(0, MAX_VALUE)]);
+  const parts = element("variables").children;
+  if (parts.length === texts.length) texts.forEach((text, index) => setText(parts[index], text));
+  else element("variables").replaceChildren(...texts.map((text, index) => create(index % 2 ? "dd" : "dt", "", text)));
   if (printed) element("output").scrollTop = element("output").scrollHeight;
   printed = false;
 }

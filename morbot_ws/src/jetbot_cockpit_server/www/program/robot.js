@@ -87,7 +87,7 @@ export const SENSE = [
   },
 ].map((row) => ({ ...row, output: "Number", colour: "#0d7264" }));
 
-export const OTHERS = [
+const OTHERS = [
   {
     type: "robot_start", message0: "when the program starts", nextStatement: null, colour: "#7a5200",
     tooltip: "The blocks below run, one after the other. Blocks that hang nowhere do not.",

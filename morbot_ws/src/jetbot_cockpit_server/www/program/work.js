@@ -7,7 +7,7 @@ import { EMPTY } from "./examples.js";
 import { clean, copyOf, Kept } from "./kept.js";
 import { Shelf } from "./shelf.js";
 
-const KEY = "program";
+const LAST = "last program"; // the key of the one that was shown last
 
 export class Work {
   robot = null; // whose programs these are
@@ -48,7 +48,7 @@ export class Work {
 
   // Shows what this device kept when the page was left.
   restore() {
-    const left = load(KEY);
+    const left = load(recall(LAST));
     if (!left) return;
     Object.assign(this, { robot: left.robot ?? null, arriving: true });
     this.goOn(left);
@@ -126,8 +126,9 @@ export class Work {
     if (isShown || bad) element("kept").dataset.level = bad ? "warning" : "";
     if (!isShown) return;
     element("copy").hidden = !foreign;
-    const left = JSON.stringify({ robot, id, version, ...content, unsaved });
-    if (content) [KEY, keyOf(robot)].forEach((key) => remember(key, left));
+    if (!content) return;
+    remember(keyOf(robot), JSON.stringify({ robot, id, version, ...content, unsaved }));
+    remember(LAST, keyOf(robot));
   }
 
   open(id) {
@@ -173,5 +174,5 @@ function load(key) {
 }
 
 function keyOf(robot) {
-  return `${KEY} ${robot}`;
+  return `program ${robot}`;
 }

@@ -58,9 +58,9 @@ class ClassFolder:
         except OSError as error:
             if error.errno not in (errno.EFBIG, errno.EINVAL):  # too large, or no regular file
                 raise unusable(file, error) from None
-            self.set_aside(name)
         except (ValueError, RecursionError):
-            self.set_aside(name)
+            pass
+        self.set_aside(name)
         return None
 
     def set_aside(self, name: str) -> None:

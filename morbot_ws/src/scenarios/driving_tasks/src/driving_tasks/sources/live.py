@@ -113,12 +113,12 @@ def run(attempts: Sequence[Attempt]) -> Iterator[Attempt]:
     """Judge all at the same time; yield each as it ends. Raise JetbotError."""
     waiting = list(attempts)
     for _ in polls():
-        if not waiting:
-            return
         for attempt in waiting:
             attempt.step()
         yield from (attempt for attempt in waiting if attempt.mark)
         waiting = [attempt for attempt in waiting if not attempt.mark]
+        if not waiting:
+            return
 
 
 def polls() -> Iterator[None]:
