@@ -314,3 +314,10 @@ def test_a_board_that_fails_now_and_then_is_reported(supervisor, folder, statuse
         power_on(folder)
         supervisor.step(moment + 0.05, woken=True)
     assert statuses[-1] == "driving, its board keeps failing to answer (2 so far): check the wires"
+
+
+def test_a_program_whose_command_arrives_after_its_end_is_not_listed(supervisor):
+    order = Sender("/order", latched=True, number=1)
+    supervisor.disconnect(order, others=True)
+    supervisor.command(0.5, 0.0, order)
+    assert supervisor.commands.recent(0.0) == []

@@ -19,13 +19,11 @@ class Master:
         self.says = True
         self.refuses = False
 
-    def is_registered(self):
+    def heal(self):
         if isinstance(self.says, Exception):
             raise self.says
-        return self.says
-
-    def register(self):
-        self.says = not self.refuses
+        known, self.says = self.says, not self.refuses
+        return known
 
 
 @pytest.fixture
@@ -35,7 +33,7 @@ def master():
 
 @pytest.fixture
 def asked(master):
-    return MasterWatch(master.is_registered, master.register)
+    return MasterWatch(master.heal)
 
 
 def polls(asked, seconds):

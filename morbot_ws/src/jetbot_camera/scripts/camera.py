@@ -25,7 +25,7 @@ from std_msgs.msg import Header
 from jetbot.camera.sources import find_command
 from jetbot.camera.stream import Stream
 from jetbot_camera.parameters import PARAMETERS
-from jetbot_ros import lifecycle
+from jetbot_ros import lifecycle, links
 from jetbot_ros.messages import camera_info
 from jetbot_ros.node_parameters import check_values, private_parameters
 
@@ -54,7 +54,7 @@ class CameraNode:
         ended, launcher = lifecycle.ending(), Launcher()
         failures.before_end.append(self.stream.abandon)
         self.stream.start()
-        lifecycle.stay_registered()
+        links.stay_linked()
         threading.Thread(target=failures.lasting(self.publish, ended.is_set), daemon=True).start()
         while not ended.wait(INTERVAL) and not launcher.ended:
             launcher.poll()

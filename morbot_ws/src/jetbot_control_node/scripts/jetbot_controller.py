@@ -41,11 +41,9 @@ class JetBotController:
         self.report = node.start_reporting(self.supervisor, parameters)
 
         # Subscribe to the topics and define the callback function; an earlier emergency stop comes before any command
-        self.commanders = Commanders("cmd_vel")
+        self.commanders = Commanders("cmd_vel", self.supervisor.disconnect)
         emergency_stop.subscribe(self.supervisor)
         rospy.Subscriber("cmd_vel", Twist, self.cmd_vel_callback, queue_size=1, tcp_nodelay=True)
-        self.commanders.watch(self.supervisor.disconnect)
-        self.commanders.settle()
         self.commanders.keep_asking(self.supervisor)
 
     def cmd_vel_callback(self, msg):

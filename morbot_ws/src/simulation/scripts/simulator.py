@@ -21,7 +21,7 @@ from rosgraph.names import namespace
 from jetbot.boards import BOARDS
 from jetbot.fake.motors import Motors
 from jetbot.text import printable
-from jetbot_ros import lifecycle
+from jetbot_ros import lifecycle, links
 from jetbot_ros.node_parameters import private_parameters
 from simulation import variation
 from simulation.diff_drive import Body, DiffDriveModel, Pose
@@ -66,7 +66,7 @@ def main() -> int:
     parameters = {node: rospy.get_param(node, {}) for node in nodes} or {rospy.get_name(): own}
     simulators = [make_simulator(*each) for each in parameters.items()]
     end_with_roslaunch()
-    lifecycle.stay_registered()
+    links.stay_linked()
     spin(simulators)
     return 0
 

@@ -15,7 +15,7 @@ from jetbot.robot import Robot
 from jetbot.supply import find_supply
 from jetbot.wait import wait_until
 from jetbot_ros import failures
-from jetbot_ros.master import is_registered, register
+from jetbot_ros.links import Links
 from jetbot_ros.node_parameters import private_parameters
 
 from .control import watch
@@ -78,7 +78,7 @@ def run(supervisor: Supervisor, report: Report) -> int:
         signal.signal(signum, supervisor.end)
     failures.before_end.append(lambda: (supervisor.end(), wait_until(lambda: supervisor.closed, STOP_TIMEOUT)))
     rospy.on_shutdown(supervisor.end)  # another node has taken this one's name
-    watch.start(supervisor, watch.MasterWatch(is_registered, register))
+    watch.start(supervisor, watch.MasterWatch(Links().heal))
     errors, ended, unregistered = [], threading.Event(), threading.Event()
     threading.Thread(target=give_up, args=[ended], daemon=True).start()  # now: at the end, no thread may be left
     rospy.core.add_shutdown_hook(lambda _: unregistered.set())  # rospy calls it last

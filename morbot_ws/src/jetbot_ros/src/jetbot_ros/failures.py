@@ -50,18 +50,6 @@ def lasting(function: Callable, is_over: Callable[[], bool]) -> Callable:
     return run
 
 
-def vital(function: Callable) -> Callable:
-    """Return the function; a lack of resources in it ends the process, whatever its caller does with errors."""
-    def run(*arguments, **options):
-        try:
-            return function(*arguments, **options)
-        except Exception as error:
-            if is_lack(error):
-                end(_described(error))
-            raise
-    return run
-
-
 def end(reason: object) -> None:
     """Report the reason in one line, and end this process."""
     if _ending.is_set():

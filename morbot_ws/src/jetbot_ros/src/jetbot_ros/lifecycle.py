@@ -7,7 +7,6 @@ import signal
 import socket
 import sys
 import threading
-import time
 from typing import Callable
 
 import rosgraph
@@ -16,10 +15,8 @@ import rospy
 from jetbot import InvalidValue, JetbotError
 
 from . import failures, rospy_repairs
-from .master import NO_ANSWER, NOT_ANSWERING, is_registered, master_uri, register, require_master, require_name
+from .master import NOT_ANSWERING, master_uri, require_master, require_name
 from .node_parameters import fake_advice, public_words
-
-ASK_INTERVAL = 1.0  # s from one question to the master to the next
 
 
 def init_node(name: str) -> None:
@@ -36,20 +33,6 @@ def init_node(name: str) -> None:
     if not re.fullmatch(r"/([A-Za-z]\w*/)*", namespace, re.ASCII):  # ROS's programs in C++ refuse any other
         raise InvalidValue(f"a robot cannot be named {namespace.strip('/')}",
                            "Begin with a letter, and use letters, digits and _.")
-
-
-def stay_registered() -> None:
-    """From now on, register this node with each new master that takes the old one's place, from a thread."""
-    is_over = rospy.core.is_shutdown_requested
-
-    def run():
-        while not is_over():
-            with contextlib.suppress(*NO_ANSWER):  # until one answers
-                if not is_registered():
-                    register()
-            time.sleep(ASK_INTERVAL)
-
-    threading.Thread(target=failures.lasting(run, is_over), daemon=True).start()
 
 
 def ending() -> threading.Event:

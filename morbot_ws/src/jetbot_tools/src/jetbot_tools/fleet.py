@@ -6,9 +6,9 @@ import rospy
 from std_msgs.msg import Bool, String
 
 from jetbot.wait import wait_until
+from jetbot_ros import links
 from jetbot_ros.holds import EMERGENCY_STOP
 from jetbot_ros.master import address_of, is_reachable, system_state
-from jetbot_ros.rospy_repairs import need_sockets
 
 TOPIC = "/emergency_stop"
 ASK_INTERVAL = 0.05  # s between two questions to the master
@@ -18,11 +18,12 @@ class Fleet:
     """The nodes that listen to the emergency stop and publish a status. Makes this process a node."""
 
     def __init__(self, engaged: bool):
-        need_sockets()
+        links.install()
         rospy.init_node("emergency_stop", anonymous=True, disable_rosout=True, disable_signals=True)
         self._engaged = engaged
         self._publisher = rospy.Publisher(TOPIC, Bool, queue_size=1, latch=True)  # for robots that join meanwhile too
         self._publisher.publish(engaged)
+        self._announcer = links.Announcer(self._publisher)
         self._listeners = 0
         self.statuses: Dict[str, str] = {}  # of each robot's node, "" until it arrives
 
@@ -55,8 +56,9 @@ class Fleet:
         rospy.signal_shutdown("done")
 
     def _find_robots(self):
-        """Subscribe to the status of new robots; return all statuses."""
-        publishers, subscribers, _ = system_state()
+        """Tell who listens of the stop, and subscribe to the status of new robots; return all statuses."""
+        publishers, subscribers, _ = graph = system_state()
+        self._announcer.announce(graph)
         self._listeners = len(subscribers.get(TOPIC, ()))
         for name in subscribers.get(TOPIC, ()):
             if name in publishers.get(f"{name}/status", ()) and name not in self.statuses:

@@ -8,8 +8,9 @@ from typing import Dict, FrozenSet, Iterable, Optional, Set, Tuple
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 
-from jetbot_ros import master
 from jetbot_ros.holds import EMERGENCY_STOP
+from jetbot_ros.links import Links
+from jetbot_ros.master import NO_ANSWER
 
 from ..parameters import MAX_ROBOTS
 from ..session.snapshot import Snapshot
@@ -33,6 +34,7 @@ class Robots:
         self._emergency_stop, self._judge = EmergencyStop(STOP_TOPIC), Judge()
         self._answered_at = time.monotonic()
         rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics)
+        self._links = Links()
         threading.Thread(target=self._run, daemon=True).start()
 
     def snapshot(self) -> Snapshot:
@@ -76,12 +78,11 @@ class Robots:
     def _run(self):
         while not rospy.is_shutdown():
             try:
-                publishers, _, services = master.system_state()
+                self._links.heal()
                 self._answered_at = time.monotonic()
-                if rospy.get_name() not in publishers.get(STOP_TOPIC, ()):
-                    master.register()  # the master was restarted
+                publishers, _, services = self._links.graph
                 self._update(publishers, services)
-            except master.NO_ANSWER:
+            except NO_ANSWER:
                 pass  # snapshot reports it
             time.sleep(POLL_INTERVAL)
 

@@ -28,7 +28,6 @@ class EmergencyStop:
 
     def settle(self) -> None:
         """Wait for what was latched before this node started, a second at most; a stop is then in force."""
-        self._commanders.watch()
         if any(msg.data for msg in self._commanders.settle()):
             self._supervisor.hold(self._hold, True)
 

@@ -71,9 +71,9 @@ class Supervisor:
     def command(self, linear: float, angular: float, sender: Sender) -> None:
         """Accept a command: m/s forward and rad/s to the left."""
         now = time.monotonic()
-        if not sender.old:
-            self.commands.record(sender, now)
         with self._lock:
+            if not sender.old and sender.number not in self.state.ended:
+                self.commands.record(sender, now)
             self.state = self.state.command(linear, angular, sender, now)
         self._step_at_once()
 
@@ -90,8 +90,8 @@ class Supervisor:
 
     def disconnect(self, sender: Sender, others: bool) -> None:
         """Accept that this program can no longer send commands. others: whether another one can."""
-        self.commands.forget(sender.name)
         with self._lock:
+            self.commands.forget(sender.name)
             self.state = self.state.disconnect(sender, others)
         self._wake()
 

@@ -21,11 +21,11 @@ SILENT_POLLS = 9      # without an answer until the master counts as frozen: 2.5
 class MasterWatch:
     """Whether the ROS master answers and knows this node. ``ask`` may block; ``poll`` never does.
 
-    is_registered: asks the master whether it knows this node; raises NO_ANSWER. register: makes it known.
+    heal: as Links.heal.
     """
 
-    def __init__(self, is_registered: Callable[[], bool], register: Callable[[], None]):
-        self._is_registered, self._register = is_registered, register
+    def __init__(self, heal: Callable[[], bool]):
+        self._heal = heal
         self._answers = 0   # only ``ask`` writes these
         self._failures = 0
         self._seen = 0      # only ``poll`` writes these
@@ -41,10 +41,9 @@ class MasterWatch:
     def ask(self) -> float:
         """Ask the master once; return the seconds until the next question."""
         try:
-            if not self._is_registered():
+            if not self._heal():
                 self._failures = 2  # a new master, which no emergency stop passes on yet
-                self._register()
-                if not self._is_registered():
+                if not self._heal():
                     return RETRY_INTERVAL
         except NO_ANSWER:
             self._failures += 1

@@ -16,7 +16,7 @@ from std_msgs.msg import String
 
 from jetbot import InvalidValue, JetbotError, files
 from jetbot.wait import wait_until
-from jetbot_ros.master import NO_ANSWER, condition_of, is_registered, require_master, system_state
+from jetbot_ros.master import NO_ANSWER, address_of, condition_of, require_master, system_state
 
 from ..report.marks import Mark
 from ..scoring.tasks import Task
@@ -137,7 +137,7 @@ def polls() -> Iterator[None]:
 def is_known() -> bool:
     """Return whether the master answers, and knows this node."""
     try:
-        return is_registered()
+        return address_of(rospy.get_name()) == rospy.get_node_uri()
     except NO_ANSWER:
         return False
 
