@@ -1,14 +1,15 @@
 """A master that has ended, or is frozen, stops the robot; a slow answer does not; a restarted one drives again."""
 
-import time
+import socket
 from unittest.mock import Mock
 
 import pytest
 
+from conftest import step_of
 from jetbot import JetbotError
 from jetbot_control_node.control import watch
-from jetbot_control_node.control.state import State
-from jetbot_control_node.control.watch import ASK_INTERVAL, POLL_INTERVAL, MasterWatch, check, repeat
+from jetbot_control_node.control.state import STOPPED, State
+from jetbot_control_node.control.watch import ASK_INTERVAL, POLL_INTERVAL, LauncherWatch, MasterWatch, repeat
 from jetbot_ros.holds import NO_MASTER, SUSPENDED
 
 
@@ -19,70 +20,19 @@ class Master:
         self.says = True
         self.refuses = False
 
-    def heal(self):
+    def heal(self, before_registering):
         if isinstance(self.says, Exception):
             raise self.says
-        known, self.says = self.says, not self.refuses
+        known = self.says
+        if not known:
+            before_registering()
+            self.says = not self.refuses
         return known
 
 
 @pytest.fixture
 def master():
     return Master()
-
-
-@pytest.fixture
-def asked(master):
-    return MasterWatch(master.heal)
-
-
-def polls(asked, seconds):
-    """Poll for so long; return the last result."""
-    return [asked.poll() for _ in range(round(seconds / POLL_INTERVAL))][-1]
-
-
-def test_a_master_that_answers_each_second_is_there(asked):
-    for _ in range(10):
-        assert asked.ask() == ASK_INTERVAL
-        assert not polls(asked, ASK_INTERVAL)
-
-
-def test_a_master_that_refuses_twice_is_gone_and_back_at_the_first_answer(asked, master):
-    master.says = ConnectionRefusedError()
-    asked.ask()
-    assert not asked.poll()
-    asked.ask()
-    assert asked.poll()
-    master.says = True
-    asked.ask()
-    assert not asked.poll()
-
-
-def test_a_frozen_master_is_gone_within_two_and_a_half_seconds_and_a_slow_one_is_not(asked):
-    asked.ask()
-    asked.poll()
-    assert not polls(asked, 2.0)
-    assert polls(asked, 0.5)
-
-
-def test_a_new_master_is_lost_until_this_node_is_registered(asked, master):
-    asked.ask()
-    master.says, master.refuses = False, True
-    asked.ask()
-    assert asked.poll()
-    master.refuses = False
-    asked.ask()
-    assert not asked.poll()
-
-
-def test_a_command_counts_as_soon_as_the_master_is_back(asked, master):
-    master.says = ConnectionRefusedError()
-    asked.ask()
-    master.says = False
-    asked.ask()
-    started = time.monotonic()
-    asked.wait(60.0)
-    assert not asked.poll() and time.monotonic() < started + 30.0
 
 
 @pytest.fixture
@@ -96,30 +46,69 @@ def supervisor():
     return fake
 
 
-def test_holds_are_engaged_and_released_once(supervisor, asked, master):
-    launcher = Mock(suspended=True, ended=False)
+@pytest.fixture
+def watched(supervisor, master):
+    return MasterWatch(supervisor, master.heal)
+
+
+def test_a_master_that_answers_is_there(watched, supervisor):
+    assert [watched.ask() for _ in range(10)] == [ASK_INTERVAL] * 10
+    supervisor.hold.assert_not_called()
+
+
+def test_a_master_that_refuses_twice_is_gone_and_back_at_the_first_answer(watched, supervisor, master):
     master.says = ConnectionRefusedError()
-    asked.ask(), asked.ask()
-    for _ in range(3):
-        check(supervisor, launcher, asked)
-    assert supervisor.state.holds == (NO_MASTER, SUSPENDED)
-    assert supervisor.hold.call_count == 2
-    launcher.suspended, master.says = False, True
-    asked.ask()
-    for _ in range(3):
-        check(supervisor, launcher, asked)
+    watched.ask()
     assert supervisor.state.holds == ()
+    watched.ask()
+    assert supervisor.state.holds == (NO_MASTER,)
+    master.says = True
+    watched.ask()
+    assert supervisor.state.holds == ()
+
+
+def test_a_master_that_does_not_answer_in_time_is_frozen(watched, supervisor, master):
+    master.says = socket.timeout()
+    watched.ask()
+    assert supervisor.state.holds == (NO_MASTER,)
+
+
+def test_a_new_master_is_lost_until_this_node_is_registered(watched, supervisor, master):
+    master.says, master.refuses = False, True
+    watched.ask()
+    assert supervisor.state.holds == (NO_MASTER,)
+    master.refuses = False
+    watched.ask()
+    assert supervisor.state.holds == ()
+
+
+def test_the_robot_is_held_before_it_registers_with_a_new_master(watched, supervisor, master):
+    master.says = False
+    watched.ask()
+    assert [call.args for call in supervisor.hold.call_args_list] == [(NO_MASTER, True), (NO_MASTER, False)]
+
+
+def test_a_terminal_that_is_suspended_holds_the_robot_until_it_is_resumed(supervisor):
+    launcher = Mock(suspended=True, ended=False)
+    watch = LauncherWatch(supervisor, launcher)
+    for number in range(3):
+        watch(step_of(STOPPED, number * POLL_INTERVAL))
+    assert (supervisor.state.holds, supervisor.hold.call_count) == ((SUSPENDED,), 1)
+    launcher.suspended = False
+    watch(step_of(STOPPED, 10.0))
+    watch(step_of(STOPPED, 10.0 + POLL_INTERVAL / 2))
+    assert (supervisor.state.holds, launcher.poll.call_count) == ((), 4)
     supervisor.end.assert_not_called()
 
 
-def test_the_end_of_roslaunch_ends_the_node(supervisor, asked):
-    check(supervisor, Mock(suspended=False, ended=True), asked)
+def test_the_end_of_roslaunch_ends_the_node(supervisor):
+    LauncherWatch(supervisor, Mock(suspended=False, ended=True))(step_of(STOPPED, 0.0))
     supervisor.end.assert_called()
 
 
 def test_a_watch_that_fails_ends_the_node(supervisor):
     with pytest.raises(ZeroDivisionError):
-        watch.repeat(supervisor, lambda: 1 / 0)
+        repeat(supervisor, lambda: 1 / 0)
     supervisor.end.assert_called()
     supervisor.closed = True
     repeat(supervisor, lambda: pytest.fail("the node has ended"))

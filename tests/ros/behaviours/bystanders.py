@@ -4,7 +4,7 @@ import os
 import signal
 
 import rospy
-from std_msgs.msg import Bool, String
+from std_msgs.msg import Bool
 
 from harness import START_TIMEOUT, RobotTest, near, program, read
 
@@ -53,4 +53,5 @@ class Bystanders(RobotTest):
         os.killpg(self.driver.pid, signal.SIGKILL)
         for connection in self.commands().impl.connections:
             connection.close()
-        self.wait_for(lambda: self.command(0.25) or near(self.wheels(), (0.25, 0.25)), HEAL_TIMEOUT, "the robot to obey")
+        self.wait_for(lambda: self.command(0.25) or near(self.wheels(), (0.25, 0.25)), HEAL_TIMEOUT,
+                      "the robot to obey")

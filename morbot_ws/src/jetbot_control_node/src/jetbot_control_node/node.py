@@ -25,6 +25,7 @@ from .status.report import Report
 from .status.supply_watch import SupplyWatch
 from .status.wheels import WheelsPublisher
 
+MASTER_TIMEOUT = 1.5    # s for an answer of the master, until the robot is stopped
 SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
 STOP_TIMEOUT = 0.5      # s for the robot to be stopped when something in this process broke; then its guard stops it
 
@@ -78,7 +79,7 @@ def run(supervisor: Supervisor, report: Report) -> int:
         signal.signal(signum, supervisor.end)
     failures.before_end.append(lambda: (supervisor.end(), wait_until(lambda: supervisor.closed, STOP_TIMEOUT)))
     rospy.on_shutdown(supervisor.end)  # another node has taken this one's name
-    watch.start(supervisor, watch.MasterWatch(Links().heal))
+    watch.start(supervisor, Links(MASTER_TIMEOUT).heal)
     errors, ended, unregistered = [], threading.Event(), threading.Event()
     threading.Thread(target=give_up, args=[ended], daemon=True).start()  # now: at the end, no thread may be left
     rospy.core.add_shutdown_hook(lambda _: unregistered.set())  # rospy calls it last

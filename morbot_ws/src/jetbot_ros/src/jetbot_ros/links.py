@@ -28,7 +28,7 @@ from rospy.impl.tcpros_pubsub import TCPROSSub
 from jetbot.host import is_loopback, is_this_host
 
 from . import failures
-from .master import NO_ANSWER, CachingTransport, address_of, ask, condition_of, master_uri, proxy
+from .master import NO_ANSWER, TIMEOUT, CachingTransport, address_of, ask, condition_of, master_uri, proxy
 
 HEAL_INTERVAL = 1.0      # s from one check of the links to the next
 HEADER_TIMEOUT = 5.0     # s for a publisher's header
@@ -45,13 +45,16 @@ on_end: Dict[str, Callable[["Link"], None]] = {}  # by topic: called with each l
 
 
 class Links:
-    """Checks and repairs the links of this node. graph: of all publishers, subscribers and services, as of ``heal``."""
+    """Checks and repairs the links of this node. timeout: in s, for an answer of the master.
 
-    def __init__(self):
+    graph: of all publishers, subscribers and services, as of the last ``heal``.
+    """
+
+    def __init__(self, timeout: float = TIMEOUT):
         self.graph: Graph = {}, {}, {}
-        self._master = proxy(master_uri(), transport=CachingTransport)
+        self._master = proxy(master_uri(), timeout, CachingTransport)
 
-    def heal(self) -> bool:
+    def heal(self, before_registering: Callable[[], None] = lambda: None) -> bool:
         """Ask the master once; register what it does not know, connect to each publisher that is not connected.
 
         Return whether the master knew all of this node. Raise NO_ANSWER.
@@ -59,6 +62,7 @@ class Links:
         self.graph = tuple(dict(part) for part in ask(self._master, "getSystemState"))
         missing = self._unregistered()
         if missing:
+            before_registering()
             register(missing)
         for topic, node in self._unconnected():
             uri = address_of(node)
@@ -189,8 +193,8 @@ def open_link(topic: str, subscriber, uri: str) -> Optional[Link]:
 
 
 def is_gone(error: Exception) -> bool:
-    """Return whether nobody publishes there any more: no process, or another program, has its address."""
-    return isinstance(error, ConnectionRefusedError) or not isinstance(error, (OSError, TransportException))
+    """Return whether nobody publishes there any more: no program listens, or one that does not publish this."""
+    return isinstance(error, (ConnectionRefusedError, LookupError))
 
 
 def may_reach(host: object, uri: str) -> bool:

@@ -6,7 +6,7 @@ import rospy
 from std_msgs.msg import Bool, String
 
 from jetbot.wait import wait_until
-from jetbot_ros import links
+from jetbot_ros import links, rospy_repairs
 from jetbot_ros.holds import EMERGENCY_STOP
 from jetbot_ros.master import address_of, is_reachable, system_state
 
@@ -18,7 +18,7 @@ class Fleet:
     """The nodes that listen to the emergency stop and publish a status. Makes this process a node."""
 
     def __init__(self, engaged: bool):
-        links.install()
+        rospy_repairs.repair()
         rospy.init_node("emergency_stop", anonymous=True, disable_rosout=True, disable_signals=True)
         self._engaged = engaged
         self._publisher = rospy.Publisher(TOPIC, Bool, queue_size=1, latch=True)  # for robots that join meanwhile too
