@@ -62,6 +62,12 @@ class Connections(RobotTest):
         self.drive_at(0.25)
         self.assertEqual([elsewhere.asked, elsewhere.connected, offered_elsewhere.connected], [[], [], []])
 
+    def test_a_publisher_of_another_type_is_named_and_keeps_no_other_out(self):
+        self.start("rostopic", "pub", "-r", "10", "/cmd_vel", "std_msgs/String", "forward")
+        self.wait_for(lambda: "topic types do not match" in read(self.node), START_TIMEOUT, "a line")
+        self.drive_at(0.25)
+        self.assertEqual(read(self.node).count("topic types do not match"), 1, read(self.node))
+
     def test_connections_without_a_header_block_nobody(self):
         _, _, (_, _, port) = ServerProxy(self.address).requestTopic("/test", "/jetbot_controller/status", [["TCPROS"]])
         silent = [socket.create_connection(("localhost", port)) for _ in range(20)]
