@@ -6,7 +6,7 @@ import signal
 import rospy
 from std_msgs.msg import Bool
 
-from harness import START_TIMEOUT, RobotTest, near, program, read
+from harness import START_TIMEOUT, RobotTest, end, near, program, read
 
 STOP = program("jetbot_tools", "emergency_stop.py")
 FROZEN = 4  # the master announces publishers from three threads
@@ -36,7 +36,7 @@ class Bystanders(RobotTest):
         release = self.start(STOP, "--release")
         self.wait_for_wheels(0.5, 0.5, START_TIMEOUT)
         self.assertEqual(release.wait(START_TIMEOUT), 0, read(release))
-        os.killpg(self.driver.pid, signal.SIGKILL)
+        end([self.driver])
         self.wait_for_stop(1.0)
         self.publisher()
         self.wait_for_wheels(0.5, 0.5, START_TIMEOUT)
@@ -50,7 +50,7 @@ class Bystanders(RobotTest):
         self.wait_for(lambda: statuses, HEAL_TIMEOUT, "a status")
         self.command(0.25)
         self.wait_for(lambda: any("2 programs" in text for text in statuses), HEAL_TIMEOUT, "both to command")
-        os.killpg(self.driver.pid, signal.SIGKILL)
+        end([self.driver])
         for connection in self.commands().impl.connections:
             connection.close()
         self.wait_for(lambda: self.command(0.25) or near(self.wheels(), (0.25, 0.25)), HEAL_TIMEOUT,
