@@ -7,7 +7,6 @@ import threading
 
 import rosgraph
 import rospy
-from rospy.impl.registration import RegManager
 from rospy.impl.tcpros_base import TCPROSServer, TCPServer
 
 from . import failures, links
@@ -23,8 +22,7 @@ def repair() -> None:
     links.install()
     bound_headers()
     bound_questions()
-    for kind, method in (RegManager, "start"), (TCPServer, "run"):  # rospy's threads that connect to others, and accept
-        setattr(kind, method, failures.lasting(getattr(kind, method), rospy.core.is_shutdown_requested))
+    TCPServer.run = failures.lasting(TCPServer.run, rospy.core.is_shutdown_requested)  # it accepts connections
 
 
 def bound_questions() -> None:
