@@ -65,10 +65,11 @@ def test_a_program_gets_a_score_and_one_that_crashes_a_row(folder):
 
 
 def test_a_judge_that_is_killed_leaves_no_program_behind(folder):
-    (folder / "leaves.py").write_text("import os, time\nif os.fork() == 0:\n    os.setsid()\ntime.sleep(1000)\n")
+    (folder / "leaves.py").write_text(
+        "import os, time\nif os.fork() == 0:\n    os.setsid()\n    open('begun', 'w')\ntime.sleep(1000)\n")
     judge = start([JUDGE, "metre", "--program", folder / "leaves.py"], folder / "log", cwd=folder)
     try:
-        assert wait_until(lambda: len(find_processes("leaves.py")) == 4, START_TIMEOUT), read(judge)
+        assert wait_until(lambda: list(folder.glob("judge_*/home/begun")), START_TIMEOUT), read(judge)
         os.kill(judge.pid, signal.SIGKILL)
         assert wait_until(lambda: not find_processes("leaves.py"), START_TIMEOUT)
         assert wait_until(lambda: not list(folder.glob("judge_*")), START_TIMEOUT)

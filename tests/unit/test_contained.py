@@ -35,7 +35,7 @@ def write(file):
 @pytest.mark.parametrize("function, arguments, problem", [
     (fail, (), "It is not a rosbag."),
     (bytes, (10 ** 9,), "It needs more than 200 MB of memory."),
-    (os._exit, (3,), "It needs more than 200 MB of memory, or breaks the program that reads it."),
+    (os._exit, (3,), "It needs more than 200 MB of memory, or breaks what reads or runs it."),
     (spin, (), "It takes more than 1 s of CPU time."),
 ], ids=["error", "memory", "crash", "endless"])
 def test_what_fails_in_a_child_is_a_problem_in_one_sentence(function, arguments, problem):
@@ -47,7 +47,7 @@ def test_a_function_that_waits_ends():
 
 
 def test_processes_of_others_may_end_while_a_child_starts(monkeypatch):
-    monkeypatch.setattr(contained, "children", lambda: [])
+    monkeypatch.setattr(contained, "_parents", dict)
     monkeypatch.setattr(Path, "glob", Mock(side_effect=FileNotFoundError("/proc/7/task")))
     assert run(int, "3").value == 3
 
@@ -63,27 +63,75 @@ def test_a_child_writes_no_file(tmp_path):
     assert (tmp_path / "new").stat().st_size == 0
 
 
-def leave_a_process(folder):
-    """Start a process that starts another one in a session of its own, and ends; return the id of the other one."""
-    contained.start(["sh", "-c", "setsid sleep 60 & echo $! > pid"], folder, folder / "log").wait()
-    return (folder / "pid").read_text().strip()
+@pytest.fixture(params=[True, False], ids=["in a PID namespace", "as in most containers"])
+def is_isolated(request, monkeypatch):
+    if request.param and not contained.can_isolate():
+        pytest.skip("no PID namespaces here")
+    monkeypatch.setattr(contained, "can_isolate", lambda: request.param)
+    return request.param
 
 
-def test_what_a_child_leaves_behind_ends_with_it(tmp_path):
-    process = run(leave_a_process, tmp_path, limits=SMALL._replace(file_size=1)).value
-    assert process and not Path("/proc", process).exists()
+def start_hostile(folder, lines):
+    """Start a program whose child, in a session of its own, runs these lines; return once they have run."""
+    program = f"import os, signal, time\nup = os.getppid()\nif os.fork() == 0:\n    os.setsid()\n" \
+              f"    open('begun', 'w').close()\n    {lines}\n    open('ready', 'w').close()\n    time.sleep(60)"
+    contained.start([sys.executable, "-c", program, str(folder)], folder, folder / "log")
+    return wait_until((folder / "ready").exists, 10)
+
+
+def running(folder):
+    """Return the ids of the processes that ``start_hostile`` has started for this folder."""
+    return [each.parent.name for each in Path("/proc").glob("[0-9]*/cmdline")
+            if each.exists() and each.read_bytes().endswith(b"\0%b\0" % os.fsencode(folder))]
+
+
+BOMB = """
+    if os.fork() == 0:
+        open('ready', 'w').close()
+        while True:
+            try:
+                os.fork()
+            except OSError:
+                time.sleep(0.001)"""
+
+
+@pytest.mark.parametrize("lines, problem", [
+    ("signal.signal(signal.SIGTERM, signal.SIG_IGN)", ""),
+    ("os.fork() and os._exit(0)", ""),
+    ("os.kill(up, signal.SIGKILL)", "It needs more than 200 MB of memory, or breaks what reads or runs it."),
+    ("os.kill(up, signal.SIGSTOP)", "It takes more than 3 s."),
+    ("for each in range(1, 32): os.kill(up, each)",
+     "It needs more than 200 MB of memory, or breaks what reads or runs it.")],
+    ids=["ignores", "daemon", "kills", "stops", "sends all signals"])
+def test_nothing_outlives_what_a_child_has_started(tmp_path, monkeypatch, is_isolated, lines, problem):
+    monkeypatch.setattr(contained, "END_TIMEOUT", 1.0)
+    outcome = run(start_hostile, tmp_path, lines, limits=SMALL._replace(file_size=1, wall_time=3.0))
+    assert outcome == ((True, "") if is_isolated and "each" not in lines or not problem else (None, problem))
+    assert (tmp_path / "begun").exists() and not running(tmp_path)
+    assert not contained.children()
+
+
+@pytest.mark.skipif(os.getuid() == 0, reason="Linux does not limit the processes of root")
+def test_a_fork_bomb_ends(tmp_path, is_isolated):
+    assert run(start_hostile, tmp_path, BOMB, limits=SMALL._replace(file_size=1)).value
+    assert not running(tmp_path)
+
+
+@pytest.mark.skipif(not contained.can_isolate(), reason="no PID namespaces here")
+def test_nothing_in_a_namespace_reaches_the_judge(tmp_path):
+    lines = f"assert not os.path.exists('/proc/{os.getpid()}')"
+    assert run(start_hostile, tmp_path, lines, limits=SMALL._replace(file_size=1)).value
 
 
 @pytest.mark.parametrize("signum, printed", [(signal.SIGKILL, b""), (signal.SIGINT, b"cancelled\n")])
-def test_the_child_ends_with_the_program(signum, printed):
-    program = ("import time; from driving_tasks.contained import run\ntry:\n"
-               "    run(time.sleep, 60)\nexcept KeyboardInterrupt:\n    print('cancelled')")
-    with subprocess.Popen([sys.executable, "-c", program], env=ENVIRONMENT, stdout=subprocess.PIPE,
+def test_the_child_ends_with_the_program(tmp_path, is_isolated, signum, printed):
+    program = ("import sys, time; from pathlib import Path; from driving_tasks import contained\n"
+               f"contained.can_isolate = lambda: {is_isolated}\n"
+               "def wait():\n    Path(sys.argv[1], 'ready').touch()\n    time.sleep(60)\n"
+               "try:\n    contained.run(wait)\nexcept KeyboardInterrupt:\n    print('cancelled')")
+    with subprocess.Popen([sys.executable, "-c", program, str(tmp_path)], env=ENVIRONMENT, stdout=subprocess.PIPE,
                           start_new_session=True) as parent:
-        children = Path(f"/proc/{parent.pid}/task/{parent.pid}/children")
-        assert wait_until(children.read_text, 10)
-        child = Path(f"/proc/{children.read_text().strip()}/stat")
-        assert wait_until(lambda: os.getsid(int(child.parent.name)) == int(child.parent.name), 5)
+        assert wait_until((tmp_path / "ready").exists, 10)
         os.killpg(parent.pid, signum)
         assert parent.communicate(timeout=10)[0] == printed
-    assert wait_until(lambda: not child.exists() or " Z " in child.read_text(), 5)
+    assert wait_until(lambda: not running(tmp_path), 5)

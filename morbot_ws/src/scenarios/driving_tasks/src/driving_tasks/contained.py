@@ -1,5 +1,6 @@
 """Runs what others wrote in a child process with limits: it stops nothing else, and leaves no process behind."""
 
+import contextlib
 import ctypes
 import functools
 import multiprocessing
@@ -9,7 +10,7 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, Callable, List, NamedTuple
+from typing import Any, Callable, Collection, List, NamedTuple, Set
 
 from jetbot.wait import wait_until
 
@@ -17,7 +18,9 @@ FORK = multiprocessing.get_context("fork")
 MAX_PROCESSES = 200  # more than there are now; Linux does not limit root's
 END_TIMEOUT = 10.0   # s in which all processes end, unless they multiply faster than they are killed
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36  # of prctl(2)
-prctl = ctypes.CDLL(None).prctl
+CLONE_NEWNS, CLONE_NEWUSER, CLONE_NEWPID = 0x20000, 0x10000000, 0x20000000  # of unshare(2)
+MS_REC, MS_PRIVATE = 0x4000, 0x40000  # of mount(2)
+libc = ctypes.CDLL(None)
 
 
 class Limits(NamedTuple):
@@ -46,10 +49,13 @@ def run(function: Callable, *arguments: object, limits: Limits = LIMITS) -> Outc
     """Return the outcome of function(*arguments) in a child that prints nothing; what it returns must pickle.
 
     The child is in a session of its own: what is typed in the terminal goes to this process. It ends with this
-    process, however that ends, and with it all that it has started.
+    process, however that ends, and with it all that it has started: see ``can_isolate``.
     """
+    others, used = children(), _cpu_time()
     pipe, answer = FORK.Pipe(duplex=False)
-    child = FORK.Process(target=_work, args=(os.getpid(), answer, function, arguments, limits), daemon=True)
+    child = FORK.Process(target=_work, args=(os.getpid(), answer, function, arguments, limits, can_isolate()),
+                         daemon=True)
+    libc.prctl(PR_SET_CHILD_SUBREAPER, 1)  # a child that is killed leaves its orphans to this process
     child.start()
     answer.close()
     try:
@@ -57,13 +63,28 @@ def run(function: Callable, *arguments: object, limits: Limits = LIMITS) -> Outc
             problem=f"It takes more than {limits.wall_time:g} s.")
     except (EOFError, OSError):
         child.join()
-        return Outcome(problem=_reason(child.exitcode, limits))
+        return Outcome(problem=_reason(_cpu_time() - used, limits))
     finally:
         child.terminate()
         child.join(END_TIMEOUT)
         child.kill()
         child.join()
         pipe.close()
+        end_children(others)
+        libc.prctl(PR_SET_CHILD_SUBREAPER, 0)
+
+
+@functools.lru_cache(None)
+def can_isolate() -> bool:
+    """Return whether a child may have a PID namespace of its own; in most containers it may not.
+
+    Nothing there can reach a process outside, or end the namespace's first one, with which the kernel ends all others.
+    Without it, what runs in a child ends unless it kills both the child and this process.
+    """
+    probe = FORK.Process(target=_probe)
+    probe.start()
+    probe.join()
+    return probe.exitcode == 0
 
 
 def start(command: List[str], folder: Path, log: Path) -> subprocess.Popen:
@@ -74,34 +95,59 @@ def start(command: List[str], folder: Path, log: Path) -> subprocess.Popen:
                                 preexec_fn=functools.partial(_end_with, os.getpid(), signal.SIGKILL))
 
 
-def end_children() -> None:
-    """Kill all children of this process, and those of theirs that it adopts meanwhile."""
+def end_children(others: Collection[int] = ()) -> None:
+    """Kill all that descends from this process, but not these children, and what descends from them.
+
+    All stop first: a process that multiplies would fill each place that becomes free.
+    """
+    stopped: Set[int] = set()
+
     def ended():
-        for child in children():
-            os.kill(child, signal.SIGKILL)
-            os.waitpid(child, os.WNOHANG)
-        return not children()
+        nonlocal stopped
+        found = _descendants(others)
+        for process in found:
+            with contextlib.suppress(OSError):  # it has ended meanwhile, or is no child of this process
+                os.kill(process, signal.SIGKILL if found <= stopped else signal.SIGSTOP)
+                os.waitpid(process, os.WNOHANG)
+        stopped = found
+        return not found
 
     wait_until(ended, END_TIMEOUT)
 
 
 def children() -> List[int]:
-    """Return the ids of this process's children, also of those that have ended and wait for it: proc(5)."""
+    """Return the ids of this process's children, also of those that have ended and wait for it."""
+    return [process for process, parent in _parents().items() if parent == os.getpid()]
+
+
+def _descendants(others):
+    """Return the ids of the children of this process but these, and of all that descend from them."""
+    parents, found, last = _parents(), set(), {os.getpid()}
+    while last:
+        last = {process for process, parent in parents.items() if parent in last}.difference(others)
+        found |= last
+    return found
+
+
+def _parents():
+    """Return the parent of each process by its id: proc(5)."""
     parents = {}
     for file in Path("/proc").glob("[0-9]*/stat"):
         try:
             parents[int(file.parent.name)] = int(file.read_text(errors="replace").rpartition(")")[2].split()[1])
         except OSError:  # it has just ended
             continue
-    return [child for child, parent in parents.items() if parent == os.getpid()]
+    return parents
 
 
-def _work(parent, answer, function, arguments, limits):
+def _work(parent, answer, function, arguments, limits, is_isolated):
     """Send the outcome, once nothing is left of what the function started. This runs in the child."""
     os.setsid()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit())
     _end_with(parent, signal.SIGTERM)
-    prctl(PR_SET_CHILD_SUBREAPER, 1)  # it adopts the orphans of its children
+    if is_isolated:
+        _isolate()
+    libc.prctl(PR_SET_CHILD_SUBREAPER, 1)  # it adopts the orphans of its children
     silent = os.open(os.devnull, os.O_RDWR)
     for stream in range(3):  # what a library prints may hold any character of a file
         os.dup2(silent, stream)
@@ -126,9 +172,41 @@ def _answer(answer, function, arguments, limits):
     answer.send(outcome)
 
 
+def _probe():
+    with contextlib.suppress(OSError):
+        _isolate()
+        os._exit(0)
+    os._exit(1)
+
+
+def _isolate():
+    """Return in a child that is the first process of a PID namespace; this process only waits for it, and ends as well.
+
+    Raises OSError, also in the child. See pid_namespaces(7), user_namespaces(7).
+    """
+    user, group = os.geteuid(), os.getegid()
+    if libc.unshare(CLONE_NEWPID | CLONE_NEWNS) and not libc.unshare(CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNS):
+        for file, line in ("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1"):
+            Path("/proc/self", file).write_text(line)
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGTERM])  # it must reach the child
+    first = os.fork()
+    if first:
+        def forward(*_):
+            with contextlib.suppress(ProcessLookupError):  # it has just ended
+                os.kill(first, signal.SIGTERM)
+        signal.signal(signal.SIGTERM, forward)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGTERM])
+        os._exit(os.WEXITSTATUS(os.waitpid(first, 0)[1]))
+    libc.prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGTERM])
+    libc.mount(None, b"/", None, MS_REC | MS_PRIVATE, None)
+    if os.getpid() != 1 or libc.mount(b"proc", b"/proc", b"proc", 0, None):
+        raise PermissionError("no PID namespace")
+
+
 def _end_with(parent, signum):
     """Let this process get a signal when its parent ends; end it now if that has ended already."""
-    prctl(PR_SET_PDEATHSIG, signum)
+    libc.prctl(PR_SET_PDEATHSIG, signum)
     if os.getppid() != parent:
         os._exit(1)
 
@@ -146,8 +224,14 @@ def _limit(limits):
         resource.setrlimit(kind, (value, value))
 
 
-def _reason(exit_code, limits):
-    """Return why a child gave no answer."""
-    if exit_code == -signal.SIGKILL:  # of the kernel, at the hard limit
+def _cpu_time():
+    """Return the CPU time of all children that have ended, in s."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+def _reason(cpu_time, limits):
+    """Return why a child that used so much CPU time gave no answer."""
+    if round(cpu_time) >= limits.cpu_time:  # the kernel counts in ticks
         return f"It takes more than {limits.cpu_time} s of CPU time."
-    return f"It needs more than {limits.memory} MB of memory, or breaks the program that reads it."
+    return f"It needs more than {limits.memory} MB of memory, or breaks what reads or runs it."
