@@ -1,5 +1,9 @@
 """class_judge.py judges a robot as often as a page asks for it, and offers its tasks to the cockpit."""
 
+import os
+import struct
+from pathlib import Path
+
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from std_msgs.msg import String
@@ -8,6 +12,7 @@ from driving_tasks.scoring.tasks import TASKS
 from harness import START_TIMEOUT, SharedRobotTest, program, read
 
 SIMULATOR = program("simulation", "simulator.py")
+CLOCK = Path(__file__).resolve().parents[2] / "chaos/clock"  # Python imports it, and is off by CHAOS_CLOCK's seconds
 SPEED = 0.5  # of full power
 
 
@@ -15,7 +20,10 @@ class ClassJudge(SharedRobotTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.shared.start(SIMULATOR, f"_i2c_bus:=fake:{cls.shared.bus}")
+        cls.clock = Path(cls.shared.folder, "clock")
+        cls.clock.write_bytes(struct.pack("d", 0))
+        cls.shared.start(SIMULATOR, f"_i2c_bus:=fake:{cls.shared.bus}", env={
+            **os.environ, "PYTHONPATH": f"{CLOCK}:{os.environ['PYTHONPATH']}", "CHAOS_CLOCK": str(cls.clock)})
         cls.shared.controller()
         cls.judge = cls.shared.start(program("driving_tasks", "class_judge.py"))
 
@@ -61,6 +69,15 @@ class ClassJudge(SharedRobotTest):
         self.wait_for(lambda: "Walls or lines" in "".join(self.rows()), START_TIMEOUT, "its row")
         world.unregister()
         self.ask("quarter")
+        self.ask("metre")
+
+    def test_a_clock_that_is_set_back_costs_no_drive_and_holds_up_none(self):
+        self.ask("quarter")
+        self.wait_for(lambda: self.command(0.0, SPEED) or self.states[-1][1] == "driving", START_TIMEOUT, "a drive")
+        with self.clock.open("r+b") as clock:
+            clock.write(struct.pack("d", -3600))
+        self.command(0.0)
+        self.wait_for(lambda: self.states[-1][1] == "done", START_TIMEOUT, "the score")
         self.ask("metre")
 
     def test_a_program_that_is_stopped_gets_no_score(self):

@@ -82,8 +82,9 @@ class JudgedRobot:
         self.namespace, self.name = namespace, label(namespace)
         self.samples: List[Sample] = []  # what the last poll has read: the newest ground truth, oldest first
         self.latest: Optional[Sample] = None  # of all
+        self.set_back = 0.0  # s by which its computer's clock was set back; the times of samples go on all the same
         self.driver, self.interruptions = "", []  # the name of who drives by a page; what the last poll has read
-        self._arrived, self._silent_polls, self._moved_at = deque(), 0, 0.0
+        self._arrived, self._silent_polls, self._moved_at, self._time = deque(), 0, 0.0, 0.0
         self._interruptions, self._power = deque(), Power()
         self._readers = Readers(namespace) if by_camera else None
         self._status, self._worlds, self._known_worlds = "", 0, 0
@@ -138,7 +139,7 @@ class JudgedRobot:
     def poll(self) -> None:
         """Read what has arrived; call it every POLL_INTERVAL."""
         self.interruptions = [self._interruptions.popleft() for _ in range(len(self._interruptions))]
-        self.samples = [sample_of(self._arrived.popleft()) for _ in range(len(self._arrived))]
+        self.samples = [self._continued(sample_of(self._arrived.popleft())) for _ in range(len(self._arrived))]
         self._silent_polls = 0 if self.samples else self._silent_polls + 1
         for sample in self.samples:
             if not self.latest or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.latest.pose)):
@@ -147,6 +148,12 @@ class JudgedRobot:
             self.latest = sample
         if self._readers:
             self._readers.poll(not self.has_stopped)
+
+    def _continued(self, sample):
+        """Return the sample with a time that is not before the last one: where its clock is set back, it steps on."""
+        self._time = max(self._time, sample.time + self.set_back)
+        self.set_back = max(self.set_back, self._time - sample.time)
+        return sample._replace(time=self._time)
 
     @property
     def lacks_power(self) -> bool:

@@ -171,7 +171,7 @@ class Recording:
         with tempfile.TemporaryDirectory() as folder:
             bag_file = Path(folder, "drive.bag")
             with rosbag.Bag(str(bag_file), "w") as bag:
-                start = self._attempt.start.time
+                start = self._attempt.start.time - self._robot.set_back
                 bag.write(self._robot.body_topic, String(self._robot.body), rospy.Time.from_sec(start))
                 for topic, message, time in list(self._messages):
                     if time.to_sec() >= start:
