@@ -1,6 +1,11 @@
-"""What is typed after judge.py: a mistake ends it with one sentence."""
+"""What is typed after judge.py: a mistake ends it with one sentence. Ctrl-C ends it, and class_judge.py, with none."""
+
+import os
+import subprocess
+import sys
 
 import pytest
+from conftest import PACKAGES
 
 from driving_tasks.arguments import is_single, parse_arguments
 
@@ -35,3 +40,11 @@ def test_what_cannot_be_meant_is_one_sentence(arguments, sentence):
     with pytest.raises(SystemExit) as end:
         parse_arguments(arguments)
     assert str(end.value).startswith(sentence)
+
+
+@pytest.mark.parametrize("script", ["judge.py", "class_judge.py"])
+def test_ctrl_c_while_a_judge_imports_prints_no_traceback(script, tmp_path):
+    (tmp_path / "driving_tasks.py").write_text("import signal\nsignal.raise_signal(signal.SIGINT)\n")
+    judge = subprocess.run([sys.executable, PACKAGES / "scenarios/driving_tasks/scripts" / script], capture_output=True,
+                           env={**os.environ, "PYTHONPATH": str(tmp_path)}, timeout=30)
+    assert (judge.stdout, judge.stderr) == (b"", b"")

@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
 """ROS node: judges the robots for which somebody presses Judge me on the cockpit's page, until Ctrl-C."""
 
+# ruff: noqa: E402
 import signal
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # while it imports, Ctrl-C prints no traceback
+
 import sys
 
 from driving_tasks.sources.requests import serve
@@ -10,9 +14,9 @@ from jetbot.text import printable
 from jetbot_ros.lifecycle import leave
 
 if __name__ == "__main__":
-    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(signum, signal.default_int_handler)
     try:
+        for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(signum, signal.default_int_handler)
         serve()
     except JetbotError as error:
         print(printable(str(error)), file=sys.stderr, flush=True)
