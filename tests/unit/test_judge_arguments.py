@@ -5,8 +5,8 @@ import subprocess
 import sys
 
 import pytest
-from conftest import PACKAGES
 
+from conftest import PACKAGES
 from driving_tasks.arguments import is_single, parse_arguments
 
 

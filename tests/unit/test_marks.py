@@ -28,13 +28,22 @@ def test_a_mark_is_a_row_and_a_few_sentences():
 
 
 @pytest.mark.parametrize("name, cell", [
-    ("=1+1", "'=1+1"), (" +1", "' +1"), ("a;-@1", "a;'-@1"), ("a-1", "a-1"), ("Jörg", "Jörg"),
+    ("=1+1", "'=1+1"), (" +1", "' +1"), ("a;-@1", "a;'-@1"), ("a-1", "a-1"), ('"; "＝1', '";\' "＝1'), ("Jörg", "Jörg"),
     ('say "a, b"', 'say "a, b"'), ("a\nb\x1b[31m", "a\\nb\\x1b[31m"), (os.fsdecode(b"\xff"), "\\udcff")])
 def test_no_name_is_a_formula_or_a_second_line(tmp_path, name, cell):
     marks.Table(str(tmp_path / "marks.csv")).write(("name", "problem"), [(name, "")])
     content = (tmp_path / "marks.csv").read_bytes()
     assert content.startswith(b"\xef\xbb\xbfname,problem\n")  # the byte order mark: spreadsheets take it for UTF-8
     assert list(csv.reader(io.StringIO(content.decode("utf-8-sig")))) == [["name", "problem"], [cell, ""]]
+
+
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+@pytest.mark.parametrize("name", [
+    "=cmd|'/c calc'!A1", ";\"=cmd|'/c calc'!A1", '";"@1', ',"+1', 'a,-1', "\t=1", '"\t=1', '";;=1', "x\r=1"])
+def test_no_name_is_a_formula_whatever_separates_cells(name, separator):
+    row = marks.to_csv((), [("jetbot_01", name, "metre", "9.5")])
+    cells = next(csv.reader([row], delimiter=separator))
+    assert not [cell for cell in cells if cell.strip(' "')[:1] in tuple("=+-@")]
 
 
 def test_files_of_a_folder_in_order(tmp_path):

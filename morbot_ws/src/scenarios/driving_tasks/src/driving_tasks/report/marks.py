@@ -16,7 +16,7 @@ COLUMNS = ("robot", "name", "task", "score", "seconds", "largest_loss", "problem
 SIMULATOR, NOT_SIMULATED = "simulator", "not from the simulator"
 NO_SIMULATION = "Not from the simulator: its bag was made by hand, or something else than its wheels moved the robot."
 MAX_BODY = 100  # characters
-FORMULA = re.compile(r"(^|;)(\s*[=+@-])")  # also after a semicolon, where some spreadsheets begin a cell
+FORMULA = re.compile(r'(^|[,;])([\s"]*[=+@＝＋＠－-])')  # of OWASP's list; where some spreadsheets begin a cell, too
 
 
 class Mark(NamedTuple):
