@@ -30,7 +30,7 @@ class StandIn:
     """
 
     def __init__(self):
-        self.handled, self.left, self.state_size, self.picture = [], [], 1, None
+        self.handled, self.left, self.state_size, self.picture, self.problem = [], [], 1, None, ""
 
     def handle(self, client, message, now):
         self.handled.append((client, message))

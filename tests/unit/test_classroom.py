@@ -5,6 +5,8 @@ import json
 import os
 import subprocess
 import sys
+from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -64,7 +66,8 @@ def test_without_a_name_a_class_ends_with_the_cockpit(tmp_path, monkeypatch):
     monkeypatch.setenv("HOME", str(tmp_path))
     classroom = open_classroom("~/classes", "")
     save(classroom.programs)
-    classroom.write("scores", [])
+    classroom.keep("scores", [])
+    classroom.do(str).result()
     assert kept(classroom.programs) and not list(tmp_path.iterdir())
 
 
@@ -332,16 +335,48 @@ def test_printed_codes_hold_at_the_next_lesson_and_damaged_ones_are_new():
         assert [code, cookie] != damaged and len(code) == 6 and len(cookie) == 43
 
 
-def test_what_cannot_be_kept_soon_is_reported():
-    class Full(Nowhere):
-        def write(self, name, content):
-            raise OSError(errno.ENOSPC, "No space left on device")
-    classroom = Classroom(Full())
-    classroom.keep("scores", [])
+def test_what_a_full_disk_does_not_take_is_kept_when_there_is_room_again(classes, monkeypatch):
+    classroom, newer = Classroom(classes()), [[2]]
+
+    def full(_):
+        if newer:
+            classroom.keep("scores", newer.pop())
+        raise OSError(errno.ENOSPC, "No space left on device")
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "fsync", full)
+        for name, content in ("scores", [1]), ("tasks", ["metre"]), ("codes", {"teacher": "ABC"}):
+            classroom.keep(name, content)
+            classroom.do(str).result()
+        sentence = "The class cannot be kept: No space left on device. The cockpit tries again."
+        assert classroom.take_problems() == [sentence] and classroom.problem == sentence
+    classroom.retry()
     classroom.do(str).result()
-    assert classroom.take_problems() == ["The class cannot be kept: [Errno 28] No space left on device"]
-    with pytest.raises(InvalidValue, match="No space left on device"):
-        classroom.write("codes", {})
+    assert classroom.take_problems() == ["The class is kept again."] and not classroom.problem
+    again = Classroom(classes())
+    assert [again.read(*each) for each in (("scores", list), ("tasks", list), ("codes", dict))] == [
+        [2], ["metre"], {"teacher": "ABC"}]
+
+
+@pytest.mark.parametrize("call", ["mkdir", "chmod"], ids=["a new class", "one that was kept"])
+def test_on_a_read_only_disk_a_class_starts_and_nothing_is_kept(tmp_path, classes, monkeypatch, call):
+    if call == "chmod":
+        save(Programs(classes()))
+        classes.end()
+    monkeypatch.setattr(Path, call, Mock(side_effect=OSError(errno.EROFS, "Read-only file system")))
+    classroom = open_classroom(str(tmp_path), "7b")
+    assert bool(kept(classroom.programs)) == (call == "chmod")
+    save(classroom.programs, IDS[1], program=CIRCLE)
+    assert kept(classroom.programs)[IDS[1]] == CIRCLE and not list(tmp_path.glob(f"*/*{IDS[1]}*"))
+    sentence = f"{classes.path} is on a disk that is read-only: nothing of this class is kept."
+    assert classroom.take_problems() == [sentence] and classroom.problem == sentence
+
+
+def test_whatever_lies_in_a_class_it_starts_and_the_terminal_shows_no_escape_sequence(classes):
+    classes()
+    (classes.path / ".x.new").mkdir()
+    (classes.path / "program_\033[2J.json").write_text("{")
+    classroom = Classroom(classes())
+    assert [r"program_\x1b[2J.json is damaged" in problem for problem in classroom.take_problems()] == [True]
 
 
 def forget(*arguments, home):

@@ -45,6 +45,7 @@ class Control:
 
     def __init__(self):
         self.asked, self.left, self.messages, self.names, self.speed, self.reply = [], [], [], ["/"], 0, None
+        self.problem = ""
 
     def handle(self, client, message, now):
         self.asked.append((client.id, message))
@@ -242,3 +243,16 @@ def test_at_the_end_all_pages_are_disconnected_and_their_robots_stop(hub, contro
     pages = [join(hub)[0] for _ in range(3)]
     hub.close()
     assert [page.closed[0] for page in pages] == [1001] * 3 and control.left == [1, 2, 3]
+
+
+def test_a_teacher_is_told_once_that_the_class_is_not_kept_and_when_it_is_again(hub, control):
+    teacher, pupil = join(hub)[0], join(hub, PUPIL)[0]
+    control.problem = "The class cannot be kept."
+    for now in (0.1, 0.2):
+        hub.tick(now)
+    late = join(hub)[0]
+    hub.tick(0.3)
+    control.problem = ""
+    hub.tick(0.4)
+    told = [[each["text"] for each in page.sent if each["type"] == "notice"] for page in (teacher, late, pupil)]
+    assert told == [["The class cannot be kept.", "The class is kept again."]] * 2 + [[]]

@@ -72,8 +72,8 @@ class Cockpit:
         kept = self.classroom.read("codes", dict)
         grants = make_grants(robots, kept)
         codes = {**kept, **{each.label: [each.code, each.cookie] for each in grants}}
-        if codes != kept:  # a full disk holds up no class that has them all
-            self.classroom.write("codes", codes)
+        if codes != kept:
+            self.classroom.keep("codes", codes)
         return grants
 
     def run(self):
@@ -91,6 +91,7 @@ class Cockpit:
     def log_changes(self):
         """Log which robots have come, ended or fallen silent since the last call, and from where nobody gets in."""
         before, self.logged = self.logged, self.control.snapshot
+        self.classroom.retry()
         lines = [*self.logged.changes_since(before), *self.access.take_log(), *self.classroom.take_problems()]
         if self.logged.robots:
             self.no_robot_at = math.inf

@@ -2,13 +2,15 @@
 
 import threading
 from concurrent.futures import Future, ThreadPoolExecutor
-from pathlib import Path
-from typing import Any, Callable, List
+from typing import Any, Callable, Dict, List, Optional
 
-from .folder import ClassFolder, Nowhere, unusable
+from jetbot.text import printable
+
+from .folder import ClassFolder, Nowhere
 from .programs import Programs
 
 MAX_WAITING = 50  # changes that a slow disk holds up
+KEPT_AGAIN = "The class is kept again."
 
 
 class DiskBusy(Exception):
@@ -16,12 +18,17 @@ class DiskBusy(Exception):
 
 
 class Classroom:
-    """programs: those of all robots. folder: a ClassFolder, or Nowhere."""
+    """programs: those of all robots; problem: a sentence on why the class is not kept now, or "".
+
+    folder: a ClassFolder, or Nowhere.
+    """
 
     def __init__(self, folder=None):
         self._folder = folder or Nowhere()
-        self.programs = Programs(self._folder)
+        self.programs, self.problem = Programs(self._folder), self._folder.problem
         self._thread, self._room = ThreadPoolExecutor(1), threading.Semaphore(MAX_WAITING)
+        self._waiting: Dict[str, Any] = {}      # what is not kept yet, by its name
+        self._attempt: Optional[Future] = None  # to keep it; the last one
 
     def read(self, name: str, kind: type) -> Any:
         """Return what is kept by this name, or an empty one; another kind is put aside. Raise InvalidValue."""
@@ -32,16 +39,15 @@ class Classroom:
             self._folder.set_aside(name)
         return kind()
 
-    def write(self, name: str, content: Any) -> None:
-        """Keep this; it is on the disk when this returns. Raise InvalidValue."""
-        try:
-            self._folder.write(name, content)
-        except OSError as error:
-            raise unusable(Path(error.filename or name), error) from None
-
     def keep(self, name: str, content: Any) -> None:
-        """Keep this soon; what cannot be kept is reported, and the next one holds all of it."""
-        self._thread.submit(self._folder.write, name, content).add_done_callback(self._report)
+        """Keep this soon; if it cannot be kept, try again until it is, or there is a newer one."""
+        self._waiting[name] = content
+        self._attempt = self._thread.submit(self._write)
+
+    def retry(self) -> None:
+        """Try again to keep what is not kept yet; call it now and then."""
+        if self._waiting and self._attempt.done():
+            self._attempt = self._thread.submit(self._write)
 
     def do(self, action: Callable, *arguments: Any) -> Future:
         """Let the thread change the programs. Raise DiskBusy."""
@@ -54,11 +60,21 @@ class Classroom:
     def take_problems(self) -> List[str]:
         """Return what the terminal should report since the last call."""
         problems, self._folder.problems = self._folder.problems, []
-        return problems
+        return list(map(printable, problems))
 
-    def _report(self, future):
-        if future.exception():
-            self._folder.problems.append(f"The class cannot be kept: {future.exception()}")
+    def _write(self):
+        """Write all that waits. This runs in the thread."""
+        problem = self._folder.problem
+        for name in list(self._waiting):
+            content = self._waiting.pop(name)
+            try:
+                self._folder.write(name, content)
+            except OSError as error:
+                self._waiting.setdefault(name, content)  # unless there is a newer one by now
+                problem = f"The class cannot be kept: {error.strerror or error}. The cockpit tries again."
+        if problem != self.problem:
+            self._folder.problems.append(problem or KEPT_AGAIN)
+        self.problem = problem
 
 
 def open_classroom(folder: str, name: str) -> Classroom:

@@ -12,6 +12,7 @@ from typing import Any, List, Optional
 
 from jetbot import InvalidValue, files
 from jetbot.kinds import Kind
+from jetbot.text import printable
 
 OWNER_ONLY = 0o700   # codes are secrets
 MAX_FILE = 1 << 20   # bytes of a file that is read
@@ -27,24 +28,36 @@ class Busy(Exception):
 class ClassFolder:
     """FOLDER/NAME, locked until it is closed, or this process ends. Raise InvalidValue if it cannot be used.
 
-    problems: sentences for the terminal, about what could not be read.
+    problems: sentences for the terminal, about what could not be read. problem: why nothing is kept, or "".
     """
+
+    problem = ""
 
     def __init__(self, folder: str, name: str):
         self._path = path_of(folder, name)
         self.problems: List[str] = []
         try:
-            self._path.parent.mkdir(OWNER_ONLY, parents=True, exist_ok=True)
-            self._path.mkdir(OWNER_ONLY, exist_ok=True)
-            self._path.chmod(OWNER_ONLY)
-            self._lock = lock(self._path)
-            for unfinished in self._path.glob(".*.new"):  # of a cockpit that was killed
-                unfinished.unlink()
+            self._make()
+            self._lock = lock(self._path) if self._path.exists() else None
         except Busy:
             raise InvalidValue(f"another cockpit has the class {name} open",
                                "End that one, or give this class another name.") from None
         except OSError as error:
             raise unusable(self._path, error) from None
+        for unfinished in self._path.glob(".*.new"):  # of a cockpit that was killed
+            with contextlib.suppress(OSError):
+                unfinished.unlink()
+
+    def _make(self):
+        try:
+            self._path.parent.mkdir(OWNER_ONLY, parents=True, exist_ok=True)
+            self._path.mkdir(OWNER_ONLY, exist_ok=True)
+            self._path.chmod(OWNER_ONLY)
+        except OSError as error:
+            if error.errno != errno.EROFS:
+                raise
+            self.problem = f"{self._path} is on a disk that is read-only: nothing of this class is kept."
+            self.problems.append(self.problem)
 
     def names(self, prefix: str) -> List[str]:
         """Return the names of the files that begin like this, without their endings."""
@@ -71,17 +84,21 @@ class ClassFolder:
             file.replace(file.with_suffix(".damaged"))
 
     def write(self, name: str, content: Any) -> None:
-        """Replace a file; it is on the disk when this returns. Raises OSError."""
+        """Replace a file; it is on the disk when this returns, unless nothing is kept. Raises OSError."""
+        if self.problem:
+            return
         files.replace(self._file(name), json.dumps(content, ensure_ascii=False).encode())
         self._sync()
 
     def remove(self, name: str) -> None:
         """Delete a file. Raises OSError."""
-        self._file(name).unlink()
+        if not self.problem:
+            self._file(name).unlink()
 
     def close(self) -> None:
         """Let another cockpit have the class."""
-        os.close(self._lock)
+        if self._lock is not None:
+            os.close(self._lock)
 
     def _file(self, name):
         return self._path / f"{name}.json"
@@ -109,7 +126,7 @@ class Nowhere(ClassFolder):
 
 def unusable(path: Path, error: OSError) -> InvalidValue:
     """Return the error for a class that cannot be kept or read."""
-    return InvalidValue(f"{path} cannot be used to keep a class: {error.strerror or error}",
+    return InvalidValue(f"{printable(path)} cannot be used to keep a class: {error.strerror or error}",
                         "Choose another folder, as in classes:=~/classes, or leave out class.")
 
 

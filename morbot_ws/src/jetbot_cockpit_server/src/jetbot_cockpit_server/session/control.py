@@ -33,7 +33,7 @@ class Control:
         self._kept = {}  # by the robot: the picture of it that was kept last
         self.snapshot: Snapshot = robots.snapshot()  # as of the last check
         self._leases: Dict[str, Lease] = {}  # by robot
-        self._stop_rights, self._programs = StopRights(), classroom.programs
+        self._stop_rights, self._programs, self._classroom = StopRights(), classroom.programs, classroom
         self._history = History(Scores(classroom.read("scores", list), partial(classroom.keep, "scores")))
         self._tasks = Tasks(classroom.read("tasks", list), partial(classroom.keep, "tasks"))
         self._names: Dict[int, str] = {}
@@ -87,6 +87,11 @@ class Control:
             self._hold(robot, False)
         self._stop_rights.update(self.snapshot.is_stopped_here)
         return self._history.update(self.snapshot.robots, now) + self._tasks.update(self._robots.tasks())
+
+    @property
+    def problem(self) -> str:
+        """Why the class is not kept now, for its teachers; or ""."""
+        return self._classroom.problem
 
     def robots(self) -> List[dict]:
         """Return the robots of the message "robots"."""

@@ -5,6 +5,7 @@ import json
 import math
 from typing import Callable, Dict, List, Optional, Sequence
 
+from ..classroom.classroom import KEPT_AGAIN
 from ..parameters import MAX_ROBOTS
 from . import protocol
 from .control import Control
@@ -32,7 +33,7 @@ class Viewer:
         self.client, self.connection = client, connection
         self.allowance = float(protocol.MAX_BURST)  # messages that it may send now
         self.active_at = self.pinged_at = self.shown_at = now
-        self.state = self.robots = ""
+        self.state = self.robots = self.problem = ""
         self.feed = Feed()
 
     def record_activity(self, now: float) -> bool:
@@ -61,6 +62,12 @@ class Viewer:
         if state != self.state or now - self.shown_at >= STILL_INTERVAL:
             self.connection.send(state)
             self.state, self.shown_at = state, now
+
+    def warn(self, problem: str) -> None:
+        """Tell a teacher once why the class is not kept, and when it is again: ""."""
+        if problem != self.problem and self.client.role == TEACHER:
+            self.connection.send(dumps(protocol.notice(problem or KEPT_AGAIN)))
+        self.problem = problem
 
 
 class Hub:
@@ -149,6 +156,7 @@ class Hub:
                 self.end(viewer, REFUSED, "no sign of life")
             elif viewer.is_ready(now):
                 viewer.show(robots, changes, state, self._control.history, now)
+                viewer.warn(self._control.problem)
             elif changes:
                 viewer.robots = ""  # it misses something, and gets all again
             if now - viewer.pinged_at >= STILL_INTERVAL:
