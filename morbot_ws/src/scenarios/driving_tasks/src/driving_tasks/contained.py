@@ -65,11 +65,8 @@ def run(function: Callable, *arguments: object, limits: Limits = LIMITS) -> Outc
         child.join()
         return Outcome(problem=_reason(_cpu_time() - used, limits))
     finally:
-        child.terminate()
-        child.join(END_TIMEOUT)
-        child.kill()
-        child.join()
         pipe.close()
+        _end(child)
         end_children(others)
         libc.prctl(PR_SET_CHILD_SUBREAPER, 0)
 
@@ -138,6 +135,13 @@ def _parents():
         except OSError:  # it has just ended
             continue
     return parents
+
+
+def _end(child):
+    child.terminate()
+    child.join(END_TIMEOUT)
+    child.kill()
+    child.join()
 
 
 def _work(parent, answer, function, arguments, limits, is_isolated):
