@@ -234,7 +234,7 @@ FORGED = {
     "10 MB": " " * 10_000_000 + json.dumps(program()), "2,001 blocks": program(functions=(block("robot_stop"),) * 2001),
     "many branches": program({"type": "controls_if", "extraState": {"elseIfCount": 1e9}}),
     "deep fields": deep(0).replace('"robot_print"', f'"robot_print", "fields": {DEEP}'),
-    "XML as a state": program({"type": "controls_if", "extraState": "<mutation elseif='1000000'/>"}),
+    "a number as a state": program({**block("math_number_property"), "extraState": 5}),
 }
 
 
@@ -253,6 +253,12 @@ def test_a_forged_program_is_refused_in_a_sentence(blocks):
         blocks(content)
         page.wait_for(lambda: page.text("notice").endswith("."), f"a sentence for {name}")
         assert page.run("return Blockly.getMainWorkspace().getAllBlocks().length") == 3, "the one before is still there"
+
+
+def test_a_state_that_is_xml_makes_no_branches(blocks):
+    page = blocks(program({"type": "controls_if", "extraState": "<mutation elseif='1000000'/>"}))
+    page.wait_for_text("python", "if False")
+    assert "elif" not in page.text("python")
 
 
 @undisturbed

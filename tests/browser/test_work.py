@@ -1,5 +1,6 @@
 """Programs that the cockpit keeps, on several pages; and Judge me, from the pupil's press to the score."""
 
+import json
 import signal
 from contextlib import contextmanager
 
@@ -9,7 +10,7 @@ from harness import program
 
 from . import programs
 from .conftest import OTHER_ROBOT, ROBOT
-from .programs import as_file, drive, num, show
+from .programs import as_file, block, chain, drive, num, plug, show
 from .world import moving
 
 LATE = "no command came from the driver's page"  # what the judge says if the page pauses
@@ -77,6 +78,52 @@ def test_two_pages_on_one_program_are_both_told_and_nothing_is_lost(page, pupil)
     pupil.wait_for_link()
     assert pupil.value("title") == "Theirs"
     page.errors()  # the browser's own, about what was refused
+
+
+ALL_BLOCKS = """
+const workspace = Blockly.getMainWorkspace(), toolbox = workspace.getToolbox();
+const categories = toolbox.getToolboxItems();
+workspace.getVariableMap().createVariable("n");
+for (const category of [...categories, ...categories]) { // a function can be called once it is there
+  toolbox.setSelectedItem(category);
+  for (const each of workspace.getFlyout().getWorkspace().getTopBlocks()) {
+    Blockly.serialization.blocks.append(Blockly.serialization.blocks.save(each), workspace);
+  }
+}
+toolbox.clearSelection();
+"""
+BLOCKS = """const places = ["id", "x", "y"];
+return Blockly.serialization.workspaces.save(Blockly.getMainWorkspace()).blocks.blocks
+  .map((block) => JSON.stringify(block, (key, value) => (places.includes(key) ? undefined : value))).sort()"""
+
+
+def test_every_block_of_the_toolbox_is_kept_and_opened_again(page):
+    page.run(ALL_BLOCKS)
+    rename(page, "All blocks")
+    every = page.run(BLOCKS)
+    assert {"math_number_property", "procedures_ifreturn", "procedures_callreturn", "math_change", "robot_print"} <= {
+        json.loads(each)["type"] for each in every}
+    page.driver.refresh()
+    page.wait_for(lambda: page.value("title") == "All blocks" and page.run(BLOCKS) == every, "all blocks")
+
+
+YES = plug("logic_boolean", {"BOOL": "TRUE"})
+RETURNS = programs.program(
+    show(plug("math_number_property", {"PROPERTY": "DIVISIBLE_BY"}, NUMBER_TO_CHECK=num(8), DIVISOR=num(3))),
+    functions=({**block("procedures_defreturn", {"NAME": "answer"},
+                        STACK=chain(block("procedures_ifreturn", CONDITION=YES, VALUE=num(5)))), "y": 200},
+               {**block("procedures_defnoreturn", {"NAME": "pass on"},
+                        STACK=chain(block("procedures_ifreturn", CONDITION=YES))), "y": 400}))
+
+
+def test_what_is_divisible_and_what_returns_is_the_same_when_it_is_opened_again(page, tmp_path):
+    page.element("file").send_keys(as_file(tmp_path, RETURNS))
+    page.wait_for_text("python", "8 % 3 == 0")
+    rename(page, "Returns")
+    python = page.text("python")
+    assert "return 5" in python and "return\n" in python
+    page.driver.refresh()
+    page.wait_for(lambda: page.text("python") == python, python)
 
 
 FILL = """

@@ -63,8 +63,8 @@ function checkBlock(block) {
   if (!TYPES.has(type)) throw new Refusal(`This page does not know the block ${text(type).slice(0, MAX_TYPE)}.`);
   const known = Object.fromEntries(BLOCK_KEYS.filter((key) => key in block).map((key) => [key, block[key]]));
   for (const key of ["fields", "extraState"].filter((each) => each in known)) known[key] = copy(known[key]);
+  if (typeof known.extraState === "string") delete known.extraState; // XML, which says what fields and place say
   const { elseIfCount, itemCount, params } = known.extraState ?? {};
-  need(typeof (known.extraState ?? {}) === "object"); // a text would be XML
   for (const parts of [elseIfCount, itemCount, params?.length]) need(!(parts > MAX_PARTS));
   if ("id" in known) known.id = text(known.id);
   for (const key of ["x", "y"]) if (key in known) known[key] = Math.max(-1e5, Math.min(1e5, Number(known[key]) || 0));
