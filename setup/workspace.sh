@@ -5,7 +5,7 @@ home=${HOME:-/nonexistent}
 # Debian's python3 must come first on PATH: ROS is installed for it, not for a pyenv, conda or virtual environment.
 environment() {
     PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
-    unset PYTHONHOME PYTHONPATH VIRTUAL_ENV PYTHONDONTWRITEBYTECODE
+    unset PYTHONHOME PYTHONPATH VIRTUAL_ENV PYTHONDONTWRITEBYTECODE PYTHONWARNINGS
     [ -n "${ROS_IP:-}" ] || : "${ROS_HOSTNAME:=localhost}"  # listen on the loopback interface alone
     ROS_ETC_DIR=$workspace/etc      # its roscore.xml does not start rosout, which listens on every interface
     : "${LANG:=C.UTF-8}"
@@ -24,6 +24,14 @@ may_write() {
 # Where ROS writes its logs, and the settings of the robot are. A root shell's ROS may have left ~/.ros to root.
 choose_ros_home() {
     [ -z "${ROS_HOME:-}" ] || return 0
+    for place in "$home/.ros" "$home/.ros/log"; do
+        [ -d "$place" ] || [ ! -e "$place" ] && [ ! -L "$place" ] || {
+            choose_cache
+            export ROS_HOME="$cache/ros"
+            echo "morbot: $place is no folder, so its settings are not used: mv $place $place.old" >&2
+            return
+        }
+    done
     { [ -d "$home/.ros" ] || [ -w "$home" ]; } && may_write "$home/.ros" "$home/.ros/log" && return
     choose_cache
     export ROS_HOME="$cache/ros"
@@ -71,19 +79,27 @@ files() {
         ! -path "$workspace/src/CMakeLists.txt" -printf '%p %C@\n' 2>/dev/null | sort
 }
 
-is_built() {
-    [ -f "$devel/setup.sh" ] && files | cmp -s - "$devel/morbot.stamp"
+is_built() {  # a computer that loses its power leaves files empty
+    [ -s "$devel/setup.sh" ] && files | cmp -s - "$devel/morbot.stamp"
 }
 
 # If the build fails, the last one stays in use. ./morbot setup also tries again what was left out.
 build() {
     if is_built && { [ "$command" != setup ] || [ -z "$(left_out || :)" ]; }; then return; fi
+    [ -s "$devel/setup.sh" ] || rm -f "$devel/morbot.stamp"
     [ -e "$workspace/src/CMakeLists.txt" ] || rm -f "$workspace/src/CMakeLists.txt"  # a link to another system's catkin
     if [ ! -e "$devel/morbot.stamp" ]; then rm -rf "$build"/*  # CMake does not continue what was interrupted
     elif ! grep -qF "$workspace/src/" "$devel/morbot.stamp"; then rm -rf "$build"/* "$devel"; fi  # the folder was moved
     rm -f "$devel/morbot.stamp"
     built=$(files)
-    if python3 "$here/setup/build.py" "$workspace/src" "$build" "$devel"; then
+    source=$workspace/src
+    if [ ! -w "$source" ] && [ ! -e "$source/CMakeLists.txt" ]; then  # catkin puts that file there
+        source=$build/../src
+        mkdir -p "$source"
+        ln -sfn "$workspace"/src/* "$source"
+    fi
+    if python3 "$here/setup/build.py" "$source" "$build" "$devel"; then
+        sync -f "$devel" 2>/dev/null || :  # all else is on the disk before the stamp
         printf '%s\n' "$built" >"$devel/morbot.stamp"
     else
         [ "$command" != setup ] && [ -f "$devel/setup.sh" ] || exit 1

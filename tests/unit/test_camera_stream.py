@@ -117,6 +117,18 @@ time.sleep(600)""")
     assert len(reports) == 1 and reports[0].startswith(sentence)
 
 
+def test_a_child_leaves_no_process_in_a_session_of_its_own_behind(follow, tmp_path):
+    follower, _ = follow(f"""
+import subprocess
+subprocess.Popen(["sh", "-c", "echo $$ >> {tmp_path}/pids; exec sleep 600"], start_new_session=True)
+while not os.path.exists("{tmp_path}/pids"): time.sleep(0.01)
+picture(b"1")""")
+    assert wait_until(lambda: (tmp_path / "starts").exists() and (tmp_path / "starts").stat().st_size > 2, 20)
+    follower.stop()
+    pids = (tmp_path / "pids").read_text().split()
+    assert pids and wait_until(lambda: not any(os.path.exists(f"/proc/{pid}") for pid in pids), 20)
+
+
 def test_what_a_child_has_printed_before_a_picture_is_no_reason(follow):
     _, reports = follow("""
 left = array.array("i", [1])

@@ -1,6 +1,7 @@
 """./morbot: a command that it does not know is refused with what was meant, and nothing is installed or built."""
 
 import os
+import shutil
 import subprocess
 
 import pytest
@@ -63,3 +64,13 @@ def test_a_stop_without_a_master_says_so_and_with_any_other_word_it_is_a_stop():
     assert morbot("stop", ROS_MASTER_URI="http://localhost:1") == (1, no_master)
     assert morbot("stop", "now", ROS_MASTER_URI="http://localhost:1") == (
         1, f"There is no option now: this stops every robot.\n{no_master}")
+
+
+def test_a_stop_works_in_a_folder_whose_name_nothing_else_takes(tmp_path):
+    (tmp_path / "a b").mkdir()
+    for name in "setup", "morbot_ws":
+        (tmp_path / "a b" / name).symlink_to(ROOT / name)
+    shutil.copy(ROOT / "morbot", tmp_path / "a b")
+    stop = subprocess.run([tmp_path / "a b/morbot", "stop"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          encoding="utf-8", env={**os.environ, "ROS_MASTER_URI": "http://localhost:1"})
+    assert stop.stdout.startswith("No ROS master at http://localhost:1")

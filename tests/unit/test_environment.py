@@ -63,6 +63,14 @@ def test_without_a_home_settings_and_logs_are_in_a_folder_of_the_user(shell, tmp
     assert stat.S_IMODE((tmp_path / f"morbot-{os.getuid()}").stat().st_mode) == 0o700
 
 
+@pytest.mark.parametrize("place", [".ros", ".ros/log"])
+@pytest.mark.parametrize("make", [os.mknod, lambda path: os.symlink("nowhere", path)], ids=["file", "dangling link"])
+def test_where_ros_has_no_folder_it_gets_another(shell, tmp_path, place, make):
+    (tmp_path / "home" / place).parent.mkdir(exist_ok=True)
+    make(tmp_path / "home" / place)
+    assert shell("environment; echo $ROS_HOME") == f"{tmp_path}/home/.cache/morbot/ros"
+
+
 def test_a_cache_folder_that_is_named_is_made(shell, tmp_path):
     place = shell("choose_cache; echo $cache", XDG_CACHE_HOME=str(tmp_path / "xdg"))
     assert place == f"{tmp_path}/xdg/morbot" and os.path.isdir(place)
@@ -85,7 +93,15 @@ def test_a_workspace_that_a_user_may_not_write_is_built_in_their_home(shell, tmp
     assert chosen == f"{tmp_path}/{place.format(tmp_path)}" and os.path.isdir(chosen)
 
 
-BUILD = "python3() { echo builds; mkdir -p $devel; touch $devel/setup.sh; }; choose_build; build"
+@pytest.mark.skipif(os.getuid() == 0, reason="root may write all")
+def test_a_fresh_clone_that_a_user_may_not_write_is_built_from_links_to_it(shell, tmp_path):
+    (tmp_path / "morbot_ws/src/mine").mkdir(parents=True)
+    (tmp_path / "morbot_ws/src").chmod(0o555)
+    source = shell("python3() { mkdir -p $4; ls $2; }; may_write() { false; }; choose_build; build")
+    assert source == "mine"
+
+
+BUILD = "python3() { echo builds; mkdir -p $devel; echo : >$devel/setup.sh; }; choose_build; build"
 
 
 @pytest.fixture
@@ -104,6 +120,13 @@ def test_only_what_has_changed_is_built_again(shell, workspace):
     assert shell(BUILD) == "builds"
     (workspace / "src/mine").rename(workspace / "src/yours")
     assert shell(BUILD) == "builds"
+
+
+def test_what_a_power_cut_has_left_empty_is_built_again(shell, workspace):
+    assert shell(BUILD) == "builds"
+    (workspace / "devel/setup.sh").write_text("")
+    assert shell(BUILD) == "builds"
+    assert shell(BUILD) == ""
 
 
 def test_setup_tries_again_what_was_left_out(shell, workspace):

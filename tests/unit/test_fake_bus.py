@@ -1,9 +1,11 @@
 """The fake hardware follows the chip's data sheet, also for a driver that is wrong."""
 
+import errno
 import os
 import runpy
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -45,6 +47,41 @@ def test_a_folder_that_holds_only_the_buses_of_namespaces_gets_its_chips(folder)
     os.makedirs(f"{folder}/jetbot_01")
     FakeBus(folder)
     assert os.path.isfile(f"{folder}/0x60")
+
+
+def test_a_folder_is_there_with_all_its_chips_or_not_at_all(folder, monkeypatch):
+    def fill(file, content, write=Path.write_bytes):
+        if file.name == "0x60":
+            raise OSError(errno.ENOSPC, "the disk is full")
+        return write(file, content)
+
+    with monkeypatch.context() as patch, pytest.raises(OSError):
+        patch.setattr(Path, "write_bytes", fill)
+        FakeBus(folder)
+    assert os.listdir(folder.parent) == []
+    FakeBus(folder)
+    assert (folder / "0x60").exists() and os.listdir(folder.parent) == [folder.name]
+
+
+def test_of_two_that_make_a_folder_the_first_wins(folder, monkeypatch):
+    def write_late(file, content, write=Path.write_bytes):
+        monkeypatch.setattr(Path, "write_bytes", write)
+        FakeBus(folder).write_byte_data(0x60, 0x06, 1)
+        return write(file, content)
+
+    monkeypatch.setattr(Path, "write_bytes", write_late)
+    assert FakeBus(folder).read_byte_data(0x60, 0x06) == 1
+    assert os.listdir(folder.parent) == [folder.name]
+
+
+@pytest.mark.parametrize("left", [["0x41.4242"], ["0x41", "0x60.4242"]])
+def test_a_folder_that_was_left_half_made_gets_its_chips(folder, left):
+    FakeBus(folder)
+    for file in folder.iterdir():
+        file.rename(folder / left[0]) if left[:1] == [file.name] else file.unlink()
+    for name in left[:2]:
+        (folder / name).touch()
+    assert FakeBus(folder).read_byte_data(0x60, 0xFE) == 0x1E
 
 
 def test_unplugged_chips_stay_unplugged(bus, folder):

@@ -5,7 +5,9 @@ import math
 import pytest
 
 from conftest import registers
-from jetbot import BusError, InvalidValue, JetbotError
+from jetbot import BusError, InvalidValue, JetbotError, Robot
+from jetbot.boards.pwm_motors import PwmMotors
+from jetbot.errors import GuardError
 from jetbot.fake.motors import wheel_speeds
 
 
@@ -98,6 +100,15 @@ def test_a_new_robot_takes_over_from_the_old_one(make_robot, folder):
         old.forward()
     new.forward(0.25)
     assert wheel_speeds(folder) == (0.25, 0.25)
+
+
+def test_a_robot_whose_guard_cannot_start_releases_its_board(folder, monkeypatch):
+    closed = []
+    monkeypatch.setattr(PwmMotors, "close", lambda driver: closed.append(driver))
+    monkeypatch.setenv("JETBOT_GUARD", str(folder / "nobody"))
+    with pytest.raises(GuardError):
+        Robot(i2c_bus=f"fake:{folder}")
+    assert closed
 
 
 def test_a_closed_robot_feeds_no_guard(make_robot):

@@ -62,7 +62,11 @@ class Robot:
         row = find_board(board, i2c_address)
         place = locate(row, i2c_bus, port)
         self.driver = open_board(row, place, pwm_frequency)
-        self._guard = Guard(board, place, row.address) if guard else NoGuard()
+        try:
+            self._guard = Guard(board, place, row.address) if guard else NoGuard()
+        except GuardError:
+            self.driver.close()
+            raise
         link = self.driver.link
         close_all(robot for robot in open_robots if (robot.driver.link.name, robot.driver.link.address)
                   == (link.name, link.address))  # such as a notebook's cell leaves behind when it is run again

@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import secrets
 import select
 import signal
 import subprocess
@@ -9,6 +10,7 @@ import sys
 import threading
 import time
 from collections import deque
+from pathlib import Path
 from typing import Any, Callable, Deque, Iterator
 
 from ..errors import JetbotError
@@ -170,11 +172,13 @@ class Output:
 def child(line):
     """Run a shell command in a group of its own, which ends with the context: interrupted first, then killed.
 
-    It also ends, within END_TIMEOUT, if this process does, be it killed.
+    So does what it has started in other groups. The group also ends, within END_TIMEOUT, if this process does, be it
+    killed.
     """
+    mark = f"JETBOT_CAMERA={secrets.token_hex(8)}"
     with subprocess.Popen(WATCH, 0, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                           start_new_session=True) as watcher, \
-            subprocess.Popen(["sh", "-c", line], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            subprocess.Popen(["env", mark, "sh", "-c", line], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                              stderr=subprocess.PIPE, start_new_session=True) as process:
         try:
             watcher.stdin.write(b"%d\n" % process.pid)
@@ -184,7 +188,18 @@ def child(line):
             send(process, signal.SIGINT)
             wait_until(lambda: os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT | os.WNOHANG), END_TIMEOUT)
             send(process, signal.SIGKILL)  # all of its group
+            for pid in marked(mark):
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
             watcher.kill()
+
+
+def marked(mark: str) -> Iterator[int]:
+    """Yield the ids of the processes of this user that have this in their environment: proc(5)."""
+    for file in Path("/proc").glob("[0-9]*/environ"):
+        with contextlib.suppress(OSError):
+            if mark.encode() in file.read_bytes().split(b"\0"):
+                yield int(file.parent.name)
 
 
 def send(process, signum):

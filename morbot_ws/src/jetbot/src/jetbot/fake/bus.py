@@ -16,6 +16,9 @@ import errno
 import fcntl
 import functools
 import os
+import re
+import secrets
+import shutil
 import time
 from pathlib import Path
 from typing import List, Optional, Sequence, Tuple
@@ -25,26 +28,38 @@ from ..errors import BusError
 from . import Folder, chip_file, power_on_command
 from .chips import INA219, PCA9685, chip_class
 
+HALF_MADE = rf"0x{INA219.ADDRESS:02x}$|0x..\.\d+$"
 CLOCK_RANGE = (10.0, 1e7)  # Hz
 
 
 def power_on(folder: Folder, address: Optional[int] = None) -> None:
     """Give every chip its power-on registers; make the folder, and plug in the chips that are missing.
 
-    address: of one more chip, a motor board's; nothing is plugged in where a PCA9685 cannot be.
+    address: of one more chip, a motor board's; nothing is plugged in where a PCA9685 cannot be. A new folder is there
+    with all its chips or not at all: the disk may be full, and whoever makes it may be killed.
     """
-    Path(folder).mkdir(parents=True, exist_ok=True)
     chips = {INA219.ADDRESS: INA219, **{board.address: chip_at(board.address) for board in BOARDS.values()}}
     for file in Path(folder).glob("0x[0-7][0-9a-f]"):
         plugged = int(file.name, 16)
         chips[plugged] = chip_of(plugged, file.stat().st_size)
     if address in PCA9685.ADDRESSES:
         chips[address] = chip_at(address)
-    for each, chip in chips.items():
-        file = chip_file(folder, each)
-        new = file.with_suffix(f".{os.getpid()}")
-        new.write_bytes(chip.POWER_ON)
-        new.replace(file)  # at once, for the processes that use the chip
+    folder = Path(folder)
+    new = (folder if folder.exists() else folder.parent) / f".{folder.name}.{secrets.token_hex(4)}"
+    new.mkdir(parents=True)
+    try:
+        for each, chip in chips.items():
+            chip_file(new, each).write_bytes(chip.POWER_ON)
+        if new.parent == folder:
+            for file in new.iterdir():
+                file.replace(folder / file.name)  # at once, for the processes that use the chip
+        else:
+            new.rename(folder)
+    except OSError as error:
+        if error.errno not in (errno.ENOTEMPTY, errno.EEXIST):  # else another process has made the folder meanwhile
+            raise
+    finally:
+        shutil.rmtree(new, ignore_errors=True)
 
 
 class FakeBus:
@@ -137,11 +152,14 @@ def read_chip(file: str, size: int) -> Tuple[bytes, float]:
 
 
 def is_new(folder: Path) -> bool:
-    """Return whether nothing was ever plugged in there: it does not exist, or holds only the buses of namespaces."""
+    """Return whether nothing was ever plugged in there: it does not exist, or holds only the buses of namespaces.
+
+    So does one that an earlier version has left half made: with no chip but the first, and what it was writing.
+    """
     if not folder.exists():
         return True
     entries = list(folder.iterdir())
-    return bool(entries) and all(entry.is_dir() for entry in entries)
+    return bool(entries) and all(entry.is_dir() or re.match(HALF_MADE, entry.name) for entry in entries)
 
 
 def seconds_per_bit(clock: Path) -> float:
