@@ -6,7 +6,6 @@ import time
 from typing import Optional, Tuple, Union
 
 from ..boards import DEFAULT_PWM_FREQUENCY, find_board
-from ..errors import BusError
 from . import Folder, chip_file
 from .bus import read_chip
 from .chips import PCA9685, chip_class
@@ -58,7 +57,7 @@ class Motors:
                 return
             self._registers, self._written = read_chip(self._file, len(self._chip.POWER_ON))
             self._version = version if time.time() - status.st_mtime > CLOCK_TICK else None
-        except (FileNotFoundError, BusError):
+        except OSError:  # a BusError, too; the controller reports it
             self._registers = self._version = None
 
 
