@@ -163,9 +163,11 @@ def test_a_robots_programs_are_limited_in_all():
 
 
 @pytest.mark.parametrize("program", [
-    "", "x", "[]", "1", "null", '"text"', "[" * 10000, '{"a":' * 10, '{"a": "\ud800"}',
+    "", "x", "[]", "1", "null", '"text"', "[" * 10000, '{"a":' * 10, '{"a":' * 10000, '{"a":' * 5000 + "}" * 4999,
+    '{"a":' * 5000 + "1" + "}" * 4999 + "]", '{"a": 1{}}', "{{}: 1}", '{"a": {}} {}', '{} "', "}", '"' + '\\"' * 30000,
+    '{"a": "\ud800"}',
     json.dumps({"a": "x" * 65536}), json.dumps({"a": "ä" * 32768}, ensure_ascii=False), "9" * 60000],
-    ids=lambda each: each[:9])
+    ids=lambda each: f"{each[:9]} {len(each)}")
 def test_what_is_no_program_is_refused(program):
     programs = Programs(Nowhere())
     with pytest.raises(Refused):

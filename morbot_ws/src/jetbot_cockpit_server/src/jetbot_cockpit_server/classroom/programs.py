@@ -8,6 +8,8 @@ from jetbot.text import is_printable
 
 PREFIX = "program_"
 ID = re.compile(r"[0-9a-f]{16}")
+TOKENS = re.compile(r'"(?:[^"\\]|\\.)*"?|[{}\[\]]|[^{}\[\]"]+', re.DOTALL)  # texts, brackets, what is between them
+JSON = json.JSONDecoder(parse_int=str, parse_float=str)  # numbers stay text: a long one would take long
 MAX_NAME = 40              # characters
 MAX_TEXT = 64 * 1024       # bytes of a program
 MAX_PROGRAMS = 50          # of a robot, those that were deleted last included,
@@ -150,12 +152,26 @@ def problem_of(program: str) -> str:
     try:
         if len(program.encode()) > MAX_TEXT:
             return TOO_LARGE
-        content = json.loads(program, parse_int=str, parse_float=str)  # numbers stay text: a long one would take long
-    except RecursionError:  # a chain of blocks is nested: each one holds the next
-        content = {} if program.startswith("{") else None
+        return "" if is_object(program) else NO_PROGRAM
     except ValueError:
-        content = None
-    return "" if isinstance(content, dict) else NO_PROGRAM
+        return NO_PROGRAM
+
+
+def is_object(text: str) -> bool:
+    """Return whether this is a JSON object, or raise ValueError for what is no JSON.
+
+    A chain of blocks is nested, since each one holds the next: deeper than Python reads JSON. So each object and list
+    is read by itself, from the inmost on, with a null for what it holds.
+    """
+    parts = [""]  # of each object and list that is open, what has come so far
+    for token in TOKENS.findall(text):
+        if token in "{[":
+            parts.append("")
+        parts[-1] += token
+        if token in "}]":
+            JSON.decode(parts.pop())
+            parts[-1] += " null "
+    return text.lstrip().startswith("{") and len(parts) == 1 and JSON.decode(parts[0]) is None
 
 
 def read_all(folder) -> Iterator[Program]:
