@@ -20,6 +20,7 @@ WITHIN = 10.0  # s, less than hubs.GONE_AFTER
 GRANTS = make_grants(2)
 TEACHER, FIRST_PUPIL, _ = GRANTS
 PING = {"type": "ping", "sent": 1}
+STOP = {"type": "stop"}
 DRIVE = {"type": "drive", "robot": "/", "forward": 1, "left": 0}
 
 
@@ -77,17 +78,18 @@ class Cockpit:
         given = {"Host": host, "Origin": f"http://{host}", **headers}
         return {name.replace("_", "-"): value for name, value in given.items() if value is not None}
 
-    def log_in(self, code, **headers):
+    def log_in(self, code, phone="127.0.0.1", **headers):
+        """Send a code from this address; return the answer."""
         headers = {"Content_Type": "application/json", **headers}
         return request(self.port, "POST", "/login", self.headers("class.test", **headers),
-                       json.dumps({"code": code}).encode())
+                       json.dumps({"code": code}).encode(), phone)
 
     def cookie(self, grant):
         return self.log_in(grant.code).headers["set-cookie"].partition(";")[0]
 
-    def page(self, name="localhost", **headers):
-        """Return a new page's socket."""
-        return WebSocket(self.port, self.headers(name, **headers))
+    def page(self, name="localhost", phone="127.0.0.1", **headers):
+        """Return a new page's socket, from this address."""
+        return WebSocket(self.port, self.headers(name, **headers), phone)
 
 
 @pytest.fixture(scope="module")

@@ -4,7 +4,7 @@ import logging
 
 import pytest
 
-from cockpit_server import DRIVE, FIRST_PUPIL, TEACHER
+from cockpit_server import DRIVE, FIRST_PUPIL, STOP, TEACHER
 from jetbot_cockpit_server.session import protocol
 from web_client import UPGRADE, request
 
@@ -68,11 +68,19 @@ def test_a_code_becomes_a_cookie_that_scripts_and_other_pages_do_not_get(cockpit
         assert (hello["role"], hello["robot"]) == ("pupil", "/jetbot_01")
 
 
-@pytest.mark.parametrize("cookie", [None, "", "jetbot_cockpit=x", "{name}=", "{name}=x", "{name}={code}"])
-def test_without_a_cookie_that_is_known_a_page_is_asked_to_log_in(cockpit, cookie):
-    name = cockpit.access.cookie_name
-    page = cockpit.page("class.test", Cookie=cookie and cookie.format(name=name, code=TEACHER.code))
+@pytest.mark.parametrize("cookie", [
+    None, "", "jetbot_cockpit=x", "{name}=", "{name}=x", "{name}={code}", "{name}={made_up}", "{name}={almost}"])
+def test_without_a_cookie_that_was_given_a_page_is_asked_to_log_in_and_stops_and_keeps_nothing(cockpit, cookie):
+    cookie = cookie and cookie.format(name=cockpit.access.cookie_name, code=TEACHER.code, made_up="x" * 43,
+                                      almost=FIRST_PUPIL.cookie[:-1] + "!")
+    handled = list(cockpit.control.handled)
+    page = cockpit.page("class.test", Cookie=cookie)
+    page.send(STOP)
+    page.send(DRIVE)
     assert page.wait_for_close().code == 4001
+    assert cockpit.control.handled == handled
+    headers = cockpit.headers("class.test", Cookie=cookie, Content_Type="application/json")
+    assert request(cockpit.port, "POST", "/work", headers, b'{"do": "list", "robot": null}').status == 403
 
 
 @pytest.mark.parametrize("body, status", [
@@ -103,6 +111,16 @@ def test_five_wrong_codes_lock_out_the_browser_that_sent_them_and_no_other(fresh
     codes = ["WRONG"] * 5 + [TEACHER.code]
     assert [fresh.log_in(code, Cookie=one).status for code in codes] == [403] * 5 + [429]
     assert fresh.log_in(TEACHER.code, Cookie=other).status == 204
+
+
+def test_a_hundred_wrong_codes_with_new_cookies_lock_out_their_phone_alone(fresh):
+    """The terminal says it in one line."""
+    def attempt(code, phone, number):
+        return fresh.log_in(code, phone, Cookie=f"{fresh.access.visitor_cookie}={number}").status
+    assert [attempt("WRONG", "127.0.0.2", number) for number in range(100)] == [403] * 30 + [429] * 70
+    assert attempt(TEACHER.code, "127.0.0.2", "new") == 429
+    assert attempt(TEACHER.code, "127.0.0.3", "new") == attempt(FIRST_PUPIL.code, "127.0.0.3", "1") == 204
+    assert fresh.access.take_log(0.0) == ["too many wrong codes from 127.0.0.2: refused for a minute"]
 
 
 def test_what_a_page_sends_reaches_the_control_and_a_ping_returns(cockpit):

@@ -90,7 +90,8 @@ def test_what_is_no_request_is_refused(cockpit, body):
 
 @pytest.mark.parametrize("program, sentence", [
     ("[" * 10000, "This is no program."), ('{"a":' * 10000, "This is no program."), ("[1]", "This is no program."),
-    (json.dumps({"a": "x" * 70000}), "too large to be kept here: 64 kB at most")], ids=["nested", "unclosed", "list", "large"])
+    (json.dumps({"a": "x" * 70000}), "too large to be kept here: 64 kB at most")],
+    ids=["nested", "unclosed", "list", "large"])
 def test_what_is_no_program_is_refused_in_a_sentence(cockpit, program, sentence):
     status, answer = post(cockpit, {**SAVE, "program": program})
     assert status == 409 and sentence in answer["text"]

@@ -29,9 +29,9 @@ class Closed(Exception):
         self.code, self.reason = code, reason
 
 
-def connect(port: int) -> socket.socket:
-    """Return a TCP connection to this port."""
-    return socket.create_connection(("127.0.0.1", port), TIMEOUT)
+def connect(port: int, phone: str = "127.0.0.1") -> socket.socket:
+    """Return a TCP connection to this port. phone: the address that it comes from, one that begins with 127."""
+    return socket.create_connection(("127.0.0.1", port), TIMEOUT, (phone, 0))
 
 
 def head(method: str, path: str, headers: Dict[str, str]) -> bytes:
@@ -40,10 +40,11 @@ def head(method: str, path: str, headers: Dict[str, str]) -> bytes:
     return "\r\n".join(lines).encode()
 
 
-def request(port: int, method: str, path: str, headers: Dict[str, str], body: bytes = b"") -> Answer:
+def request(port: int, method: str, path: str, headers: Dict[str, str], body: bytes = b"",
+            phone: str = "127.0.0.1") -> Answer:
     """Send one request on a connection of its own; return the answer."""
     length = {"Content-Length": str(len(body))} if body else {}
-    with connect(port) as connection:
+    with connect(port, phone) as connection:
         connection.sendall(head(method, path, {**headers, **length, "Connection": "close"}) + body)
         return read_answer(connection.makefile("rb"))
 
@@ -62,8 +63,8 @@ def read_answer(file) -> Answer:
 class WebSocket:
     """A page's socket. headers: of its request, such as Host, Origin and Cookie."""
 
-    def __init__(self, port: int, headers: Dict[str, str]):
-        self.connection = connect(port)
+    def __init__(self, port: int, headers: Dict[str, str], phone: str = "127.0.0.1"):
+        self.connection = connect(port, phone)
         self._file = self.connection.makefile("rb")
         self.connection.sendall(head("GET", "/socket", {**UPGRADE, **headers}))
         self.status = read_answer(self._file).status

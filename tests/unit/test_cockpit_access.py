@@ -1,8 +1,11 @@
 """Who gets into the cockpit: codes, cookies, wrong tries, and the names by which its page is reached."""
 
+import contextlib
+import secrets
+
 import pytest
 
-from jetbot_cockpit_server.web.access import ALPHABET, MAX_WRONG_IN_ALL, Access, TooManyTries, make_grants
+from jetbot_cockpit_server.web.access import ALPHABET, MAX_WRONG_AT_ADDRESS, Access, TooManyTries, make_grants
 
 GRANTS = make_grants(2)
 PUPILS_ADDRESS, OTHER_ADDRESS, OWN_ADDRESS = "192.168.1.7", "192.168.1.8", "192.168.1.42"
@@ -39,7 +42,7 @@ def test_a_wrong_code_gives_nothing(access, code):
     assert access.log_in(code, PUPILS_ADDRESS, None, now=0.0) is None
 
 
-def test_five_wrong_codes_a_minute_from_one_address(access):
+def test_five_wrong_codes_a_minute_from_one_browser(access):
     code = code_of("teacher")
     for second in range(5):
         assert access.log_in("WRONG", PUPILS_ADDRESS, None, now=second) is None
@@ -47,7 +50,6 @@ def test_five_wrong_codes_a_minute_from_one_address(access):
         access.log_in(code, PUPILS_ADDRESS, None, now=59.9)
     assert access.log_in(code, OTHER_ADDRESS, None, now=59.9)
     assert access.log_in(code, PUPILS_ADDRESS, None, now=60.0)
-    assert access.take_log() == [f"5 wrong codes from a browser at {PUPILS_ADDRESS}: it must wait for a minute"]
 
 
 def test_wrong_codes_of_one_browser_lock_out_no_other_behind_the_same_router(access):
@@ -58,33 +60,89 @@ def test_wrong_codes_of_one_browser_lock_out_no_other_behind_the_same_router(acc
     assert access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "another", now=5.0)
 
 
-def test_many_addresses_try_no_more_than_a_hundred_codes_a_minute(access):
-    for number in range(MAX_WRONG_IN_ALL):
-        access.log_in("WRONG", f"10.0.0.{number}", None, now=0.0)
+def try_wrong_codes(access, count, peer=PUPILS_ADDRESS, now=0.0):
+    """Try so many, each with a new cookie; return how many were compared."""
+    compared = 0
+    for number in range(count):
+        with contextlib.suppress(TooManyTries):
+            access.log_in("WRONG", peer, f"browser {number}", now)
+            compared += 1
+    return compared
+
+
+def test_new_cookies_give_an_address_no_more_tries_and_lock_out_no_other(access):
+    assert try_wrong_codes(access, 1000) == MAX_WRONG_AT_ADDRESS
     with pytest.raises(TooManyTries):
-        access.log_in(code_of("teacher"), OTHER_ADDRESS, None, now=1.0)
-    assert access.log_in(code_of("teacher"), OTHER_ADDRESS, None, now=60.0)
+        access.log_in(code_of("teacher"), PUPILS_ADDRESS, "another", now=59.9)
+    assert access.log_in(code_of("teacher"), OTHER_ADDRESS, "browser 1", now=59.9)
+    assert access.log_in(code_of("teacher"), PUPILS_ADDRESS, "browser 1", now=60.0)
+
+
+def test_wrong_codes_of_many_addresses_lock_out_no_other(access):
+    for number in range(250):
+        assert try_wrong_codes(access, 5, f"10.0.0.{number}")
+    assert access.log_in(code_of("teacher"), OTHER_ADDRESS, None, now=1.0)
+
+
+def test_a_cookie_that_is_another_phones_address_or_cookie_locks_that_out_neither(access):
+    for cookie in OTHER_ADDRESS, "theirs":
+        for _ in range(5):
+            access.log_in("WRONG", PUPILS_ADDRESS, cookie, now=0.0)
+    for cookie in None, OTHER_ADDRESS, "theirs":
+        assert access.log_in(code_of("jetbot_01"), OTHER_ADDRESS, cookie, now=1.0)
+
+
+def test_the_terminal_says_once_a_minute_which_addresses_are_refused(access):
+    try_wrong_codes(access, MAX_WRONG_AT_ADDRESS)
+    assert access.take_log(now=0.0) == []
+    try_wrong_codes(access, 1000)
+    assert access.take_log(now=0.0) == [f"too many wrong codes from {PUPILS_ADDRESS}: refused for a minute"]
+    for peer in "10.0.0.2", "10.0.0.1":
+        try_wrong_codes(access, 1000, peer)
+    assert access.take_log(now=59.9) == []
+    assert access.take_log(now=60.0) == ["too many wrong codes from 10.0.0.1 and another address: refused for a minute"]
+    assert access.take_log(now=120.0) == []
 
 
 def test_wrong_codes_lock_out_nobody_who_is_in(access):
     cookie = access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "one", now=0.0).cookie
-    for number in range(MAX_WRONG_IN_ALL):
-        access.log_in("WRONG", PUPILS_ADDRESS, f"browser {number // 5}", now=0.0)
+    try_wrong_codes(access, 1000)
     with pytest.raises(TooManyTries):
         access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "one", now=1.0)
     assert access.grant(cookie, PUPILS_ADDRESS, "robot.local:8080").label == "jetbot_01"
 
 
-def test_a_cookie_gives_what_its_code_gave(access):
-    for label in "teacher", "jetbot_01":
-        grant = access.log_in(code_of(label), PUPILS_ADDRESS, None, now=0.0)
-        assert access.grant(grant.cookie, PUPILS_ADDRESS, "robot.local:8080") == grant
+@pytest.mark.parametrize("grant", GRANTS, ids=lambda grant: grant.label)
+def test_a_code_gives_what_it_is_for_and_its_cookie_the_same(access, grant):
+    assert access.log_in(grant.code, PUPILS_ADDRESS, None, now=0.0) == grant
+    assert access.grant(grant.cookie, PUPILS_ADDRESS, "robot.local:8080") == grant
 
 
-@pytest.mark.parametrize("cookie", [None, "", "x", "\ud800"])
-def test_without_a_cookie_nobody_gets_in_from_elsewhere(access, cookie):
-    assert access.grant(cookie, PUPILS_ADDRESS, "localhost:8080") is None  # a Host header can be forged
-    assert access.grant(cookie, "127.0.0.1", "robot.local:8080") is None   # a tunnel of another computer
+def neighbours(secret):
+    """Return what differs from a secret in one character, or in its length."""
+    changed = [secret[:place] + ("A" if each != "A" else "B") + secret[place + 1:] for place, each in enumerate(secret)]
+    return [*changed, secret[:-1], secret[1:], secret + "A"]
+
+
+def test_without_a_cookie_that_was_given_nobody_gets_in(access):
+    almost = [each for grant in GRANTS for each in (
+        grant.code, grant.label, grant.cookie.swapcase(), *neighbours(grant.cookie))]
+    for cookie in [None, "", "x", "x" * 43, "\ud800", secrets.token_urlsafe(32), *almost]:
+        assert access.grant(cookie, PUPILS_ADDRESS, "robot.local:8080") is None
+        assert access.grant(cookie, PUPILS_ADDRESS, "localhost:8080") is None  # a Host header can be forged
+        assert access.grant(cookie, "127.0.0.1", "robot.local:8080") is None   # a tunnel of another computer
+
+
+@pytest.mark.parametrize("grant", GRANTS, ids=lambda grant: grant.label)
+def test_what_is_almost_a_code_is_none(access, grant):
+    for number, code in enumerate([*neighbours(grant.code), grant.cookie, grant.label]):
+        assert access.log_in(code, f"10.0.0.{number}", None, now=0.0) is None
+
+
+def test_cookies_and_codes_of_another_start_are_worth_nothing(access):
+    for grant in make_grants(2):
+        assert access.log_in(grant.code, PUPILS_ADDRESS, None, now=0.0) is None
+        assert access.grant(grant.cookie, PUPILS_ADDRESS, "robot.local:8080") is None
 
 
 @pytest.mark.parametrize("peer, host", [("127.0.0.1", "localhost:8080"), ("::1", "[::1]:8080"),

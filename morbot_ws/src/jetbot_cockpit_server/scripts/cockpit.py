@@ -90,12 +90,12 @@ class Cockpit:
 
     def log_changes(self):
         """Log which robots have come, ended or fallen silent since the last call, and from where nobody gets in."""
-        before, self.logged = self.logged, self.control.snapshot
+        now, before, self.logged = time.monotonic(), self.logged, self.control.snapshot
         self.classroom.retry()
-        lines = [*self.logged.changes_since(before), *self.access.take_log(), *self.classroom.take_problems()]
+        lines = [*self.logged.changes_since(before), *self.access.take_log(now), *self.classroom.take_problems()]
         if self.logged.robots:
             self.no_robot_at = math.inf
-        if time.monotonic() > self.no_robot_at:
+        if now > self.no_robot_at:
             self.no_robot_at = math.inf
             lines.append(NO_ROBOT)
         for line in lines:

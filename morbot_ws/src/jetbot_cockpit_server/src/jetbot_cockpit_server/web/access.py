@@ -1,6 +1,7 @@
 """Who gets in: codes, cookies, wrong tries, and where a request may come from."""
 
 import hmac
+import math
 import secrets
 from collections import deque
 from types import MappingProxyType
@@ -16,7 +17,8 @@ COOKIE_LENGTH = 43  # characters of 32 random bytes
 LOOPBACK = ("localhost", "127.0.0.1", "::1")
 MINUTE = 60.0              # s, in which wrong codes are counted
 MAX_WRONG = 5              # wrong codes from one browser in that time: a class may share one address
-MAX_WRONG_IN_ALL = 100     # from all: many browsers, or one that takes a new name for each try, guess no faster
+MAX_WRONG_AT_ADDRESS = 30  # from all browsers at one address: one may take a new cookie for each try
+MAX_REMEMBERED = 10000     # wrong codes
 
 
 class TooManyTries(Exception):
@@ -69,8 +71,9 @@ class Access:
         self.visitor_cookie = f"{self.cookie_name}_visitor"  # tells browsers behind one address apart
         self._port, self._names, self._grants = port, (*LOOPBACK, *names), grants
         self._this_computer = make_grant("this computer", TEACHER)
-        self._wrong: Deque[Tuple[float, str]] = deque()  # (when, from whom)
-        self._log: Deque[str] = deque()
+        self._wrong: Deque[Tuple[float, str, Optional[str]]] = deque(maxlen=MAX_REMEMBERED)  # (when, peer, visitor)
+        self._refused: Deque[str] = deque(maxlen=MAX_REMEMBERED)  # addresses that were refused, for the log
+        self._logged_at = -math.inf
 
     def accepts_host(self, host: Optional[str], address: str) -> bool:
         """Return whether a Host header names this page. address: the one of this computer that the client reached.
@@ -95,24 +98,27 @@ class Access:
     def log_in(self, code: str, peer: str, visitor: Optional[str], now: float) -> Optional[Grant]:
         """Return what a code gives, or None for a wrong one. visitor: the browser's cookie; now: in s, from any start.
 
-        Raise TooManyTries.
+        Raise TooManyTries. Nobody's wrong codes count at another address.
         """
-        sender = visitor or peer
         while self._wrong and now - self._wrong[0][0] >= MINUTE:
             self._wrong.popleft()
-        tries = sum(each == sender for _, each in self._wrong)
-        if tries >= MAX_WRONG or len(self._wrong) >= MAX_WRONG_IN_ALL:
+        browsers = [browser for _, address, browser in self._wrong if address == peer]
+        if browsers.count(visitor) >= MAX_WRONG or len(browsers) >= MAX_WRONG_AT_ADDRESS:
+            self._refused.append(peer)
             raise TooManyTries
         grant = self._find("code", "".join(each for each in code.upper() if each in ALPHABET))
         if not grant:
-            self._wrong.append((now, sender))
-            if tries + 1 == MAX_WRONG:
-                self._log.append(f"{MAX_WRONG} wrong codes from a browser at {peer}: it must wait for a minute")
+            self._wrong.append((now, peer, visitor))
         return grant
 
-    def take_log(self) -> List[str]:
-        """Return what the terminal should report since the last call."""
-        return [self._log.popleft() for _ in range(len(self._log))]
+    def take_log(self, now: float) -> List[str]:
+        """Return what the terminal should report: at most one line per minute."""
+        if not self._refused or now - self._logged_at < MINUTE:
+            return []
+        self._logged_at = now
+        addresses = sorted({self._refused.popleft() for _ in range(len(self._refused))})
+        others = {1: "", 2: " and another address"}.get(len(addresses), f" and {len(addresses) - 1} other addresses")
+        return [f"too many wrong codes from {addresses[0]}{others}: refused for a minute"]
 
     def _find(self, field: str, text: str) -> Optional[Grant]:
         # All are compared, each in constant time: the duration says nothing about them
