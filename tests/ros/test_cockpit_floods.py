@@ -1,13 +1,14 @@
 """What the cockpit does with malformed, endless, frozen and half-open clients, with real sockets."""
 
 import contextlib
+import json
 import logging
 import threading
 import time
 
 import pytest
 
-from cockpit_server import DRIVE, PING, WITHIN, Cockpit
+from cockpit_server import DRIVE, FIRST_PUPIL, PING, STOP, WITHIN, Cockpit
 from jetbot.wait import wait_until
 from jetbot_cockpit_server.session import hub as hubs
 from jetbot_cockpit_server.web import server as servers
@@ -75,21 +76,47 @@ def test_connections_that_send_nothing_or_half_a_request_end(monkeypatch):
     cockpit.server.end()
 
 
-def test_more_connections_than_there_is_room_for_end_and_those_that_there_are_stay(monkeypatch, fresh):
-    monkeypatch.setattr(servers, "MAX_CONNECTIONS", 2)
-    page, idle = fresh.page(), connect(fresh.port)
-    assert connect(fresh.port).recv(1) == b""
-    idle.setblocking(False)
-    with pytest.raises(BlockingIOError):  # it is still open
-        idle.recv(1)
-    page.send(PING)
-    assert page.receive("pong")
-    idle.close()
+@pytest.mark.parametrize("beginning", [b"", b"GET / HT", b"GET / HTTP/1.1\r\nHost: localhost:%d\r\n\r\n"])
+def test_connections_that_send_nothing_keep_out_no_page_and_no_stop(monkeypatch, fresh, beginning):
+    """The oldest one goes, at the address that has the most; the sockets of pages stay."""
+    monkeypatch.setattr(servers, "MAX_CONNECTIONS", 20)
+    page, other = fresh.page(), connect(fresh.port, "127.0.0.3")
+    idle = [connect(fresh.port, "127.0.0.2") for _ in range(60)]
+    for connection in idle[-15:]:
+        connection.sendall(beginning.replace(b"%d", b"%d" % fresh.port))
+    for phone in "127.0.0.2", "127.0.0.1", "127.0.0.4":
+        assert request(fresh.port, "GET", "/", fresh.headers(), phone=phone).status == 200
+        assert fresh.page(phone=phone).receive("hello")
+    assert [connection.recv(1) for connection in idle[:40]] == [b""] * 40
+    other.sendall(head("GET", "/", fresh.headers()))
+    assert other.recv(8) == b"HTTP/1.1"
+    page.send(STOP)
+    assert wait_until(lambda: [message.type for _, message in fresh.control.handled] == ["stop"], WITHIN)
 
-    def is_served():
-        with contextlib.suppress(ConnectionError, IndexError):  # IndexError: not even a status
-            return request(fresh.port, "GET", "/", fresh.headers()).status == 200
-    assert wait_until(is_served, WITHIN)
+
+def frames(*messages):
+    """Return WebSocket frames with these messages, to send at once."""
+    texts = [json.dumps(message).encode() for message in messages]
+    return b"".join(bytes([0x81, 0x80 | len(text), 0, 0, 0, 0]) + text for text in texts)
+
+
+def test_a_stop_in_a_flood_counts(cockpit):
+    page = cockpit.page(phone="127.0.0.2")
+    number = page.receive("hello")["id"]
+    page.connection.sendall(frames(*[PING] * 300, STOP, *[PING] * 300))
+    assert page.wait_for_close().reason == hubs.TOO_MANY
+    assert wait_until(lambda: [message for client, message in cockpit.control.handled
+                               if client.id == number and message.type == "stop"], WITHIN)
+
+
+def test_who_comes_back_at_once_after_a_flood_is_not_let_in_and_others_are(monkeypatch, fresh):
+    monkeypatch.setattr(hubs, "FLOOD_PAUSE", 60.0)
+    page = fresh.page(phone="127.0.0.2")
+    page.connection.sendall(frames(*[PING] * 100))
+    assert page.wait_for_close().reason == fresh.page(phone="127.0.0.2").wait_for_close().reason == hubs.TOO_MANY
+    cookie = fresh.cookie(FIRST_PUPIL)
+    for sender in {"phone": "127.0.0.3"}, {"phone": "127.0.0.2", "name": "class.test", "Cookie": cookie}:
+        assert fresh.page(**sender).receive("hello")
 
 
 def test_clients_that_send_without_a_pause_are_not_the_only_ones_that_are_served(cockpit):

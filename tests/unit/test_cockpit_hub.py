@@ -7,10 +7,11 @@ from cockpit_control import FakeCameras
 
 from jetbot_cockpit_server.session import hub as hubs
 from jetbot_cockpit_server.session import protocol
-from jetbot_cockpit_server.session.hub import FRAME_INTERVAL, Hub
+from jetbot_cockpit_server.session.hub import FRAME_INTERVAL, Hub, Sender
 from jetbot_cockpit_server.session.rights import PUPIL, TEACHER
 
 STOP = '{"type": "stop"}'
+DRIVE = '{"type": "drive", "robot": "/", "forward": 1, "left": 0}'
 PING = '{"type": "ping", "sent": 7}'
 CODES = [{"code": "ABC234"}]
 TRAIL = {"type": "trail", "robot": "/", "points": [[0, 0]]}
@@ -78,9 +79,9 @@ def hub(control):
     return Hub(control, [], FakeCameras())
 
 
-def join(hub, role=TEACHER, now=0.0):
+def join(hub, role=TEACHER, now=0.0, code="", address="10.0.0.1"):
     page = Page()
-    return page, hub.join(page, role, None, now)
+    return page, hub.join(page, role, None, Sender(code or role, address), now)
 
 
 def run(hub, viewers, since, until):
@@ -179,23 +180,64 @@ def test_a_teacher_gets_the_codes_where_there_are_some(control, role, codes):
                              protocol.notice("Only a teacher can see the codes."))
 
 
-def test_after_its_disconnection_nothing_that_a_page_sends_counts(hub, control):
+def test_after_its_disconnection_nothing_that_a_page_sends_counts_but_stops(hub, control):
     page, viewer = join(hub)
     hub.receive(viewer, "x", 0.0)
     assert page.closed[0] == 4000 and control.left == [1]
-    hub.receive(viewer, STOP, 0.0)
+    for text in DRIVE, STOP, DRIVE:
+        hub.receive(viewer, text, 0.0)
     hub.leave(viewer)
-    assert not control.asked and control.left == [1]
-
-
-def test_a_flood_ends_the_socket_but_each_stop_in_it_counts(hub, control):
-    page, viewer = join(hub)
-    for _ in range(protocol.MAX_BURST):
-        hub.receive(viewer, PING, 0.0)
-    assert page.closed is None
-    hub.receive(viewer, STOP, 0.0)
     assert control.asked == [(1, protocol.Message("stop"))]
-    assert page.closed == (4000, "more than 40 messages per second") and control.left == [1]
+    assert control.left == [1, 1]  # its name is forgotten again
+
+
+@pytest.mark.parametrize("text, robot", [
+    (STOP, None), ('{"type":"stop","robot":null}', None), ('{"type":"stop","robot":"/red"}', "/red"),
+    (' { "type" : "stop" , "robot" : "/jetbot_01" } ', "/jetbot_01")])
+def test_a_stop_counts_before_the_limit_and_the_parser_also_after_a_flood_has_ended_the_socket(
+        hub, control, monkeypatch, text, robot):
+    monkeypatch.delattr(protocol, "parse")
+    page, viewer = join(hub)
+    for count in range(200):
+        hub.record_activity(viewer, 0.0)
+        hub.receive(viewer, text, 0.0)
+        assert control.asked == [(1, protocol.Message("stop", robot))] * (count + 1)
+    assert page.closed == (4000, "more than 40 messages per second") and control.left[0] == 1
+
+
+@pytest.mark.parametrize("text", [
+    '{"robot": null, "type": "stop"}', '{"type": "stop", "robot": "/\\u0061"}', '{"type": "stop", "robot": "/red"}'])
+def test_a_stop_that_is_written_in_another_way_counts_too(hub, control, text):
+    _, viewer = join(hub)
+    hub.receive(viewer, text, 0.0)
+    assert control.asked[0][1] == protocol.parse(text)
+
+
+@pytest.mark.parametrize("text", ['{"type": "stop"', '{"type": "stop", "robot": 7}', '{"type": "stop"}}', "stop"])
+def test_what_is_almost_a_stop_ends_the_socket(hub, control, text):
+    page, viewer = join(hub)
+    hub.receive(viewer, text, 0.0)
+    assert page.closed[0] == 4000 and not control.asked
+
+
+def flood(hub, page, viewer, now):
+    for _ in range(protocol.MAX_BURST + 1):
+        hub.receive(viewer, PING, now)
+    assert page.closed == (4000, hubs.TOO_MANY)
+
+
+def test_who_floods_may_come_back_after_a_moment_and_others_at_any_time(hub):
+    flood(hub, *join(hub, PUPIL), 0.0)
+    page, viewer = join(hub, PUPIL, hubs.FLOOD_PAUSE - 0.1)
+    assert viewer is None and page.closed == (4000, hubs.TOO_MANY)
+    assert join(hub, PUPIL, 0.1, address="10.0.0.2")[1] and join(hub, PUPIL, 0.1, code="jetbot_02")[1]
+    assert join(hub, PUPIL, hubs.FLOOD_PAUSE)[1]
+
+
+def test_a_flood_disconnects_no_other_page_of_its_sender(hub):
+    other, _ = join(hub, PUPIL)
+    flood(hub, *join(hub, PUPIL), 0.0)
+    assert other.closed is None
 
 
 @pytest.mark.parametrize("rate, start, count, closed", [
@@ -237,6 +279,20 @@ def test_there_is_room_for_100_pages_and_a_teacher_gets_the_place_of_the_newest_
     assert [number for number, each in enumerate(pages) if each.closed] == [99] and control.left == [100]
     hub.leave(viewers[0])
     assert join(hub, PUPIL)[1]
+
+
+@pytest.mark.parametrize("others", [
+    [{"code": f"jetbot_{number:02d}"} for number in range(1, 16)],  # a code for each robot, or one for all pupils
+    [{"address": f"10.0.0.{number}"} for number in range(1, 16)]])
+def test_one_phone_that_takes_all_places_keeps_out_no_other(hub, others):
+    first, *later = [join(hub, PUPIL, **sender)[0] for sender in others[:-1]]
+    taken = [join(hub, PUPIL, **others[0])[0] for _ in range(hubs.MAX_CLIENTS - len(others) + 1)]
+    for role, sender in (PUPIL, others[-1]), (PUPIL, others[5]), (TEACHER, {"address": "10.0.0.99"}):
+        page, viewer = join(hub, role, **sender)
+        assert viewer and not page.closed
+    assert [page.closed[0] for page in taken if page.closed] == [4002] * 3 == [page.closed[0] for page in taken[-3:]]
+    assert join(hub, PUPIL, **others[0])[1] is None
+    assert not [page for page in (first, *later) if page.closed]
 
 
 def test_at_the_end_all_pages_are_disconnected_and_their_robots_stop(hub, control):

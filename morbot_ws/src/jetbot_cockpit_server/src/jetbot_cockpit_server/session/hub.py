@@ -3,7 +3,8 @@
 import itertools
 import json
 import math
-from typing import Callable, Dict, List, Optional, Sequence
+from collections import Counter
+from typing import Callable, Dict, List, NamedTuple, Optional, Sequence
 
 from ..classroom.classroom import KEPT_AGAIN
 from ..parameters import MAX_ROBOTS
@@ -24,13 +25,21 @@ STOP_PAUSE = 0.1        # s without frames and commands after a stop of all: fir
 STILL_INTERVAL = 1.0    # s between two frames while nothing changes, and between two pings
 ABSENT_AFTER = 3.0      # s without a sign of life: frames would only queue up
 GONE_AFTER = 15.0       # s without a sign of life: the socket is closed
+FLOOD_PAUSE = 2.0       # s until who has sent too much may connect again
+
+
+class Sender(NamedTuple):
+    """Whose pages share places and limits: the label of a code, and an address. One code may be a whole class's."""
+
+    code: str
+    address: str
 
 
 class Viewer:
     """A client with a socket (web.handlers.Socket), and what its page shows."""
 
-    def __init__(self, client: Client, connection, now: float):
-        self.client, self.connection = client, connection
+    def __init__(self, client: Client, sender: Sender, connection, now: float):
+        self.client, self.sender, self.connection = client, sender, connection
         self.allowance = float(protocol.MAX_BURST)  # messages that it may send now
         self.active_at = self.pinged_at = self.shown_at = now
         self.state = self.robots = self.problem = ""
@@ -80,49 +89,44 @@ class Hub:
         self._numbers = itertools.count(1)
         self._paused_until = -math.inf
         self._viewers: Dict[int, Viewer] = {}
+        self._flooded: Dict[Sender, float] = {}  # until when these may not connect
 
-    def join(self, connection, role: str, robot: Optional[str], now: float) -> Optional[Viewer]:
-        """Return the new client; None if there is no room. A teacher gets the place of the pupil who came last.
+    def join(self, connection, role: str, robot: Optional[str], sender: Sender, now: float) -> Optional[Viewer]:
+        """Return the new client; None if it may not connect now.
 
         robot: the only one that a pupil may drive, None: any.
         """
-        if len(self._viewers) >= MAX_CLIENTS and role == TEACHER:
-            pupils = [viewer for viewer in self._viewers.values() if viewer.client.role != TEACHER]
-            for viewer in pupils[-1:]:
-                self.end(viewer, FULL, NO_ROOM)
-        if len(self._viewers) >= MAX_CLIENTS:
-            connection.close(FULL, NO_ROOM)
+        if now < self._flooded.get(sender, now):
+            connection.close(REFUSED, TOO_MANY)
             return None
         number = next(self._numbers)
-        client = Client(number, f"{role} {number}", role, robot)
+        viewer = Viewer(Client(number, f"{role} {number}", role, robot), sender, connection, now)
+        viewers = [*self._viewers.values(), viewer]
+        leaving = most_crowding(viewers) if len(viewers) > MAX_CLIENTS else None
+        if leaving:
+            self.end(leaving, FULL, NO_ROOM)
+        if leaving is viewer:
+            return None
         codes = role == TEACHER and bool(self._codes)
-        connection.send(dumps({"type": "hello", **client._asdict(), "codes": codes}))
-        self._viewers[number] = Viewer(client, connection, now)
-        return self._viewers[number]
+        connection.send(dumps({"type": "hello", **viewer.client._asdict(), "codes": codes}))
+        self._viewers[number] = viewer
+        return viewer
 
     def receive(self, viewer: Viewer, text: object, now: float) -> None:
         """Do what a page asks for. A page that sends too much or something else is disconnected."""
-        if viewer.client.id not in self._viewers:
-            return  # it was disconnected, but does not know it yet
-        within_limit = viewer.record_activity(now)
-        try:
-            message = protocol.parse(text)
-        except protocol.ProtocolError as error:
-            self.end(viewer, REFUSED, str(error))
-            return
-        waits = now < self._paused_until and (message.forward or message.left)
-        if within_limit and not waits or message.type == "stop":  # a stop always counts
-            self._answer(viewer, message, now)
-        stops_all = message.type == "stop" and message.robot is None
-        if stops_all and now >= self._paused_until + STILL_INTERVAL:  # not for ever, if they never end
-            self._paused_until = now + STOP_PAUSE
-        if not within_limit:
-            self.end(viewer, REFUSED, TOO_MANY)
+        stop = protocol.as_stop(text)
+        if stop:  # before all else, also from a page that was disconnected but does not know it yet
+            self._stop(viewer, stop, now)
+        if self.record_activity(viewer, now) and not stop:
+            self._obey(viewer, text, now)
 
-    def record_activity(self, viewer: Viewer, now: float) -> None:
-        """A browser has sent a ping or a pong by itself."""
-        if not viewer.record_activity(now):
+    def record_activity(self, viewer: Viewer, now: float) -> bool:
+        """Record that a browser has sent something; return whether it is connected, and stays so."""
+        if viewer.client.id in self._viewers and not viewer.record_activity(now):
+            self._flooded = {each: until for each, until in self._flooded.items() if now < until}
+            self._flooded[viewer.sender] = now + FLOOD_PAUSE
             self.end(viewer, REFUSED, TOO_MANY)
+        return viewer.client.id in self._viewers
 
     def leave(self, viewer: Viewer) -> None:
         """A client's socket is closed: its robot stops."""
@@ -171,6 +175,22 @@ class Hub:
             viewer.show_picture(self._cameras.newest(viewer.feed.robot, now), interval(len(looking)), now)
         return bool(looking)
 
+    def _stop(self, viewer: Viewer, stop: protocol.Message, now: float) -> None:
+        self._answer(viewer, stop, now)
+        if viewer.client.id not in self._viewers:
+            self._control.leave(viewer.client.id)
+        if stop.robot is None and now >= self._paused_until + STILL_INTERVAL:  # not for ever, if they never end
+            self._paused_until = now + STOP_PAUSE
+
+    def _obey(self, viewer: Viewer, text: object, now: float) -> None:
+        try:
+            message = protocol.parse(text)
+        except protocol.ProtocolError as error:
+            self.end(viewer, REFUSED, str(error))
+            return
+        if now >= self._paused_until or not (message.forward or message.left):
+            self._answer(viewer, message, now)
+
     def _answer(self, viewer: Viewer, message: protocol.Message, now: float) -> None:
         reply = self._reply(viewer, message, now)
         if reply and not viewer.connection.is_backlogged():
@@ -196,6 +216,16 @@ class Hub:
         viewer.feed.look(robot if allowed else None)
         return protocol.notice(f"With your code, you see only through {label(viewer.client.robot)}'s camera.") \
             if known and not allowed else None
+
+
+def most_crowding(viewers: Sequence[Viewer]) -> Viewer:
+    """Return who leaves when there is no room: the newest page of the code that has the most pages.
+
+    If one code has them at several addresses: at the address that has the most. A teacher's goes last.
+    """
+    codes, senders = (Counter(each) for each in zip(*((viewer.sender.code, viewer.sender) for viewer in viewers)))
+    return max(viewers, key=lambda viewer: (codes[viewer.sender.code], senders[viewer.sender],
+                                            viewer.client.role != TEACHER, viewer.client.id))
 
 
 def dumps(message: dict) -> str:

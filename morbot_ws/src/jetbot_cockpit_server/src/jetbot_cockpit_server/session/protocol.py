@@ -1,6 +1,7 @@
 """The messages of the cockpit's socket: JSON objects with a ``type``. docs/protocol.md lists them."""
 
 import json
+import re
 from typing import Any, Callable, Dict, NamedTuple, Optional, Union
 
 from jetbot.kinds import is_number
@@ -11,6 +12,7 @@ from .collection import LABELS
 MAX_MESSAGE = 1000      # bytes of a message of the page
 MAX_RATE = 40           # messages per second of a page,
 MAX_BURST = 50          # and at once: what a pause of the network has held back
+STOP = re.compile(r'\s*\{\s*"type"\s*:\s*"stop"\s*(?:,\s*"robot"\s*:\s*(?:null|"([^"\\]*)")\s*)?\}\s*')
 MAX_NAME = 20           # characters of a person's name
 MAX_TASK = 60           # characters of a task's name
 
@@ -98,6 +100,12 @@ MESSAGES: Dict[str, Dict[str, Callable[[Any], bool]]] = {
 def fit(fields: Dict[str, Any], checks: Dict[str, Callable[[Any], bool]]) -> bool:
     """Return whether these are fields that have a check, and pass it; one that may be None may be left out."""
     return set(fields) <= set(checks) and all(check(fields.get(name)) for name, check in checks.items())
+
+
+def as_stop(text: Union[str, bytes]) -> Optional[Message]:
+    """Return the message if it is a stop as pages write it, else None. It needs less than ``parse``."""
+    found = STOP.fullmatch(text) if isinstance(text, str) else None
+    return Message("stop", found[1]) if found else None
 
 
 def parse(text: Union[str, bytes]) -> Message:

@@ -9,13 +9,14 @@ from pathlib import Path
 from typing import Callable, Dict, Optional, Union
 
 from tornado.httputil import HTTPServerRequest
+from tornado.ioloop import IOLoop
 from tornado.iostream import StreamClosedError
 from tornado.web import HTTPError, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler, WebSocketProtocol
 
 from jetbot import files
 
-from ..session.hub import BAD_FRAME, LOG_IN, Hub, Viewer
+from ..session.hub import BAD_FRAME, LOG_IN, Hub, Sender, Viewer
 from .access import Access, TooManyTries
 
 WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit_server", "www")
@@ -27,6 +28,7 @@ HEADERS = {"Content-Security-Policy": POLICY, "X-Frame-Options": "DENY",
 PAGES = {"": "index.html", "program": "program.html"}  # by what stands in the address
 STYLED = {"program.html": POLICY + "; style-src 'self' 'unsafe-inline'"}  # Blockly inserts two styles
 CLOSED = WebSocketClosedError, StreamClosedError
+CLOSE_WAIT = 0.5  # s for the reason to arrive
 
 
 def reached_address(request: HTTPServerRequest) -> str:
@@ -148,9 +150,20 @@ class Socket(Handler, WebSocketHandler):
         grant = self.access.grant(self.get_cookie(self.access.cookie_name), self.request.remote_ip,
                                   self.request.headers["Host"])
         if grant:
-            self.viewer = self.hub.join(self, grant.role, grant.robot, time.monotonic())
+            sender = Sender(grant.label, self.request.remote_ip)
+            self.viewer = self.hub.join(self, grant.role, grant.robot, sender, time.monotonic())
         else:
             self.close(LOG_IN, "log in first")
+        if self.ws_connection:
+            self.ws_connection.stream.is_page = True
+
+    def close(self, code: Optional[int] = None, reason: Optional[str] = None) -> None:
+        """Close the socket soon. Until then, of a client its stops are heard; what others send is not even read."""
+        connection = self.ws_connection
+        super().close(code, reason)
+        if connection:
+            connection.stream.is_page, connection.stream.is_ignored = False, self.viewer is None
+            IOLoop.current().call_later(CLOSE_WAIT, connection.stream.close)
 
     def on_message(self, message: object) -> None:
         if self.viewer:

@@ -6,7 +6,8 @@ import logging
 import socket
 import threading
 import time
-from typing import List, Optional, Set
+from collections import Counter
+from typing import List, Optional
 
 from tornado.httpserver import HTTPServer
 from tornado.iostream import IOStream
@@ -24,7 +25,7 @@ MAX_CONNECTIONS = 512      # a process may have 1,024 files, and the ROS side ne
 MAX_BODY = 1000            # bytes of a request's body
 MAX_HEADERS = 16384        # bytes; all programs on a computer's ports share their cookies
 IDLE_TIMEOUT = 10.0        # s for the headers of a request, and for its body
-CHUNK = 4096               # bytes that are read at once
+CHUNK = 1024               # bytes that are read at once: a few small messages, so that a stop soon has its turn
 MAX_UNREAD = 131072        # bytes that are dropped when a connection ends
 SEND_BUFFER = 65536        # bytes in the kernel: more would be old when it arrives
 CLOSE_TIMEOUT = 0.1        # s for the clients to answer a close
@@ -36,13 +37,16 @@ class FairStream(IOStream):
     """Reads one chunk each time it is its turn.
 
     Tornado handles frames for as long as there are more: one client without pause would be the only one that is served.
+    address: where it comes from; is_page: whether it is the socket of a client; is_ignored: whether what arrives is
+    dropped.
     """
 
-    _turn = False
+    address, is_page, is_ignored, _turn = "", False, False, False
 
     def read_from_fd(self, buf) -> Optional[int]:
-        self._turn = not self._turn
-        return super().read_from_fd(buf) if self._turn else None  # None: nothing more has arrived
+        self._turn = self.is_ignored or not self._turn
+        count = super().read_from_fd(buf) if self._turn else None  # None: nothing more has arrived
+        return None if count and self.is_ignored else count
 
     def close_fd(self) -> None:
         with contextlib.suppress(OSError):
@@ -55,18 +59,24 @@ class LimitedServer(HTTPServer):
 
     def initialize(self, *arguments, **options) -> None:
         super().initialize(*arguments, **options)
-        self._streams: Set[IOStream] = set()
+        self._streams: List[FairStream] = []  # the oldest first
 
     def handle_stream(self, stream: IOStream, address: tuple) -> None:
-        self._streams = {each for each in self._streams if not each.closed()}
+        self._streams = [each for each in self._streams if not each.closed()]
         if len(self._streams) >= MAX_CONNECTIONS:
-            stream.close()
-            return
+            self._make_room()
         stream.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
         stream = FairStream(stream.socket, max_buffer_size=2 * MAX_HEADERS, read_chunk_size=CHUNK)
         stream.set_nodelay(True)
-        self._streams.add(stream)
+        stream.address = address[0]
+        self._streams.append(stream)
         super().handle_stream(stream, address)
+
+    def _make_room(self) -> None:
+        """Close the oldest connection that is no client's, at the address that has the most of them."""
+        others = [stream for stream in self._streams if not stream.is_page]
+        counts = Counter(stream.address for stream in others)
+        max(others, key=lambda stream: counts[stream.address]).close()
 
     def close_streams(self) -> None:
         """Close all connections."""
