@@ -32,12 +32,13 @@ class Simulator:
     def __init__(self, node: str, robot: SimulatedRobot, others: Collection[str]):
         self._robot, self._lock = robot, Lock()
         self._prefix, self._printed = f"{namespace(node).strip('/')} ".lstrip(), ""
-        self._topics = Topics(node, others, robot.model)
+        with self._lock:  # until there are topics, which are the simulator's by this service: the judge looks at once
+            rospy.Service(f"{node}/reset", Empty, self._on_reset)
+            self._topics = Topics(node, others, robot.model)
         self.static_transform = self._topics.static_transform
         self.camera = Camera(node)
         rospy.Subscriber(f"{node}/set_pose", Pose2D, self._on_set_pose, queue_size=1)
         rospy.Subscriber(f"{node}/world", String, self._on_world, queue_size=1)
-        rospy.Service(f"{node}/reset", Empty, self._on_reset)
 
     def _on_set_pose(self, pose):
         if all(abs(value) <= MAX_PLACE for value in (pose.x, pose.y, pose.theta)):  # of NaN, this is False
