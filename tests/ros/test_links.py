@@ -2,6 +2,7 @@
 
 import socket
 import threading
+import time
 from types import SimpleNamespace
 from xmlrpc.server import SimpleXMLRPCServer
 
@@ -38,3 +39,27 @@ def test_each_listener_but_who_is_connected_is_told_beside_one_that_is_frozen(to
         links.Announcer(publisher).announce(graph)
         assert wait_until(lambda: told, 10.0)
         assert [words[1:] for words in told] == [(TOPIC, [PUBLISHER, "http://localhost:2/"])]
+
+
+def test_what_rospy_is_just_telling_the_master_is_not_missing(monkeypatch):
+    known, added = {}, threading.Event()
+    topics = SimpleNamespace(lock=threading.Condition(), pubs={}, subs={}, get_publications=lambda: topics.pubs.items(),
+                             get_subscriptions=lambda: ())
+    services = SimpleNamespace(lock=threading.RLock(), get_services=lambda: ())
+
+    def add():
+        with topics.lock:
+            topics.pubs[TOPIC] = "std_msgs/Bool"
+            added.set()
+            time.sleep(0.2)
+            known[TOPIC] = ["/stop"]
+
+    monkeypatch.setattr(links.rospy, "get_name", lambda: "/stop")
+    monkeypatch.setattr(links, "get_topic_manager", lambda: topics)
+    monkeypatch.setattr(links, "get_service_manager", lambda: services)
+    monkeypatch.setattr(links, "register", lambda items: pytest.fail(f"again: {items}"))
+    monkeypatch.setattr(links, "ask", lambda server, question: (known.items(), (), ()))
+    adding = threading.Thread(target=add)
+    adding.start()
+    assert added.wait(10.0) and links.Links().heal()
+    adding.join()

@@ -5,6 +5,7 @@ time limit (ros_comm#1555): three frozen subscribers, of whatever topic, keep ev
 """
 
 import contextlib
+import errno
 import math
 import socket
 import threading
@@ -59,8 +60,10 @@ class Links:
 
         Return whether the master knew all of this node. Raise NO_ANSWER.
         """
+        told = registered()
         self.graph = tuple(dict(part) for part in ask(self._master, "getSystemState"))
-        missing = self._unregistered()
+        kinds = dict(zip((Registration.PUB, Registration.SUB, Registration.SRV), self.graph))
+        missing = [item for item in told if rospy.get_name() not in kinds[item[2]].get(item[0], ())]
         if missing:
             before_registering()
             register(missing)
@@ -69,13 +72,6 @@ class Links:
             if uri:
                 threading.Thread(target=connect, args=[topic, uri, node], daemon=True).start()
         return not missing
-
-    def _unregistered(self) -> List[Tuple[str, str, str]]:
-        topics, services = get_topic_manager(), get_service_manager()
-        kinds = ((Registration.PUB, topics.get_publications()), (Registration.SUB, topics.get_subscriptions()),
-                 (Registration.SRV, services.get_services()))
-        return [(name, type_or_uri, kind) for nodes, (kind, items) in zip(self.graph, kinds)
-                for name, type_or_uri in items if rospy.get_name() not in nodes.get(name, ())]
 
     def _unconnected(self) -> Iterator[Tuple[str, str]]:
         for topic, subscriber in list(get_topic_manager().subs.items()):
@@ -125,8 +121,31 @@ def stay_linked() -> None:
     threading.Thread(target=failures.lasting(run, is_over), daemon=True).start()
 
 
+def registered() -> List[Tuple[str, str, str]]:
+    """Return the topics and services of which rospy has told a master: (name, type or address, kind) of each.
+
+    Raise socket.timeout while it is telling one that does not answer.
+    """
+    topics, services = get_topic_manager(), get_service_manager()
+    with held(topics.lock), held(services.lock):
+        return [(name, type_or_uri, kind) for kind, items in (
+            (Registration.PUB, topics.get_publications()), (Registration.SUB, topics.get_subscriptions()),
+            (Registration.SRV, services.get_services())) for name, type_or_uri in items]
+
+
+@contextlib.contextmanager
+def held(lock) -> Iterator[None]:
+    """Hold a lock of rospy's, which it keeps while it registers. Raise socket.timeout if that takes too long."""
+    if not lock.acquire(timeout=TIMEOUT):
+        raise socket.timeout(errno.ETIMEDOUT, "rospy does not get an answer")
+    try:
+        yield
+    finally:
+        lock.release()
+
+
 def register(items: Iterable[Tuple[str, str, str]]) -> None:
-    """Register topics and services, as (name, type or address, kind) of ``Registration``. Raise NO_ANSWER.
+    """Register topics and services, which are as ``registered`` returns them. Raise NO_ANSWER.
 
     A node that has taken this one's name meanwhile keeps it.
     """
