@@ -80,11 +80,12 @@ class Crash(RobotTest):
     def test_roslaunch_itself_killed(self):
         launch = self.launch("simulation", "simulation.launch", "cmd_vel_timeout:=0", "rviz:=false")
         self.wait_for_controller()
-        self.wait_for(lambda: pid("/jetbot_simulator"), START_TIMEOUT, "the simulator")
+        nodes = "/jetbot_controller", "/jetbot_simulator", "/robot_state_publisher"
+        self.wait_for(lambda: all(map(pid, nodes)), START_TIMEOUT, "all nodes")
         self.drive_at(0.5)
         launch.kill()
         self.wait_for_stop(within=STOP_TIMEOUT)
-        for node in "/jetbot_controller", "/jetbot_simulator":
+        for node in nodes:
             self.wait_for(lambda node=node: pid(node) is None, START_TIMEOUT, f"{node} to end, too")
 
 
