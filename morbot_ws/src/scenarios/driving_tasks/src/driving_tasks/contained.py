@@ -10,7 +10,7 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, Callable, Collection, List, NamedTuple, Set
+from typing import Any, Callable, Collection, List, NamedTuple
 
 from jetbot.wait import wait_until
 
@@ -93,20 +93,13 @@ def start(command: List[str], folder: Path, log: Path) -> subprocess.Popen:
 
 
 def end_children(others: Collection[int] = ()) -> None:
-    """Kill all that descends from this process, but not these children, and what descends from them.
-
-    All stop first: a process that multiplies would fill each place that becomes free.
-    """
-    stopped: Set[int] = set()
-
+    """Kill all that descends from this process, but not these children, and what descends from them."""
     def ended():
-        nonlocal stopped
         found = _descendants(others)
         for process in found:
             with contextlib.suppress(OSError):  # it has ended meanwhile, or is no child of this process
-                os.kill(process, signal.SIGKILL if found <= stopped else signal.SIGSTOP)
+                os.kill(process, signal.SIGKILL)
                 os.waitpid(process, os.WNOHANG)
-        stopped = found
         return not found
 
     wait_until(ended, END_TIMEOUT)
