@@ -43,6 +43,7 @@ class Viewer:
         self.allowance = float(protocol.MAX_BURST)  # messages that it may send now
         self.active_at = self.pinged_at = self.shown_at = now
         self.state = self.robots = self.problem = ""
+        self.is_done = False  # it was disconnected, and has stopped since: nothing more of it counts
         self.feed = Feed()
 
     def record_activity(self, now: float) -> bool:
@@ -115,7 +116,7 @@ class Hub:
     def receive(self, viewer: Viewer, text: object, now: float) -> None:
         """Do what a page asks for. A page that sends too much or something else is disconnected."""
         stop = protocol.as_stop(text)
-        if stop:  # before all else, also from a page that was disconnected but does not know it yet
+        if stop and not viewer.is_done:  # before all else, also from a page that was just disconnected
             self._stop(viewer, stop, now)
         if self.record_activity(viewer, now) and not stop:
             self._obey(viewer, text, now)
@@ -179,6 +180,7 @@ class Hub:
         self._answer(viewer, stop, now)
         if viewer.client.id not in self._viewers:
             self._control.leave(viewer.client.id)
+            viewer.is_done = True
         if stop.robot is None and now >= self._paused_until + STILL_INTERVAL:  # not for ever, if they never end
             self._paused_until = now + STOP_PAUSE
 
