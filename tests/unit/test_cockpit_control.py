@@ -4,11 +4,12 @@ import pytest
 from cockpit_control import ADA, BOB, OWN, STOPPED, TEACHER, FakeRobots
 
 from jetbot_cockpit_server.session.protocol import Message
-from jetbot_cockpit_server.session.rights import DeadMan
+from jetbot_cockpit_server.session.rights import Client, DeadMan
 from jetbot_cockpit_server.session.snapshot import Robot, Snapshot, Task
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
 
+SECOND_TEACHER = Client(5, "teacher 5", "teacher")
 DONE = Task("metre", "One metre", "done", "went well", 4.0, 80.0)
 
 
@@ -104,7 +105,7 @@ def test_a_robot_that_there_never_was_is_not_driven(cockpit):
 def test_a_teacher_takes_a_robot_and_the_finger_must_lift(driven):
     assert driven.do(TEACHER, Message("take", "/red")) is None
     assert (driven.drives(), driven.driver()["id"]) == (STOPPED, TEACHER.id)
-    driven.control.leave(TEACHER.id)
+    driven.do(TEACHER, Message("go_on", "/red"))
     driven.must_lift(ADA)
 
 
@@ -151,14 +152,14 @@ def test_a_finger_that_lifts_at_the_goal_is_no_interruption(driven):
 def test_a_finger_that_was_up_when_the_teacher_took_drives_at_once_later(driven):
     driven.lift(ADA)
     driven.do(TEACHER, Message("take", "/red"))
-    driven.control.leave(TEACHER.id)
+    driven.do(TEACHER, Message("go_on", "/red"))
     assert driven.push(ADA) is None
 
 
 def resumes(cockpit):
-    """Return in how many seconds a program drives red on, "held": not before a teacher says so."""
+    """Return in how many seconds a program drives red on; what waits, if that is until a teacher says so."""
     state = cockpit.control.state()["robots"]["/red"]
-    return "held" if state["held"] else state["resumes"]
+    return state["held"] or state["resumes"]
 
 
 @pytest.fixture
@@ -166,7 +167,6 @@ def commanded(driven):
     """Red, which Ada has left while a program commands it, with 3.2 s to go."""
     driven.lift(ADA)
     driven.drivers.resume = 3.2
-    change(driven.robots, commanded=frozenset(["/red"]))
     driven.robots.change("/red", status="stopped: the command is zero, /circle waits for the cockpit")
     driven.wait(0.05)
     return driven
@@ -180,27 +180,64 @@ def test_the_seconds_until_a_program_drives_on_are_counted_where_one_waits(comma
         assert resumes(commanded) is None
 
 
-@pytest.mark.parametrize("message", [Message("take", "/red"), Message("stop"), Message("stop", "/red")], ids=str)
-def test_a_teachers_take_or_stop_keeps_a_program_waiting_until_a_teacher_says_go_on(commanded, message):
+@pytest.mark.parametrize("status", ["stopped: the command is zero, /circle waits for the cockpit", "driving"])
+@pytest.mark.parametrize("message, held", [(Message("take", "/red"), "robot"), (Message("stop"), "programs"),
+                                           (Message("stop", "/red"), "programs")])
+def test_a_teachers_take_or_stop_keeps_programs_waiting_until_a_teacher_says_go_on(commanded, message, held, status):
+    commanded.robots.change("/red", status=status)
     commanded.do(TEACHER, message)
     commanded.do(TEACHER, Message("release", message.robot))
-    commanded.wait(10)
-    assert (resumes(commanded), commanded.drivers.waiting) == ("held", {"/red"})
-    assert commanded.do(ADA, Message("go_on", "/red"))["text"] == "Only a teacher lets programs go on."
-    assert commanded.do(TEACHER, Message("go_on", "/red")) is None
+    commanded.control.leave(TEACHER.id)
+    known = commanded.robots.now.robots
+    for robots in {}, known:  # its controller is restarted
+        change(commanded.robots, robots=robots)
+        commanded.wait(10)
+    assert resumes(commanded) == held and "/red" in commanded.drivers.waiting
+    assert commanded.do(ADA, Message("go_on", "/red"))["text"] == "Only a teacher lets robots go on."
+    commanded.robots.change("/red", status="stopped: the command is zero, /circle waits for the cockpit")
+    commanded.wait(0.05)
+    assert commanded.do(SECOND_TEACHER, Message("go_on", message.robot)) is None
     assert (resumes(commanded), commanded.drivers.waiting) == (4, set())
 
 
-def test_a_program_that_ends_or_that_no_person_had_interrupted_is_not_kept_waiting(commanded):
-    commanded.do(TEACHER, Message("take", "/red"))
-    change(commanded.robots, commanded=frozenset())
-    commanded.wait(0.05)
-    assert commanded.drivers.waiting == set()
-    change(commanded.robots, commanded=frozenset(["/red"]))  # as the master has it, also of one that was killed
-    commanded.robots.change("/red", status="driving")
-    commanded.wait(0.05)
-    commanded.do(TEACHER, Message("stop"))
-    assert commanded.drivers.waiting == set()
+@pytest.mark.parametrize("run", [Message("drive", "/red", 0.5), Message("program", "/red")], ids=["pad", "blocks"])
+def test_what_a_teacher_took_no_pupil_drives_until_it_is_given_back(driven, run):
+    driven.lift(ADA)
+    driven.do(TEACHER, Message("take", "/red"))
+    driven.wait(6)
+    assert driven.do(ADA, run) == {"type": "lift", "robot": "/red", "text":
+                                   "Your teacher has taken red. Wait until a teacher presses Go on."}
+    assert driven.push(TEACHER) is None
+    driven.do(TEACHER, Message("go_on", "/red"))
+    driven.lift(ADA)
+    assert (driven.do(ADA, run) or {}).get("type") != "lift"
+    assert driven.driver()["id"] == ADA.id
+
+
+def test_a_teachers_stop_of_all_holds_programs_of_robots_that_come_until_its_release_and_a_pupils_stop_none(cockpit):
+    known = cockpit.robots.now.robots
+    for client, waiting in (ADA, set()), (TEACHER, set(known)):
+        change(cockpit.robots, robots={})
+        cockpit.wait(0.05)
+        cockpit.do(client, Message("stop"))
+        change(cockpit.robots, robots=known)
+        cockpit.wait(0.05)
+        assert cockpit.drivers.waiting == waiting
+        cockpit.do(TEACHER, Message("release"))
+        cockpit.wait(0.05)
+    cockpit.do(TEACHER, Message("go_on"))
+    for robots in {}, known:
+        change(cockpit.robots, robots=robots)
+        cockpit.wait(0.05)
+    assert cockpit.drivers.waiting == set()
+
+
+def test_a_pupil_drives_after_the_release_of_a_teachers_stop_though_programs_wait(driven):
+    driven.do(TEACHER, Message("stop"))
+    driven.wait(0.05)
+    driven.do(TEACHER, Message("release"))
+    driven.must_lift(ADA)
+    assert driven.drivers.waiting == {"/red", "/blue"}
 
 
 def test_a_pupil_takes_and_puts_back_nothing(driven):

@@ -43,6 +43,25 @@ class Bystanders(RobotTest):
         latched.publish(True)
         self.wait_for_stop(HEAL_TIMEOUT)
 
+    def page(self):
+        """Start a cockpit; return the socket of its page."""
+        cockpit = self.start(COCKPIT, "_port:=0")
+        self.wait_for(lambda: "http://localhost:" in read(cockpit), START_TIMEOUT, "the cockpit's address")
+        port = int(re.search(r"localhost:(\d+)", read(cockpit))[1])
+        return WebSocket(port, {"Host": f"localhost:{port}", "Origin": f"http://localhost:{port}"})
+
+    def test_a_stop_on_the_page_of_a_cockpit_that_starts_then_arrives(self):
+        heard = self.record("/emergency_stop", Bool, lambda message: message.data)  # by a node that heals no link
+        page = self.page()
+        page.receive_until(lambda message: "/" in message.get("robots", ()))
+        page.send({"type": "stop"})
+        self.wait_for_stop(START_TIMEOUT)
+        self.wait_for(lambda: heard == [True], START_TIMEOUT, "the cockpit to tell each listener itself")
+        page.send({"type": "release"})
+        self.wait_for(lambda: heard == [True, False], START_TIMEOUT, "the release")
+        page.send({"type": "go_on", "robot": "/"})
+        self.wait_for_wheels(0.5, 0.5, START_TIMEOUT)
+
     def test_a_link_that_breaks_off_is_made_again(self):
         statuses = self.status()
         self.wait_for(lambda: self.command(0.25) or any("3 programs" in text for text in statuses), HEAL_TIMEOUT,

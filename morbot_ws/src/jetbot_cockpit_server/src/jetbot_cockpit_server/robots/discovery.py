@@ -3,7 +3,7 @@
 import re
 import threading
 import time
-from typing import Dict, FrozenSet, Iterable, Optional, Set, Tuple
+from typing import Dict, Iterable, Optional, Set, Tuple
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
@@ -29,7 +29,6 @@ class Robots:
 
     def __init__(self):
         self._robots: Dict[str, RobotTopics] = {}  # replaced, never changed
-        self._commanded: FrozenSet[str] = frozenset()
         self._frames = Frames()
         self._emergency_stop, self._judge = EmergencyStop(STOP_TOPIC), Judge()
         self._answered_at = time.monotonic()
@@ -45,7 +44,7 @@ class Robots:
         held = any(views[name].answers and robot.is_held_by(EMERGENCY_STOP) for name, robot in robots.items())
         stops = {None: self._emergency_stop, **{name: robot.emergency_stop for name, robot in robots.items()}}
         elsewhere = frozenset(name for name, stop in stops.items() if stop.by_others)
-        return Snapshot(views, answered, self._emergency_stop.engaged or held, elsewhere, self._commanded)
+        return Snapshot(views, answered, self._emergency_stop.engaged or held, elsewhere)
 
     def set_emergency_stop(self, robot: Optional[str], engaged: bool) -> None:
         """Engage or release the emergency stop of all robots (None), or of one."""
@@ -98,8 +97,6 @@ class Robots:
             robot.follow_line()
             robot.simulated = name.rstrip("/") + SIMULATOR_RESET in services
         self._robots = dict(sorted(robots.items()))
-        self._commanded = frozenset(name for name in robots if {
-            *publishers.get(f"{name.rstrip('/')}/cmd_vel", ())} - {rospy.get_name()})
         for robot in ended:
             robot.close()
 

@@ -10,7 +10,7 @@ from ..classroom.classroom import Classroom
 from .collection import Collection
 from .history import History, Scores
 from .protocol import Message, notice
-from .rights import COMMAND_TIMEOUT, TEACHER, Client, Lease, StopRights
+from .rights import COMMAND_TIMEOUT, TEACHER, Client, Holds, Lease, StopRights
 from .snapshot import Snapshot, label
 from .tasks import Tasks
 
@@ -33,13 +33,13 @@ class Control:
         self._kept = {}  # by the robot: the picture of it that was kept last
         self.snapshot: Snapshot = robots.snapshot()  # as of the last check
         self._leases: Dict[str, Lease] = {}  # by robot
-        self._stop_rights, self._programs, self._classroom = StopRights(), classroom.programs, classroom
+        self._stop_rights, self._holds = StopRights(), Holds(drivers.keep_waiting)
+        self._programs, self._classroom = classroom.programs, classroom
         self._history = History(Scores(classroom.read("scores", list), partial(classroom.keep, "scores")))
         self._tasks = Tasks(classroom.read("tasks", list), partial(classroom.keep, "tasks"))
         self._names: Dict[int, str] = {}
         self._typed: Dict[int, str] = {}  # those of them that a person has typed
         self._must_lift: Set[int] = set()
-        self._held: Set[str] = set()  # robots whose programs wait until a teacher says that they go on
         self._checked_at, self._stale_until = math.inf, -math.inf
         self._actions: Dict[str, Callable] = {
             "drive": self._on_drive, "program": self._on_program, "take": self._on_take, "stop": self._on_engage_stop,
@@ -77,14 +77,13 @@ class Control:
         """
         self._note_interruption(now)
         self._checked_at = now
-        self.snapshot = self._robots.snapshot()
+        before, self.snapshot = self.snapshot, self._robots.snapshot()
         for robot, lease in list(self._leases.items()):
             if lease.is_silent(now):
                 self._report(robot, SILENT)
             if self.snapshot.problem(robot) or lease.has_expired(now):
                 self._free(robot)
-        for robot in self._held - self.snapshot.commanded:
-            self._hold(robot, False)
+        self._holds.update(self.snapshot.emergency, self.snapshot.robots.keys() - before.robots.keys())
         self._stop_rights.update(self.snapshot.is_stopped_here)
         return self._history.update(self.snapshot.robots, now) + self._tasks.update(self._robots.tasks())
 
@@ -100,7 +99,7 @@ class Control:
     def state(self) -> dict:
         """Return the message "state"."""
         states = {name: robot.state(self._describe_driver(name), self._seconds_until_programs(robot),
-                                    name in self._held, self._history.task(robot),
+                                    self._holds[name], self._history.task(robot),
                                     self._drivers.stalls(name, self._checked_at), self._collection.state(name),
                                     self._programs.changed(name))
                   for name, robot in self.snapshot.robots.items()}
@@ -154,8 +153,7 @@ class Control:
                 self._report(robot, TAKEN)
                 self._free(robot)
                 self._lease(client, robot, now, driving=False)
-            if self.snapshot.robots[robot].ignores_programs:
-                self._hold(robot, True)
+            self._holds.take(robot)
         return self.snapshot.ended(robot)
 
     def _on_engage_stop(self, client, message, now):
@@ -163,12 +161,10 @@ class Control:
         refusal = self.snapshot.ended(robot) or self._stop_rights.engage(
             client, robot, self.snapshot.may_be_stopped(robot))
         if not refusal:
-            before = self.snapshot
             self._robots.set_emergency_stop(robot, True)
             self.snapshot = self._robots.snapshot()  # ``check`` ends the leases
-            for each in before.robots if robot is None else [robot]:
-                if client.role == TEACHER and before.robots[each].ignores_programs:
-                    self._hold(each, True)
+            if client.role == TEACHER:
+                self._holds.stop(self.snapshot.robots if robot is None else [robot], robot is None)
         return refusal
 
     def _on_release_stop(self, client, message, now):
@@ -179,10 +175,10 @@ class Control:
         return refusal
 
     def _on_go_on(self, client, message, now):
-        if client.role != TEACHER:
-            return "Only a teacher lets programs go on."
-        self._hold(message.robot, False)
-        return ""
+        refusal, own = self._holds.give_back(client, message.robot), self._robot_of(client.id)
+        if not refusal and message.robot in (None, own):
+            self._free(own)
+        return refusal
 
     def _on_reset(self, client, message, now):
         if client.role != TEACHER:
@@ -252,7 +248,9 @@ class Control:
             return f"With your code, you can drive only {label(client.robot)}."
         if now < self._stale_until:
             return f"The cockpit was interrupted. {LET_GO}"
-        driver = self._driver(robot)
+        refusal, driver = self._holds.refusal(client, robot), self._driver(robot)
+        if refusal:
+            return refusal
         if driver not in (None, client.id):
             return f"{self._names[driver]} drives {label(robot)}."
         return self.snapshot.problem(robot) or (LET_GO if client.id in self._must_lift else "")
@@ -278,13 +276,6 @@ class Control:
             if lease.driving:
                 self._must_lift.add(lease.client)
 
-    def _hold(self, robot, held):
-        """Let the programs of the robot, if it has some, wait, or drive on after the usual pause."""
-        if held == (robot in self._held) or held and robot not in self.snapshot.commanded:
-            return
-        self._held ^= {robot}
-        self._drivers.keep_waiting(robot, held)
-
     def _driver(self, robot) -> Optional[int]:
         return self._leases[robot].client if robot in self._leases else None
 
@@ -295,7 +286,7 @@ class Control:
     def _seconds_until_programs(self, robot) -> Optional[int]:
         """Return when programs that wait drive on, or None if none do, or not by themselves."""
         left = self._drivers.resumes_in(robot.id, self._checked_at)
-        return math.ceil(left) if robot.programs_wait and robot.id not in self._held and left > 0 else None
+        return math.ceil(left) if robot.programs_wait and not self._holds[robot.id] and left > 0 else None
 
     def _robot_of(self, client: int) -> Optional[str]:
         return next((robot for robot, lease in self._leases.items() if lease.client == client), None)

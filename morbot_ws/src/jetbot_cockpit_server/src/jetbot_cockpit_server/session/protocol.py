@@ -81,7 +81,7 @@ MESSAGES: Dict[str, Dict[str, Callable[[Any], bool]]] = {
     "drive": {"robot": is_robot, "forward": is_deflection, "left": is_deflection},
     "program": {"robot": is_robot},         # a program of the page runs: keep its robot, and say what that senses
     "take": {"robot": is_robot},            # a teacher takes the robot from whoever drives it
-    "go_on": {"robot": is_robot},           # a teacher lets programs drive on that a take or stop keeps waiting
+    "go_on": {"robot": is_robot_or_all},    # a teacher gives back what a teacher's take or stop keeps waiting
     "stop": {"robot": is_robot_or_all},     # engages the emergency stop of all robots, or of one
     "release": {"robot": is_robot_or_all},  # ends that stop
     "reset": {"robot": is_robot_or_all},    # a teacher puts simulated robots back to their starts

@@ -1,11 +1,14 @@
 """Who may drive and stop which robot, and when driving is over. Times are monotonic seconds."""
 
-from typing import Callable, List, NamedTuple, Optional, Set
+from typing import Callable, Dict, Iterable, List, NamedTuple, Optional, Set
+
+from .snapshot import label
 
 PUPIL, TEACHER = "pupil", "teacher"
 LEASE_TIMEOUT = 5.0    # s without a command after which a robot is free again
 COMMAND_TIMEOUT = 0.3  # s without a command after which a robot that is driven stops
 MINUTE = 60.0          # s, in which stalls are counted
+TAKEN, STOPPED = "robot", "programs"  # what a teacher keeps waiting: pupils and programs, or programs alone
 
 
 class Client(NamedTuple):
@@ -112,3 +115,52 @@ class StopRights:
     def update(self, is_engaged_here: Callable[[Optional[str]], bool]) -> None:
         """Forget the stops that are over, and those that another program has engaged as well."""
         self._by_pupils = set(filter(is_engaged_here, self._by_pupils))
+
+
+class Holds:
+    """Robots that teachers have taken or stopped: they wait until a teacher gives them back, whoever comes and goes.
+
+    keep_waiting: is called with a robot, and whether its programs wait.
+    """
+
+    def __init__(self, keep_waiting: Callable[[str, bool], None]):
+        self._keep_waiting = keep_waiting
+        self._held: Dict[str, str] = {}  # TAKEN or STOPPED, by robot
+        self._all = False  # whether robots that come are held, too: a teacher's stop of all is engaged
+
+    def __getitem__(self, robot: str) -> Optional[str]:
+        """Return TAKEN, STOPPED, or None for a robot that no teacher holds."""
+        return self._held.get(robot)
+
+    def take(self, robot: str) -> None:
+        """A teacher takes the robot."""
+        self._held[robot] = TAKEN
+        self._keep_waiting(robot, True)
+
+    def stop(self, robots: Iterable[str], all_robots: bool) -> None:
+        """A teacher stops these robots. all_robots: and those that come until the release."""
+        self._all = self._all or all_robots
+        for robot in robots:
+            self._held.setdefault(robot, STOPPED)
+            self._keep_waiting(robot, True)
+
+    def update(self, emergency: bool, comers: Iterable[str]) -> None:
+        """Hold the robots that have come as well, while a teacher's stop of all is engaged."""
+        self._all = self._all and emergency
+        if self._all:
+            self.stop(comers, True)
+
+    def give_back(self, client: Client, robot: Optional[str]) -> str:
+        """Let this robot, or all (None), go on. Return why the client may not, or ""."""
+        if client.role != TEACHER:
+            return "Only a teacher lets robots go on."
+        for each in list(self._held) if robot is None else [robot]:
+            if self._held.pop(each, None):
+                self._keep_waiting(each, False)
+        return ""
+
+    def refusal(self, client: Client, robot: str) -> str:
+        """Return why the client may not drive this robot, or ""."""
+        if client.role == TEACHER or self._held.get(robot) != TAKEN:
+            return ""
+        return f"Your teacher has taken {label(robot)}. Wait until a teacher presses Go on."

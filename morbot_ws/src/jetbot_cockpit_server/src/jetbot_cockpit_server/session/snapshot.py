@@ -73,14 +73,9 @@ class Robot(NamedTuple):
         return f"{self.label}: its own emergency stop. Release it first." if self.stopped else ""
 
     @property
-    def ignores_programs(self) -> bool:
-        """Whether programs command it that must wait for a person."""
-        return WAITING in self.status
-
-    @property
     def programs_wait(self) -> bool:
         """Whether it is stopped, and ignores what programs command, because of a person."""
-        return self.status.startswith("stopped: ") and self.ignores_programs
+        return self.status.startswith("stopped: ") and WAITING in self.status
 
     def velocity(self, forward: float, left: float) -> Tuple[float, float]:
         """Return the command (m/s, rad/s) of a pad; full deflection turns the wheels at full power."""
@@ -94,7 +89,7 @@ class Robot(NamedTuple):
                 "workshop": self.geometry and self.geometry == WORKSHOP,
                 "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated}
 
-    def state(self, driver: Optional[dict], resumes: Optional[int], held: bool, task: Optional[Task],
+    def state(self, driver: Optional[dict], resumes: Optional[int], held: Optional[str], task: Optional[Task],
               stalls: int, pictures: Optional[dict], programs: int) -> dict:
         """Return its entry of the message "state"; docs/protocol.md explains it."""
         fields = "status", "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
@@ -106,15 +101,13 @@ class Robot(NamedTuple):
 class Snapshot(NamedTuple):
     """All robots at one moment. master: whether the ROS master answers; emergency: the stop of all robots.
 
-    stopped_elsewhere: whose emergency stops another program has engaged, None: that of all; commanded: which robots
-    others than the cockpit may command.
+    stopped_elsewhere: whose emergency stops another program has engaged, None: that of all.
     """
 
     robots: Dict[str, Robot] = {}
     master: bool = True
     emergency: bool = False
     stopped_elsewhere: FrozenSet[Optional[str]] = frozenset()
-    commanded: FrozenSet[str] = frozenset()
 
     def ended(self, robot: Optional[str]) -> str:
         """Return that this robot has ended, or "", also for all robots (None)."""
