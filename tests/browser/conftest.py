@@ -67,7 +67,8 @@ def opened(page, world, url):
     page.errors()
     yield page
     errors = page.errors()
-    page.run("document.querySelectorAll('#release, .stop-one[data-action=release]').forEach(each => each.click())")
+    page.run("document.querySelectorAll('#release, .stop-one[data-action=release], #all-go-on')"
+             ".forEach(each => each.click())")
     page.leave()
     for robot in world.robots:
         world.wait_for_stop(robot)

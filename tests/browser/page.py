@@ -97,7 +97,7 @@ class Page(Chromium):
             self.receive({"type": "trail", "robot": robot, "points": []})  # of earlier drives
         known = {"status": "", "warning": False, "answers": True, "stopped": False, "speed": [-0.24, -0.68],
                  "command": [-0.4, -0.06], "wheels": [-0.46, 0.34], "program": "", "driver": None, "resumes": None,
-                 "held": False, "stalls": 0, "task": None, **state}
+                 "held": None, "stalls": 0, "task": None, **state}
         self.receive({"type": "state", "emergency": False, "pupils_release": False, "robots": {
             robot: {"pose": [-number % 3, -(number // 3), 0], **known} for number, robot in enumerate(ids)}})
 

@@ -6,6 +6,7 @@ from base64 import b64decode
 import pytest
 
 from harness import START_TIMEOUT
+from jetbot.fake.motors import STOPPED
 
 from .conftest import ROBOT
 
@@ -39,12 +40,18 @@ def test_a_teacher_takes_a_robot_from_a_pupil_who_is_told(page, pupil, world):
     pupil.wait_for_text("notice", f"Ada has taken {ROBOT}")
     pupil.move(0.9, 0.1)
     world.stay_stopped(ROBOT)
+    pupil.lift()
     world.drive(page, ROBOT)
+    page.lift()
+    page.click("#go-on")
+    pupil.wait_for_text("driver", "Free to drive")
+    world.drive(pupil, ROBOT)
 
 
 @pytest.fixture
-def scenario(world):
-    """A program that drives ROBOT."""
+def scenario(page, world):
+    """A program that drives ROBOT, which no teacher holds any more."""
+    page.run("document.getElementById('all-go-on').click()")
     topic = f"/{ROBOT}/cmd_vel"
     program = world.start("rostopic", "pub", "-r", "10", topic, "geometry_msgs/Twist", "{linear: {x: 0.3}}")
     world.wait_for(lambda: drives(world), START_TIMEOUT, "the program to drive")
@@ -65,11 +72,46 @@ def test_a_program_drives_on_after_a_countdown_but_after_a_teachers_take_only_on
             each.wait_for_text("driver", "The program drives on in ")
         page.click("#take")
         for each in page, pupil:
-            each.wait_for_text("driver", "The program waits until a teacher presses Go on")
+            each.wait_for_text("driver", "Pupils and programs wait until a teacher presses Go on")
     world.undisturbed(pupil, take_during_countdown)
     world.stay_stopped(ROBOT)
     page.click("#go-on")
     world.wait_for(lambda: drives(world), 10.0, "the program to drive on")
+
+
+def stand(world):
+    world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, START_TIMEOUT, "the program to wait")
+
+
+def test_after_a_teachers_stop_and_release_a_program_that_drove_waits_until_go_on(page, world, scenario):
+    page.click("#stop")
+    stand(world)
+    page.wait_for_text("status", "emergency stop")
+    page.click("#release")
+    page.wait_for_text("driver", "The program waits until a teacher presses Go on")
+    world.stay_stopped(ROBOT)
+    page.click("#go-on")
+    world.wait_for(lambda: drives(world), START_TIMEOUT, "the program to drive on")
+
+
+def test_what_a_teacher_takes_waits_though_the_teachers_page_is_closed_and_every_page_says_why(
+        page, pupil, world, scenario):
+    reason = f"Your teacher has taken {ROBOT}. Wait until a teacher presses Go on."
+    page.click("#take")
+    stand(world)
+    page.open(world.address, ROBOT)
+    pupil.wait_for_text("status", reason)
+    pupil.touch()
+    pupil.wait_for_text("notice", reason)
+    pupil.lift()
+    pupil.open(world.codes()["pupil"].replace("#", "program#"), ROBOT)
+    pupil.wait_for_text("status", reason)
+    pupil.click("#run")
+    pupil.wait_for_text("outcome", reason)
+    world.stay_stopped(ROBOT)
+    page.wait_for(lambda: page.element("go-on").is_displayed(), "Go on")
+    page.click("#go-on")
+    world.wait_for(lambda: drives(world), START_TIMEOUT, "the program to drive on")
 
 
 def test_a_pupil_has_neither_fleet_nor_codes_nor_others_robots(pupil):

@@ -49,6 +49,7 @@ export class Fleet {
   constructor(world, choose, send) {
     Object.assign(this, { world, choose, send, rows: [] });
     element("reset-all").addEventListener("click", () => send({ type: "reset", robot: null }));
+    element("all-go-on").addEventListener("click", () => send({ type: "go_on", robot: null }));
   }
 
   // Makes a row for each robot; call it when the list of robots has changed.
@@ -81,13 +82,14 @@ export class Fleet {
     if (element("fleet").hidden) return;
     for (const row of this.rows) this.showRow(row);
     const driving = this.rows.filter(({ item }) => item.dataset.level === "driving").length;
+    element("all-go-on").hidden = !this.rows.some(({ id }) => this.world.state(id).held);
     setText(element("fleet-summary"), `${this.rows.length} robots, ${driving} driving`);
   }
 
   showRow({ id, item, pick, driver, status, stalls, stop, label, color }) {
     const { text, level } = this.world.summarize(id);
     const { stopped, stalls: count } = this.world.state(id);
-    setText(driver, this.world.nameDriver(id));
+    setText(driver, this.world.nameDriver(id) || this.world.nameWaiting(id));
     setText(status, text.replace(FAKE, ""));
     stalls.hidden = count < MANY_STALLS;
     item.dataset.level = level;

@@ -5,11 +5,13 @@ import { prepareShapes } from "./drawing.js";
 const TRAIL_STEP = 0.03; // m between two points, as in history.py
 const TRAIL_LENGTH = 500; // points
 const HELD = /emergency stop|trying again/; // what a robot says once it has heard of a stop, or cannot hear
+const WAITING = /for the cockpit/; // what it says of programs that wait
+const TAKEN = "robot"; // what a teacher holds, not its programs alone
 
 const UNKNOWN = {
   status: "", warning: false, answers: true, stopped: false,
   pose: null, speed: null, command: null, wheels: null, program: "",
-  driver: null, resumes: null, held: false, stalls: 0, task: null, pictures: null,
+  driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null,
 };
 
 export class World {
@@ -115,10 +117,22 @@ export class World {
     return this.state(id).driver?.id === this.me.id;
   }
 
+  // Whether a teacher has taken the robot from this page's person.
+  isTaken(id) {
+    return !this.teacher && this.state(id).held === TAKEN;
+  }
+
   // Whether this page's person cannot drive the robot now.
   isBlocked(id) {
     const { answers, stopped, driver } = this.state(id);
-    return this.emergency || stopped || !answers || Boolean(driver) && !this.isMine(id);
+    return this.emergency || stopped || !answers || this.isTaken(id) || Boolean(driver) && !this.isMine(id);
+  }
+
+  // Whether a teacher can take the robot: not what this page has, nor what a teacher has taken and does not drive.
+  mayTake(id) {
+    const { driver, held, resumes } = this.state(id);
+    if (driver) return !this.isMine(id);
+    return held !== TAKEN && Boolean(this.robots.length > 1 || resumes || this.nameDriver(id));
   }
 
   // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
@@ -129,6 +143,9 @@ export class World {
     if (this.emergency && this.mustWait) return { text: "Your teacher stopped all robots.", level: "stopped" };
     if (this.emergency || stopped) {
       return { text: HELD.test(status) ? status : "stopped: emergency stop", level: "stopped" };
+    }
+    if (this.isTaken(id)) {
+      return { text: `Your teacher has taken ${label}. Wait until a teacher presses Go on.`, level: "stopped" };
     }
     const level = warning ? "warning" : status.startsWith("stopped") ? "waiting" : "driving";
     return { text: status || "waiting for its status", level };
@@ -141,10 +158,17 @@ export class World {
     return answers && status.startsWith("driving") ? `${program || "A program"} drives` : "";
   }
 
+  // Returns what waits until a teacher presses Go on, or "".
+  nameWaiting(id) {
+    const { held, status } = this.state(id);
+    if (held === TAKEN) return "Pupils and programs wait";
+    return held && WAITING.test(status) ? "The program waits" : "";
+  }
+
   // Returns who drives the robot or will do so by itself, and what this page's person can do.
   describeDriver(id) {
-    const { resumes, held } = this.state(id);
-    if (held) return "The program waits until a teacher presses Go on";
+    const [{ resumes }, waiting] = [this.state(id), this.nameWaiting(id)];
+    if (waiting) return `${waiting} until a teacher presses Go on`;
     if (resumes) return `The program drives on in ${resumes} s`;
     const name = this.nameDriver(id);
     if (this.isBlocked(id)) return name || "Nobody drives it";
