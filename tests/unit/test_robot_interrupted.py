@@ -23,6 +23,28 @@ def test_many_threads(make_robot, folder):
     assert wheel_speeds(folder) == pytest.approx((robot.left_motor.value, robot.right_motor.value), abs=0.0003)
 
 
+@pytest.mark.parametrize("second", [Robot.forward, Robot.verify])
+@pytest.mark.parametrize("first", [Robot.forward, Robot.verify])
+def test_a_thread_waits_while_another_one_uses_the_board(make_robot, monkeypatch, first, second):
+    robot = make_robot()
+    other = threading.Thread(target=second, args=[robot])
+    users = []
+
+    def watch(method):
+        def use(*args):
+            users.append(threading.current_thread())
+            if len(users) == 1:
+                other.start()
+                other.join(0.5)  # unless it waits
+                assert users == [threading.current_thread()]
+            return method(*args)
+        return use
+    for name in "drive", "verify":
+        monkeypatch.setattr(robot.driver, name, watch(getattr(robot.driver, name)))
+    first(robot)
+    other.join()
+
+
 @pytest.mark.parametrize("handler", [Robot.stop, Robot.close])
 def test_a_signal_handler_may_stop_it(make_robot, folder, monkeypatch, handler):
     robot = make_robot()
