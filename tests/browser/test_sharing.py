@@ -90,7 +90,10 @@ def test_after_a_teachers_stop_and_release_a_program_that_drove_waits_until_go_o
     page.click("#release")
     page.wait_for_text("driver", "The program waits until a teacher presses Go on")
     world.stay_stopped(ROBOT)
-    page.click("#go-on")
+    page.click("#show-fleet")
+    page.wait_for_text("fleet-list", "The program waits")
+    page.click("#all-go-on")
+    page.click("#show-fleet")
     world.wait_for(lambda: drives(world), START_TIMEOUT, "the program to drive on")
 
 

@@ -203,7 +203,8 @@ def test_a_teachers_take_or_stop_keeps_programs_waiting_until_a_teacher_says_go_
 @pytest.mark.parametrize("run", [Message("drive", "/red", 0.5), Message("program", "/red")], ids=["pad", "blocks"])
 def test_what_a_teacher_took_no_pupil_drives_until_it_is_given_back(driven, run):
     driven.lift(ADA)
-    driven.do(TEACHER, Message("take", "/red"))
+    for message in "take", "stop", "release":
+        driven.do(TEACHER, Message(message, "/red"))
     driven.wait(6)
     assert driven.do(ADA, run) == {"type": "lift", "robot": "/red", "text":
                                    "Your teacher has taken red. Wait until a teacher presses Go on."}

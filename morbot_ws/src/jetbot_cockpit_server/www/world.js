@@ -128,11 +128,11 @@ export class World {
     return this.emergency || stopped || !answers || this.isTaken(id) || Boolean(driver) && !this.isMine(id);
   }
 
-  // Whether a teacher can take the robot: not what this page has, nor what a teacher has taken and does not drive.
+  // Whether there is somebody from whom a teacher can take the robot, also a program that pauses.
   mayTake(id) {
-    const { driver, held, resumes } = this.state(id);
+    const { driver, held, program, resumes } = this.state(id);
     if (driver) return !this.isMine(id);
-    return held !== TAKEN && Boolean(this.robots.length > 1 || resumes || this.nameDriver(id));
+    return held !== TAKEN && Boolean(program || resumes || this.nameDriver(id));
   }
 
   // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
