@@ -1,5 +1,6 @@
 """The thread that drives a robot, and its emergency stop, with a stand-in for their publishers."""
 
+import itertools
 import threading
 import time
 from types import SimpleNamespace
@@ -104,16 +105,49 @@ def test_a_shutdown_of_the_node_ends_the_thread(publisher, monkeypatch):
     assert wait_until(lambda: publisher.ended and not threads(), TIMEOUT)
 
 
-def test_a_release_that_was_on_its_way_when_the_stop_was_pressed_does_not_undo_it(monkeypatch):
-    published, subscribed, now = [], [], [100.0]
-    release = SimpleNamespace(data=False, _connection_header={"callerid": "/terminal"})
-    monkeypatch.setattr(rospy, "Publisher", lambda *_, **__: SimpleNamespace(publish=published.append))
-    monkeypatch.setattr(rospy, "Subscriber", lambda topic, kind, callback: subscribed.append(callback))
-    monkeypatch.setattr(topics.time, "monotonic", lambda: now[0])
-    stop = topics.EmergencyStop("/emergency_stop")
-    stop.set(True)
-    subscribed[0](release)
-    assert stop.engaged and published == [True, True]
-    now[0] += 1.0
-    subscribed[0](release)
-    assert not stop.engaged and published == [True, True, False]
+class Stop:
+    """An emergency stop; what it publishes, and a clock that is turned by hand."""
+
+    def __init__(self, monkeypatch):
+        self.published, self.now, callbacks = [], 100.0, []
+        impl = SimpleNamespace(connections=[])
+        monkeypatch.setattr(rospy, "Publisher", lambda *_, **__: SimpleNamespace(
+            publish=self.published.append, resolved_name="/emergency_stop", impl=impl))
+        monkeypatch.setattr(rospy, "Subscriber", lambda topic, kind, callback: callbacks.append(callback))
+        monkeypatch.setattr(topics.time, "monotonic", lambda: self.now)
+        self.stop, self.receive = topics.EmergencyStop("/emergency_stop", lambda: ({}, {}, {})), callbacks[0]
+
+    def release(self):
+        """Another program's release arrives."""
+        self.receive(SimpleNamespace(data=False, _connection_header={"callerid": "/terminal"}))
+
+
+@pytest.fixture
+def stop(monkeypatch):
+    return Stop(monkeypatch)
+
+
+def test_a_release_that_was_on_its_way_when_the_stop_was_pressed_does_not_undo_it(stop):
+    stop.stop.set(True)
+    stop.release()
+    assert stop.stop.engaged and stop.published == [True, True]
+    stop.now += 1.0
+    stop.release()
+    assert not stop.stop.engaged and stop.published == [True, True, False]
+
+
+def test_a_stop_that_is_pressed_while_the_cockpit_looks_at_a_release_is_not_undone(stop):
+    looks, press = itertools.count(1), threading.Thread(target=stop.stop.set, args=[True])
+
+    class Release(SimpleNamespace):
+        @property
+        def data(self):
+            if next(looks) == 2:  # it has found that the stop is undone
+                press.start()
+                press.join(0.5)  # unless it waits
+            return False
+    stop.stop.set(True)
+    stop.now += 1.0
+    stop.receive(Release(_connection_header={"callerid": "/terminal"}))
+    press.join(TIMEOUT)
+    assert stop.stop.engaged and stop.stop.latched and stop.published[-1] is True

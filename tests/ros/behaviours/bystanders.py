@@ -1,14 +1,16 @@
 """Frozen programs that only listen keep no stop, no release and no new commander from a robot."""
 
 import os
+import re
 import signal
 
 import rospy
 from std_msgs.msg import Bool
 
 from harness import START_TIMEOUT, RobotTest, end, near, program, publishers, read
+from web_client import WebSocket
 
-STOP = program("jetbot_tools", "emergency_stop.py")
+STOP, COCKPIT = program("jetbot_tools", "emergency_stop.py"), program("jetbot_cockpit_server", "cockpit.py")
 FROZEN = 4  # the master announces publishers from three threads, which wait for them
 HEAL_TIMEOUT = 10.0  # s; a second, on a quiet computer
 

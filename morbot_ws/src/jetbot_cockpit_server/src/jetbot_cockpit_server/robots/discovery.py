@@ -30,10 +30,10 @@ class Robots:
     def __init__(self):
         self._robots: Dict[str, RobotTopics] = {}  # replaced, never changed
         self._frames = Frames()
-        self._emergency_stop, self._judge = EmergencyStop(STOP_TOPIC), Judge()
+        self._links = Links()
+        self._emergency_stop, self._judge = EmergencyStop(STOP_TOPIC, self._graph), Judge()
         self._answered_at = time.monotonic()
         rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics)
-        self._links = Links()
         threading.Thread(target=self._run, daemon=True).start()
 
     def snapshot(self) -> Snapshot:
@@ -74,6 +74,9 @@ class Robots:
         """Put a simulated robot back to its start; return False if it has not answered the last time yet."""
         return robot in self._robots and self._robots[robot].reset()
 
+    def _graph(self):
+        return self._links.graph
+
     def _run(self):
         while not rospy.is_shutdown():
             try:
@@ -92,7 +95,7 @@ class Robots:
                   if name in found or robot.connected or robot.emergency_stop.latched}
         ended = [robot for name, robot in self._robots.items() if name not in robots]
         for name in found:
-            robots[name] = robots.get(name) or RobotTopics(name, self._frames)
+            robots[name] = robots.get(name) or RobotTopics(name, self._frames, self._graph)
         for name, robot in robots.items():
             robot.follow_line()
             robot.simulated = name.rstrip("/") + SIMULATOR_RESET in services

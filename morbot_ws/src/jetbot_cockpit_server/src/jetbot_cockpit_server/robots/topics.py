@@ -4,7 +4,7 @@ import contextlib
 import math
 import threading
 import time
-from typing import Optional
+from typing import Callable, Optional
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
@@ -16,6 +16,7 @@ from jetbot.kinematics import Pose
 from jetbot.text import printable
 from jetbot_ros.colors import color_of
 from jetbot_ros.holds import OWN_EMERGENCY_STOP, Hold
+from jetbot_ros.links import Announcer, Graph
 
 from ..session.snapshot import Robot, label
 from .map_topics import Drawing, Frames
@@ -35,25 +36,33 @@ class EmergencyStop:
 
     engaged: its value; by_others: whether another program has engaged it, perhaps as well; latched: whether it is
     published here, and so stops a robot that comes back.
-    It is sent in the thread that sets it: rospy's queue lets every other thread run between two robots.
+    It is sent in the thread that sets it: rospy's queue lets every other thread run between two robots. graph: returns
+    who listens (links.Links.graph), to tell those who are not connected, as the master may be unable to.
     """
 
-    def __init__(self, topic: str):
+    def __init__(self, topic: str, graph: Callable[[], Graph]):
         self.engaged = self.by_others = False
         self.latched, self._set_at = False, -math.inf
+        self._lock = threading.Lock()  # a stop and another program's release: one after the other
         self._publisher = rospy.Publisher(topic, Bool, queue_size=None, latch=True)
+        self._announcer, self._graph = Announcer(self._publisher), graph
         self._subscriber = rospy.Subscriber(topic, Bool, self._on_message)
 
     def set(self, engaged: bool) -> None:
         """Publish it; robots that start later obey it too."""
+        with self._lock:
+            self._set(engaged)
+
+    def _set(self, engaged):
         self.engaged = self.latched = engaged
         self.by_others = self.by_others and engaged
         self._set_at = time.monotonic()
         self._publish()
 
     def _publish(self):
-        with contextlib.suppress(rospy.ROSException):  # closed: the robot has ended meanwhile, or this node
+        with contextlib.suppress(rospy.ROSException, AttributeError):  # closed: the robot has ended, or this node
             self._publisher.publish(self.latched)
+            self._announcer.announce(self._graph())
 
     def close(self) -> None:
         """End the publisher and the subscriber."""
@@ -63,19 +72,23 @@ class EmergencyStop:
     def _on_message(self, message):
         if message._connection_header.get("callerid") == rospy.get_name():
             return
-        undone = self.latched and not message.data
-        if undone and time.monotonic() - self._set_at < IN_FLIGHT:
-            self._publish()  # a release that was sent before the stop
-            return
-        self.engaged = self.by_others = message.data
-        if undone:  # else a robot that starts later would be stopped by a stop that is over
-            self.set(False)
+        with self._lock:
+            undone = self.latched and not message.data
+            if undone and time.monotonic() - self._set_at < IN_FLIGHT:
+                self._publish()  # a release that was sent before the stop
+                return
+            self.engaged = self.by_others = message.data
+            if undone:  # else a robot that starts later would be stopped by a stop that is over
+                self._set(False)
 
 
 class RobotTopics:
-    """Subscribes to a robot's topics; ``snapshot`` returns what they say. name: the robot's namespace."""
+    """Subscribes to a robot's topics; ``snapshot`` returns what they say.
 
-    def __init__(self, name: str, frames: Frames):
+    name: the robot's namespace; graph: as of EmergencyStop.
+    """
+
+    def __init__(self, name: str, frames: Frames, graph: Callable[[], Graph]):
         self.name, self.simulated = name, False
         self._base, self._frames = name.rstrip("/"), frames
         self._color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name.rpartition("/")[2]))
@@ -90,7 +103,7 @@ class RobotTopics:
         self._drawings = [Drawing(f"{self._base}/{topic}", frames) for topic in ("world", "task_course")]
         self._reported = "", ""  # who drives, and what has interrupted that
         self._driver = rospy.Publisher(f"{self._base}/driver", DiagnosticStatus, queue_size=10, latch=True)
-        self.emergency_stop = EmergencyStop(f"{self._base}{CONTROLLER}/emergency_stop")
+        self.emergency_stop = EmergencyStop(f"{self._base}{CONTROLLER}/emergency_stop", graph)
         self._status_subscriber = rospy.Subscriber(f"{self._base}{CONTROLLER}/status", String, self._on_status)
         self._task_subscriber = rospy.Subscriber(f"{self._base}/task", DiagnosticStatus, self._on_task, queue_size=1)
         self._subscribers = [
