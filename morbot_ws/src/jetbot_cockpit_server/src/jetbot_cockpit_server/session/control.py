@@ -172,6 +172,8 @@ class Control:
         if not refusal:
             self._robots.set_emergency_stop(message.robot, False)
             self.snapshot = self._robots.snapshot()
+            if message.robot is None:
+                self._holds.update(False, ())  # though the robots may still say that they are stopped
         return refusal
 
     def _on_go_on(self, client, message, now):
