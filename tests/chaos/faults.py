@@ -13,6 +13,9 @@ import sys
 from pathlib import Path
 from typing import Callable, List, NamedTuple, Optional
 
+import bus
+import bystanders
+import link
 from world import ALL, Process, Scene
 
 OURS = ("controller", "cockpit", "guard")  # which keep their promises without memory, threads or descriptors
@@ -24,11 +27,16 @@ _libc = ctypes.CDLL(None, use_errno=True)
 
 
 class Fault(NamedTuple):
-    """What happens, to which kinds of process, and how often; ``begin`` returns what ends it, or None."""
+    """What happens, to which kinds of process, and how often; ``begin`` returns what ends it, or None.
+
+    harms: what the motor board holds is then not what it was sent; stays: until the end of the round.
+    """
 
     begin: Callable[[Scene, Process, random.Random], Optional[Callable]]
     targets: tuple = ALL
     weight: int = 1
+    harms: bool = False
+    stays: bool = False
 
 
 def sends(signum: int) -> Callable:
@@ -113,14 +121,18 @@ def busy_computer(_scene, _process, _chance):
     return lambda: [(hog.kill(), hog.wait()) for hog in hogs]
 
 
-def full_disk(scene, _process, chance):
-    if not scene.small_disk:
-        raise PermissionError("no small disk")
-    filler = scene.disk / f"filler{chance.random()}"
-    with contextlib.suppress(OSError), filler.open("wb", buffering=0) as file:
-        while True:
-            file.write(bytes(4096))
-    return filler.unlink
+def fills(name: str) -> Callable:
+    """Return a fault that fills a disk of the scene."""
+    def begin(scene, _process, chance):
+        disk = getattr(scene, name)
+        if disk not in scene.small_disks:
+            raise PermissionError("no small disk")
+        filler = disk / f"filler{chance.random()}"
+        with contextlib.suppress(OSError), filler.open("wb", buffering=0) as file:
+            while True:
+                file.write(bytes(4096))
+        return lambda: filler.unlink(missing_ok=True)
+    return begin
 
 
 def clock_jump(scene, _process, chance):
@@ -140,18 +152,15 @@ def second_start(scene, process, _chance):
     return scene.start("second", *process.command, robot=process.robot).end
 
 
-def unplug(scene, process, _chance):
-    chip = scene.chip(process.robot)
-    chip.rename(f"{chip}.out")
-    return lambda: Path(f"{chip}.out").rename(chip)
+def read_only_store(scene, _process, _chance):
+    remount(scene, "ro")
+    return lambda: remount(scene, "rw")
 
 
-def slow_bus(scene, process, _chance):
-    """Let the next transfers fail: the driver opens the bus again, and finds it at 10 kHz."""
-    chip = scene.chip(process.robot)
-    chip.with_name("clock").write_text("10000")
-    chip.with_name(f"{chip.name}.fail").write_text("2")
-    return lambda: chip.with_name("clock").unlink(missing_ok=True)  # two may overlap
+def remount(scene: Scene, mode: str) -> None:
+    if scene.store not in scene.small_disks:
+        raise PermissionError("no small disk")
+    subprocess.run(["mount", "-o", f"remount,{mode}", str(scene.store)], check=True)
 
 
 FAULTS = {
@@ -162,14 +171,27 @@ FAULTS = {
     "no thread": Fault(limits(resource.RLIMIT_AS, present_size), LIMITED),
     "no memory": Fault(limits(resource.RLIMIT_DATA, lambda *_: 1 << 20), OURS),
     "no descriptor": Fault(limits(resource.RLIMIT_NOFILE, descriptors), LIMITED),
-    "full disk": Fault(full_disk, ("computer",)),
+    "full disk": Fault(fills("disk"), ("computer",)),
+    "full disk of the class": Fault(fills("store"), ("class",)),
+    "read-only disk of the class": Fault(read_only_store, ("class",)),
     "port again": Fault(port_again, ("commander",)),
     "connections closed": Fault(cut(close), (*LIMITED, "commander")),
     "connections reset": Fault(cut(reset), (*LIMITED, "commander")),
     "connections lost": Fault(cut(lose, find), (*LIMITED, "commander")),
     "clock jump": Fault(clock_jump, ("computer",)),
     "second start": Fault(second_start, ("controller", "launch", "cockpit")),
-    "unplugged": Fault(unplug, ("controller",)),
-    "slow bus": Fault(slow_bus, ("controller",)),
     "busy computer": Fault(busy_computer, ("computer",)),
+    "closed lid": Fault(freeze, ("commander",), stays=True),
+    "bus off": Fault(bus.off, ("board",)),
+    "bus stuck": Fault(bus.stuck, ("board",), harms=True),
+    "bus garbage": Fault(bus.garbage, ("board",), harms=True),
+    "bus wrong": Fault(bus.wrong, ("board",), harms=True),
+    "bus slow": Fault(bus.slow, ("board",)),
+    "bus delayed": Fault(bus.delayed, ("board",)),
+    "bus intermittent": Fault(bus.intermittent, ("board",)),
+    **{name: Fault(begin, ("link",)) for name, begin in link.FATES.items()},
+    "frozen subscribers": Fault(bystanders.frozen, ("bystanders",), stays=True),
+    "lost subscribers": Fault(bystanders.mute("registerSubscriber", False), ("bystanders",), 2, stays=True),
+    "mute subscribers": Fault(bystanders.mute("registerSubscriber", True), ("bystanders",), 2, stays=True),
+    "mute publishers": Fault(bystanders.mute("registerPublisher", True), ("bystanders",), stays=True),
 }

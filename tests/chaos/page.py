@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""A page of the cockpit. Arguments: PORT drive ROBOT SPEED, or PORT stop (release) ROBOT ...
+"""A page of the cockpit. Arguments: ADDRESS PORT COOKIE, then drive ROBOT SPEED, or stop (release) ROBOT ...
 
 One that drives does so until it is ended; after a break, its finger lifts and presses again. The other ends as soon as
-these robots have confirmed.
+these robots have confirmed; with 1 if the cockpit refuses that.
 """
 
 import contextlib
@@ -10,17 +10,22 @@ import sys
 import threading
 import time
 from pathlib import Path
-from typing import Sequence
+from typing import Dict, Sequence
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "ros"))
 from web_client import Closed, WebSocket  # noqa: E402
 
 PERIOD = 0.05         # s between two commands
 RETRY_INTERVAL = 0.5  # s until a page connects again
+HOST = "morbot"       # the cockpit's name: by localhost, everybody would be the teacher
 
 
-def connect(port: str) -> WebSocket:
-    return WebSocket(int(port), {"Host": f"localhost:{port}", "Origin": f"http://localhost:{port}"})
+def connect(address: str, port: str, cookie: str) -> WebSocket:
+    return WebSocket(int(port), headers(port, cookie), "", address)
+
+
+def headers(port: object, cookie: str) -> Dict[str, str]:
+    return {"Host": f"{HOST}:{port}", "Origin": f"http://{HOST}:{port}", "Cookie": f"jetbot_cockpit_{port}={cookie}"}
 
 
 def listen(page: WebSocket, robot: str) -> None:
@@ -53,16 +58,18 @@ def act(page: WebSocket, action: str, robots: Sequence[str]) -> None:
     if action == "release":
         for robot in robots:
             page.send({"type": "go_on", "robot": robot})
-    page.receive_until(lambda message: message["type"] == "state" and all(
+    message = page.receive_until(lambda message: message["type"] == "notice" or message["type"] == "state" and all(
         robot in message["robots"] and is_as_wanted(message["robots"][robot], action) for robot in robots))
+    if message["type"] == "notice":
+        sys.exit(message["text"])
 
 
-def main(port: str, action: str, *arguments: str) -> None:
+def main(address: str, port: str, cookie: str, action: str, *arguments: str) -> None:
     if action != "drive":
-        return act(connect(port), action, arguments)
+        return act(connect(address, port, cookie), action, arguments)
     while True:
         with contextlib.suppress(Closed, OSError, ValueError, IndexError):
-            drive(connect(port), arguments[0], float(arguments[1]))
+            drive(connect(address, port, cookie), arguments[0], float(arguments[1]))
         time.sleep(RETRY_INTERVAL)
 
 

@@ -1,6 +1,7 @@
 """What chaos happens to: a master, robots on fake buses, a cockpit with pages, and programs that command."""
 
 import contextlib
+import json
 import os
 import re
 import signal
@@ -10,16 +11,22 @@ import sys
 import time
 import uuid
 from pathlib import Path
-from typing import Callable, Dict, Iterator, List, Optional, Tuple
+from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Set, Tuple
+
+from link import Link
+from page import HOST
 
 from jetbot.fake.motors import wheel_speeds
-from jetbot_ros.master import NO_ANSWER, ask, proxy
+from jetbot_ros.master import NO_ANSWER, proxy
 from processes import end, free_port, start
 
 HERE = Path(__file__).resolve().parent
 START_TIMEOUT = 40.0  # s
 END_TIMEOUT = 8.0     # s for what belongs to an ended process to end
 DISK = "512k"
+ACCELERATION = 0.2    # m/s^2, of the robots that start gently
+CLASS = "chaos"
+COOKIES = {"teacher": "teacher" + 36 * "0", "pupils": "pupils" + 37 * "0"}
 ROBOTS = ("red", "green", "blue")
 SPEEDS = {"order": 0.2, "repeat": 0.3, "port": 0.4, "page": 0.5, "teleop": 0.6}  # so that the wheels tell who it is
 COMMANDERS = tuple(SPEEDS)
@@ -27,6 +34,13 @@ STARTED_BY = {"controller": "launch", "guard": "controller"}
 PROGRAM = {"controller": "jetbot_controller.py", "guard": "jetbot.guard"}
 ALL = ("master", "launch", "controller", "guard", "cockpit", "commander")
 STATUS = re.compile(r"\]: \w+: (driving|stopped: .*)")
+
+
+class Cast(NamedTuple):
+    """Which robots there are, and those of them that start gently."""
+
+    names: Tuple[str, ...]
+    gentle: Tuple[str, ...]
 
 
 class Process:
@@ -50,6 +64,11 @@ class Process:
         with contextlib.suppress(ProcessLookupError):
             os.kill(self.pid, signum)
 
+    def signal_all(self, signum: int) -> None:
+        """Signal its whole group."""
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self.pid, signum)
+
     def end(self) -> None:
         self.signal(signal.SIGCONT)
         end([self.popen])
@@ -58,15 +77,16 @@ class Process:
 class Scene:
     """All processes below one folder, which is ROS's home and holds the buses. Ends them all when it is closed."""
 
-    def __init__(self, folder: Path, robots: int):
-        self.folder, self.names = folder, ROBOTS[:robots]
+    def __init__(self, folder: Path, cast: Cast, number: int = 0):
+        self.folder, self.names, self.gentle = folder, cast.names, cast.gentle
         self.port, self.page_port = free_port(), free_port()
         self.node_ports = {robot: free_port() for robot in self.names}
+        self.link = Link(number, self.page_port)
         self.disk, self.temporary, self._clock = folder / "log", folder / "tmp", folder / "clock"
-        for each in self.disk, self.temporary:
-            each.mkdir()
-        self.small_disk = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={DISK}", "tmpfs", str(self.disk)],
-                                         stderr=subprocess.DEVNULL).returncode == 0
+        self.store = folder / "store"
+        self.temporary.mkdir()
+        self.small_disks = [disk for disk in (self.disk, self.store) if mount(disk)]
+        self.keep_codes()
         self.set_clock(0.0)
         self.environment = {
             **os.environ, "ROS_HOME": str(folder), "HOME": str(folder), "ROS_HOSTNAME": "localhost",
@@ -75,6 +95,14 @@ class Scene:
             "PYTHONPATH": f"{HERE}/clock:{os.environ.get('PYTHONPATH', '')}"}
         self.processes: List[Process] = []
         self._children: Dict[Tuple[str, str], Optional[Process]] = {}
+        self._statuses: Dict[Tuple[Path, int], str] = {}
+
+    def keep_codes(self) -> None:
+        """Give the class codes and cookies that the pages know."""
+        (self.store / CLASS).mkdir(mode=0o700)
+        codes = {"teacher": 10 * "T", "pupils": 6 * "P"}
+        (self.store / CLASS / "codes.json").write_text(
+            json.dumps({label: [code, COOKIES[label]] for label, code in codes.items()}))
 
     def set_clock(self, offset: float) -> None:
         """Let the wall clock of all processes, but for the guards, be wrong by so many seconds."""
@@ -95,10 +123,12 @@ class Scene:
         except subprocess.TimeoutExpired as late:
             return subprocess.CompletedProcess(command, 1, (late.stdout or b"").decode(), "")
 
-    def page(self, action: str, *robots: str, timeout: float) -> subprocess.CompletedProcess:
-        """Do something on a page of the cockpit, until these robots confirm it."""
-        return self.run(sys.executable, str(HERE / "page.py"), str(self.page_port), action,
-                        *(f"/{robot}" for robot in robots), timeout=timeout)
+    def page(self, action: str, *arguments: str, timeout: float, who: str = "teacher") -> subprocess.CompletedProcess:
+        """Do something on a page of the cockpit, until that is confirmed."""
+        return self.run(*self.page_command(who, action, *arguments), timeout=timeout)
+
+    def page_command(self, who: str, *arguments: str) -> Tuple[str, ...]:
+        return (sys.executable, str(HERE / "page.py"), self.link.address, str(self.page_port), COOKIES[who], *arguments)
 
     def ensure(self) -> None:
         """Start what is missing: master, robots, cockpit. Wait until the robots answer."""
@@ -109,25 +139,34 @@ class Scene:
                 launch.end()
             self.start("master", "rosmaster", "--core", "-p", str(self.port))
             self.wait(self.master_answers, "the master")
-            self._ask_master("setParam", "/run_id", uuid.uuid1().hex)  # two roslaunch at once would each set their own
+            self.ask_master("setParam", "/run_id", uuid.uuid1().hex)  # two roslaunch at once would each set their own
         starting = [self.launch(robot) for robot in self.names
                     if not (self.find("controller", robot) and self.status(robot))]  # its parameters may be lost
         if not self.living("cockpit"):
-            self.start("cockpit", "rosrun", "jetbot_cockpit_server", "cockpit.py", f"_port:={self.page_port}")
+            self.start("cockpit", "rosrun", "jetbot_cockpit_server", "cockpit.py", f"_port:={self.page_port}",
+                       "_lan:=true", f"_name:={HOST}", "_pictures:=false", f"_class:={CLASS}",
+                       f"_classes:={self.store}")
         for launch in starting:
             self.wait(lambda launch=launch: self.status(launch.robot), f"a status of {launch.robot}")
 
     def master_answers(self) -> bool:
         with contextlib.suppress(*NO_ANSWER):
-            return bool(self.living("master") and self._ask_master("getPid"))
+            return bool(self.living("master") and self.ask_master("getPid"))
         return False
 
     def substitute_master(self) -> bool:
         """Return whether a roslaunch that lost the master while it started has started one of its own."""
         return any("rosmaster" in read(pid, "cmdline") for pid in self.pids())
 
-    def _ask_master(self, *question):
-        return ask(proxy(self.environment["ROS_MASTER_URI"]), *question)
+    def ask_master(self, method: str, *arguments: object, caller: str = "/chaos"):
+        """Return the master's answer; raise NO_ANSWER."""
+        return getattr(proxy(self.environment["ROS_MASTER_URI"]), method)(caller, *arguments)[2]
+
+    def topic(self, part: int, name: str) -> Set[str]:
+        """Return the nodes that publish on a topic (part 0), or subscribe to it (1); none if no master answers."""
+        with contextlib.suppress(*NO_ANSWER):
+            return set(dict(self.ask_master("getSystemState")[part]).get(name, ()))
+        return set()
 
     def launch(self, robot: str) -> Process:
         """Start a robot, instead of the one that may be there."""
@@ -135,7 +174,8 @@ class Scene:
             if process.robot == robot:
                 process.end()
         return self.start("launch", "roslaunch", "--wait", "jetbot_control_node", "jetbot_controller.launch",
-                          f"robot_name:={robot}", self._bus(robot), robot=robot)
+                          f"robot_name:={robot}", self._bus(robot),
+                          f"acceleration_limit:={ACCELERATION if robot in self.gentle else 0.0}", robot=robot)
 
     def pids(self) -> Iterator[int]:
         """Yield the ids of all processes of this scene."""
@@ -145,8 +185,12 @@ class Scene:
 
     def status(self, robot: str) -> str:
         """Return what a robot's controller has logged last, "" if it has logged nothing."""
-        logs = [process.popen.log for process in self.processes if (process.kind, process.robot) == ("launch", robot)]
-        return (["", *STATUS.findall(logs[-1].read_text(errors="replace"))] if logs else [""])[-1]
+        log = next((process.popen.log for process in reversed(self.processes)
+                    if (process.kind, process.robot) == ("launch", robot)), None)
+        version = log and (log, log.stat().st_size)
+        if log and version not in self._statuses:
+            self._statuses[version] = (["", *STATUS.findall(log.read_text(errors="replace"))])[-1]
+        return self._statuses[version] if log else ""
 
     def command(self, kind: str, robot: str) -> Process:
         """Start a commander of this kind for a robot."""
@@ -155,7 +199,7 @@ class Scene:
         own = (sys.executable, str(HERE / "commander.py"), kind, topic, speed, str(self.node_ports[robot]))
         commands: Dict[str, Tuple[str, ...]] = {
             "order": ("rostopic", "pub", topic, *message), "repeat": ("rostopic", "pub", "-r", "10", topic, *message),
-            "page": (sys.executable, str(HERE / "page.py"), str(self.page_port), "drive", f"/{robot}", speed),
+            "page": self.page_command("teacher", "drive", f"/{robot}", speed),
             "port": own, "teleop": own}
         return self.start(kind, *commands[kind], robot=robot)
 
@@ -210,7 +254,7 @@ class Scene:
 
     def close(self) -> List[str]:
         """End all processes; return the command lines and files of this scene that are left."""
-        for kinds in (*COMMANDERS, "second"), ("launch", "cockpit"), ("master",):
+        for kinds in (*COMMANDERS, "second", "bystander"), ("launch", "cockpit"), ("master",):
             for process in self.living(*kinds):
                 process.end()
         deadline = time.monotonic() + END_TIMEOUT
@@ -218,9 +262,17 @@ class Scene:
             time.sleep(0.1)
         left = [read(pid, "cmdline").replace("\0", " ") for pid in self.pids()]
         left += [str(file) for file in [*self.temporary.iterdir(), *self.folder.glob("*/0x*.*")]]
-        if self.small_disk:
-            subprocess.run(["umount", "--lazy", str(self.disk)])
+        self.link.close()
+        for disk in self.small_disks:
+            subprocess.run(["umount", "--lazy", str(disk)])
         return left
+
+
+def mount(disk: Path) -> bool:
+    """Make a folder, and a small disk there; return whether that is allowed."""
+    disk.mkdir()
+    return not subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={DISK}", "tmpfs", str(disk)],
+                              stderr=subprocess.DEVNULL).returncode
 
 
 def read(pid: object, name: str) -> str:

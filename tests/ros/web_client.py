@@ -29,9 +29,9 @@ class Closed(Exception):
         self.code, self.reason = code, reason
 
 
-def connect(port: int, phone: str = "127.0.0.1") -> socket.socket:
-    """Return a TCP connection to this port. phone: the address that it comes from, one that begins with 127."""
-    return socket.create_connection(("127.0.0.1", port), TIMEOUT, (phone, 0))
+def connect(port: int, phone: str = "127.0.0.1", host: str = "127.0.0.1") -> socket.socket:
+    """Return a TCP connection to this port. phone: the address that it comes from, one that begins with 127, or ""."""
+    return socket.create_connection((host, port), TIMEOUT, (phone, 0))
 
 
 def head(method: str, path: str, headers: Dict[str, str]) -> bytes:
@@ -63,8 +63,8 @@ def read_answer(file) -> Answer:
 class WebSocket:
     """A page's socket. headers: of its request, such as Host, Origin and Cookie."""
 
-    def __init__(self, port: int, headers: Dict[str, str], phone: str = "127.0.0.1"):
-        self.connection = connect(port, phone)
+    def __init__(self, port: int, headers: Dict[str, str], phone: str = "127.0.0.1", host: str = "127.0.0.1"):
+        self.connection = connect(port, phone, host)
         self._file = self.connection.makefile("rb")
         self.connection.sendall(head("GET", "/socket", {**UPGRADE, **headers}))
         self.status = read_answer(self._file).status
