@@ -15,6 +15,7 @@ REPAIRS = 2.0 + SLACK     # s in which a controller finds what its board has los
 HEALS = 1.5 + SLACK       # s in which a link that is missing is made
 ENDS = 8.0          # s until what is broken has ended
 DRIVES = 15.0       # s until a robot obeys a new command, its program's start and the priority of pages included
+PAGE_DRIVES = 6.0   # s until it obeys a page: the lease of another one, which is silent, has ended
 SHOWN = 5.0         # s before a violation
 STANDS = [0.0, 0.0]
 
@@ -46,11 +47,16 @@ def robots(events: Sequence[dict]) -> List[str]:
     return events[0]["robots"] if events else []
 
 
-def stretches(events: Sequence[dict], robot: str) -> List[Stretch]:
-    """Return what was seen of a robot, without the times in which its bus could not be trusted."""
+def all_stretches(events: Sequence[dict], robot: str) -> List[Stretch]:
+    """Return what was seen of a robot."""
     seen = [event for event in named(events, "seen") if event["robot"] == robot]
     ends = [event["at"] for event in seen[1:]] + [events[-1]["at"]]
-    found = [Stretch(event["at"], end, event) for event, end in zip(seen, ends)]
+    return [Stretch(event["at"], end, event) for event, end in zip(seen, ends)]
+
+
+def stretches(events: Sequence[dict], robot: str) -> List[Stretch]:
+    """Return what was seen of a robot, without the times in which its bus could not be trusted."""
+    found = all_stretches(events, robot)
     for start, end in harmed(events, found, robot):
         found = [part for each in found for part in (each._replace(end=min(each.end, start)),
                                                      each._replace(start=max(each.start, end)))
@@ -125,8 +131,9 @@ def a_stop_arrives(events: Sequence[dict]) -> Iterator[Violation]:
         press = event if event["event"] == "press" else press
         bound = event["at"] + STOP_BOUND
         for robot in robots(events) if event["event"] == "pressed" and bound < events[-1]["at"] else ():
-            seen = [each for each in stretches(events, robot) if each.end >= press["at"] and each.start <= bound]
-            if seen and all(each.turning for each in seen) and seen[-1].end >= bound:
+            seen, trusted = ([each for each in found(events, robot) if each.end >= press["at"] and each.start <= bound]
+                             for found in (all_stretches, stretches))
+            if seen == trusted and all(each.turning for each in seen):
                 yield Violation(bound, f"{robot} does not stop by {event['way']}; confirmed: {event['confirmed']}")
 
 
@@ -168,13 +175,14 @@ def nobody_else_releases(events: Sequence[dict]) -> Iterator[Violation]:
 def commands_are_obeyed(events: Sequence[dict]) -> Iterator[Violation]:
     """A robot obeys a program that nothing hinders: soon after its start, at once after the master knows it."""
     for event in named(events, "must obey", "published"):
-        bound = event["at"] + (DRIVES if event["event"] == "must obey" else HEALS)
+        within = HEALS if event["event"] == "published" else PAGE_DRIVES if event["kind"] == "page" else DRIVES
+        bound = event["at"] + within
         seen = [each for each in stretches(events, event["robot"]) if event["at"] <= each.end and each.start <= bound]
         waits = event["event"] == "published" and any("waits for" in each.seen["status"] for each in seen)
         if bound < events[-1]["at"] and not waits and not any(
                 event["kind"] in obeyed(events[0], each.seen) for each in seen):
             since = "its start" if event["event"] == "must obey" else "the master knows it"
-            yield Violation(bound, f"{event['kind']} {event['robot']}: not obeyed for {bound - event['at']:.1f} s "
+            yield Violation(bound, f"{event['kind']} {event['robot']}: not obeyed for {within:.1f} s "
                             f"after {since}")
 
 

@@ -10,6 +10,7 @@ import socket
 import struct
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Callable, List, NamedTuple, Optional
 
@@ -20,6 +21,7 @@ from world import ALL, Process, Scene
 
 OURS = ("controller", "cockpit", "guard")  # which keep their promises without memory, threads or descriptors
 LIMITED = (*OURS, "master")
+REFUSES = 8.0  # s until a program that must not run has ended
 SYS_PIDFD_OPEN, SYS_PIDFD_GETFD = 434, 438
 SO_ATTACH_FILTER, SO_DETACH_FILTER = 26, 27
 DROP_ALL = (ctypes.c_char * 8).from_buffer_copy(struct.pack("HBBI", 6, 0, 0, 0))  # BPF: return 0 bytes of each packet
@@ -149,7 +151,29 @@ def port_again(scene, process, _chance):
 
 def second_start(scene, process, _chance):
     """Start the same again beside the first one: it must refuse."""
-    return scene.start("second", *process.command, robot=process.robot).end
+    return must_refuse(scene, process, scene.start("second", *process.command, robot=process.robot))
+
+
+def second_robot(scene, process, _chance):
+    """Start a robot of another name with the same board: it must refuse."""
+    command = [each.replace(f"__ns:={process.robot}", "__ns:=second") for each in process.command]
+    return must_refuse(scene, process, scene.start("second", *command, robot=process.robot))
+
+
+def must_refuse(scene: Scene, first: Process, second: Process) -> Callable[[], None]:
+    """Return what ends the second one; it raises AssertionError if that runs, although the first one does."""
+    def end_second():
+        deadline = time.monotonic() + REFUSES
+        while second.alive() and first.runs() and scene.master_answers():
+            assert time.monotonic() < deadline, f"a second {first} runs: {' '.join(second.command)}"
+            time.sleep(0.1)
+        second.end()
+    return end_second
+
+
+def restart(scene, process, _chance):
+    """Start a robot again while it is commanded."""
+    scene.launch(process.robot)
 
 
 def read_only_store(scene, _process, _chance):
@@ -164,10 +188,10 @@ def remount(scene: Scene, mode: str) -> None:
 
 
 FAULTS = {
-    "kill": Fault(sends(signal.SIGKILL), weight=6),
+    "kill": Fault(sends(signal.SIGKILL), (*ALL, "page"), 6),
     "Ctrl-C": Fault(sends(signal.SIGINT)),
     "closed terminal": Fault(sends(signal.SIGHUP)),
-    "freeze": Fault(freeze, weight=5),
+    "freeze": Fault(freeze, (*ALL, "page"), 5),
     "no thread": Fault(limits(resource.RLIMIT_AS, present_size), LIMITED),
     "no memory": Fault(limits(resource.RLIMIT_DATA, lambda *_: 1 << 20), OURS),
     "no descriptor": Fault(limits(resource.RLIMIT_NOFILE, descriptors), LIMITED),
@@ -180,8 +204,10 @@ FAULTS = {
     "connections lost": Fault(cut(lose, find), (*LIMITED, "commander")),
     "clock jump": Fault(clock_jump, ("computer",)),
     "second start": Fault(second_start, ("controller", "launch", "cockpit")),
+    "second robot": Fault(second_robot, ("controller",), 2),
+    "restart": Fault(restart, ("launch",), 4),
     "busy computer": Fault(busy_computer, ("computer",)),
-    "closed lid": Fault(freeze, ("commander",), stays=True),
+    "closed lid": Fault(freeze, ("commander", "page"), 5, stays=True),
     "bus off": Fault(bus.off, ("board",)),
     "bus stuck": Fault(bus.stuck, ("board",), harms=True),
     "bus garbage": Fault(bus.garbage, ("board",), harms=True),

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""A page of the cockpit. Arguments: ADDRESS PORT COOKIE, then drive ROBOT SPEED, or stop (release) ROBOT ...
+"""A page of the cockpit. Arguments: ADDRESS PORT COOKIE, then drive ROBOT SPEED, or stop (release, go_on) ROBOT ...
 
-One that drives does so until it is ended; after a break, its finger lifts and presses again. The other ends as soon as
+One that drives does so until it is ended; after a break, its finger lifts and presses again. The others end as soon as
 these robots have confirmed; with 1 if the cockpit refuses that.
 """
 
@@ -47,17 +47,16 @@ def drive(page: WebSocket, robot: str, speed: float) -> None:
 
 
 def is_as_wanted(robot: dict, action: str) -> bool:
-    """Return whether a robot of the message "state" is stopped; or is not, and keeps no program waiting."""
+    """Return whether a robot of the message "state" is stopped; or is not, and perhaps keeps no program waiting."""
     stopped = robot["status"].startswith("stopped: emergency stop")
-    return stopped if action == "stop" else not (stopped or robot["held"])
+    return stopped if action == "stop" else not (stopped or action == "go_on" and robot["held"])
 
 
 def act(page: WebSocket, action: str, robots: Sequence[str]) -> None:
-    """Stop all robots, or release them and let their programs go on; wait until these robots confirm it."""
-    page.send({"type": action})
-    if action == "release":
-        for robot in robots:
-            page.send({"type": "go_on", "robot": robot})
+    """Stop all robots, or release them, or also let their programs go on; wait until these robots confirm it."""
+    page.send({"type": "stop" if action == "stop" else "release"})
+    for robot in robots if action == "go_on" else ():
+        page.send({"type": "go_on", "robot": robot})
     message = page.receive_until(lambda message: message["type"] == "notice" or message["type"] == "state" and all(
         robot in message["robots"] and is_as_wanted(message["robots"][robot], action) for robot in robots))
     if message["type"] == "notice":

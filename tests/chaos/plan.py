@@ -15,9 +15,8 @@ GENTLE = 0.25      # chance of a robot to start gently
 PUPIL = 0.3        # chance that a pupil tries to release the stop
 WAYS = ("terminal", "page")  # to press the emergency stop, and to release it
 STEPS = ("stop", "cockpit", "release", "command")  # that bystanders may come before
-# What is hit: what turns the wheels, twice; a computer, a class's store, a link, and bystanders are no process
-TARGETS = (*ALL, "controller", "commander", "computer", "board", "board", "link", "class")
-PLACES = ("computer", "link", "class", "bystanders")
+TARGETS = (*ALL, "controller", "commander", "page", "computer", "board", "board", "link", "class")
+PLACES = ("computer", "link", "class", "bystanders")  # are no process
 
 
 class Event(NamedTuple):
@@ -81,7 +80,7 @@ def draw_scene(seed: int, rounds: int) -> Tuple[Cast, List[Plan]]:
 
 def draw(names: Tuple[str, ...], chance: random.Random, number: int) -> Plan:
     """Draw a round for robots of these names. number: of the last fault before it."""
-    commanders = {robot: chance.choice(COMMANDERS) for robot in names}
+    commanders, recovery = ({robot: chance.choice(COMMANDERS) for robot in names} for _ in range(2))
     hit = [(robot, chance.choice(TARGETS)) for robot in chance.choices(names, k=chance.randint(1, len(names) + 1))]
     hit += chance.choice(([], [], [(names[0], "bystanders")]))
     events = []
@@ -89,6 +88,8 @@ def draw(names: Tuple[str, ...], chance: random.Random, number: int) -> Plan:
         number += 1
         rows = {name: fault.weight for name, fault in FAULTS.items() if target in fault.targets}
         fault, = chance.choices(list(rows), list(rows.values()))
+        if target in ("page", "link"):
+            commanders[robot] = recovery[robot] = "page"
         before = chance.choice(("", "", *STEPS)) if target == "bystanders" else ""
         target = {"commander": commanders[robot], "board": "controller"}.get(target, target)
         lasts = chance.choice((chance.uniform(*LASTS), LONG))
@@ -96,4 +97,4 @@ def draw(names: Tuple[str, ...], chance: random.Random, number: int) -> Plan:
                             chance.randrange(1 << 30)))
     return Plan(tuple(commanders.values()), chance.choice((None, None, None, *names)), tuple(events),
                 (chance.choice((chance.uniform(0, STOP_UNTIL), STOP_UNTIL)), chance.choice(WAYS)),
-                chance.random() < PUPIL, chance.choice(WAYS), tuple(chance.choice(COMMANDERS) for _ in names))
+                chance.random() < PUPIL, chance.choice(WAYS), tuple(recovery.values()))

@@ -128,7 +128,7 @@ class Round:
         """
         scene = self._scene
         if way == "page":
-            result = scene.page("stop" if engaged else "release", *map("/{}".format, scene.names), timeout=patience)
+            result = scene.page("stop" if engaged else "go_on", *map("/{}".format, scene.names), timeout=patience)
             if result.returncode == 0:
                 return set(scene.names)
         result = scene.run("rosrun", "jetbot_tools", "emergency_stop.py", *([] if engaged else ["--release"]))
@@ -138,7 +138,7 @@ class Round:
     def try_to_release(self) -> None:
         """Let a pupil release the stop, on a page that waits for an answer."""
         if self._scene.living("cockpit"):
-            result = self._scene.page("release", timeout=PAGE_TIMEOUT, who="pupils")
+            result = self._scene.page("release", *map("/{}".format, self._scene.names), timeout=PAGE_TIMEOUT, who="pupils")
             self._history.add("pupil", released=result.returncode == 0, answer=result.stdout[-200:])
 
     def recover(self) -> None:

@@ -69,7 +69,7 @@ VIOLATED = {
     "is released by a pupil": (stopped(3).add(4, "pupil", released=True), "a pupil has released a teacher's stop"),
     "does not obey": (
         story().add(1, "must obey", kind="page", robot="red").see(2, 0.0, commanders={"page": 7}).see(17, 0.0),
-        "page red: not obeyed for 15.0 s after its start"),
+        "page red: not obeyed for 6.0 s after its start"),
     "does not hear of a new program": (
         story().add(1, "published", kind="order", robot="red").see(2, 0.0, commanders={"order": 7}).see(4, 0.2),
         "order red: not obeyed for 2.2 s after the master knows it"),
