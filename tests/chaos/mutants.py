@@ -31,6 +31,8 @@ class Mutant(NamedTuple):
 
 
 MUTANTS = {
+    "healer off": Mutant(
+        "jetbot_ros/src/jetbot_ros/links.py", "for topic, node in self._unconnected():", "for topic, node in ():"),
     "guard deaf": Mutant(
         f"{DRIVER}/guard/process.py", "            stop(board, place)\n            return\n", "            return\n"),
     "loss of the guard unnoticed": Mutant(
@@ -43,10 +45,9 @@ MUTANTS = {
         "set_hold(supervisor, SUSPENDED, False)"),
     "bound doubled": Mutant(f"{NODE}/watch.py", "SILENT_POLLS = 9 ", "SILENT_POLLS = 18 "),
     "standing order never asked": Mutant(
-        f"{NODE}/commanders.py", 'return bool(ask(proxy(connection.endpoint_id, ANSWER_TIMEOUT), "getPid"))',
-        "return True"),
+        f"{NODE}/commanders.py", 'return bool(ask(proxy(uri, ANSWER_TIMEOUT), "getPid"))', "return True"),
     "standing order from before obeyed": Mutant(
-        f"{NODE}/commanders.py", "old=latched and (older or again)", "old=False"),
+        f"{NODE}/commanders.py", "old=latched and before and", "old=False and"),
     "stop ignored while the ramp runs": Mutant(
         f"{NODE}/supervisor.py", "self.state = self.state.hold(hold, engaged)",
         "self.state = self.state if engaged and self._ramp.active else self.state.hold(hold, engaged)"),

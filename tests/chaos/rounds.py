@@ -138,7 +138,8 @@ class Round:
     def try_to_release(self) -> None:
         """Let a pupil release the stop, on a page that waits for an answer."""
         if self._scene.living("cockpit"):
-            result = self._scene.page("release", *map("/{}".format, self._scene.names), timeout=PAGE_TIMEOUT, who="pupils")
+            result = self._scene.page("release", *map("/{}".format, self._scene.names), timeout=PAGE_TIMEOUT,
+                                      who="pupils")
             self._history.add("pupil", released=result.returncode == 0, answer=result.stdout[-200:])
 
     def recover(self) -> None:
