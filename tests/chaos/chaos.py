@@ -18,7 +18,7 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import FrozenSet, List, NamedTuple, Optional
+from typing import Callable, FrozenSet, List, NamedTuple, Optional
 
 HERE = Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent / "ros"))
@@ -46,8 +46,11 @@ class Play(NamedTuple):
         return f"--seed {self.seed} --rounds {self.last}{first}{faults}"
 
 
-def play(wanted: Play, keep: bool = False) -> Optional[Play]:
-    """Play rounds of a scene with the same processes; return those up to the one that violates something, or None."""
+def play(wanted: Play, keep: bool = False, enough: Callable[[], object] = lambda: False) -> Optional[Play]:
+    """Play rounds of a scene with the same processes; return those up to the one that violates something, or None.
+
+    enough: whether no other round is to begin.
+    """
     folder, (cast, plans) = Path(tempfile.mkdtemp(prefix="chaos_")), draw_scene(wanted.seed, wanted.last)
     scene, history = Scene(folder, cast, next(_numbers)), History(folder / "history")
     history.add("scene", robots=cast.names, gentle=cast.gentle, speeds=SPEEDS)
@@ -60,7 +63,7 @@ def play(wanted: Play, keep: bool = False) -> Optional[Play]:
             history.add("round", plan=str(plan))
             Round(scene, history, observer, plan).play()
             history.add("round over")
-            if violations(history.events):
+            if violations(history.events) or enough():
                 break
     except AssertionError as error:
         history.add("problem", text=str(error))
@@ -108,8 +111,11 @@ def play_scenes(options: argparse.Namespace) -> List[Play]:
     found: List[Play] = []
 
     def play_one(scene):
-        played = None if found and options.until_violated else play(scene, options.keep)
+        played = None if enough() else play(scene, options.keep, enough)
         found.extend([played] if played else [])
+
+    def enough():
+        return found and options.until_violated
 
     with ThreadPoolExecutor(SCENES_AT_ONCE) as pool:
         playing = [pool.submit(play_one, scene) for scene in scenes]
@@ -136,7 +142,7 @@ def main() -> None:
     parser.add_argument("--faults", type=numbers, metavar="N,N,...", help="play these faults alone")
     parser.add_argument("--keep", action="store_true", help="keep logs and history")
     parser.add_argument("--shrink", type=int, default=8, metavar="TRIES", help="to leave out faults")
-    parser.add_argument("--until-violated", action="store_true", help="begin no other scene after that")
+    parser.add_argument("--until-violated", action="store_true", help="begin no other round after that")
     options = parser.parse_args()
     isolate()
     for signum in (signal.SIGINT, signal.SIGHUP):  # else all that is started ignores them too: in the background, nohup

@@ -5,6 +5,7 @@ An invariant is a row of INVARIANTS: a function of the events. A new one can be 
 """
 
 import json
+import math
 import sys
 from pathlib import Path
 from typing import Callable, Dict, Iterator, List, NamedTuple, Sequence, Tuple
@@ -65,21 +66,33 @@ def stretches(events: Sequence[dict], robot: str) -> List[Stretch]:
 
 
 def harmed(events: Sequence[dict], seen: List[Stretch], robot: str) -> Iterator[Tuple[float, float]]:
-    """Yield from when to when what a robot's board holds is not what it was sent: until a controller has repaired it.
+    """Yield from when to when nothing can stop a robot's wheels in time (docs/safety.md, What cannot be promised).
 
-    No program can promise more, while the board cannot be reached or something else writes to it (docs/safety.md).
+    Its board cannot be reached, or something else has written to it, until a controller has repaired that; or its
+    controller and its guard, one after the other, were frozen or killed.
     """
     overs = {event["number"]: event["at"] for event in named(events, "over")}
     for fault in named(events, "fault"):
-        if fault.get("harms") == robot:
-            over, left = overs.get(fault["number"], float("inf")), REPAIRS
-            for each in seen:
-                repairing = each.end - max(over, each.start)
-                if repairing > 0 and {"controller", "guard"} <= set(each.seen["running"]):
-                    left -= repairing
-                    if left <= 0:
-                        break
-            yield fault["at"], each.end + left if left <= 0 else float("inf")
+        if fault["harms"] == robot:
+            yield fault["at"], repaired(seen, overs.get(fault["number"], math.inf))
+    guarded = True
+    for each in seen:
+        alone = not {"controller", "guard"}.intersection(each.seen["running"])
+        guarded = "guard" in each.seen["running"] or alone and guarded
+        if alone and (each.seen["controller"] or not guarded):
+            yield each.start, each.end
+
+
+def repaired(seen: List[Stretch], since: float) -> float:
+    """Return when a guarded controller has run for REPAIRS s since then; infinity if never."""
+    left = REPAIRS
+    for each in seen:
+        repairing = each.end - max(since, each.start)
+        if repairing > 0 and {"controller", "guard"} <= set(each.seen["running"]):
+            left -= repairing
+            if left <= 0:
+                return each.end + left
+    return math.inf
 
 
 def obeyed(scene: dict, seen: dict) -> List[str]:

@@ -1,6 +1,7 @@
 """What chaos happens to: a master, robots on fake buses, a cockpit with pages, and programs that command."""
 
 import contextlib
+import itertools
 import json
 import os
 import re
@@ -23,6 +24,8 @@ from processes import end, free_port, start
 HERE = Path(__file__).resolve().parent
 START_TIMEOUT = 40.0  # s
 END_TIMEOUT = 8.0     # s for what belongs to an ended process to end
+ISOLATED = "CHAOS_ISOLATED" in os.environ  # whether mounts, network devices and ports are our own
+PORTS = itertools.count(20000)
 DISK = "512k"
 ACCELERATION = 0.2    # m/s^2, of the robots that start gently
 CLASS = "chaos"
@@ -79,8 +82,8 @@ class Scene:
 
     def __init__(self, folder: Path, cast: Cast, number: int = 0):
         self.folder, self.names, self.gentle = folder, cast.names, cast.gentle
-        self.port, self.page_port = free_port(), free_port()
-        self.node_ports = {robot: free_port() for robot in self.names}
+        self.port, self.page_port = new_port(), new_port()
+        self.node_ports = {robot: new_port() for robot in self.names}
         self.link = Link(number, self.page_port)
         self.disk, self.temporary, self._clock = folder / "log", folder / "tmp", folder / "clock"
         self.store = folder / "store"
@@ -266,6 +269,11 @@ class Scene:
         for disk in self.small_disks:
             subprocess.run(["umount", "--lazy", str(disk)])
         return left
+
+
+def new_port() -> int:
+    """Return a port that no program is given before it is used: in a network of our own, one that Linux never gives."""
+    return next(PORTS) if ISOLATED else free_port()
 
 
 def mount(disk: Path) -> bool:

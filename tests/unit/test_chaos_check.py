@@ -109,6 +109,15 @@ def test_a_board_that_cannot_be_reached_is_excused_until_a_controller_has_had_th
     assert len(turning_until(9).violations()) == 1
 
 
+@pytest.mark.parametrize(("first", "promised"), [("guard", False), ("controller", True)])
+def test_only_a_guard_that_ends_before_its_controller_is_an_excuse(first, promised):
+    left = {name: pid for name, pid in RUNNING.items() if name != first}
+    gone = {"launch": 3, "master": 4}
+    history = (story().see(1, 0.2, commanders={"order": 9}).see(2, 0.2, running=left, controller="controller" in left)
+               .see(2.5, 0.2, running=gone, controller=0).see(8, 0.0, running=RUNNING, controller=1).see(9, 0.0))
+    assert bool(history.violations()) == promised
+
+
 def test_the_last_seconds_before_a_violation_are_printed(tmp_path):
     file = tmp_path / "history"
     history = story().see(1, 0.5, commanders={"page": 7}).add(9, "problem", text="too bad").add(10, "round over")
