@@ -41,9 +41,8 @@ MUTANTS = {
     "board never verified": Mutant(
         f"{DRIVER}/boards/pca9685.py", "if held == sent[block.start:block.stop]:", "if True:"),
     "hold forgotten": Mutant(
-        f"{NODE}/watch.py", "set_hold(supervisor, SUSPENDED, launcher.suspended)",
-        "set_hold(supervisor, SUSPENDED, False)"),
-    "bound doubled": Mutant(f"{NODE}/watch.py", "SILENT_POLLS = 9 ", "SILENT_POLLS = 18 "),
+        f"{NODE}/watch.py", "SUSPENDED, self._launcher.suspended)", "SUSPENDED, False)"),
+    "bound doubled": Mutant(f"{NODE}/watch.py", "            self._failures = 2\n", "            self._failures += 1\n"),
     "standing order never asked": Mutant(
         f"{NODE}/commanders.py", 'return bool(ask(proxy(uri, ANSWER_TIMEOUT), "getPid"))', "return True"),
     "standing order from before obeyed": Mutant(
