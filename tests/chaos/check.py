@@ -13,6 +13,7 @@ from typing import Callable, Dict, Iterator, List, NamedTuple, Sequence, Tuple
 SLACK = 0.7         # s of this computer's, whose processes compete
 STOP_BOUND = 3.0 + SLACK  # s after the end of what pressed a stop: README's longest, without a master
 REPAIRS = 2.0 + SLACK     # s in which a controller finds what its board has lost while it is stopped
+GUARD_IS_BACK = 10.0      # s after a guard was hit; without one for so long, the controller ends
 HEALS = 1.5 + SLACK       # s in which a link that is missing is made
 ENDS = 8.0          # s until what is broken has ended
 DRIVES = 15.0       # s until a robot obeys a new command, its program's start and the priority of pages included
@@ -69,18 +70,15 @@ def harmed(events: Sequence[dict], seen: List[Stretch], robot: str) -> Iterator[
     """Yield from when to when nothing can stop a robot's wheels in time (docs/safety.md, What cannot be promised).
 
     Its board cannot be reached, or something else has written to it, until a controller has repaired that; or its
-    controller and its guard, one after the other, were frozen or killed.
+    guard was hit, and right after that its controller.
     """
     overs = {event["number"]: event["at"] for event in named(events, "over")}
-    for fault in named(events, "fault"):
-        if fault["harms"] == robot:
+    for fault in [event for event in named(events, "fault") if event["robot"] == robot]:
+        if fault["harms"]:
             yield fault["at"], repaired(seen, overs.get(fault["number"], math.inf))
-    guarded = True
-    for each in seen:
-        alone = not {"controller", "guard"}.intersection(each.seen["running"])
-        guarded = "guard" in each.seen["running"] or alone and guarded
-        if alone and (each.seen["controller"] or not guarded):
-            yield each.start, each.end
+        if fault["target"] == "guard":
+            yield from ((each.start, each.end) for each in seen if 0 < each.end - fault["at"] < GUARD_IS_BACK
+                        and each.turning and not {"controller", "guard"}.intersection(each.seen["running"]))
 
 
 def repaired(seen: List[Stretch], since: float) -> float:
@@ -168,7 +166,7 @@ def a_stop_is_heard(events: Sequence[dict]) -> Iterator[Violation]:
     """When all faults are over, a robot that serves confirms a stop, or ends."""
     for event in named(events, "pressed"):
         for robot in set(event["serving"]) - set(event["confirmed"]):
-            after = [each for each in stretches(events, robot) if each.end > event["at"]]
+            after = [each for each in all_stretches(events, robot) if each.end > event["at"]]
             if all({"controller", "launch"} <= set(each.seen["running"]) for each in after):
                 yield Violation(event["at"] + ENDS, f"{robot} does not hear a stop by {event['way']}")
 

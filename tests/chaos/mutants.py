@@ -42,7 +42,8 @@ MUTANTS = {
         f"{DRIVER}/boards/pca9685.py", "if held == sent[block.start:block.stop]:", "if True:"),
     "hold forgotten": Mutant(
         f"{NODE}/watch.py", "SUSPENDED, self._launcher.suspended)", "SUSPENDED, False)"),
-    "bound doubled": Mutant(f"{NODE}/watch.py", "            self._failures = 2\n", "            self._failures += 1\n"),
+    "bound doubled": Mutant(
+        f"{NODE}/watch.py", "    self._failures = 2\n        except", "    self._failures += 1\n        except"),
     "standing order never asked": Mutant(
         f"{NODE}/commanders.py", 'return bool(ask(proxy(uri, ANSWER_TIMEOUT), "getPid"))', "return True"),
     "standing order from before obeyed": Mutant(

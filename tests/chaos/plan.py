@@ -81,7 +81,7 @@ def draw_scene(seed: int, rounds: int) -> Tuple[Cast, List[Plan]]:
 def draw(names: Tuple[str, ...], chance: random.Random, number: int) -> Plan:
     """Draw a round for robots of these names. number: of the last fault before it."""
     commanders, recovery = ({robot: chance.choice(COMMANDERS) for robot in names} for _ in range(2))
-    hit = [(robot, chance.choice(TARGETS)) for robot in chance.choices(names, k=chance.randint(1, len(names) + 1))]
+    hit = [(robot, chance.choice(TARGETS)) for robot in chance.choices(names, k=chance.randint(2, len(names) + 2))]
     hit += chance.choice(([], [], [(names[0], "bystanders")]))
     events = []
     for robot, target in hit:

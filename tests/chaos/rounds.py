@@ -86,7 +86,7 @@ class Round:
         if not target and event.target not in PLACES:
             return
         self._history.add("fault", number=event.number, fault=event.fault, target=event.target, robot=event.robot,
-                          harms=event.robot if fault.harms else "")
+                          harms=fault.harms)
         end = None
         try:
             end = fault.begin(scene, target, random.Random(event.seed))
