@@ -183,6 +183,12 @@ def nobody_else_releases(events: Sequence[dict]) -> Iterator[Violation]:
             yield Violation(event["at"], "a pupil has released a teacher's stop")
 
 
+def a_judge_judges(events: Sequence[dict]) -> Iterator[Violation]:
+    for event in named(events, "judge"):
+        if not event["ready"]:
+            yield Violation(event["at"], f"the judge does not put a robot to the start: {event['answer']}")
+
+
 def commands_are_obeyed(events: Sequence[dict]) -> Iterator[Violation]:
     """A robot obeys a program that nothing hinders: soon after its start, at once after the master knows it."""
     for event in named(events, "must obey", "published"):
@@ -222,7 +228,7 @@ def nothing_else_is_wrong(events: Sequence[dict]) -> Iterator[Violation]:
 
 
 INVARIANTS = (needs_are_met, a_stop_arrives, a_confirmed_stop_holds, a_stop_is_heard, a_release_is_confirmed,
-              nobody_else_releases, commands_are_obeyed, no_old_order_counts, what_is_saved_is_kept,
+              nobody_else_releases, a_judge_judges, commands_are_obeyed, no_old_order_counts, what_is_saved_is_kept,
               nothing_else_is_wrong)
 
 

@@ -188,10 +188,10 @@ def remount(scene: Scene, mode: str) -> None:
 
 
 FAULTS = {
-    "kill": Fault(sends(signal.SIGKILL), (*ALL, "page"), 6),
+    "kill": Fault(sends(signal.SIGKILL), (*ALL, "page", "judge"), 6),
     "Ctrl-C": Fault(sends(signal.SIGINT)),
     "closed terminal": Fault(sends(signal.SIGHUP)),
-    "freeze": Fault(freeze, (*ALL, "page"), 5),
+    "freeze": Fault(freeze, (*ALL, "page", "judge"), 5),
     "no thread": Fault(limits(resource.RLIMIT_AS, present_size), LIMITED),
     "no memory": Fault(limits(resource.RLIMIT_DATA, lambda *_: 1 << 20), OURS),
     "no descriptor": Fault(limits(resource.RLIMIT_NOFILE, descriptors), LIMITED),

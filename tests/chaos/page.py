@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A page of the cockpit. Arguments: ADDRESS PORT COOKIE, then drive ROBOT SPEED, or stop (release, go_on) ROBOT ...
+"""A page of the cockpit. Arguments: ADDRESS PORT COOKIE, then drive ROBOT SPEED; stop, release or go_on ROBOT ...;
+or judge ROBOT.
 
 One that drives does so until it is ended; after a break, its finger lifts and presses again. The others end as soon as
 these robots have confirmed; with 1 if the cockpit refuses that.
@@ -17,6 +18,7 @@ from web_client import Closed, WebSocket  # noqa: E402
 
 PERIOD = 0.05         # s between two commands
 RETRY_INTERVAL = 0.5  # s until a page connects again
+TASK = "metre"
 HOST = "morbot"       # the cockpit's name: by localhost, everybody would be the teacher
 
 
@@ -47,14 +49,17 @@ def drive(page: WebSocket, robot: str, speed: float) -> None:
 
 
 def is_as_wanted(robot: dict, action: str) -> bool:
-    """Return whether a robot of the message "state" is stopped; or is not, and perhaps keeps no program waiting."""
+    """Return whether a robot of the message "state" is stopped; or is not, and no program waits; or is judged."""
+    if action == "judge":
+        return bool(robot["task"]) and (robot["task"]["name"], robot["task"]["state"]) == (TASK, "ready")
     stopped = robot["status"].startswith("stopped: emergency stop")
     return stopped if action == "stop" else not (stopped or action == "go_on" and robot["held"])
 
 
 def act(page: WebSocket, action: str, robots: Sequence[str]) -> None:
-    """Stop all robots, or release them, or also let their programs go on; wait until these robots confirm it."""
-    page.send({"type": "stop" if action == "stop" else "release"})
+    """Stop all robots, or release them, also let their programs go on, or judge one; wait until they confirm it."""
+    page.send({"type": "release"} if action == "go_on" else {"type": action, "robot": robots[0], "task": TASK}
+              if action == "judge" else {"type": action})
     for robot in robots if action == "go_on" else ():
         page.send({"type": "go_on", "robot": robot})
     message = page.receive_until(lambda message: message["type"] == "notice" or message["type"] == "state" and all(

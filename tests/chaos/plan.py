@@ -12,10 +12,11 @@ STOP_UNTIL = 6.0   # s until the stop is pressed
 LASTS = (0.1, 1.5)  # s, of most faults
 LONG = 4.0         # s, of the others
 GENTLE = 0.25      # chance of a robot to start gently
+JUDGED = 0.25      # chance of a scene to have a judge
 PUPIL = 0.3        # chance that a pupil tries to release the stop
 WAYS = ("terminal", "page")  # to press the emergency stop, and to release it
 STEPS = ("stop", "cockpit", "release", "command")  # that bystanders may come before
-TARGETS = (*ALL, "controller", "commander", "page", "computer", "board", "board", "link", "class")
+TARGETS = (*ALL, "controller", "commander", "page", "computer", "board", "board", "link", "class", "judge")
 PLACES = ("computer", "link", "class", "bystanders")  # are no process
 
 
@@ -65,7 +66,7 @@ class Plan(NamedTuple):
 
 def draw_cast(chance: random.Random) -> Cast:
     names = ROBOTS[:chance.randint(1, len(ROBOTS))]
-    return Cast(names, tuple(name for name in names if chance.random() < GENTLE))
+    return Cast(names, tuple(name for name in names if chance.random() < GENTLE), chance.random() < JUDGED)
 
 
 def draw_scene(seed: int, rounds: int) -> Tuple[Cast, List[Plan]]:

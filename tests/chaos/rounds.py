@@ -23,6 +23,7 @@ PAGE_TIMEOUT = 2.0   # s until a person takes the terminal instead of the page
 STAYS = 1.0          # s for which a stop is watched without faults
 PRIORITY = 5.5       # s after a command of a page, until others count
 STARTS = 1.8         # s in which programs start
+JUDGES = 10.0        # s until a judge has put a robot to the start
 SAVE_INTERVAL = 0.5  # s
 MAX_LINES = 300      # of a log
 PROGRAM = "c4a05c4a05c4a050"  # the id of a program that is saved again and again
@@ -158,6 +159,9 @@ class Round:
         self.set_stop(False, "page", patience=ENDS)  # programs go on
         for robot in scene.names:  # until then, it says that commands do not count
             scene.wait(lambda robot=robot: "no ROS master" not in scene.status(robot), f"{robot} to know the master")
+        if scene.cast.judged:
+            result = scene.page("judge", f"/{scene.names[0]}", timeout=JUDGES)
+            self._history.add("judge", ready=result.returncode == 0, answer=result.stdout[-200:])
         self.before("command")
         self.drive([self.command(kind, robot) for robot, kind in zip(scene.names, self._plan.recovery)])
 

@@ -40,10 +40,11 @@ STATUS = re.compile(r"\]: \w+: (driving|stopped: .*)")
 
 
 class Cast(NamedTuple):
-    """Which robots there are, and those of them that start gently."""
+    """Which robots there are, and those of them that start gently; judged: the first is simulated, and has a judge."""
 
     names: Tuple[str, ...]
     gentle: Tuple[str, ...]
+    judged: bool
 
 
 class Process:
@@ -81,7 +82,7 @@ class Scene:
     """All processes below one folder, which is ROS's home and holds the buses. Ends them all when it is closed."""
 
     def __init__(self, folder: Path, cast: Cast, number: int = 0):
-        self.folder, self.names, self.gentle = folder, cast.names, cast.gentle
+        self.folder, self.cast, self.names = folder, cast, cast.names
         self.port, self.page_port = new_port(), new_port()
         self.node_ports = {robot: new_port() for robot in self.names}
         self.link = Link(number, self.page_port)
@@ -149,6 +150,11 @@ class Scene:
             self.start("cockpit", "rosrun", "jetbot_cockpit_server", "cockpit.py", f"_port:={self.page_port}",
                        "_lan:=true", f"_name:={HOST}", "_pictures:=false", f"_class:={CLASS}",
                        f"_classes:={self.store}")
+        if self.cast.judged and not self.living("simulator"):
+            self.start("simulator", "rosrun", "simulation", "simulator.py", f"__ns:={self.names[0]}",
+                       f"_{self._bus(self.names[0])}")
+        if self.cast.judged and not self.living("judge"):
+            self.start("judge", "rosrun", "driving_tasks", "class_judge.py")
         for launch in starting:
             self.wait(lambda launch=launch: self.status(launch.robot), f"a status of {launch.robot}")
 
@@ -178,7 +184,7 @@ class Scene:
                 process.end()
         return self.start("launch", "roslaunch", "--wait", "jetbot_control_node", "jetbot_controller.launch",
                           f"robot_name:={robot}", self._bus(robot),
-                          f"acceleration_limit:={ACCELERATION if robot in self.gentle else 0.0}", robot=robot)
+                          f"acceleration_limit:={ACCELERATION if robot in self.cast.gentle else 0.0}", robot=robot)
 
     def pids(self) -> Iterator[int]:
         """Yield the ids of all processes of this scene."""
@@ -257,7 +263,7 @@ class Scene:
 
     def close(self) -> List[str]:
         """End all processes; return the command lines and files of this scene that are left."""
-        for kinds in (*COMMANDERS, "second", "bystander"), ("launch", "cockpit"), ("master",):
+        for kinds in (*COMMANDERS, "second", "bystander"), ("launch", "cockpit", "judge", "simulator"), ("master",):
             for process in self.living(*kinds):
                 process.end()
         deadline = time.monotonic() + END_TIMEOUT

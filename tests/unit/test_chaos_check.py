@@ -67,6 +67,8 @@ VIOLATED = {
         stopped(3).add(4, "release", way="page").add(5, "released", way="page", confirmed=[]),
         "only [] confirm the release by page"),
     "is released by a pupil": (stopped(3).add(4, "pupil", released=True), "a pupil has released a teacher's stop"),
+    "is not judged": (story().add(1, "judge", ready=False, answer="no"),
+                      "the judge does not put a robot to the start: no"),
     "does not obey": (
         story().add(1, "must obey", kind="page", robot="red").see(2, 0.0, commanders={"page": 7}).see(17, 0.0),
         "page red: not obeyed for 6.0 s after its start"),
