@@ -17,7 +17,8 @@ from typing import Callable, List, NamedTuple, Optional
 import bus
 import bystanders
 import link
-from world import ALL, Process, Scene
+from process import Process
+from world import ALL, Scene
 
 OURS = ("controller", "cockpit", "guard")  # which keep their promises without memory, threads or descriptors
 LIMITED = (*OURS, "master")
@@ -172,8 +173,13 @@ def must_refuse(scene: Scene, first: Process, second: Process) -> Callable[[], N
 
 
 def restart(scene, process, _chance):
-    """Start a robot again while it is commanded."""
-    scene.launch(process.robot)
+    """Start a robot, or the cockpit, again while it is used."""
+    if process.kind == "launch":
+        scene.launch(process.robot)
+    else:
+        process.signal(signal.SIGKILL)
+        process.popen.wait()
+        scene.start_cockpit()
 
 
 def read_only_store(scene, _process, _chance):
@@ -205,7 +211,7 @@ FAULTS = {
     "clock jump": Fault(clock_jump, ("computer",)),
     "second start": Fault(second_start, ("controller", "launch", "cockpit")),
     "second robot": Fault(second_robot, ("controller",), 2),
-    "restart": Fault(restart, ("launch",), 4),
+    "restart": Fault(restart, ("launch", "cockpit"), 4),
     "busy computer": Fault(busy_computer, ("computer",)),
     "closed lid": Fault(freeze, ("commander", "page"), 5, stays=True),
     "bus off": Fault(bus.off, ("board",)),

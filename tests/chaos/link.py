@@ -16,6 +16,7 @@ import threading
 import time
 from typing import Callable, Optional
 
+ISOLATED = "CHAOS_ISOLATED" in os.environ  # whether mounts, network devices and ports are our own
 IFF_TUN, IFF_NO_PI, TUNSETIFF = 0x0001, 0x1000, 0x400454CA  # linux/if_tun.h
 SOURCE, DESTINATION, TO_PORT = slice(12, 16), slice(16, 20), slice(22, 24)  # of an IPv4 packet without options
 NEAR, FAR = "10.77.{}.1", "10.77.{}.2"
@@ -32,7 +33,7 @@ class Link:
         self._port, self._fate = struct.pack("!H", port), lambda to_cockpit: 0.0
         self.address, self.passes = "127.0.0.1", True  # whether commands reach the cockpit
         self._device: Optional[int] = None
-        if "CHAOS_ISOLATED" in os.environ:  # else the device would be one of this computer
+        if ISOLATED:  # else the device would be one of this computer
             with contextlib.suppress(OSError, subprocess.CalledProcessError):
                 self._open(f"chaos{number}", NEAR.format(number), FAR.format(number))
 

@@ -14,17 +14,17 @@ import uuid
 from pathlib import Path
 from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Set, Tuple
 
-from link import Link
+from link import ISOLATED, Link
 from page import HOST
+from process import Process, ancestors, children, read
 
 from jetbot.fake.motors import wheel_speeds
 from jetbot_ros.master import NO_ANSWER, proxy
-from processes import end, free_port, start
+from processes import free_port, start
 
 HERE = Path(__file__).resolve().parent
 START_TIMEOUT = 40.0  # s
 END_TIMEOUT = 8.0     # s for what belongs to an ended process to end
-ISOLATED = "CHAOS_ISOLATED" in os.environ  # whether mounts, network devices and ports are our own
 PORTS = itertools.count(20000)
 DISK = "512k"
 ACCELERATION = 0.2    # m/s^2, of the robots that start gently
@@ -45,37 +45,6 @@ class Cast(NamedTuple):
     names: Tuple[str, ...]
     gentle: Tuple[str, ...]
     judged: bool
-
-
-class Process:
-    """A process of the scene: ``kind`` is what it is; ``robot``: which it drives or commands."""
-
-    def __init__(self, kind: str, popen: subprocess.Popen, command: Tuple[str, ...], robot: str = "", pid: int = 0):
-        self.kind, self.popen, self.command, self.robot = kind, popen, command, robot
-        self.pid = pid or popen.pid
-
-    def __str__(self) -> str:
-        return f"{self.kind} {self.robot}".strip()
-
-    def alive(self) -> bool:
-        """Return whether it runs, or is frozen."""
-        return state(self.pid) not in "XZ"
-
-    def runs(self) -> bool:
-        return state(self.pid) not in "XZTt"
-
-    def signal(self, signum: int) -> None:
-        with contextlib.suppress(ProcessLookupError):
-            os.kill(self.pid, signum)
-
-    def signal_all(self, signum: int) -> None:
-        """Signal its whole group."""
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(self.pid, signum)
-
-    def end(self) -> None:
-        self.signal(signal.SIGCONT)
-        end([self.popen])
 
 
 class Scene:
@@ -147,9 +116,7 @@ class Scene:
         starting = [self.launch(robot) for robot in self.names
                     if not (self.find("controller", robot) and self.status(robot))]  # its parameters may be lost
         if not self.living("cockpit"):
-            self.start("cockpit", "rosrun", "jetbot_cockpit_server", "cockpit.py", f"_port:={self.page_port}",
-                       "_lan:=true", f"_name:={HOST}", "_pictures:=false", f"_class:={CLASS}",
-                       f"_classes:={self.store}")
+            self.start_cockpit()
         if self.cast.judged and not self.living("simulator"):
             self.start("simulator", "rosrun", "simulation", "simulator.py", f"__ns:={self.names[0]}",
                        f"_{self._bus(self.names[0])}")
@@ -157,6 +124,11 @@ class Scene:
             self.start("judge", "rosrun", "driving_tasks", "class_judge.py")
         for launch in starting:
             self.wait(lambda launch=launch: self.status(launch.robot), f"a status of {launch.robot}")
+
+    def start_cockpit(self) -> None:
+        others = ("_lan:=true", f"_name:={HOST}") if ISOLATED else ()  # else this computer's network would reach it
+        self.start("cockpit", "rosrun", "jetbot_cockpit_server", "cockpit.py", f"_port:={self.page_port}", *others,
+                   "_pictures:=false", f"_class:={CLASS}", f"_classes:={self.store}")
 
     def master_answers(self) -> bool:
         with contextlib.suppress(*NO_ANSWER):
@@ -287,31 +259,3 @@ def mount(disk: Path) -> bool:
     disk.mkdir()
     return not subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={DISK}", "tmpfs", str(disk)],
                               stderr=subprocess.DEVNULL).returncode
-
-
-def read(pid: object, name: str) -> str:
-    """Return a file of /proc/PID, "" if the process has ended."""
-    with contextlib.suppress(OSError):
-        return Path(f"/proc/{pid}/{name}").read_text(errors="replace")
-    return ""
-
-
-def stat(pid: int) -> List[str]:
-    """Return state and parent of a process by proc(5), X if it has ended."""
-    return (read(pid, "stat").rpartition(")")[2].split() or ["X", "0"])[:2]
-
-
-def state(pid: int) -> str:
-    return stat(pid)[0]
-
-
-def ancestors(pid: int) -> List[int]:
-    """Return the ids of the processes above this one."""
-    parent = int(stat(pid)[1])
-    return [parent, *ancestors(parent)] if parent else []
-
-
-def children(pid: int) -> List[int]:
-    """Return the ids of the processes that a process has started and that run or are frozen, the newest last."""
-    texts = [read(pid, f"task/{task.name}/children") for task in Path(f"/proc/{pid}/task").glob("*")]
-    return sorted(child for child in map(int, " ".join(texts).split()) if state(child) not in "XZ")
