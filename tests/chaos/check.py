@@ -100,6 +100,11 @@ def obeyed(scene: dict, seen: dict) -> List[str]:
         abs(left - scene["speeds"][kind]) < 0.02 or gentle and 0 < left < scene["speeds"][kind])]
 
 
+def late(events: Sequence[dict], start: float, end: float) -> float:
+    """Return for how many s this computer was busy meanwhile: each bound allows for that."""
+    return sum(event["by"] for event in named(events, "late") if start <= event["at"] <= end)
+
+
 class Need(NamedTuple):
     """The wheels turn at most this long, in s, while this does not hold: README's and docs/safety.md's bound."""
 
@@ -129,7 +134,7 @@ def needs_are_met(events: Sequence[dict]) -> Iterator[Violation]:
                 lacking = seen["wheels"] != STANDS and not need.holds(events[0], seen)
                 since = (start if since is None or start > last else since) if lacking else None
                 last = end
-                if lacking and end - since > need.seconds + SLACK:
+                if lacking and end - since > need.seconds + SLACK + late(events, since, end):
                     yield Violation(since + need.seconds + SLACK, f"{robot} drives at {seen['wheels']} for more than "
                                     f"{need.seconds + SLACK:.1f} s without {name}")
                     break
@@ -140,7 +145,7 @@ def a_stop_arrives(events: Sequence[dict]) -> Iterator[Violation]:
     press = None
     for event in named(events, "press", "pressed"):
         press = event if event["event"] == "press" else press
-        bound = event["at"] + STOP_BOUND
+        bound = event["at"] + STOP_BOUND + late(events, press["at"], event["at"] + STOP_BOUND)
         for robot in robots(events) if event["event"] == "pressed" and bound < events[-1]["at"] else ():
             seen, trusted = ([each for each in found(events, robot) if each.end >= press["at"] and each.start <= bound]
                              for found in (all_stretches, stretches))
@@ -162,9 +167,14 @@ def a_confirmed_stop_holds(events: Sequence[dict]) -> Iterator[Violation]:
                     break
 
 
+def answered(events: Sequence[dict], name: str) -> List[dict]:
+    """Return the events of this name before which this computer was not busy: else an answer may have come too late."""
+    return [event for event in named(events, name) if late(events, event["at"] - SHOWN, event["at"]) < SLACK]
+
+
 def a_stop_is_heard(events: Sequence[dict]) -> Iterator[Violation]:
     """When all faults are over, a robot that serves confirms a stop, or ends."""
-    for event in named(events, "pressed"):
+    for event in answered(events, "pressed"):
         for robot in set(event["serving"]) - set(event["confirmed"]):
             after = [each for each in all_stretches(events, robot) if each.end > event["at"]]
             if all({"controller", "launch"} <= set(each.seen["running"]) for each in after):
@@ -172,7 +182,7 @@ def a_stop_is_heard(events: Sequence[dict]) -> Iterator[Violation]:
 
 
 def a_release_is_confirmed(events: Sequence[dict]) -> Iterator[Violation]:
-    for event in named(events, "released"):
+    for event in answered(events, "released"):
         if set(event["confirmed"]) != set(robots(events)):
             yield Violation(event["at"], f"only {event['confirmed']} confirm the release by {event['way']}")
 
@@ -184,7 +194,7 @@ def nobody_else_releases(events: Sequence[dict]) -> Iterator[Violation]:
 
 
 def a_judge_judges(events: Sequence[dict]) -> Iterator[Violation]:
-    for event in named(events, "judge"):
+    for event in answered(events, "judge"):
         if not event["ready"]:
             yield Violation(event["at"], f"the judge does not put a robot to the start: {event['answer']}")
 
@@ -193,7 +203,7 @@ def commands_are_obeyed(events: Sequence[dict]) -> Iterator[Violation]:
     """A robot obeys a program that nothing hinders: soon after its start, at once after the master knows it."""
     for event in named(events, "must obey", "published"):
         within = HEALS if event["event"] == "published" else PAGE_DRIVES if event["kind"] == "page" else DRIVES
-        bound = event["at"] + within
+        bound = event["at"] + within + late(events, event["at"], event["at"] + within)
         seen = [each for each in stretches(events, event["robot"]) if event["at"] <= each.end and each.start <= bound]
         waits = event["event"] == "published" and any("waits for" in each.seen["status"] for each in seen)
         if bound < events[-1]["at"] and not waits and not any(

@@ -3,7 +3,8 @@
 scene: robots, and the speeds by which the wheels tell who commands; round: a new one begins; command: a program starts
 to command a robot; published: the master lists it; fault, over: a fault begins, ends; press, release: of the emergency
 stop, at what is pressed; pressed, released: who has confirmed; pupil: tried to release it; judge: was asked for; saved,
-kept: the version of a program; problem: what else must not be; seen: a robot, whenever something has changed.
+kept: the version of a program; late: for how many s this computer was busy; problem: what else must not be; seen: a
+robot, whenever something has changed.
 """
 
 import json
@@ -15,6 +16,7 @@ from typing import Dict, List
 from world import COMMANDERS, Scene
 
 INTERVAL = 0.03  # s
+LATE = 0.15      # s between two looks, from which on this computer counts as busy
 
 
 class History:
@@ -39,7 +41,11 @@ class Observer(threading.Thread):
         self.seen: Dict[str, dict] = {}
 
     def run(self) -> None:
+        looked_at = time.monotonic()
         while not self._ended.wait(INTERVAL):
+            before, looked_at = looked_at, time.monotonic()
+            if looked_at - before > LATE:
+                self._history.add("late", by=round(looked_at - before - LATE, 3))
             for robot in self._scene.names:
                 seen = look(self._scene, robot)
                 if seen != self.seen.get(robot):

@@ -112,6 +112,16 @@ def test_a_board_that_cannot_be_reached_is_excused_until_a_controller_has_had_th
     assert len(turning_until(9).violations()) == 1
 
 
+def test_a_bound_allows_for_the_time_in_which_this_computer_was_busy():
+    def driving(*late):
+        history = story().see(1, 0.5, commanders={"page": 7}).see(2, 0.5, commanders={})
+        for at in late:
+            history.add(at, "late", by=0.5)
+        return history.see(5, 0.0)
+    assert driving(3, 4).violations() == []
+    assert len(driving(3).violations()) == 1
+
+
 @pytest.mark.parametrize(("hit", "promised"), [("guard", False), ("launch", True)])
 def test_a_controller_that_is_hit_right_after_its_guard_is_excused(hit, promised):
     fault = {"number": 1, "target": hit, "robot": "red", "harms": False}
