@@ -2,9 +2,9 @@
 
 scene: robots, and the speeds by which the wheels tell who commands; round: a new one begins; command: a program starts
 to command a robot; published: the master lists it; fault, over: a fault begins, ends; press, release: of the emergency
-stop, at what is pressed; pressed, released: who has confirmed; pupil: tried to release it; judge: was asked for; saved,
-kept: the version of a program; late: for how many s this computer was busy; problem: what else must not be; seen: a
-robot, whenever something has changed.
+stop, at what is pressed; pressed, released: who has confirmed; terminal: what it has answered; pupil: tried to release
+it; judge: was asked for; saved, kept: the version of a program; late: for how many s this computer was busy; problem:
+what else must not be; seen: a robot, whenever something has changed.
 """
 
 import json

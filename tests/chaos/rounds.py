@@ -135,6 +135,7 @@ class Round:
             if result.returncode == 0:
                 return set(scene.names)
         result = scene.run("rosrun", "jetbot_tools", "emergency_stop.py", *([] if engaged else ["--release"]))
+        self._history.add("terminal", answer=result.stdout[-500:])
         return {robot for robot in scene.names for line in result.stdout.splitlines()
                 if line.startswith(f"/{robot}/") and "(not confirmed)" not in line}
 
