@@ -14,7 +14,7 @@ import struct
 import subprocess
 import threading
 import time
-from typing import Callable, Optional
+from typing import Callable, List, Optional, Tuple
 
 ISOLATED = "CHAOS_ISOLATED" in os.environ  # whether mounts, network devices and ports are our own
 IFF_TUN, IFF_NO_PI, TUNSETIFF = 0x0001, 0x1000, 0x400454CA  # linux/if_tun.h
@@ -30,8 +30,8 @@ class Link:
     """The pages reach the cockpit at ``address``. Without the right to make a device, it cannot be broken."""
 
     def __init__(self, number: int, port: int):
-        self._port, self._fate = struct.pack("!H", port), lambda to_cockpit: 0.0
-        self.address, self.passes = "127.0.0.1", True  # whether commands reach the cockpit
+        self._port, self.address = struct.pack("!H", port), "127.0.0.1"
+        self._broken: List[Tuple[Fate, bool]] = []
         self._device: Optional[int] = None
         if ISOLATED:  # else the device would be one of this computer
             with contextlib.suppress(OSError, subprocess.CalledProcessError):
@@ -49,12 +49,14 @@ class Link:
         """Treat packets like this; return what repairs it. Raise PermissionError where there is no device."""
         if self._device is None:
             raise PermissionError("no TUN device")
-        before = self._fate, self.passes
-        self._fate, self.passes = fate, passes
+        broken = fate, passes
+        self._broken.append(broken)
+        return lambda: self._broken.remove(broken)
 
-        def repair():
-            self._fate, self.passes = before
-        return repair
+    @property
+    def passes(self) -> bool:
+        """Whether commands reach the cockpit."""
+        return all(passes for _, passes in self._broken)
 
     def _carry(self):
         waiting, device = [], self._device  # packets with the times at which they are due
@@ -62,10 +64,10 @@ class Link:
             due = waiting[0][0] - time.monotonic() if waiting else 0.2
             if select.select([device], [], [], max(0.0, min(0.2, due)))[0]:
                 packet = bytearray(os.read(device, 65536))
-                delay = self._fate(packet[TO_PORT] == self._port)
-                if packet[0] >> 4 == 4 and delay is not None:
+                delays = [fate(packet[TO_PORT] == self._port) for fate, _ in list(self._broken)]
+                if packet[0] >> 4 == 4 and None not in delays:
                     packet[SOURCE], packet[DESTINATION] = packet[DESTINATION], packet[SOURCE]
-                    heapq.heappush(waiting, (time.monotonic() + delay, bytes(packet)))
+                    heapq.heappush(waiting, (time.monotonic() + sum(delays), bytes(packet)))
             while waiting and waiting[0][0] <= time.monotonic():
                 os.write(device, heapq.heappop(waiting)[1])
         os.close(device)

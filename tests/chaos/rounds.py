@@ -5,6 +5,7 @@ import json
 import random
 import re
 import sched
+import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -26,6 +27,7 @@ STAYS = 1.0          # s for which a stop is watched without faults
 PRIORITY = 5.5       # s after a command of a page, until others count
 STARTS = 1.8         # s in which programs start
 JUDGES = 20.0        # s until a judge has put a robot to the start
+BUSY = 0.3           # s for the start of Python, which takes a tenth of that; one of a ROS program, 20 times as long
 SAVE_INTERVAL = 0.5  # s
 MAX_LINES = 300      # of a log
 PROGRAM = "c4a05c4a05c4a050"  # the id of a program that is saved again and again
@@ -135,9 +137,20 @@ class Round:
             if result.returncode == 0:
                 return set(scene.names)
         result = scene.run("rosrun", "jetbot_tools", "emergency_stop.py", *([] if engaged else ["--release"]))
+        confirmed = {robot for robot in scene.names for line in result.stdout.splitlines()
+                     if line.startswith(f"/{robot}/") and "(not confirmed)" not in line}
         self._history.add("terminal", answer=result.stdout[-500:])
-        return {robot for robot in scene.names for line in result.stdout.splitlines()
-                if line.startswith(f"/{robot}/") and "(not confirmed)" not in line}
+        if len(confirmed) < len(scene.names):
+            self.probe()
+        return confirmed
+
+    def probe(self) -> None:
+        """Note how late programs are on this computer now, by one that does nothing."""
+        start = time.monotonic()
+        self._scene.run(sys.executable, "-IS", "-c", "pass")
+        took = time.monotonic() - start
+        if took > BUSY:
+            self._history.add("late", by=round(took / BUSY, 3))
 
     def try_to_release(self) -> None:
         """Let a pupil release the stop, on a page that waits for an answer."""
