@@ -178,10 +178,18 @@ class Round:
         for robot in scene.names:  # until then, it says that commands do not count
             scene.wait(lambda robot=robot: "no ROS master" not in scene.status(robot), f"{robot} to know the master")
         if scene.cast.judged:
-            result = scene.page("judge", f"/{scene.names[0]}", timeout=JUDGES)
-            self._history.add("judge", ready=result.returncode == 0, answer=result.stdout[-200:])
+            self.judge()
         self.before("command")
         self.drive([self.command(kind, robot) for robot, kind in zip(scene.names, self._plan.recovery)])
+
+    def judge(self) -> None:
+        """Ask for the first robot to be judged, again and again until it is."""
+        asked_at, ready = time.monotonic(), False
+        while not ready and time.monotonic() < asked_at + JUDGES:
+            time.sleep(0.5)
+            result = self._scene.page("judge", f"/{self._scene.names[0]}", timeout=JUDGES / 2)
+            ready = result.returncode == 0
+        self._history.add("judge", ready=ready, answer=result.stdout[-200:])
 
     def drive(self, commanders: Sequence[Process]) -> None:
         """Wait until all robots obey these; while a person has priority, they are started again."""
