@@ -9,7 +9,7 @@ from xmlrpc.server import SimpleXMLRPCServer
 import pytest
 
 from jetbot.wait import wait_until
-from jetbot_ros import links
+from jetbot_ros import announcer, links
 
 TOPIC, PUBLISHER = "/emergency_stop", "http://localhost:1/"
 
@@ -31,12 +31,12 @@ def test_each_listener_but_who_is_connected_is_told_beside_one_that_is_frozen(to
     with socket.create_server(("localhost", 0)) as frozen:  # it never answers
         addresses = {"/frozen": f"http://localhost:{frozen.getsockname()[1]}/", "/listener": told.uri,
                      "/connected": told.uri, "/dead": None, "/stop": PUBLISHER, "/other": "http://localhost:2/"}
-        monkeypatch.setattr(links, "address_of", addresses.get)
-        monkeypatch.setattr(links.rospy, "get_name", lambda: "/stop")
+        monkeypatch.setattr(announcer, "address_of", addresses.get)
+        monkeypatch.setattr(announcer.rospy, "get_name", lambda: "/stop")
         publisher = SimpleNamespace(resolved_name=TOPIC,
                                     impl=SimpleNamespace(connections=[SimpleNamespace(endpoint_id="/connected")]))
         graph = {TOPIC: ["/other"]}, {TOPIC: ["/frozen", "/connected", "/dead", "/listener"]}, {}
-        links.Announcer(publisher).announce(graph)
+        announcer.Announcer(publisher).announce(graph)
         assert wait_until(lambda: told, 10.0)
         assert [words[1:] for words in told] == [(TOPIC, [PUBLISHER, "http://localhost:2/"])]
 

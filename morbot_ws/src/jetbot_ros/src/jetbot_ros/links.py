@@ -227,26 +227,3 @@ def may_reach(host: object, uri: str) -> bool:
     rospy.logwarn_throttle(WARN_INTERVAL, f"refused a publisher at {uri[:80]!a}: "
                                           "ROS_HOSTNAME limits this robot to its own computer")
     return False
-
-
-class Announcer:
-    """Tells the subscribers of a topic that this node publishes it: the master may be unable to. Never blocks."""
-
-    def __init__(self, publisher: rospy.Publisher):
-        self._publisher = publisher
-        self._told = set()  # who is being told
-
-    def announce(self, graph: Graph) -> None:
-        """Tell each subscriber that is not connected yet, each from a thread of its own."""
-        publishers, subscribers, _ = graph
-        topic = self._publisher.resolved_name
-        connected = {connection.endpoint_id for connection in self._publisher.impl.connections}
-        for node in set(subscribers.get(topic, ())) - connected - self._told:
-            self._told.add(node)
-            threading.Thread(target=self._tell, args=[topic, node, publishers.get(topic, [])], daemon=True).start()
-
-    def _tell(self, topic, node, publishers):
-        with contextlib.suppress(*NO_ANSWER):
-            uris = {*map(address_of, {*publishers, rospy.get_name()})} - {None}  # all: roscpp drops the others
-            ask(proxy(address_of(node)), "publisherUpdate", topic, sorted(uris))
-        self._told.discard(node)

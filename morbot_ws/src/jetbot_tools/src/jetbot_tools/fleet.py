@@ -6,7 +6,8 @@ import rospy
 from std_msgs.msg import Bool, String
 
 from jetbot.wait import wait_until
-from jetbot_ros import links, rospy_repairs
+from jetbot_ros import rospy_repairs
+from jetbot_ros.announcer import Announcer
 from jetbot_ros.holds import EMERGENCY_STOP
 from jetbot_ros.master import address_of, is_reachable, system_state
 
@@ -23,7 +24,7 @@ class Fleet:
         self._engaged = engaged
         self._publisher = rospy.Publisher(TOPIC, Bool, queue_size=1, latch=True)  # for robots that join meanwhile too
         self._publisher.publish(engaged)
-        self._announcer = links.Announcer(self._publisher)
+        self._announcer = Announcer(self._publisher)
         self._listeners = 0
         self.statuses: Dict[str, str] = {}  # of each robot's node, "" until it arrives
 

@@ -14,9 +14,10 @@ from std_srvs.srv import Empty
 
 from jetbot.kinematics import Pose
 from jetbot.text import printable
+from jetbot_ros.announcer import Announcer
 from jetbot_ros.colors import color_of
 from jetbot_ros.holds import OWN_EMERGENCY_STOP, Hold
-from jetbot_ros.links import Announcer, Graph
+from jetbot_ros.links import Graph
 
 from ..session.snapshot import Robot, label
 from .map_topics import Drawing, Frames
