@@ -10,11 +10,13 @@ import os
 import random
 import struct
 import threading
+import time
 from pathlib import Path
 from typing import Callable
 
-F_OFD_SETLK, F_OFD_SETLKW = 37, 38  # fcntl(2): locks of an open file, not of a process, whose Observer opens it too
+F_OFD_SETLK = 37  # fcntl(2): a lock of an open file, not of this process, whose Observer opens it too
 LOCK = struct.pack("hhqqi4x", fcntl.F_WRLCK, os.SEEK_SET, 0, 0, 0)
+LOCK_TIMEOUT = 0.5   # s; a transfer takes milliseconds
 DELAY = 0.12         # s, of a transfer at most: less than the controller ends at
 INTERVAL = 0.3       # s between two of what happens now and then
 OUTPUTS = range(0x06, 0x46)  # registers of a PCA9685: LED0_ON_L to LED15_OFF_H
@@ -29,8 +31,25 @@ def off(scene, process, _chance):
 
 def stuck(scene, process, _chance):
     descriptor = os.open(scene.chip(process.robot), os.O_RDWR | os.O_CLOEXEC)
-    fcntl.fcntl(descriptor, F_OFD_SETLKW, LOCK)
+    try:
+        lock(descriptor)
+    except BlockingIOError:
+        os.close(descriptor)
+        raise
     return lambda: os.close(descriptor)
+
+
+def lock(descriptor: int) -> None:
+    """Keep all others from a chip until it is closed; raise BlockingIOError if another fault does already."""
+    deadline = time.monotonic() + LOCK_TIMEOUT
+    while True:
+        try:
+            fcntl.fcntl(descriptor, F_OFD_SETLK, LOCK)
+            return
+        except BlockingIOError:
+            if time.monotonic() > deadline:
+                raise
+        time.sleep(0.001)
 
 
 def garbage(scene, process, chance):
@@ -45,7 +64,7 @@ def wrong(scene, process, chance):
 def change(chip: Path, register: int, data: bytes) -> None:
     """Write to a chip as any other program may, between two transfers."""
     with chip.open("r+b", buffering=0) as file:
-        fcntl.fcntl(file, F_OFD_SETLKW, LOCK)
+        lock(file.fileno())
         os.pwrite(file.fileno(), data, register)
 
 
@@ -75,7 +94,7 @@ def now_and_then(act: Callable[[Path, random.Random], None]) -> Callable:
 
 def hold_up(chip: Path, chance: random.Random) -> None:
     with chip.open("r+b", buffering=0) as file:
-        fcntl.fcntl(file, F_OFD_SETLKW, LOCK)
+        lock(file.fileno())
         threading.Event().wait(chance.uniform(0, DELAY))
 
 

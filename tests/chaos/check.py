@@ -17,6 +17,7 @@ GUARD_IS_BACK = 10.0      # s after a guard was hit; without one for so long, th
 HEALS = 1.5 + SLACK       # s in which a link that is missing is made
 ENDS = 8.0          # s until what is broken has ended
 DRIVES = 15.0       # s until a robot obeys a new command, its program's start and the priority of pages included
+PRIORITY = 15.0     # s after which a page that was seen hinders nobody any more: the ends of its lease and priority
 PAGE_DRIVES = 6.0   # s until it obeys a page: the lease of another one, which is silent, has ended
 SHOWN = 5.0         # s before a violation
 STANDS = [0.0, 0.0]
@@ -199,18 +200,25 @@ def a_judge_judges(events: Sequence[dict]) -> Iterator[Violation]:
             yield Violation(event["at"], f"the judge does not put a robot to the start: {event['answer']}")
 
 
+def has_priority(events: Sequence[dict], event: dict) -> bool:
+    """Return whether the robot of this event may still wait for a page, also for a silent one until its lease ends."""
+    return any("page" in each.seen["commanders"] or "waits for" in each.seen["status"]
+               for each in all_stretches(events, event["robot"])
+               if each.end > event["at"] - PRIORITY and each.start < event["at"] + HEALS)
+
+
 def commands_are_obeyed(events: Sequence[dict]) -> Iterator[Violation]:
     """A robot obeys a program that nothing hinders: soon after its start, at once after the master knows it."""
     for event in named(events, "must obey", "published"):
         within = HEALS if event["event"] == "published" else PAGE_DRIVES if event["kind"] == "page" else DRIVES
         bound = event["at"] + within + late(events, event["at"], event["at"] + within)
         seen = [each for each in stretches(events, event["robot"]) if event["at"] <= each.end and each.start <= bound]
-        waits = event["event"] == "published" and any("waits for" in each.seen["status"] for each in seen)
-        if bound < events[-1]["at"] and not waits and not any(
+        hindered = event["event"] == "published" and (
+            any(event["kind"] not in each.seen["commanders"] for each in seen) or has_priority(events, event))
+        if bound < events[-1]["at"] and not hindered and not any(
                 event["kind"] in obeyed(events[0], each.seen) for each in seen):
             since = "its start" if event["event"] == "must obey" else "the master knows it"
-            yield Violation(bound, f"{event['kind']} {event['robot']}: not obeyed for {within:.1f} s "
-                            f"after {since}")
+            yield Violation(bound, f"{event['kind']} {event['robot']}: not obeyed for {within:.1f} s after {since}")
 
 
 def no_old_order_counts(events: Sequence[dict]) -> Iterator[Violation]:

@@ -23,9 +23,9 @@ MOUNT = 'mount --bind "$0" "$1" && shift && exec "$@"'
 
 
 class Mutant(NamedTuple):
-    """In this file below morbot_ws/src, ``new`` takes the place of ``old``, which occurs there once."""
+    """In the file of this path below morbot_ws/src, ``new`` takes the place of ``old``, which occurs there once."""
 
-    file: str
+    path: str
     old: str
     new: str
 
@@ -61,8 +61,8 @@ MUTANTS = {
 
 def mutate(mutant: Mutant) -> str:
     """Return the file with the bug."""
-    text = (PACKAGES / mutant.file).read_text()
-    assert text.count(mutant.old) == 1, f"{mutant.file} has this {text.count(mutant.old)} times: {mutant.old}"
+    text = (PACKAGES / mutant.path).read_text()
+    assert text.count(mutant.old) == 1, f"{mutant.path} has this {text.count(mutant.old)} times: {mutant.old}"
     return text.replace(mutant.old, mutant.new)
 
 
@@ -74,7 +74,7 @@ def play(name: str, rounds: int, seed: int) -> bool:
         os.chmod(file.name, 0o755)
         start = time.monotonic()
         played = subprocess.run(
-            ["unshare", "--mount", "bash", "-c", MOUNT, file.name, str(PACKAGES / MUTANTS[name].file), sys.executable,
+            ["unshare", "--mount", "bash", "-c", MOUNT, file.name, str(PACKAGES / MUTANTS[name].path), sys.executable,
              str(CHAOS), "--rounds", str(rounds), "--seed", str(seed), "--shrink", "0", "--until-violated"],
             env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}, text=True, stdout=subprocess.PIPE).stdout
     before, found, after = played.partition("\nVIOLATED by ")

@@ -29,6 +29,7 @@ STARTS = 1.8         # s in which programs start
 JUDGES = 20.0        # s until a judge has put a robot to the start
 BUSY = 0.3           # s for the start of Python, which takes a tenth of that; one of a ROS program, 20 times as long
 SAVE_INTERVAL = 0.5  # s
+ORDERS = ("order", "port")
 MAX_LINES = 300      # of a log
 PROGRAM = "c4a05c4a05c4a050"  # the id of a program that is saved again and again
 
@@ -97,8 +98,8 @@ class Round:
             end = fault.begin(scene, target, random.Random(event.seed))
         except PermissionError as error:
             print(f"   not possible here: {event.fault} ({error})")
-        except (FileNotFoundError, ProcessLookupError):
-            pass  # it has ended meanwhile
+        except (FileNotFoundError, ProcessLookupError, BlockingIOError):
+            pass  # it has ended meanwhile, or another fault has it
         if end and fault.stays:
             self._ends.append(end)
         else:
@@ -193,7 +194,7 @@ class Round:
 
     def drive(self, commanders: Sequence[Process]) -> None:
         """Wait until all robots obey these; while a person has priority, they are started again."""
-        scene, deadline, known = self._scene, time.monotonic() + DRIVES + HEALS, set()
+        scene, deadline, known, started = self._scene, time.monotonic() + DRIVES + HEALS, set(), {}
         before = {robot: scene.topic(0, f"/{robot}/cmd_vel") for robot in scene.names}
         for each in commanders:
             self._history.add("must obey", kind=each.kind, robot=each.robot)
@@ -205,12 +206,16 @@ class Round:
                         scene.topic(0, f"/{each.robot}/cmd_vel") - before[each.robot]):
                     known.add(each)
                     self._history.add("published", kind=each.kind, robot=each.robot)
-            if any("waits for the cockpit" in scene.status(each.robot) for each in commanders):
-                for each in commanders:
-                    each.end()
+                started.setdefault(each, time.monotonic())
+            waiting = [each for each in commanders if "waits for the cockpit" in scene.status(each.robot)
+                       or each.kind in ORDERS and time.monotonic() > started[each] + PRIORITY]  # it is sent once
+            for each in waiting:
+                each.end()
+            if waiting:
                 time.sleep(PRIORITY)
-                commanders = [self.command(each.kind, each.robot) for each in commanders]
-                known.update(commanders)
+                again = [self.command(each.kind, each.robot) for each in waiting]
+                known.update(again)
+                commanders = [each for each in commanders if each not in waiting] + again
             time.sleep(0.02)
 
     def check_logs(self) -> None:

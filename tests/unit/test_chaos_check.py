@@ -73,7 +73,7 @@ VIOLATED = {
         story().add(1, "must obey", kind="page", robot="red").see(2, 0.0, commanders={"page": 7}).see(17, 0.0),
         "page red: not obeyed for 6.0 s after its start"),
     "does not hear of a new program": (
-        story().add(1, "published", kind="order", robot="red").see(2, 0.0, commanders={"order": 7}).see(4, 0.2),
+        story().see(0.5, 0.0, commanders={"order": 7}).add(1, "published", kind="order", robot="red").see(4, 0.2),
         "order red: not obeyed for 2.2 s after the master knows it"),
     "obeys an old order": (
         story().see(1, 0.2, commanders={"order": 9}).see(2, 0.0, controller=0).see(3, 0.2, controller=11),
@@ -96,9 +96,12 @@ def test_each_invariant_sees_what_violates_it(name):
     stopped(3).add(4, "release", way="page").see(4.2, 0.2),
     stopped(3, confirmed=()).see(5, 0.0, running={}, controller=0),
     stopped(3).see(4, 0.0, controller=0).see(5, 0.2, controller=11, commanders={"order": 12}),
-    story().add(1, "published", kind="order", robot="red").see(2, 0.0, status="waits for the cockpit").see(9, 0.2),
+    (story().see(0.5, 0.0, commanders={"order": 7}).add(1, "published", kind="order", robot="red")
+     .see(2, 0.0, status="waits for the cockpit").see(9, 0.2)),
+    (story().see(0.5, 0.0, commanders={"order": 7}).add(1, "published", kind="order", robot="red")
+     .see(2, 0.0, commanders={}).see(9, 0.0)),
     story().add(1, "saved", version=3).add(2, "kept", version=4),
-], ids=["in time", "starts gently", "released", "deaf but ended", "another controller", "priority", "kept"])
+], ids=["in time", "starts gently", "released", "deaf but ended", "another controller", "priority", "ended", "kept"])
 def test_what_is_promised_violates_nothing(history):
     assert history.violations() == []
 

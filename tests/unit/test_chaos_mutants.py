@@ -13,4 +13,4 @@ from mutants import MUTANTS, PACKAGES, mutate  # noqa: E402
 def test_a_bug_can_be_planted(name):
     planted = mutate(MUTANTS[name])
     compile(planted, name, "exec")
-    assert planted != (PACKAGES / MUTANTS[name].file).read_text()
+    assert planted != (PACKAGES / MUTANTS[name].path).read_text()
