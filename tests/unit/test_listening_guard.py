@@ -72,6 +72,7 @@ def test_nothing_turns_if_the_listening_guard_is_gone_until_it_is_back(folder, l
     first = listener()
     with Robot(i2c_bus=f"fake:{folder}") as robot:
         robot.forward()
+        assert wait_until(lambda: len(children(first.pid)) == 1, TIMEOUT)  # the one of ``listen``'s question has ended
         for pid in [*children(first.pid), first.pid]:
             os.kill(pid, signal.SIGKILL)
         assert wait_until(lambda: keep_alive(robot, folder) == (0, 0), STOP_TIMEOUT)
