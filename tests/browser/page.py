@@ -78,6 +78,10 @@ class Page(Chromium):
         """Fail unless the element with this id soon shows this text."""
         self.wait_for(lambda: text.lower() in self.text(name).lower(), f"{text!r} in #{name}")
 
+    def send(self, message: dict) -> None:
+        """Let the page send this message to the cockpit."""
+        self.run("socket.send(JSON.stringify(arguments[0]))", message)
+
     def receive(self, message: dict) -> None:
         """Let the page receive a message that the cockpit has not sent."""
         self.run("socket.onmessage({data: JSON.stringify(arguments[0])})", message)
