@@ -177,6 +177,8 @@ class Scene:
         """Start a commander of this kind for a robot."""
         topic, speed = f"/{robot}/cmd_vel", str(SPEEDS[kind])
         message = "geometry_msgs/Twist", f"{{linear: {{x: {speed}}}}}"
+        if self.find("port", robot):  # its lid is closed
+            self.node_ports[robot] = new_port()
         own = (sys.executable, str(HERE / "commander.py"), kind, topic, speed, str(self.node_ports[robot]))
         commands: Dict[str, Tuple[str, ...]] = {
             "order": ("rostopic", "pub", topic, *message), "repeat": ("rostopic", "pub", "-r", "10", topic, *message),
