@@ -18,6 +18,7 @@ HEALS = 1.5 + SLACK       # s in which a link that is missing is made
 ENDS = 8.0          # s until what is broken has ended
 DRIVES = 15.0       # s until a robot obeys a new command, its program's start and the priority of pages included
 PRIORITY = 15.0     # s after which a page that was seen hinders nobody any more: the ends of its lease and priority
+AGAIN, MAX_AGAIN = 10.0, 2  # s more, each time that it is typed again, as a page had priority; at most so often
 PAGE_DRIVES = 6.0   # s until it obeys a page: the lease of another one, which is silent, has ended
 SHOWN = 5.0         # s before a violation
 STANDS = [0.0, 0.0]
@@ -207,10 +208,17 @@ def has_priority(events: Sequence[dict], event: dict) -> bool:
                if each.end > event["at"] - PRIORITY and each.start < event["at"] + HEALS)
 
 
+def typed_again(events: Sequence[dict], event: dict) -> int:
+    """Return how often this command was typed again, because a page had priority."""
+    return sum(each["at"] > event["at"] and (each["kind"], each["robot"]) == (event["kind"], event["robot"])
+               for each in named(events, "command"))
+
+
 def commands_are_obeyed(events: Sequence[dict]) -> Iterator[Violation]:
     """A robot obeys a program that nothing hinders: soon after its start, at once after the master knows it."""
     for event in named(events, "must obey", "published"):
-        within = HEALS if event["event"] == "published" else PAGE_DRIVES if event["kind"] == "page" else DRIVES
+        within = HEALS if event["event"] == "published" else PAGE_DRIVES if event["kind"] == "page" else (
+            DRIVES + AGAIN * min(MAX_AGAIN, typed_again(events, event)))
         bound = event["at"] + within + late(events, event["at"], event["at"] + within)
         seen = [each for each in stretches(events, event["robot"]) if event["at"] <= each.end and each.start <= bound]
         hindered = event["event"] == "published" and (

@@ -11,7 +11,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import Callable, List, Optional, Sequence, Set
 
-from check import DRIVES, ENDS, HEALS, STOP_BOUND, obeyed
+from check import AGAIN, DRIVES, ENDS, HEALS, MAX_AGAIN, STOP_BOUND, obeyed
 from faults import FAULTS
 from history import History, Observer
 from link import ISOLATED
@@ -24,6 +24,7 @@ from web_client import request
 
 PAGE_TIMEOUT = 2.0   # s until a person takes the terminal instead of the page
 STAYS = 1.0          # s for which a stop is watched without faults
+TRIES = DRIVES + MAX_AGAIN * AGAIN + HEALS  # s until what was commanded must be obeyed
 PRIORITY = 5.5       # s after a command of a page, until others count
 STARTS = 1.8         # s in which programs start
 JUDGES = 20.0        # s until a judge has put a robot to the start
@@ -194,7 +195,7 @@ class Round:
 
     def drive(self, commanders: Sequence[Process]) -> None:
         """Wait until all robots obey these; while a person has priority, they are started again."""
-        scene, deadline, known, started = self._scene, time.monotonic() + DRIVES + HEALS, set(), {}
+        scene, deadline, known, started = self._scene, time.monotonic() + TRIES, set(), {}
         before = {robot: scene.topic(0, f"/{robot}/cmd_vel") for robot in scene.names}
         for each in commanders:
             self._history.add("must obey", kind=each.kind, robot=each.robot)

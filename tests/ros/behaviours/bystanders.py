@@ -5,9 +5,11 @@ import re
 import signal
 
 import rospy
+from diagnostic_msgs.msg import KeyValue
 from std_msgs.msg import Bool
 
 from harness import START_TIMEOUT, RobotTest, end, near, program, publishers, read
+from jetbot_ros.master import system_state
 from web_client import WebSocket
 
 STOP, COCKPIT = program("jetbot_tools", "emergency_stop.py"), program("jetbot_cockpit_server", "cockpit.py")
@@ -63,6 +65,13 @@ class Bystanders(RobotTest):
         self.wait_for(lambda: heard == [True, False], START_TIMEOUT, "the release")
         page.send({"type": "go_on", "robot": "/"})
         self.wait_for_wheels(0.5, 0.5, START_TIMEOUT)
+
+    def test_a_page_that_comes_then_is_heard_by_the_judge(self):
+        self.start(program("driving_tasks", "class_judge.py"))
+        self.wait_for(lambda: system_state()[1].get("/judge_requests"), START_TIMEOUT, "the judge")
+        requests = rospy.Publisher("/judge_requests", KeyValue, queue_size=1)
+        self.addCleanup(requests.unregister)
+        self.wait_for(requests.get_num_connections, HEAL_TIMEOUT, "the judge to connect")
 
     def test_a_link_that_breaks_off_is_made_again(self):
         statuses = self.status()

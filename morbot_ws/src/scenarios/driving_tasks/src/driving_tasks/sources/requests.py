@@ -9,6 +9,7 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 
 from jetbot import JetbotError
+from jetbot_ros import links, rospy_repairs
 from jetbot_ros.master import NO_ANSWER, require_master
 
 from ..report.announcement import CANCELLED, Announcement
@@ -27,7 +28,9 @@ LINGER = 2.0          # s after a result until it is not published any more, and
 def serve() -> None:
     """Judge until Ctrl-C. Raise JetbotError if the master ends."""
     require_master("roslaunch jetbot_cockpit class.launch")
+    rospy_repairs.repair()
     rospy.init_node(NAME, argv=[], disable_signals=True)  # rospy's own handlers would ask the master
+    links.stay_linked()
     tasks = rospy.Publisher(TASKS_TOPIC, DiagnosticStatus, queue_size=1, latch=True)
     tasks.publish(name="tasks", values=[KeyValue(task.name, task.title) for task in TASKS.values()])
     judge = ClassJudge()
