@@ -131,7 +131,7 @@ def play_scenes(options: argparse.Namespace) -> List[Play]:
 
 
 def numbers(text: str) -> FrozenSet[int]:
-    return frozenset(map(int, filter(None, text.split(","))))
+    return frozenset() if text == "none" else frozenset(map(int, text.split(",")))
 
 
 def main() -> None:

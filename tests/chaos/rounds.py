@@ -25,6 +25,7 @@ from web_client import request
 PAGE_TIMEOUT = 2.0   # s until a person takes the terminal instead of the page
 STAYS = 1.0          # s for which a stop is watched without faults
 TRIES = DRIVES + MAX_AGAIN * AGAIN + HEALS  # s until what was commanded must be obeyed
+FLOODED = 2.5        # s for which pages may not connect after one that has sent too much, as a cut link does
 PRIORITY = 5.5       # s after a command of a page, until others count
 STARTS = 1.8         # s in which programs start
 JUDGES = 20.0        # s until a judge has put a robot to the start
@@ -135,9 +136,12 @@ class Round:
         """
         scene = self._scene
         if way == "page":
-            result = scene.page("stop" if engaged else "go_on", *map("/{}".format, scene.names), timeout=patience)
-            if result.returncode == 0:
-                return set(scene.names)
+            action = "stop" if engaged else "go_on"
+            for pause in (FLOODED, 0.0) if action == "go_on" else (0.0,):  # no terminal says Go on
+                result = scene.page(action, *map("/{}".format, scene.names), timeout=patience)
+                if result.returncode == 0:
+                    return set(scene.names)
+                time.sleep(pause)
         result = scene.run("rosrun", "jetbot_tools", "emergency_stop.py", *([] if engaged else ["--release"]))
         confirmed = {robot for robot in scene.names for line in result.stdout.splitlines()
                      if line.startswith(f"/{robot}/") and "(not confirmed)" not in line}
