@@ -10,9 +10,10 @@ import os
 import random
 import struct
 import threading
-import time
 from pathlib import Path
 from typing import Callable
+
+from jetbot.wait import wait_until
 
 F_OFD_SETLK = 37  # fcntl(2): a lock of an open file, not of this process, whose Observer opens it too
 LOCK = struct.pack("hhqqi4x", fcntl.F_WRLCK, os.SEEK_SET, 0, 0, 0)
@@ -41,15 +42,13 @@ def stuck(scene, process, _chance):
 
 def lock(descriptor: int) -> None:
     """Keep all others from a chip until it is closed; raise BlockingIOError if another fault does already."""
-    deadline = time.monotonic() + LOCK_TIMEOUT
-    while True:
-        try:
-            fcntl.fcntl(descriptor, F_OFD_SETLK, LOCK)
-            return
-        except BlockingIOError:
-            if time.monotonic() > deadline:
-                raise
-        time.sleep(0.001)
+    def locked():
+        with contextlib.suppress(BlockingIOError):
+            return fcntl.fcntl(descriptor, F_OFD_SETLK, LOCK)
+        return None
+
+    if not wait_until(locked, LOCK_TIMEOUT, 0.001):
+        raise BlockingIOError("another fault holds the chip")
 
 
 def garbage(scene, process, chance):

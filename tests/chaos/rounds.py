@@ -24,7 +24,7 @@ from web_client import request
 
 PAGE_TIMEOUT = 2.0   # s until a person takes the terminal instead of the page
 STAYS = 1.0          # s for which a stop is watched without faults
-TRIES = DRIVES + MAX_AGAIN * AGAIN + HEALS  # s until what was commanded must be obeyed
+OBEYS = DRIVES + MAX_AGAIN * AGAIN + HEALS  # s until what was commanded must be obeyed
 FLOODED = 2.5        # s for which pages may not connect after one that has sent too much, as a cut link does
 PRIORITY = 5.5       # s after a command of a page, until others count
 STARTS = 1.8         # s in which programs start
@@ -137,11 +137,10 @@ class Round:
         scene = self._scene
         if way == "page":
             action = "stop" if engaged else "go_on"
-            for pause in (FLOODED, 0.0) if action == "go_on" else (0.0,):  # no terminal says Go on
-                result = scene.page(action, *map("/{}".format, scene.names), timeout=patience)
-                if result.returncode == 0:
-                    return set(scene.names)
+            for pause in [0.0] if engaged else [0.0, FLOODED]:  # no terminal says Go on
                 time.sleep(pause)
+                if scene.page(action, *map("/{}".format, scene.names), timeout=patience).returncode == 0:
+                    return set(scene.names)
         result = scene.run("rosrun", "jetbot_tools", "emergency_stop.py", *([] if engaged else ["--release"]))
         confirmed = {robot for robot in scene.names for line in result.stdout.splitlines()
                      if line.startswith(f"/{robot}/") and "(not confirmed)" not in line}
@@ -199,7 +198,7 @@ class Round:
 
     def drive(self, commanders: Sequence[Process]) -> None:
         """Wait until all robots obey these; while a person has priority, they are started again."""
-        scene, deadline, known, started = self._scene, time.monotonic() + TRIES, set(), {}
+        scene, deadline, known, started = self._scene, time.monotonic() + OBEYS, set(), {}
         before = {robot: scene.topic(0, f"/{robot}/cmd_vel") for robot in scene.names}
         for each in commanders:
             self._history.add("must obey", kind=each.kind, robot=each.robot)
