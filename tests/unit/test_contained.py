@@ -1,5 +1,6 @@
 """What runs in a child with limits: whatever it does, the program goes on with a sentence about it."""
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -81,8 +82,12 @@ def start_hostile(folder, lines):
 
 def running(folder):
     """Return the ids of the processes that ``start_hostile`` has started for this folder."""
-    return [each.parent.name for each in Path("/proc").glob("[0-9]*/cmdline")
-            if each.exists() and each.read_bytes().endswith(b"\0%b\0" % os.fsencode(folder))]
+    ids = []
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):  # it has just ended
+            if (process / "cmdline").read_bytes().endswith(b"\0%b\0" % os.fsencode(folder)):
+                ids.append(process.name)
+    return ids
 
 
 BOMB = """
