@@ -1,5 +1,6 @@
 """A ROS master, robots on fake buses and a cockpit, all of them real processes that end with the test."""
 
+import json
 import os
 import re
 import signal
@@ -173,9 +174,9 @@ class World:
         assert self.start(program("jetbot_tools", "emergency_stop.py")).wait(START_TIMEOUT) == 0
 
     def publish_status(self, name: str, status: str) -> subprocess.Popen:
-        """Start a node that publishes a controller's status in this namespace, as a controller, and nothing else."""
-        return self.publish(f"/{name}/jetbot_controller/status", "std_msgs/String", status,
-                            f"__ns:=/{name}", "__name:=jetbot_controller")
+        """Start a node that publishes a controller's state in this namespace, as a controller, and nothing else."""
+        return self.publish(f"/{name}/jetbot_controller/state", "diagnostic_msgs/DiagnosticStatus",
+                            json.dumps({"message": status}), f"__ns:=/{name}", "__name:=jetbot_controller")
 
     def publish(self, topic: str, kind: str, message: str, *remappings: str) -> subprocess.Popen:
         """Start a node that publishes one message, latched, for as long as it lives."""

@@ -11,18 +11,21 @@ from jetbot_cockpit_server.session.control import Control
 from jetbot_cockpit_server.session.protocol import Message
 from jetbot_cockpit_server.session.rights import Client, DeadMan
 from jetbot_cockpit_server.session.snapshot import Robot, Snapshot
+from jetbot_ros.state import RobotState
 
 ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")
 OWN = Client(4, "pupil 4", "pupil", "/blue")
 STOPPED = (0, 0)
 WORKSHOP = (2.0, 1.0)
+DRIVES = RobotState("driving", "driving")
+STANDS = RobotState("stopped", "stopped: the command is zero", "zero")
 
 
 class FakeRobots:
     """Robots as their snapshot says, which a test replaces."""
 
     def __init__(self):
-        self.now = Snapshot({name: Robot(name, geometry=WORKSHOP, simulated=True, status="driving")
+        self.now = Snapshot({name: Robot(name, geometry=WORKSHOP, simulated=True, state=DRIVES)
                              for name in ("/red", "/blue")})
         self.were_reset, self.reports, self.offered, self.judged = [], [], (), []
 

@@ -1,11 +1,12 @@
 """Who drives, stops, takes and puts back which robot, with robots and a clock that are turned by hand."""
 
 import pytest
-from cockpit_control import ADA, BOB, OWN, STOPPED, TEACHER, FakeRobots
+from cockpit_control import ADA, BOB, DRIVES, OWN, STANDS, STOPPED, TEACHER, FakeRobots
 
 from jetbot_cockpit_server.session.protocol import Message
 from jetbot_cockpit_server.session.rights import Client, DeadMan
 from jetbot_cockpit_server.session.snapshot import Robot, Snapshot, Task
+from jetbot_ros.state import UNKNOWN
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
 
@@ -167,24 +168,24 @@ def commanded(driven):
     """Red, which Ada has left while a program commands it, with 3.2 s to go."""
     driven.lift(ADA)
     driven.drivers.resume = 3.2
-    driven.robots.change("/red", status="stopped: the command is zero, /circle waits for the cockpit")
+    driven.robots.change("/red", state=STANDS._replace(waiting=("/circle",)))
     driven.wait(0.05)
     return driven
 
 
 def test_the_seconds_until_a_program_drives_on_are_counted_where_one_waits(commanded):
     assert resumes(commanded) == 4
-    for status in "stopped: the command is zero", "driving, /circle waits for the cockpit":
-        commanded.robots.change("/red", status=status)
+    for state in STANDS, DRIVES._replace(waiting=("/circle",)):
+        commanded.robots.change("/red", state=state)
         commanded.wait(0.05)
         assert resumes(commanded) is None
 
 
-@pytest.mark.parametrize("status", ["stopped: the command is zero, /circle waits for the cockpit", "driving"])
+@pytest.mark.parametrize("state", [STANDS._replace(waiting=("/circle",)), DRIVES], ids=["waits", "drives"])
 @pytest.mark.parametrize("message, held", [(Message("take", "/red"), "robot"), (Message("stop"), "programs"),
                                            (Message("stop", "/red"), "programs")])
-def test_a_teachers_take_or_stop_keeps_programs_waiting_until_a_teacher_says_go_on(commanded, message, held, status):
-    commanded.robots.change("/red", status=status)
+def test_a_teachers_take_or_stop_keeps_programs_waiting_until_a_teacher_says_go_on(commanded, message, held, state):
+    commanded.robots.change("/red", state=state)
     commanded.do(TEACHER, message)
     commanded.do(TEACHER, Message("release", message.robot))
     commanded.control.leave(TEACHER.id)
@@ -194,7 +195,7 @@ def test_a_teachers_take_or_stop_keeps_programs_waiting_until_a_teacher_says_go_
         commanded.wait(10)
     assert resumes(commanded) == held and "/red" in commanded.drivers.waiting
     assert commanded.do(ADA, Message("go_on", "/red"))["text"] == "Only a teacher lets robots go on."
-    commanded.robots.change("/red", status="stopped: the command is zero, /circle waits for the cockpit")
+    commanded.robots.change("/red", state=STANDS._replace(waiting=("/circle",)))
     commanded.wait(0.05)
     assert commanded.do(SECOND_TEACHER, Message("go_on", message.robot)) is None
     assert (resumes(commanded), commanded.drivers.waiting) == (4, set())
@@ -321,7 +322,7 @@ def test_a_stop_that_is_not_a_pupils_alone_is_released_by_a_teacher(driven, stop
 
 def test_a_stop_from_before_the_cockpit_stays_a_teachers_though_a_pupil_stops_before_the_robots_have_reported(driven):
     reported = driven.robots.now.robots
-    for known in {}, {name: robot._replace(status="") for name, robot in reported.items()}:
+    for known in {}, {name: robot._replace(state=UNKNOWN) for name, robot in reported.items()}:
         driven.robots.now = driven.robots.now._replace(robots=known)
         driven.wait(0.05)
         driven.do(ADA, Message("stop"))

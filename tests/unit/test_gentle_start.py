@@ -10,7 +10,7 @@ from jetbot.fake.motors import STOPPED
 from jetbot_control_node.control.ramp import MAX_STEP, Ramp
 from jetbot_control_node.control.state import Sender
 from jetbot_control_node.control.supervisor import Supervisor
-from jetbot_ros.holds import EMERGENCY_STOP, SUSPENDED
+from jetbot_ros.state import EMERGENCY_STOP, SUSPENDED
 
 PUPIL = Sender("/pupil", latched=True)
 RESOLUTION = 1 / 128  # of the coarsest board, SparkFun's

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from jetbot_control_node.control.state import MANUAL_PRIORITY, STOPPED, Sender, State
-from jetbot_ros.holds import EMERGENCY_STOP, OWN_EMERGENCY_STOP
+from jetbot_ros.state import EMERGENCY_STOP, OWN_EMERGENCY_STOP
 
 COCKPIT, SCENARIO = Sender("/jetbot_cockpit", manual=True, number=1), Sender("/jetbot_motion_control", number=2)
 BY_HAND, MOTION = (0.2, -0.3), (0.5, 0.1)
@@ -37,8 +37,8 @@ def test_a_person_who_drives_on_during_an_emergency_stop_keeps_the_priority():
 
 def test_the_two_emergency_stops_hold_the_robot_each():
     both = EMERGENCY.hold(OWN_EMERGENCY_STOP, True)
-    assert both.reason == "stopped: emergency stop"
+    assert both.cause.code == EMERGENCY_STOP
     own = both.hold(EMERGENCY_STOP, False)
-    assert own.reason == "stopped: its own emergency stop"
+    assert own.cause.code == OWN_EMERGENCY_STOP
     assert own.command(*BY_HAND, COCKPIT, now=1).velocity == STOPPED
     assert own.hold(OWN_EMERGENCY_STOP, False).command(*BY_HAND, COCKPIT, now=1).velocity == BY_HAND

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from jetbot_control_node.control.state import ANSWER_TIMEOUT, STOPPED, Sender, State
-from jetbot_ros.holds import EMERGENCY_STOP, NO_MASTER
+from jetbot_ros.state import EMERGENCY_STOP, NO_MASTER, sentence
 
 GO = (0.5, 0.1)
 PUPIL, IDLE = Sender("/pupil", number=1), Sender("/idle", number=2)
@@ -51,7 +51,7 @@ TIMED_OUT = "stopped: no command for 1.0 s (repeat it: rostopic pub -r 10)"
     (NO_MASTER_EITHER.hold(NO_MASTER, False).command(*GO, PUPIL, now=1), STOPPED, "stopped: emergency stop", True),
     *NOT_FINITE])
 def test_what_may_be_driven_and_why(state, velocity, reason, alarm):
-    assert (state.velocity, state.reason, state.alarm) == (velocity, reason, alarm)
+    assert (state.velocity, sentence(state.cause), state.alarm) == (velocity, reason, alarm)
 
 
 def test_a_release_without_a_hold_changes_nothing():

@@ -6,7 +6,7 @@ from hypothesis import settings, strategies
 from hypothesis.stateful import Bundle, RuleBasedStateMachine, consumes, initialize, invariant, rule
 
 from jetbot_control_node.control.state import ANSWER_TIMEOUT, MANUAL_PRIORITY, STOPPED, Sender, State
-from jetbot_ros.holds import HOLDS
+from jetbot_ros.state import HOLDS
 
 SPEEDS = strategies.sampled_from([0.0, 0.1, -0.5, math.nan, math.inf])
 
@@ -93,7 +93,7 @@ class Decision(RuleBasedStateMachine):
     def drives_what_the_living_program_commands_and_nothing_else(self):
         assert self.state.velocity == (self.command_obeyed if self.obeyed else STOPPED)
         assert set(self.state.holds) == self.holds
-        assert self.state.driving == (self.state.reason == "driving")
+        assert self.state.driving == (not self.state.cause)
         assert self.state.deadline > self.now or not self.state.driving
 
 

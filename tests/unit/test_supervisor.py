@@ -19,7 +19,7 @@ from jetbot_control_node.control.state import Sender
 from jetbot_control_node.control.supervisor import Supervisor
 from jetbot_control_node.status.status_line import StatusLine
 from jetbot_control_node.status.warnings import TOO_SLOW, disturbances
-from jetbot_ros.holds import EMERGENCY_STOP
+from jetbot_ros.state import EMERGENCY_STOP
 
 PUPIL = Sender("/pupil")
 

@@ -15,8 +15,10 @@ from jetbot_control_node.status.warnings import (
     Lasting,
     rivals_note,
     too_slow_note,
+    waiting_programs,
     waiting_remark,
 )
+from jetbot_ros.state import EMERGENCY_STOP, because
 
 NONE = {"resets": 0, "overwritten": 0, "faults": 0}
 COCKPIT = Sender("/jetbot_cockpit", manual=True)
@@ -54,14 +56,14 @@ def test_of_many_programs_two_are_named(supervisor):
 
 def test_who_waits_while_a_person_drives(supervisor):
     command(supervisor, "/circle")
-    assert waiting_remark(supervisor, now=0.0) is None
+    assert waiting_programs(supervisor, now=0.0) == []
     supervisor.commands.record(COCKPIT, now=0.0)
     supervisor.state = supervisor.state.command(0.0, 0.0, COCKPIT, now=0.0)
-    assert waiting_remark(supervisor, now=0.1) == "/circle waits for the cockpit"
+    assert waiting_remark(waiting_programs(supervisor, now=0.1)) == "/circle waits for the cockpit"
     assert rivals_note(supervisor, now=0.1) is None
     command(supervisor, "/square", now=0.1)
-    assert waiting_remark(supervisor, now=0.2) == "/circle and /square wait for the cockpit"
-    assert waiting_remark(supervisor, now=RECENT + 0.1) is None
+    assert waiting_remark(waiting_programs(supervisor, now=0.2)) == "/circle and /square wait for the cockpit"
+    assert waiting_programs(supervisor, now=RECENT + 0.1) == []
 
 
 @pytest.mark.parametrize("counts, note", [
@@ -95,16 +97,17 @@ def test_a_condition_is_reported_while_it_has_lasted():
     assert lasting.note("slow", now=LASTING + 0.1) is None
 
 
-NOTED = Status("driving", notes=("both wheels at full power",), remark="/circle waits for the cockpit")
+NOTED = Status(None, notes=("both wheels at full power",), waiting=("/circle",))
 
 
 @pytest.mark.parametrize("status, text, warning", [
-    (Status("driving"), "driving", False),
+    (Status(None), "driving", False),
     (NOTED, "driving, both wheels at full power, /circle waits for the cockpit", True),
     (NOTED._replace(notes=()), "driving, /circle waits for the cockpit", False),
-    (NOTED._replace(reason="stopped: no command", alarm=True), "stopped: no command, /circle waits for the cockpit",
-     True),
-    (NOTED._replace(reason="stopped: emergency stop", alarm=True, held=True), "stopped: emergency stop", True)])
+    (NOTED._replace(cause=because("nobody"), alarm=True),
+     "stopped: nobody is left to send commands, /circle waits for the cockpit", True),
+    (NOTED._replace(cause=because(EMERGENCY_STOP), alarm=True, holds=(EMERGENCY_STOP,)), "stopped: emergency stop",
+     True)])
 def test_a_status_has_notes_and_a_remark_where_they_matter(status, text, warning):
     assert (status.text, status.warning) == (text, warning)
 

@@ -10,7 +10,7 @@ from jetbot import JetbotError
 from jetbot_control_node.control import watch
 from jetbot_control_node.control.state import STOPPED, State
 from jetbot_control_node.control.watch import ASK_INTERVAL, POLL_INTERVAL, LauncherWatch, MasterWatch, repeat
-from jetbot_ros.holds import NO_MASTER, SUSPENDED
+from jetbot_ros.state import NO_MASTER, SUSPENDED
 
 
 class Master:

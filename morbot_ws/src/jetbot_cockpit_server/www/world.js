@@ -4,12 +4,11 @@ import { prepareShapes } from "./drawing.js";
 
 const TRAIL_STEP = 0.03; // m between two points, as in history.py
 const TRAIL_LENGTH = 500; // points
-const HELD = /emergency stop|trying again/; // what a robot says once it has heard of a stop, or cannot hear
-const WAITING = /for the cockpit/; // what it says of programs that wait
+const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // causes: it has heard of a stop, or cannot
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
 
 const UNKNOWN = {
-  status: "", warning: false, answers: true, stopped: false,
+  status: "", state: "", cause: "", holds: [], waiting: [], warning: false, answers: true, stopped: false,
   pose: null, speed: null, command: null, wheels: null, program: "",
   driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null,
 };
@@ -137,32 +136,32 @@ export class World {
 
   // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
   summarize(id) {
-    const { status, warning, answers, stopped } = this.state(id);
+    const { status, state, cause, warning, answers, stopped } = this.state(id);
     const label = this.robot(id)?.label ?? "The robot";
     if (!answers) return { text: status || `${label} does not answer: look after its node.`, level: "warning" };
     if (this.emergency && this.mustWait) return { text: "Your teacher stopped all robots.", level: "stopped" };
     if (this.emergency || stopped) {
-      return { text: HELD.test(status) ? status : "stopped: emergency stop", level: "stopped" };
+      return { text: STOPS.includes(cause) ? status : "stopped: emergency stop", level: "stopped" };
     }
     if (this.isTaken(id)) {
       return { text: `Your teacher has taken ${label}. Wait until a teacher presses Go on.`, level: "stopped" };
     }
-    const level = warning ? "warning" : status.startsWith("stopped") ? "waiting" : "driving";
+    const level = warning ? "warning" : state === "driving" ? "driving" : "waiting";
     return { text: status || "waiting for its status", level };
   }
 
   // Returns who drives the robot, or "" if nobody does.
   nameDriver(id) {
-    const { driver, program, status, answers } = this.state(id);
+    const { driver, program, state, answers } = this.state(id);
     if (driver) return this.isMine(id) ? "You drive it" : `${driver.name} drives it`;
-    return answers && status.startsWith("driving") ? `${program || "A program"} drives` : "";
+    return answers && state === "driving" ? `${program || "A program"} drives` : "";
   }
 
   // Returns what waits until a teacher presses Go on, or "".
   nameWaiting(id) {
-    const { held, status } = this.state(id);
+    const { held, waiting } = this.state(id);
     if (held === TAKEN) return "Pupils and programs wait";
-    return held && WAITING.test(status) ? "The program waits" : "";
+    return held && waiting.length ? "The program waits" : "";
   }
 
   // Returns who drives the robot or will do so by itself, and what this page's person can do.

@@ -74,12 +74,12 @@ def stop(engaged: bool) -> int:
     if not fleet.wait(CONFIRM_TIMEOUT):
         fleet.remove_dead()
     unconfirmed = fleet.unconfirmed()
-    for name, status in sorted(fleet.statuses.items()):
-        print(printable(f"{name}: {status or 'no answer'}{' (not confirmed)' if name in unconfirmed else ''}"))
-    if unconfirmed or not fleet.statuses:
+    for name, state in sorted(fleet.states.items()):
+        print(printable(f"{name}: {state.sentence or 'no answer'}{' (not confirmed)' if name in unconfirmed else ''}"))
+    if unconfirmed or not fleet.states:
         print(f"{'Not every robot confirms' if unconfirmed else f'No robot runs on the ROS master at {master_uri()}'}. "
               f"{SWITCH} Then repeat this.")
-    code = 0 if fleet.statuses and not unconfirmed else 1
+    code = 0 if fleet.states and not unconfirmed else 1
     sys.stdout.flush()
     after(SHUTDOWN_TIMEOUT, lambda: os._exit(code))
     fleet.leave()

@@ -5,14 +5,14 @@ from functools import partial
 from typing import Callable, Dict, List, Optional, Tuple
 
 import rospy
-from diagnostic_msgs.msg import DiagnosticArray
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Twist
-from std_msgs.msg import String
 
 from jetbot import fake
 from jetbot.boards import BOARDS
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
+from jetbot_ros.state import DRIVING, EMERGENCY_STOP, OWN_EMERGENCY_STOP, RobotState, read
 from jetbot_tools.terminal import YES_OR_NO, choose
 
 from . import Problem
@@ -130,7 +130,7 @@ def check_wheels_turn(namespace: str = "") -> Problem:
     init_node()
     motors = motor_diagnostics(namespace)
     wheels = fake_wheels(motors)
-    if wait_until(lambda: status(namespace).startswith("driving") and not (wheels and wheels() == STOPPED),
+    if wait_until(lambda: state_of(namespace).state == DRIVING and not (wheels and wheels() == STOPPED),
                   RESPONSE_TIMEOUT):
         return None
     return f"The wheels do not turn{_reason(namespace, motors)}"
@@ -155,18 +155,18 @@ def fake_wheels(motors: Dict[str, str]) -> Optional[Wheels]:
     return partial(wheel_speeds, folder, motors["board"], motors.get("address")) if folder else None
 
 
-def status(namespace: str = "") -> str:
-    """Return the controller's status text; raise ROSException if none arrives."""
-    return rospy.wait_for_message(f"{namespace}/jetbot_controller/status", String, REPORT_TIMEOUT).data
+def state_of(namespace: str = "") -> RobotState:
+    """Return the robot's state; raise ROSException if none arrives."""
+    return read(rospy.wait_for_message(f"{namespace}/jetbot_controller/state", DiagnosticStatus, REPORT_TIMEOUT))
 
 
 def _reason(namespace: str, motors: Dict[str, str]) -> str:
-    """Return the end of a sentence: the status that the controller reports, and what to do about it."""
-    text, settings = status(namespace), motors.get("settings", "")
-    if "emergency" in text:
+    """Return the end of a sentence: the state that the controller reports, and what to do about it."""
+    state, settings = state_of(namespace), motors.get("settings", "")
+    if {EMERGENCY_STOP, OWN_EMERGENCY_STOP} & {*state.holds}:
         cure = "; release it with rostopic pub -1 /emergency_stop std_msgs/Bool false"
     elif "from" in settings:
         cure = f"; it has {settings}: start it without that file"
     else:
-        cure = "; was it started with a parameter such as invert_left?" if text.startswith("driving") else ""
-    return f", and the controller reports {text!r}{cure}"
+        cure = "; was it started with a parameter such as invert_left?" if state.state == DRIVING else ""
+    return f", and the controller reports {state.sentence!r}{cure}"

@@ -3,13 +3,14 @@
 from typing import Dict, List
 
 import rospy
-from std_msgs.msg import Bool, String
+from diagnostic_msgs.msg import DiagnosticStatus
+from std_msgs.msg import Bool
 
 from jetbot.wait import wait_until
 from jetbot_ros import rospy_repairs
 from jetbot_ros.announcer import Announcer
-from jetbot_ros.holds import EMERGENCY_STOP
 from jetbot_ros.master import address_of, is_reachable, system_state
+from jetbot_ros.state import EMERGENCY_STOP, UNKNOWN, RobotState, read
 
 TOPIC = "/emergency_stop"
 ASK_INTERVAL = 0.05  # s between two questions to the master
@@ -26,7 +27,7 @@ class Fleet:
         self._publisher.publish(engaged)
         self._announcer = Announcer(self._publisher)
         self._listeners = 0
-        self.statuses: Dict[str, str] = {}  # of each robot's node, "" until it arrives
+        self.states: Dict[str, RobotState] = {}  # of each robot's node, UNKNOWN until it arrives
 
     def wait(self, timeout: float) -> bool:
         """Return whether there are robots, and all confirm the emergency stop, or its release, within so many s.
@@ -38,16 +39,16 @@ class Fleet:
                           timeout, ASK_INTERVAL)
 
     def unconfirmed(self) -> List[str]:
-        """Return the nodes whose status is not the wanted one, or is not known."""
-        return [name for name, status in self.statuses.items()
-                if not status or status.startswith(f"stopped: {EMERGENCY_STOP.reason}") != self._engaged]
+        """Return the nodes whose state is not the wanted one, or is not known."""
+        return [name for name, state in self.states.items()
+                if state is UNKNOWN or (state.cause == EMERGENCY_STOP) != self._engaged]
 
     def remove_dead(self) -> None:
         """Remove the silent nodes that have ended, and are only still registered with the master."""
-        for name in [name for name, status in self.statuses.items() if not status]:
+        for name in [name for name, state in self.states.items() if state is UNKNOWN]:
             uri = address_of(name)
             if not uri or not is_reachable(uri):
-                del self.statuses[name]
+                del self.states[name]
 
     def _has_reached_all(self):
         return sum(bool(each.stat_num_msg) for each in self._publisher.impl.connections) >= self._listeners
@@ -57,15 +58,15 @@ class Fleet:
         rospy.signal_shutdown("done")
 
     def _find_robots(self):
-        """Tell who listens of the stop, and subscribe to the status of new robots; return all statuses."""
+        """Tell who listens of the stop, and subscribe to the state of new robots; return all."""
         publishers, subscribers, _ = graph = system_state()
         self._announcer.announce(graph)
         self._listeners = len(subscribers.get(TOPIC, ()))
         for name in subscribers.get(TOPIC, ()):
-            if name in publishers.get(f"{name}/status", ()) and name not in self.statuses:
-                self.statuses[name] = ""
-                rospy.Subscriber(f"{name}/status", String, self._record, name)
-        return self.statuses
+            if name in publishers.get(f"{name}/status", ()) and name not in self.states:
+                self.states[name] = UNKNOWN
+                rospy.Subscriber(f"{name}/state", DiagnosticStatus, self._record, name)
+        return self.states
 
     def _record(self, message, name):
-        self.statuses[name] = message.data
+        self.states[name] = read(message)

@@ -8,9 +8,9 @@ from typing import Dict, Iterable, Optional, Set, Tuple
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 
-from jetbot_ros.holds import EMERGENCY_STOP
 from jetbot_ros.links import Links
 from jetbot_ros.master import NO_ANSWER
+from jetbot_ros.state import EMERGENCY_STOP
 
 from ..parameters import MAX_ROBOTS
 from ..session.snapshot import Snapshot
@@ -20,7 +20,7 @@ from .topics import CONTROLLER, SIMULATOR_RESET, EmergencyStop, RobotTopics
 
 POLL_INTERVAL = 1.0   # s between two questions to the master
 MASTER_TIMEOUT = 4.0  # s without an answer until the master counts as gone
-STATUS = re.compile(rf"(?=.{{1,100}}$)((?:/[A-Za-z]\w*)*){CONTROLLER}/status", re.ASCII)
+STATE = re.compile(rf"(?=.{{1,100}}$)((?:/[A-Za-z]\w*)*){CONTROLLER}/state", re.ASCII)
 STOP_TOPIC = "/emergency_stop"  # of all robots
 
 
@@ -112,5 +112,5 @@ class Robots:
 
 
 def names_of(topics: Iterable[str]) -> Set[str]:
-    """Return the namespaces in which a jetbot_controller's status is among these topics."""
-    return {match[1] or "/" for match in filter(None, map(STATUS.fullmatch, topics))}
+    """Return the namespaces in which a jetbot_controller's state is among these topics."""
+    return {match[1] or "/" for match in filter(None, map(STATE.fullmatch, topics))}

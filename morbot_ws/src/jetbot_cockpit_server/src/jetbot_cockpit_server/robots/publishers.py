@@ -10,7 +10,7 @@ from typing import Dict, Optional, Tuple
 import rospy
 from geometry_msgs.msg import Twist
 
-from jetbot_ros.holds import MANUAL_PRIORITY
+from jetbot_ros.state import MANUAL_PRIORITY
 
 from ..session.rights import DeadMan
 

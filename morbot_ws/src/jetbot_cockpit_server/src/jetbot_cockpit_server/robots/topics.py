@@ -9,15 +9,15 @@ from typing import Callable, Optional
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from nav_msgs.msg import Odometry
-from std_msgs.msg import Bool, Float32MultiArray, String
+from std_msgs.msg import Bool, Float32MultiArray
 from std_srvs.srv import Empty
 
 from jetbot.kinematics import Pose
 from jetbot.text import printable
 from jetbot_ros.announcer import Announcer
 from jetbot_ros.colors import color_of
-from jetbot_ros.holds import OWN_EMERGENCY_STOP, Hold
 from jetbot_ros.links import Graph
+from jetbot_ros.state import OWN_EMERGENCY_STOP, UNKNOWN, read
 
 from ..session.snapshot import Robot, label
 from .map_topics import Drawing, Frames
@@ -28,7 +28,6 @@ SIMULATOR_RESET = "/jetbot_simulator/reset"
 ANSWER_TIMEOUT = 3.0  # s; a controller publishes diagnostics every second
 MOTION_TIMEOUT = 2.0  # s after which a speed that nobody repeats is not shown
 ATTENTION = 5.0       # s for which the line is followed after a program has asked for it
-MAX_STATUS = 300      # characters
 IN_FLIGHT = 0.3       # s that a message of another program may take
 
 
@@ -93,7 +92,7 @@ class RobotTopics:
         self.name, self.simulated = name, False
         self._base, self._frames = name.rstrip("/"), frames
         self._color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name.rpartition("/")[2]))
-        self._active_at, self._status, self._level, self._geometry = time.monotonic(), "", 0, None
+        self._active_at, self._state, self._level, self._geometry = time.monotonic(), UNKNOWN, 0, None
         self._repeats = False  # whether it publishes something every second; an unknown controller may not
         self._program = ""
         self._wheels = None, None  # command, duties
@@ -105,10 +104,10 @@ class RobotTopics:
         self._reported = "", ""  # who drives, and what has interrupted that
         self._driver = rospy.Publisher(f"{self._base}/driver", DiagnosticStatus, queue_size=10, latch=True)
         self.emergency_stop = EmergencyStop(f"{self._base}{CONTROLLER}/emergency_stop", graph)
-        self._status_subscriber = rospy.Subscriber(f"{self._base}{CONTROLLER}/status", String, self._on_status)
+        self._state_subscriber = rospy.Subscriber(f"{self._base}{CONTROLLER}/state", DiagnosticStatus, self._on_state)
         self._task_subscriber = rospy.Subscriber(f"{self._base}/task", DiagnosticStatus, self._on_task, queue_size=1)
         self._subscribers = [
-            self._status_subscriber, self._task_subscriber, *(drawing.subscriber for drawing in self._drawings),
+            self._state_subscriber, self._task_subscriber, *(drawing.subscriber for drawing in self._drawings),
             rospy.Subscriber(f"{self._base}{CONTROLLER}/wheels", Float32MultiArray, self._on_wheels, queue_size=1),
             rospy.Subscriber(f"{self._base}/odom", Odometry, self._on_odom, queue_size=1)]
 
@@ -122,11 +121,11 @@ class RobotTopics:
     @property
     def connected(self) -> bool:
         """Whether its controller's process lives, as far as the connection shows."""
-        return self._status_subscriber.get_num_connections() > 0
+        return self._state_subscriber.get_num_connections() > 0
 
-    def is_held_by(self, hold: Hold) -> bool:
+    def is_held_by(self, hold: str) -> bool:
         """Return whether its controller says that this keeps it stopped."""
-        return self._status.startswith(f"stopped: {hold.reason}")
+        return hold in self._state.holds
 
     def diagnose(self, status: DiagnosticStatus) -> None:
         """Take what the controller publishes on /diagnostics."""
@@ -137,17 +136,18 @@ class RobotTopics:
 
     def snapshot(self, now: float, master: bool) -> Robot:
         """Return what is known of the robot now. master: whether the ROS master answers; else diagnostics are late."""
-        ended = self._status and not self.connected
-        silent = now - self._active_at > ANSWER_TIMEOUT and (self._repeats or not self._status)
+        ended = self._state is not UNKNOWN and not self.connected
+        silent = now - self._active_at > ANSWER_TIMEOUT and (self._repeats or self._state is UNKNOWN)
         answers = not (ended or master and silent)
-        status = self._status if answers else f"{label(self.name)} does not answer. Restart it, or resume it with fg."
+        state = self._state if answers else UNKNOWN._replace(
+            sentence=f"{label(self.name)} does not answer. Restart it, or resume it with fg.")
         stopped = self.emergency_stop.engaged or self.is_held_by(OWN_EMERGENCY_STOP)
         pose, speed = self._pose_and_speed(now)
         command, wheels = self._wheels if answers else (None, None)
         shapes = tuple(shape for drawing in self._drawings for shape in drawing.shapes())
         task = self._tracker.current(self._task_subscriber.get_num_connections() > 0, now)
         return Robot(
-            self.name, color=self._color, geometry=self._geometry, simulated=self.simulated, status=status,
+            self.name, color=self._color, geometry=self._geometry, simulated=self.simulated, state=state,
             warning=self._level > 0, answers=answers, stopped=stopped, pose=pose, speed=speed, command=command,
             wheels=wheels, program=self._program, shapes=shapes, task=task)
 
@@ -188,8 +188,8 @@ class RobotTopics:
         except (rospy.ServiceException, rospy.ROSException, OSError) as error:
             rospy.logwarn(f"{label(self.name)} was not put back: {printable(error)}")
 
-    def _on_status(self, message):
-        self._active_at, self._status = time.monotonic(), printable(message.data)[:MAX_STATUS]
+    def _on_state(self, message):
+        self._active_at, self._state = time.monotonic(), read(message)
 
     def _on_wheels(self, message):
         self._active_at, self._repeats = time.monotonic(), True

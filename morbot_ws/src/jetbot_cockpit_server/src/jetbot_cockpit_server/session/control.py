@@ -98,10 +98,10 @@ class Control:
 
     def state(self) -> dict:
         """Return the message "state"."""
-        states = {name: robot.state(self._describe_driver(name), self._seconds_until_programs(robot),
-                                    self._holds[name], self._history.task(robot),
-                                    self._drivers.stalls(name, self._checked_at), self._collection.state(name),
-                                    self._programs.changed(name))
+        states = {name: robot.message(self._describe_driver(name), self._seconds_until_programs(robot),
+                                      self._holds[name], self._history.task(robot),
+                                      self._drivers.stalls(name, self._checked_at), self._collection.state(name),
+                                      self._programs.changed(name))
                   for name, robot in self.snapshot.robots.items()}
         return {"type": "state", "emergency": self.snapshot.emergency,
                 "pupils_release": self._stop_rights.pupils_release, "robots": states}

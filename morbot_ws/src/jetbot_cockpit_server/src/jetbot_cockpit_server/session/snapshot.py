@@ -3,7 +3,7 @@
 from typing import Dict, FrozenSet, List, NamedTuple, Optional, Tuple
 
 from jetbot.text import enumeration
-from jetbot_ros.holds import WAITING
+from jetbot_ros.state import UNKNOWN, RobotState
 
 WORKSHOP = 2.0, 1.0  # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
 MAX_LABEL = 40  # characters
@@ -38,7 +38,7 @@ class Robot(NamedTuple):
     """A robot at one moment; what is not known is None.
 
     id: its namespace; geometry: (wheel_separation in m, max_speed in m/s) of its commands; simulated: whether it can
-    be put back to its start; status: in its controller's words; stopped: by its own emergency stop;
+    be put back to its start; state: its controller's; stopped: by its own emergency stop;
     pose: (x, y in m, yaw in rad) on the map; speed: the measured one, and command: the driven one, each in m/s and
     rad/s; wheels: the duties (left, right) in [-1, 1]; program: whose command it drives, "" if that is the cockpit's;
     shapes: what is drawn around it; task: which one it drives.
@@ -48,7 +48,7 @@ class Robot(NamedTuple):
     color: str = "#888888"
     geometry: Optional[Tuple[float, float]] = None
     simulated: bool = False
-    status: str = ""
+    state: RobotState = UNKNOWN
     warning: bool = False
     answers: bool = True
     stopped: bool = False
@@ -75,7 +75,7 @@ class Robot(NamedTuple):
     @property
     def programs_wait(self) -> bool:
         """Whether it is stopped, and ignores what programs command, because of a person."""
-        return self.status.startswith("stopped: ") and WAITING in self.status
+        return bool(self.state.cause and self.state.waiting)
 
     def velocity(self, forward: float, left: float) -> Tuple[float, float]:
         """Return the command (m/s, rad/s) of a pad; full deflection turns the wheels at full power."""
@@ -89,11 +89,13 @@ class Robot(NamedTuple):
                 "workshop": self.geometry and self.geometry == WORKSHOP,
                 "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated}
 
-    def state(self, driver: Optional[dict], resumes: Optional[int], held: Optional[str], task: Optional[Task],
+    def message(self, driver: Optional[dict], resumes: Optional[int], held: Optional[str], task: Optional[Task],
               stalls: int, pictures: Optional[dict], programs: int) -> dict:
         """Return its entry of the message "state"; docs/protocol.md explains it."""
-        fields = "status", "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
-        return {**{name: getattr(self, name) for name in fields}, "driver": driver,
+        fields = "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
+        state = self.state
+        return {"status": state.sentence, "state": state.state, "cause": state.cause, "holds": state.holds,
+                "waiting": state.waiting, **{name: getattr(self, name) for name in fields}, "driver": driver,
                 "resumes": resumes, "held": held, "stalls": stalls, "task": task and task._asdict(),
                 "pictures": pictures, "programs": programs}
 
@@ -126,7 +128,7 @@ class Snapshot(NamedTuple):
     def may_be_stopped(self, robot: Optional[str]) -> bool:
         """Return whether that stop is engaged, or not known yet, as just after this node's start."""
         robots = [self.robots[robot]] if robot else self.robots.values()
-        return self.is_stopped(robot) or not robots or not all(each.status for each in robots)
+        return self.is_stopped(robot) or not robots or any(each.state is UNKNOWN for each in robots)
 
     def is_stopped_here(self, robot: Optional[str]) -> bool:
         """Return whether that stop may be engaged, and by no other program."""

@@ -3,7 +3,7 @@
 import rospy
 from std_msgs.msg import Bool
 
-from jetbot_ros.holds import EMERGENCY_STOP, OWN_EMERGENCY_STOP, Hold
+from jetbot_ros.state import EMERGENCY_STOP, OWN_EMERGENCY_STOP
 
 from .commanders import Commanders
 from .supervisor import Supervisor
@@ -14,7 +14,7 @@ TOPICS = {"/emergency_stop": EMERGENCY_STOP, "~emergency_stop": OWN_EMERGENCY_ST
 class EmergencyStop:
     """Holds the robot from a true on the topic until the next false."""
 
-    def __init__(self, topic: str, hold: Hold, supervisor: Supervisor):
+    def __init__(self, topic: str, hold: str, supervisor: Supervisor):
         self._hold, self._supervisor = hold, supervisor
         self._commanders = Commanders(topic)
         rospy.Subscriber(topic, Bool, self._callback, queue_size=1, tcp_nodelay=True)

@@ -3,7 +3,7 @@
 import math
 from typing import Dict, List, NamedTuple, Optional, Set, Tuple
 
-from jetbot_ros.holds import HOLDS, MANUAL_PRIORITY, Hold
+from jetbot_ros.state import HOLDS, MANUAL_PRIORITY, Cause, because
 
 STOPPED = (0.0, 0.0)
 ANSWER_TIMEOUT = 1.0  # s that a program whose command is held may leave unanswered whether it still runs
@@ -28,7 +28,7 @@ class Sender(NamedTuple):
 
 
 class State(NamedTuple):
-    """The ``velocity`` that may be driven now, and the reason. Immutable: each event returns the state that follows it.
+    """The ``velocity`` that may be driven now, or the cause why none. Immutable: each event returns the next state.
 
     timeout: seconds without a command after which the robot stops; 0 holds the last command.
     velocity: (linear in m/s, angular in rad/s), always finite; alarm: whether something other than a command stopped
@@ -43,9 +43,9 @@ class State(NamedTuple):
 
     timeout: float
     velocity: Tuple[float, float] = STOPPED
-    reason: str = "stopped: no command yet"
+    cause: Optional[Cause] = because("no_command_yet")
     alarm: bool = False
-    holds: Tuple[Hold, ...] = ()
+    holds: Tuple[str, ...] = ()
     commanded_at: Optional[float] = None
     sender: Optional[Sender] = None
     confirmed_at: Optional[float] = None
@@ -81,33 +81,32 @@ class State(NamedTuple):
             return self._refuse(sender)
         if not sender.manual and self.is_manual(now):
             return self
-        velocity, reason, alarm = self._obey(linear, angular)
-        return self._replace(velocity=velocity, reason=reason, alarm=alarm, commanded_at=now, sender=sender,
+        velocity, cause, alarm = self._obey(linear, angular)
+        return self._replace(velocity=velocity, cause=cause, alarm=alarm, commanded_at=now, sender=sender,
                              confirmed_at=now, manual_at=now if sender.manual else self.manual_at)
 
     def _obey(self, linear, angular):
-        """Return velocity, reason and alarm of a command."""
+        """Return velocity, cause and alarm of a command."""
         if self.holds:
-            return self.velocity, self.reason, self.alarm
+            return self.velocity, self.cause, self.alarm
         if not (math.isfinite(linear) and math.isfinite(angular)):
-            return STOPPED, "stopped: command was not finite", True
+            return STOPPED, because("not_finite"), True
         velocity = round(linear, 9), round(angular, 9)  # 0.1 + 0.2 - 0.3 is zero
         if velocity == STOPPED:
-            return STOPPED, "stopped: the command is zero", False
-        return velocity, "driving", False
+            return STOPPED, because("zero"), False
+        return velocity, None, False
 
     def _refuse(self, sender):
         if self.driving or self.holds:
             return self
-        return self._stop(f"the command of {sender.name} is from before, repeat it")
+        return self._stop(because("old_command", program=sender.name))
 
-    def hold(self, hold: Hold, engaged: bool) -> "State":
+    def hold(self, hold: str, engaged: bool) -> "State":
         """Something that keeps the robot stopped has begun (True) or ended (False)."""
         if engaged == (hold in self.holds):
             return self
-        holds = tuple(each for each in HOLDS if (engaged if each is hold else each in self.holds))
-        cause = holds[0].reason if holds else f"no command since {hold.released}"
-        return self._stop(cause)._replace(holds=holds)
+        holds = tuple(each for each in HOLDS if (engaged if each == hold else each in self.holds))
+        return self._stop(because(holds[0] if holds else f"{hold}_released"))._replace(holds=holds)
 
     def confirm(self, sender: Optional[Sender], asked_at: float) -> "State":
         """This program has answered a question that was asked at ``asked_at``."""
@@ -120,17 +119,17 @@ class State(NamedTuple):
         state = self._replace(ended=(*self.ended[1 - MAX_ENDED:], sender.number))
         if not self.driving or self.sender.number != sender.number:
             return state
-        return state._stop(f"{sender.name} has ended" if others else "nobody is left to send commands")
+        return state._stop(because("program_ended", program=sender.name) if others else because("nobody"))
 
     def check_timeout(self, now: float) -> "State":
         """Some time has passed."""
         if now < self.deadline:
             return self
-        return self._stop(f"{self.sender.name} does not answer" if self.must_answer else
-                          f"no command for {self.timeout:.1f} s (repeat it: rostopic pub -r 10)")
+        return self._stop(because("program_silent", program=self.sender.name) if self.must_answer else
+                          because("no_command", seconds=f"{self.timeout:.1f}"))
 
-    def _stop(self, cause: str) -> "State":
-        return self._replace(velocity=STOPPED, reason=f"stopped: {cause}", alarm=True)
+    def _stop(self, cause: Cause) -> "State":
+        return self._replace(velocity=STOPPED, cause=cause, alarm=True)
 
 
 class CommandLog:

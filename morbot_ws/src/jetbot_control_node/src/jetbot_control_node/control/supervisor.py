@@ -10,7 +10,6 @@ from typing import Callable, List, NamedTuple, Optional, Tuple
 from jetbot import BusError, JetbotError
 from jetbot.robot import Robot
 from jetbot.wait import wait_until
-from jetbot_ros.holds import Hold
 
 from .ramp import STEP_INTERVAL, Ramp
 from .state import STOPPED, CommandLog, Sender, State
@@ -77,8 +76,8 @@ class Supervisor:
             self.state = self.state.command(linear, angular, sender, now)
         self._step_at_once()
 
-    def hold(self, hold: Hold, engaged: bool) -> None:
-        """Keep the robot stopped, whatever is commanded (True), or end that (False)."""
+    def hold(self, hold: str, engaged: bool) -> None:
+        """Keep the robot stopped, whatever is commanded (True), or end that (False). hold: one of HOLDS."""
         with self._lock:
             self.state = self.state.hold(hold, engaged)
         self._wake()
@@ -200,7 +199,7 @@ class Supervisor:
     def _show(self, step, anyway=True):
         """Show a step to the watchers, if it differs from the last one."""
         last, self._step = self._step, step
-        if anyway or (step.duties, step.velocity, step.fault, step.state.reason) != (
-                last.duties, last.velocity, last.fault, last.state.reason):
+        if anyway or (step.duties, step.velocity, step.fault, step.state.cause) != (
+                last.duties, last.velocity, last.fault, last.state.cause):
             for watch in self.watchers:
                 watch(step)

@@ -8,9 +8,9 @@ from typing import Callable
 
 from jetbot import JetbotError
 from jetbot_ros import failures
-from jetbot_ros.holds import NO_MASTER, SUSPENDED, Hold
 from jetbot_ros.launcher import Launcher
 from jetbot_ros.master import NO_ANSWER
+from jetbot_ros.state import NO_MASTER, SUSPENDED
 
 from .supervisor import Step, Supervisor
 
@@ -71,7 +71,7 @@ def start(supervisor: Supervisor, heal: Callable[[Callable[[], None]], bool]) ->
     threading.Thread(target=repeat, args=[supervisor, MasterWatch(supervisor, heal).ask], daemon=True).start()
 
 
-def set_hold(supervisor: Supervisor, hold: Hold, engaged: bool) -> None:
+def set_hold(supervisor: Supervisor, hold: str, engaged: bool) -> None:
     """Engage or release a hold; do not wake the supervisor if nothing changes."""
     if engaged != (hold in supervisor.state.holds):
         supervisor.hold(hold, engaged)

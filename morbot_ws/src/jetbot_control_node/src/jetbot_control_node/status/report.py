@@ -1,4 +1,4 @@
-"""Publishes the latched status and /diagnostics, and logs."""
+"""Publishes the latched status and state, and /diagnostics, and logs."""
 
 import contextlib
 import math
@@ -7,11 +7,12 @@ import time
 from typing import Dict
 
 import rospy
-from diagnostic_msgs.msg import DiagnosticStatus
+from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from diagnostic_updater import Updater
 from std_msgs.msg import String
 
 from jetbot.wait import wait_until
+from jetbot_ros.state import ENDED, RobotState, because
 
 from ..control.supervisor import Supervisor
 from .status_line import Status, StatusLine
@@ -24,13 +25,15 @@ REPEAT_LOG = 1.0            # s before the same line is logged again
 
 
 class Report:
-    """Publishes the status of a supervisor at once; ``spin`` logs it in the main thread, which may wait."""
+    """Publishes a supervisor's status and state at once; ``spin`` logs it in the main thread, which may wait."""
 
     def __init__(self, parameters: Dict[str, object], supervisor: Supervisor, supply: SupplyWatch):
         driver = supervisor.robot.driver
         self._summary, self._start_warnings = summary(parameters, driver), start_warnings(parameters, driver)
         self._supervisor, self._supply, self._suffix = supervisor, supply, status_suffix(driver)
         self._status_publisher = rospy.Publisher("~status", String, latch=True, queue_size=1)
+        self._state_publisher = rospy.Publisher("~state", DiagnosticStatus, latch=True, queue_size=1)
+        self._published = ""
         self._changes = queue.Queue(maxsize=10)
         name = rospy.get_namespace().strip("/")
         self._prefix = f"{name}: " if name else ""
@@ -42,21 +45,28 @@ class Report:
         supervisor.watchers.append(self._line)
 
     def _change(self, status: Status):
-        self._publish(status.text)
+        self._publish(status.data, self._level(status))
         with contextlib.suppress(queue.Full):  # the terminal blocks the main thread, which then logs the latest only
             self._changes.put_nowait(status)
 
     def end(self) -> None:
         """Publish the last status, and end ``spin``."""
         self._ended = True
-        self._publish("stopped: the controller has ended")
+        self._publish(RobotState(ENDED, str(because(ENDED)), ENDED), DiagnosticStatus.OK)
         # rospy sends from other threads, and its shutdown, which follows, would drop what they have not sent
-        wait_until(lambda: not any(each._queue for each in self._status_publisher.impl.connections), SEND_TIMEOUT)
+        connections = [*self._status_publisher.impl.connections, *self._state_publisher.impl.connections]
+        wait_until(lambda: not any(each._queue for each in connections), SEND_TIMEOUT)
         with contextlib.suppress(queue.Full):
             self._changes.put_nowait(None)
 
-    def _publish(self, text):
-        self._status_publisher.publish(text + self._suffix)
+    def _publish(self, state, level):
+        text, values = state.sentence + self._suffix, state._replace(bus=self._summary["bus"]).values()
+        self._state_publisher.publish(DiagnosticStatus(
+            level, f"{rospy.get_name()[1:]}: state", text, self._summary["bus"],
+            [KeyValue(*item) for item in values.items()]))
+        if text != self._published:
+            self._published = text
+            self._status_publisher.publish(text)
 
     def spin(self) -> None:
         """Log and publish diagnostics until the node ends."""
@@ -92,12 +102,16 @@ class Report:
         return result
 
     def _diagnosis(self, status):
-        """Return the level and the message of /diagnostics, which a status reports only for a while."""
+        """Return the level and the message of /diagnostics: also of what a status reports only for a while."""
         lasting = self._supply.warning
-        level = (DiagnosticStatus.ERROR if status.fault else
-                 DiagnosticStatus.WARN if status.warning or lasting else DiagnosticStatus.OK)
+        level = max(self._level(status), DiagnosticStatus.WARN if lasting else DiagnosticStatus.OK)
         addition = f", {lasting}" if lasting and lasting not in status.text else ""
         return level, status.text + addition + self._suffix
+
+    @staticmethod
+    def _level(status):
+        return (DiagnosticStatus.ERROR if status.fault else
+                DiagnosticStatus.WARN if status.warning else DiagnosticStatus.OK)
 
     def _counts(self):
         now, state, driver = time.monotonic(), self._supervisor.state, self._supervisor.robot.driver

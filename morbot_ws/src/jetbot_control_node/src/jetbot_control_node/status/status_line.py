@@ -3,7 +3,8 @@
 import math
 from typing import Callable, List, NamedTuple, Optional, Tuple
 
-from jetbot import JetbotError
+from jetbot import BusError, JetbotError
+from jetbot_ros.state import DRIVING, STOPPED, Cause, RobotState, because, sentence
 
 from ..control.supervisor import Step, Supervisor
 from .warnings import (
@@ -13,6 +14,7 @@ from .warnings import (
     full_power_note,
     rivals_note,
     too_slow_note,
+    waiting_programs,
     waiting_remark,
 )
 
@@ -20,24 +22,38 @@ LOOK_INTERVAL = 0.2  # s between two looks at the warnings while nothing else ch
 
 
 class Status(NamedTuple):
-    """reason, alarm: of the State; held: whether a hold keeps it stopped; fault: why the robot cannot be driven.
+    """cause, alarm, holds: of the State; fault: why the robot cannot be driven; notes: sentences, each a warning.
 
-    notes: what else there is, with a warning; remark: the same, without one.
+    commanded_by: the program whose command counts, or ""; waiting: those that wait while a person drives.
     """
 
-    reason: str
+    cause: Optional[Cause]
     alarm: bool = False
-    held: bool = False
+    holds: Tuple[str, ...] = ()
     fault: Optional[JetbotError] = None
     notes: Tuple[str, ...] = ()
-    remark: Optional[str] = None
+    commanded_by: str = ""
+    waiting: Tuple[str, ...] = ()
 
     @property
     def text(self) -> str:
         if self.fault:
-            return f"stopped: {self.fault.reason}, trying again"
-        remarks = [self.remark] if self.remark and not self.held else []
-        return ", ".join([self.reason, *(() if self.alarm else self.notes), *remarks])
+            return sentence(self._why)
+        remarks = [waiting_remark(self.waiting)] if self.waiting and not self.holds else []
+        return ", ".join([sentence(self.cause), *(() if self.alarm else self.notes), *remarks])
+
+    @property
+    def data(self) -> RobotState:
+        """The same for programs, but for the bus."""
+        cause = self._why
+        return RobotState(STOPPED if cause else DRIVING, self.text, cause.code if cause else "",
+                          dict(cause.arguments) if cause else {}, self.holds, self.commanded_by, self.waiting)
+
+    @property
+    def _why(self) -> Optional[Cause]:
+        if not self.fault:
+            return self.cause
+        return because("board" if isinstance(self.fault, BusError) else "guard", problem=self.fault.reason)
 
     @property
     def warning(self) -> bool:
@@ -46,7 +62,7 @@ class Status(NamedTuple):
 
 
 class StatusLine:
-    """The ``status`` of a supervisor, which it watches. on_change: called with each that reads differently.
+    """The ``status`` of a supervisor, which it watches. on_change: called with each whose ``data`` differs.
 
     supply_note: returns what there is to say about the supply at a time, or None.
     """
@@ -55,18 +71,21 @@ class StatusLine:
                  supply_note: Callable[[float], Optional[str]] = lambda now: None):
         self._supervisor, self._on_change, self._supply_note = supervisor, on_change, supply_note
         self._disturbances, self._too_slow = Disturbances(), Lasting()
-        self.status = Status(supervisor.state.reason)
-        self._text, self._made_of, self._looked_at = None, None, -math.inf
+        self.status = Status(supervisor.state.cause)
+        self._data, self._made_of, self._looked_at = None, None, -math.inf
 
     def __call__(self, step: Step) -> None:
-        made_of = step.state.reason, step.fault
+        made_of = step.state.cause, step.fault
         if made_of == self._made_of and step.at - self._looked_at < LOOK_INTERVAL:
             return
         self._made_of, self._looked_at = made_of, step.at
-        self.status = status = Status(step.state.reason, step.state.alarm, bool(step.state.holds), step.fault,
-                                      tuple(self._notes(step)), waiting_remark(self._supervisor, step.at))
-        if status.text != self._text:
-            self._text = status.text
+        state = step.state
+        self.status = status = Status(
+            state.cause, state.alarm, state.holds, step.fault, tuple(self._notes(step)),
+            state.sender.name if state.sender else "", tuple(waiting_programs(self._supervisor, step.at)))
+        data = status.data
+        if data != self._data:
+            self._data = data
             self._on_change(status)
 
     def _notes(self, step) -> List[str]:

@@ -4,7 +4,6 @@ from typing import Dict, List, Optional, Sequence
 
 from jetbot.robot import Robot
 from jetbot.text import enumeration
-from jetbot_ros.holds import WAITING
 
 from ..control.supervisor import Supervisor
 
@@ -29,10 +28,14 @@ def rivals_note(supervisor: Supervisor, now: float) -> Optional[str]:
     return f"{len(rivals)} programs command it: {listed(rivals)}"
 
 
-def waiting_remark(supervisor: Supervisor, now: float) -> Optional[str]:
-    """Return a sentence if programs send commands while only manual ones count. Nobody need look at that."""
-    waiting = supervisor.commands.waiting(now) if supervisor.state.is_manual(now) else []
-    return f"{listed(waiting)} {'wait' if len(waiting) > 1 else 'waits'} {WAITING}" if waiting else None
+def waiting_programs(supervisor: Supervisor, now: float) -> List[str]:
+    """Return the names of the programs whose commands are ignored while only manual ones count."""
+    return supervisor.commands.waiting(now) if supervisor.state.is_manual(now) else []
+
+
+def waiting_remark(names: Sequence[str]) -> str:
+    """Return that these programs wait while only manual commands count. Nobody need look at that."""
+    return f"{listed(names)} {'wait' if len(names) > 1 else 'waits'} for the cockpit"
 
 
 def full_power_note(robot: Robot) -> Optional[str]:
@@ -87,8 +90,8 @@ class Disturbances:
                 if counts[name] >= threshold and now - self._seen_at[name] < NOTE_FOR]
 
 
-def listed(names: List[str]) -> str:
+def listed(names: Sequence[str]) -> str:
     """Return the names in one phrase, the first few of many."""
     if len(names) > MAX_NAMES:
-        names = names[:MAX_NAMES - 1] + [f"{len(names) - MAX_NAMES + 1} more"]
+        names = [*names[:MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
     return enumeration(names)

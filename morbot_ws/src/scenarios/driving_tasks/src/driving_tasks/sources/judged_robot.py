@@ -17,8 +17,8 @@ from visualization_msgs.msg import MarkerArray
 
 from jetbot import InvalidValue
 from jetbot.text import enumeration, printable
-from jetbot_ros.holds import EMERGENCY_STOP, HOLDS, OWN_EMERGENCY_STOP
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
+from jetbot_ros.state import EMERGENCY_STOP, ENDED, HOLDS, OWN_EMERGENCY_STOP, UNKNOWN, read
 
 from ..report.marks import changed
 from ..scoring.power import Power
@@ -31,10 +31,8 @@ COCKPIT = "jetbot_cockpit"
 STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
-MAX_STATUS = 200      # characters of a status that are shown
+MAX_MESSAGE = 200     # characters of what interrupts a drive
 MAX_NAME = 20         # characters of a person's name, as the page allows
-EMERGENCY = tuple(f"stopped: {hold.reason}" for hold in (EMERGENCY_STOP, OWN_EMERGENCY_STOP))
-HELD = tuple(f"stopped: {reason}" for reason in (*(hold.reason for hold in HOLDS), "the controller has ended"))
 
 
 def choose_robots(names: Sequence[str], running: Sequence[str]) -> List[str]:
@@ -87,14 +85,14 @@ class JudgedRobot:
         self._arrived, self._silent_polls, self._moved_at, self._time = deque(), 0, 0.0, 0.0
         self._interruptions, self._power = deque(), Power()
         self._readers = Readers(namespace) if by_camera else None
-        self._status, self._worlds, self._known_worlds = "", 0, 0
+        self._state, self._worlds, self._known_worlds = UNKNOWN, 0, 0
         self.body = "an unknown body"  # until the simulator has said how it differs
         simulator = f"{namespace}/jetbot_simulator"
         self.truth_topic, self.command_topic = f"{simulator}/ground_truth", f"{namespace}/cmd_vel"
         self.body_topic = f"{simulator}/body"
         self._world = rospy.Publisher(f"{simulator}/world", String, queue_size=1, latch=True)
         self._reset = rospy.ServiceProxy(f"{simulator}/reset", Empty)
-        self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/status", String, self._on_status)
+        self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/state", DiagnosticStatus, self._on_state)
         self._simulator = ""  # the node that puts the robot to its start, once it runs
         rospy.Subscriber(f"{namespace}/world", MarkerArray, self._of_simulator(self._on_world))
         rospy.Subscriber(f"{namespace}/jetbot_controller/wheels", Float32MultiArray, self._on_wheels)
@@ -113,8 +111,8 @@ class JudgedRobot:
                 self._simulator = system_state()[2].get(f"{self.namespace}/jetbot_simulator/reset", [""])[0]
         return node == self._simulator
 
-    def _on_status(self, message):
-        self._status = message.data[:MAX_STATUS]
+    def _on_state(self, message):
+        self._state = read(message)
 
     def _on_driver(self, message):
         if sender(message).rpartition("/")[2] != COCKPIT:
@@ -122,7 +120,7 @@ class JudgedRobot:
         names = [printable(pair.value)[:MAX_NAME] for pair in message.values if pair.key == "name"]
         self.driver = "".join(names[:1])
         if message.message:
-            self._interruptions.append(printable(message.message)[:MAX_STATUS])
+            self._interruptions.append(printable(message.message)[:MAX_MESSAGE])
 
     def _on_body(self, message):
         self.body = message.data
@@ -183,12 +181,12 @@ class JudgedRobot:
                     "roslaunch simulation simulation.launch")
         if self._truth.get_num_connections() > 1:
             return f"Another program than the simulator publishes {self.truth_topic}. End it."
-        if self._status and not self.is_controlled:
+        if self._state is not UNKNOWN and not self.is_controlled:
             return "The controller has ended. Start it again: rosrun jetbot_control_node jetbot_controller.py"
-        if self._status.startswith(EMERGENCY):
-            return f"The robot is {printable(self._status)}. Release it: ./morbot stop --release"
-        if self._status.startswith(HELD):
-            return f"The robot is {printable(self._status)}."
+        if self._state.cause in (EMERGENCY_STOP, OWN_EMERGENCY_STOP):
+            return f"The robot is {self._state.sentence}. Release it: ./morbot stop --release"
+        if self._state.cause in (*HOLDS, ENDED):
+            return f"The robot is {self._state.sentence}."
         if self._readers and self._readers.are_blind and not self.has_stopped:
             return "No program looks at the camera, with which this task is driven."
         return self._readers.problem if self._readers else ""

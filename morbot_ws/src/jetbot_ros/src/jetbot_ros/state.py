@@ -1,0 +1,92 @@
+"""A robot's state as data: what its controller publishes as ``~state``, and programs read. No ROS here."""
+
+from typing import Dict, Mapping, NamedTuple, Optional, Tuple
+
+from jetbot.text import printable
+
+MANUAL_PRIORITY = 5.0  # s after a command of the cockpit in which those of other programs are ignored
+MAX_LENGTH = 300       # characters of a value that are read
+
+DRIVING, STOPPED, ENDED = "driving", "stopped", "ended"
+
+# What keeps a robot stopped, whatever is commanded, in the order in which they are reported
+HOLDS = EMERGENCY_STOP, OWN_EMERGENCY_STOP, NO_MASTER, SUSPENDED = (
+    "emergency_stop", "own_emergency_stop", "no_master", "suspended")
+
+CAUSES = {  # why a robot is stopped: a code for programs, and how its status words it
+    EMERGENCY_STOP: "emergency stop",
+    OWN_EMERGENCY_STOP: "its own emergency stop",
+    NO_MASTER: "no ROS master, so no emergency stop could arrive",
+    SUSPENDED: "its terminal is suspended (Ctrl-Z); fg resumes it",
+    "emergency_stop_released": "no command since the emergency stop was released",
+    "own_emergency_stop_released": "no command since its own emergency stop was released",
+    "no_master_released": "no command since the ROS master is back",
+    "suspended_released": "no command since its terminal was resumed",
+    "no_command_yet": "no command yet",
+    "zero": "the command is zero",
+    "not_finite": "command was not finite",
+    "no_command": "no command for {seconds} s (repeat it: rostopic pub -r 10)",
+    "old_command": "the command of {program} is from before, repeat it",
+    "program_ended": "{program} has ended",
+    "nobody": "nobody is left to send commands",
+    "program_silent": "{program} does not answer",
+    "board": "{problem}, trying again",
+    "guard": "{problem}, trying again",
+    ENDED: "the controller has ended",
+}
+
+
+class Cause(NamedTuple):
+    """Why a robot is stopped: a code of CAUSES, and what its sentence names, by their names. See ``because``."""
+
+    code: str
+    arguments: Tuple[Tuple[str, str], ...] = ()
+
+    def __str__(self) -> str:
+        return f"stopped: {CAUSES[self.code].format(**dict(self.arguments))}"
+
+
+def because(code: str, **arguments: str) -> Cause:
+    """Return a Cause."""
+    return Cause(code, tuple(arguments.items()))
+
+
+class RobotState(NamedTuple):
+    """What a robot does and why.
+
+    state: DRIVING, STOPPED or ENDED, "" if it is not known; sentence: the same, for people; cause: a code of CAUSES, ""
+    while it drives; arguments: what the cause names; holds: those of HOLDS that are engaged; commanded_by: the node
+    whose command counts, or ""; waiting: the nodes whose commands are ignored while a person drives; bus: its board's
+    bus or port.
+    """
+
+    state: str = ""
+    sentence: str = ""
+    cause: str = ""
+    arguments: Mapping[str, str] = {}
+    holds: Tuple[str, ...] = ()
+    commanded_by: str = ""
+    waiting: Tuple[str, ...] = ()
+    bus: str = ""
+
+    def values(self) -> Dict[str, str]:
+        """Return the values of the message, whose text is the sentence."""
+        return {"state": self.state, "cause": self.cause, **self.arguments, "holds": " ".join(self.holds),
+                "commanded_by": self.commanded_by, "waiting": " ".join(self.waiting), "bus": self.bus}
+
+
+UNKNOWN = RobotState()
+
+
+def read(message) -> RobotState:
+    """Return what a message of ``~state`` (diagnostic_msgs/DiagnosticStatus) says."""
+    values = {item.key: printable(item.value)[:MAX_LENGTH] for item in message.values}
+    state, cause, holds, commanded_by, waiting, bus = (
+        values.pop(key, "") for key in ("state", "cause", "holds", "commanded_by", "waiting", "bus"))
+    return RobotState(state, printable(message.message)[:MAX_LENGTH], cause, values, tuple(holds.split()),
+                      commanded_by, tuple(waiting.split()), bus)
+
+
+def sentence(cause: Optional[Cause]) -> str:
+    """Return what a robot does, for people. cause: why it is stopped, or None while it drives."""
+    return str(cause) if cause else DRIVING
