@@ -34,7 +34,7 @@ def test_everything_fits_the_screen_and_the_finger(page, pupil):
 
 def test_a_teacher_sees_a_class_on_one_screen_each_status_to_its_end_and_all_robots_on_the_map(page):
     page.resize(*DESKTOP, touch=False)
-    page.receive_class(status="stopped: no command for 1.0 s, on a fake bus")
+    page.receive_class(status="stopped: no command for 1.0 s", fake=True)
     page.wait_for_text("fleet", "15 robots")
     assert page.outside("#fleet li", "#fleet-list") == []
     assert page.cut("#fleet .why") == []

@@ -53,7 +53,7 @@ def is_as_wanted(robot: dict, action: str) -> bool:
     """Return whether a robot of the message "state" is stopped; or is not, and no program waits; or is judged."""
     if action == "judge":
         return bool(robot["task"]) and (robot["task"]["name"], robot["task"]["state"]) == (TASK, "ready")
-    stopped = robot["status"].startswith("stopped: emergency stop")
+    stopped = "emergency_stop" in robot["holds"]
     return stopped if action == "stop" else not (stopped or action == "go_on" and robot["held"])
 
 

@@ -16,11 +16,13 @@ from jetbot_lessons import graph, motion
 from jetbot_lessons.lessons import LAST
 from jetbot_lessons.motion import check_command
 from jetbot_ros import processes
+from jetbot_ros.state import RobotState
 from lesson_package import make_package
 
 SCRIPT = Path(__file__).parents[2] / "morbot_ws/src/jetbot_lessons/scripts/check_lesson.py"
 parse = runpy.run_path(str(SCRIPT))["parse"]
 FROZEN = "does not answer: continue it (after Ctrl-Z: fg), or stop it and start it with roscore"
+MOVING = RobotState("driving", "driving")
 STOP_IT = "stop it with Ctrl-C in its terminal"
 CHECK = "rosrun jetbot_lessons check_lesson.py"
 
@@ -195,17 +197,17 @@ def motors(monkeypatch, tmp_path):
     return values
 
 
-@pytest.mark.parametrize("status, settings, problem", [
-    ("driving", "", "The wheels do not turn, and the controller reports 'driving'; was it started with a parameter "
+@pytest.mark.parametrize("state, settings, problem", [
+    (MOVING, "", "The wheels do not turn, and the controller reports 'driving'; was it started with a parameter "
      "such as invert_left?"),
-    ("driving", "settings from a.yaml", "The wheels do not turn, and the controller reports 'driving'; it has settings "
+    (MOVING, "settings from a.yaml", "The wheels do not turn, and the controller reports 'driving'; it has settings "
      "from a.yaml: start it without that file"),
-    ("stopped: emergency stop", "", "The wheels do not turn, and the controller reports 'stopped: emergency stop'; "
+    (RobotState("stopped", "stopped: emergency stop", "emergency_stop"), "", "The wheels do not turn, and the controller reports 'stopped: emergency stop'; "
      "release it with rostopic pub -1 /emergency_stop std_msgs/Bool false"),
-    ("stopped: no command yet", "", "The wheels do not turn, and the controller reports 'stopped: no command yet'")])
-def test_why_the_wheels_do_not_turn(motors, monkeypatch, status, settings, problem):
+    (RobotState("stopped", "stopped: no command yet", "no_command_yet"), "", "The wheels do not turn, and the controller reports 'stopped: no command yet'")])
+def test_why_the_wheels_do_not_turn(motors, monkeypatch, state, settings, problem):
     motors["settings"] = settings
-    monkeypatch.setattr(motion, "status", lambda namespace: status)
+    monkeypatch.setattr(motion, "state_of", lambda namespace: state)
     assert motion.check_wheels_turn() == problem
 
 
@@ -217,7 +219,7 @@ def test_wheels_that_do_not_obey(motors, monkeypatch, count, problem):
     command = Twist()
     command.angular.z = -0.05
     monkeypatch.setattr(motion, "record_commands", lambda topic: [(0.0, command)] * count)
-    monkeypatch.setattr(motion, "status", lambda namespace: "driving")
+    monkeypatch.setattr(motion, "state_of", lambda namespace: MOVING)
     assert motion.check_turn().startswith(problem)
 
 

@@ -14,7 +14,7 @@ def message(sentence, values):
 
 @pytest.mark.parametrize("state", [
     UNKNOWN,
-    RobotState("driving", "driving, on a fake bus", commanded_by="/circle", bus="fake:/tmp/a b"),
+    RobotState("driving", "driving", commanded_by="/circle", bus="fake:/tmp/a b"),
     RobotState("stopped", "stopped: no command for 1.0 s", "no_command", {"seconds": "1.0"}, HOLDS[:2], "/circle",
                ("/circle", "/line"), "1")])
 def test_what_is_written_is_read(state):

@@ -29,7 +29,7 @@ class CheckLesson(RobotTest):
         self.wait_for_stop(within=1.0)
         self.assertRegex(first_problem(3), r"^The wheels do not follow your command: at x 0 and z -0\.05 they turn at "
                                            r"0\.00 and 0\.00, not 0\.05 and -0\.05, and the controller reports "
-                                           "'stopped: emergency stop, on a fake bus'; release it with ")
+                                           "'stopped: emergency stop'; release it with ")
         self.emergency_stop(False)
         os.killpg(controller.pid, signal.SIGSTOP)
         self.assertRegex(first_problem(2), "^The node /jetbot_controller was killed or hangs: start it again with ")

@@ -6,6 +6,7 @@ import socket
 import time
 
 import rospy
+from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from std_msgs.msg import Bool, String
 
 from harness import START_TIMEOUT, RobotTest, program, publishers, read
@@ -105,8 +106,10 @@ class EmergencyStop(RobotTest):
 
     def test_by_hand_a_robot_that_is_frozen_or_drives_on_is_named_and_a_dead_one_is_not(self):
         status = rospy.Publisher("~status", String, queue_size=1, latch=True)
+        state = rospy.Publisher("~state", DiagnosticStatus, queue_size=1, latch=True)
         self.record("/emergency_stop", Bool)
         status.publish("driving")
+        state.publish(DiagnosticStatus(message="driving", values=[KeyValue("state", "driving")]))
         node = self.controller()
         node.send_signal(signal.SIGSTOP)
         code, printed = self.stop_by_hand()
@@ -115,6 +118,7 @@ class EmergencyStop(RobotTest):
         node.kill()
         node.wait()
         status.unregister()
+        state.unregister()
         code, printed = self.stop_by_hand()
         self.assertEqual(code, 1)
         self.assertTrue(printed.startswith("No robot runs on the ROS master at "), printed)

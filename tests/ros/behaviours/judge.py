@@ -28,7 +28,7 @@ CHANGED = "Walls or lines around the robot were changed, so the drive does not c
 TAKEN = "The drive does not count: a teacher took the robot over."
 BY_CAMERA = "End it: in this task, programs see with the camera alone."
 BLIND = "The drive does not count. No program looks at the camera, with which this task is driven."
-RELEASE = "The robot is stopped: emergency stop, on a fake bus. Release it: ./morbot stop --release"
+RELEASE = "The robot is stopped: emergency stop. Release it: ./morbot stop --release"
 EXACT_JUDGE = """
 import runpy, sys
 from driving_tasks.sources import live

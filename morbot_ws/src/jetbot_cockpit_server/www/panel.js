@@ -30,7 +30,11 @@ export function showStatus(world, problem) {
 }
 
 function currentStatus(world, id) {
-  if (world.robot(id)) return world.summarize(id);
+  if (world.robot(id)) {
+    const { status, fake } = world.state(id);
+    const { text, level } = world.summarize(id);
+    return { text: fake && text === status ? `${text}, on a fake bus` : text, level };
+  }
   const own = world.me.robot ?? id;
   const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one.";
   return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };

@@ -4,7 +4,6 @@ import { visible } from "./colors.js";
 import { create, element, onPress, setText } from "./dom.js";
 
 const MANY_STALLS = 2; // per minute: one alone may be a tablet that was switched off
-const FAKE = /, on a fake (bus|port)$/; // is true for each robot of a class
 
 export class Choice {
   // changed(): another robot was chosen
@@ -90,7 +89,7 @@ export class Fleet {
     const { text, level } = this.world.summarize(id);
     const { stopped, stalls: count } = this.world.state(id);
     setText(driver, this.world.nameDriver(id) || this.world.nameWaiting(id));
-    setText(status, text.replace(FAKE, ""));
+    setText(status, text);
     stalls.hidden = count < MANY_STALLS;
     item.dataset.level = level;
     item.style.setProperty("--robot", visible(color));

@@ -8,7 +8,7 @@ const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // cau
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
 
 const UNKNOWN = {
-  status: "", state: "", cause: "", holds: [], waiting: [], warning: false, answers: true, stopped: false,
+  status: "", state: "", cause: "", holds: [], waiting: [], fake: false, warning: false, answers: true, stopped: false,
   pose: null, speed: null, command: null, wheels: null, program: "",
   driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null,
 };

@@ -2,6 +2,7 @@
 
 from typing import Dict, FrozenSet, List, NamedTuple, Optional, Tuple
 
+from jetbot.fake import folder_of
 from jetbot.text import enumeration
 from jetbot_ros.state import UNKNOWN, RobotState
 
@@ -95,7 +96,7 @@ class Robot(NamedTuple):
         fields = "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
         state = self.state
         return {"status": state.sentence, "state": state.state, "cause": state.cause, "holds": state.holds,
-                "waiting": state.waiting, **{name: getattr(self, name) for name in fields}, "driver": driver,
+                "waiting": state.waiting, "fake": bool(folder_of(state.bus)), **{name: getattr(self, name) for name in fields}, "driver": driver,
                 "resumes": resumes, "held": held, "stalls": stalls, "task": task and task._asdict(),
                 "pictures": pictures, "programs": programs}
 

@@ -60,10 +60,10 @@ class Report:
             self._changes.put_nowait(None)
 
     def _publish(self, state, level):
-        text, values = state.sentence + self._suffix, state._replace(bus=self._summary["bus"]).values()
+        bus, text = self._summary["bus"], state.sentence + self._suffix
+        values = [KeyValue(*item) for item in state._replace(bus=bus).values().items()]
         self._state_publisher.publish(DiagnosticStatus(
-            level, f"{rospy.get_name()[1:]}: state", text, self._summary["bus"],
-            [KeyValue(*item) for item in values.items()]))
+            level, f"{rospy.get_name()[1:]}: state", state.sentence, bus, values))
         if text != self._published:
             self._published = text
             self._status_publisher.publish(text)
