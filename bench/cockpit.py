@@ -127,6 +127,6 @@ async def measure_class(host: str, count: int, seconds: float, roslaunch: int):
 def measure(count: int, seconds: float):
     """Start a class of ``count`` robots and return what measure_class returns."""
     port = launched.free_port()
-    command = "roslaunch", "jetbot_cockpit", "class.launch", f"robots:={count}", f"port:={port}"
+    command = "roslaunch", "jetbot_class", "class.launch", f"robots:={count}", f"port:={port}"
     with launched.started(*command) as roslaunch:
         return asyncio.run(measure_class(f"localhost:{port}", count, seconds, roslaunch))

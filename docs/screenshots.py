@@ -48,7 +48,7 @@ def main() -> None:
         with launched(*ONE) as address:
             take(address, PHONE, "cockpit_phone.png")
     if "cockpit_class.png" in wanted:
-        with launched("jetbot_cockpit", "class.launch", f"robots:={CLASS}") as address, others_drive():
+        with launched("jetbot_class", "class.launch", f"robots:={CLASS}") as address, others_drive():
             take(address, DESKTOP, "cockpit_class.png", CLASS)
     if "program_tablet.png" in wanted:
         with launched(*ONE) as address:
@@ -64,7 +64,7 @@ def launched(package: str, file: str, *arguments: str) -> Iterator[str]:
     port = free_port()
     os.environ.update(ROS_MASTER_URI=f"http://localhost:{free_port()}", ROS_HOSTNAME="localhost")
     with tempfile.TemporaryDirectory() as home:
-        option = "port" if package == "jetbot_cockpit" else "cockpit_port"
+        option = "port" if package == "jetbot_class" else "cockpit_port"
         command = ["roslaunch", package, file, *arguments, f"{option}:={port}"]
         process = start(command, Path(home, "roslaunch.log"), env={**os.environ, "HOME": home, "ROS_HOME": home})
         try:

@@ -65,7 +65,7 @@ class World:
 
     def start_cockpit(self) -> None:
         """Start the cockpit, and wait until it prints the addresses with the codes of a class."""
-        self.cockpit = self.start(program("jetbot_cockpit_server", "cockpit.py"), f"_port:={self.port}", "_lan:=true",
+        self.cockpit = self.start(program("jetbot_cockpit", "cockpit.py"), f"_port:={self.port}", "_lan:=true",
                                   f"_name:={NAME}")
         self.record.watched = self.cockpit.pid
         self.wait_for(lambda: len(self.codes()) == 2, START_TIMEOUT, "the cockpit's codes")

@@ -18,7 +18,7 @@ from typing import NamedTuple
 CHAOS = Path(__file__).resolve().with_name("chaos.py")
 PACKAGES = CHAOS.parents[2] / "morbot_ws/src"
 DRIVER, NODE = "jetbot/src/jetbot", "jetbot_control_node/src/jetbot_control_node/control"
-RIGHTS = "jetbot_cockpit_server/src/jetbot_cockpit_server/session/rights.py"
+RIGHTS = "jetbot_cockpit/src/jetbot_cockpit/session/rights.py"
 MOUNT = 'mount --bind "$0" "$1" && shift && exec "$@"'
 
 

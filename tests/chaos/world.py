@@ -127,7 +127,7 @@ class Scene:
 
     def start_cockpit(self) -> None:
         others = ("_lan:=true", f"_name:={HOST}") if ISOLATED else ()  # else this computer's network would reach it
-        self.start("cockpit", "rosrun", "jetbot_cockpit_server", "cockpit.py", f"_port:={self.page_port}", *others,
+        self.start("cockpit", "rosrun", "jetbot_cockpit", "cockpit.py", f"_port:={self.page_port}", *others,
                    "_pictures:=false", f"_class:={CLASS}", f"_classes:={self.store}")
 
     def master_answers(self) -> bool:

@@ -8,12 +8,12 @@ import time
 
 import pytest
 
-from jetbot_cockpit_server.classroom.classroom import Classroom
-from jetbot_cockpit_server.session.hub import Hub
-from jetbot_cockpit_server.web.access import Access, make_grants
-from jetbot_cockpit_server.web.addresses import listen
-from jetbot_cockpit_server.web.handout import Card
-from jetbot_cockpit_server.web.server import Server
+from jetbot_cockpit.classroom.classroom import Classroom
+from jetbot_cockpit.session.hub import Hub
+from jetbot_cockpit.web.access import Access, make_grants
+from jetbot_cockpit.web.addresses import listen
+from jetbot_cockpit.web.handout import Card
+from jetbot_cockpit.web.server import Server
 from web_client import WebSocket, request
 
 WITHIN = 10.0  # s, less than hubs.GONE_AFTER

@@ -8,7 +8,7 @@ from typing import Callable, Iterator
 from jetbot.camera.jpeg import bgr8_to_jpeg
 from jetbot.kinematics import Pose
 from jetbot.wait import wait_until
-from jetbot_cockpit_server.session.collection import Collection
+from jetbot_cockpit.session.collection import Collection
 from simulation.picture import render
 from simulation.world_files import load
 

@@ -13,7 +13,7 @@ from nav_msgs.msg import Odometry
 
 from jetbot import JetbotError
 
-PROGRAM = Path(__file__).parents[2] / "morbot_ws/src/scenarios/driving_tasks/scripts/judge.py"
+PROGRAM = Path(__file__).parents[2] / "morbot_ws/src/driving_tasks/scripts/judge.py"
 TRUTH = "/jetbot_simulator/ground_truth"
 
 

@@ -9,8 +9,8 @@ import pytest
 import rospy
 
 from jetbot.wait import wait_until
-from jetbot_cockpit_server.robots import topics
-from jetbot_cockpit_server.robots.publishers import Drivers
+from jetbot_cockpit.robots import topics
+from jetbot_cockpit.robots.publishers import Drivers
 
 TIMEOUT = 5.0  # s
 

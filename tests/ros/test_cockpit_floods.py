@@ -10,8 +10,8 @@ import pytest
 
 from cockpit_server import DRIVE, FIRST_PUPIL, PING, STOP, WITHIN, Cockpit
 from jetbot.wait import wait_until
-from jetbot_cockpit_server.session import hub as hubs
-from jetbot_cockpit_server.web import server as servers
+from jetbot_cockpit.session import hub as hubs
+from jetbot_cockpit.web import server as servers
 from web_client import PING as PING_FRAME
 from web_client import TEXT, connect, head, request
 

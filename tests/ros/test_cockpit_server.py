@@ -5,7 +5,7 @@ import logging
 import pytest
 
 from cockpit_server import DRIVE, FIRST_PUPIL, STOP, TEACHER
-from jetbot_cockpit_server.session import protocol
+from jetbot_cockpit.session import protocol
 from web_client import UPGRADE, request
 
 pytest_plugins = ["cockpit_server"]  # its fixtures

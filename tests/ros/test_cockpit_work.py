@@ -9,7 +9,7 @@ import pytest
 
 from cockpit_server import FIRST_PUPIL, GRANTS, TEACHER, WITHIN, Cockpit
 from jetbot.wait import wait_until
-from jetbot_cockpit_server.web.work import WORK
+from jetbot_cockpit.web.work import WORK
 from web_client import connect, head, request
 
 ID, OTHER = "0" * 16, "1" * 16

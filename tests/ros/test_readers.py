@@ -41,7 +41,7 @@ def test_who_may_read(ask, topic, node, alive):
 
 
 @pytest.mark.parametrize("program, may", [
-    ("/ws/devel/lib/jetbot_cockpit_server/cockpit.py", True), ("/ws/src/simulation/scripts/draw_track.py", True),
+    ("/ws/devel/lib/jetbot_cockpit/cockpit.py", True), ("/ws/src/simulation/scripts/draw_track.py", True),
     ("/usr/lib/rosbag/record", True), ("/usr/bin/rviz", True), ("/ws/devel/lib/my_scenario/record", False),
     ("/ws/src/my_scenario/scripts/cockpit.py", False), ("/home/me/rviz.py", False)])
 @pytest.mark.parametrize("node", ["/record", "/red/judge", "/jetbot_cockpit", "/pupil"])

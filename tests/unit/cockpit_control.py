@@ -5,12 +5,12 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 
 import pytest
 
-from jetbot_cockpit_server.classroom.classroom import Classroom
-from jetbot_cockpit_server.session.collection import Collection
-from jetbot_cockpit_server.session.control import Control
-from jetbot_cockpit_server.session.protocol import Message
-from jetbot_cockpit_server.session.rights import Client, DeadMan
-from jetbot_cockpit_server.session.snapshot import Robot, Snapshot
+from jetbot_cockpit.classroom.classroom import Classroom
+from jetbot_cockpit.session.collection import Collection
+from jetbot_cockpit.session.control import Control
+from jetbot_cockpit.session.protocol import Message
+from jetbot_cockpit.session.rights import Client, DeadMan
+from jetbot_cockpit.session.snapshot import Robot, Snapshot
 from jetbot_ros.state import RobotState
 
 ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")

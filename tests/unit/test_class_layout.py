@@ -9,7 +9,7 @@ from jetbot.kinematics import Pose
 from simulation.world import RADIUS
 from simulation.world_files import load
 
-LAUNCH = ET.parse(PACKAGES / "jetbot_cockpit/launch/simulated_robots.launch").getroot()
+LAUNCH = ET.parse(PACKAGES / "jetbot_class/launch/simulated_robots.launch").getroot()
 EXPRESSIONS = [LAUNCH.find(f"include/arg[@name='{axis}']").get("value")[len("$(eval "):-1] for axis in "xy"]
 
 

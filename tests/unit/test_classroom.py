@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 
 from conftest import PACKAGES, PYTHONPATH
 from jetbot import InvalidValue
-from jetbot_cockpit_server.classroom import programs as rules
-from jetbot_cockpit_server.classroom.classroom import Classroom, open_classroom
-from jetbot_cockpit_server.classroom.folder import CLASS_NAME, ClassFolder, Nowhere
-from jetbot_cockpit_server.classroom.programs import Program, Programs, Refused, is_program_name
-from jetbot_cockpit_server.web.access import make_grants
+from jetbot_cockpit.classroom import programs as rules
+from jetbot_cockpit.classroom.classroom import Classroom, open_classroom
+from jetbot_cockpit.classroom.folder import CLASS_NAME, ClassFolder, Nowhere
+from jetbot_cockpit.classroom.programs import Program, Programs, Refused, is_program_name
+from jetbot_cockpit.web.access import make_grants
 
 IDS = [f"{number:016x}" for number in range(100)]
 SQUARE, CIRCLE = '{"blocks":{"square":4}}', '{"blocks":{"circle":1}}'
@@ -382,7 +382,7 @@ def test_whatever_lies_in_a_class_it_starts_and_the_terminal_shows_no_escape_seq
 
 
 def forget(*arguments, home):
-    script = PACKAGES / "jetbot_cockpit_server/scripts/forget_class.py"
+    script = PACKAGES / "jetbot_cockpit/scripts/forget_class.py"
     return subprocess.run([sys.executable, script, *arguments], capture_output=True, text=True,
                           env={**os.environ, "HOME": str(home), "PYTHONPATH": PYTHONPATH})
 

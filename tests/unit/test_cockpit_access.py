@@ -5,7 +5,7 @@ import secrets
 
 import pytest
 
-from jetbot_cockpit_server.web.access import ALPHABET, MAX_WRONG_AT_ADDRESS, Access, TooManyTries, make_grants
+from jetbot_cockpit.web.access import ALPHABET, MAX_WRONG_AT_ADDRESS, Access, TooManyTries, make_grants
 
 GRANTS = make_grants(2)
 PUPILS_ADDRESS, OTHER_ADDRESS, OWN_ADDRESS = "192.168.1.7", "192.168.1.8", "192.168.1.42"

@@ -6,10 +6,10 @@ import pytest
 from cockpit_control import FakeCameras
 from test_cockpit_hub import Control, Page
 
-from jetbot_cockpit_server.session.feed import ANSWER_TIMEOUT, MAX_TOTAL_FPS, PART, Picture
-from jetbot_cockpit_server.session.hub import PICTURE_INTERVAL, Hub, Sender
-from jetbot_cockpit_server.session.protocol import MAX_RATE
-from jetbot_cockpit_server.session.rights import PUPIL, TEACHER
+from jetbot_cockpit.session.feed import ANSWER_TIMEOUT, MAX_TOTAL_FPS, PART, Picture
+from jetbot_cockpit.session.hub import PICTURE_INTERVAL, Hub, Sender
+from jetbot_cockpit.session.protocol import MAX_RATE
+from jetbot_cockpit.session.rights import PUPIL, TEACHER
 
 
 class Looker(Page):

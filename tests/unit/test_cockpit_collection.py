@@ -8,10 +8,10 @@ import pytest
 from cockpit_control import ADA, BOB, TEACHER, Cockpit
 
 from jetbot.wait import wait_until
-from jetbot_cockpit_server.session import collection as collections
-from jetbot_cockpit_server.session.collection import Collection
-from jetbot_cockpit_server.session.feed import Picture
-from jetbot_cockpit_server.session.protocol import Message
+from jetbot_cockpit.session import collection as collections
+from jetbot_cockpit.session.collection import Collection
+from jetbot_cockpit.session.feed import Picture
+from jetbot_cockpit.session.protocol import Message
 
 WITHIN = 10.0  # s
 FREE, DELETE = Message("save", "/red", label="free"), Message("delete", "/red")

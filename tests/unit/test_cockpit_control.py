@@ -3,9 +3,9 @@
 import pytest
 from cockpit_control import ADA, BOB, DRIVES, OWN, STANDS, STOPPED, TEACHER, FakeRobots
 
-from jetbot_cockpit_server.session.protocol import Message
-from jetbot_cockpit_server.session.rights import Client, DeadMan
-from jetbot_cockpit_server.session.snapshot import Robot, Snapshot, Task
+from jetbot_cockpit.session.protocol import Message
+from jetbot_cockpit.session.rights import Client, DeadMan
+from jetbot_cockpit.session.snapshot import Robot, Snapshot, Task
 from jetbot_ros.state import UNKNOWN
 
 pytest_plugins = ["cockpit_control"]  # its fixtures

@@ -9,8 +9,8 @@ import pytest
 
 from conftest import PYTHONPATH
 from jetbot.wait import wait_until
-from jetbot_cockpit_server.web.access import make_grants
-from jetbot_cockpit_server.web.handout import Card, open_browser
+from jetbot_cockpit.web.access import make_grants
+from jetbot_cockpit.web.handout import Card, open_browser
 
 URL = "http://localhost:8080/"
 BROWSER = """#!/bin/sh
@@ -19,7 +19,7 @@ read line
 echo $(ps -o ppid= -o sid= -o pid= $$) "$@" $line >{folder}/opened
 sleep 60
 """
-OPEN = f"""import os; from jetbot_cockpit_server.web.handout import open_browser
+OPEN = f"""import os; from jetbot_cockpit.web.handout import open_browser
 open_browser({URL!r}); print(os.getsid(0))"""
 
 

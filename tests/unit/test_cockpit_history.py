@@ -2,8 +2,8 @@
 
 import pytest
 
-from jetbot_cockpit_server.session.history import JUMP, MAX_POINTS, MAX_SPEED, RESET_TIME, History
-from jetbot_cockpit_server.session.snapshot import Robot, Shape, Task
+from jetbot_cockpit.session.history import JUMP, MAX_POINTS, MAX_SPEED, RESET_TIME, History
+from jetbot_cockpit.session.snapshot import Robot, Shape, Task
 
 COURSE = Shape("course", 0.01, ((0.0, 0.0), (1.0, 0.0)))
 SCENE = {"type": "scene", "robot": "/red", "shapes": [{"kind": "course", "width": 0.01, "points": COURSE.points}]}

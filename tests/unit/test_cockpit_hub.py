@@ -5,10 +5,10 @@ import json
 import pytest
 from cockpit_control import FakeCameras
 
-from jetbot_cockpit_server.session import hub as hubs
-from jetbot_cockpit_server.session import protocol
-from jetbot_cockpit_server.session.hub import FRAME_INTERVAL, Hub, Sender
-from jetbot_cockpit_server.session.rights import PUPIL, TEACHER
+from jetbot_cockpit.session import hub as hubs
+from jetbot_cockpit.session import protocol
+from jetbot_cockpit.session.hub import FRAME_INTERVAL, Hub, Sender
+from jetbot_cockpit.session.rights import PUPIL, TEACHER
 
 STOP = '{"type": "stop"}'
 DRIVE = '{"type": "drive", "robot": "/", "forward": 1, "left": 0}'

@@ -6,8 +6,8 @@ import pytest
 
 from conftest import ROOT
 
-PAGES = pytest.importorskip("jetbot_cockpit_server.web.handlers").PAGES  # it needs Tornado
-WWW = ROOT / "morbot_ws/src/jetbot_cockpit_server/www"
+PAGES = pytest.importorskip("jetbot_cockpit.web.handlers").PAGES  # it needs Tornado
+WWW = ROOT / "morbot_ws/src/jetbot_cockpit/www"
 PAGE, PROGRAM = ((WWW / name).read_text() for name in ("index.html", "program.html"))
 PADS, PROGRAMS = (sorted(WWW.glob(names)) for names in ("*.js", "program/*.js"))
 SCRIPTS = PADS + PROGRAMS

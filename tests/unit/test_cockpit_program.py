@@ -7,13 +7,13 @@ import pytest
 from cockpit_control import ADA, BOB, STOPPED
 
 from conftest import ROOT
-from jetbot_cockpit_server.session.protocol import Message
+from jetbot_cockpit.session.protocol import Message
 
-read_files = pytest.importorskip("jetbot_cockpit_server.web.handlers").read_files  # it needs Tornado
+read_files = pytest.importorskip("jetbot_cockpit.web.handlers").read_files  # it needs Tornado
 pytest_plugins = ["cockpit_control"]  # its fixtures
 
-BLOCKLY = ROOT / "morbot_ws/src/jetbot_cockpit_server/www/vendor/blockly"
-FETCH = (ROOT / "morbot_ws/src/jetbot_cockpit_server/fetch_blockly").read_text()
+BLOCKLY = ROOT / "morbot_ws/src/jetbot_cockpit/www/vendor/blockly"
+FETCH = (ROOT / "morbot_ws/src/jetbot_cockpit/fetch_blockly").read_text()
 
 
 def test_blockly_is_as_its_checksums_say_and_nothing_else_is_there():

@@ -7,8 +7,8 @@ import pytest
 from test_docs import rows
 
 from conftest import ROOT
-from jetbot_cockpit_server.session import hub, protocol
-from jetbot_cockpit_server.session.protocol import Message, ProtocolError, parse
+from jetbot_cockpit.session import hub, protocol
+from jetbot_cockpit.session.protocol import Message, ProtocolError, parse
 
 SOCKET, _, KEPT = (ROOT / "docs/protocol.md").read_text().partition("## Programs that are kept")
 FROM_PAGE, FROM_COCKPIT = SOCKET.split("## The page sends")[1].split("## The cockpit sends")

@@ -5,10 +5,10 @@ from types import SimpleNamespace as Message
 
 import pytest
 
-from jetbot_cockpit_server.robots import reports
-from jetbot_cockpit_server.robots.reports import GONE_AFTER, SILENT_AFTER, TaskTracker, decode_task, program
-from jetbot_cockpit_server.robots.reports import decode_shapes as decode
-from jetbot_cockpit_server.session.snapshot import Shape, Task
+from jetbot_cockpit.robots import reports
+from jetbot_cockpit.robots.reports import GONE_AFTER, SILENT_AFTER, TaskTracker, decode_task, program
+from jetbot_cockpit.robots.reports import decode_shapes as decode
+from jetbot_cockpit.session.snapshot import Shape, Task
 
 VALUES = {"state": "driving", "seconds": "3.4", "title": "One metre"}
 READY, DRIVING, DONE, CANCELLED = (

@@ -3,10 +3,10 @@
 import pytest
 from cockpit_control import ADA, BOB, OWN, TEACHER, Cockpit
 
-from jetbot_cockpit_server.classroom.folder import Nowhere
-from jetbot_cockpit_server.session.history import Scores
-from jetbot_cockpit_server.session.protocol import Message
-from jetbot_cockpit_server.session.snapshot import Task
+from jetbot_cockpit.classroom.folder import Nowhere
+from jetbot_cockpit.session.history import Scores
+from jetbot_cockpit.session.protocol import Message
+from jetbot_cockpit.session.snapshot import Task
 
 OFFERED = (("metre", "One metre"), ("park", "Into the gap"))
 DONE = Task("metre", "One metre", "done", "Largest loss: too late.", 4.0, 80.0, "Ada")

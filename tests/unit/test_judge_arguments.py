@@ -46,6 +46,6 @@ def test_what_cannot_be_meant_is_one_sentence(arguments, sentence):
 def test_ctrl_c_while_a_judge_imports_prints_no_traceback(script, tmp_path):
     for first in "rospy.py", "driving_tasks.py":  # rospy's place, for where ROS is not installed
         (tmp_path / first).write_text("import signal\nsignal.raise_signal(signal.SIGINT)\n")
-    judge = subprocess.run([sys.executable, PACKAGES / "scenarios/driving_tasks/scripts" / script], capture_output=True,
+    judge = subprocess.run([sys.executable, PACKAGES / "driving_tasks/scripts" / script], capture_output=True,
                            env={**os.environ, "PYTHONPATH": str(tmp_path)}, timeout=30)
     assert (judge.stdout, judge.stderr) == (b"", b"")

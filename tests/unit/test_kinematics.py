@@ -11,7 +11,7 @@ from jetbot.kinematics import FULL_SPEED, WHEEL_RADIUS, WHEEL_SEPARATION, mix
 MEASURES = {"wheel_separation": WHEEL_SEPARATION, "wheel_diameter": 2 * WHEEL_RADIUS, "max_speed": FULL_SPEED,
             "WHEEL_SEPARATION": WHEEL_SEPARATION, "FULL_SPEED": FULL_SPEED}
 REPEATED = [("jetbot_control_node/config/si_units.yaml", 2), ("simulation/config/jetbot.yaml", 3),
-            ("jetbot_cockpit_server/www/*.js", 2)]
+            ("jetbot_cockpit/www/*.js", 2)]
 
 
 @pytest.mark.parametrize("x, z, left, right", [

@@ -9,8 +9,8 @@ import pytest
 
 from conftest import PACKAGES, ROOT
 
-ORDER = ["jetbot", "jetbot_ros", "jetbot_camera", "jetbot_cockpit_server", "jetbot_control_node", "jetbot_tools",
-         "workshop", "simulation", "driving_tasks", "jetbot_cockpit", "jetbot_lessons"]
+ORDER = ["jetbot", "jetbot_ros", "jetbot_camera", "jetbot_cockpit", "jetbot_control_node", "jetbot_tools",
+         "workshop", "simulation", "driving_tasks", "jetbot_class", "jetbot_lessons"]
 MANIFESTS = {manifest.parent.name: manifest for manifest in sorted(PACKAGES.glob("**/package.xml"))
              if ROOT / "tests" not in manifest.resolve().parents}
 FILES = [(package, file) for package, manifest in MANIFESTS.items()
@@ -20,8 +20,8 @@ MODULES = {re.sub(r"(/__init__)?\.py$", "", file.relative_to(folder).as_posix())
 ROS = r"ros|genpy|\w+_msgs$|tf2|diagnostic_updater"
 PURE = {  # modules and packages, and what they must not import
     "jetbot": ROS,
-    "jetbot_cockpit_server.session": ROS + "|tornado|socket$|time$",
-    "jetbot_cockpit_server.classroom": ROS + "|tornado|socket$|time$",
+    "jetbot_cockpit.session": ROS + "|tornado|socket$|time$",
+    "jetbot_cockpit.classroom": ROS + "|tornado|socket$|time$",
     "simulation.world": ROS,
     "simulation.picture": ROS + "|time$",
     "simulation.variation": ROS + "|time$",

@@ -12,7 +12,7 @@ from harness import START_TIMEOUT, RobotTest, end, near, program, publishers, re
 from jetbot_ros.master import system_state
 from web_client import WebSocket
 
-STOP, COCKPIT = program("jetbot_tools", "emergency_stop.py"), program("jetbot_cockpit_server", "cockpit.py")
+STOP, COCKPIT = program("jetbot_tools", "emergency_stop.py"), program("jetbot_cockpit", "cockpit.py")
 FROZEN = 4  # the master announces publishers from three threads, which wait for them
 HEAL_TIMEOUT = 10.0  # s; a second, on a quiet computer
 

@@ -12,13 +12,13 @@ from std_srvs.srv import Empty, EmptyResponse
 from tf2_msgs.msg import TFMessage
 
 from harness import CONTROLLER, START_TIMEOUT, SharedRobotTest, near, publishers
-from jetbot_cockpit_server.classroom.classroom import Classroom
-from jetbot_cockpit_server.robots.discovery import Robots
-from jetbot_cockpit_server.robots.publishers import Drivers
-from jetbot_cockpit_server.session.collection import Collection
-from jetbot_cockpit_server.session.control import Control
-from jetbot_cockpit_server.session.protocol import Message
-from jetbot_cockpit_server.session.rights import Client
+from jetbot_cockpit.classroom.classroom import Classroom
+from jetbot_cockpit.robots.discovery import Robots
+from jetbot_cockpit.robots.publishers import Drivers
+from jetbot_cockpit.session.collection import Collection
+from jetbot_cockpit.session.control import Control
+from jetbot_cockpit.session.protocol import Message
+from jetbot_cockpit.session.rights import Client
 
 ADA, TEACHER = Client(1, "Ada", "pupil"), Client(2, "teacher", "teacher")
 LET_GO, NO_ANSWER = "Let go, then drive again.", "robot does not answer."

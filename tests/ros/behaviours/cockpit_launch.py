@@ -70,7 +70,7 @@ class CockpitLaunch(RobotTest):
     def test_a_class_has_a_code_for_each_robot_and_goes_on_without_one(self):
         statuses = {name: self.record(f"{name}/jetbot_controller/status", String) for name in CLASS}
         poses = {name: self.record(f"{name}/jetbot_simulator/ground_truth", Odometry, pose_of) for name in CLASS}
-        launch = self.start("roslaunch", "jetbot_cockpit", "class.launch", "robots:=2", "lan:=true",
+        launch = self.start("roslaunch", "jetbot_class", "class.launch", "robots:=2", "lan:=true",
                             f"port:={self.port}", "class:=7", f"classes:={self.folder}", env=self.environment)
         self.wait_for(self.is_served, START_TIMEOUT, "the page")
         self.wait_for(lambda: all(statuses.values()), START_TIMEOUT, "both robots")

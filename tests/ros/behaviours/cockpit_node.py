@@ -17,7 +17,7 @@ from harness import START_TIMEOUT, RobotTest, program, publishers, read
 from jetbot.wait import wait_until
 from web_client import WebSocket
 
-COCKPIT = program("jetbot_cockpit_server", "cockpit.py")
+COCKPIT = program("jetbot_cockpit", "cockpit.py")
 FULL, RELEASED = ({"type": "drive", "robot": "/", "forward": forward, "left": 0} for forward in (1, 0))
 SEND_INTERVAL = 0.2  # s; more often, a cockpit that reads late would find too many messages at once
 

@@ -13,7 +13,7 @@ from rospkg import RosPack
 from harness import RobotTest, near, pid, twist, wheel_speeds
 
 LAUNCH, CLASS = (RosPack().get_path(package) + f"/launch/{name}.launch"
-                 for package, name in (("jetbot_control_node", "many_robots"), ("jetbot_cockpit", "class")))
+                 for package, name in (("jetbot_control_node", "many_robots"), ("jetbot_class", "class")))
 ROBOTS = 5  # bench measures 30
 START_TIMEOUT = 60.0  # s, until all work; roslaunch starts one after the other
 KILLED = "jetbot_03"

@@ -3,7 +3,7 @@
 from harness import CONTROLLER, START_TIMEOUT, RobotTest, program, read
 
 LIMITS = ("--as=30000000", "--as=60000000", "--nofile=10")
-PROGRAMS = (CONTROLLER, program("simulation", "simulator.py"), program("jetbot_cockpit_server", "cockpit.py"),
+PROGRAMS = (CONTROLLER, program("simulation", "simulator.py"), program("jetbot_cockpit", "cockpit.py"),
             program("jetbot_tools", "emergency_stop.py"))
 
 

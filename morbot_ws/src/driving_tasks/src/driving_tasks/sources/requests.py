@@ -27,7 +27,7 @@ LINGER = 2.0          # s after a result until it is not published any more, and
 
 def serve() -> None:
     """Judge until Ctrl-C. Raise JetbotError if the master ends."""
-    require_master("roslaunch jetbot_cockpit class.launch")
+    require_master("roslaunch jetbot_class class.launch")
     rospy_repairs.repair()
     rospy.init_node(NAME, argv=[], disable_signals=True)  # rospy's own handlers would ask the master
     links.stay_linked()

@@ -19,7 +19,7 @@ from jetbot import files
 from ..session.hub import BAD_FRAME, LOG_IN, Hub, Sender, Viewer
 from .access import Access, TooManyTries
 
-WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit_server", "www")
+WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit", "www")
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
          ".cur": "image/x-icon"}
 POLICY = "default-src 'self'; frame-ancestors 'none'"

@@ -5,7 +5,7 @@ import argparse
 import sys
 
 from jetbot.text import printable
-from jetbot_cockpit_server.classroom.folder import CLASS_NAME, FOLDER, Busy, forget, path_of
+from jetbot_cockpit.classroom.folder import CLASS_NAME, FOLDER, Busy, forget, path_of
 
 
 def main() -> str:

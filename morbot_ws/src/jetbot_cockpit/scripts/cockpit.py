@@ -19,18 +19,18 @@ import time
 import rospy
 
 from jetbot import JetbotError
-from jetbot_cockpit_server.classroom.classroom import open_classroom
-from jetbot_cockpit_server.parameters import PARAMETERS, resolve
-from jetbot_cockpit_server.robots.cameras import Cameras
-from jetbot_cockpit_server.robots.discovery import Robots
-from jetbot_cockpit_server.robots.publishers import Drivers
-from jetbot_cockpit_server.session.collection import Collection
-from jetbot_cockpit_server.session.control import Control
-from jetbot_cockpit_server.session.hub import Hub
-from jetbot_cockpit_server.session.snapshot import Snapshot
-from jetbot_cockpit_server.web import addresses, handout
-from jetbot_cockpit_server.web.access import Access, make_grants
-from jetbot_cockpit_server.web.server import Server
+from jetbot_cockpit.classroom.classroom import open_classroom
+from jetbot_cockpit.parameters import PARAMETERS, resolve
+from jetbot_cockpit.robots.cameras import Cameras
+from jetbot_cockpit.robots.discovery import Robots
+from jetbot_cockpit.robots.publishers import Drivers
+from jetbot_cockpit.session.collection import Collection
+from jetbot_cockpit.session.control import Control
+from jetbot_cockpit.session.hub import Hub
+from jetbot_cockpit.session.snapshot import Snapshot
+from jetbot_cockpit.web import addresses, handout
+from jetbot_cockpit.web.access import Access, make_grants
+from jetbot_cockpit.web.server import Server
 from jetbot_ros import lifecycle
 from jetbot_ros.node_parameters import fake_advice, private_parameters
 
