@@ -99,8 +99,8 @@ class Page(Chromium):
              "wheel_separation": 2.0, "max_speed": 1.0, "simulated": True} for number, robot in enumerate(ids)]})
         for robot in ids:
             self.receive({"type": "trail", "robot": robot, "points": []})  # of earlier drives
-        known = {"status": "", "state": "driving", "cause": "", "holds": [], "waiting": [], "fake": False, "warning": False,
-                 "answers": True, "stopped": False, "speed": [-0.24, -0.68],
+        known = {"status": "", "state": "driving", "cause": "", "holds": [], "waiting": [], "fake": False,
+                 "warning": False, "answers": True, "stopped": False, "speed": [-0.24, -0.68],
                  "command": [-0.4, -0.06], "wheels": [-0.46, 0.34], "program": "", "driver": None, "resumes": None,
                  "held": None, "stalls": 0, "task": None, **state}
         self.receive({"type": "state", "emergency": False, "pupils_release": False, "robots": {

@@ -23,6 +23,8 @@ SCRIPT = Path(__file__).parents[2] / "morbot_ws/src/jetbot_lessons/scripts/check
 parse = runpy.run_path(str(SCRIPT))["parse"]
 FROZEN = "does not answer: continue it (after Ctrl-Z: fg), or stop it and start it with roscore"
 MOVING = RobotState("driving", "driving")
+WAITING = RobotState("stopped", "stopped: no command yet", "no_command_yet")
+STOPPED = RobotState("stopped", "stopped: emergency stop", "emergency_stop", holds=("emergency_stop",))
 STOP_IT = "stop it with Ctrl-C in its terminal"
 CHECK = "rosrun jetbot_lessons check_lesson.py"
 
@@ -202,9 +204,9 @@ def motors(monkeypatch, tmp_path):
      "such as invert_left?"),
     (MOVING, "settings from a.yaml", "The wheels do not turn, and the controller reports 'driving'; it has settings "
      "from a.yaml: start it without that file"),
-    (RobotState("stopped", "stopped: emergency stop", "emergency_stop"), "", "The wheels do not turn, and the controller reports 'stopped: emergency stop'; "
+    (STOPPED, "", "The wheels do not turn, and the controller reports 'stopped: emergency stop'; "
      "release it with rostopic pub -1 /emergency_stop std_msgs/Bool false"),
-    (RobotState("stopped", "stopped: no command yet", "no_command_yet"), "", "The wheels do not turn, and the controller reports 'stopped: no command yet'")])
+    (WAITING, "", "The wheels do not turn, and the controller reports 'stopped: no command yet'")])
 def test_why_the_wheels_do_not_turn(motors, monkeypatch, state, settings, problem):
     motors["settings"] = settings
     monkeypatch.setattr(motion, "state_of", lambda namespace: state)

@@ -8,6 +8,7 @@ import pytest
 from jetbot_cockpit.classroom.classroom import Classroom
 from jetbot_cockpit.session.collection import Collection
 from jetbot_cockpit.session.control import Control
+from jetbot_cockpit.session.messages import problem_of
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.rights import Client, DeadMan
 from jetbot_cockpit.session.snapshot import Robot, Snapshot
@@ -111,7 +112,9 @@ class Cockpit:
         self.control.check(self.time)
 
     def do(self, client, message):
-        return self.control.handle(client, message, self.time)
+        reply = self.control.handle(client, message, self.time)
+        assert reply is None or problem_of(reply) is None
+        return reply
 
     def push(self, client, robot="/red", forward=0.5, left=0.0, seconds=0.0):
         """Hold a pad off centre for so long; return the last reply."""
@@ -130,6 +133,7 @@ class Cockpit:
         for _ in range(round(seconds / 0.05)):
             self.time += 0.05
             messages = self.control.check(self.time)
+            assert list(filter(None, map(problem_of, [*messages, self.control.state()]))) == []
         return messages
 
     def drives(self, robot="/red"):

@@ -8,6 +8,7 @@ import pytest
 from cockpit_control import ADA, BOB, TEACHER, Cockpit
 
 from jetbot.wait import wait_until
+from jetbot_cockpit.notices import say
 from jetbot_cockpit.session import collection as collections
 from jetbot_cockpit.session.collection import Collection
 from jetbot_cockpit.session.feed import Picture
@@ -47,7 +48,7 @@ def test_the_driver_keeps_pictures_with_a_count_and_deletes_them_and_nothing_els
     wait_for(cockpit.collection, free=2, blocked=1)
     assert kept(folder) == dict.fromkeys(
         ["red/free/0001.jpg", "red/free/0002.jpg", "red/blocked/0001.jpg"], b"/red")
-    assert cockpit.control.state()["robots"]["/red"]["pictures"] == {"free": 2, "blocked": 1, "problem": ""}
+    assert cockpit.control.state()["robots"]["/red"]["pictures"] == {"free": 2, "blocked": 1, "problem": None}
     (folder / "red/free/notes.txt").write_bytes(b"mine")
     assert cockpit.do(ADA, DELETE) is None
     wait_for(cockpit.collection, free=0, blocked=0)
@@ -82,7 +83,7 @@ def test_no_link_leads_out_of_the_folder(folder, tmp_path, link):
     (folder / link).symlink_to(mine.parent if link.endswith("blocked") else tmp_path / "mine")
     collection = Collection(str(folder))
     collection.delete("/red")
-    wait_for(collection, problem=f"This folder is a link: {folder}/{link}")
+    wait_for(collection, problem=say("picture_not_kept", problem="This folder is a link", file=folder / link).fields())
     collection.save("/red", "blocked", b"x")
     collection.save("/blue", "free", b"x")
     wait_for(collection, "/blue", free=1)
@@ -113,7 +114,7 @@ def test_without_a_picture_none_is_kept(cockpit, folder):
 
 
 def test_nothing_is_kept_where_that_is_switched_off():
-    assert Collection(False).save("/red", "free", b"x") == "This cockpit keeps no pictures."
+    assert Collection(False).save("/red", "free", b"x") == say("no_pictures_kept")
     assert Collection(False).state("/red") is None
 
 
@@ -150,7 +151,7 @@ def test_a_label_has_room_for_so_many(folder, monkeypatch):
     collection = Collection(str(folder))
     for _ in range(3):
         collection.save("/red", "free", b"x")
-    wait_for(collection, free=2, problem="There are 2 pictures of free already.")
+    wait_for(collection, free=2, problem=say("pictures_full", count=2, label="free").fields())
 
 
 def test_a_full_disk_gives_one_sentence_and_loses_nothing(folder, monkeypatch):
@@ -163,10 +164,11 @@ def test_a_full_disk_gives_one_sentence_and_loses_nothing(folder, monkeypatch):
     with monkeypatch.context() as full:
         full.setattr(os, "fsync", fsync)
         collection.save("/red", "free", b"y")
-        wait_for(collection, free=1, problem=f"No space left on device: {folder}/red/free/0002.jpg")
+        wait_for(collection, free=1, problem=say("picture_not_kept", problem="No space left on device",
+                                               file=folder / "red/free/0002.jpg").fields())
     assert kept(folder) == {"red/free/0001.jpg": b"x"}
     collection.save("/red", "free", b"z")
-    wait_for(collection, free=2, problem="")
+    wait_for(collection, free=2, problem=None)
 
 
 def test_a_disk_that_hangs_delays_nobody(folder, monkeypatch):
@@ -177,7 +179,7 @@ def test_a_disk_that_hangs_delays_nobody(folder, monkeypatch):
     collection.save("/red", "free", b"x")
     assert hangs.wait(WITHIN)
     answers = [collection.save("/red", "free", b"x") for _ in range(collections.MAX_WAITING + 1)]
-    assert answers == [""] * collections.MAX_WAITING + [collections.BUSY]
+    assert answers == [None] * collections.MAX_WAITING + [say("pictures_busy")]
     resumes.set()
     wait_for(collection, free=collections.MAX_WAITING + 1)
 
@@ -186,4 +188,4 @@ def test_a_folder_that_cannot_be_written_is_named(folder):
     folder.write_text("a file")
     collection = Collection(str(folder))
     collection.save("/red", "free", b"x")
-    wait_for(collection, problem=f"Not a directory: {folder}/red/free")
+    wait_for(collection, problem=say("picture_not_kept", problem="Not a directory", file=folder / "red/free").fields())

@@ -3,6 +3,7 @@
 import pytest
 from cockpit_control import ADA, BOB, DRIVES, OWN, STANDS, STOPPED, TEACHER, FakeRobots
 
+from jetbot_cockpit.notices import say
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.rights import Client, DeadMan
 from jetbot_cockpit.session.snapshot import Robot, Snapshot, Task
@@ -46,7 +47,8 @@ def test_release_stops_the_robot_and_keeps_it_for_five_seconds(driven):
 
 def test_of_two_who_want_to_drive_the_second_must_lift_and_wait(driven):
     reply = driven.push(BOB, forward=-1.0)
-    assert reply == {"type": "lift", "robot": "/red", "text": "pupil 1 drives red."}
+    assert reply == {"type": "lift", "robot": "/red", "code": "driven", "text": "pupil 1 drives red.",
+                     "arguments": {"driver": "pupil 1", "robot": "red"}}
     driven.lift(BOB)
     assert driven.drives() == (0.5, 0)
     assert driven.push(ADA) is None
@@ -207,8 +209,7 @@ def test_what_a_teacher_took_no_pupil_drives_until_it_is_given_back(driven, run)
     for message in "take", "stop", "release":
         driven.do(TEACHER, Message(message, "/red"))
     driven.wait(6)
-    assert driven.do(ADA, run) == {"type": "lift", "robot": "/red", "text":
-                                   "Your teacher has taken red. Wait until a teacher presses Go on."}
+    assert driven.do(ADA, run) == {"type": "lift", "robot": "/red", **say("taken", robot="red").fields()}
     assert driven.push(TEACHER) is None
     driven.do(TEACHER, Message("go_on", "/red"))
     driven.lift(ADA)
@@ -249,7 +250,7 @@ def test_a_pupil_takes_and_puts_back_nothing(driven):
 
 def test_a_pupil_with_a_robot_drives_and_stops_that_one_only(cockpit):
     assert cockpit.push(OWN, "/red") == {
-        "type": "lift", "robot": "/red", "text": "With your code, you can drive only blue."}
+        "type": "lift", "robot": "/red", **say("own_robot_only", robot="blue").fields()}
     assert cockpit.do(OWN, Message("stop", "/red"))["type"] == "notice"
     assert cockpit.do(OWN, Message("release", "/red"))["type"] == "notice"
     assert cockpit.do(OWN, Message("stop", "/blue")) is None
@@ -360,7 +361,7 @@ def test_a_teacher_puts_back_simulated_robots(cockpit):
     assert cockpit.do(TEACHER, Message("reset")) is None
     assert cockpit.robots.were_reset == ["/red"]
     assert cockpit.do(TEACHER, Message("reset", "/blue"))["type"] == "notice"
-    assert cockpit.do(TEACHER, Message("reset", "/red"))["text"] == "red has not answered yet."
+    assert cockpit.do(TEACHER, Message("reset", "/red"))["text"] == "Not answered yet: red."
 
 
 def test_ids_of_robots_become_short_printable_labels():

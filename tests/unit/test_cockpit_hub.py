@@ -5,9 +5,11 @@ import json
 import pytest
 from cockpit_control import FakeCameras
 
+from jetbot_cockpit.notices import say
 from jetbot_cockpit.session import hub as hubs
 from jetbot_cockpit.session import protocol
 from jetbot_cockpit.session.hub import FRAME_INTERVAL, Hub, Sender
+from jetbot_cockpit.session.messages import LIMITS
 from jetbot_cockpit.session.rights import PUPIL, TEACHER
 
 STOP = '{"type": "stop"}'
@@ -96,7 +98,7 @@ def test_a_new_page_is_sent_all_that_it_shows(hub):
     page, _ = join(hub, PUPIL)
     hub.tick(0.0)
     assert page.sent[0] == {"type": "hello", "id": 1, "name": "pupil 1", "role": "pupil", "robot": None,
-                            "codes": False}
+                            "codes": False, "limits": LIMITS}
     assert page.types() == ["hello", "robots", "trail", "state"]
 
 
@@ -177,7 +179,7 @@ def test_a_teacher_gets_the_codes_where_there_are_some(control, role, codes):
     assert page.sent[0]["codes"] is (role == TEACHER and bool(codes))
     hub.receive(viewer, '{"type": "codes"}', 0.0)
     assert page.sent[-1] == ({"type": "codes", "codes": codes} if role == TEACHER else
-                             protocol.notice("Only a teacher can see the codes."))
+                             protocol.notice(say("teacher_codes")))
 
 
 def test_after_its_disconnection_nothing_that_a_page_sends_counts_but_stops(hub, control):
@@ -305,12 +307,12 @@ def test_at_the_end_all_pages_are_disconnected_and_their_robots_stop(hub, contro
 
 def test_a_teacher_is_told_once_that_the_class_is_not_kept_and_when_it_is_again(hub, control):
     teacher, pupil = join(hub)[0], join(hub, PUPIL)[0]
-    control.problem = "The class cannot be kept."
+    control.problem = say("class_not_kept", problem="full")
     for now in (0.1, 0.2):
         hub.tick(now)
     late = join(hub)[0]
     hub.tick(0.3)
-    control.problem = ""
+    control.problem = None
     hub.tick(0.4)
     told = [[each["text"] for each in page.sent if each["type"] == "notice"] for page in (teacher, late, pupil)]
-    assert told == [["The class cannot be kept.", "The class is kept again."]] * 2 + [[]]
+    assert told == [["The class cannot be kept: full. The cockpit tries again.", "The class is kept again."]] * 2 + [[]]

@@ -2,12 +2,13 @@
 
 import json
 import re
+import runpy
 
 import pytest
 from test_docs import rows
 
 from conftest import ROOT
-from jetbot_cockpit.session import hub, protocol
+from jetbot_cockpit.session import hub, messages, protocol
 from jetbot_cockpit.session.protocol import Message, ProtocolError, parse
 
 SOCKET, _, KEPT = (ROOT / "docs/protocol.md").read_text().partition("## Programs that are kept")
@@ -50,16 +51,10 @@ def test_a_deflection_is_a_number_from_minus_one_to_one(deflection):
 
 
 def test_a_reason_fits_into_the_frame_that_closes_a_socket():
-    for kind in [*protocol.MESSAGES, "none"]:
+    for kind in [*messages.FROM_PAGE, "none"]:
         with pytest.raises(ProtocolError) as error:
             parse(json.dumps({"type": kind, "other": 1}))
         assert len(str(error.value).encode()) <= 123
-
-
-def table(text):
-    """Return {type: fields} of a table of messages."""
-    return {row[0].strip("`"): re.findall(r"`(\w+)`", row[1])
-            for row in rows(text) if re.fullmatch(r"`(?!type`)\w+`", row[0])}
 
 
 def examples(text):
@@ -72,14 +67,29 @@ def examples(text):
     return found
 
 
-def test_the_documented_messages_of_the_page_are_those_that_are_accepted():
-    assert table(FROM_PAGE) == {kind: list(checks) for kind, checks in protocol.MESSAGES.items()}
-    assert [protocol.parse(json.dumps(example)) for example in examples(FROM_PAGE)]
-    assert [example["type"] for example in examples(FROM_PAGE)] == list(table(FROM_PAGE))
+def test_each_message_of_the_page_has_an_example_that_is_accepted():
+    assert [protocol.parse(json.dumps(example)).type for example in examples(FROM_PAGE)] == list(messages.FROM_PAGE)
 
 
-def test_the_documented_examples_of_the_cockpit_have_the_fields_of_the_table():
-    assert {example.pop("type"): list(example) for example in examples(FROM_COCKPIT)} == table(FROM_COCKPIT)
+def test_each_message_of_the_cockpit_has_an_example_that_is_of_its_form():
+    assert [example["type"] for example in examples(FROM_COCKPIT)] == list(messages.FROM_COCKPIT)
+    assert list(filter(None, map(messages.problem_of, examples(FROM_COCKPIT)))) == []
+
+
+@pytest.mark.parametrize("message, problem", [
+    ({"type": "pong", "sent": "1"}, "pong.sent is not number"), ({"type": "pong"}, "pong has the fields "),
+    ({"type": "pong", "sent": 1, "new": 2}, "pong has the fields sent, new"), ({"type": "new"}, "new has the fields "),
+    ({"type": "trail", "robot": "/", "points": [[0, 0], [1, float("nan")]]}, "trail.points is not [number, number][]"),
+    ({"type": "state", "emergency": False, "pupils_release": False, "robots": {"/": {"status": ""}}},
+     "state.robots is not Record<string, RobotState>")])
+def test_what_the_cockpit_says_in_another_form_is_named(message, problem):
+    assert messages.problem_of(message) == problem
+
+
+def test_the_tables_and_types_are_those_of_the_messages():
+    write = runpy.run_path(str(ROOT / "docs/messages.py"))
+    for file, wanted in (write["PROTOCOL"], write["documented"]), (write["TYPES"], lambda text: write["types"]()):
+        assert file.read_text() == wanted(file.read_text()), f"{file} is of before: ./morbot shell docs/messages.py"
 
 
 def test_why_a_socket_is_closed_is_documented_with_its_limits():

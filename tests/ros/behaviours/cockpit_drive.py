@@ -17,6 +17,7 @@ from jetbot_cockpit.robots.discovery import Robots
 from jetbot_cockpit.robots.publishers import Drivers
 from jetbot_cockpit.session.collection import Collection
 from jetbot_cockpit.session.control import Control
+from jetbot_cockpit.session.messages import problem_of
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.rights import Client
 
@@ -68,7 +69,9 @@ class CockpitDrive(SharedRobotTest):
 
     def robot(self):
         """Return the robot's state, {} if there is none."""
-        return self.control.state()["robots"].get("/", {})
+        state = self.control.state()
+        self.assertIsNone(problem_of(state))
+        return state["robots"].get("/", {})
 
     def hold(self, forward=0.5):
         """Hold the pad down for one message of the page; return why that is refused, or ""."""
@@ -171,6 +174,6 @@ class CockpitDrive(SharedRobotTest):
         start = time.monotonic()
         self.assertIsNone(self.do(TEACHER, Message("reset")))
         self.push(0.5)
-        self.assertEqual(self.do(TEACHER, Message("reset"))["text"], "robot has not answered yet.")
+        self.assertEqual(self.do(TEACHER, Message("reset"))["text"], "Not answered yet: robot.")
         self.assertEqual(calls, [])
         self.assertLess(time.monotonic() - start, START_TIMEOUT / 2)

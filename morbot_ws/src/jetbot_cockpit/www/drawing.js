@@ -1,11 +1,12 @@
 // Draws the map: the grid in pixels; robots, trails, arrows and what is around a robot in metres, x ahead, y to the
 // left. pixel: size of a pixel in metres.
 
+import { limits } from "./limits.js";
+
 const MIN_CELL = 48; // pixels
 export const SCALE_HEIGHT = 26; // pixels, above the legend
 
 // Like the simulation's model: the origin is the middle of the axle.
-export const WHEEL_SEPARATION = 0.1125; // m
 const BODY = [-0.095, -0.0475, 0.13, 0.095];
 const WHEEL = { length: 0.06, width: 0.012 };
 const CAMERA = [0.028, -0.013, 0.012, 0.026];
@@ -73,7 +74,7 @@ export function drawRobot(context, pose, color, colors, pixel) {
   atPose(context, pose, () => {
     context.fillStyle = colors.tyre;
     for (const side of [1, -1]) {
-      const across = side * WHEEL_SEPARATION / 2 - WHEEL.width / 2;
+      const across = side * limits.wheel_separation / 2 - WHEEL.width / 2;
       context.fillRect(-WHEEL.length / 2, across, WHEEL.length, WHEEL.width);
     }
     Object.assign(context, { fillStyle: color, strokeStyle: colors.ground, lineWidth: 1.5 * pixel });

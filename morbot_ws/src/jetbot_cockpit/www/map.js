@@ -3,12 +3,12 @@
 import { visible } from "./colors.js";
 import { element, setText, signed } from "./dom.js";
 import {
-  drawArrow, drawGrid, drawRing, drawRobot, drawScene, drawTrail, SCALE_HEIGHT, WHEEL_SEPARATION,
+  drawArrow, drawGrid, drawRing, drawRobot, drawScene, drawTrail, SCALE_HEIGHT,
 } from "./drawing.js";
+import { limits } from "./limits.js";
 import { Viewport } from "./viewport.js";
 
 const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual", "course"];
-const FULL_SPEED = 0.6; // m/s of a JetBot's wheel at full power
 const [BODY_RADIUS, MIN_RADIUS] = [0.1, 9]; // of a robot, in metres, and in pixels, at which it is found
 const [CHOSEN_RADIUS, MIN_CHOSEN_RADIUS] = [0.13, 14]; // of the ring around the chosen one
 const TAP_RADIUS = 28; // pixels
@@ -187,6 +187,6 @@ function radiusOf(chosen, pixel) {
 // Returns the speed [m/s, rad/s] that a command asks for: in the workshop's units it is one of power.
 function nominalSpeed([x, z], { workshop }) {
   if (!workshop) return [x, z];
-  const [left, right] = [x - z, x + z].map((power) => FULL_SPEED * Math.max(-1, Math.min(1, power)));
-  return [(left + right) / 2, (right - left) / WHEEL_SEPARATION];
+  const [left, right] = [x - z, x + z].map((power) => limits.full_speed * Math.max(-1, Math.min(1, power)));
+  return [(left + right) / 2, (right - left) / limits.wheel_separation];
 }

@@ -1,9 +1,8 @@
 // What the cockpit has sent: who this page is, which robots there are, and how each one is; and which one was chosen.
 
 import { prepareShapes } from "./drawing.js";
+import { limits } from "./limits.js";
 
-const TRAIL_STEP = 0.03; // m between two points, as in history.py
-const TRAIL_LENGTH = 500; // points
 const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // causes: it has heard of a stop, or cannot
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
 
@@ -42,6 +41,7 @@ export class World {
   // A connection begins: everything is sent again.
   hello(message) {
     this.me = message;
+    Object.assign(limits, message.limits);
     Object.assign(this, { robots: [], missing: [], trails: new Map(), scenes: new Map() });
   }
 
@@ -69,9 +69,9 @@ export class World {
   append(id, [x, y]) {
     const points = this.trails.get(id) ?? [];
     const [lastX, lastY] = points[points.length - 1] ?? [Infinity, Infinity];
-    if (Math.hypot(x - lastX, y - lastY) < TRAIL_STEP) return;
+    if (Math.hypot(x - lastX, y - lastY) < limits.trail_step) return;
     points.push([x, y]);
-    if (points.length > TRAIL_LENGTH) points.shift();
+    if (points.length > limits.trail) points.shift();
     this.trails.set(id, points);
   }
 

@@ -4,11 +4,11 @@ const AGAIN = [403, 503, 507]; // once the code is entered, the disk is idle, or
 const NO_ANSWER = "The cockpit does not answer.";
 const REFUSED = "The cockpit has refused this.";
 
-// A sentence why not, the cockpit's own if it has one; again: whether the same may be asked again.
+// A sentence why not, the cockpit's own if it has one, with its code; again: whether the same may be asked again.
 export class NotKept extends Error {
-  constructor(text, again) {
+  constructor(text, code, again) {
     super(text);
-    this.again = again;
+    Object.assign(this, { code, again });
   }
 }
 
@@ -19,7 +19,7 @@ export async function ask(fields) {
   const content = await answer?.json().catch(() => null);
   if (answer?.ok && content) return content;
   const lost = !answer || answer.ok; // perhaps in the middle
-  throw new NotKept(lost ? NO_ANSWER : content?.text ?? REFUSED, lost || AGAIN.includes(answer.status));
+  throw new NotKept(lost ? NO_ANSWER : content?.text ?? REFUSED, content?.code ?? "", lost || AGAIN.includes(answer.status));
 }
 
 // Returns 16 random hexadecimal digits.

@@ -1,16 +1,16 @@
 // One program that the cockpit keeps: each change is sent after a second, and again until the cockpit has answered.
 
+import { limits } from "../limits.js";
 import { toName } from "../storage.js";
 import { ask, newId } from "./ask.js";
 import { problemOf } from "./check.js";
 
 const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
-const MAX_SIZE = 64 * 1024; // bytes
-const MAX_NAME = 40; // characters
-const TOO_LARGE = "Too large to be kept here, 64 kB at most. Save it as a file.";
+const TOO_LARGE = "Too large to be kept here. Save it as a file.";
 const CONTESTED = "Another page changes this program, too, and is told that its changes are not kept.";
-export const CHANGED = "This program was changed on another page. Open it again, or save yours as a copy.";
+const CONFLICT = "conflict"; // the cockpit's code for this:
+const CHANGED = "This program was changed on another page. Open it again, or save yours as a copy.";
 
 export class Kept {
   content = null; // { name, program }, as it was changed last
@@ -32,7 +32,7 @@ export class Kept {
 
   keep(content) {
     Object.assign(this, { content, unsaved: true });
-    const tooLarge = new TextEncoder().encode(content.program).length > MAX_SIZE;
+    const tooLarge = new TextEncoder().encode(content.program).length > limits.program;
     this.problem = tooLarge ? TOO_LARGE : problemOf(content.program);
     if (this.problem) return this.report(this, this.problem, true);
     this.waiting = content;
@@ -57,8 +57,8 @@ export class Kept {
       this.sent = null;
       this.unsaved = this.pending || this.problem !== "";
       this.report(this, this.problem || (this.pending ? "Not kept yet" : "Kept"), Boolean(this.problem));
-    } catch ({ message, again }) {
-      if (!again) return this.refuse(message);
+    } catch ({ message, code, again }) {
+      if (!again) return this.refuse(message, code);
       this.report(this, message, true);
       await new Promise((resolve) => { setTimeout(resolve, RETRY_AFTER); });
     }
@@ -66,23 +66,23 @@ export class Kept {
 
   // Compares it with what the cockpit has, a row of its list. This page's next change is refused, or the other page's.
   compare({ version, contested }) {
-    if (version !== this.version) this.refuse(CHANGED);
+    if (version !== this.version) this.refuse(CHANGED, CONFLICT);
     else if (contested) this.report(this, CONTESTED, true);
   }
 
   // It is not kept as it is now.
-  refuse(text) {
+  refuse(text, code) {
     this.waiting = this.sent = null;
-    this.foreign = text === CHANGED;
+    this.foreign = code === CONFLICT;
     this.report(this, text, true);
   }
 }
 
 // Returns a name that the cockpit takes.
 export function clean(name) {
-  return toName(String(name).slice(0, MAX_NAME)) || "Program";
+  return toName(String(name).slice(0, limits.program_name)) || "Program";
 }
 
 export function copyOf(name) {
-  return clean(`${name.slice(0, MAX_NAME - 5)} copy`);
+  return clean(`${name.slice(0, limits.program_name - 5)} copy`);
 }

@@ -6,11 +6,11 @@ from typing import Any, Callable, Dict, List, Optional
 
 from jetbot.text import printable
 
+from ..notices import say
 from .folder import ClassFolder, Nowhere
 from .programs import Programs
 
 MAX_WAITING = 50  # changes that a slow disk holds up
-KEPT_AGAIN = "The class is kept again."
 
 
 class DiskBusy(Exception):
@@ -18,7 +18,7 @@ class DiskBusy(Exception):
 
 
 class Classroom:
-    """programs: those of all robots; problem: a sentence on why the class is not kept now, or "".
+    """programs: those of all robots; problem: why the class is not kept now, or None.
 
     folder: a ClassFolder, or Nowhere.
     """
@@ -71,9 +71,9 @@ class Classroom:
                 self._folder.write(name, content)
             except OSError as error:
                 self._waiting.setdefault(name, content)  # unless there is a newer one by now
-                problem = f"The class cannot be kept: {error.strerror or error}. The cockpit tries again."
+                problem = say("class_not_kept", problem=error.strerror or error)
         if problem != self.problem:
-            self._folder.problems.append(problem or KEPT_AGAIN)
+            self._folder.problems.append(str(problem or say("class_kept_again")))
         self.problem = problem
 
 

@@ -14,6 +14,8 @@ from jetbot import InvalidValue, files
 from jetbot.kinds import Kind
 from jetbot.text import printable
 
+from ..notices import Notice, say
+
 OWNER_ONLY = 0o700   # codes are secrets
 MAX_FILE = 1 << 20   # bytes of a file that is read
 FOLDER = "~/.ros/morbot_classes"
@@ -28,10 +30,10 @@ class Busy(Exception):
 class ClassFolder:
     """FOLDER/NAME, locked until it is closed, or this process ends. Raise InvalidValue if it cannot be used.
 
-    problems: sentences for the terminal, about what could not be read. problem: why nothing is kept, or "".
+    problems: sentences for the terminal, about what could not be read. problem: why nothing is kept, or None.
     """
 
-    problem = ""
+    problem: Optional[Notice] = None
 
     def __init__(self, folder: str, name: str):
         self._path = path_of(folder, name)
@@ -56,8 +58,8 @@ class ClassFolder:
         except OSError as error:
             if error.errno != errno.EROFS:
                 raise
-            self.problem = f"{self._path} is on a disk that is read-only: nothing of this class is kept."
-            self.problems.append(self.problem)
+            self.problem = say("class_read_only", folder=self._path)
+            self.problems.append(str(self.problem))
 
     def names(self, prefix: str) -> List[str]:
         """Return the names of the files that begin like this, without their endings."""

@@ -6,6 +6,8 @@ from typing import Any, Dict, FrozenSet, Iterator, List, NamedTuple, Optional
 
 from jetbot.text import is_printable
 
+from ..notices import Notice, say
+
 PREFIX = "program_"
 ID = re.compile(r"[0-9a-f]{16}")
 TOKENS = re.compile(r'"(?:[^"\\]|\\.)*"?|[{}\[\]]|[^{}\[\]"]+', re.DOTALL)  # texts, brackets, what is between them
@@ -14,15 +16,14 @@ MAX_NAME = 40              # characters
 MAX_TEXT = 64 * 1024       # bytes of a program
 MAX_PROGRAMS = 50          # of a robot, those that were deleted last included,
 MAX_TOTAL = 1024 * 1024    # and bytes of all of them
-CHANGED = "This program was changed on another page. Open it again, or save yours as a copy."
-GONE = "This program is not there any more."
-TOO_LARGE = f"This program is too large to be kept here: {MAX_TEXT // 1024} kB at most. Save it as a file."
-NO_PROGRAM = "This is no program."
-FULL = f"There is no room for more: delete a program. A robot has {MAX_PROGRAMS} programs at most, and 1 MB in all."
 
 
 class Refused(Exception):
-    """One sentence: why a program is not kept or shown."""
+    """Why a program is not kept or shown: a Notice."""
+
+    def __init__(self, notice: Notice):
+        super().__init__(notice)
+        self.notice = notice
 
 
 class Program(NamedTuple):
@@ -66,7 +67,7 @@ class Programs:
         """Return a program of the robot. Raise Refused."""
         found = self._programs.get(id)
         if not found or found.robot != robot:
-            raise Refused(GONE)
+            raise Refused(say("gone"))
         return found
 
     def save(self, robot: str, id: str, version: int, name: str, program: str) -> Program:
@@ -77,13 +78,13 @@ class Programs:
         """
         before = self._programs.get(id)
         if before and before.robot != robot:
-            raise Refused(GONE)
+            raise Refused(say("gone"))
         if before and (before.name, before.program, before.deleted) == (name, program, False):
             return before
         if before and before.version != version:
             self._contested |= {id}
             self._latest = {**self._latest, robot: self._next()}  # so that the other page looks
-            raise Refused(CHANGED)
+            raise Refused(say("conflict"))
         problem = problem_of(program)
         if problem:
             raise Refused(problem)
@@ -97,7 +98,7 @@ class Programs:
         if before.deleted == deleted:
             return before
         if before.version != version:
-            raise Refused(CHANGED)
+            raise Refused(say("conflict"))
         return self._keep(before._replace(version=version + 1, changed=self._next(), deleted=deleted))
 
     def _keep(self, program, leaving=()):
@@ -120,7 +121,7 @@ class Programs:
             if count <= MAX_PROGRAMS and total <= MAX_TOTAL:
                 break
             if not each.deleted:
-                raise Refused(FULL)
+                raise Refused(say("full", count=MAX_PROGRAMS))
             leaving.append(each)
             count, total = count - 1, total - len(each.program.encode())
         return leaving
@@ -147,14 +148,14 @@ def is_program_name(value: Any) -> bool:
     return is_printable(value, MAX_NAME) and value.strip() != ""
 
 
-def problem_of(program: str) -> str:
-    """Return why this text is not kept as a program, or ""; the page checks what it opens."""
+def problem_of(program: str) -> Optional[Notice]:
+    """Return why this text is not kept as a program, or None; the page checks what it opens."""
     try:
         if len(program.encode()) > MAX_TEXT:
-            return TOO_LARGE
-        return "" if is_object(program) else NO_PROGRAM
+            return say("too_large", kilobytes=MAX_TEXT // 1024)
+        return None if is_object(program) else say("no_program")
     except ValueError:
-        return NO_PROGRAM
+        return say("no_program")
 
 
 def is_object(text: str) -> bool:

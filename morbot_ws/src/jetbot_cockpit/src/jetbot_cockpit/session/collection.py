@@ -9,12 +9,12 @@ from typing import Callable, Dict, Optional, Union
 
 from jetbot import files
 
+from ..notices import Notice, say
+
 LABELS = "free", "blocked"
 MAX_PICTURES = 1000  # of a label
 MAX_WAITING = 10     # actions that a slow disk holds up
-OFF = "This cockpit keeps no pictures."
 FOLDERS = {"": "robot", "robot": "robot."}  # of robots whose names would collide; no name has a dot
-BUSY = "The disk is busy: wait until the number changes."
 
 
 class Collection:
@@ -28,28 +28,28 @@ class Collection:
             threading.Thread(target=self._run, daemon=True).start()
 
     def state(self, robot: str) -> Optional[dict]:
-        """Return how many pictures of each label there are, and what went wrong, or ""; None if none are kept."""
+        """Return how many pictures of each label there are, and what went wrong, or None; None if none are kept."""
         if robot not in self._states:
-            self._do(robot, lambda: "")  # it only counts
+            self._do(robot, lambda: None)  # it only counts
         return self._states.get(robot)
 
-    def save(self, robot: str, label: str, jpeg: bytes) -> str:
-        """Keep a picture; return why not, or ""."""
+    def save(self, robot: str, label: str, jpeg: bytes) -> Optional[Notice]:
+        """Keep a picture; return why not, or None."""
         return self._do(robot, lambda: self._write(robot, label, jpeg))
 
-    def delete(self, robot: str) -> str:
-        """Delete all pictures of the robot, and no other file; return why not, or ""."""
+    def delete(self, robot: str) -> Optional[Notice]:
+        """Delete all pictures of the robot, and no other file; return why not, or None."""
         return self._do(robot, lambda: self._unlink(robot))
 
-    def _do(self, robot: str, action: Callable[[], str]) -> str:
+    def _do(self, robot: str, action: Callable[[], Optional[Notice]]) -> Optional[Notice]:
         if not self._folder:
-            return OFF
+            return say("no_pictures_kept")
         try:
             self._actions.put_nowait((robot, action))
         except queue.Full:
-            return BUSY
-        self._states.setdefault(robot, {**dict.fromkeys(LABELS, 0), "problem": ""})
-        return ""
+            return say("pictures_busy")
+        self._states.setdefault(robot, {**dict.fromkeys(LABELS, 0), "problem": None})
+        return None
 
     def _run(self):
         while True:
@@ -57,9 +57,9 @@ class Collection:
             try:
                 problem = action()
             except OSError as error:
-                problem = f"{error.strerror}: {error.filename}"
+                problem = say("picture_not_kept", problem=error.strerror, file=error.filename)
             counts = {label: len(self._files(robot, label)) for label in LABELS}
-            self._states[robot] = {**counts, "problem": problem}
+            self._states[robot] = {**counts, "problem": problem and problem.fields()}
 
     def _write(self, robot, label, jpeg):
         folder = self._check(robot, label)
@@ -67,16 +67,16 @@ class Collection:
         names = (folder / f"{number:04}.jpg" for number in range(1, MAX_PICTURES + 1))
         unused = next((name for name in names if not os.path.lexists(name)), None)
         if unused is None:
-            return f"There are {MAX_PICTURES} pictures of {label} already."
+            return say("pictures_full", count=MAX_PICTURES, label=label)
         files.replace(unused, jpeg)
-        return ""
+        return None
 
     def _unlink(self, robot):
         for label in LABELS:
             self._check(robot, label)
             for file in self._files(robot, label):
                 file.unlink()
-        return ""
+        return
 
     def _files(self, robot, label):
         return list(self._folder_of(robot, label).glob("[0-9][0-9][0-9][0-9].jpg"))

@@ -7,16 +7,15 @@ from typing import Callable, Dict, List, Optional, Set
 from jetbot.text import enumeration
 
 from ..classroom.classroom import Classroom
+from ..notices import Notice, say
 from .collection import Collection
 from .history import History, Scores
 from .protocol import Message, notice
-from .rights import COMMAND_TIMEOUT, TEACHER, Client, Holds, Lease, StopRights
+from .rights import COMMAND_TIMEOUT, TEACHER, Client, Holds, Lease, StopRights, refuse_role
 from .snapshot import Snapshot, label
 from .tasks import Tasks
 
-NO_PICTURE = "There is no picture."
-LET_GO = "Let go, then drive again."
-NO_COMMAND = f"No command for {COMMAND_TIMEOUT} s. {LET_GO}"
+NO_COMMAND = say("no_command", seconds=COMMAND_TIMEOUT)
 TAKEN, LEFT = "a teacher took the robot over", "the driver's page was closed, or lost its connection"  # interruptions
 SILENT = f"no command came from the driver's page for {COMMAND_TIMEOUT} s"
 
@@ -50,9 +49,9 @@ class Control:
         """Do what a client asks for; return None, or a message of the socket that says why not."""
         self._names.setdefault(client.id, client.name)
         self._note_interruption(now)
-        refusal = self._actions[message.type](client, message, now)
+        refusal = refuse_role(client, message.type) or self._actions[message.type](client, message, now)
         if refusal and message.type in ("drive", "program"):
-            return {"type": "lift", "robot": message.robot, "text": refusal}
+            return {"type": "lift", "robot": message.robot, **refusal.fields()}
         if message.type == "program":
             ready = self._drivers.hold(message.robot)
             return {"type": "program", "robot": message.robot, "ready": ready, **self._robots.senses(message.robot)}
@@ -88,8 +87,8 @@ class Control:
         return self._history.update(self.snapshot.robots, now) + self._tasks.update(self._robots.tasks())
 
     @property
-    def problem(self) -> str:
-        """Why the class is not kept now, for its teachers; or ""."""
+    def problem(self) -> Optional[Notice]:
+        """Why the class is not kept now, for its teachers; or None."""
         return self._classroom.problem
 
     def robots(self) -> List[dict]:
@@ -110,7 +109,7 @@ class Control:
         """Return the messages that a new page needs besides "robots" and "state"."""
         return [*self._history.messages(), self._tasks.message()]
 
-    # What a client asks for; each returns why that is refused, or "".
+    # What a client asks for; each returns why that is refused, or None.
 
     def _on_drive(self, client, message, now):
         robot = message.robot
@@ -120,7 +119,7 @@ class Control:
         if not refusal:
             self._lease(client, robot, now, driving=True)
             velocity = self.snapshot.robots[robot].velocity(message.forward, message.left)
-            refusal = "" if self._drivers.drive(robot, velocity, now) else NO_COMMAND
+            refusal = None if self._drivers.drive(robot, velocity, now) else NO_COMMAND
         if refusal:
             self._must_lift.add(client.id)
             if self._driver(robot) == client.id:
@@ -142,12 +141,10 @@ class Control:
         if self._driver(robot) == client.id:
             self._drivers.let_go(robot)
             self._lease(client, robot, now, driving=False)
-        return ""
+        return
 
     def _on_take(self, client, message, now):
         robot = message.robot
-        if client.role != TEACHER:
-            return "Only a teacher can take a robot."
         if robot in self.snapshot.robots:
             if self._driver(robot) != client.id:
                 self._report(robot, TAKEN)
@@ -177,31 +174,29 @@ class Control:
         return refusal
 
     def _on_go_on(self, client, message, now):
-        refusal, own = self._holds.give_back(client, message.robot), self._robot_of(client.id)
-        if not refusal and message.robot in (None, own):
+        own = self._robot_of(client.id)
+        self._holds.give_back(message.robot)
+        if message.robot in (None, own):
             self._free(own)
-        return refusal
 
     def _on_reset(self, client, message, now):
-        if client.role != TEACHER:
-            return "Only a teacher can put robots back."
         chosen = [robot for robot in self.snapshot.robots.values()
                   if robot.simulated and message.robot in (None, robot.id)]
         for robot in chosen:
             self._history.reset(robot.id, now)
         silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]
         if silent:
-            return f"{enumeration(silent)} {'has' if len(silent) == 1 else 'have'} not answered yet."
-        return "" if chosen else "Only simulated robots can be put back."
+            return say("not_reset", robots=enumeration(silent))
+        return None if chosen else say("real_not_reset")
 
     def _on_name(self, client, message, now):
         self._typed[client.id] = message.name.strip()
         self._names[client.id] = self._typed[client.id] or client.name
-        return ""
+        return
 
     def _on_save(self, client, message, now):
         robot, picture = message.robot, self._cameras.newest(message.robot, now)
-        refusal = self._refuse_collecting(client, robot, now) or ("" if picture else NO_PICTURE)
+        refusal = self._refuse_collecting(client, robot, now) or (None if picture else say("no_picture"))
         if not refusal and picture != self._kept.get(robot):
             refusal = self._collection.save(robot, message.label, picture.jpeg)
             self._kept[robot] = self._kept.get(robot) if refusal else picture
@@ -210,13 +205,13 @@ class Control:
     def _on_delete(self, client, message, now):
         return self._refuse_collecting(client, message.robot, now) or self._collection.delete(message.robot)
 
-    def _refuse_collecting(self, client, robot, now) -> str:
-        """Return why the client may not collect pictures of this robot, or "": who drives it may, and so keeps it."""
+    def _refuse_collecting(self, client, robot, now) -> Optional[Notice]:
+        """Return why the client may not collect pictures of this robot, or None: who drives it may, and so keeps it."""
         if self._driver(robot) != client.id:
-            return f"Only who drives {label(robot)} collects its pictures. Drive it first."
+            return say("driver_collects", robot=label(robot))
         if not self._leases[robot].driving:
             self._lease(client, robot, now, driving=False)
-        return ""
+        return None
 
     def _on_judge(self, client, message, now):
         robot = message.robot
@@ -224,38 +219,38 @@ class Control:
             return self._end_judging(client, robot)
         refusal = self._refusal(client, robot, now) or self._tasks.refusal(client, message.task)
         if refusal or not self.snapshot.robots[robot].simulated:
-            return refusal or "Only simulated robots can be judged."
+            return refusal or say("real_not_judged")
         self._drivers.let_go(robot)
         self._lease(client, robot, now, driving=False)
         self._history.forget_task(self.snapshot.robots[robot])
         self._robots.judge(robot, message.task)
-        return ""
+        return None
 
     def _end_judging(self, client, robot):
         if robot in self.snapshot.robots and client.may_drive(robot) and self._driver(robot) in (None, client.id):
             self._robots.judge(robot, "")
-        return ""
+        return
 
     def _on_offer(self, client, message, now):
-        return self._tasks.switch(client, message.task, message.on)
+        self._tasks.switch(message.task, message.on)
 
     def _note_interruption(self, now):
         """Drive nothing for a moment if this process was frozen: old commands waited in the sockets."""
         if now - self._checked_at >= COMMAND_TIMEOUT:
             self._stale_until = now + COMMAND_TIMEOUT
 
-    def _refusal(self, client, robot, now) -> str:
-        """Return why the client may not drive this robot now, or ""."""
+    def _refusal(self, client, robot, now) -> Optional[Notice]:
+        """Return why the client may not drive this robot now, or None."""
         if not client.may_drive(robot):
-            return f"With your code, you can drive only {label(client.robot)}."
+            return say("own_robot_only", robot=label(client.robot))
         if now < self._stale_until:
-            return f"The cockpit was interrupted. {LET_GO}"
+            return say("interrupted")
         refusal, driver = self._holds.refusal(client, robot), self._driver(robot)
         if refusal:
             return refusal
         if driver not in (None, client.id):
-            return f"{self._names[driver]} drives {label(robot)}."
-        return self.snapshot.problem(robot) or (LET_GO if client.id in self._must_lift else "")
+            return say("driven", driver=self._names[driver], robot=label(robot))
+        return self.snapshot.problem(robot) or (say("let_go") if client.id in self._must_lift else None)
 
     def _lease(self, client, robot, now, driving):
         """Give a free robot to the client, or go on; its other robot stops, and is free."""

@@ -2,16 +2,18 @@
 
 import itertools
 import json
+import logging
 import math
 from collections import Counter
 from typing import Callable, Dict, List, NamedTuple, Optional, Sequence
 
-from ..classroom.classroom import KEPT_AGAIN
+from ..notices import Notice, say
 from ..parameters import MAX_ROBOTS
 from . import protocol
 from .control import Control
 from .feed import Feed, Picture, interval
-from .rights import TEACHER, Client
+from .messages import LIMITS, problem_of
+from .rights import TEACHER, Client, refuse_role
 from .snapshot import label
 
 MAX_CLIENTS = MAX_ROBOTS + 1  # a page for each robot, and a teacher's
@@ -42,7 +44,8 @@ class Viewer:
         self.client, self.sender, self.connection = client, sender, connection
         self.allowance = float(protocol.MAX_BURST)  # messages that it may send now
         self.active_at = self.pinged_at = self.shown_at = now
-        self.state = self.robots = self.problem = ""
+        self.state = self.robots = ""
+        self.problem: Optional[Notice] = None
         self.is_done = False  # it was disconnected, and has stopped since: nothing more of it counts
         self.feed = Feed()
 
@@ -73,10 +76,10 @@ class Viewer:
             self.connection.send(state)
             self.state, self.shown_at = state, now
 
-    def warn(self, problem: str) -> None:
-        """Tell a teacher once why the class is not kept, and when it is again: ""."""
+    def warn(self, problem: Optional[Notice]) -> None:
+        """Tell a teacher once why the class is not kept, and when it is again: None."""
         if problem != self.problem and self.client.role == TEACHER:
-            self.connection.send(dumps(protocol.notice(problem or KEPT_AGAIN)))
+            self.connection.send(dumps(protocol.notice(problem or say("class_kept_again"))))
         self.problem = problem
 
 
@@ -109,7 +112,7 @@ class Hub:
         if leaving is viewer:
             return None
         codes = role == TEACHER and bool(self._codes)
-        connection.send(dumps({"type": "hello", **viewer.client._asdict(), "codes": codes}))
+        connection.send(dumps({"type": "hello", **viewer.client._asdict(), "codes": codes, "limits": LIMITS}))
         self._viewers[number] = viewer
         return viewer
 
@@ -208,15 +211,14 @@ class Hub:
             return self._look(viewer, message.robot)
         if message.type != "codes":
             return self._control.handle(client, message, now)
-        if client.role != TEACHER:
-            return protocol.notice("Only a teacher can see the codes.")
-        return {"type": "codes", "codes": self._codes}
+        refusal = refuse_role(client, message.type)
+        return protocol.notice(refusal) if refusal else {"type": "codes", "codes": self._codes}
 
     def _look(self, viewer: Viewer, robot: Optional[str]) -> Optional[dict]:
         known = self.knows(robot)
         allowed = known and viewer.client.may_drive(robot)
         viewer.feed.look(robot if allowed else None)
-        return protocol.notice(f"With your code, you see only through {label(viewer.client.robot)}'s camera.") \
+        return protocol.notice(say("own_camera_only", robot=label(viewer.client.robot))) \
             if known and not allowed else None
 
 
@@ -231,5 +233,8 @@ def most_crowding(viewers: Sequence[Viewer]) -> Viewer:
 
 
 def dumps(message: dict) -> str:
-    """Return a message as it is sent."""
+    """Return a message as it is sent; one that is not as documented is logged, for a page can do without a field."""
+    problem = problem_of(message)
+    if problem:
+        logging.getLogger(__name__).error("A message is not as documented: %s", problem)
     return json.dumps(message, separators=(",", ":"))

@@ -2,6 +2,8 @@
 
 from typing import Callable, Dict, Iterable, List, NamedTuple, Optional, Set
 
+from ..notices import Notice, say
+from .messages import FROM_PAGE
 from .snapshot import label
 
 PUPIL, TEACHER = "pupil", "teacher"
@@ -26,6 +28,11 @@ class Client(NamedTuple):
     def may_stop(self, robot: Optional[str]) -> bool:
         """Return whether this person may stop the robot, or all (None): anybody stops all."""
         return self.role == TEACHER or robot in (None, self.robot)
+
+
+def refuse_role(client: Client, kind: str) -> Optional[Notice]:
+    """Return why somebody of this role may not send such a message, or None."""
+    return say(f"teacher_{kind}") if FROM_PAGE[kind].teacher and client.role != TEACHER else None
 
 
 class Lease(NamedTuple):
@@ -89,23 +96,23 @@ class StopRights:
     def __init__(self):
         self._by_pupils: Set[Optional[str]] = set()
 
-    def engage(self, client: Client, robot: Optional[str], engaged: bool) -> str:
-        """Return why the client may not engage this stop, or "". engaged: whether it may be already."""
+    def engage(self, client: Client, robot: Optional[str], engaged: bool) -> Optional[Notice]:
+        """Return why the client may not engage this stop, or None. engaged: whether it may be already."""
         if not client.may_stop(robot):
-            return "Only a teacher can stop a single robot. You can stop all."
+            return say("teacher_stops_one")
         if client.role == TEACHER:
             self._by_pupils.discard(robot)
         elif not engaged:
             self._by_pupils.add(robot)
-        return ""
+        return None
 
-    def release(self, client: Client, robot: Optional[str]) -> str:
-        """Return why the client may not release this stop, or ""."""
+    def release(self, client: Client, robot: Optional[str]) -> Optional[Notice]:
+        """Return why the client may not release this stop, or None."""
         if not client.may_stop(robot):
-            return "Only a teacher can release a single robot."
+            return say("teacher_releases_one")
         if client.role != TEACHER and robot not in self._by_pupils:
-            return "No pupil stopped this here. Only a teacher can release it."
-        return ""
+            return say("teacher_releases")
+        return None
 
     @property
     def pupils_release(self) -> bool:
@@ -150,17 +157,14 @@ class Holds:
         if self._all:
             self.stop(comers, True)
 
-    def give_back(self, client: Client, robot: Optional[str]) -> str:
-        """Let this robot, or all (None), go on. Return why the client may not, or ""."""
-        if client.role != TEACHER:
-            return "Only a teacher lets robots go on."
+    def give_back(self, robot: Optional[str]) -> None:
+        """Let this robot, or all (None), go on."""
         for each in list(self._held) if robot is None else [robot]:
             if self._held.pop(each, None):
                 self._keep_waiting(each, False)
-        return ""
 
-    def refusal(self, client: Client, robot: str) -> str:
-        """Return why the client may not drive this robot, or ""."""
+    def refusal(self, client: Client, robot: str) -> Optional[Notice]:
+        """Return why the client may not drive this robot, or None."""
         if client.role == TEACHER or self._held.get(robot) != TAKEN:
-            return ""
-        return f"Your teacher has taken {label(robot)}. Wait until a teacher presses Go on."
+            return None
+        return say("taken", robot=label(robot))

@@ -6,11 +6,10 @@ from jetbot.fake import folder_of
 from jetbot.text import enumeration
 from jetbot_ros.state import UNKNOWN, RobotState
 
+from ..notices import Notice, say
+
 WORKSHOP = 2.0, 1.0  # wheel_separation in m and max_speed in m/s: the workshop's x - z, x + z
 MAX_LABEL = 40  # characters
-
-ALL_STOPPED = "Emergency stop. Release it first."
-NO_MASTER = "The ROS master does not answer."
 
 
 class Task(NamedTuple):
@@ -67,11 +66,11 @@ class Robot(NamedTuple):
         return label(self.id)
 
     @property
-    def problem(self) -> str:
-        """Why nobody can drive it, or ""."""
+    def problem(self) -> Optional[Notice]:
+        """Why nobody can drive it, or None."""
         if not self.answers:
-            return f"{self.label} does not answer."
-        return f"{self.label}: its own emergency stop. Release it first." if self.stopped else ""
+            return say("no_answer", robot=self.label)
+        return say("stopped", robot=self.label) if self.stopped else None
 
     @property
     def programs_wait(self) -> bool:
@@ -93,11 +92,12 @@ class Robot(NamedTuple):
     def message(self, driver: Optional[dict], resumes: Optional[int], held: Optional[str], task: Optional[Task],
               stalls: int, pictures: Optional[dict], programs: int) -> dict:
         """Return its entry of the message "state"; docs/protocol.md explains it."""
-        fields = "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
         state = self.state
+        own = "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
         return {"status": state.sentence, "state": state.state, "cause": state.cause, "holds": state.holds,
-                "waiting": state.waiting, "fake": bool(folder_of(state.bus)), **{name: getattr(self, name) for name in fields}, "driver": driver,
-                "resumes": resumes, "held": held, "stalls": stalls, "task": task and task._asdict(),
+                "waiting": state.waiting, "fake": bool(folder_of(state.bus)),
+                **{name: getattr(self, name) for name in own},
+                "driver": driver, "resumes": resumes, "held": held, "stalls": stalls, "task": task and task._asdict(),
                 "pictures": pictures, "programs": programs}
 
 
@@ -112,15 +112,15 @@ class Snapshot(NamedTuple):
     emergency: bool = False
     stopped_elsewhere: FrozenSet[Optional[str]] = frozenset()
 
-    def ended(self, robot: Optional[str]) -> str:
-        """Return that this robot has ended, or "", also for all robots (None)."""
-        return "" if robot is None or robot in self.robots else f"{label(robot)} has ended."
+    def ended(self, robot: Optional[str]) -> Optional[Notice]:
+        """Return that this robot has ended, or None, also for all robots (None)."""
+        return None if robot is None or robot in self.robots else say("ended", robot=label(robot))
 
-    def problem(self, robot: str) -> str:
-        """Return why nobody can drive this robot, or ""."""
+    def problem(self, robot: str) -> Optional[Notice]:
+        """Return why nobody can drive this robot, or None."""
         if not self.master:
-            return NO_MASTER
-        return self.ended(robot) or (ALL_STOPPED if self.emergency else self.robots[robot].problem)
+            return say("no_master")
+        return self.ended(robot) or (say("all_stopped") if self.emergency else self.robots[robot].problem)
 
     def is_stopped(self, robot: Optional[str]) -> bool:
         """Return whether the emergency stop of this robot, or of all (None), may be engaged."""

@@ -1,7 +1,8 @@
 """The driving tasks that the page offers, and which of them pupils may choose."""
 
-from typing import Callable, Iterable, List, Set, Tuple
+from typing import Callable, Iterable, List, Optional, Set, Tuple
 
+from ..notices import Notice, say
 from .rights import TEACHER, Client
 
 
@@ -25,17 +26,14 @@ class Tasks:
         return {"type": "tasks", "tasks": [{"name": name, "title": title, "on": name in self._on}
                                            for name, title in self._offered]}
 
-    def switch(self, client: Client, task: str, on: bool) -> str:
-        """Let pupils choose a task, or not; return why that is refused, or ""."""
-        if client.role != TEACHER:
-            return "Only a teacher chooses the tasks."
+    def switch(self, task: str, on: bool) -> None:
+        """Let pupils choose a task, or not."""
         if task in dict(self._offered):
             (self._on.add if on else self._on.discard)(task)
             self._keep(sorted(self._on))
-        return ""
 
-    def refusal(self, client: Client, task: str) -> str:
-        """Return why this person may not choose this task, or ""."""
+    def refusal(self, client: Client, task: str) -> Optional[Notice]:
+        """Return why this person may not choose this task, or None."""
         if task not in dict(self._offered):
-            return "No judge has this task. Is class_judge running?"
-        return "" if client.role == TEACHER or task in self._on else "Your teacher has not switched this task on."
+            return say("no_judge")
+        return None if client.role == TEACHER or task in self._on else say("task_off")

@@ -7,36 +7,20 @@ from typing import Any, Callable, Dict
 from tornado.web import HTTPError, stream_request_body
 
 from ..classroom.classroom import Classroom, DiskBusy
-from ..classroom.programs import Refused, is_id, is_program_name, is_version
-from ..session.protocol import fit, is_robot, is_robot_or_all
+from ..classroom.programs import Refused
+from ..notices import say
+from ..session.messages import REQUESTS, TEXT, fit
 from ..session.rights import TEACHER, Client
+from ..session.snapshot import label
 from .access import Access
 from .handlers import Handler
 
 MAX_WORK = 160 * 1024  # bytes of a request: a program, in which each quote is escaped
-BUSY = "This computer's disk is busy. The page tries again."
-OTHERS = "With your code, you see only the programs of your own robot."
-ENDED = "This robot has ended."
-
-
-def is_text(value: Any) -> bool:
-    """Return whether this is text."""
-    return isinstance(value, str)
-
-
-# The fields of each request, by its "do"
-WORK: Dict[str, Dict[str, Callable[[Any], bool]]] = {
-    "list": {"robot": is_robot_or_all},  # None: of all robots
-    "open": {"robot": is_robot, "id": is_id},
-    "save": {"robot": is_robot, "id": is_id, "version": is_version, "name": is_program_name, "program": is_text},
-    "delete": {"robot": is_robot, "id": is_id, "version": is_version},
-    "restore": {"robot": is_robot, "id": is_id, "version": is_version},
-}
 
 
 @stream_request_body
 class Work(Handler):
-    """Takes {"do": ...} with the fields of WORK; answers with JSON, which says in "text" why something is refused."""
+    """Takes {"do": ...} with the fields of REQUESTS; answers with JSON: a Notice where something is refused."""
 
     def initialize(self, access: Access, classroom: Classroom, knows: Callable[[str], bool]) -> None:
         super().initialize(access)
@@ -60,11 +44,11 @@ class Work(Handler):
         try:
             self.finish(await self._answer(**fields))
         except Refused as refusal:
-            self._refuse(409, str(refusal))
+            self._refuse(409, refusal.notice)
         except DiskBusy:
-            self._refuse(503, BUSY)
+            self._refuse(503, say("disk_busy"))
         except OSError as error:
-            self._refuse(507, f"This computer could not keep it: {error.strerror or error}.")
+            self._refuse(507, say("disk", problem=error.strerror or error))
 
     async def _answer(self, do: str, robot: str = None, **fields: Any) -> dict:
         self._check(robot)
@@ -81,13 +65,13 @@ class Work(Handler):
 
     def _check(self, robot):
         if not (self._client.role == TEACHER if robot is None else self._client.may_drive(robot)):
-            raise Refused(OTHERS)
+            raise Refused(say("own_programs_only"))
         if robot is not None and not self._knows(robot) and not self._classroom.programs.changed(robot):
-            raise Refused(ENDED)
+            raise Refused(say("ended", robot=label(robot)))
 
-    def _refuse(self, status, text):
+    def _refuse(self, status, notice):
         self.set_status(status)
-        self.finish({"text": text})
+        self.finish(notice.fields())
 
 
 def parse(body: bytes) -> Dict[str, Any]:
@@ -97,7 +81,7 @@ def parse(body: bytes) -> Dict[str, Any]:
     except (ValueError, RecursionError):
         fields = None
     do = fields.get("do") if isinstance(fields, dict) else None
-    checks = WORK.get(do) if isinstance(do, str) else None
-    if checks is None or not fit(fields, {"do": is_text, **checks}):
+    row = REQUESTS.get(do) if isinstance(do, str) else None
+    if row is None or not fit(fields, {"do": TEXT, **row.fields}):
         raise HTTPError(400)
     return fields

@@ -1,0 +1,72 @@
+"""What the cockpit says to a person, most often why it refuses something: a code with arguments, and a sentence."""
+
+from typing import Dict, NamedTuple
+
+NOTICES = {
+    # Driving
+    "own_robot_only": "With your code, you can drive only {robot}.",
+    "interrupted": "The cockpit was interrupted. Let go, then drive again.",
+    "no_command": "No command for {seconds} s. Let go, then drive again.",
+    "let_go": "Let go, then drive again.",
+    "driven": "{driver} drives {robot}.",
+    "taken": "Your teacher has taken {robot}. Wait until a teacher presses Go on.",
+    "no_master": "The ROS master does not answer.",
+    "ended": "{robot} has ended.",
+    "no_answer": "{robot} does not answer.",
+    "all_stopped": "Emergency stop. Release it first.",
+    "stopped": "{robot}: its own emergency stop. Release it first.",
+    # What only teachers may do
+    "teacher_take": "Only a teacher can take a robot.",
+    "teacher_go_on": "Only a teacher lets robots go on.",
+    "teacher_reset": "Only a teacher can put robots back.",
+    "teacher_stops_one": "Only a teacher can stop a single robot. You can stop all.",
+    "teacher_releases_one": "Only a teacher can release a single robot.",
+    "teacher_releases": "No pupil stopped this here. Only a teacher can release it.",
+    "teacher_codes": "Only a teacher can see the codes.",
+    "teacher_offer": "Only a teacher chooses the tasks.",
+    # Simulated robots and their tasks
+    "not_reset": "Not answered yet: {robots}.",
+    "real_not_reset": "Only simulated robots can be put back.",
+    "real_not_judged": "Only simulated robots can be judged.",
+    "no_judge": "No judge has this task. Is class_judge running?",
+    "task_off": "Your teacher has not switched this task on.",
+    # Pictures
+    "own_camera_only": "With your code, you see only through {robot}'s camera.",
+    "driver_collects": "Only who drives {robot} collects its pictures. Drive it first.",
+    "no_picture": "There is no picture.",
+    "no_pictures_kept": "This cockpit keeps no pictures.",
+    "pictures_busy": "The disk is busy: wait until the number changes.",
+    "pictures_full": "There are {count} pictures of {label} already.",
+    "picture_not_kept": "{problem}: {file}",
+    # Programs, and the class
+    "conflict": "This program was changed on another page. Open it again, or save yours as a copy.",
+    "gone": "This program is not there any more.",
+    "too_large": "This program is too large to be kept here: {kilobytes} kB at most. Save it as a file.",
+    "no_program": "This is no program.",
+    "full": "There is no room for more: delete a program. A robot has {count} programs at most, and 1 MB in all.",
+    "own_programs_only": "With your code, you see only the programs of your own robot.",
+    "disk_busy": "This computer's disk is busy. The page tries again.",
+    "disk": "This computer could not keep it: {problem}.",
+    "class_read_only": "{folder} is on a disk that is read-only: nothing of this class is kept.",
+    "class_not_kept": "The class cannot be kept: {problem}. The cockpit tries again.",
+    "class_kept_again": "The class is kept again.",
+}
+
+
+class Notice(NamedTuple):
+    """code: one of NOTICES; arguments: what its sentence names, by their names. See ``say``."""
+
+    code: str
+    arguments: Dict[str, str]
+
+    def __str__(self) -> str:
+        return NOTICES[self.code].format(**self.arguments)
+
+    def fields(self) -> dict:
+        """Return it as a part of a message."""
+        return {"code": self.code, "arguments": self.arguments, "text": str(self)}
+
+
+def say(code: str, **arguments: object) -> Notice:
+    """Return a Notice."""
+    return Notice(code, {name: str(value) for name, value in arguments.items()})

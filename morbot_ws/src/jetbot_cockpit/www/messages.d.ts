@@ -1,0 +1,53 @@
+// The messages of the cockpit's socket. Written by docs/messages.py: do not change it by hand.
+
+export interface Said { code: string; arguments: Record<string, string>; text: string; }
+export interface Driver { id: number; name: string; }
+export interface JudgedTask { name: string; title: string; state: "ready" | "driving" | "done" | "cancelled"; text: string; seconds: number | null; score: number | null; driver: string; }
+export interface Pictures { free: number; blocked: number; problem: Said | null; }
+export interface RobotState { status: string; state: "" | "driving" | "stopped" | "ended"; cause: string; holds: string[]; waiting: string[]; fake: boolean; warning: boolean; answers: boolean; stopped: boolean; pose: [number, number, number] | null; speed: [number, number] | null; command: [number, number] | null; wheels: [number, number] | null; program: string; driver: Driver | null; resumes: number | null; held: "robot" | "programs" | null; stalls: number; task: JudgedTask | null; pictures: Pictures | null; programs: number; }
+export interface Robot { id: string; label: string; color: string; workshop: boolean | null; wheel_separation: number; max_speed: number; simulated: boolean; }
+export interface Shape { kind: "wall" | "line" | "course" | "goal"; width: number; points: [number, number][]; }
+export interface Score { task: string; robot: string; score: number; seconds: number | null; name: string; }
+export interface Task { name: string; title: string; on: boolean; }
+export interface Code { label: string; role: string; robot: string | null; url: string; code: string; rows: string[]; }
+export interface Limits { name: number; program_name: number; program: number; trail: number; trail_step: number; wheel_separation: number; full_speed: number; }
+
+export type Outgoing =
+  | { type: "drive"; robot: string; forward: number; left: number; }
+  | { type: "program"; robot: string; }
+  | { type: "take"; robot: string; }
+  | { type: "go_on"; robot?: string | null; }
+  | { type: "stop"; robot?: string | null; }
+  | { type: "release"; robot?: string | null; }
+  | { type: "reset"; robot?: string | null; }
+  | { type: "name"; name: string; }
+  | { type: "ping"; sent: number; }
+  | { type: "look"; robot?: string | null; }
+  | { type: "seen"; number: number; }
+  | { type: "save"; robot: string; label: "free" | "blocked"; }
+  | { type: "delete"; robot: string; }
+  | { type: "codes"; }
+  | { type: "judge"; robot: string; task: string; }
+  | { type: "offer"; task: string; on: boolean; };
+
+export type Incoming =
+  | { type: "hello"; id: number; name: string; role: "pupil" | "teacher"; robot: string | null; codes: boolean; limits: Limits; }
+  | { type: "robots"; robots: Robot[]; }
+  | { type: "state"; emergency: boolean; pupils_release: boolean; robots: Record<string, RobotState>; }
+  | { type: "trail"; robot: string; points: [number, number][]; }
+  | { type: "scene"; robot: string; shapes: Shape[]; }
+  | { type: "scores"; scores: Score[]; }
+  | { type: "picture"; robot: string; number: number; stamp: number; bytes: number; }
+  | { type: "tasks"; tasks: Task[]; }
+  | { type: "notice"; code: string; arguments: Record<string, string>; text: string; }
+  | { type: "program"; robot: string; ready: boolean; pose: [number, number, number] | null; line: [number, number, number] | null; wheels: [number, number] | null; }
+  | { type: "lift"; robot: string; code: string; arguments: Record<string, string>; text: string; }
+  | { type: "pong"; sent: number; }
+  | { type: "codes"; codes: Code[]; };
+
+export type Request =
+  | { do: "list"; robot?: string | null; }
+  | { do: "open"; robot: string; id: string; }
+  | { do: "save"; robot: string; id: string; version: number; name: string; program: string; }
+  | { do: "delete"; robot: string; id: string; version: number; }
+  | { do: "restore"; robot: string; id: string; version: number; };
