@@ -50,7 +50,7 @@ def test_on_an_upright_tablet_the_map_keeps_a_third_and_on_small_screens_the_leg
     task = {"name": "metre", "title": "One metre", "state": "done", "text": LONG, "seconds": 3.9, "score": 87.3}
     for width, height in (768, 960), (360, 640), (640, 360), (320, 568):
         page.resize(width, height)
-        page.receive_class(status=LONG, task=task if height > 600 else None)
+        page.receive_class(status=LONG, state="stopped", task=task if height > 600 else None)
         page.wait_for(lambda: page.cut("#legend :is(dt, dd)") == [], f"the legend on {width} x {height}")
         if width == 768:
             page.receive({"type": "notice", "text": LONG})
