@@ -118,7 +118,7 @@ def test_no_program_drives_a_robot_that_somebody_else_drives(blocks, world, vict
 
 LATE_STATUS = """const receive = socket.onmessage; socket.onmessage = ({data}) => {
     const message = JSON.parse(data);
-    for (const robot of Object.values(message.type === 'state' && message.robots)) 
+    for (const robot of Object.values(message.type === 'state' && message.robots))
         Object.assign(robot, {status: 'driving', state: 'driving', cause: ''});
     receive({data: JSON.stringify(message)}); }"""
 

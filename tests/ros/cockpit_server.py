@@ -10,10 +10,12 @@ import pytest
 
 from jetbot_cockpit.classroom.classroom import Classroom
 from jetbot_cockpit.session.hub import Hub
+from jetbot_cockpit.session.snapshot import Robot
 from jetbot_cockpit.web.access import Access, make_grants
 from jetbot_cockpit.web.addresses import listen
 from jetbot_cockpit.web.handout import Card
 from jetbot_cockpit.web.server import Server
+from jetbot_ros.state import RobotState
 from web_client import WebSocket, request
 
 WITHIN = 10.0  # s, less than hubs.GONE_AFTER
@@ -43,7 +45,7 @@ class StandIn:
         return []
 
     def robots(self):
-        return [{"id": "/"}]
+        return [Robot("/").description()]
 
     def watch(self, robots):
         pass
@@ -55,8 +57,9 @@ class StandIn:
         return []
 
     def state(self):
-        status = f"{time.monotonic()} {'x' * self.state_size}"
-        return {"type": "state", "emergency": False, "pupils_release": False, "robots": {}, "status": status}
+        driving = RobotState("driving", f"{time.monotonic()} {'x' * self.state_size}")
+        robot = Robot("/", state=driving).message(None, None, None, None, 0, None, 0)
+        return {"type": "state", "emergency": False, "pupils_release": False, "robots": {"/": robot}}
 
 
 class Cockpit:

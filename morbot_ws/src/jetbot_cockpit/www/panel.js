@@ -11,7 +11,6 @@ const SIDES = [["left", "−", -1], ["right", "+", 1]];
 export function showPanel(world, problem) {
   const id = world.chosen;
   const [robot, state] = [world.robot(id), world.state(id)];
-  showStatus(world, problem);
   setText(element("driver"), robot && !problem ? world.describeDriver(id) : "");
   setClass(element("driver"), "soon", state.resumes);
   showWheels(robot, state);

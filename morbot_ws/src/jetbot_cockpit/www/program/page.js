@@ -1,13 +1,7 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
 import { create, element, onPress, setText } from "../dom.js";
-import { Link } from "../link.js";
-import { LoginForm, logIn, storedName, takeCodeFromAddress } from "../login.js";
-import { RobotMap } from "../map.js";
-import { showRoundTrip, showStatus } from "../panel.js";
-import { Choice } from "../robots.js";
-import { Notice, Stops } from "../stops.js";
-import { World } from "../world.js";
+import { Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
 import { parseProgram } from "./check.js";
 import { currentProgram, openEditor, showProgram } from "./editor.js";
@@ -26,20 +20,45 @@ const HIDDEN = "The page was hidden, so the program was stopped.";
 const CHANGED = "The program was changed. Run it again.";
 const NO_ROBOT = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
-let problem = "Connecting"; // why there is no connection
 let run = null; // of a program, the last one
 let python = { text: "", lines: new Map() };
-let frame = null; // the next one shows what has changed
 let changing = null; // the next look at what was changed
 
-const world = new World();
-const link = new Link({ receive, changed: connectionChanged, refused: askForCode, measured: showRoundTrip });
-const send = (message) => (message.type === "drive" && (message.forward || message.left)
-  ? link.sendFresh(message) : link.send(message));
-const notice = new Notice();
-const login = new LoginForm(() => link.open());
-const choice = new Choice(world, changeRobot);
-const stops = new Stops(world, { send, notice, stopped: () => end("All robots were stopped.") });
+const shell = new Shell({
+  receivers: {
+    hello() {
+      overview.hello();
+      judging.cancel();
+    },
+    robots() {
+      showUnits();
+      if (run && !world.robot(run.robot.id)) end("The robot is not running any more.");
+    },
+    state() {
+      endIfStopped();
+      work.update(world.chosen, world.state(world.chosen).programs);
+      judging.update();
+    },
+    tasks({ tasks }) {
+      judging.list(tasks);
+      overview.show({ tasks });
+    },
+    scores: ({ scores }) => overview.show({ scores }),
+    notice: ({ text }) => judging.refused(text),
+    lift: ({ robot, text }) => robot === run?.robot.id && end(text),
+    program: (message) => message.robot === run?.robot.id && run.senses.receive(message),
+  },
+  end,
+  drives: runs,
+  changed() {
+    end("Another robot was chosen.");
+    showUnits();
+  },
+  draw,
+  tap() {}, // it ends no program
+});
+const { world, notice, send } = shell;
+const show = () => shell.show();
 const workspace = openEditor(element("blocks"), programChanged);
 const work = new Work({
   show: open,
@@ -50,50 +69,7 @@ const work = new Work({
   },
 });
 const judging = new Judging({ send, run: () => start(false), world });
-const map = new RobotMap(element("map"), world, { choose() {}, redraw: show }); // a tap ends no program
 const overview = new Overview({ send, look: (row) => work.look(row), download, world });
-
-const RECEIVERS = {
-  hello(message) {
-    world.hello(message);
-    overview.hello();
-    if (storedName()) send({ type: "name", name: storedName() });
-    judging.cancel();
-  },
-  robots(message) {
-    world.list(message);
-    choice.begin();
-    showUnits();
-    if (run && !world.robot(run.robot.id)) end("The robot is not running any more.");
-  },
-  state(message) {
-    world.update(message);
-    stops.update();
-    endIfStopped();
-    work.update(world.chosen, world.state(world.chosen).programs);
-    judging.update();
-  },
-  trail: ({ robot, points }) => world.trails.set(robot, points),
-  scene(message) {
-    if (world.scene(message)) map.showCourse(message.robot);
-  },
-  tasks({ tasks }) {
-    judging.list(tasks);
-    overview.show({ tasks });
-  },
-  scores: ({ scores }) => overview.show({ scores }),
-  notice({ text }) {
-    notice.show(text);
-    judging.refused(text);
-  },
-  lift: ({ robot, text }) => robot === run?.robot.id && end(text),
-  program: (message) => message.robot === run?.robot.id && run.senses.receive(message),
-};
-
-function receive(message) {
-  RECEIVERS[message.type]?.(message);
-  show();
-}
 
 // The cockpit also refuses the next command; this comes first where the program waits.
 function endIfStopped() {
@@ -102,30 +78,6 @@ function endIfStopped() {
   const { driver } = world.state(id);
   if (driver && !world.isMine(id)) end(`${driver.name} drives the robot.`);
   else if (world.isBlocked(id)) end(world.summarize(id).text);
-}
-
-function connectionChanged(sentence) {
-  problem = sentence;
-  if (sentence) {
-    end("The connection to the cockpit was lost.");
-    setText(element("link"), "–");
-  } else {
-    stops.resend();
-  }
-  show();
-}
-
-function askForCode() {
-  end("The cockpit asks for the code.");
-  login.ask();
-}
-
-function changeRobot() {
-  end("Another robot was chosen.");
-  map.follow(true);
-  map.showCourse(world.chosen);
-  showUnits();
-  show();
 }
 
 function showUnits() {
@@ -137,7 +89,7 @@ function showUnits() {
 
 function start(stepping) {
   const robot = world.robot(world.chosen);
-  if (!link.connected || !robot) return ended(problem || "No robot is running: start one.", null);
+  if (!shell.link.connected || !robot) return ended(shell.problem || "No robot is running: start one.", null);
   clearPrints();
   end();
   setOutcome("Running");
@@ -234,19 +186,11 @@ function savePackage() {
 
 // What is shown
 
-function show() {
-  frame ??= requestAnimationFrame(showNow);
-}
-
-function showNow() {
-  frame = null;
-  showStatus(world, problem);
-  notice.update(world.isBlocked(world.chosen), runs());
-  stops.show();
+function draw() {
   showButtons();
   showPlace(workspace, runs() ? run.at : null);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
-  if (element("map").clientWidth) map.draw();
+  if (element("map").clientWidth) shell.map.draw();
 }
 
 // Shows the map in place of the Python, or that again.
@@ -289,17 +233,8 @@ element("examples").addEventListener("change", ({ target }) => {
 addEventListener("keydown", (event) => event.key === "Escape" && end("Stopped."), true);
 for (const event of ["pagehide", "freeze"]) addEventListener(event, () => end(HIDDEN));
 document.addEventListener("visibilitychange", () => document.hidden && end(HIDDEN));
-addEventListener("hashchange", () => location.hash && enter());
-
-async function enter() {
-  const code = takeCodeFromAddress();
-  const error = code && await logIn(code);
-  login.close();
-  if (error) login.ask(error);
-  link.open();
-}
 
 open("my program", EMPTY);
 work.restore();
 show();
-enter();
+shell.start();

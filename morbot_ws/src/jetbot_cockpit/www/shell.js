@@ -1,0 +1,110 @@
+// What the pad and the programs share: the connection, the login, the robots, the stops, and when all is shown.
+
+import { element, setText } from "./dom.js";
+import { Link } from "./link.js";
+import { LoginForm, logIn, storedName, takeCodeFromAddress } from "./login.js";
+import { RobotMap } from "./map.js";
+import { showRoundTrip, showStatus } from "./panel.js";
+import { Choice } from "./robots.js";
+import { Notice, Stops } from "./stops.js";
+import { World } from "./world.js";
+
+const LOST = "The connection to the cockpit was lost.";
+const NEW_CODES = "The cockpit was started again: its codes are new.";
+const STOPPED = "All robots were stopped.";
+const ASKED = "The cockpit asks for the code.";
+
+export class Shell {
+  problem = "Connecting"; // why there is no connection
+  world = new World();
+  notice = new Notice();
+  #codeError = ""; // why the code in the address was refused
+  #frame = null; // the next one shows what has changed
+
+  // receivers: what else the page does with a message, by its type; end(sentence): nothing drives any more, and why;
+  // drives(): whether this page drives its robot; changed(): another robot was chosen; draw(): shows what has changed;
+  // tap(id): a robot on the map was tapped
+  constructor({ receivers, end, drives, changed, draw, tap }) {
+    Object.assign(this, { receivers, end, drives, changed, draw });
+    const redraw = () => this.show();
+    this.link = new Link({
+      receive: (message) => this.#receive(message), changed: (sentence) => this.#connectionChanged(sentence),
+      refused: () => this.#askForCode(), measured: showRoundTrip,
+    });
+    this.login = new LoginForm(() => this.link.open());
+    this.choice = new Choice(this.world, () => this.#robotChanged());
+    this.stops = new Stops(this.world, { send: this.send, notice: this.notice, stopped: () => end(STOPPED) });
+    this.map = new RobotMap(element("map"), this.world, { choose: tap, redraw });
+    addEventListener("hashchange", () => location.hash && this.start());
+  }
+
+  // Sends a message; returns whether there is a connection. An old command must not arrive late.
+  send = (message) => (message.type === "drive" && (message.forward || message.left)
+    ? this.link.sendFresh(message) : this.link.send(message));
+
+  // Connects, with the code in the address if there is one; after a wrong one, too: an earlier one may still hold.
+  async start() {
+    const code = takeCodeFromAddress();
+    this.#codeError = code && await logIn(code);
+    this.login.close();
+    this.link.open();
+  }
+
+  show() {
+    this.#frame ??= requestAnimationFrame(() => {
+      this.#frame = null;
+      showStatus(this.world, this.problem);
+      this.notice.update(this.world.isBlocked(this.world.chosen), this.drives());
+      this.stops.show();
+      this.draw();
+    });
+  }
+
+  #takes = {
+    hello: (message) => {
+      this.world.hello(message);
+      if (storedName()) this.send({ type: "name", name: storedName() });
+    },
+    robots: (message) => {
+      const changes = this.world.list(message);
+      if (changes) this.notice.show(changes, () => false);
+      this.choice.begin();
+    },
+    state: (message) => {
+      this.world.update(message);
+      this.stops.update();
+    },
+    trail: ({ robot, points }) => this.world.trails.set(robot, points),
+    scene: (message) => this.world.scene(message) && this.map.showCourse(message.robot),
+    notice: ({ text }) => this.notice.show(text),
+  };
+
+  #receive(message) {
+    this.#takes[message.type]?.(message);
+    this.receivers[message.type]?.(message);
+    this.show();
+  }
+
+  #connectionChanged(sentence) {
+    this.problem = sentence;
+    if (sentence) {
+      this.end(LOST);
+      setText(element("link"), "–");
+    } else {
+      this.stops.resend();
+    }
+    this.show();
+  }
+
+  #askForCode() {
+    this.end(ASKED);
+    this.login.ask(this.#codeError || (this.world.me.id === null ? "" : NEW_CODES));
+  }
+
+  #robotChanged() {
+    this.changed();
+    this.map.follow(true);
+    this.map.showCourse(this.world.chosen);
+    this.show();
+  }
+}
