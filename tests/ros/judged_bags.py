@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 import rosbag
 import rospy
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
 from jetbot import JetbotError
@@ -45,12 +44,6 @@ def odometry(time, x, speed=0.3):
     message.pose.pose.orientation.w = 1.0
     message.twist.twist.linear.x = speed
     return message
-
-
-def forward(speed):
-    command = Twist()
-    command.linear.x = speed
-    return command
 
 
 def positions(length):

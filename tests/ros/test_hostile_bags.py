@@ -82,7 +82,7 @@ HOSTILE = {
     "encrypted.bag": (lambda name: edit(write(name), encrypted), "It is encrypted: "),
     "huge.bag": (lambda name: os.truncate(os.open(name, os.O_CREAT | os.O_WRONLY), 10 ** 12), "It is larger than"),
     "noise.bag": (lambda name: Path(name).write_bytes(b"#ROSBAG V2.0\n" + bytes(range(256)) * 99), "Its recording"),
-    "other_kind.bag": (lambda name: write(name, "/odom", make=lambda *_: Twist()), "It holds no drive: "),
+    "other_kind.bag": (lambda name: write(name, "/odom", make=lambda *_: Twist()), "It does not hold "),
     "text.bag": (lambda name: Path(name).write_text("hello"), "It is not a rosbag."),
     "wrong_kind.bag": (lambda name: edit(write_armed(name, "/x"), connection(1, 0)), ""),
     os.fsdecode(b"\xff.bag"): (write, ""),

@@ -8,7 +8,10 @@ import subprocess
 import pytest
 from roslib.packages import find_node
 
+from driving_tasks.scoring.tasks import TASKS
+from driving_tasks.sources.programs import judge_programs
 from harness import START_TIMEOUT, find_processes, read
+from jetbot import InvalidValue
 from jetbot.wait import wait_until
 from processes import end, start
 
@@ -75,3 +78,8 @@ def test_a_judge_that_is_killed_leaves_no_program_behind(folder):
         assert wait_until(lambda: not list(folder.glob("judge_*")), START_TIMEOUT)
     finally:
         end([judge])
+
+
+def test_a_config_that_the_controller_refuses_is_named_before_a_program_runs():
+    with pytest.raises(InvalidValue, match="There is no file .*nothing.yaml"):
+        next(judge_programs(TASKS["metre"], "drives.py", "nothing.yaml"))

@@ -55,7 +55,7 @@ def judge(given: Namespace) -> Iterator[Mark]:
     """Return the marks of the drives, each as the drive ends."""
     if given.bag:
         from driving_tasks.sources.bags import judge_bags  # here: each of these takes long to import
-        return judge_bags(given.task, given.bag, given.robot[0] if given.robot else None, given.config)
+        return judge_bags(given.task, given.bag, given.robot[0] if given.robot else None)
     if given.program:
         from driving_tasks.sources.programs import judge_programs
         return judge_programs(given.task, given.program, given.config, given.variation)

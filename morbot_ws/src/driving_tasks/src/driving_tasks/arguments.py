@@ -25,8 +25,8 @@ def parse_arguments(words: List[str]) -> argparse.Namespace:
                         help="judge a rosbag, or each in a folder; nothing in it is executed")
     source.add_argument("--program", metavar="PATH",
                         help="run a program, or each in a folder, and judge its drive")
-    parser.add_argument("--config", default="", metavar="FILE", help="units of the commands, of a bag with nothing "
-                        "else or of programs: a YAML file such as si_units.yaml")
+    parser.add_argument("--config", default="", metavar="FILE",
+                        help="units of the programs' commands: a YAML file such as si_units.yaml")
     parser.add_argument("--variation", type=_share, default=0.0, metavar="0..1",
                         help="of programs: how much their robot differs from the model, the same for each")
     parser.add_argument("--picture", type=_file(".png"), metavar="FILE.png", help="of one drive (default: TASK.png)")
@@ -83,10 +83,8 @@ def _check(parser, given):
             (not given.task and any(vars(given).values()),
              f"the task is missing. The tasks are {enumeration(list(TASKS))}."),
             (given.record and not live, "--record is for a robot that drives now."),
-            (given.config and live,
-             "--config belongs to --bag or --program: the robot that drives now has its own."),
-            (given.variation and not given.program,
-             "--variation belongs to --program: any other drive has that of its robot."),
+            ((given.config or given.variation) and not given.program,
+             "--config and --variation belong to --program: any other drive has those of its robot."),
             (given.picture and not is_single(given), "--picture is for one drive; for several, use --pictures FOLDER."),
             (given.robot and (given.program or given.bag and len(given.robot) > 1),
              "--robot names one robot of a bag, and none of a program.")):

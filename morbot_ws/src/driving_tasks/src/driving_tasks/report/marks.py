@@ -23,7 +23,7 @@ class Mark(NamedTuple):
     """What the judge found: a result, or None and the problem in one sentence.
 
     name: of the person or the file, "" if it is not known; robot: its name, "" of a file; source: "" if the shipped
-    simulator measured the drive, else "odometry", "commands", NOT_SIMULATED, or how the simulator was changed:
+    simulator measured the drive, else "odometry", NOT_SIMULATED, or how the simulator was changed:
     "simulator with max_speed 3 for 0.6".
     """
 

@@ -7,7 +7,6 @@ from typing import Dict, Iterator, List, Optional, Tuple
 
 import genpy.dynamic
 import rosbag
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from std_msgs.msg import String
 
@@ -21,30 +20,28 @@ from ..scoring.recorder import UNEXPLAINED, Sample
 from ..scoring.score import Result, judge
 from ..scoring.tasks import Task
 from .folders import find_files
-from .replay import read_config, replay
 
 MAX_SIZE = 200  # MB
 MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 SUFFIXES = (".bag", ".bag.active")  # rosbag renames the second to the first when it ends
 TRUTH, BY_HAND = "jetbot_simulator/ground_truth", "a ground truth that no node published"
 BODY = "jetbot_simulator/body"
-TYPES = {TRUTH: Odometry, "odom": Odometry, "cmd_vel": Twist, BODY: String}
+TYPES = {TRUTH: Odometry, "odom": Odometry, BODY: String}
 TOPIC = re.compile(rf"/?(?:(.+)/)?({'|'.join(TYPES)})")
-Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, commands, or texts
+Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, or texts
 
 # The most exact one first
-SOURCES = {TRUTH: "", BY_HAND: NOT_SIMULATED, "odom": "odometry", "cmd_vel": "commands"}
+SOURCES = {TRUTH: "", BY_HAND: NOT_SIMULATED, "odom": "odometry"}
 
 
-def judge_bags(task: Task, path: str, robot: Optional[str] = None, config: str = "") -> Iterator[Mark]:
+def judge_bags(task: Task, path: str, robot: Optional[str] = None) -> Iterator[Mark]:
     """Yield the mark of a bag, or of each bag in a folder. Raises InvalidValue.
 
-    robot: its namespace, None for the only one in a bag; config: a file of the controller's parameters, for commands.
+    robot: its namespace, None for the only one in a bag.
     """
-    settings = read_config(config)
     for file in find_files(Path(path), *SUFFIXES):
         outcome = (contained.Outcome(problem=file.problem) if file.problem else
-                   contained.run(_judge, task, str(file.path), robot, settings))
+                   contained.run(_judge, task, str(file.path), robot))
         result, source = outcome.value or (None, "")
         yield Mark(file.name, task.name, result, outcome.problem, source)
 
@@ -60,12 +57,11 @@ def sample_of(message: Odometry) -> Sample:
     return Sample(message.header.stamp.to_sec(), pose_of(message), twist.linear.x, twist.angular.z)
 
 
-def _judge(task, file, robot, settings) -> Tuple[Result, str]:
+def _judge(task, file, robot) -> Tuple[Result, str]:
     """Return the result of the drive in a bag, and the name of its source. This runs in a child."""
     tracks = _read(file)
     robot, topic = _choose(tracks, robot)
-    track = tracks[robot, topic]
-    result = judge(task, replay(track, task, **settings) if topic == "cmd_vel" else track)
+    result = judge(task, tracks[robot, topic])
     if topic == TRUTH:
         is_forged = result.drive.unexplained > UNEXPLAINED
         return result, NOT_SIMULATED if is_forged else changed(max(tracks.get((robot, BODY), [""]), key=len))
@@ -120,10 +116,9 @@ class _Bag(rosbag.Bag):
 
 def _tracks(bag: rosbag.Bag) -> Tracks:
     tracks = {}
-    for topic, message, time, header in bag.read_messages(connection_filter=_is_known, return_connection_header=True):
+    for topic, message, _, header in bag.read_messages(connection_filter=_is_known, return_connection_header=True):
         robot, name = TOPIC.fullmatch(topic).groups("")
-        value = (message.data if name == BODY else (time.to_sec(), message.linear.x, message.angular.z)
-                 if name == "cmd_vel" else sample_of(message))
+        value = message.data if name == BODY else sample_of(message)
         name = BY_HAND if name == TRUTH and "callerid" not in header else name  # rosbag record writes it
         tracks.setdefault((robot, name), []).append(value)
     return tracks
@@ -139,7 +134,7 @@ def _choose(tracks: Tracks, robot: Optional[str]) -> Tuple[str, str]:
     """Return a robot, and the topic from which its drive is known best. Raises ValueError."""
     robots = sorted({each for each, topic in tracks if topic in SOURCES})
     if not robots:
-        raise ValueError("It holds no drive: record odom or cmd_vel with it.")
+        raise ValueError(f"It does not hold where the robot was: record {TRUTH}, or odom.")
     if robot is None and len(robots) > 1 or robot not in (None, *robots):
         names = enumeration([each or "a robot without a name" for each in robots])
         raise ValueError(f"It holds {printable(names)}: choose one with --robot NAME.")

@@ -10,7 +10,6 @@ from typing import Callable, Iterator, List, Optional, Sequence
 
 import rosbag
 import rospy
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from std_msgs.msg import String
 
@@ -28,7 +27,7 @@ POLL_INTERVAL = 0.05    # s
 ASK_INTERVAL = 1.0      # s between two questions to the master
 RESTORE_TIMEOUT = 1.0   # s until all simulators have their worlds back
 SHUTDOWN_TIMEOUT = 2.0  # s; a frozen master never answers
-MAX_MESSAGES = 100_000  # of each topic that are recorded; the oldest are dropped
+MAX_MESSAGES = 100_000  # that are recorded; the oldest are dropped
 LOST = JetbotError("the ROS master has ended, hangs or was restarted, or another judge took this one's place",
                    "Start the judge again.")
 
@@ -154,17 +153,12 @@ def close(robots: Sequence[JudgedRobot]) -> None:
 
 
 class Recording:
-    """The ground truth, the body and the commands of the attempt's robot, as a rosbag that can be judged again."""
+    """The ground truth and the body of the attempt's robot, as a rosbag that can be judged again."""
 
     def __init__(self, attempt: Attempt):
         self._attempt, self._robot = attempt, attempt.robot
-        self._messages = deque(maxlen=MAX_MESSAGES)  # topic, message, time
-        rospy.Subscriber(self._robot.truth_topic, Odometry, self._add, self._robot.truth_topic)
-        rospy.Subscriber(self._robot.command_topic, Twist, self._add, self._robot.command_topic)
-
-    def _add(self, message, topic):
-        time = message.header.stamp if message._type == Odometry._type else rospy.Time.now()
-        self._messages.append((topic, message, time))
+        self._messages = deque(maxlen=MAX_MESSAGES)
+        rospy.Subscriber(self._robot.truth_topic, Odometry, self._messages.append)
 
     def save(self, file: str) -> None:
         """Write what has arrived since the robot was at its start, in one step. Raises OSError."""
@@ -173,7 +167,8 @@ class Recording:
             with rosbag.Bag(str(bag_file), "w") as bag:
                 start = self._attempt.start.time - self._robot.set_back
                 bag.write(self._robot.body_topic, String(self._robot.body), rospy.Time.from_sec(start))
-                for topic, message, time in list(self._messages):
+                for message in list(self._messages):
+                    time = message.header.stamp
                     if time.to_sec() >= start:
-                        bag.write(topic, message, time, connection_header=message._connection_header)
+                        bag.write(self._robot.truth_topic, message, time, connection_header=message._connection_header)
             files.replace(file, bag_file.read_bytes())

@@ -17,6 +17,7 @@ from roslib.packages import find_node
 
 from jetbot.text import enumeration, printable
 from jetbot.wait import wait_until
+from jetbot_control_node import parameters
 from jetbot_ros.master import is_reachable
 
 from .. import contained
@@ -26,7 +27,6 @@ from .attempt import INVITATION, Attempt
 from .folders import find_files
 from .judged_robot import JudgedRobot
 from .live import POLL_INTERVAL, init_node
-from .replay import read_config
 
 OTHER_FILES = ("__init__.py", "setup.py")  # of a package, that are no programs
 START_TIMEOUT = 30  # s until master, controller and simulator run
@@ -46,7 +46,8 @@ def judge_programs(task: Task, path: str, config: str = "", variation: float = 0
     They run with all rights of this user, one after the other, because motion is measured by the clock.
     config: the controller's file of parameters, such as si_units.yaml; variation: of their robot, the same for each.
     """
-    read_config(config)  # the controller would not start
+    if config:  # the controller would not start
+        parameters.checked(parameters.load(parameters.find_file(config, ())))
     drive_time = round(task.time_limit) + DRIVE_TIMEOUT
     limits = contained.Limits(MEMORY, drive_time, START_TIMEOUT + drive_time + contained.END_TIMEOUT, FILE_SIZE)
     for file in find_files(Path(path).absolute(), ".py", without=OTHER_FILES):  # it runs in a folder of its own
