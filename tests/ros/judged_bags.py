@@ -53,14 +53,11 @@ def positions(length):
         yield 100 + number / 50, min(length, max(0.0, x)), 0.3 if 0 <= x < length else 0.0
 
 
-def write(name, topic=TRUTH, length=1.0, make=odometry, publisher="/jetbot_simulator"):
-    """Write a bag as rosbag record does; one without a publisher as a program does."""
+def write(name, topic=TRUTH, length=1.0, make=odometry):
+    """Write a bag of a drive of this length in m."""
     with rosbag.Bag(name, "w") as bag:
         for time, *motion in positions(length):
-            message = make(time, *motion)
-            header = {"topic": topic, "callerid": publisher, "type": message._type, "md5sum": message._md5sum,
-                      "message_definition": message._full_text} if publisher else None
-            bag.write(topic, message, rospy.Time.from_sec(time), connection_header=header)
+            bag.write(topic, make(time, *motion), rospy.Time.from_sec(time))
     return Path(name)
 
 

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
-from std_msgs.msg import String
 
 from driving_tasks.scoring.tasks import TASKS
 from harness import START_TIMEOUT, SharedRobotTest, program, read
@@ -62,12 +61,11 @@ class ClassJudge(SharedRobotTest):
 
     def test_an_interruption_ends_it_and_a_new_request_begins_again(self):
         self.ask("metre")
-        world = rospy.Publisher("/jetbot_simulator/world", String, queue_size=1, latch=True)
-        world.publish("walls: [[[1, 1], [2, 2]]]")
+        self.emergency_stop(True)
         self.wait_for(lambda: self.states[-1][1] == "cancelled", START_TIMEOUT, "its end")
-        self.assertIn("Walls or lines around the robot were changed", self.states[-1][2])
-        self.wait_for(lambda: "Walls or lines" in "".join(self.rows()), START_TIMEOUT, "its row")
-        world.unregister()
+        self.assertIn("The robot is stopped: emergency stop.", self.states[-1][2])
+        self.wait_for(lambda: "emergency stop" in "".join(self.rows()), START_TIMEOUT, "its row")
+        self.emergency_stop(False)
         self.ask("quarter")
         self.ask("metre")
 

@@ -13,8 +13,7 @@ from jetbot.text import printable
 from ..scoring.score import Result
 
 COLUMNS = ("robot", "name", "task", "score", "seconds", "largest_loss", "problem", "source")
-SIMULATOR, NOT_SIMULATED = "simulator", "not from the simulator"
-NO_SIMULATION = "Not from the simulator: its bag was made by hand, or something else than its wheels moved the robot."
+SIMULATOR = "simulator"
 MAX_BODY = 100  # characters
 FORMULA = re.compile(r'(^|[,;])([\s"]*[=+@＝＋＠－-])')  # of OWASP's list; where some spreadsheets begin a cell, too
 
@@ -23,8 +22,8 @@ class Mark(NamedTuple):
     """What the judge found: a result, or None and the problem in one sentence.
 
     name: of the person or the file, "" if it is not known; robot: its name, "" of a file; source: "" if the shipped
-    simulator measured the drive, else "odometry", NOT_SIMULATED, or how the simulator was changed:
-    "simulator with max_speed 3 for 0.6".
+    simulator measured the drive, else "odometry", or how the simulator was changed: "simulator
+    with max_speed 3 for 0.6".
     """
 
     name: str
@@ -58,8 +57,6 @@ class Mark(NamedTuple):
     @property
     def note(self) -> str:
         """A sentence on a source other than the shipped simulator, else ""."""
-        if self.source == NOT_SIMULATED:
-            return NO_SIMULATION
         if self.source.startswith(SIMULATOR):
             return f"Driven in a {self.source}."
         return self.source and f"Measured by its {self.source}, not by the simulator."

@@ -19,6 +19,7 @@ MAX_SPEED, MAX_TURN = 2.0, 12.0    # m/s, rad/s; what seems faster is a robot th
 FARTHEST, LATEST = 1e4, 1e12       # m, s; what is beyond is no measurement
 DEGREE = math.radians(1) / 0.01    # rad/m: one degree counts as one centimetre
 UNEXPLAINED = 0.01                 # m; what exceeds it was done by no wheel: lost samples explain about half of it
+MOVED = "The robot was moved, and not by its wheels, so the drive does not count."
 CONTACT = 0.001                    # m from a wall that stops the wheels within no time
 
 

@@ -9,7 +9,7 @@ from simulation.world_files import dump
 
 from ..report.announcement import CANCELLED, READY, Announcement
 from ..report.marks import Mark
-from ..scoring.recorder import DONE, DRIVING, UNEXPLAINED, WAITING, NoDrive, Recorder, Sample
+from ..scoring.recorder import DONE, DRIVING, MOVED, UNEXPLAINED, WAITING, NoDrive, Recorder, Sample
 from ..scoring.score import rate
 from ..scoring.tasks import Task
 from .judged_robot import JudgedRobot
@@ -138,8 +138,6 @@ class Attempt:
     def _measure(self):
         """Record until the drive is done."""
         while self._recorder.state != DONE:
-            if self.robot.world_changed:
-                raise Interrupted("Walls or lines around the robot were changed, so the drive does not count.")
             for sample in self.robot.samples:
                 self._feed(sample)
             self._check_driver()
@@ -160,8 +158,8 @@ class Attempt:
             if was_driving:
                 self._report("The robot was put back to its start.")
                 self._invite()
-        if self._recorder.unexplained > UNEXPLAINED or self.robot.lacks_power:
-            raise Interrupted("The robot was moved, and not by its wheels, so the drive does not count.")
+        if self._recorder.unexplained > UNEXPLAINED:
+            raise Interrupted(MOVED)
 
     def _check_driver(self):
         if self._recorder.state == DRIVING:

@@ -15,8 +15,8 @@ from jetbot.text import enumeration, printable
 from simulation.recording import pose_of
 
 from .. import contained
-from ..report.marks import NOT_SIMULATED, Mark, changed
-from ..scoring.recorder import UNEXPLAINED, Sample
+from ..report.marks import Mark, changed
+from ..scoring.recorder import MOVED, UNEXPLAINED, NoDrive, Sample
 from ..scoring.score import Result, judge
 from ..scoring.tasks import Task
 from .folders import find_files
@@ -24,14 +24,11 @@ from .folders import find_files
 MAX_SIZE = 200  # MB
 MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 SUFFIXES = (".bag", ".bag.active")  # rosbag renames the second to the first when it ends
-TRUTH, BY_HAND = "jetbot_simulator/ground_truth", "a ground truth that no node published"
-BODY = "jetbot_simulator/body"
-TYPES = {TRUTH: Odometry, "odom": Odometry, BODY: String}
+TRUTH, BODY = "jetbot_simulator/ground_truth", "jetbot_simulator/body"
+ODOM = "odom"
+TYPES = {TRUTH: Odometry, ODOM: Odometry, BODY: String}
 TOPIC = re.compile(rf"/?(?:(.+)/)?({'|'.join(TYPES)})")
 Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, or texts
-
-# The most exact one first
-SOURCES = {TRUTH: "", BY_HAND: NOT_SIMULATED, "odom": "odometry"}
 
 
 def judge_bags(task: Task, path: str, robot: Optional[str] = None) -> Iterator[Mark]:
@@ -62,10 +59,11 @@ def _judge(task, file, robot) -> Tuple[Result, str]:
     tracks = _read(file)
     robot, topic = _choose(tracks, robot)
     result = judge(task, tracks[robot, topic])
-    if topic == TRUTH:
-        is_forged = result.drive.unexplained > UNEXPLAINED
-        return result, NOT_SIMULATED if is_forged else changed(max(tracks.get((robot, BODY), [""]), key=len))
-    return result, SOURCES[topic]
+    if topic != TRUTH:
+        return result, "odometry"
+    if result.drive.unexplained > UNEXPLAINED:
+        raise NoDrive(MOVED)
+    return result, changed(tracks.get((robot, BODY), [""])[-1])
 
 
 def _read(file: str) -> Tracks:
@@ -116,10 +114,9 @@ class _Bag(rosbag.Bag):
 
 def _tracks(bag: rosbag.Bag) -> Tracks:
     tracks = {}
-    for topic, message, _, header in bag.read_messages(connection_filter=_is_known, return_connection_header=True):
+    for topic, message, _ in bag.read_messages(connection_filter=_is_known):
         robot, name = TOPIC.fullmatch(topic).groups("")
         value = message.data if name == BODY else sample_of(message)
-        name = BY_HAND if name == TRUTH and "callerid" not in header else name  # rosbag record writes it
         tracks.setdefault((robot, name), []).append(value)
     return tracks
 
@@ -132,11 +129,11 @@ def _is_known(topic, kind, md5sum, _definition, _header):
 
 def _choose(tracks: Tracks, robot: Optional[str]) -> Tuple[str, str]:
     """Return a robot, and the topic from which its drive is known best. Raises ValueError."""
-    robots = sorted({each for each, topic in tracks if topic in SOURCES})
+    robots = sorted({each for each, topic in tracks if topic != BODY})
     if not robots:
-        raise ValueError(f"It does not hold where the robot was: record {TRUTH}, or odom.")
+        raise ValueError(f"It does not hold where the robot was: record {TRUTH}, or {ODOM}.")
     if robot is None and len(robots) > 1 or robot not in (None, *robots):
         names = enumeration([each or "a robot without a name" for each in robots])
         raise ValueError(f"It holds {printable(names)}: choose one with --robot NAME.")
     robot = robots[0] if robot is None else robot
-    return robot, next(topic for topic in SOURCES if (robot, topic) in tracks)
+    return robot, TRUTH if (robot, TRUTH) in tracks else ODOM

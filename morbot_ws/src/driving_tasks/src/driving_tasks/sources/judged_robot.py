@@ -5,13 +5,12 @@ import functools
 import re
 from collections import deque
 from threading import Thread
-from typing import Callable, Iterator, List, Optional, Sequence
+from typing import Iterator, List, Optional, Sequence
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from std_msgs.msg import Float32MultiArray, String
+from std_msgs.msg import String
 from std_srvs.srv import Empty
 from visualization_msgs.msg import MarkerArray
 
@@ -21,13 +20,11 @@ from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 from jetbot_ros.state import EMERGENCY_STOP, ENDED, HOLDS, OWN_EMERGENCY_STOP, UNKNOWN, read
 
 from ..report.marks import changed
-from ..scoring.power import Power
 from ..scoring.recorder import Sample
 from .bags import sample_of
 from .readers import Readers
 
 SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
-COCKPIT = "jetbot_cockpit"
 STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
@@ -65,11 +62,6 @@ def label(namespace: str) -> str:
     return namespace.strip("/") or "robot"
 
 
-def sender(message: rospy.Message) -> str:
-    """Return the name of the node that sent this message."""
-    return message._connection_header.get("callerid", "")
-
-
 class JudgedRobot:
     """``poll`` reads what has arrived; the rest returns what is known by then. Needs an initialized node.
 
@@ -83,40 +75,25 @@ class JudgedRobot:
         self.set_back = 0.0  # s by which its computer's clock was set back; the times of samples go on all the same
         self.driver, self.interruptions = "", []  # the name of who drives by a page; what the last poll has read
         self._arrived, self._silent_polls, self._moved_at, self._time = deque(), 0, 0.0, 0.0
-        self._interruptions, self._power = deque(), Power()
+        self._interruptions = deque()
         self._readers = Readers(namespace) if by_camera else None
         self._state, self._worlds, self._known_worlds = UNKNOWN, 0, 0
         self.body = "an unknown body"  # until the simulator has said how it differs
         simulator = f"{namespace}/jetbot_simulator"
-        self.truth_topic, self.command_topic = f"{simulator}/ground_truth", f"{namespace}/cmd_vel"
+        self.truth_topic = f"{simulator}/ground_truth"
         self.body_topic = f"{simulator}/body"
         self._world = rospy.Publisher(f"{simulator}/world", String, queue_size=1, latch=True)
         self._reset = rospy.ServiceProxy(f"{simulator}/reset", Empty)
         self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/state", DiagnosticStatus, self._on_state)
-        self._simulator = ""  # the node that puts the robot to its start, once it runs
-        rospy.Subscriber(f"{namespace}/world", MarkerArray, self._of_simulator(self._on_world))
-        rospy.Subscriber(f"{namespace}/jetbot_controller/wheels", Float32MultiArray, self._on_wheels)
-        rospy.Subscriber(self.command_topic, Twist, self._on_command)
+        rospy.Subscriber(f"{namespace}/world", MarkerArray, self._on_world)
         rospy.Subscriber(f"{namespace}/driver", DiagnosticStatus, self._on_driver)
-        rospy.Subscriber(self.body_topic, String, self._of_simulator(self._on_body))
-        self._truth = rospy.Subscriber(self.truth_topic, Odometry, self._of_simulator(self._arrived.append))
-
-    def _of_simulator(self, act: Callable[[rospy.Message], None]) -> Callable[[rospy.Message], None]:
-        """Return a callback for what the simulator publishes, which ignores other programs' messages."""
-        return lambda message: self._is_simulator(sender(message)) and act(message)
-
-    def _is_simulator(self, node):
-        if not self._simulator:
-            with contextlib.suppress(*NO_ANSWER):
-                self._simulator = system_state()[2].get(f"{self.namespace}/jetbot_simulator/reset", [""])[0]
-        return node == self._simulator
+        rospy.Subscriber(self.body_topic, String, self._on_body)
+        rospy.Subscriber(self.truth_topic, Odometry, self._arrived.append)
 
     def _on_state(self, message):
         self._state = read(message)
 
     def _on_driver(self, message):
-        if sender(message).rpartition("/")[2] != COCKPIT:
-            return
         names = [printable(pair.value)[:MAX_NAME] for pair in message.values if pair.key == "name"]
         self.driver = "".join(names[:1])
         if message.message:
@@ -124,12 +101,6 @@ class JudgedRobot:
 
     def _on_body(self, message):
         self.body = message.data
-
-    def _on_wheels(self, message):
-        self._power.drive(message.data[2:])
-
-    def _on_command(self, message):
-        self._power.command((message.linear.x, message.angular.z))
 
     def _on_world(self, _):
         self._worlds += 1
@@ -142,7 +113,6 @@ class JudgedRobot:
         for sample in self.samples:
             if not self.latest or any(abs(new - old) > MOTION for new, old in zip(sample.pose, self.latest.pose)):
                 self._moved_at = sample.time
-                self._power.move()
             self.latest = sample
         if self._readers:
             self._readers.poll(not self.has_stopped)
@@ -152,11 +122,6 @@ class JudgedRobot:
         self._time = max(self._time, sample.time + self.set_back)
         self.set_back = max(self.set_back, self._time - sample.time)
         return sample._replace(time=self._time)
-
-    @property
-    def lacks_power(self) -> bool:
-        """Whether a robot of the shipped size moves, though its controller gives its wheels no power."""
-        return self._power.is_missing and not self.body
 
     @property
     def has_stopped(self) -> bool:
@@ -179,8 +144,6 @@ class JudgedRobot:
         if self._silent_polls >= SILENT_POLLS:
             return ("The simulator does not answer. Continue it (after Ctrl-Z: fg), or start it again: "
                     "roslaunch simulation simulation.launch")
-        if self._truth.get_num_connections() > 1:
-            return f"Another program than the simulator publishes {self.truth_topic}. End it."
         if self._state is not UNKNOWN and not self.is_controlled:
             return "The controller has ended. Start it again: rosrun jetbot_control_node jetbot_controller.py"
         if self._state.cause in (EMERGENCY_STOP, OWN_EMERGENCY_STOP):
@@ -194,7 +157,7 @@ class JudgedRobot:
     def commanders(self) -> List[str]:
         """Return the nodes that publish commands for this robot; none if the master does not answer."""
         with contextlib.suppress(*NO_ANSWER):
-            return [printable(node) for node in system_state()[0].get(self.command_topic, ())]
+            return [printable(node) for node in system_state()[0].get(f"{self.namespace}/cmd_vel", ())]
         return []
 
     def put_at_start(self) -> Iterator[None]:
@@ -222,8 +185,3 @@ class JudgedRobot:
     def has_world(self) -> bool:
         """Whether the simulator has the world of the last ``set_world``; before the first one, that of its start."""
         return self._worlds > self._known_worlds
-
-    @property
-    def world_changed(self) -> bool:
-        """Whether it has got another one since then."""
-        return self._worlds > self._known_worlds + 1

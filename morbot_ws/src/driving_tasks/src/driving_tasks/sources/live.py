@@ -170,5 +170,5 @@ class Recording:
                 for message in list(self._messages):
                     time = message.header.stamp
                     if time.to_sec() >= start:
-                        bag.write(self._robot.truth_topic, message, time, connection_header=message._connection_header)
+                        bag.write(self._robot.truth_topic, message, time)
             files.replace(file, bag_file.read_bytes())

@@ -7,7 +7,6 @@ import pytest
 from driving_pupil import SOLUTIONS, Robot, run, straight, turn
 
 from driving_tasks.report.marks import Mark
-from driving_tasks.scoring.power import ROLLING, Power
 from driving_tasks.scoring.recorder import UNEXPLAINED, Recorder, Sample
 from driving_tasks.scoring.score import judge
 from driving_tasks.scoring.tasks import TASKS
@@ -94,24 +93,6 @@ def test_poses_without_their_speeds_are_found():
     drive = [Sample(sample.time, sample.pose, 0.0) for sample in run(straight(1.0))]
     rotation = [sample._replace(rotation=0.0) for sample in run(turn(90))]
     assert min(map(unexplained, (drive, rotation))) > 0.5
-
-
-def move(power, samples):
-    for _ in range(samples):
-        power.move()
-    return power.is_missing
-
-
-def test_a_robot_that_moves_on_and_on_without_power_is_found():
-    power = Power()
-    assert not move(power, 3 * ROLLING), "a controller that says nothing"
-    power.drive((0.2, -0.2))
-    assert not move(power, 3 * ROLLING)
-    power.drive((0.0, 0.0))
-    assert not move(power, ROLLING // 2), "it rolls out"
-    assert move(power, ROLLING)
-    power.command((0.0, 0.5))
-    assert not power.is_missing, "a burst of power, which is not reported"
 
 
 def test_a_changed_simulator_is_named():
