@@ -1,4 +1,4 @@
-"""What a person sees becomes the parameters of a robot that drives straight, squares included."""
+"""What a person sees becomes the parameters of a robot that drives straight."""
 
 import math
 
@@ -6,20 +6,15 @@ import pytest
 
 from jetbot import InvalidValue
 from jetbot.fake.motors import wheel_speeds
-from jetbot.kinematics import WHEEL_SEPARATION, Pose
+from jetbot.kinematics import WHEEL_SEPARATION
 from jetbot_tools.calibration.corrections import (
     base_wiring,
-    corrected,
     curvature_of,
-    find_errors,
     motor_wiring,
     proportional_alphas,
     trim,
 )
 from jetbot_tools.calibration.motions import DRIVE_SPEED
-
-PARAMETERS = {"left_motor_alpha": 1.0, "right_motor_alpha": 1.0, "max_speed": 0.6,
-              "wheel_separation": 0.1125}
 
 
 @pytest.mark.parametrize("left_output, right_output, swap, left, right", [
@@ -61,36 +56,3 @@ def test_trim_knows_that_an_alpha_leaves_the_min_duty_as_it_is():
 def test_a_robot_stays_straight_without_its_min_duty():
     left, right = (0.1 + 0.9 * alpha * DRIVE_SPEED for alpha in (0.9, 1.0))
     assert proportional_alphas(0.9, 1.0, min_duty=0.1) == pytest.approx((left / right, 1.0), rel=1e-3)
-
-
-def squares(robot, parameters):
-    """Where the robot, {"left": m/s, "right": m/s, "separation": m}, ends after each square."""
-    left, right = (robot[wheel] * parameters[f"{wheel}_motor_alpha"] / parameters["max_speed"]
-                   for wheel in ("left", "right"))
-    roll = math.pi / 4 * parameters["wheel_separation"]
-    ends = []
-    for way in (1, -1):
-        pose = Pose()
-        for _ in range(4):
-            pose = pose.integrate_arc(left, right, robot["separation"])
-            pose = pose.integrate_arc(-way * roll * left, way * roll * right, robot["separation"])
-        ends.append(complex(pose.x, pose.y))
-    return ends
-
-
-@pytest.mark.parametrize("ratio, separation", [(0.97, 1.08), (1.03, 1.08), (0.97, 0.92), (1.03, 0.92), (0.99, 1.3)])
-def test_two_rounds_of_squares_correct_trim_speed_and_separation(ratio, separation):
-    robot = {"left": 0.6 / math.sqrt(ratio), "right": 0.6 * math.sqrt(ratio), "separation": 0.1125 * separation}
-    parameters, misses = PARAMETERS, []
-    for _ in range(3):
-        ends = squares(robot, parameters)
-        misses.append(max(map(abs, ends)))
-        parameters = {**parameters, **corrected(parameters, find_errors(ends))}
-    assert misses[0] > 0.5 and misses[1] < 0.12 and misses[2] < 0.02
-    assert parameters["wheel_separation"] == pytest.approx(robot["separation"], rel=0.005)
-    assert parameters["max_speed"] == pytest.approx(robot["left"] * parameters["left_motor_alpha"], rel=0.005)
-
-
-def test_ends_that_no_robot_reaches_are_refused():
-    with pytest.raises(InvalidValue, match="^No robot ends like that after both squares. Check ahead and behind"):
-        find_errors([1 + 1j, 1 + 1j])

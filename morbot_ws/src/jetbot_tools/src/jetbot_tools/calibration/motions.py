@@ -1,6 +1,5 @@
 """Motions: lists of what the wheels do, in steps of at most STEP seconds."""
 
-import math
 from typing import Any, List, Mapping, NamedTuple
 
 from jetbot.motor import duty
@@ -38,17 +37,7 @@ def gentle(left: float, right: float, seconds: float, min_duty: float = 0.0) -> 
     return [*rising, *constant_speed(left, right, max(0.0, seconds - ramp)), *reversed(rising)]
 
 
-def roll(metres: float, left: int, right: int, speed: float, parameters: Mapping[str, Any]) -> List[Step]:
-    """Return a motion on which each wheel rolls so far. left, right: 1 forward, -1 backward."""
-    return gentle(left * speed, right * speed, metres / (parameters["max_speed"] * speed))
-
-
 def spin(angle: float, parameters: Mapping[str, Any]) -> List[Step]:
-    """Return a turn on the spot by an angle in rad, positive to the left, of a robot with these parameters."""
-    way = 1 if angle > 0 else -1
-    return roll(abs(angle) * parameters["wheel_separation"] / 2, -way, way, SPIN_SPEED, parameters)
-
-
-def square(way: int, parameters: Mapping[str, Any]) -> List[Step]:
-    """Return a square with sides of 1 m and four quarter turns. way: 1 to the left, -1 to the right."""
-    return 4 * (roll(1.0, 1, 1, DRIVE_SPEED, parameters) + spin(way * math.pi / 2, parameters))
+    """Return a turn to the left on the spot by an angle in rad, of a robot with these parameters."""
+    metres = angle * parameters["wheel_separation"] / 2
+    return gentle(-SPIN_SPEED, SPIN_SPEED, metres / (parameters["max_speed"] * SPIN_SPEED))

@@ -1,19 +1,17 @@
-"""Asks how far a robot drives and turns, and where it ends after a square, so that it obeys metres and radians."""
+"""Asks how far a robot drives and turns, so that it obeys metres and radians."""
 
 import math
 from typing import Any, Callable, Dict, List, Optional
 
-from jetbot.errors import InvalidValue
 from jetbot.kinematics import WHEEL_SEPARATION
 from jetbot.motor import duty
 
-from ..terminal import YES_OR_NO, choose, number, offset
-from .corrections import ALPHAS, corrected, find_errors, proportional_alphas
-from .motions import DRIVE_SPEED, Step, gentle, spin, square
+from ..terminal import YES_OR_NO, choose, number
+from .corrections import ALPHAS, proportional_alphas
+from .motions import DRIVE_SPEED, Step, gentle, spin
 
 DRIVE_TIME = 2.0  # s
 TURN = 720        # degrees
-AXES = {"ahead or behind": {"ahead": 1, "behind": -1}, "to the left or right": {"left": 1, "right": -1}}
 INTRODUCTION = """
 With a tape measure, commands become metres and radians: linear.x in m/s, angular.z in rad/s.
 Without, they stay as they are in the workshop. Put the robot on the floor, with two metres ahead of it."""
@@ -22,7 +20,7 @@ Drive = Callable[[str, List[Step]], Optional[Step]]  # as Wizard.drive_until_key
 
 
 def measure(drive: Drive, parameters: Dict[str, Any]) -> None:
-    """Add max_speed and wheel_separation to a robot's parameters, and improve its alphas; a person may skip each."""
+    """Add max_speed and wheel_separation to a robot's parameters; a person may skip each."""
     print(INTRODUCTION)
     motion = gentle(DRIVE_SPEED, DRIVE_SPEED, DRIVE_TIME, parameters["min_duty"])
     centimetres = ask(drive, "Measure how far it drives?", f"The robot will drive ahead for {DRIVE_TIME:.0f} s.",
@@ -35,7 +33,6 @@ def measure(drive: Drive, parameters: Dict[str, Any]) -> None:
                   f"How many degrees did it turn? Twice round is {TURN}.", 180, 1440)
     if degrees:
         parameters["wheel_separation"] = round(WHEEL_SEPARATION * TURN / degrees, 4)
-    check_squares(drive, parameters)
 
 
 def obey_metres(parameters: Dict[str, Any], speed: float) -> None:
@@ -59,29 +56,3 @@ def ask(drive: Drive, offer: str, announcement: str, motion: List[Step], questio
             return number(f"{question} Press Enter alone to skip this.", highest, lowest)
         print("The motion was stopped, so there is nothing to measure.")
     return 0.0
-
-
-def check_squares(drive: Drive, parameters: Dict[str, Any]) -> None:
-    """Drive a square of 1 m both ways round, and correct the parameters by where it ends, until that is skipped."""
-    print("\nTo check: two squares of 1 m. Mark where the middle between the wheels is, and which way the robot faces.")
-    offer = "Drive the squares?"
-    while choose(offer, YES_OR_NO, enter="no"):
-        driven = {"wheel_separation": WHEEL_SEPARATION, **parameters}
-        try:
-            ends = [drive_square(drive, side, square(way, driven)) for side, way in (("left", 1), ("right", -1))]
-            parameters.update(corrected(driven, find_errors(ends)))
-        except InvalidValue as error:
-            print(error)
-            continue
-        offer = f"It ended {' and '.join(f'{100 * abs(end):.0f} cm' for end in ends)} from the start. " \
-                "Trim, max_speed and wheel_separation are corrected. Drive the squares again?"
-
-
-def drive_square(drive: Drive, side: str, motion: List[Step]) -> complex:
-    """Return where a square ends, seen from its start: m ahead + 1j * m left. Raise InvalidValue if it is stopped."""
-    seconds = sum(step.seconds for step in motion)
-    if drive(f"Put the robot at the start. It will drive a square to the {side}, in {seconds:.0f} s.", motion):
-        raise InvalidValue("the square was stopped", "Nothing is changed.")
-    print("Where did it end, as seen from the start?")
-    return complex(*(offset(f"How many centimetres {question}? Press Enter alone for 0.", 200, sides) / 100
-                     for question, sides in AXES.items()))
