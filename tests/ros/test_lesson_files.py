@@ -31,8 +31,6 @@ def test_nothing_is_missing(mine):
 
 @pytest.mark.parametrize("given, problem", [
     ("yours", "There is no package yours in {}: make it"),
-    *((name, f"There is no package {name}, but there is mine: type that name, or make it")
-      for name in ("Mine", "scenarios/mine", "/mine/", "mien")),
     *((name, "A package's name begins with a letter and has letters, digits and _: type the name of yours")
       for name in ("", "/", "..", "my car", "2cars", "m" * 5000))])
 def test_no_package(mine, given, problem):
@@ -45,27 +43,13 @@ def test_package_outside_the_workspace(mine, tmp_path, monkeypatch):
     assert exists("mine") is None
 
 
-@pytest.mark.parametrize("place, name", [("mine", "CATKIN_IGNORE"), (".", "CATKIN_IGNORE"), ("mine", "COLCON_IGNORE")])
-def test_package_that_catkin_ignores(mine, place, name):
-    marker = mine.parent / place / name
-    marker.touch()
-    assert exists("mine") == f"ROS and catkin ignore {mine}: rm {marker}, then ./morbot setup"
-
-
 def test_package_that_setup_has_left_out(mine):
     (mine / "CATKIN_IGNORE").write_text(f"morbot: {mine} is left out: it is broken. Correct it, then: ./morbot setup\n")
     assert exists("mine") == f"{mine} is left out: it is broken. Correct it, then: ./morbot setup"
 
 
-def test_package_where_ros_does_not_search(mine):
-    elsewhere = mine.rename(mine.parents[1] / "mine")
-    assert exists("mine") == f"ROS does not search {elsewhere.parent} for packages: mv {elsewhere} {mine.parent}"
-
-
 @pytest.mark.parametrize("file, text, check, problem", [
     ("CMakeLists.txt", None, exists, "{0} has no CMakeLists.txt: mv {0} ~, then make it"),
-    ("package.xml", PACKAGE_XML.replace("mine", "yours"), exists, "{0}/package.xml names another package: "
-     "write <name>mine</name> there, and project(mine) in CMakeLists.txt"),
     ("package.xml", PACKAGE_XML.replace("<depend>geometry_msgs</depend>", ""), depends, "{0}/package.xml does not name "
      "geometry_msgs: add <exec_depend>geometry_msgs</exec_depend> before </package>"),
     (LAUNCH, None, check_launch_files,
@@ -82,10 +66,6 @@ def test_package_where_ros_does_not_search(mine):
     (DRIVE, " \n", check_scripts, f"{{0}}/{DRIVE} is empty: write your program into it, and save it"),
     (DRIVE, "#!/usr/bin/env python3\n# Drives.\n", check_scripts,
      "drive.py holds no command yet: write your program into it, and save it"),
-    (DRIVE, f"{SCRIPT}def main():\n    pass\n\n\nmain\n", check_scripts,
-     "drive.py, line 7: main alone does nothing: write main()"),
-    (DRIVE, f"{SCRIPT}motion.linear = 0.3\n", check_scripts,
-     "drive.py, line 3: a number cannot be assigned to all of it: write linear.x = ..."),
     (DRIVE, SCRIPT.replace("\n", "\r\n"), check_scripts,
      rf"drive.py has Windows line endings: sed -i 's/\r$//' {{0}}/{DRIVE}"),
     *((DRIVE, f"{first}\n", check_scripts,
@@ -94,14 +74,6 @@ def test_package_where_ros_does_not_search(mine):
 def test_problem_of_a_file(mine, file, text, check, problem):
     (mine / file).unlink() if text is None else (mine / file).write_bytes(text.encode())
     assert check("mine") == problem.format(mine)
-
-
-@pytest.mark.parametrize("place", [".", "src", ".."])
-def test_a_script_in_another_folder_is_named(mine, place):
-    (mine / "src").mkdir()
-    astray = (mine / DRIVE).rename(mine.joinpath(place).resolve() / "zigzag.py")
-    assert check_scripts("mine") == (
-        f"{astray} is not in {mine}/scripts: mkdir -p {mine}/scripts && mv {astray} {mine}/scripts")
 
 
 def test_not_built(mine):
@@ -161,8 +133,7 @@ def test_what_is_not_a_small_file_is_not_read(mine, file, make, reasons):
     ("rospy", "{0} names 1 of the 2 packages that mine needs when it runs: add each exec_depend of {1}"),
     ("", "{0} is empty: write into it which packages mine needs when it runs, one per line, and save it"),
     ("<depend>rospy</depend>", "{0} has lines of package.xml: write the names alone, without <exec_depend>"),
-    ("rospi geometry_msgs", "{0} names rospi, and {1} does not: do you mean rospy?"),
-    ("rospy simulation", "{0} names simulation, and {1} does not: remove it"),
+    ("rospi geometry_msgs", "{0} names rospi, and {1} does not: correct or remove it"),
     ("catkin", "mine needs catkin to be built, not when it runs: remove catkin from {0}"),
     ("roslaunch", "mine needs roslaunch to be tested, not when it runs: remove roslaunch from {0}")])
 def test_answer_of_lesson_1(mine, monkeypatch, text, problem):
@@ -174,12 +145,9 @@ def test_answer_of_lesson_1(mine, monkeypatch, text, problem):
     assert answers.check_needed("mine") == (problem and problem.format(answer, manifest))
 
 
-def test_answer_of_lesson_1_is_missing_has_another_name_or_lies_in_the_projects_folder(mine, monkeypatch):
+def test_answer_of_lesson_1_is_missing_or_lies_in_the_projects_folder(mine, monkeypatch):
     monkeypatch.chdir(mine)
     assert answers.check_needed("mine").startswith(f"There is no file lesson_1.txt in {mine}: make it, and write ")
-    (mine / "Lesson1.txt").touch()
-    assert answers.check_needed("mine") == (f"{mine}/Lesson1.txt has another name: "
-                                            f"mv {mine}/Lesson1.txt {mine}/lesson_1.txt")
     monkeypatch.setattr(answers, "workspace", lambda: mine.parent / "morbot_ws/src")
     (mine.parent / "lesson_1.txt").write_text("rospy geometry_msgs")
     assert answers.check_needed("mine") is None

@@ -92,8 +92,7 @@ def running(mine, monkeypatch):
     """A graph in which /dead does not answer, and two roslaunches run robot and mine, and other."""
     publishers = {"/cmd_vel": ["/mine/drive", "/dead", "/other"], "/speed": ["/mine/drive", "/mine/again"],
                   "/map": ["/dead"], "/rosout": ["/mine/again"]}
-    monkeypatch.setattr(graph, "system_state", lambda: [
-        publishers, {"/cmd_vel": ["/robot"], "/red/cmd_vel": ["/red/car"]}, {}])
+    monkeypatch.setattr(graph, "system_state", lambda: [publishers, {"/cmd_vel": ["/robot"]}, {}])
     monkeypatch.setattr(graph, "is_alive", lambda node: node in graph.nodes() and node != "/dead")
     monkeypatch.setattr(graph, "command_of", lambda node: [Path(f"/devel/lib{node}")])
     monkeypatch.setattr(graph, "launched", lambda namespace: [{"robot", "mine"}, {"other"}])
@@ -102,7 +101,6 @@ def running(mine, monkeypatch):
 
 @pytest.mark.parametrize("check, arguments, problem", [
     (graph.check_node, ("/robot", "rosrun it"), None),
-    (graph.check_node, ("/car", "rosrun it"), "/red/car runs in a namespace: start it without one"),
     (graph.check_node, ("/bus", "rosrun it"), "There is no node /bus: start it in another terminal with rosrun it"),
     (graph.check_node, ("/dead", "rosrun it"), "The node /dead was killed or hangs: start it again with rosrun it; "
      "if it hangs, stop it first (after Ctrl-Z: fg, then Ctrl-C)"),

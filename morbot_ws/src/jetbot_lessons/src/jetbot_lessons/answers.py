@@ -1,8 +1,6 @@
 """Checks of what a pupil has written down."""
 
-from difflib import get_close_matches
 from pathlib import Path
-from shlex import quote
 from typing import Dict, Iterator, List
 
 from jetbot.files import read
@@ -19,9 +17,7 @@ def check_needed(package: str) -> Problem:
     places = [Path.cwd(), workspace().parent.parent]
     file = next((place / ANSWER for place in places if (place / ANSWER).exists()), None)
     if not file:
-        similar = [other for place in places for other in sorted(place.glob("[Ll][Ee][Ss][Ss][Oo][Nn]*1*"))]
-        return (f"{similar[0]} has another name: mv {quote(str(similar[0]))} {similar[0].with_name(ANSWER)}" if similar
-                else f"There is no file {ANSWER} in {places[0]}: make it, and {task}")
+        return f"There is no file {ANSWER} in {places[0]}: make it, and {task}"
     try:
         text = read(file).decode("utf-8-sig", errors="replace")
     except OSError as error:
@@ -39,15 +35,10 @@ def _problems(package: str, file: Path, names: List[str]) -> Iterator[str]:
     manifest = folder(package) / MANIFEST
     needed, others = _dependencies(manifest)
     for name in names:
-        if name in needed:
-            continue
-        similar = get_close_matches(name.lower(), needed, 1)
-        if name in others:
+        if name in others and name not in needed:
             yield f"{package} needs {name} {others[name]}, not when it runs: remove {name} from {file}"
-        elif similar:
-            yield f"{file} names {name}, and {manifest} does not: do you mean {similar[0]}?"
-        else:
-            yield f"{file} names {name}, and {manifest} does not: remove it"
+        elif name not in needed:
+            yield f"{file} names {name}, and {manifest} does not: correct or remove it"
     given = len(needed & set(names))
     if given < len(needed):
         yield (f"{file} names {given} of the {len(needed)} packages that {package} needs when it runs: "

@@ -88,13 +88,9 @@ def check_node(name: str, start: str) -> Problem:
     """Return the problem, or None if the node runs; ``start`` is the command that starts it."""
     if is_alive(name):
         return None
-    known = nodes()
-    if name in known:
+    if name in nodes():
         return (f"The node {name} was killed or hangs: start it again with {start}; "
                 "if it hangs, stop it first (after Ctrl-Z: fg, then Ctrl-C)")
-    elsewhere = [node for node in known if node.endswith(name)]
-    if elsewhere:
-        return f"{elsewhere[0]} runs in a namespace: start it without one"
     return f"There is no node {name}: start it in another terminal with {start}"
 
 

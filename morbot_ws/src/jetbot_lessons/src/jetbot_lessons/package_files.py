@@ -3,7 +3,6 @@
 import ast
 import os
 import shutil
-from functools import partial
 from pathlib import Path
 from shlex import quote
 
@@ -16,7 +15,6 @@ from .packages import MANIFEST, MAX_ENTRIES, NameOrFolder, folder, parse, read_x
 
 CONTROLLER_LAUNCH = "$(find jetbot_control_node)/launch/jetbot_controller.launch"
 SHEBANG = "#!/usr/bin/env python3"
-AXES = {"linear": "linear.x", "angular": "angular.z"}  # vectors of a Twist, and what of them drives the robot
 MAX_SCRIPT = 1024 * 1024  # bytes
 NEEDED = {"metre": 60.0, "camera": 60.0, "roam": 25.0}  # points of 100, by the task's name
 
@@ -49,12 +47,7 @@ def check_scripts(package: NameOrFolder) -> Problem:
     scripts = folder(package) / "scripts"
     files = sorted(scripts.glob("[!.]*.py"))
     if not files:
-        home = scripts.parent
-        astray = next((file for place in (home, home / "src", home / "script", home.parent)
-                       for file in sorted(place.glob("[!.]*.py")) if file.name != "setup.py"), None)
-        return (f"{astray} is not in {scripts}: mkdir -p {quote(str(scripts))} && mv {quote(str(astray))} "
-                f"{quote(str(scripts))}" if astray else
-                f"There is no script in {scripts}: put one there, with a name that ends in .py")
+        return f"There is no script in {scripts}: put one there, with a name that ends in .py"
     return next(filter(None, map(_check_script, files)), None)
 
 
@@ -89,17 +82,7 @@ def _check_program(name: str, source: bytes) -> Problem:
         return f"Python cannot read {name}: it is nested too deeply"
     if not program.body:
         return f"{name} holds no command yet: write your program into it, and save it"
-    return next(filter(None, map(partial(_check_line, name), ast.walk(program))), None)
-
-
-def _check_line(name: str, node: ast.AST) -> Problem:
-    """Return the problem of a line that Python accepts, but that does not do what a pupil means by it."""
-    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Name):
-        return f"{name}, line {node.lineno}: {node.value.id} alone does nothing: write {node.value.id}()"
-    if not isinstance(node, ast.Assign) or not isinstance(node.value, (ast.Constant, ast.UnaryOp)):
-        return None
-    part = AXES.get(getattr(node.targets[0], "attr", ""))
-    return part and f"{name}, line {node.lineno}: a number cannot be assigned to all of it: write {part} = ..."
+    return None
 
 
 def _starts_ros_python(first: str) -> bool:

@@ -4,14 +4,13 @@ import itertools
 import os
 import re
 import xml.etree.ElementTree as ET
-from difflib import get_close_matches
 from pathlib import Path
 from shlex import quote
 from typing import List, Optional, Union
 from xml.parsers import expat
 
 from catkin_pkg.package import InvalidPackage, Package, parse_package
-from catkin_pkg.packages import DEFAULT_IGNORE_MARKERS, find_package_paths
+from catkin_pkg.packages import find_package_paths
 
 from jetbot.files import read
 
@@ -125,33 +124,11 @@ def check_exists(package: str, source: str) -> Problem:
 
 
 def _not_found(package: str, source: str) -> str:
-    name, root = Path(package).name, workspace()
-    names = sorted(filter(None, map(name_in, manifests(root))))
-    same = [known for known in names if known.lower() == name.lower()]
-    outside = [parent / name / MANIFEST for parent in root.parents]
-    hidden = [file for file in (*root.rglob(MANIFEST), *filter(Path.exists, outside))
-              if name in (file.parent.name, name_in(file))]
-    if hidden and not same:
-        return _not_searched(hidden[0].parent, name)
-    similar = same or get_close_matches(name, names, 1)
-    if similar:
-        return f"There is no package {package}, but there is {similar[0]}: type that name, or {source}"
-    return f"There is no package {package} in {root}: {source}"
-
-
-def _not_searched(place: Path, name: str) -> str:
-    """Return why the package in this folder is not found under this name."""
+    """Return why the package is not found, as ./morbot setup has noted it, or how to get the package."""
     root = workspace()
-    searched = [parent for parent in (place, *place.parents) if root in (parent, *parent.parents)]
-    for marker in (parent / each for parent in searched for each in sorted(DEFAULT_IGNORE_MARKERS)):
-        if marker.exists():
-            text = read(marker).decode(errors="replace")
-            return (text[len(LEFT_OUT):].strip() if text.startswith(LEFT_OUT) else
-                    f"ROS and catkin ignore {place}: rm {quote(str(marker))}, then ./morbot setup")
-    if searched:
-        return (f"{place / MANIFEST} names another package: write <name>{name}</name> there, "
-                f"and project({name}) in CMakeLists.txt")
-    return f"ROS does not search {place.parent} for packages: mv {quote(str(place))} {quote(str(root))}"
+    notes = [read(file).decode(errors="replace") for file in root.rglob(f"{package}/CATKIN_IGNORE")]
+    return next((note[len(LEFT_OUT):].strip() for note in notes if note.startswith(LEFT_OUT)),
+                f"There is no package {package} in {root}: {source}")
 
 
 def check_built(package: str) -> Problem:
