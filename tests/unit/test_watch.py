@@ -1,6 +1,7 @@
 """A master that has ended, or is frozen, stops the robot; a slow answer does not; a restarted one drives again."""
 
 import socket
+import time
 from unittest.mock import Mock
 
 import pytest
@@ -9,7 +10,7 @@ from conftest import step_of
 from jetbot import JetbotError
 from jetbot_control_node.control import watch
 from jetbot_control_node.control.state import STOPPED, State
-from jetbot_control_node.control.watch import ASK_INTERVAL, POLL_INTERVAL, LauncherWatch, MasterWatch, repeat
+from jetbot_control_node.control.watch import ASK_INTERVAL, HANGING, POLL_INTERVAL, LauncherWatch, MasterWatch, repeat
 from jetbot_ros.state import NO_MASTER, SUSPENDED
 
 
@@ -71,6 +72,17 @@ def test_a_master_that_does_not_answer_in_time_is_frozen(watched, supervisor, ma
     master.says = socket.timeout()
     watched.ask()
     assert supervisor.state.holds == (NO_MASTER,)
+
+
+def test_a_question_that_hangs_holds_the_robot_until_the_next_answer(watched, supervisor):
+    watched.ask()
+    now = time.monotonic()
+    watched(step_of(STOPPED, now + HANGING - 1))
+    assert supervisor.state.holds == ()
+    watched(step_of(STOPPED, now + HANGING + 1))
+    assert supervisor.state.holds == (NO_MASTER,)
+    watched.ask()
+    assert supervisor.state.holds == ()
 
 
 def test_a_new_master_is_lost_until_this_node_is_registered(watched, supervisor, master):

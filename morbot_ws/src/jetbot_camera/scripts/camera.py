@@ -58,7 +58,6 @@ class CameraNode:
         threading.Thread(target=failures.lasting(self.publish, ended.is_set), daemon=True).start()
         while not ended.wait(INTERVAL) and not launcher.ended:
             launcher.poll()
-            failures.check_starts()
             self.updater.force_update()
         ended.set()
         self.end()

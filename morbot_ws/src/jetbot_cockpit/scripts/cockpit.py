@@ -84,7 +84,6 @@ class Cockpit:
         launcher = Launcher()
         while not ended.wait(POLL_INTERVAL) and not launcher.ended and self.server.is_alive():
             launcher.poll()
-            failures.check_starts()
             self.log_changes()  # in this thread: a terminal that blocks holds up no client
         self.end()
 

@@ -1,8 +1,8 @@
 """The one place that ends a process in which something broke. Install it first: a start may fail for lack of memory.
 
-A node that goes on without one of its threads may be deaf to an emergency stop. So an exception that ends a thread, a
-thread that cannot be started, and one of rospy's that has ended, end the process. Before that, what it drives is
-stopped; after it, its guard does that.
+A node that goes on without one of its threads may be deaf to an emergency stop. So an exception that ends a thread, and
+one of rospy's threads that has ended, end the process. Before that, what it drives is stopped; after it, its guard does
+that.
 """
 
 import contextlib
@@ -13,20 +13,17 @@ import select
 import sys
 import threading
 import time
-from typing import Callable, Dict, List
+from typing import Callable, List
 
 LACKS = (errno.ENOMEM, errno.ENFILE, errno.EMFILE, errno.ENOSPC, errno.EAGAIN)
 WORDS = ("start new thread", "failed to map", "annot allocate", "Too many open files")  # of errors without a number
 ADVICE = "Is this computer out of memory, processes, file descriptors or disk space?"
 
-START_TIMEOUT = 1.0   # s
 REPORT_TIMEOUT = 1.0  # s, more than ``before_end`` takes in a node that leaves
 
 before_end: List[Callable[[], None]] = []  # called before the process ends; each may take a moment
 _advice = [ADVICE]
 _ending, _unwritten = threading.Event(), threading.Event()
-_starting: Dict[threading.Thread, float] = {}
-_start = threading.Thread.start
 
 
 def install(advice: str = ADVICE) -> None:
@@ -34,7 +31,6 @@ def install(advice: str = ADVICE) -> None:
     _advice[:] = [advice]
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # numpy, which rospy imports, would start one for each core
     threading.excepthook = _thread_has_failed
-    threading.Thread.start = _start_or_end
     sys.excepthook = _program_has_failed
     logging.Handler.handleError = _log_has_failed
 
@@ -64,12 +60,6 @@ def end(reason: object) -> None:
         os._exit(1)
 
 
-def check_starts() -> None:
-    """End the process if a thread does not start: without memory for its first line, its starter waits forever."""
-    if any(time.monotonic() - since > START_TIMEOUT for since in list(_starting.values())):
-        end("a thread does not start")
-
-
 def leave(code: int) -> None:
     """End this process now, with 1 if something in it broke: the thread that reports that ends it."""
     if _ending.is_set():
@@ -81,19 +71,6 @@ def is_lack(error: BaseException) -> bool:
     """Return whether the error says that this computer, or this process, lacks memory, threads, files or disk space."""
     return (isinstance(error, (MemoryError, SystemError)) or getattr(error, "errno", None) in LACKS
             or isinstance(error, (ImportError, RuntimeError)) and any(words in str(error) for words in WORDS))
-
-
-def _start_or_end(thread):
-    if thread.ident is not None:
-        return _start(thread)  # raises: a thread starts once
-    _starting[thread] = time.monotonic()
-    try:
-        return _start(thread)
-    except (RuntimeError, MemoryError) as error:
-        end(error)
-        raise
-    finally:
-        _starting.pop(thread, None)
 
 
 def _thread_has_failed(failure):

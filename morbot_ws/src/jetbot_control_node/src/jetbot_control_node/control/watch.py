@@ -7,7 +7,6 @@ import time
 from typing import Callable
 
 from jetbot import JetbotError
-from jetbot_ros import failures
 from jetbot_ros.launcher import Launcher
 from jetbot_ros.master import NO_ANSWER
 from jetbot_ros.state import NO_MASTER, SUSPENDED
@@ -17,6 +16,7 @@ from .supervisor import Step, Supervisor
 POLL_INTERVAL = 0.25  # s between two looks at the launcher, at least
 ASK_INTERVAL = 1.0    # s from an answer of the master to the next question
 RETRY_INTERVAL = 0.2  # s after a question that failed; the second failure in a row counts
+HANGING = 10.0        # s; a question that takes longer hangs, as where there is no memory for a thread
 
 
 class LauncherWatch:
@@ -31,7 +31,6 @@ class LauncherWatch:
             return
         self._polled_at = step.at
         self._launcher.poll()
-        failures.check_starts()
         set_hold(self._supervisor, SUSPENDED, self._launcher.suspended)
         if self._launcher.ended:
             self._supervisor.end()
@@ -46,9 +45,11 @@ class MasterWatch:
     def __init__(self, supervisor: Supervisor, heal: Callable[[Callable[[], None]], bool]):
         self._supervisor, self._heal = supervisor, heal
         self._failures = 0  # in a row
+        self._asked_at = time.monotonic()
 
     def ask(self) -> float:
         """Ask the master once; return the seconds until the next question."""
+        self._asked_at = time.monotonic()
         try:  # a new master, which no emergency stop passes on yet, knows this node from the second time on
             self._failures = 0 if self._heal(self._hold) or self._heal(self._hold) else 2
         except socket.timeout:
@@ -61,14 +62,20 @@ class MasterWatch:
             set_hold(self._supervisor, NO_MASTER, False)
         return RETRY_INTERVAL if self._failures else ASK_INTERVAL
 
+    def __call__(self, step: Step) -> None:
+        """Hold the supervisor while a question hangs."""
+        if step.at - self._asked_at > HANGING:
+            self._hold()
+
     def _hold(self):
         set_hold(self._supervisor, NO_MASTER, True)
 
 
 def start(supervisor: Supervisor, heal: Callable[[Callable[[], None]], bool]) -> None:
     """Watch the launcher at each heartbeat of the supervisor, and the master, from a thread. heal: as Links.heal."""
-    supervisor.watchers.append(LauncherWatch(supervisor, Launcher()))
-    threading.Thread(target=repeat, args=[supervisor, MasterWatch(supervisor, heal).ask], daemon=True).start()
+    master = MasterWatch(supervisor, heal)
+    supervisor.watchers.extend([LauncherWatch(supervisor, Launcher()), master])
+    threading.Thread(target=repeat, args=[supervisor, master.ask], daemon=True).start()
 
 
 def set_hold(supervisor: Supervisor, hold: str, engaged: bool) -> None:
