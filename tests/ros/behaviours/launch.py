@@ -36,8 +36,7 @@ class Launch(RobotTest):
 
     def test_no_master(self):
         nowhere = {**os.environ, "ROS_MASTER_URI": "http://localhost:1"}
-        nodes = [self.start(*command, env=nowhere) for command in (
-            [CONTROLLER], [program("simulation", "simulator.py")], [program("simulation", "draw_track.py")])]
+        nodes = [self.start(node, env=nowhere) for node in (CONTROLLER, program("simulation", "simulator.py"))]
         sentence = "No ROS master at http://localhost:1. Start one in another terminal: roscore\n"
         for node in nodes:
             self.assertNotEqual(node.wait(START_TIMEOUT), 0)

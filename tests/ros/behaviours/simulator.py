@@ -2,7 +2,6 @@
 
 import math
 import os
-import signal
 from pathlib import Path
 
 import rospy
@@ -17,8 +16,8 @@ from harness import START_TIMEOUT, SharedRobotTest, program, read
 from jetbot import Robot, bgr8_to_jpeg
 from jetbot.camera.lens import focal_length
 from jetbot.kinematics import Pose
+from jetbot_ros.messages import pose_of
 from simulation.picture import render
-from simulation.recording import pose_of
 from simulation.world import FOOTPRINT
 from simulation.world_files import load
 
@@ -115,14 +114,3 @@ class Simulator(SharedRobotTest):
         self.wait_for(lambda: sentence in read(blind), START_TIMEOUT, "the sentence")
         before = len(truth)
         self.wait_for(lambda: len(truth) > before + 5, 5.0, "the robot to be simulated")
-
-    def test_its_track_is_drawn_at_ctrl_c(self):
-        picture = Path(self.folder, "track.png")
-        process = self.start(program("simulation", "draw_track.py"), str(picture))
-        self.wait_for(self.commands().get_num_connections, START_TIMEOUT, "draw_track.py to subscribe")
-        before = len(self.odometry)
-        self.wait_for(lambda: len(self.odometry) > before + 5, 5.0, "odometry")
-        self.assertEqual(read(process), "Recording /odom for 20 s; Ctrl-C ends earlier and draws what there is.\n")
-        process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(START_TIMEOUT), 0, read(process))
-        self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")

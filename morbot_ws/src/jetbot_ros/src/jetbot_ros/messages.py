@@ -9,6 +9,7 @@ from nav_msgs.msg import Odometry
 from sensor_msgs.msg import CameraInfo, JointState
 
 from jetbot.camera.lens import focal_length
+from jetbot.kinematics import Pose
 
 JOINTS = ["left_wheel_joint", "right_wheel_joint"]  # as in simulation/urdf/jetbot.urdf
 
@@ -21,6 +22,12 @@ def frame_name(name: str, namespace: Optional[str] = None) -> str:
 def quaternion(yaw: float) -> Quaternion:
     """Return the rotation by ``yaw`` radians about the z axis."""
     return Quaternion(z=math.sin(yaw / 2), w=math.cos(yaw / 2))
+
+
+def pose_of(message: Odometry) -> Pose:
+    """Return the pose of a robot on a flat floor."""
+    position, orientation = message.pose.pose.position, message.pose.pose.orientation
+    return Pose(position.x, position.y, math.remainder(2 * math.atan2(orientation.z, orientation.w), math.tau))
 
 
 def odometry(stamp: rospy.Time, pose, linear: float = 0.0, angular: float = 0.0,

@@ -9,7 +9,6 @@ from matplotlib.figure import Figure
 
 from jetbot import files
 from jetbot.kinematics import Point, Pose, from_frame
-from simulation.drawing import BLUE, GREEN, ORANGE, RED, draw_heading
 from simulation.world import FOOTPRINT, World
 
 from ..scoring.course import Course
@@ -17,6 +16,7 @@ from ..scoring.penalties import Loss
 from ..scoring.recorder import Drive
 from ..scoring.score import NEGLIGIBLE, NO_LOSS, Result
 
+BLUE, ORANGE, GREEN, RED = "tab:blue", "tab:orange", "tab:green", "tab:red"
 WIDTH, HEIGHT = 10, 7     # inches, of the floor
 TEXT = 0.34               # inches of each line below it
 MAX_POINTS = 5000         # of the driven line that are drawn
@@ -52,7 +52,8 @@ def draw_drive(axes: Axes, course: Course, drive: Drive) -> None:
         axes.plot(*zip(*course.points), **IDEAL)
     axes.plot([pose.x for pose in path], [pose.y for pose in path], **DRIVEN)
     for pose in path[::max(1, len(path) // HEADINGS)]:
-        draw_heading(axes, pose, BLUE, scale=45, width=0.005)
+        axes.quiver(pose.x, pose.y, math.cos(pose.yaw), math.sin(pose.yaw), color=BLUE, zorder=3, pivot="mid",
+                    headlength=4, headaxislength=4, scale=45, width=0.005)
     goal = (course.goal, {"edgecolor": ORANGE, "linestyle": "--", "label": "goal"})
     for pose, style in ((Pose(), {"edgecolor": GREEN, "label": "start"}), *[goal] * bool(course.steps),
                         (drive.end, {"edgecolor": BLUE, "label": "stop"})):

@@ -13,9 +13,9 @@ from jetbot_ros.processes import command_of
 CLOSED = ("line", "odom", "path", "joint_states", "jetbot_simulator/ground_truth")  # of the robot
 CAMERA = "camera/image_raw/compressed"
 # Programs that show it, and drive nothing; what they are called, where their program is on another computer.
-WATCHERS = re.compile(r".*/(jetbot_cockpit/(scripts/)?cockpit\.py|simulation/(scripts/)?draw_track\.py|"
-                      r"(bin|rviz)/rviz|rosbag/record|robot_state_publisher/robot_state_publisher)")
-NAMES = re.compile(r".*/(jetbot_cockpit|robot_state_publisher|(rviz|record|draw_track)(_\d+)*)")
+WATCHERS = re.compile(r".*/(jetbot_cockpit/(scripts/)?cockpit\.py|(bin|rviz)/rviz|rosbag/record|"
+                      r"robot_state_publisher/robot_state_publisher)")
+NAMES = re.compile(r".*/(jetbot_cockpit|robot_state_publisher|(rviz|record)(_\d+)*)")
 ASK_INTERVAL = 1.0  # s
 MAX_BLIND = 4       # answers in a row, while the robot moves, in which nobody looks: wait_for_message often looks away
 
