@@ -30,26 +30,12 @@ def test_drive_bytes(board, folder, left, right, drive):
     assert registers(folder, 0x5D)[0x20:0x22].hex() == drive
 
 
-def test_both_wheels_in_one_transfer_and_none_for_a_repeated_command(folder, wire):
+def test_two_transfers_for_a_command_and_none_for_a_repeated_one(folder, wire):
     board = open_board(find_board("sparkfun"), f"fake:{folder}")
     wire.bits.clear()
     board.drive(0.5, 0.25)
     board.drive(0.5, 0.25)
-    assert wire.bits == [2 + 9 * 4]
-
-
-@pytest.mark.parametrize("refused", [False, True])
-def test_wheel_by_wheel_where_the_chip_takes_no_blocks(folder, monkeypatch, refused):
-    write = SCMD.write
-
-    def write_one(registers, register, data):
-        if refused and len(data) > 1:
-            raise OSError(121, "Remote I/O error")
-        write(registers, register, data[:1])
-
-    monkeypatch.setattr(SCMD, "write", write_one)
-    open_board(find_board("sparkfun"), f"fake:{folder}").drive(0.5, -0.25)
-    assert wheel_speeds(folder, "sparkfun") == (0.5, -0.25)
+    assert wire.bits == [2 + 9 * 3] * 2
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ Registers and bits by the names of SparkFun's firmware, https://github.com/spark
 import itertools
 from typing import Any
 
-from ..errors import BusError, NoAnswer, NotReady
+from ..errors import NoAnswer, NotReady
 from .driver import Link, MotorDriver
 
 ID = 0x01
@@ -35,7 +35,6 @@ class ScmdMotors(MotorDriver):
         super().__init__(link, *settings)
         self._sent = None  # the drive bytes as the chip holds them; None: not known
         self._timeout = 0  # FSAFE_TIME as the chip holds it
-        self._has_blocks = False
         self._verified = itertools.cycle([DRIVER_ENABLE, MA_DRIVE, FSAFE_CTRL, MB_DRIVE, FSAFE_TIME])
         self._differs = False  # whether something else was read than was sent
 
@@ -55,7 +54,6 @@ class ScmdMotors(MotorDriver):
         self.link.write(DRIVER_ENABLE, [0])
         if not self.link.read(STATUS_1) & ENUMERATION_BIT:
             raise NotReady(f"the motor driver on {self.link.name} is not ready", "Switch the robot off and on.")
-        self._has_blocks = self._takes_blocks()
         self._send(bytes([STOP, STOP]))
         self.link.write(FSAFE_CTRL, [FSAFE_DRIVE_KILL])
         self._feed(0)
@@ -106,21 +104,10 @@ class ScmdMotors(MotorDriver):
                 self.resets += 1
         self._differs = False
 
-    def _takes_blocks(self) -> bool:
-        """Return whether both drive bytes arrive in one transfer; tried with the motors switched off."""
-        try:
-            self.link.write(MA_DRIVE, [STOP, STOP - 1])
-        except BusError:  # it refuses blocks; if it is gone, the next transfer fails
-            return False
-        return self.link.read(MB_DRIVE) == STOP - 1
-
     def _send(self, wanted):
         self._sent = None  # until all of it went through
-        if self._has_blocks:
-            self.link.write(MA_DRIVE, wanted)
-        else:
-            self.link.write(MA_DRIVE, wanted[:1])
-            self.link.write(MB_DRIVE, wanted[1:])
+        self.link.write(MA_DRIVE, wanted[:1])  # one by one: whether a board takes both depends on its firmware
+        self.link.write(MB_DRIVE, wanted[1:])
         self._sent = wanted
 
 
