@@ -18,7 +18,7 @@ from .snapshot import label
 
 MAX_CLIENTS = MAX_ROBOTS + 1  # a page for each robot, and a teacher's
 MAX_FRAME = 8192  # bytes of a message that is read at all; Tornado closes the socket of a larger one with 1009
-REFUSED, LOG_IN, FULL, ENDED, BAD_FRAME = 4000, 4001, 4002, 1001, 1002  # why a socket is closed
+REFUSED, LOG_IN, FULL, ENDED = 4000, 4001, 4002, 1001  # why a socket is closed
 NO_ROOM = f"{MAX_CLIENTS} pages are connected already"
 TOO_MANY = f"more than {protocol.MAX_RATE} messages per second"
 FRAME_INTERVAL = 0.08   # s between two frames: what the pages draw more often delays a stop

@@ -4,19 +4,18 @@ import contextlib
 import json
 import secrets
 import time
-from functools import partial
 from pathlib import Path
-from typing import Callable, Dict, Optional, Union
+from typing import Dict, Optional, Union
 
 from tornado.httputil import HTTPServerRequest
 from tornado.ioloop import IOLoop
 from tornado.iostream import StreamClosedError
 from tornado.web import HTTPError, RequestHandler
-from tornado.websocket import WebSocketClosedError, WebSocketHandler, WebSocketProtocol
+from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from jetbot import files
 
-from ..session.hub import BAD_FRAME, LOG_IN, Hub, Sender, Viewer
+from ..session.hub import LOG_IN, Hub, Sender, Viewer
 from .access import Access, TooManyTries
 
 WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit", "www")
@@ -134,17 +133,6 @@ class Socket(Handler, WebSocketHandler):
 
     def check_origin(self, origin: str) -> bool:
         return True  # Handler.prepare has checked it, also where there is none
-
-    def get_websocket_protocol(self) -> Optional[WebSocketProtocol]:
-        protocol = super().get_websocket_protocol()
-        if protocol:
-            protocol._abort = partial(self._refuse, protocol, protocol._abort)  # it would give no reason
-        return protocol
-
-    def _refuse(self, protocol: WebSocketProtocol, abort: Callable[[], None]) -> None:
-        if protocol.stream:
-            protocol.close(BAD_FRAME, "a frame is not of the WebSocket protocol")
-        abort()
 
     def open(self) -> None:
         grant = self.access.grant(self.get_cookie(self.access.cookie_name), self.request.remote_ip,
