@@ -10,7 +10,6 @@ import pytest
 from conftest import PACKAGES, PYTHONPATH
 from jetbot import robot
 from jetbot.fake.motors import wheel_speeds
-from jetbot.wait import wait_until
 
 HEAVY = {"traitlets", "numpy", "PIL", "ipywidgets"}
 
@@ -109,27 +108,3 @@ def test_an_observer_that_hangs_delays_no_stop_of_another_thread(traits_robot, f
     leave.set()
     driving.join(10)
     assert (late, wheel_speeds(folder), seen) == (False, (0, 0), [0.5, 0])
-
-
-def test_an_observer_of_a_handlers_stop_runs_when_the_transfer_is_over(traits_robot, folder, monkeypatch):
-    """Else it would run while its thread holds the robot, and every other thread's stop would wait for it."""
-    free = []
-
-    def stop_from_another_thread(_):
-        thread = threading.Thread(target=traits_robot.stop)
-        thread.start()
-        thread.join(5)
-        free.append(not thread.is_alive())
-
-    drive = traits_robot.driver.drive
-
-    def interrupted(left, right):
-        monkeypatch.setattr(traits_robot.driver, "drive", drive)
-        traits_robot.set_motors(0.1, 0.1)
-        drive(left, right)
-
-    traits_robot.left_motor.observe(stop_from_another_thread, names="value")
-    monkeypatch.setattr(traits_robot.driver, "drive", interrupted)
-    traits_robot.forward(0.5)
-    assert wait_until(lambda: wheel_speeds(folder) == (0, 0), 10)
-    assert free and all(free)

@@ -1,14 +1,12 @@
 """Motors whose ``value`` is a trait, which ``traitlets.link``, ``dlink`` and ``observe`` take."""
 
 import threading
-from typing import Dict, Set, Tuple
+from typing import Dict
 
 import traitlets
 from traitlets.utils.bunch import Bunch
 
 from . import motor, robot
-
-commanding: Set[Tuple[int, "Robot"]] = set()  # the threads that are in a command, and of which robot
 
 get_speed, set_speed = motor.Motor.value.fget, motor.Motor.value.fset
 
@@ -60,16 +58,8 @@ class Robot(robot.Robot):
 
     def command(self, speeds: Dict[motor.Motor, float]) -> None:
         """Drive the wheels; only then call the observers, which must not run while this thread holds up others."""
-        if not (self.left_motor.observed or self.right_motor.observed):
-            super().command(speeds)
-            return
-        key = threading.get_ident(), self
-        interrupted = key in commanding  # this is a signal handler's: the command that it interrupts calls them
         try:
-            commanding.add(key)
             super().command(speeds)
         finally:
-            if not interrupted:
-                commanding.discard(key)
-                self.left_motor.publish()
-                self.right_motor.publish()
+            self.left_motor.publish()
+            self.right_motor.publish()
