@@ -1,5 +1,6 @@
 """Who gets into the cockpit, with real sockets and forged requests."""
 
+import gzip
 import logging
 
 import pytest
@@ -34,6 +35,17 @@ def test_only_the_page_for_programs_lets_blockly_insert_styles_and_no_page_other
     styled = [path for path, policy in policies.items() if "style-src 'self' 'unsafe-inline'" in policy]
     assert styled == ["/program", "/program.html"]
     assert not [policy for policy in policies.values() if "script-src" in policy or "unsafe-eval" in policy]
+
+
+def test_a_script_comes_compressed_and_once(cockpit):
+    path, headers = "/vendor/blockly/blockly_compressed.js", cockpit.headers()
+    plain = request(cockpit.port, "GET", path, headers)
+    packed = request(cockpit.port, "GET", path, {**headers, "Accept-Encoding": "gzip, br"})
+    assert packed.headers["content-encoding"] == "gzip" and "content-encoding" not in plain.headers
+    assert gzip.decompress(packed.body) == plain.body and len(packed.body) < len(plain.body) / 3
+    again = request(cockpit.port, "GET", path, {**headers, "Accept-Encoding": "gzip, br",
+                                                "If-None-Match": packed.headers["etag"]})
+    assert (again.status, again.body, packed.headers["cache-control"]) == (304, b"", "no-cache")
 
 
 @pytest.mark.parametrize("path", ["/vendor/blockly/SHA256SUMS", "/program/", "/../package.xml",

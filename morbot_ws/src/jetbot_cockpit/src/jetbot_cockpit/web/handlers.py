@@ -1,11 +1,12 @@
 """What a browser asks for: the page's files, a cookie for a code, and a client's socket."""
 
 import contextlib
+import gzip
 import json
 import secrets
 import time
 from pathlib import Path
-from typing import Dict, Optional, Union
+from typing import Dict, NamedTuple, Optional, Union
 
 from tornado.httputil import HTTPServerRequest
 from tornado.ioloop import IOLoop
@@ -36,10 +37,18 @@ def reached_address(request: HTTPServerRequest) -> str:
     return connection.getsockname()[0] if connection else ""  # it was closed meanwhile
 
 
-def read_files(folder: Path = WWW) -> Dict[str, bytes]:
+class File(NamedTuple):
+    """A file of the page, as it is and compressed."""
+
+    plain: bytes
+    gzip: bytes
+
+
+def read_files(folder: Path = WWW) -> Dict[str, File]:
     """Return the pages' files by their names below the folder; nothing else is ever served."""
-    return {file.relative_to(folder).as_posix(): file.read_bytes() for file in folder.rglob("*")
-            if file.suffix in TYPES}
+    contents = {file.relative_to(folder).as_posix(): file.read_bytes() for file in folder.rglob("*")
+                if file.suffix in TYPES}
+    return {name: File(content, gzip.compress(content, mtime=0)) for name, content in contents.items()}
 
 
 class Handler(RequestHandler):
@@ -80,7 +89,7 @@ class Handler(RequestHandler):
 class Page(Handler):
     """A file of the page. It needs no cookie: it shows nothing of the robots."""
 
-    def initialize(self, access: Access, files: Dict[str, bytes]) -> None:
+    def initialize(self, access: Access, files: Dict[str, File]) -> None:
         super().initialize(access)
         self.files = files
 
@@ -92,8 +101,14 @@ class Page(Handler):
             self.give_cookie(self.access.visitor_cookie, secrets.token_urlsafe(16))
         if name in STYLED:
             self.set_header("Content-Security-Policy", STYLED[name])
+        if name not in PAGES.values():
+            self.set_header("Cache-Control", "no-cache")  # the browser keeps it, and asks whether it has changed
         self.set_header("Content-Type", f"{TYPES[Path(name).suffix]}; charset=UTF-8")
-        self.finish(self.files[name])
+        self.set_header("Vary", "Accept-Encoding")
+        packed = "gzip" in self.request.headers.get("Accept-Encoding", "")
+        if packed:
+            self.set_header("Content-Encoding", "gzip")
+        self.finish(self.files[name].gzip if packed else self.files[name].plain)
 
 
 class Login(Handler):
