@@ -5,13 +5,18 @@ motors have traits; a node, which needs none, takes its Robot from ``jetbot.robo
 """
 
 import importlib
+import importlib.util
 
 from .errors import BusError, InvalidValue, JetbotError
 
+__version__ = "1.2.0"
+
 HOMES = {"Robot": ("traits", "robot"), "Motor": ("traits", "motor"), "Heartbeat": ("heartbeat",),
          "Camera": ("camera.camera",), "bgr8_to_jpeg": ("camera.jpeg",)}  # the modules; the first that can be imported
+EXTRAS = {"Heartbeat": ("ipywidgets", "notebook"), "Camera": ("numpy", "camera")}  # what some need, and who brings it
 
-__all__ = ["BusError", "InvalidValue", "JetbotError", *HOMES]
+__all__ = ["BusError", "InvalidValue", "JetbotError",
+           *(name for name in HOMES if name not in EXTRAS or importlib.util.find_spec(EXTRAS[name][0]))]
 
 
 def __getattr__(name):
@@ -23,7 +28,11 @@ def __getattr__(name):
             return getattr(importlib.import_module(f".{home}", __name__), name)
         except ImportError:
             pass  # without traitlets
-    return getattr(importlib.import_module(f".{last}", __name__), name)
+    try:
+        return getattr(importlib.import_module(f".{last}", __name__), name)
+    except ModuleNotFoundError as error:
+        extra = EXTRAS.get(name, ("", "camera"))[1]
+        raise ImportError(f"jetbot.{name} needs {error.name}: pip install 'jetbot[{extra}]'") from error
 
 
 def __dir__():
