@@ -36,4 +36,4 @@ def __getattr__(name):
 
 
 def __dir__():
-    return sorted({*globals(), *HOMES})  # for Tab
+    return sorted({*globals(), *__all__})  # for Tab
