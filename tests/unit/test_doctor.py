@@ -2,7 +2,6 @@
 
 import json
 import os
-import runpy
 import signal
 import subprocess
 import sys
@@ -109,15 +108,15 @@ def test_a_serial_port_with_something_else(folder, monkeypatch):
 
 
 @pytest.mark.parametrize("plugged, code", [(True, 0), (False, 1)])
-def test_json_and_exit_code(folder, plugged, code, monkeypatch, capsys):
+def test_json_and_exit_code(folder, plugged, code):
     power_on(folder)
     for file in [] if plugged else list(folder.iterdir()):
         file.unlink()
     before = {file: file.read_bytes() for file in folder.iterdir()}
-    monkeypatch.setenv("JETBOT_I2C_BUS", f"fake:{folder}")
-    monkeypatch.setattr(sys, "argv", ["doctor.py", "--json"])
-    assert runpy.run_path(str(TOOLS / "scripts/doctor.py"))["main"]() == code
-    robot = json.loads(capsys.readouterr().out)[-1]
+    ended = subprocess.run([sys.executable, str(TOOLS / "scripts/doctor.py"), "--json"], stdout=subprocess.PIPE,
+                           env={**os.environ, "PYTHONPATH": PYTHONPATH, "JETBOT_I2C_BUS": f"fake:{folder}"})
+    assert ended.returncode == code
+    robot = json.loads(ended.stdout)[-1]
     assert (robot["name"], robot["ok"]) == ("robot", plugged)
     assert {file: file.read_bytes() for file in folder.iterdir()} == before, "it only reads"
 

@@ -1,11 +1,9 @@
 #!/usr/bin/env python3
 """ROS node: judges the robots for which somebody presses Judge me on the cockpit's page, until Ctrl-C."""
 
-# ruff: noqa: E402
+import jetbot_ros.boot
+
 import signal
-
-signal.signal(signal.SIGINT, signal.SIG_DFL)  # while it imports, Ctrl-C prints no traceback
-
 import sys
 
 from driving_tasks.sources.requests import serve

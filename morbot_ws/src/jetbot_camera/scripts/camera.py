@@ -1,16 +1,7 @@
 #!/usr/bin/env python3
 """ROS node: publishes what a robot's camera sees. It drives nothing, and what goes wrong here stops no robot."""
 
-# ruff: noqa: E402
-import signal
-
-signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
-
-from jetbot_ros import failures
-
-failures.install()
-
-from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
+import jetbot_ros.boot
 
 import contextlib
 import threading
@@ -25,7 +16,8 @@ from std_msgs.msg import Header
 from jetbot.camera.sources import find_command
 from jetbot.camera.stream import Stream
 from jetbot_camera.parameters import PARAMETERS
-from jetbot_ros import lifecycle, links
+from jetbot_ros import failures, lifecycle, links
+from jetbot_ros.launcher import Launcher
 from jetbot_ros.messages import camera_info
 from jetbot_ros.node_parameters import check_values, private_parameters
 

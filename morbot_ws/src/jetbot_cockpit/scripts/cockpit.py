@@ -1,16 +1,7 @@
 #!/usr/bin/env python3
 """ROS node: a web page that drives, watches and stops all robots of a ROS master."""
 
-# ruff: noqa: E402
-import signal
-
-signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
-
-from jetbot_ros import failures
-
-failures.install()
-
-from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
+import jetbot_ros.boot
 
 import math
 import sys
@@ -32,6 +23,7 @@ from jetbot_cockpit.web import addresses, handout
 from jetbot_cockpit.web.access import Access, make_grants
 from jetbot_cockpit.web.server import Server
 from jetbot_ros import lifecycle
+from jetbot_ros.launcher import Launcher
 from jetbot_ros.node_parameters import fake_advice, private_parameters
 
 POLL_INTERVAL = 0.25    # s

@@ -1,16 +1,7 @@
 #!/usr/bin/env python3
 """ROS node: subscribes to cmd_vel and drives a JetBot's two wheels; if commands stop arriving, it stops the robot."""
 
-# ruff: noqa: E402
-import signal
-
-signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it; rospy might lose it
-
-from jetbot_ros import failures
-
-failures.install()
-
-from jetbot_ros import launcher  # noqa: F401, I001  early: it reads who has started this process
+import jetbot_ros.boot
 
 import rospy
 from geometry_msgs.msg import Twist

@@ -1,19 +1,11 @@
 #!/usr/bin/env python3
 """Checks everything that a JetBot needs to drive, and prints what is missing. Needs no roscore; moves no wheel."""
 
-# ruff: noqa: E402
-import signal
-
-if __name__ == "__main__":
-    for signum in (signal.SIGINT, signal.SIGPIPE):  # Ctrl-C and `| head` simply end it
-        signal.signal(signum, signal.SIG_DFL)
-
-from jetbot_ros import failures
-
-failures.install()
+import jetbot_ros.boot
 
 import argparse
 import json
+import signal
 import sys
 
 from jetbot_tools.doctor.checkup import run_checks
@@ -36,4 +28,5 @@ def main() -> int:
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `| head` simply ends it
     sys.exit(main())

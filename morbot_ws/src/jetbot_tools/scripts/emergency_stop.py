@@ -4,25 +4,20 @@
 The exit code is 0 if there are robots, and all have confirmed. A robot that starts later is not stopped.
 """
 
-# ruff: noqa: E402
-import signal
-
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-
-from jetbot_ros import failures
-
-SWITCH = "If a robot moves, use its switch."
-failures.install(SWITCH)
+import jetbot_ros.boot
 
 import os
+import signal
 import socket
 import sys
 import time
 from typing import Callable, List
 
 from jetbot.text import closest, printable
+from jetbot_ros import failures
 from jetbot_ros.master import NO_ANSWER, ask_master, master_uri
 
+SWITCH = "If a robot moves, use its switch."
 CONFIRM_TIMEOUT = 2.0   # s for the robots
 TIMEOUT = 8.0           # s for all: rospy waits forever for a master that freezes meanwhile
 SHUTDOWN_TIMEOUT = 1.0  # s to unregister this node
@@ -87,6 +82,7 @@ def stop(engaged: bool) -> int:
 
 
 def main() -> None:
+    failures.install(SWITCH)
     engaged = is_stop(sys.argv[1:])
     check_master()
     after(TIMEOUT, no_answer)

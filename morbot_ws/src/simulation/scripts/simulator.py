@@ -1,17 +1,9 @@
 #!/usr/bin/env python3
 """ROS node: simulates a JetBot, or a class of them, driven by what the controller writes to a fake bus or port."""
 
-# ruff: noqa: E402
+import jetbot_ros.boot
+
 import signal
-
-signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C while the imports run simply ends it
-
-from jetbot_ros import failures
-
-failures.install()
-
-from jetbot_ros.launcher import Launcher  # noqa: I001  early: it reads who has started this process
-
 import sys
 from typing import Dict
 
@@ -22,6 +14,7 @@ from jetbot.boards import BOARDS
 from jetbot.fake.motors import Motors
 from jetbot.text import printable
 from jetbot_ros import lifecycle, links
+from jetbot_ros.launcher import Launcher
 from jetbot_ros.node_parameters import private_parameters
 from simulation import variation
 from simulation.diff_drive import Body, DiffDriveModel, Pose
