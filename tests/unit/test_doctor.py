@@ -109,6 +109,8 @@ def test_a_serial_port_with_something_else(folder, monkeypatch):
 
 @pytest.mark.parametrize("plugged, code", [(True, 0), (False, 1)])
 def test_json_and_exit_code(folder, plugged, code):
+    if plugged:
+        pytest.importorskip("rospy")  # without it no robot can be driven
     power_on(folder)
     for file in [] if plugged else list(folder.iterdir()):
         file.unlink()
