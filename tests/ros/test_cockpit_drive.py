@@ -9,8 +9,8 @@ import pytest
 import rospy
 
 from jetbot.wait import wait_until
-from jetbot_cockpit.robots import topics
-from jetbot_cockpit.robots.publishers import Drivers
+from jetbot_cockpit.robots import robot_topics
+from jetbot_cockpit.robots.command_publishers import Drivers
 
 TIMEOUT = 5.0  # s
 
@@ -114,8 +114,8 @@ class Stop:
         monkeypatch.setattr(rospy, "Publisher", lambda *_, **__: SimpleNamespace(
             publish=self.published.append, resolved_name="/emergency_stop", impl=impl))
         monkeypatch.setattr(rospy, "Subscriber", lambda topic, kind, callback: callbacks.append(callback))
-        monkeypatch.setattr(topics.time, "monotonic", lambda: self.now)
-        self.stop, self.receive = topics.EmergencyStop("/emergency_stop", lambda: ({}, {}, {})), callbacks[0]
+        monkeypatch.setattr(robot_topics.time, "monotonic", lambda: self.now)
+        self.stop, self.receive = robot_topics.EmergencyStop("/emergency_stop", lambda: ({}, {}, {})), callbacks[0]
 
     def release(self):
         """Another program's release arrives."""

@@ -9,7 +9,7 @@ import pytest
 from roslib.packages import find_node
 
 from driving_tasks.scoring.tasks import TASKS
-from driving_tasks.sources.programs import judge_programs
+from driving_tasks.sources.handed_in import judge_programs
 from harness import START_TIMEOUT, find_processes, read
 from jetbot import InvalidValue
 from jetbot.wait import wait_until

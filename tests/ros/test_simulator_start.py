@@ -7,7 +7,7 @@ import rospy
 from jetbot.fake.motors import Motors
 from simulation.diff_drive import DiffDriveModel
 from simulation.simulated_robot import SimulatedRobot
-from simulation.simulator import Simulator
+from simulation.simulation_loop import Simulator
 
 
 def test_the_service_is_there_before_the_world_and_the_body(monkeypatch):

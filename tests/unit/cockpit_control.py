@@ -11,7 +11,7 @@ from jetbot_cockpit.session.control import Control
 from jetbot_cockpit.session.messages import problem_of
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.rights import Client, DeadMan
-from jetbot_cockpit.session.snapshot import Robot, Snapshot
+from jetbot_cockpit.session.snapshot import RobotSnapshot, Snapshot
 from jetbot_ros.state import RobotState
 
 ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")
@@ -26,7 +26,7 @@ class FakeRobots:
     """Robots as their snapshot says, which a test replaces."""
 
     def __init__(self):
-        self.now = Snapshot({name: Robot(name, geometry=WORKSHOP, simulated=True, state=DRIVES)
+        self.now = Snapshot({name: RobotSnapshot(name, geometry=WORKSHOP, simulated=True, state=DRIVES)
                              for name in ("/red", "/blue")})
         self.were_reset, self.reports, self.offered, self.judged = [], [], (), []
 

@@ -100,6 +100,6 @@ def guards_restart_at_once(monkeypatch):
 
 def step_of(duties, now):
     """Return a Step of the controller's supervisor that gives the wheels these duties."""
-    from jetbot_control_node.control.state import STOPPED, State
+    from jetbot_control_node.control.state_machine import STOPPED, State
     from jetbot_control_node.control.supervisor import Step
     return Step(now, State(1.0), None, STOPPED, duties)

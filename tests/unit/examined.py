@@ -1,12 +1,12 @@
 """What the tests of the doctor share: a bare computer, and its lines."""
 
 from jetbot import host, i2c, supply
-from jetbot_tools.doctor import camera, checkup, computer
+from jetbot_tools.doctor import camera_check, checkup, computer
 
 
 def lines(bus=None, port=None, address=None, board=""):
     """Return the doctor's lines, but for the one that a computer without a camera has."""
-    return [str(check) for check in checkup.run_checks(bus, port, address, board) if check != camera.NONE]
+    return [str(check) for check in checkup.run_checks(bus, port, address, board) if check != camera_check.NONE]
 
 
 def make_bare(monkeypatch, tmp_path):
@@ -19,6 +19,6 @@ def make_bare(monkeypatch, tmp_path):
     monkeypatch.setattr(host, "model", lambda: "")
     monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
     monkeypatch.setattr(supply, "on_computer", lambda sysfs: [])
-    monkeypatch.setattr(camera, "VIDEO", tmp_path / "video4linux")
+    monkeypatch.setattr(camera_check, "VIDEO", tmp_path / "video4linux")
     monkeypatch.delenv("JETBOT_CAMERA", raising=False)
     monkeypatch.setenv("ROS_HOME", str(tmp_path))

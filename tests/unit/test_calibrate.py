@@ -14,7 +14,7 @@ from jetbot.connection import lock_board
 from jetbot.fake.bus import power_on
 from jetbot_control_node.parameters import PARAMETERS, checked
 from jetbot_tools.calibration import wizard
-from jetbot_tools.calibration.motions import Step
+from jetbot_tools.calibration.motions import WheelStep
 from jetbot_tools.calibration.settings import as_yaml, output_file, write
 from jetbot_tools.calibration.wizard import Wizard
 from jetbot_tools.doctor.motor_board import check_board
@@ -116,7 +116,7 @@ def test_a_motion_ends_when_the_guard_is_lost_or_the_program_was_held_up(monkeyp
     monkeypatch.setattr(wizard, "key_pressed", no_key)
     monkeypatch.setattr(wizard.time, "monotonic", lambda: clock[0])
     monkeypatch.setattr("builtins.input", lambda question: "")
-    motion = [Step(0.1, 0.1), Step(0.2, 0.2)]
+    motion = [WheelStep(0.1, 0.1), WheelStep(0.2, 0.2)]
     assert Wizard(board="jetbot").drive_until_key("", motion) == (None if ends_at is None else motion[ends_at])
 
 

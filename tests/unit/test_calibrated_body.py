@@ -8,8 +8,8 @@ from jetbot.kinematics import mix
 from jetbot_tools.calibration.body import body_of
 from jetbot_tools.calibration.settings import write_all
 from simulation.diff_drive import Body, DiffDriveModel
-from simulation.parameters import resolve
 from simulation.simulated_robot import SimulatedRobot
+from simulation.simulation_parameters import resolve
 
 WIRING = {"swap_motors": True, "invert_left": True, "invert_right": False}
 CALIBRATED = {**WIRING, "left_motor_alpha": 1.0, "right_motor_alpha": 0.95, "max_speed": 0.5, "pwm_frequency": 50}

@@ -7,7 +7,7 @@ from test_docs import rows
 
 from conftest import PACKAGES, ROOT
 from jetbot import InvalidValue
-from jetbot_camera.parameters import PARAMETERS
+from jetbot_camera.camera_parameters import PARAMETERS
 from jetbot_ros.node_parameters import check_values
 
 LAUNCH = PACKAGES / "jetbot_camera/launch/camera.launch"

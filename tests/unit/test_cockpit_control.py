@@ -6,13 +6,13 @@ from cockpit_control import ADA, BOB, DRIVES, OWN, STANDS, STOPPED, TEACHER, Fak
 from jetbot_cockpit.notices import say
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.rights import Client, DeadMan
-from jetbot_cockpit.session.snapshot import Robot, Snapshot, Task
+from jetbot_cockpit.session.snapshot import RobotSnapshot, Snapshot, TaskSnapshot
 from jetbot_ros.state import UNKNOWN
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
 
 SECOND_TEACHER = Client(5, "teacher 5", "teacher")
-DONE = Task("metre", "One metre", "done", "went well", 4.0, 80.0)
+DONE = TaskSnapshot("metre", "One metre", "done", "went well", 4.0, 80.0)
 
 
 def change(fake, **fields):
@@ -365,12 +365,12 @@ def test_a_teacher_puts_back_simulated_robots(cockpit):
 
 
 def test_ids_of_robots_become_short_printable_labels():
-    assert [Robot(name).label for name in ("/", "/jetbot_01", "/a/b", "/\x1b[31m" + 99 * "x")] == [
+    assert [RobotSnapshot(name).label for name in ("/", "/jetbot_01", "/a/b", "/\x1b[31m" + 99 * "x")] == [
         "robot", "jetbot_01", "a/b", "?[31m" + 35 * "x"]
 
 
 def test_robots_that_come_go_and_hang_are_named_once_in_the_terminal():
-    one, two, silent = (Snapshot({name: Robot(name, answers=answers) for name in names}) for names, answers in (
+    one, two, silent = (Snapshot({name: RobotSnapshot(name, answers=answers) for name in names}) for names, answers in (
         (["/red"], True), (["/red", "/blue"], True), (["/red", "/blue"], False)))
     assert two.changes_since(Snapshot()) == ["on the page: red and blue"]
     assert two.changes_since(two) == []

@@ -3,12 +3,12 @@
 import pytest
 
 from jetbot_cockpit.session.history import JUMP, MAX_POINTS, MAX_SPEED, RESET_TIME, History
-from jetbot_cockpit.session.snapshot import Robot, Shape, Task
+from jetbot_cockpit.session.snapshot import RobotSnapshot, Shape, TaskSnapshot
 
 COURSE = Shape("course", 0.01, ((0.0, 0.0), (1.0, 0.0)))
 SCENE = {"type": "scene", "robot": "/red", "shapes": [{"kind": "course", "width": 0.01, "points": COURSE.points}]}
 NEW_TRAIL = {"type": "trail", "robot": "/red", "points": []}
-DONE = Task("metre", "One metre", "done", "went well", 4.0, 80.0)
+DONE = TaskSnapshot("metre", "One metre", "done", "went well", 4.0, 80.0)
 
 
 @pytest.fixture
@@ -17,7 +17,7 @@ def history():
 
 
 def at(x, name="/red", **fields):
-    return Robot(name, pose=(x, 0.0, 0.0), **fields)
+    return RobotSnapshot(name, pose=(x, 0.0, 0.0), **fields)
 
 
 def update(history, *robots, now=0.0):
@@ -38,7 +38,7 @@ def rows(history):
 
 def test_a_robot_that_drives_leaves_a_trail_and_one_that_stands_a_point(history):
     for number in range(11):
-        assert update(history, at(0.01 * number), at(2.0, "/blue"), Robot("/new"), now=0.05 * number) == []
+        assert update(history, at(0.01 * number), at(2.0, "/blue"), RobotSnapshot("/new"), now=0.05 * number) == []
     assert len(points(history)["/red"]) == 4
     assert (points(history)["/blue"], points(history)["/new"]) == ([[2, 0]], [])
 
@@ -84,20 +84,20 @@ def test_the_oldest_points_are_dropped_and_robots_that_ended_too(history):
 
 
 def test_a_scene_is_sent_when_it_changes_and_not_otherwise(history):
-    course, empty = Robot("/red", shapes=(COURSE,), task=DONE._replace(score=None)), {**SCENE, "shapes": []}
+    course, empty = RobotSnapshot("/red", shapes=(COURSE,), task=DONE._replace(score=None)), {**SCENE, "shapes": []}
     assert update(history, course) == [SCENE] and update(history, course) == []
-    assert update(history, Robot("/red")) == [empty]
+    assert update(history, RobotSnapshot("/red")) == [empty]
     assert of_type("scene", history) == [empty], "a page may have missed that nothing is there"
     update(history)
     assert update(history, course) == [SCENE]
 
 
 def test_a_score_is_sent_once_and_nothing_before_the_first(history):
-    assert update(history, Robot("/red", task=DONE._replace(state="driving", score=None))) == []
+    assert update(history, RobotSnapshot("/red", task=DONE._replace(state="driving", score=None))) == []
     assert not of_type("scores", history)
     scores = {"type": "scores", "scores": [{"task": "One metre", "robot": "red", "score": 80.0, "seconds": 4.0,
                                                "name": "Ada"}]}
-    driven = Robot("/red", task=DONE._replace(driver="Ada"))
+    driven = RobotSnapshot("/red", task=DONE._replace(driver="Ada"))
     assert update(history, driven) == of_type("scores", history) == [scores]
     assert update(history, driven) == []
 
@@ -105,12 +105,12 @@ def test_a_score_is_sent_once_and_nothing_before_the_first(history):
 def test_of_a_robots_scores_in_a_task_the_best_counts_and_the_shorter_time_of_equal_ones(history):
     for task in (DONE, DONE._replace(score=70.0), DONE._replace(seconds=3.0), DONE._replace(seconds=None),
                  DONE._replace(name="circle", title="A circle")):
-        update(history, Robot("/red", task=task))
+        update(history, RobotSnapshot("/red", task=task))
     assert rows(history) == [("A circle", "red", 80.0, 4.0), ("One metre", "red", 80.0, 3.0)]
 
 
 def test_the_best_robot_of_a_task_comes_first_and_one_that_has_ended_stays(history):
-    update(history, Robot("/red", task=DONE), Robot("/blue", task=DONE._replace(score=90.0)),
-           Robot("/green", task=DONE._replace(seconds=3.0)))
+    update(history, RobotSnapshot("/red", task=DONE), RobotSnapshot("/blue", task=DONE._replace(score=90.0)),
+           RobotSnapshot("/green", task=DONE._replace(seconds=3.0)))
     update(history)
     assert [row[1] for row in rows(history)] == ["blue", "green", "red"]

@@ -5,7 +5,7 @@ from test_docs import rows
 
 from conftest import ROOT
 from jetbot import InvalidValue
-from jetbot_cockpit.parameters import PARAMETERS, resolve
+from jetbot_cockpit.cockpit_parameters import PARAMETERS, resolve
 
 
 def test_by_default_only_this_computer_gets_in():

@@ -8,7 +8,7 @@ import pytest
 from jetbot_cockpit.robots import reports
 from jetbot_cockpit.robots.reports import GONE_AFTER, SILENT_AFTER, TaskTracker, decode_task, program
 from jetbot_cockpit.robots.reports import decode_shapes as decode
-from jetbot_cockpit.session.snapshot import Shape, Task
+from jetbot_cockpit.session.snapshot import Shape, TaskSnapshot
 
 VALUES = {"state": "driving", "seconds": "3.4", "title": "One metre"}
 READY, DRIVING, DONE, CANCELLED = (
@@ -69,7 +69,7 @@ def tracker(task):
 
 
 def test_a_judges_report():
-    assert DRIVING == Task("metre", "One metre", "driving", "a sentence", 3.4, None, "Ada")
+    assert DRIVING == TaskSnapshot("metre", "One metre", "driving", "a sentence", 3.4, None, "Ada")
     assert (DONE.score, DONE.driver) == (87.3, "Ada")
 
 

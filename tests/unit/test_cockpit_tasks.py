@@ -6,10 +6,10 @@ from cockpit_control import ADA, BOB, OWN, TEACHER, Cockpit
 from jetbot_cockpit.classroom.folder import Nowhere
 from jetbot_cockpit.session.history import Scores
 from jetbot_cockpit.session.protocol import Message
-from jetbot_cockpit.session.snapshot import Task
+from jetbot_cockpit.session.snapshot import TaskSnapshot
 
 OFFERED = (("metre", "One metre"), ("park", "Into the gap"))
-DONE = Task("metre", "One metre", "done", "Largest loss: too late.", 4.0, 80.0, "Ada")
+DONE = TaskSnapshot("metre", "One metre", "done", "Largest loss: too late.", 4.0, 80.0, "Ada")
 JUDGE = Message("judge", "/red", task="metre")
 
 

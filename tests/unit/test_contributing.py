@@ -14,7 +14,7 @@ from jetbot.fake.motors import wheel_speeds
 from jetbot_control_node import parameters as controller
 from jetbot_tools.calibration.wizard import wizard_for
 from jetbot_tools.doctor.checkup import check_bus, verdict
-from simulation import parameters as simulation
+from simulation import simulation_parameters as simulation
 
 PAGE = (ROOT / "CONTRIBUTING.md").read_text()
 RECIPE = PAGE.split("## A board")[1].split("\n## ")[0]

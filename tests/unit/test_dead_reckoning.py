@@ -7,7 +7,7 @@ import pytest
 from conftest import step_of
 from jetbot.fake.motors import wheel_speeds
 from jetbot.kinematics import mix
-from jetbot_control_node.control.state import Sender
+from jetbot_control_node.control.state_machine import Sender
 from jetbot_control_node.control.supervisor import Supervisor
 from jetbot_control_node.odometry.dead_reckoning import MAX_GAP, DeadReckoning
 from simulation.diff_drive import Body, DiffDriveModel

@@ -8,7 +8,6 @@ from examined import lines, make_bare
 
 from jetbot import host
 from jetbot.camera import sources, stream
-from jetbot_tools.doctor import camera
 
 PICTURE = r'printf "\377\330\377\332\000\002picture\377\331"; sleep 60'
 
@@ -16,6 +15,7 @@ PICTURE = r'printf "\377\330\377\332\000\002picture\377\331"; sleep 60'
 @pytest.fixture(autouse=True)
 def bare(monkeypatch, tmp_path):
     make_bare(monkeypatch, tmp_path)
+from jetbot_tools.doctor import camera_check
 
 
 def plug_in(tmp_path, number, driver, index):
@@ -32,10 +32,10 @@ def test_which_cameras_there_may_be(monkeypatch, tmp_path, model, sources):
         plug_in(tmp_path, number, driver, index)
     (tmp_path / "video4linux/video4").mkdir()
     monkeypatch.setattr(host, "model", lambda: model)
-    monkeypatch.setattr(camera, "check_camera", lambda source, _: source)
-    assert list(camera.check_cameras()) == sources
+    monkeypatch.setattr(camera_check, "check_camera", lambda source, _: source)
+    assert list(camera_check.check_cameras()) == sources
     monkeypatch.setenv("JETBOT_CAMERA", "fake")
-    assert list(camera.check_cameras()) == ["fake"]
+    assert list(camera_check.check_cameras()) == ["fake"]
 
 
 @pytest.mark.parametrize("command, line", [
@@ -61,7 +61,7 @@ def test_a_camera_that_is_not_there_is_a_fault_if_it_is_named(monkeypatch, tmp_p
 
 
 def test_that_there_is_no_camera_is_no_fault():
-    assert [str(check) for check in camera.check_cameras()] == ["ok  camera: none found."]
+    assert [str(check) for check in camera_check.check_cameras()] == ["ok  camera: none found."]
 
 
 def test_who_uses_the_camera(monkeypatch, tmp_path):
@@ -69,7 +69,7 @@ def test_who_uses_the_camera(monkeypatch, tmp_path):
         (tmp_path / f"{pid}/fd").mkdir(parents=True)
         (tmp_path / f"{pid}/fd/3").symlink_to("/dev/video7")
         (tmp_path / f"{pid}/cmdline").write_text(f"/usr/bin/{program}\0")
-    monkeypatch.setattr(camera, "users_of", partial(camera.users_of, proc=tmp_path))
+    monkeypatch.setattr(camera_check, "users_of", partial(camera_check.users_of, proc=tmp_path))
     monkeypatch.setenv("JETBOT_CAMERA", "/dev/video7")
     assert lines()[-2] == "ok  camera /dev/video7: in use by notebook (7)."
 

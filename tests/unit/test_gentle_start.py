@@ -8,7 +8,7 @@ from jetbot.fake.bus import power_on
 from jetbot.fake.chips import chip_class
 from jetbot.fake.motors import STOPPED
 from jetbot_control_node.control.ramp import MAX_STEP, Ramp
-from jetbot_control_node.control.state import Sender
+from jetbot_control_node.control.state_machine import Sender
 from jetbot_control_node.control.supervisor import Supervisor
 from jetbot_ros.state import EMERGENCY_STOP, SUSPENDED
 

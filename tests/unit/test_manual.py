@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from jetbot_control_node.control.state import MANUAL_PRIORITY, STOPPED, Sender, State
+from jetbot_control_node.control.state_machine import MANUAL_PRIORITY, STOPPED, Sender, State
 from jetbot_ros.state import EMERGENCY_STOP, OWN_EMERGENCY_STOP
 
 COCKPIT, SCENARIO = Sender("/jetbot_cockpit", manual=True, number=1), Sender("/jetbot_motion_control", number=2)

@@ -8,7 +8,7 @@ import pytest
 
 from jetbot.kinematics import mix
 from jetbot_control_node.control.ramp import MAX_STEP, Ramp, make_ramp
-from jetbot_control_node.control.state import STOPPED
+from jetbot_control_node.control.state_machine import STOPPED
 from jetbot_control_node.parameters import checked
 
 SEPARATION = 0.1125  # m

@@ -10,7 +10,7 @@ from jetbot import InvalidValue
 from jetbot.boards import BOARDS
 from jetbot_control_node.parameters import load
 from simulation.diff_drive import JETBOT
-from simulation.parameters import PARAMETERS, fake_folder, resolve
+from simulation.simulation_parameters import PARAMETERS, fake_folder, resolve
 
 BODY = SIMULATION / "config/jetbot.yaml"
 

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from jetbot_control_node.control.state import ANSWER_TIMEOUT, STOPPED, Sender, State
+from jetbot_control_node.control.state_machine import ANSWER_TIMEOUT, STOPPED, Sender, State
 from jetbot_ros.state import EMERGENCY_STOP, NO_MASTER, sentence
 
 GO = (0.5, 0.1)

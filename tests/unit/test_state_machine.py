@@ -5,7 +5,7 @@ import math
 from hypothesis import settings, strategies
 from hypothesis.stateful import Bundle, RuleBasedStateMachine, consumes, initialize, invariant, rule
 
-from jetbot_control_node.control.state import ANSWER_TIMEOUT, MANUAL_PRIORITY, STOPPED, Sender, State
+from jetbot_control_node.control.state_machine import ANSWER_TIMEOUT, MANUAL_PRIORITY, STOPPED, Sender, State
 from jetbot_ros.state import HOLDS
 
 SPEEDS = strategies.sampled_from([0.0, 0.1, -0.5, math.nan, math.inf])

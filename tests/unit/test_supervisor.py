@@ -15,7 +15,7 @@ from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.guard.process import HEARTBEAT_TIMEOUT
 from jetbot.wait import wait_until
 from jetbot_control_node.control import supervisor as supervisors
-from jetbot_control_node.control.state import Sender
+from jetbot_control_node.control.state_machine import Sender
 from jetbot_control_node.control.supervisor import Supervisor
 from jetbot_control_node.status.status_line import StatusLine
 from jetbot_control_node.status.warnings import TOO_SLOW, disturbances

@@ -4,7 +4,7 @@ from unittest.mock import Mock
 
 import pytest
 
-from jetbot_control_node.control.state import RECENT, CommandLog, Sender, State
+from jetbot_control_node.control.state_machine import RECENT, CommandLog, Sender, State
 from jetbot_control_node.control.supervisor import Step
 from jetbot_control_node.status.status_line import LOOK_INTERVAL, Status, StatusLine
 from jetbot_control_node.status.warnings import (

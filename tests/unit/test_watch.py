@@ -9,7 +9,7 @@ import pytest
 from conftest import step_of
 from jetbot import JetbotError
 from jetbot_control_node.control import watch
-from jetbot_control_node.control.state import STOPPED, State
+from jetbot_control_node.control.state_machine import STOPPED, State
 from jetbot_control_node.control.watch import ASK_INTERVAL, HANGING, POLL_INTERVAL, LauncherWatch, MasterWatch, repeat
 from jetbot_ros.state import NO_MASTER, SUSPENDED
 

@@ -13,8 +13,8 @@ from tf2_msgs.msg import TFMessage
 
 from harness import CONTROLLER, START_TIMEOUT, SharedRobotTest, near, publishers
 from jetbot_cockpit.classroom.classroom import Classroom
+from jetbot_cockpit.robots.command_publishers import Drivers
 from jetbot_cockpit.robots.discovery import Robots
-from jetbot_cockpit.robots.publishers import Drivers
 from jetbot_cockpit.session.collection import Collection
 from jetbot_cockpit.session.control import Control
 from jetbot_cockpit.session.messages import problem_of

@@ -16,7 +16,7 @@ from std_srvs.srv import Empty
 
 from driving_tasks.sources.judged_robot import simulated_robots
 from harness import START_TIMEOUT, RobotTest, find_processes, free_port, pid, read
-from jetbot_ros.messages import pose_of
+from jetbot_ros.ros_messages import pose_of
 
 RUN = Path(__file__).parents[3] / "setup/run.py"  # ./morbot run
 CLASS = ("/jetbot_01", "/jetbot_02")

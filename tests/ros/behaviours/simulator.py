@@ -16,7 +16,7 @@ from harness import START_TIMEOUT, SharedRobotTest, program, read
 from jetbot import Robot, bgr8_to_jpeg
 from jetbot.camera.lens import focal_length
 from jetbot.kinematics import Pose
-from jetbot_ros.messages import pose_of
+from jetbot_ros.ros_messages import pose_of
 from simulation.picture import render
 from simulation.world import FOOTPRINT
 from simulation.world_files import load

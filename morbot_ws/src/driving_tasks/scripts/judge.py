@@ -57,7 +57,7 @@ def judge(given: Namespace) -> Iterator[Mark]:
         from driving_tasks.sources.bags import judge_bags  # here: each of these takes long to import
         return judge_bags(given.task, given.bag, given.robot[0] if given.robot else None)
     if given.program:
-        from driving_tasks.sources.programs import judge_programs
+        from driving_tasks.sources.handed_in import judge_programs
         return judge_programs(given.task, given.program, given.config, given.variation)
     from driving_tasks.sources.live import judge_robots
     return judge_robots(given.task, given.robot, given.record)
@@ -88,8 +88,8 @@ def draw(mark: Mark, given: Namespace) -> None:
         file = given.picture or picture_file(mark, given)
         if is_single(given):
             show(f"Drawing {file} ...")  # the first picture takes seconds: Matplotlib looks for this computer's fonts
-        from driving_tasks.report import picture
-        picture.draw(mark.result, str(file), mark.note)
+        from driving_tasks.report import drawing
+        drawing.draw(mark.result, str(file), mark.note)
     except ImportError:
         show("No picture was drawn. Install what draws it: sudo apt install python3-matplotlib")
     except OSError as error:

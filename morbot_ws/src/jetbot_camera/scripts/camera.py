@@ -15,11 +15,11 @@ from std_msgs.msg import Header
 
 from jetbot.camera.sources import find_command
 from jetbot.camera.stream import Stream
-from jetbot_camera.parameters import PARAMETERS
+from jetbot_camera.camera_parameters import PARAMETERS
 from jetbot_ros import failures, lifecycle, links
 from jetbot_ros.launcher import Launcher
-from jetbot_ros.messages import camera_info
 from jetbot_ros.node_parameters import check_values, private_parameters
+from jetbot_ros.ros_messages import camera_info
 
 INTERVAL = 1.0          # s between two messages on /diagnostics
 SHUTDOWN_TIMEOUT = 5.0  # s for the end of this node, more than the stream takes

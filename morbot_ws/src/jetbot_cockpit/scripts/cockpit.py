@@ -11,10 +11,10 @@ import rospy
 
 from jetbot import JetbotError
 from jetbot_cockpit.classroom.classroom import open_classroom
-from jetbot_cockpit.parameters import PARAMETERS, resolve
-from jetbot_cockpit.robots.cameras import Cameras
+from jetbot_cockpit.cockpit_parameters import PARAMETERS, resolve
+from jetbot_cockpit.robots.camera_topics import Cameras
+from jetbot_cockpit.robots.command_publishers import Drivers
 from jetbot_cockpit.robots.discovery import Robots
-from jetbot_cockpit.robots.publishers import Drivers
 from jetbot_cockpit.session.collection import Collection
 from jetbot_cockpit.session.control import Control
 from jetbot_cockpit.session.hub import Hub

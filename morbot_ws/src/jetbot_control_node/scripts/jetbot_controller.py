@@ -8,7 +8,7 @@ from geometry_msgs.msg import Twist
 
 from jetbot.kinematics import mix
 from jetbot_control_node import node
-from jetbot_control_node.control import emergency_stop
+from jetbot_control_node.control import stop_topics
 from jetbot_control_node.control.commanders import Commanders
 from jetbot_control_node.control.ramp import make_ramp
 from jetbot_control_node.control.supervisor import Supervisor
@@ -33,7 +33,7 @@ class JetBotController:
 
         # Subscribe to the topics and define the callback function; an earlier emergency stop comes before any command
         self.commanders = Commanders("cmd_vel", self.supervisor.disconnect)
-        emergency_stop.subscribe(self.supervisor)
+        stop_topics.subscribe(self.supervisor)
         rospy.Subscriber("cmd_vel", Twist, self.cmd_vel_callback, queue_size=1, tcp_nodelay=True)
         self.commanders.keep_asking(self.supervisor)
 

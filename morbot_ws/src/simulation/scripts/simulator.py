@@ -18,9 +18,9 @@ from jetbot_ros.launcher import Launcher
 from jetbot_ros.node_parameters import private_parameters
 from simulation import variation
 from simulation.diff_drive import Body, DiffDriveModel, Pose
-from simulation.parameters import PARAMETERS, fake_folder, resolve
 from simulation.simulated_robot import SimulatedRobot
-from simulation.simulator import Simulator, spin
+from simulation.simulation_loop import Simulator, spin
+from simulation.simulation_parameters import PARAMETERS, fake_folder, resolve
 from simulation.world import EMPTY
 from simulation.world_files import load
 

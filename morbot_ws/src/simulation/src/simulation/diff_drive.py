@@ -19,7 +19,7 @@ SEPARATED = 0.01        # m from the walls; the next contact is another one
 
 
 class Body(NamedTuple):
-    """A robot's size and motors; ``simulation.parameters`` has the meaning and the source of each number."""
+    """A robot's size and motors; ``simulation.simulation_parameters`` has the meaning and the source of each number."""
 
     wheel_separation: float = WHEEL_SEPARATION  # m
     wheel_diameter: float = 2 * WHEEL_RADIUS    # m, of the left wheel

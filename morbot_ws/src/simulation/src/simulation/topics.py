@@ -14,7 +14,7 @@ from std_msgs.msg import ColorRGBA, Float32MultiArray, Header, MultiArrayDimensi
 from tf2_msgs.msg import TFMessage  # without tf2_ros, which takes 5 MB
 from visualization_msgs.msg import Marker, MarkerArray
 
-from jetbot_ros.messages import frame_name, joint_states, odometry, quaternion, transform
+from jetbot_ros.ros_messages import frame_name, joint_states, odometry, quaternion, transform
 
 from .diff_drive import DiffDriveModel, Pose
 from .world import EYES, World

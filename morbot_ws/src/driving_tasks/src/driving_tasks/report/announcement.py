@@ -8,7 +8,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from jetbot import kinematics
 from jetbot.kinematics import from_frame
-from jetbot_ros.messages import quaternion
+from jetbot_ros.ros_messages import quaternion
 
 from ..scoring.recorder import DONE, DRIVING
 from ..scoring.score import Result

@@ -12,7 +12,7 @@ from std_msgs.msg import String
 
 from jetbot import files
 from jetbot.text import enumeration, printable
-from jetbot_ros.messages import pose_of
+from jetbot_ros.ros_messages import pose_of
 
 from .. import contained
 from ..report.marks import Mark, changed

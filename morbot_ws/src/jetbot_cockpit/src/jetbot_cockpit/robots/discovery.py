@@ -12,11 +12,11 @@ from jetbot_ros.links import Links
 from jetbot_ros.master import NO_ANSWER
 from jetbot_ros.state import EMERGENCY_STOP
 
-from ..parameters import MAX_ROBOTS
+from ..cockpit_parameters import MAX_ROBOTS
 from ..session.snapshot import Snapshot
-from .judge import Judge
+from .judge_topics import Judge
 from .map_topics import Frames
-from .topics import CONTROLLER, SIMULATOR_RESET, EmergencyStop, RobotTopics
+from .robot_topics import CONTROLLER, SIMULATOR_RESET, RobotTopics, StopTopic
 
 POLL_INTERVAL = 1.0   # s between two questions to the master
 MASTER_TIMEOUT = 4.0  # s without an answer until the master counts as gone
@@ -31,7 +31,7 @@ class Robots:
         self._robots: Dict[str, RobotTopics] = {}  # replaced, never changed
         self._frames = Frames()
         self._links = Links()
-        self._emergency_stop, self._judge = EmergencyStop(STOP_TOPIC, self._graph), Judge()
+        self._emergency_stop, self._judge = StopTopic(STOP_TOPIC, self._graph), Judge()
         self._answered_at = time.monotonic()
         rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics)
         threading.Thread(target=self._run, daemon=True).start()

@@ -7,7 +7,7 @@ from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, Pose, from_frame
 from jetbot.text import printable
 
 from ..session.messages import MAX_NAME
-from ..session.snapshot import Shape, Task, label
+from ..session.snapshot import Shape, TaskSnapshot, label
 
 CLOSED_LOOP = WHEEL_SEPARATION, FULL_SPEED  # of a JetBot Pro, which limits its wheels itself
 DRIVING, DONE = "driving", "done"
@@ -53,13 +53,13 @@ def geometry(wheel_separation: Optional[str], max_speed: Optional[str]) -> Optio
     return values if all(math.isfinite(value) and value > 0 for value in values) else None
 
 
-def decode_task(name: str, text: str, values: Mapping[str, str]) -> Optional[Task]:
+def decode_task(name: str, text: str, values: Mapping[str, str]) -> Optional[TaskSnapshot]:
     """Return the task that a judge's DiagnosticStatus reports, with its values by key; None if it is no task's."""
     state = values.get("state")
     if not name or state not in STATES:
         return None
     score = number(values.get("score"), 100.0) if state == DONE else None
-    return Task(printable(name)[:MAX_TITLE], printable(values.get("title") or name)[:MAX_TITLE], state,
+    return TaskSnapshot(printable(name)[:MAX_TITLE], printable(values.get("title") or name)[:MAX_TITLE], state,
                 printable(text)[:MAX_TEXT], number(values.get("seconds"), MAX_SECONDS), score,
                 printable(values.get("driver", ""))[:MAX_NAME])
 
@@ -77,16 +77,16 @@ class TaskTracker:
     """Decides how long a robot's task is shown. Times are monotonic seconds."""
 
     def __init__(self):
-        self._task: Optional[Task] = None
-        self._over: Optional[Task] = None  # one whose judge is gone
+        self._task: Optional[TaskSnapshot] = None
+        self._over: Optional[TaskSnapshot] = None  # one whose judge is gone
         self._updated_at = self._connected_at = -math.inf
 
-    def update(self, task: Optional[Task], now: float) -> None:
+    def update(self, task: Optional[TaskSnapshot], now: float) -> None:
         """Take what a judge has reported; any thread may call it."""
         self._updated_at = self._connected_at = now
         self._task = task
 
-    def current(self, connected: bool, now: float) -> Optional[Task]:
+    def current(self, connected: bool, now: float) -> Optional[TaskSnapshot]:
         """Return the task that is shown now, or None. connected: whether a judge publishes."""
         task = self._task
         if connected:

@@ -10,10 +10,10 @@ from ..classroom.classroom import Classroom
 from ..notices import Notice, say
 from .collection import Collection
 from .history import History, Scores
+from .offered_tasks import OfferedTasks
 from .protocol import Message, notice
 from .rights import COMMAND_TIMEOUT, TEACHER, Client, Holds, Lease, StopRights, refuse_role
 from .snapshot import Snapshot, label
-from .tasks import Tasks
 
 NO_COMMAND = say("no_command", seconds=COMMAND_TIMEOUT)
 TAKEN, LEFT = "a teacher took the robot over", "the driver's page was closed, or lost its connection"  # interruptions
@@ -35,7 +35,7 @@ class Control:
         self._stop_rights, self._holds = StopRights(), Holds(drivers.keep_waiting)
         self._programs, self._classroom = classroom.programs, classroom
         self._history = History(Scores(classroom.read("scores", list), partial(classroom.keep, "scores")))
-        self._tasks = Tasks(classroom.read("tasks", list), partial(classroom.keep, "tasks"))
+        self._tasks = OfferedTasks(classroom.read("tasks", list), partial(classroom.keep, "tasks"))
         self._names: Dict[int, str] = {}
         self._typed: Dict[int, str] = {}  # those of them that a person has typed
         self._must_lift: Set[int] = set()

@@ -6,7 +6,7 @@ from typing import Any, Callable, Deque, Dict, Iterable, List, NamedTuple, Optio
 
 from jetbot.kinds import is_number
 
-from .snapshot import Robot, Shape, Task, label
+from .snapshot import RobotSnapshot, Shape, TaskSnapshot, label
 
 STEP = 0.03       # m between two points of a trail
 JUMP = 0.2        # m between two poses that no robot drives: it was put somewhere else;
@@ -69,7 +69,7 @@ class Scores:
             tuple(row[:2]): Score(*row[2:]) for row in kept if is_score(row)}
         self._keep = keep
 
-    def add(self, robot: str, task: Optional[Task]) -> bool:
+    def add(self, robot: str, task: Optional[TaskSnapshot]) -> bool:
         """Take a robot's task; return whether that is a better score."""
         if not task or task.score is None:
             return False
@@ -97,7 +97,7 @@ class History:
 
     def __init__(self, scores: Optional[Scores] = None):
         self._trails: Dict[str, Trail] = {}
-        self._forgotten: Dict[str, Optional[Task]] = {}
+        self._forgotten: Dict[str, Optional[TaskSnapshot]] = {}
         self._scenes: Dict[str, Tuple[Shape, ...]] = {}
         self._scores = scores or Scores()
 
@@ -106,15 +106,15 @@ class History:
         if robot in self._trails:
             self._trails[robot].reset(now)
 
-    def task(self, robot: Robot) -> Optional[Task]:
+    def task(self, robot: RobotSnapshot) -> Optional[TaskSnapshot]:
         """Return the robot's task; not the result of a drive after which it was put somewhere else."""
         return None if robot.task is self._forgotten.get(robot.id) else robot.task
 
-    def forget_task(self, robot: Robot) -> None:
+    def forget_task(self, robot: RobotSnapshot) -> None:
         """The robot gets another task: what is still shown of the last one is over."""
         self._forgotten[robot.id] = robot.task
 
-    def update(self, robots: Dict[str, Robot], now: float) -> List[dict]:
+    def update(self, robots: Dict[str, RobotSnapshot], now: float) -> List[dict]:
         """Take all robots as they are now; return messages with what has changed. now: in monotonic seconds."""
         self._trails = {robot: self._trails.get(robot) or Trail() for robot in robots}
         restarts = [robot for robot in robots.values()
@@ -125,7 +125,7 @@ class History:
         better = [self._scores.add(robot.id, robot.task) for robot in robots.values()]
         return [trail(robot.id, []) for robot in restarts] + scenes + (self._scores.messages() if any(better) else [])
 
-    def _scene(self, robot: Robot) -> Tuple[Shape, ...]:
+    def _scene(self, robot: RobotSnapshot) -> Tuple[Shape, ...]:
         """Return what is drawn around the robot: a course only with its task."""
         return tuple(shape for shape in robot.shapes if self.task(robot) or shape.kind not in ("course", "goal"))
 

@@ -7,8 +7,8 @@ import math
 from collections import Counter
 from typing import Callable, Dict, List, NamedTuple, Optional, Sequence
 
+from ..cockpit_parameters import MAX_ROBOTS
 from ..notices import Notice, say
-from ..parameters import MAX_ROBOTS
 from . import protocol
 from .control import Control
 from .feed import Feed, Picture, interval

@@ -12,7 +12,7 @@ WORKSHOP = 2.0, 1.0  # wheel_separation in m and max_speed in m/s: the workshop'
 MAX_LABEL = 40  # characters
 
 
-class Task(NamedTuple):
+class TaskSnapshot(NamedTuple):
     """A driving task. text: a sentence for the person; seconds: of the drive; score: 0 to 100, once done, with driver:
     the name of who drove, "" if it is not known.
     """
@@ -34,7 +34,7 @@ class Shape(NamedTuple):
     points: Tuple[Tuple[float, float], ...]
 
 
-class Robot(NamedTuple):
+class RobotSnapshot(NamedTuple):
     """A robot at one moment; what is not known is None.
 
     id: its namespace; geometry: (wheel_separation in m, max_speed in m/s) of its commands; simulated: whether it can
@@ -58,7 +58,7 @@ class Robot(NamedTuple):
     wheels: Optional[Tuple[float, float]] = None
     program: str = ""
     shapes: Tuple[Shape, ...] = ()
-    task: Optional[Task] = None
+    task: Optional[TaskSnapshot] = None
 
     @property
     def label(self) -> str:
@@ -89,7 +89,7 @@ class Robot(NamedTuple):
                 "workshop": self.geometry and self.geometry == WORKSHOP,
                 "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated}
 
-    def message(self, driver: Optional[dict], resumes: Optional[int], held: Optional[str], task: Optional[Task],
+    def message(self, driver: Optional[dict], resumes: Optional[int], held: Optional[str], task: Optional[TaskSnapshot],
               stalls: int, pictures: Optional[dict], programs: int) -> dict:
         """Return its entry of the message "state"; docs/protocol.md explains it."""
         state = self.state
@@ -107,7 +107,7 @@ class Snapshot(NamedTuple):
     stopped_elsewhere: whose emergency stops another program has engaged, None: that of all.
     """
 
-    robots: Dict[str, Robot] = {}
+    robots: Dict[str, RobotSnapshot] = {}
     master: bool = True
     emergency: bool = False
     stopped_elsewhere: FrozenSet[Optional[str]] = frozenset()

@@ -14,7 +14,7 @@ from jetbot.wait import wait_until
 from jetbot_ros import links
 from jetbot_ros.master import NO_ANSWER, address_of, ask, proxy, system_state
 
-from .state import Sender
+from .state_machine import Sender
 from .supervisor import Supervisor
 
 ASK_INTERVAL = 0.25    # s between two questions whether a program still runs

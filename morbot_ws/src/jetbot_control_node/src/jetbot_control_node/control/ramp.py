@@ -6,7 +6,7 @@ from typing import Dict, Tuple
 from jetbot.boards import MotorDriver
 from jetbot.kinematics import WHEEL_SEPARATION, clamp, mix, unmix
 
-from .state import STOPPED
+from .state_machine import STOPPED
 
 STEP_INTERVAL = 0.008  # s between two steps of a ramp; 0.02 at most with the transfers on a bus of 100 kHz
 MAX_STEP = 0.02        # s that a step counts at most: one that is late makes the wheels no faster

@@ -12,7 +12,7 @@ from jetbot.robot import Robot
 from jetbot.wait import wait_until
 
 from .ramp import STEP_INTERVAL, Ramp
-from .state import STOPPED, CommandLog, Sender, State
+from .state_machine import STOPPED, CommandLog, Sender, State
 
 STOPPED_INTERVAL = 0.4       # s between two heartbeats while it is stopped; the guard's timeout is a second
 RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried again

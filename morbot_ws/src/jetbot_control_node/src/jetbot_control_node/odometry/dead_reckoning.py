@@ -6,7 +6,7 @@ from jetbot.guard.process import HEARTBEAT_TIMEOUT
 from jetbot.kinematics import WHEEL_RADIUS, Pose, unmix
 from jetbot.motor import Motor
 
-from ..control.state import STOPPED
+from ..control.state_machine import STOPPED
 from ..control.supervisor import Step
 
 MAX_GAP = HEARTBEAT_TIMEOUT  # s between two reports after which the guard has stopped the wheels
@@ -14,7 +14,7 @@ MAX_GAP = HEARTBEAT_TIMEOUT  # s between two reports after which the guard has s
 Pair = Tuple[float, float]  # left, right
 
 
-class Motion(NamedTuple):
+class OdometryState(NamedTuple):
     """Where the robot is at the monotonic time ``at``, and how its wheels turn. Immutable.
 
     x, y: m; yaw: rad, to the left, within half a turn; path_length, total_rotation: in sum, m and rad;
@@ -49,7 +49,7 @@ class Motion(NamedTuple):
         (left, right), (left_speed, right_speed) = self.distances, self.speeds
         return (left / WHEEL_RADIUS, right / WHEEL_RADIUS), (left_speed / WHEEL_RADIUS, right_speed / WHEEL_RADIUS)
 
-    def advance(self, now: float) -> "Motion":
+    def advance(self, now: float) -> "OdometryState":
         """Return the motion at the time ``now``, along the arc of the wheels' speeds.
 
         After ``MAX_GAP``, as of a program that was frozen, the wheels have stopped.
@@ -73,7 +73,7 @@ class DeadReckoning:
 
     def __init__(self, left: Motor, right: Motor, max_speed: float, wheel_separation: float):
         self._motors, self._max_speed = (left, right), max_speed
-        self.motion = Motion(wheel_separation)
+        self.motion = OdometryState(wheel_separation)
 
     def __call__(self, step: Step) -> None:
         speeds = tuple(self._max_speed * motor.speed_of(duty) for motor, duty in zip(self._motors, step.duties))

@@ -12,10 +12,10 @@ from sensor_msgs.msg import Imu, JointState
 
 from jetbot.boards import Telemetry
 from jetbot.robot import Robot
-from jetbot_ros import messages
+from jetbot_ros import ros_messages
 
 from ..control.supervisor import Step
-from .dead_reckoning import DeadReckoning, Motion
+from .dead_reckoning import DeadReckoning, OdometryState
 from .pose_tracker import PoseTracker
 
 GYRO_ERROR = 0.09         # rad/s, and
@@ -38,12 +38,12 @@ class OdometryPublisher:
             from tf2_ros import TransformBroadcaster  # here: tf2 takes memory, and most robots do not need it
             self._tf = TransformBroadcaster()
 
-    def publish(self, stamp: rospy.Time, motion: Union[PoseTracker, Motion]) -> None:
+    def publish(self, stamp: rospy.Time, motion: Union[PoseTracker, OdometryState]) -> None:
         """Publish where the robot is at this time."""
         odom = odometry(stamp, motion)
         self._odom.publish(odom)
         if self._tf:
-            self._tf.sendTransform(messages.transform(stamp, odom.header.frame_id, odom.child_frame_id, motion))
+            self._tf.sendTransform(ros_messages.transform(stamp, odom.header.frame_id, odom.child_frame_id, motion))
 
 
 class TelemetryPublisher:
@@ -94,18 +94,18 @@ class OpenLoopOdometry:
                     self._started.wait(STOPPED_INTERVAL - MOVING_INTERVAL)
                     due = time.monotonic()
 
-    def _publish(self) -> Motion:
+    def _publish(self) -> OdometryState:
         """Publish the motion at this moment, and return it."""
         stamp, motion = rospy.Time.now(), self._reckoning.motion.advance(time.monotonic())
         self._odometry.publish(stamp, motion)
-        self._joint_states.publish(messages.joint_states(stamp, *motion.joints))
+        self._joint_states.publish(ros_messages.joint_states(stamp, *motion.joints))
         return motion
 
 
-def odometry(stamp: rospy.Time, motion: Union[PoseTracker, Motion]) -> Odometry:
+def odometry(stamp: rospy.Time, motion: Union[PoseTracker, OdometryState]) -> Odometry:
     """Return the pose and velocity, with covariances that grow with the path."""
     linear, angular = motion.velocity
-    odom = messages.odometry(stamp, motion, linear, angular)
+    odom = ros_messages.odometry(stamp, motion, linear, angular)
     odom.pose.covariance = diagonal(RESOLUTION + motion.drift * motion.path_length,
                                     min(RESOLUTION + motion.drift * motion.total_rotation, MAX_YAW_ERROR))
     odom.twist.covariance = diagonal(SPEED_RESOLUTION + motion.drift * abs(linear),
@@ -123,7 +123,7 @@ def diagonal(position: float, yaw: float) -> List[float]:
 def imu(stamp: rospy.Time, telemetry: Telemetry) -> Imu:
     """Return the board's gyro and accelerometer."""
     message = Imu()
-    message.header.stamp, message.header.frame_id = stamp, messages.frame_name("imu_link")
+    message.header.stamp, message.header.frame_id = stamp, ros_messages.frame_name("imu_link")
     message.orientation_covariance[0] = -1  # as sensor_msgs/Imu marks an orientation that is not measured
     rates, acceleration = message.angular_velocity, message.linear_acceleration
     rates.x, rates.y, rates.z = telemetry.gyro

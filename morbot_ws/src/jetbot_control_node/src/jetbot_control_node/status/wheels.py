@@ -10,7 +10,7 @@ from std_msgs.msg import Float32MultiArray, MultiArrayDimension, MultiArrayLayou
 from jetbot.boards import MotorDriver
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, clamp, mix, unmix
 
-from ..control.state import STOPPED
+from ..control.state_machine import STOPPED
 from ..control.supervisor import Step
 
 CHANGING_INTERVAL = 0.1  # s between two messages, at least

@@ -11,7 +11,7 @@ DRIVE_SPEED = 0.4   # fraction of full power, to drive ahead
 SPIN_SPEED = 0.2    # fraction of full power, to turn on the spot
 
 
-class Step(NamedTuple):
+class WheelStep(NamedTuple):
     """Wheel speeds, as Robot.set_motors takes them, and how long they are held."""
 
     left: float
@@ -19,25 +19,25 @@ class Step(NamedTuple):
     seconds: float = STEP
 
 
-def constant_speed(left: float, right: float, seconds: float) -> List[Step]:
+def constant_speed(left: float, right: float, seconds: float) -> List[WheelStep]:
     """Return a motion at these speeds."""
     count, rest = divmod(seconds, STEP)
-    return [*[Step(left, right)] * int(count), Step(left, right, rest)]
+    return [*[WheelStep(left, right)] * int(count), WheelStep(left, right, rest)]
 
 
-def gentle(left: float, right: float, seconds: float, min_duty: float = 0.0) -> List[Step]:
+def gentle(left: float, right: float, seconds: float, min_duty: float = 0.0) -> List[WheelStep]:
     """Return a motion that rolls as far as these speeds, equal but for the sign, do in ``seconds``.
 
     It starts and ends at START_SPEED.
     """
     lowest = START_SPEED / abs(left)
     parts = [lowest + (1 - lowest) * step / RAMP_STEPS for step in range(RAMP_STEPS)]
-    rising = [Step(left * part, right * part) for part in parts]
+    rising = [WheelStep(left * part, right * part) for part in parts]
     ramp = 2 * STEP * sum(duty(abs(step.left), min_duty) for step in rising) / duty(abs(left), min_duty)
     return [*rising, *constant_speed(left, right, max(0.0, seconds - ramp)), *reversed(rising)]
 
 
-def spin(angle: float, parameters: Mapping[str, Any]) -> List[Step]:
+def spin(angle: float, parameters: Mapping[str, Any]) -> List[WheelStep]:
     """Return a turn to the left on the spot by an angle in rad, of a robot with these parameters."""
     metres = angle * parameters["wheel_separation"] / 2
     return gentle(-SPIN_SPEED, SPIN_SPEED, metres / (parameters["max_speed"] * SPIN_SPEED))

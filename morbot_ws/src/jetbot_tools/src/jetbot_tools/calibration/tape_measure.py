@@ -8,7 +8,7 @@ from jetbot.motor import duty
 
 from ..terminal import YES_OR_NO, choose, number
 from .corrections import ALPHAS, proportional_alphas
-from .motions import DRIVE_SPEED, Step, gentle, spin
+from .motions import DRIVE_SPEED, WheelStep, gentle, spin
 
 DRIVE_TIME = 2.0  # s
 TURN = 720        # degrees
@@ -16,7 +16,7 @@ INTRODUCTION = """
 With a tape measure, commands become metres and radians: linear.x in m/s, angular.z in rad/s.
 Without, they stay as they are in the workshop. Put the robot on the floor, with two metres ahead of it."""
 
-Drive = Callable[[str, List[Step]], Optional[Step]]  # as Wizard.drive_until_key
+Drive = Callable[[str, List[WheelStep]], Optional[WheelStep]]  # as Wizard.drive_until_key
 
 
 def measure(drive: Drive, parameters: Dict[str, Any]) -> None:
@@ -48,7 +48,7 @@ def obey_metres(parameters: Dict[str, Any], speed: float) -> None:
           f"With min_duty:={min_duty} it turns, but faster than commanded.")
 
 
-def ask(drive: Drive, offer: str, announcement: str, motion: List[Step], question: str,
+def ask(drive: Drive, offer: str, announcement: str, motion: List[WheelStep], question: str,
         lowest: float, highest: float) -> float:
     """Return what a person measures after a motion, or 0 if that is skipped."""
     while choose(offer, YES_OR_NO, enter="no"):

@@ -11,7 +11,7 @@ from jetbot_control_node.status.summary import GEOMETRY
 from ..terminal import YES_OR_NO, choose, key_pressed, offset, single_keys
 from . import tape_measure
 from .corrections import ALPHAS, base_wiring, curvature_of, motor_wiring, trim
-from .motions import DRIVE_SPEED, Step, constant_speed, gentle
+from .motions import DRIVE_SPEED, WheelStep, constant_speed, gentle
 
 # Hz, where it can be set. Adafruit, "Improve Low-Speed Performance of Brushed DC Motors": 50 to 100 Hz; TT motors then
 # start at a duty several times lower than at 1600 Hz.
@@ -35,7 +35,7 @@ class Wizard:
         fixed = "pwm_frequency" in BOARDS[known["board"]].driver.ignores
         self.parameters = known if fixed else {**known, "pwm_frequency": PWM_FREQUENCY}
 
-    def drive_until_key(self, announcement: str, motion: Sequence[Step]) -> Optional[Step]:
+    def drive_until_key(self, announcement: str, motion: Sequence[WheelStep]) -> Optional[WheelStep]:
         """Wait for Enter, then drive one step after the other.
 
         Returns the step at which a key was pressed, this program was held up, or its guard was lost; None if it drove
@@ -107,7 +107,7 @@ class Wizard:
         while True:
             reached = self.drive_until_key(
                 f"The power of the {wheel} wheel will rise slowly: press a key as soon as it turns.",
-                [Step(left * duty, right * duty) for duty in RAMP])
+                [WheelStep(left * duty, right * duty) for duty in RAMP])
             if not reached:
                 print(f"No key was pressed below {100 * RAMP[-1]:.0f} % of full power. Try again.")
             elif choose(f"Did the {wheel} wheel turn?", YES_OR_NO):

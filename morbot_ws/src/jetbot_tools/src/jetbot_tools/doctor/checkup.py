@@ -12,7 +12,7 @@ from jetbot.serial_link import SerialLink
 from jetbot_control_node.parameters import checked, default_file, load
 
 from ..options import launch_command
-from .camera import check_cameras
+from .camera_check import check_cameras
 from .computer import Check, check_cockpit_port, check_host, check_module, check_supply, check_users
 from .motor_board import JUMPER_ADDRESSES, check_board, check_chips, check_serial
 

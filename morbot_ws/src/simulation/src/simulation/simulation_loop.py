@@ -15,9 +15,9 @@ from tf2_msgs.msg import TFMessage
 from jetbot import InvalidValue
 from jetbot.text import printable
 
-from . import cameras
-from .cameras import Camera, View
+from . import simulated_camera
 from .diff_drive import Pose
+from .simulated_camera import SimulatedCamera, View
 from .simulated_robot import SimulatedRobot, StepClock
 from .topics import Topics
 from .world_files import MAX_PLACE, parse
@@ -36,7 +36,7 @@ class Simulator:
             rospy.Service(f"{node}/reset", Empty, self._on_reset)
             self._topics = Topics(node, others, robot.model)
         self.static_transform = self._topics.static_transform
-        self.camera = Camera(node)
+        self.camera = SimulatedCamera(node)
         rospy.Subscriber(f"{node}/set_pose", Pose2D, self._on_set_pose, queue_size=1)
         rospy.Subscriber(f"{node}/world", String, self._on_world, queue_size=1)
 
@@ -87,7 +87,7 @@ def spin(simulators: Sequence[Simulator]) -> None:
     static_tf = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
     static_tf.publish([each.static_transform for each in simulators])  # in one: the last message alone is latched
     rospy.Timer(rospy.Duration(1.0), lambda _: [each.print_state() for each in simulators])
-    cameras.start([each.camera for each in simulators])
+    simulated_camera.start([each.camera for each in simulators])
     clock = StepClock(now())
     for cycle in count():
         if rospy.is_shutdown():

@@ -19,7 +19,7 @@ from jetbot_ros.colors import color_of
 from jetbot_ros.links import Graph
 from jetbot_ros.state import OWN_EMERGENCY_STOP, UNKNOWN, read
 
-from ..session.snapshot import Robot, label
+from ..session.snapshot import RobotSnapshot, label
 from .map_topics import Drawing, Frames
 from .reports import TaskTracker, decode_task, geometry, program, rounded, yaw_of
 
@@ -31,7 +31,7 @@ ATTENTION = 5.0       # s for which the line is followed after a program has ask
 IN_FLIGHT = 0.3       # s that a message of another program may take
 
 
-class EmergencyStop:
+class StopTopic:
     """An emergency stop, of all robots or of one: a latched topic, which others publish too.
 
     engaged: its value; by_others: whether another program has engaged it, perhaps as well; latched: whether it is
@@ -85,7 +85,7 @@ class EmergencyStop:
 class RobotTopics:
     """Subscribes to a robot's topics; ``snapshot`` returns what they say.
 
-    name: the robot's namespace; graph: as of EmergencyStop.
+    name: the robot's namespace; graph: as of StopTopic.
     """
 
     def __init__(self, name: str, frames: Frames, graph: Callable[[], Graph]):
@@ -103,7 +103,7 @@ class RobotTopics:
         self._drawings = [Drawing(f"{self._base}/{topic}", frames) for topic in ("world", "task_course")]
         self._reported = "", ""  # who drives, and what has interrupted that
         self._driver = rospy.Publisher(f"{self._base}/driver", DiagnosticStatus, queue_size=10, latch=True)
-        self.emergency_stop = EmergencyStop(f"{self._base}{CONTROLLER}/emergency_stop", graph)
+        self.emergency_stop = StopTopic(f"{self._base}{CONTROLLER}/emergency_stop", graph)
         self._state_subscriber = rospy.Subscriber(f"{self._base}{CONTROLLER}/state", DiagnosticStatus, self._on_state)
         self._task_subscriber = rospy.Subscriber(f"{self._base}/task", DiagnosticStatus, self._on_task, queue_size=1)
         self._subscribers = [
@@ -134,7 +134,7 @@ class RobotTopics:
         self._geometry = geometry(values.get("wheel_separation"), values.get("max_speed"))
         self._program = program(values.get("commanded by"), rospy.get_name())
 
-    def snapshot(self, now: float, master: bool) -> Robot:
+    def snapshot(self, now: float, master: bool) -> RobotSnapshot:
         """Return what is known of the robot now. master: whether the ROS master answers; else diagnostics are late."""
         ended = self._state is not UNKNOWN and not self.connected
         silent = now - self._active_at > ANSWER_TIMEOUT and (self._repeats or self._state is UNKNOWN)
@@ -146,7 +146,7 @@ class RobotTopics:
         command, wheels = self._wheels if answers else (None, None)
         shapes = tuple(shape for drawing in self._drawings for shape in drawing.shapes())
         task = self._tracker.current(self._task_subscriber.get_num_connections() > 0, now)
-        return Robot(
+        return RobotSnapshot(
             self.name, color=self._color, geometry=self._geometry, simulated=self.simulated, state=state,
             warning=self._level > 0, answers=answers, stopped=stopped, pose=pose, speed=speed, command=command,
             wheels=wheels, program=self._program, shapes=shapes, task=task)

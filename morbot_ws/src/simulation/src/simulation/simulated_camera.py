@@ -12,7 +12,7 @@ from std_msgs.msg import Header
 from jetbot.camera.jpeg import bgr8_to_jpeg
 from jetbot.text import printable
 from jetbot_ros.colors import color_of
-from jetbot_ros.messages import camera_info
+from jetbot_ros.ros_messages import camera_info
 
 from .diff_drive import Pose
 from .world import World
@@ -31,7 +31,7 @@ class View(NamedTuple):
     world: World
 
 
-class Camera:
+class SimulatedCamera:
     """A robot's camera. node: its simulator's name, in its namespace; view: what it sees next, None for nothing."""
 
     def __init__(self, node: str):
@@ -58,12 +58,12 @@ class Camera:
         self._infos.publish(self._info)
 
 
-def start(cameras: Sequence[Camera]) -> None:
+def start(cameras: Sequence[SimulatedCamera]) -> None:
     """Publish what the cameras see, in each the other robots, from a thread until the node is shut down."""
     threading.Thread(target=run, args=[cameras], daemon=True).start()
 
 
-def run(cameras: Sequence[Camera]) -> None:
+def run(cameras: Sequence[SimulatedCamera]) -> None:
     """Do what ``start`` says, in this thread."""
     due = time.monotonic()
     while not rospy.is_shutdown():
@@ -77,7 +77,7 @@ def run(cameras: Sequence[Camera]) -> None:
         time.sleep(due - now)
 
 
-def publish(camera: Camera, others: Sequence[Camera]) -> None:
+def publish(camera: SimulatedCamera, others: Sequence[SimulatedCamera]) -> None:
     """Publish what one camera sees; if that fails, log why, and pause: the robots drive on."""
     try:
         camera.publish([(other.view.pose, other.color) for other in others])

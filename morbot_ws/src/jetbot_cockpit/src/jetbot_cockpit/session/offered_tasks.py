@@ -6,7 +6,7 @@ from ..notices import Notice, say
 from .rights import TEACHER, Client
 
 
-class Tasks:
+class OfferedTasks:
     """on: the names of the tasks that are on at first; keep: is called with all of them after each change."""
 
     def __init__(self, on: Iterable[str], keep: Callable[[List[str]], None]):
