@@ -8,6 +8,7 @@ from examined import lines, make_bare
 
 from jetbot import host
 from jetbot.camera import sources, stream
+from jetbot_tools.doctor import camera_check
 
 PICTURE = r'printf "\377\330\377\332\000\002picture\377\331"; sleep 60'
 
@@ -15,7 +16,6 @@ PICTURE = r'printf "\377\330\377\332\000\002picture\377\331"; sleep 60'
 @pytest.fixture(autouse=True)
 def bare(monkeypatch, tmp_path):
     make_bare(monkeypatch, tmp_path)
-from jetbot_tools.doctor import camera_check
 
 
 def plug_in(tmp_path, number, driver, index):
