@@ -36,7 +36,7 @@ def reckoning(robot):
 
 @pytest.fixture
 def supervisor(robot, reckoning):
-    supervisor = Supervisor(robot, lambda x, z: robot.set_motors(*mix(x, z, SEPARATION, MAX_SPEED)), 1.0)
+    supervisor = Supervisor(robot, 1.0)
     supervisor.watchers.append(reckoning)
     return supervisor
 
@@ -45,7 +45,7 @@ def drive(supervisor, linear, angular, start, seconds, follow=lambda now: None):
     """Step as ``run`` would, for a command that is repeated; return the end."""
     now = start
     while now < start + seconds:
-        supervisor.state = supervisor.state.command(linear, angular, PUPIL, now)
+        supervisor.state = supervisor.state.command(*mix(linear, angular, SEPARATION, MAX_SPEED), PUPIL, now)
         now = min(supervisor.step(now, woken=True), now + 0.05, start + seconds)
         follow(now)
     return now

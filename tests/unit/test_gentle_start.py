@@ -23,11 +23,11 @@ class Drive:
     def __init__(self, robot, folder, board, wire):
         self.robot, self.board, self.folder, self.wire, self.now = robot, BOARDS[board], folder, wire, 0.0
         self.file, self.stopped = f"0x{self.board.address:02x}", self.registers()
-        self.supervisor = Supervisor(robot, lambda x, z: robot.set_motors(x - z, x + z), 1.0, Ramp(1.0))
+        self.supervisor = Supervisor(robot, 1.0, Ramp(1.0))
         self.supervisor.step(0.0, woken=False)
 
-    def command(self, linear, angular=0.0):
-        self.supervisor.state = self.supervisor.state.command(linear, angular, PUPIL, self.now)
+    def command(self, left, right):
+        self.supervisor.state = self.supervisor.state.command(left, right, PUPIL, self.now)
 
     def step(self, elapsed=0.001):
         """Step after this time; return the pause until the next step."""
@@ -42,9 +42,9 @@ class Drive:
             pauses.append(self.step(pauses[-1] + SLOW) + SLOW)
         return pauses[1:]
 
-    def drive_at(self, linear, angular=0.0):
+    def drive_at(self, speed):
         """Drive until the wheels have this speed."""
-        self.command(linear, angular)
+        self.command(speed, speed)
         self.run(1.0)
 
     def registers(self):
@@ -78,7 +78,7 @@ def near(*speeds):
 
 
 def test_the_wheels_speed_up_on_the_arc_that_is_commanded_in_steps_of_20_ms_at_most(drive):
-    drive.command(0.4, 0.2)
+    drive.command(0.2, 0.6)
     assert max(drive.run(0.5)) <= 0.02
     assert drive.speeds()[-1] != near(0.2, 0.6)
     drive.run(0.3)
@@ -97,11 +97,11 @@ def test_once_the_speed_is_reached_nothing_is_sent_and_the_steps_are_as_rare_as_
 
 
 @pytest.mark.parametrize("stop", [
-    lambda drive: drive.command(0.0), lambda drive: drive.command(float("nan")),
+    lambda drive: drive.command(0.0, 0.0), lambda drive: drive.command(0.5, float("nan")),
     lambda drive: drive.supervisor.hold(EMERGENCY_STOP, True), lambda drive: drive.supervisor.disconnect(PUPIL, False)],
     ids=["zero", "not finite", "emergency stop", "nobody is left"])
 def test_a_stop_is_obeyed_in_one_step_in_the_middle_of_a_ramp(drive, stop):
-    drive.command(0.5)
+    drive.command(0.5, 0.5)
     drive.run(0.2)
     stop(drive)
     drive.step()
@@ -136,7 +136,7 @@ def suspended(drive):
     for engaged in (True, False):
         drive.supervisor.hold(SUSPENDED, engaged)
         drive.step()
-    drive.command(0.5)
+    drive.command(0.5, 0.5)
 
 
 @pytest.mark.parametrize("seconds", [0.2, 1.0], ids=["in the middle of a ramp", "at full speed"])
@@ -144,7 +144,7 @@ def suspended(drive):
     brown_out, unplugged_for_a_while, guard_lost_for_a_while, frozen_so_that_the_guard_stops_the_wheels, suspended],
     ids=lambda event: event.__name__)
 def test_wheels_that_something_else_has_stopped_speed_up_again_from_zero(drive, event, seconds):
-    drive.command(0.5)
+    drive.command(0.5, 0.5)
     drive.run(seconds)
     drive.wire.states.clear()
     event(drive)

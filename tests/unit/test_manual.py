@@ -25,14 +25,14 @@ EMERGENCY = DRIVING.hold(EMERGENCY_STOP, True)
     EMERGENCY.hold(EMERGENCY_STOP, False),
     DRIVING.hold(OWN_EMERGENCY_STOP, True).hold(OWN_EMERGENCY_STOP, False)])
 def test_whatever_ended_it_the_scenario_drives_5_s_after_the_last_manual_command_only(stopped):
-    assert stopped.velocity == stopped.command(*MOTION, SCENARIO, now=SOON).velocity == STOPPED
-    assert stopped.command(*MOTION, SCENARIO, now=MANUAL_PRIORITY).velocity == MOTION
+    assert stopped.speeds == stopped.command(*MOTION, SCENARIO, now=SOON).speeds == STOPPED
+    assert stopped.command(*MOTION, SCENARIO, now=MANUAL_PRIORITY).speeds == MOTION
 
 
 def test_a_person_who_drives_on_during_an_emergency_stop_keeps_the_priority():
     state = EMERGENCY.command(*BY_HAND, COCKPIT, now=2.0).hold(EMERGENCY_STOP, False)
-    assert state.command(*MOTION, SCENARIO, now=2.0 + SOON).velocity == STOPPED
-    assert state.command(*BY_HAND, COCKPIT, now=2.1).velocity == BY_HAND
+    assert state.command(*MOTION, SCENARIO, now=2.0 + SOON).speeds == STOPPED
+    assert state.command(*BY_HAND, COCKPIT, now=2.1).speeds == BY_HAND
 
 
 def test_the_two_emergency_stops_hold_the_robot_each():
@@ -40,5 +40,5 @@ def test_the_two_emergency_stops_hold_the_robot_each():
     assert both.cause.code == EMERGENCY_STOP
     own = both.hold(EMERGENCY_STOP, False)
     assert own.cause.code == OWN_EMERGENCY_STOP
-    assert own.command(*BY_HAND, COCKPIT, now=1).velocity == STOPPED
-    assert own.hold(OWN_EMERGENCY_STOP, False).command(*BY_HAND, COCKPIT, now=1).velocity == BY_HAND
+    assert own.command(*BY_HAND, COCKPIT, now=1).speeds == STOPPED
+    assert own.hold(OWN_EMERGENCY_STOP, False).command(*BY_HAND, COCKPIT, now=1).speeds == BY_HAND

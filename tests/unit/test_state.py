@@ -16,7 +16,7 @@ STANDING_ORDER = NEW.command(*GO, LATCHED, now=0)
 EMERGENCY = DRIVING.hold(EMERGENCY_STOP, True)
 NO_MASTER_EITHER = EMERGENCY.hold(NO_MASTER, True)
 NOT_FINITE = [(DRIVING.command(*command, PUPIL, now=0.1), STOPPED, "stopped: command was not finite", True)
-              for bad in (math.nan, math.inf, -math.inf) for command in ((bad, 0.5), (0.5, bad))]
+              for bad in (math.nan, math.inf, -math.inf) for command in ((bad, 0.5), (0.5, bad), (bad, bad))]
 TIMED_OUT = "stopped: no command for 1.0 s (repeat it: rostopic pub -r 10)"
 
 
@@ -51,7 +51,7 @@ TIMED_OUT = "stopped: no command for 1.0 s (repeat it: rostopic pub -r 10)"
     (NO_MASTER_EITHER.hold(NO_MASTER, False).command(*GO, PUPIL, now=1), STOPPED, "stopped: emergency stop", True),
     *NOT_FINITE])
 def test_what_may_be_driven_and_why(state, velocity, reason, alarm):
-    assert (state.velocity, sentence(state.cause), state.alarm) == (velocity, reason, alarm)
+    assert (state.speeds, sentence(state.cause), state.alarm) == (velocity, reason, alarm)
 
 
 def test_a_release_without_a_hold_changes_nothing():
@@ -63,8 +63,8 @@ def test_a_release_without_a_hold_changes_nothing():
     DRIVING.command(math.nan, 0, PUPIL, now=0.1), EMERGENCY.hold(EMERGENCY_STOP, False),
     STANDING_ORDER.check_timeout(now=5), NEW.command(*GO, LATCHED._replace(old=True), now=0)])
 def test_whatever_stopped_it_the_next_command_drives_again(stopped):
-    assert stopped.velocity == STOPPED
-    assert stopped.command(*GO, IDLE, now=6).velocity == GO
+    assert stopped.speeds == STOPPED
+    assert stopped.command(*GO, IDLE, now=6).speeds == GO
 
 
 @pytest.mark.parametrize("state, deadline", [
@@ -76,4 +76,4 @@ def test_a_timeout_is_checked_when_it_is_due(state, deadline):
 
 def test_a_command_during_a_hold_is_noted_but_moves_nothing():
     state = EMERGENCY.command(*GO, PUPIL, now=0.5)
-    assert (state.commanded_at, state.velocity) == (0.5, STOPPED)
+    assert (state.commanded_at, state.speeds) == (0.5, STOPPED)

@@ -91,7 +91,7 @@ class Decision(RuleBasedStateMachine):
 
     @invariant()
     def drives_what_the_living_program_commands_and_nothing_else(self):
-        assert self.state.velocity == (self.command_obeyed if self.obeyed else STOPPED)
+        assert self.state.speeds == (self.command_obeyed if self.obeyed else STOPPED)
         assert set(self.state.holds) == self.holds
         assert self.state.driving == (not self.state.cause)
         assert self.state.deadline > self.now or not self.state.driving

@@ -17,8 +17,7 @@ from jetbot.wait import wait_until
 from jetbot_control_node.control import supervisor as supervisors
 from jetbot_control_node.control.state_machine import Sender
 from jetbot_control_node.control.supervisor import Supervisor
-from jetbot_control_node.status.status_line import StatusLine
-from jetbot_control_node.status.warnings import TOO_SLOW, disturbances
+from jetbot_control_node.status.notes import TOO_SLOW, StatusWatch, disturbances
 from jetbot_ros.state import EMERGENCY_STOP
 
 PUPIL = Sender("/pupil")
@@ -41,9 +40,8 @@ def supervisor(robot, statuses):
 
 def supervise(robot, statuses):
     """Return a supervisor of the robot; its statuses go to the list."""
-    supervisor = Supervisor(robot, lambda x, z: robot.set_motors(x - z, x + z), 1.0)
-    line = StatusLine(supervisor, lambda status: statuses.append(status.text))
-    supervisor.watchers.append(line)
+    supervisor = Supervisor(robot, 1.0)
+    supervisor.watchers.append(StatusWatch(supervisor, lambda status: statuses.append(status.text)))
     return supervisor
 
 
@@ -60,7 +58,7 @@ def steps(supervisor, start, seconds):
 
 def go(supervisor):
     """Command a speed at the time 0, and drive."""
-    supervisor.state = supervisor.state.command(0.5, 0.1, PUPIL, 0.0)
+    supervisor.state = supervisor.state.command(0.4, 0.6, PUPIL, 0.0)
     supervisor.step(0.0, woken=True)
 
 
@@ -85,14 +83,14 @@ def test_the_timeout_is_not_left_to_the_next_heartbeat(supervisor, folder):
 
 
 def test_a_frozen_program_has_no_more_time_to_answer_because_this_one_stutters(supervisor, folder):
-    supervisor.state = supervisor.state.command(0.5, 0.1, Sender("/pupil", latched=True), 0.0)
+    supervisor.state = supervisor.state.command(0.4, 0.6, Sender("/pupil", latched=True), 0.0)
     for moment in range(0, 12):
         steps(supervisor, 0.9 * moment, 0.1)
     assert wheel_speeds(folder) == STOPPED
 
 
 def test_a_standing_order_outlives_a_freeze_of_this_program(supervisor, folder):
-    supervisor.state = supervisor.state.command(0.5, 0.1, Sender("/pupil", latched=True), 0.0)
+    supervisor.state = supervisor.state.command(0.4, 0.6, Sender("/pupil", latched=True), 0.0)
     steps(supervisor, 0.0, 0.5)
     supervisor.step(5.0, woken=False)
     assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
@@ -106,7 +104,7 @@ def test_after_a_freeze_nobody_is_blamed_for_what_the_guard_has_stopped(
         make_robot, folder, statuses, board, driving):
     robot = make_robot(board=board)
     supervisor = supervise(robot, statuses)
-    supervisor.state = supervisor.state.command(0.5 * driving, 0.0, PUPIL._replace(latched=True), 0.0)
+    supervisor.state = supervisor.state.command(0.5 * driving, 0.5 * driving, PUPIL._replace(latched=True), 0.0)
     steps(supervisor, 0.0, 0.9)
     supervisor.confirm(PUPIL, 0.9)
     stop_board(BOARDS[board], f"fake:{folder}")
@@ -159,7 +157,7 @@ def test_what_the_board_has_lost_is_restored_within_half_a_second(supervisor, fo
 def test_while_driving_the_boards_own_timer_is_fed(make_robot, folder, statuses):
     robot = make_robot(board="sparkfun")
     supervisor = supervise(robot, statuses)
-    supervisor.state = supervisor.state.command(0.5, 0.0, PUPIL._replace(latched=True), 0.0)
+    supervisor.state = supervisor.state.command(0.5, 0.5, PUPIL._replace(latched=True), 0.0)
     robot.driver.keep_alive = Mock(wraps=robot.driver.keep_alive)
     moments = steps(supervisor, 0.0, 0.9)
     assert robot.driver.keep_alive.call_count == len(moments) >= 4
@@ -200,7 +198,7 @@ def run(supervisor):
 def running(supervisor, folder):
     """The supervisor in a thread of its own, driving."""
     with run(supervisor):
-        supervisor.command(0.5, 0.1, PUPIL)
+        supervisor.command(0.4, 0.6, PUPIL)
         assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
         yield supervisor
 
@@ -210,7 +208,7 @@ def test_a_command_is_driven_by_the_thread_that_brings_it(running, robot):
     robot.set_motors = Mock(side_effect=lambda *_: threads.append(threading.current_thread()))
 
     def drives_at_once():
-        running.command(0.3, 0.0, PUPIL)
+        running.command(0.3, 0.3, PUPIL)
         return threading.current_thread() in threads
     assert wait_until(drives_at_once, 1.0)  # the first time, unless the other thread is in a step
 
@@ -219,14 +217,14 @@ def test_the_timeout_of_such_a_command_is_not_left_to_the_next_heartbeat(supervi
     monkeypatch.setattr(supervisors, "STOPPED_INTERVAL", 30.0)
     supervisor.state = supervisor.state._replace(timeout=0.1)
     with run(supervisor):
-        supervisor.command(0.5, 0.1, PUPIL)
+        supervisor.command(0.4, 0.6, PUPIL)
         assert wait_until(lambda: "no command for" in statuses[-1] and wheel_speeds(folder) == STOPPED, 5.0)
 
 
 def test_what_fails_in_the_thread_of_a_command_ends_the_other_one_with_the_wheels_stopped(supervisor, robot, folder):
     with run(supervisor) as running:
         robot.set_motors = Mock(side_effect=[JetbotError("out of file descriptors"), *[None] * 100])
-        supervisor.command(0.5, 0.1, PUPIL)
+        supervisor.command(0.4, 0.6, PUPIL)
         assert isinstance(running.exception(5.0), JetbotError)
     assert wheel_speeds(folder) == STOPPED
 
@@ -234,7 +232,7 @@ def test_what_fails_in_the_thread_of_a_command_ends_the_other_one_with_the_wheel
 def test_an_emergency_stop_wakes_the_thread_and_lasts(running, folder):
     running.hold(EMERGENCY_STOP, True)
     assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 1.0)
-    running.command(0.5, 0.1, PUPIL)
+    running.command(0.4, 0.6, PUPIL)
     assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.2)
 
 
@@ -257,7 +255,7 @@ def test_a_stop_overtakes_thirty_programs_on_a_slow_bus(supervisor, folder):
 def command_often(supervisor, speed):
     """Command this speed thirty times per second until the supervisor ends."""
     while not wait_until(lambda: supervisor.closed, 1 / 30, interval=1 / 30):
-        supervisor.command(speed, 0.1, PUPIL)
+        supervisor.command(speed - 0.1, speed + 0.1, PUPIL)
 
 
 def test_the_end_stops_the_wheels_and_closes_the_robot(running, folder):
@@ -293,13 +291,13 @@ def test_a_turn_that_is_cut_off_is_reported(supervisor, robot, statuses, monkeyp
 
 
 def test_a_command_below_the_steps_of_the_board_is_reported_unless_it_passes(supervisor, folder, statuses):
-    supervisor.state = supervisor.state.command(0.0001, 0.0, PUPIL, 0.0)
+    supervisor.state = supervisor.state.command(0.0001, 0.0001, PUPIL, 0.0)
     steps(supervisor, 0.0, 0.4)
     assert statuses == ["driving"]
     steps(supervisor, 0.4, 0.4)
     assert wheel_speeds(folder) == STOPPED
     assert statuses[-1] == f"driving, {TOO_SLOW}raise min_duty"
-    supervisor.state = supervisor.state.command(0.01, 0.0, PUPIL, 0.8)
+    supervisor.state = supervisor.state.command(0.01, 0.01, PUPIL, 0.8)
     steps(supervisor, 0.8, 0.3)
     supervisor.state = supervisor.state.command(0.0, 0.0, PUPIL, 1.1)
     steps(supervisor, 1.1, 2.0)
@@ -319,5 +317,5 @@ def test_a_board_that_fails_now_and_then_is_reported(supervisor, folder, statuse
 def test_a_program_whose_command_arrives_after_its_end_is_not_listed(supervisor):
     order = Sender("/order", latched=True, number=1)
     supervisor.disconnect(order, others=True)
-    supervisor.command(0.5, 0.0, order)
+    supervisor.command(0.5, 0.5, order)
     assert supervisor.commands.recent(0.0) == []

@@ -12,8 +12,8 @@ from jetbot.fake.bus import power_on
 from jetbot.i2c import I2CDevice
 from jetbot.serial_link import SerialLink
 from jetbot.supply import find_supply
-from jetbot_control_node.status import supply_watch
-from jetbot_control_node.status.supply_watch import SupplyWatch
+from jetbot_control_node.supply import supply_watch
+from jetbot_control_node.supply.supply_watch import SupplyWatch
 
 PCA9685_WITHOUT_INCREMENT = bytes.fromhex("1111 0000 E2E2 0000 0000 0000")  # what it answers for registers 0 and 2
 

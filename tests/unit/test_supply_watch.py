@@ -10,9 +10,9 @@ from conftest import step_of
 from jetbot import JetbotError
 from jetbot.supply import EMPTY_BATTERY, Reading, Supply, percentage
 from jetbot.wait import wait_until
-from jetbot_control_node.status import supply_watch
-from jetbot_control_node.status.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
-from jetbot_control_node.status.warnings import NOTE_FOR
+from jetbot_control_node.status.notes import NOTE_FOR
+from jetbot_control_node.supply import supply_watch
+from jetbot_control_node.supply.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
 
 STOPPED, AHEAD, BACK = (0.0, 0.0), (0.4, 0.6), (-0.4, -0.6)
 

@@ -6,13 +6,15 @@ import pytest
 
 from jetbot_control_node.control.state_machine import RECENT, CommandLog, Sender, State
 from jetbot_control_node.control.supervisor import Step
-from jetbot_control_node.status.status_line import LOOK_INTERVAL, Status, StatusLine
-from jetbot_control_node.status.warnings import (
+from jetbot_control_node.status.notes import (
     LASTING,
+    LOOK_INTERVAL,
     NOTE_FOR,
     TOO_SLOW,
     Disturbances,
     Lasting,
+    Status,
+    StatusWatch,
     rivals_note,
     too_slow_note,
     waiting_programs,
@@ -97,16 +99,17 @@ def test_a_condition_is_reported_while_it_has_lasted():
     assert lasting.note("slow", now=LASTING + 0.1) is None
 
 
-NOTED = Status(None, notes=("both wheels at full power",), waiting=("/circle",))
+DRIVING = State(1.0, cause=None)
+NOTED = Status(DRIVING, notes=("both wheels at full power",), waiting=("/circle",))
 
 
 @pytest.mark.parametrize("status, text, warning", [
-    (Status(None), "driving", False),
+    (Status(DRIVING), "driving", False),
     (NOTED, "driving, both wheels at full power, /circle waits for the cockpit", True),
     (NOTED._replace(notes=()), "driving, /circle waits for the cockpit", False),
-    (NOTED._replace(cause=because("nobody"), alarm=True),
+    (NOTED._replace(state=State(1.0, cause=because("nobody"), alarm=True)),
      "stopped: nobody is left to send commands, /circle waits for the cockpit", True),
-    (NOTED._replace(cause=because(EMERGENCY_STOP), alarm=True, holds=(EMERGENCY_STOP,)), "stopped: emergency stop",
+    (NOTED._replace(state=DRIVING.hold(EMERGENCY_STOP, True)), "stopped: emergency stop",
      True)])
 def test_a_status_has_notes_and_a_remark_where_they_matter(status, text, warning):
     assert (status.text, status.warning) == (text, warning)
@@ -117,10 +120,10 @@ def test_a_status_is_reported_once_and_looked_at_again_when_something_changes_or
     supervisor.robot = Mock(at_full_power=False, **{"driver.resolution": 0.0002})
     supervisor.robot.driver.configure_mock(resets=0, overwritten=0)
     supervisor.faults = 0
-    line = StatusLine(supervisor, lambda status: statuses.append(status.text), looked.append)
+    line = StatusWatch(supervisor, lambda status: statuses.append(status.text), looked.append)
     driving = supervisor.state.command(0.1, 0.0, Sender("/pupil"), now=0.0)
     stopped = driving.command(0.0, 0.0, Sender("/pupil"), now=0.15)
     for now, state in (0.0, driving), (0.1, driving), (0.15, stopped), (0.16 + LOOK_INTERVAL, stopped):
-        line(Step(now, state, None, state.velocity, (0.1, 0.1)))
+        line(Step(now, state, None, state.speeds, (0.1, 0.1)))
     assert statuses == ["driving", "stopped: the command is zero"]
     assert looked == [0.0, 0.15, 0.16 + LOOK_INTERVAL]

@@ -21,15 +21,14 @@ class JetBotController:
         lifecycle.init_node("jetbot_controller")
         parameters = node.read_parameters()
 
-        # Create a Robot object; a board that controls its wheel speeds itself takes a Twist unchanged
+        # Create a Robot object
         self.robot = node.make_robot(parameters)
-        self.geometry = () if self.robot.driver.closed_loop else (parameters["wheel_separation"],
-                                                                  parameters["max_speed"])
+        self.geometry = node.geometry_of(self.robot, parameters)
 
         # The supervisor decides when to drive, and stops the robot; the report says why
-        self.supervisor = Supervisor(self.robot, self.drive, parameters["cmd_vel_timeout"],
+        self.supervisor = Supervisor(self.robot, parameters["cmd_vel_timeout"],
                                      make_ramp(parameters, self.robot.driver))
-        self.report = node.start_reporting(self.supervisor, parameters)
+        self.report = node.start_reporting(self.supervisor, parameters, self.geometry)
 
         # Subscribe to the topics and define the callback function; an earlier emergency stop comes before any command
         self.commanders = Commanders("cmd_vel", self.supervisor.disconnect)
@@ -38,16 +37,15 @@ class JetBotController:
         self.commanders.keep_asking(self.supervisor)
 
     def cmd_vel_callback(self, msg):
-        # Extract linear and angular velocity from the message
         sender = self.commanders.sender(msg)
-        if sender:
-            self.supervisor.command(msg.linear.x, msg.angular.z, sender)
-
-    def drive(self, linear_x, angular_z):
-        # Calculate wheel speeds: left = x - z, right = x + z, unless the parameters give other units
-        left_speed, right_speed = mix(linear_x, angular_z, *self.geometry)
-        # Set motor speeds
-        self.robot.set_motors(left_speed, right_speed)
+        if sender is None:
+            return
+        # Extract linear and angular velocity from the message
+        linear_x, angular_z = msg.linear.x, msg.angular.z
+        # Calculate motor speeds: left = x - z, right = x + z, unless the parameters give other units
+        left_motor_speed, right_motor_speed = mix(linear_x, angular_z, *self.geometry)
+        # Set motor speeds, and stop the motors when no command follows
+        self.supervisor.command(left_motor_speed, right_motor_speed, sender)
 
     def run(self):
         return node.run(self.supervisor, self.report)

@@ -1,7 +1,6 @@
 """From a Twist to two wheel speeds, and from the distances that two wheels roll to the robot's pose."""
 
 import math
-import sys
 from typing import NamedTuple, Tuple
 
 Point = Tuple[float, float]  # x, y in metres
@@ -54,13 +53,15 @@ def mix(linear: float, angular: float, wheel_separation: float = 2.0, max_speed:
     linear: forward speed in m/s; angular: turn to the left in rad/s; both finite.
     wheel_separation: metres between the wheels; max_speed: m/s of a wheel at full power.
     The defaults make it the workshop's left = linear - angular, right = linear + angular.
-    The speeds are finite, and not limited to what the robot can do.
+    The speeds are not limited to what the robot can do; of absurd motions, they are not finite.
     """
     turn = angular * (wheel_separation / 2)
-    left, right = (linear - turn) / max_speed, (linear + turn) / max_speed
-    return clamp(left, sys.float_info.max), clamp(right, sys.float_info.max)
+    return (linear - turn) / max_speed, (linear + turn) / max_speed
 
 
-def unmix(left: float, right: float, wheel_separation: float = 2.0) -> Tuple[float, float]:
-    """Return the robot's motion (linear, angular) by that of its wheels: m/s and rad/s for m/s, m and rad for m."""
-    return left / 2 + right / 2, (right - left) / wheel_separation
+def unmix(left: float, right: float, wheel_separation: float = 2.0, max_speed: float = 1.0) -> Tuple[float, float]:
+    """Return the robot's motion (linear, angular) by that of its wheels: the inverse of ``mix``.
+
+    With the default of max_speed: m/s and rad/s for m/s, m and rad for m.
+    """
+    return max_speed * (left / 2 + right / 2), max_speed * (right - left) / wheel_separation

@@ -4,7 +4,7 @@ import os
 import signal
 import threading
 import time
-from typing import Dict, List
+from typing import Dict, List, Sequence, Tuple
 
 import rospy
 
@@ -20,10 +20,10 @@ from jetbot_ros.node_parameters import private_parameters
 
 from .control import watch
 from .control.supervisor import Supervisor
+from .odometry.wheels import WheelsPublisher
 from .parameters import PARAMETERS, resolve
 from .status.report import Report
-from .status.supply_watch import SupplyWatch
-from .status.wheels import WheelsPublisher
+from .supply.supply_watch import SupplyWatch
 
 MASTER_TIMEOUT = 1.5    # s for an answer of the master, until the robot is stopped
 SHUTDOWN_TIMEOUT = 2.0  # s for the node to end once the robot is stopped
@@ -47,13 +47,21 @@ def make_robot(parameters: Dict[str, object]) -> Robot:
     return robot
 
 
-def start_reporting(supervisor: Supervisor, parameters: Dict[str, object]) -> Report:
-    """Return the Report on the robot. What it gets, measures and does is published from now on."""
+def geometry_of(robot: Robot, parameters: Dict[str, object]) -> Tuple[float, ...]:
+    """Return what ``mix`` needs; a board that controls its wheel speeds itself takes a Twist unchanged."""
+    return () if robot.driver.closed_loop else (parameters["wheel_separation"], parameters["max_speed"])
+
+
+def start_reporting(supervisor: Supervisor, parameters: Dict[str, object], geometry: Sequence[float]) -> Report:
+    """Return the Report on the robot. What it gets, measures and does is published from now on.
+
+    geometry: as of ``geometry_of``.
+    """
     supply = find_supply(supervisor.robot.driver.link)
     supply_watch = SupplyWatch(supply, parameters["acceleration_limit"])
-    supervisor.watchers += [supply_watch, WheelsPublisher(supervisor.robot.driver)]
+    supervisor.watchers += [supply_watch, WheelsPublisher(supervisor.robot.driver, geometry)]
     if supply:
-        from .status.battery import publish_supply  # here: on many robots nothing measures it
+        from .supply.battery import publish_supply  # here: on many robots nothing measures it
         publish_supply(supply, supply_watch)
     publish_odometry(supervisor, parameters)
     return Report(parameters, supervisor, supply_watch)

@@ -1,10 +1,10 @@
 """Gentle starts: limits how fast the wheels speed up. No thread, no clock: times are monotonic seconds, handed in."""
 
 import math
-from typing import Dict, Tuple
+from typing import Dict, Optional, Tuple
 
 from jetbot.boards import MotorDriver
-from jetbot.kinematics import WHEEL_SEPARATION, clamp, mix, unmix
+from jetbot.kinematics import WHEEL_SEPARATION, mix, unmix
 
 from .state_machine import STOPPED
 
@@ -16,17 +16,16 @@ MAX_GAP = 0.5          # s between two steps; after more, the guard or the board
 class Ramp:
     """Limits the acceleration of both wheels, and keeps to the arc that is commanded.
 
-    acceleration_limit: in m/s^2, of a wheel; 0: none. wheel_separation: in m.
-    full_speed: of a wheel, in m/s; no command makes it faster.
+    acceleration_limit: by how much the speed of a wheel may grow in a second.
+    wheel_separation: in m; the speeds are those of wheels 2 m apart, and all robots but a jetbot_pro's are driven by
+    them as if theirs were, too.
 
     Only speeding up takes time. A wheel slows down and stops at once; one that reverses speeds up from zero.
     """
 
-    def __init__(self, acceleration_limit: float = 0.0, wheel_separation: float = 2.0,
-                 full_speed: float = math.inf):
-        self.acceleration_limit = acceleration_limit
-        self._separation, self._full_speed = wheel_separation, full_speed
-        self._wanted = self._given = STOPPED  # wheel speeds (left, right) in m/s
+    def __init__(self, acceleration_limit: float, wheel_separation: float = 2.0):
+        self._acceleration_limit, self._separation = acceleration_limit, wheel_separation
+        self._wanted = self._given = STOPPED  # speeds (left, right)
         self._stepped_at = -math.inf
 
     @property
@@ -38,31 +37,29 @@ class Ramp:
         """Start again at zero: something other than a command has stopped the wheels."""
         self._given = STOPPED
 
-    def limit(self, velocity: Tuple[float, float], now: float) -> Tuple[float, float]:
-        """Return the velocity (linear in m/s, angular in rad/s) to drive from ``now`` on, to reach this one."""
-        if not self.acceleration_limit:
-            return velocity
+    def limit(self, speeds: Tuple[float, float], now: float) -> Tuple[float, float]:
+        """Return the speeds (left, right) to drive from ``now`` on, to reach these."""
         elapsed, self._stepped_at = now - self._stepped_at, now
         if elapsed > MAX_GAP:
             self.reset()
-        self._wanted = tuple(clamp(speed, self._full_speed) for speed in mix(*velocity, self._separation))
-        fraction = self._fraction(self.acceleration_limit * min(elapsed, MAX_STEP))
-        if fraction >= 1:
-            self._given = self._wanted
-            return velocity
-        self._given = tuple(fraction * speed for speed in self._wanted)
-        return unmix(*self._given, self._separation)
+        fraction = self._fraction(speeds, self._acceleration_limit * min(elapsed, MAX_STEP))
+        self._wanted = speeds
+        self._given = speeds if fraction >= 1 else (fraction * speeds[0], fraction * speeds[1])
+        return self._given
 
-    def _fraction(self, gain):
-        """Return how much of the wanted speeds both wheels reach if neither gets faster by more than ``gain`` m/s."""
+    def _fraction(self, speeds, gain):
+        """Return how much of these speeds both wheels reach if neither gets faster by more than ``gain``."""
         return min((max(0.0, given / wanted) + gain / abs(wanted)
-                    for given, wanted in zip(self._given, self._wanted) if wanted), default=1.0)
+                    for given, wanted in zip(self._of_wheels(self._given), self._of_wheels(speeds)) if wanted),
+                   default=1.0)
+
+    def _of_wheels(self, speeds):
+        return mix(*unmix(*speeds), self._separation)
 
 
-def make_ramp(parameters: Dict[str, object], driver: MotorDriver) -> Ramp:
-    """Return the Ramp that the parameters describe, for this board."""
-    if driver.closed_loop:
-        return Ramp(parameters["acceleration_limit"], WHEEL_SEPARATION, driver.limit)  # it takes a Twist as it is
-    alphas = (abs(parameters[f"{side}_motor_alpha"]) for side in ("left", "right"))
-    weakest = min([1.0, *filter(None, alphas)])  # the wheel of this trim reaches full power last
-    return Ramp(parameters["acceleration_limit"], parameters["wheel_separation"], parameters["max_speed"] / weakest)
+def make_ramp(parameters: Dict[str, object], driver: MotorDriver) -> Optional[Ramp]:
+    """Return the Ramp that the parameters describe, for this board; None if its starts are not limited."""
+    limit = parameters["acceleration_limit"]
+    if not limit:
+        return None
+    return Ramp(limit, WHEEL_SEPARATION) if driver.closed_loop else Ramp(limit / parameters["max_speed"])

@@ -28,11 +28,11 @@ class Sender(NamedTuple):
 
 
 class State(NamedTuple):
-    """The ``velocity`` that may be driven now, or the cause why none. Immutable: each event returns the next state.
+    """The ``speeds`` that the wheels may have now, or the cause why none. Immutable: each event returns the next state.
 
     timeout: seconds without a command after which the robot stops; 0 holds the last command.
-    velocity: (linear in m/s, angular in rad/s), always finite; alarm: whether something other than a command stopped
-    the robot; sender: of the newest command, which arrived at ``commanded_at``; confirmed_at: when it was last known to
+    speeds: (left, right), as Robot.set_motors takes them; alarm: whether something other than a command stopped the
+    robot; sender: of the newest command, which arrived at ``commanded_at``; confirmed_at: when it was last known to
     run, if its command is held; manual_at: when the newest manual command arrived, of zero too; ended: the numbers of
     the connections that have ended last: a command of theirs may still be on its way.
 
@@ -42,7 +42,7 @@ class State(NamedTuple):
     """
 
     timeout: float
-    velocity: Tuple[float, float] = STOPPED
+    speeds: Tuple[float, float] = STOPPED
     cause: Optional[Cause] = because("no_command_yet")
     alarm: bool = False
     holds: Tuple[str, ...] = ()
@@ -55,7 +55,7 @@ class State(NamedTuple):
     @property
     def driving(self) -> bool:
         """Whether the robot may move now."""
-        return self.velocity != STOPPED
+        return self.speeds != STOPPED
 
     @property
     def must_answer(self) -> Optional[Sender]:
@@ -73,7 +73,7 @@ class State(NamedTuple):
         """Return whether only manual commands count at the time ``now``."""
         return now - self.manual_at < MANUAL_PRIORITY
 
-    def command(self, linear: float, angular: float, sender: Sender, now: float) -> "State":
+    def command(self, left: float, right: float, sender: Sender, now: float) -> "State":
         """A command has arrived; one that is not finite stops the robot."""
         if sender.number in self.ended:
             return self
@@ -81,20 +81,20 @@ class State(NamedTuple):
             return self._refuse(sender)
         if not sender.manual and self.is_manual(now):
             return self
-        velocity, cause, alarm = self._obey(linear, angular)
-        return self._replace(velocity=velocity, cause=cause, alarm=alarm, commanded_at=now, sender=sender,
+        speeds, cause, alarm = self._obey(left, right)
+        return self._replace(speeds=speeds, cause=cause, alarm=alarm, commanded_at=now, sender=sender,
                              confirmed_at=now, manual_at=now if sender.manual else self.manual_at)
 
-    def _obey(self, linear, angular):
-        """Return velocity, cause and alarm of a command."""
+    def _obey(self, left, right):
+        """Return speeds, cause and alarm of a command."""
         if self.holds:
-            return self.velocity, self.cause, self.alarm
-        if not (math.isfinite(linear) and math.isfinite(angular)):
+            return self.speeds, self.cause, self.alarm
+        if not (math.isfinite(left) and math.isfinite(right)):
             return STOPPED, because("not_finite"), True
-        velocity = round(linear, 9), round(angular, 9)  # 0.1 + 0.2 - 0.3 is zero
-        if velocity == STOPPED:
+        speeds = round(left, 9), round(right, 9)  # 0.1 + 0.2 - 0.3 is zero
+        if speeds == STOPPED:
             return STOPPED, because("zero"), False
-        return velocity, None, False
+        return speeds, None, False
 
     def _refuse(self, sender):
         if self.driving or self.holds:
@@ -129,7 +129,7 @@ class State(NamedTuple):
                           because("no_command", seconds=f"{self.timeout:.1f}"))
 
     def _stop(self, cause: Cause) -> "State":
-        return self._replace(velocity=STOPPED, cause=cause, alarm=True)
+        return self._replace(speeds=STOPPED, cause=cause, alarm=True)
 
 
 class CommandLog:

@@ -27,39 +27,38 @@ NO_GUARD = JetbotError("the guard, which stops the wheels if this program dies, 
 class Step(NamedTuple):
     """What the supervisor has done at the time ``at``, for those who watch it.
 
-    state: what was to be driven, and why; fault: why that failed, or None. velocity: (linear, angular) that was driven;
-    duties: what the wheels (left, right) are given, as ``Robot.duties``.
+    state: what was to be driven, and why; fault: why that failed, or None. speeds: (left, right) that were driven;
+    duties: what the wheels are given, as ``Robot.duties``.
     """
 
     at: float
     state: State
     fault: Optional[JetbotError]
-    velocity: Tuple[float, float]
+    speeds: Tuple[float, float]
     duties: Tuple[float, float]
 
 
 class Supervisor:
-    """Drives the velocity that its ``state`` allows. Any thread may call what happens: ``command`` to ``end``.
+    """Drives the wheels as its ``state`` allows. Any thread may call what happens: ``command`` to ``end``.
 
     A command is driven by the thread that brings it, which saves a change of threads; all else by the one in ``run``.
 
-    drive: drives the robot at (linear, angular). ramp: limits how fast the wheels speed up. ``watchers`` are called
-    with each Step that differs from the one before, and with each heartbeat; none may block or drive.
+    ramp: limits how fast the wheels speed up, if anything does. ``watchers`` are called with each Step that differs
+    from the one before, and with each heartbeat; none may block or drive.
     asking: set while the sender of the command that is driven must be asked whether it runs.
     faults: how often the board failed to answer; closed: whether ``run`` has ended, with the wheels stopped.
     """
 
-    def __init__(self, robot: Robot, drive: Callable[[float, float], None], cmd_vel_timeout: float,
-                 ramp: Optional[Ramp] = None):
-        self.robot, self._drive, self._ramp = robot, drive, ramp or Ramp()
-        robot.resumes = not self._ramp.acceleration_limit  # else what the board has lost comes back by the ramp
+    def __init__(self, robot: Robot, cmd_vel_timeout: float, ramp: Optional[Ramp] = None):
+        self.robot, self._ramp = robot, ramp
+        robot.resumes = ramp is None  # else what the board has lost comes back by the ramp
         self.state, self.commands = State(cmd_vel_timeout), CommandLog()
         self.watchers: List[Callable[[Step], None]] = []
         self.asking = threading.Event()
         self.faults, self.closed = 0, False
         self._lock = threading.Lock()  # held while ``state`` is replaced, never during a transfer
-        self._stepping = threading.Lock()  # held during a step, and while ``run`` does not drive
-        self._stepping.acquire()
+        self._stepping = threading.Lock()  # held during a step
+        self._running = False  # whether a command is driven by the thread that brings it
         self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
         self._ending, self._failure = False, None
         self._step = Step(-math.inf, self.state, None, STOPPED, STOPPED)
@@ -67,13 +66,13 @@ class Supervisor:
         self._stepped_at = self._due_at = math.inf  # there is no step yet, and so no gap after it
         self._wakes_at = math.inf  # when the thread in ``run`` looks whether a step is due
 
-    def command(self, linear: float, angular: float, sender: Sender) -> None:
-        """Accept a command: m/s forward and rad/s to the left."""
+    def command(self, left: float, right: float, sender: Sender) -> None:
+        """Accept a command: the speeds of the wheels, as Robot.set_motors takes them."""
         now = time.monotonic()
         with self._lock:
             if not sender.old and sender.number not in self.state.ended:
                 self.commands.record(sender, now)
-            self.state = self.state.command(linear, angular, sender, now)
+            self.state = self.state.command(left, right, sender, now)
         self._step_at_once()
 
     def hold(self, hold: str, engaged: bool) -> None:
@@ -113,7 +112,7 @@ class Supervisor:
         if self._ending or not self._stepping.acquire(blocking=False):
             return self._wake()
         try:
-            if self.step(time.monotonic(), woken=True) < self._wakes_at:
+            if not self._running or self.step(time.monotonic(), woken=True) < self._wakes_at:
                 self._wake()
         except Exception as failure:  # the caller is rospy, which would only log it
             self.fail(failure)
@@ -125,18 +124,18 @@ class Supervisor:
         try:
             wait_until(lambda: self.robot.guarded or self._ending, GUARD_START_TIMEOUT)
             self.confirm(self.state.must_answer, time.monotonic())  # nobody was asked while the node started
-            woken = True
+            woken = self._running = True
             while not self._ending:
-                if woken or time.monotonic() >= self._due_at:
-                    self.step(time.monotonic(), woken)
-                self._wakes_at = self._due_at
-                self._stepping.release()
+                with self._stepping:
+                    if woken or time.monotonic() >= self._due_at:
+                        self.step(time.monotonic(), woken)
+                    self._wakes_at = self._due_at
                 woken = self._sleep_until(self._wakes_at)
-                self._stepping.acquire()
             if self._failure:
                 raise self._failure
         finally:
-            with contextlib.suppress(JetbotError):  # the guard reports it, and keeps trying
+            with self._stepping, contextlib.suppress(JetbotError):  # the guard reports it, and keeps trying
+                self._running = False
                 self.robot.close()
                 self.closed = True
             self._show(Step(time.monotonic(), self.state, None, STOPPED, self.robot.duties))
@@ -163,43 +162,43 @@ class Supervisor:
         (self.asking.set if state.must_answer else self.asking.clear)()
         interval = self.robot.driver.keep_alive_interval if state.driving else STOPPED_INTERVAL
         due = now >= self._kept_up_at + (min(interval, UPKEEP_AFTER_COMMAND) if woken else interval)
-        velocity, fault = self._try_to_drive(state, now, due)
+        speeds, fault = self._try_to_drive(state, now, due)
         due = due or fault is NO_GUARD  # a heartbeat starts another guard
         if due:
             self._kept_up_at = now
             with contextlib.suppress(BusError):  # the next drive reports it
                 self.robot.keep_alive()
         duties = self.robot.duties
-        if self._ramp.acceleration_limit and not any(duties):
+        if self._ramp and not any(duties):
             self._ramp.reset()  # whatever has stopped the wheels
-        self._show(Step(now, state, fault, velocity, duties), due)
+        self._show(Step(now, state, fault, speeds, duties), due)
         self._due_at = min(self._kept_up_at + interval, state.deadline, now + self._pause(fault))
         return self._due_at
 
     def _pause(self, fault):
         if fault:
             return RETRY_INTERVAL
-        return STEP_INTERVAL if self._ramp.active else math.inf
+        return STEP_INTERVAL if self._ramp and self._ramp.active else math.inf
 
     def _try_to_drive(self, state, now, verify):
         """Drive, or stop if there is no guard; return what was driven, and the fault."""
         try:
             if state.driving and not self.robot.guarded:
-                self._drive(*STOPPED)
+                self.robot.stop()
                 return STOPPED, NO_GUARD
-            velocity = self._ramp.limit(state.velocity, now)
-            self._drive(*velocity)
+            speeds = self._ramp.limit(state.speeds, now) if self._ramp else state.speeds
+            self.robot.set_motors(*speeds)
             if verify:
                 self.robot.verify()
         except BusError as error:
             self.faults += not isinstance(self._step.fault, BusError)
             return STOPPED, error
-        return velocity, None
+        return speeds, None
 
     def _show(self, step, anyway=True):
         """Show a step to the watchers, if it differs from the last one."""
         last, self._step = self._step, step
-        if anyway or (step.duties, step.velocity, step.fault, step.state.cause) != (
-                last.duties, last.velocity, last.fault, last.state.cause):
+        if anyway or (step.duties, step.speeds, step.fault, step.state.cause) != (
+                last.duties, last.speeds, last.fault, last.state.cause):
             for watch in self.watchers:
                 watch(step)

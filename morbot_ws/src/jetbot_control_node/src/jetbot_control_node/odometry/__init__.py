@@ -1,1 +1,1 @@
-"""Where the robot is: as its board measures it, or by what its wheels are given. Drives nothing."""
+"""How the robot moves: what its wheels get, and where it is by that, or as its board measures it. Drives nothing."""

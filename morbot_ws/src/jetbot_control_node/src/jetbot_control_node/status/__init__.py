@@ -1,1 +1,1 @@
-"""What the node reports: its status, warnings, diagnostics, what the wheels get, and the supply. Drives nothing."""
+"""What the node reports: its status and diagnostics, and what it warns of. Drives nothing."""

@@ -15,9 +15,9 @@ from jetbot.wait import wait_until
 from jetbot_ros.state import ENDED, RobotState, because
 
 from ..control.supervisor import Supervisor
-from .status_line import Status, StatusLine
+from ..supply.supply_watch import SupplyWatch
+from .notes import Status, StatusWatch
 from .summary import start_line, start_warnings, status_suffix, summary
-from .supply_watch import SupplyWatch
 
 DIAGNOSTICS_INTERVAL = 1.0  # s
 SEND_TIMEOUT = 0.2          # s for the last status to be sent
@@ -41,8 +41,8 @@ class Report:
         self._last = None
         self._ended = False
         self._counted = (0, time.monotonic())
-        self._line = StatusLine(supervisor, self._change, supply.note)
-        supervisor.watchers.append(self._line)
+        self._watch = StatusWatch(supervisor, self._change, supply.note)
+        supervisor.watchers.append(self._watch)
 
     def _change(self, status: Status):
         self._publish(status.data, self._level(status))
@@ -78,7 +78,7 @@ class Report:
         updater.add("motors", self._diagnose)
         due = 0.0
         while not (self._ended or rospy.is_shutdown()):
-            self._log(self._next_change(due - time.monotonic()) or self._line.status)
+            self._log(self._next_change(due - time.monotonic()) or self._watch.status)
             if time.monotonic() >= due:
                 due = time.monotonic() + DIAGNOSTICS_INTERVAL
                 updater.force_update()
@@ -96,7 +96,7 @@ class Report:
             (rospy.logwarn if status.warning else rospy.loginfo)(self._prefix + text + self._suffix)
 
     def _diagnose(self, result):
-        result.summary(*self._diagnosis(self._line.status))
+        result.summary(*self._diagnosis(self._watch.status))
         for name, text in {**self._summary, **self._counts()}.items():
             result.add(name, text)
         return result

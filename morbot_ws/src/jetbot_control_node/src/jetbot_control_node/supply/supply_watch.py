@@ -8,7 +8,7 @@ from jetbot.errors import BusStuck, FatalError, JetbotError
 from jetbot.supply import Reading, Supply
 
 from ..control.supervisor import Step
-from .warnings import NOTE_FOR
+from ..status.notes import NOTE_FOR
 
 INTERVAL = 1.0      # s; there is one reading in each
 START_DELAY = 0.05  # s from the start of the motors to its reading: they take their largest current at standstill, and

@@ -3,6 +3,7 @@
 import contextlib
 import threading
 import time
+from typing import Sequence
 
 import rospy
 from std_msgs.msg import Float32MultiArray, MultiArrayDimension, MultiArrayLayout
@@ -19,17 +20,20 @@ LABEL = "x, z, left, right"
 
 
 class WheelsPublisher:
-    """Publishes ``~wheels`` from a thread of its own while somebody subscribes. Watches the Supervisor."""
+    """Publishes ``~wheels`` from a thread of its own while somebody subscribes. Watches the Supervisor.
 
-    def __init__(self, driver: MotorDriver):
-        self._closed_loop = driver.closed_loop
+    geometry: of ``mix``, which has made the commands wheel speeds.
+    """
+
+    def __init__(self, driver: MotorDriver, geometry: Sequence[float]):
+        self._closed_loop, self._geometry = driver.closed_loop, geometry
         self._driven = STOPPED, STOPPED
         self._changed = threading.Event()
         self._publisher = rospy.Publisher("~wheels", Float32MultiArray, queue_size=1)
         threading.Thread(target=self._run, daemon=True).start()
 
     def __call__(self, step: Step) -> None:
-        driven = step.velocity, step.duties
+        driven = step.speeds, step.duties
         if driven != self._driven:
             self._driven = driven
             if self._publisher.get_num_connections():
@@ -45,7 +49,8 @@ class WheelsPublisher:
                     time.sleep(CHANGING_INTERVAL)
 
     def _message(self):
-        velocity, wheels = self._driven
+        speeds, wheels = self._driven
         if self._closed_loop:  # m/s, of wheels that are 2 m apart, become fractions of full power
             wheels = (clamp(speed, 1.0) for speed in mix(*unmix(*wheels), WHEEL_SEPARATION, FULL_SPEED))
-        return Float32MultiArray(MultiArrayLayout([MultiArrayDimension(LABEL, 4, 4)], 0), [*velocity, *wheels])
+        layout = MultiArrayLayout([MultiArrayDimension(LABEL, 4, 4)], 0)
+        return Float32MultiArray(layout, [*unmix(*speeds, *self._geometry), *wheels])

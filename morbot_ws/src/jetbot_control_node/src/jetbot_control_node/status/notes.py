@@ -1,15 +1,20 @@
-"""What the status reports beside "driving": programs that contradict each other, and what costs motion. No ROS here."""
+"""What a robot does and why, and what a person should look at, each in a sentence. No ROS here."""
 
-from typing import Dict, List, Optional, Sequence
+import math
+from typing import Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
+from jetbot import BusError, JetbotError
 from jetbot.robot import Robot
 from jetbot.text import enumeration
+from jetbot_ros.state import DRIVING, STOPPED, Cause, RobotState, because, sentence
 
-from ..control.supervisor import Supervisor
+from ..control.state_machine import State
+from ..control.supervisor import Step, Supervisor
 
-NOTE_FOR = 3.0  # s that a disturbance of the board is reported
-LASTING = 0.5   # s that a condition lasts until it is reported: a ramp passes through some
-MAX_NAMES = 3   # names that a status lists
+LOOK_INTERVAL = 0.2  # s between two looks at what there is to note while nothing else changes
+NOTE_FOR = 3.0       # s that a disturbance of the board is reported
+LASTING = 0.5        # s that a condition lasts until it is reported: a ramp passes through some
+MAX_NAMES = 3        # names that a status lists
 
 DISTURBANCES = {  # count: from how many on it is reported, and how
     "resets": (1, "its board has lost its settings ({} so far): check the battery and the plugs"),
@@ -18,6 +23,75 @@ DISTURBANCES = {  # count: from how many on it is reported, and how
 }
 FULL_POWER, MAX_DUTY = "both wheels at full power", "both wheels at max_duty"
 TOO_SLOW = "the wheels get less than one step of the board, so they do not turn: "
+
+
+class Status(NamedTuple):
+    """fault: why the robot cannot be driven; notes: sentences, each a warning; waiting: as RobotState's."""
+
+    state: State
+    fault: Optional[JetbotError] = None
+    notes: Tuple[str, ...] = ()
+    waiting: Tuple[str, ...] = ()
+
+    @property
+    def cause(self) -> Optional[Cause]:
+        """Why the robot is stopped, or None."""
+        if not self.fault:
+            return self.state.cause
+        return because("board" if isinstance(self.fault, BusError) else "guard", problem=self.fault.reason)
+
+    @property
+    def text(self) -> str:
+        """What the robot does, and what there is to say of it."""
+        notes = () if self.fault or self.state.alarm else self.notes
+        remarks = () if self.fault or self.state.holds or not self.waiting else (waiting_remark(self.waiting),)
+        return ", ".join([sentence(self.cause), *notes, *remarks])
+
+    @property
+    def data(self) -> RobotState:
+        """The same for programs, but for the bus."""
+        cause, sender = self.cause, self.state.sender
+        return RobotState(STOPPED if cause else DRIVING, self.text, cause.code if cause else "",
+                          dict(cause.arguments) if cause else {}, self.state.holds, sender.name if sender else "",
+                          self.waiting)
+
+    @property
+    def warning(self) -> bool:
+        """Whether it is something that a person should look at."""
+        return bool(self.fault or self.state.alarm or self.notes)
+
+
+class StatusWatch:
+    """The ``status`` of a supervisor, which it watches. on_change: called with each whose ``data`` differs.
+
+    supply_note: returns what there is to say about the supply at a time, or None.
+    """
+
+    def __init__(self, supervisor: Supervisor, on_change: Callable[[Status], None],
+                 supply_note: Callable[[float], Optional[str]] = lambda now: None):
+        self._supervisor, self._on_change, self._supply_note = supervisor, on_change, supply_note
+        self._disturbances, self._too_slow = Disturbances(), Lasting()
+        self.status = Status(supervisor.state)
+        self._data, self._made_of, self._looked_at = None, None, -math.inf
+
+    def __call__(self, step: Step) -> None:
+        made_of = step.state.cause, step.fault
+        if made_of == self._made_of and step.at - self._looked_at < LOOK_INTERVAL:
+            return
+        self._made_of, self._looked_at = made_of, step.at
+        self.status = status = Status(step.state, step.fault, tuple(self._notes(step)),
+                                      tuple(waiting_programs(self._supervisor, step.at)))
+        if status.data != self._data:
+            self._data = status.data
+            self._on_change(status)
+
+    def _notes(self, step) -> List[str]:
+        """Return a sentence for each thing that a person should look at."""
+        now, robot = step.at, self._supervisor.robot
+        notes = [rivals_note(self._supervisor, now), self._supply_note(now), full_power_note(robot),
+                 self._too_slow.note(too_slow_note(robot, step.duties), now),
+                 *self._disturbances.notes(disturbances(self._supervisor), now)]
+        return [note for note in notes if note]
 
 
 def rivals_note(supervisor: Supervisor, now: float) -> Optional[str]:

@@ -1,0 +1,1 @@
+"""The supply of a robot, if anything measures it: read, watched, published."""
