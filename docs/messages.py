@@ -8,13 +8,13 @@ import re
 from pathlib import Path
 from typing import Dict
 
-from jetbot_cockpit.session.messages import FROM_COCKPIT, FROM_PAGE, PARTS, REQUESTS, Field, Row
+from jetbot_cockpit.session.messages import FROM_COCKPIT, FROM_PAGE, PARTS, REQUESTS, Field, Form
 
 PROTOCOL = Path(__file__).parent / "protocol.md"
 TYPES = Path(__file__).parents[1] / "morbot_ws/src/jetbot_cockpit/www/messages.d.ts"
 
 
-def table(kind: str, rows: Dict[str, Row]) -> str:
+def table(kind: str, rows: Dict[str, Form]) -> str:
     """Return the table of messages. kind: the field that names one."""
     lines = [f"| `{kind}` | fields | meaning |", "|---|---|---|"]
     for name, row in rows.items():

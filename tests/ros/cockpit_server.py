@@ -10,7 +10,7 @@ import pytest
 
 from jetbot_cockpit.classroom.classroom import Classroom
 from jetbot_cockpit.session.hub import Hub
-from jetbot_cockpit.session.snapshot import Robot
+from jetbot_cockpit.session.snapshot import RobotSnapshot
 from jetbot_cockpit.web.access import Access, make_grants
 from jetbot_cockpit.web.addresses import listen
 from jetbot_cockpit.web.handout import Card
@@ -45,7 +45,7 @@ class StandIn:
         return []
 
     def robots(self):
-        return [Robot("/").description()]
+        return [RobotSnapshot("/").description()]
 
     def watch(self, robots):
         pass
@@ -58,7 +58,7 @@ class StandIn:
 
     def state(self):
         driving = RobotState("driving", f"{time.monotonic()} {'x' * self.state_size}")
-        robot = Robot("/", state=driving).message(None, None, None, None, 0, None, 0)
+        robot = RobotSnapshot("/", state=driving).message(None, None, None, None, 0, None, 0)
         return {"type": "state", "emergency": False, "pupils_release": False, "robots": {"/": robot}}
 
 

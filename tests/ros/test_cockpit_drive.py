@@ -115,7 +115,7 @@ class Stop:
             publish=self.published.append, resolved_name="/emergency_stop", impl=impl))
         monkeypatch.setattr(rospy, "Subscriber", lambda topic, kind, callback: callbacks.append(callback))
         monkeypatch.setattr(robot_topics.time, "monotonic", lambda: self.now)
-        self.stop, self.receive = robot_topics.EmergencyStop("/emergency_stop", lambda: ({}, {}, {})), callbacks[0]
+        self.stop, self.receive = robot_topics.StopTopic("/emergency_stop", lambda: ({}, {}, {})), callbacks[0]
 
     def release(self):
         """Another program's release arrives."""

@@ -7,8 +7,8 @@ from cockpit_control import FakeCameras
 from test_cockpit_hub import Control, Page
 
 from jetbot_cockpit.session.feed import ANSWER_TIMEOUT, MAX_TOTAL_FPS, PART, Picture
-from jetbot_cockpit.session.hub import PICTURE_INTERVAL, Hub, Sender
-from jetbot_cockpit.session.protocol import MAX_RATE
+from jetbot_cockpit.session.hub import PICTURE_INTERVAL, Hub, PageOwner
+from jetbot_cockpit.session.messages import MAX_RATE
 from jetbot_cockpit.session.rights import PUPIL, TEACHER
 
 
@@ -18,7 +18,7 @@ class Looker(Page):
     def __init__(self, hub, robot="/red", role=TEACHER, own=None, answers=True):
         super().__init__()
         self.hub, self.answers, self.waits, self.parts = hub, answers, False, []
-        self.viewer = hub.join(self, role, own, Sender(role, "10.0.0.1"), 0.0)
+        self.viewer = hub.join(self, role, own, PageOwner(role, "10.0.0.1"), 0.0)
         self.look(robot)
 
     def look(self, robot, now=0.0):

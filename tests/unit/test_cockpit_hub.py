@@ -8,8 +8,8 @@ from cockpit_control import FakeCameras
 from jetbot_cockpit.notices import say
 from jetbot_cockpit.session import hub as hubs
 from jetbot_cockpit.session import protocol
-from jetbot_cockpit.session.hub import FRAME_INTERVAL, Hub, Sender
-from jetbot_cockpit.session.messages import LIMITS
+from jetbot_cockpit.session.hub import FRAME_INTERVAL, Hub, PageOwner
+from jetbot_cockpit.session.messages import LIMITS, MAX_BURST
 from jetbot_cockpit.session.rights import PUPIL, TEACHER
 
 STOP = '{"type": "stop"}'
@@ -83,7 +83,7 @@ def hub(control):
 
 def join(hub, role=TEACHER, now=0.0, code="", address="10.0.0.1"):
     page = Page()
-    return page, hub.join(page, role, None, Sender(code or role, address), now)
+    return page, hub.join(page, role, None, PageOwner(code or role, address), now)
 
 
 def run(hub, viewers, since, until):
@@ -200,7 +200,7 @@ def test_a_stop_counts_before_the_limit_and_the_parser_also_after_a_flood_has_en
         hub, control, monkeypatch, text, robot):
     monkeypatch.delattr(protocol, "parse")
     page, viewer = join(hub)
-    for _ in range(protocol.MAX_BURST):
+    for _ in range(MAX_BURST):
         hub.record_activity(viewer, 0.0)
     assert page.closed is None
     for count in 1, 2, 2:  # within the flood, and once more until the page knows that it is disconnected
@@ -225,7 +225,7 @@ def test_what_is_almost_a_stop_ends_the_socket(hub, control, text):
 
 
 def flood(hub, page, viewer, now):
-    for _ in range(protocol.MAX_BURST + 1):
+    for _ in range(MAX_BURST + 1):
         hub.receive(viewer, PING, now)
     assert page.closed == (4000, hubs.TOO_MANY)
 
@@ -289,10 +289,10 @@ def test_there_is_room_for_100_pages_and_a_teacher_gets_the_place_of_the_newest_
     [{"code": f"jetbot_{number:02d}"} for number in range(1, 16)],  # a code for each robot, or one for all pupils
     [{"address": f"10.0.0.{number}"} for number in range(1, 16)]])
 def test_one_phone_that_takes_all_places_keeps_out_no_other(hub, others):
-    first, *later = [join(hub, PUPIL, **sender)[0] for sender in others[:-1]]
+    first, *later = [join(hub, PUPIL, **owner)[0] for owner in others[:-1]]
     taken = [join(hub, PUPIL, **others[0])[0] for _ in range(hubs.MAX_CLIENTS - len(others) + 1)]
-    for role, sender in (PUPIL, others[-1]), (PUPIL, others[5]), (TEACHER, {"address": "10.0.0.99"}):
-        page, viewer = join(hub, role, **sender)
+    for role, owner in (PUPIL, others[-1]), (PUPIL, others[5]), (TEACHER, {"address": "10.0.0.99"}):
+        page, viewer = join(hub, role, **owner)
         assert viewer and not page.closed
     assert [page.closed[0] for page in taken if page.closed] == [4002] * 3 == [page.closed[0] for page in taken[-3:]]
     assert join(hub, PUPIL, **others[0])[1] is None

@@ -10,7 +10,7 @@ export interface Shape { kind: "wall" | "line" | "course" | "goal"; width: numbe
 export interface Score { task: string; robot: string; score: number; seconds: number | null; name: string; }
 export interface Task { name: string; title: string; on: boolean; }
 export interface Code { label: string; role: string; robot: string | null; url: string; code: string; rows: string[]; }
-export interface Limits { name: number; program_name: number; program: number; trail: number; trail_step: number; wheel_separation: number; full_speed: number; }
+export interface Limits { name: number; program_name: number; program: number; message: number; rate: number; burst: number; trail: number; trail_step: number; wheel_separation: number; full_speed: number; }
 
 export type Outgoing =
   | { type: "drive"; robot: string; forward: number; left: number; }

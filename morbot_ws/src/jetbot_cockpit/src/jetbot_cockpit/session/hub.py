@@ -12,7 +12,7 @@ from ..notices import Notice, say
 from . import protocol
 from .control import Control
 from .feed import Feed, Picture, interval
-from .messages import LIMITS, problem_of
+from .messages import LIMITS, MAX_BURST, MAX_RATE, problem_of
 from .rights import TEACHER, Client, refuse_role
 from .snapshot import label
 
@@ -20,7 +20,7 @@ MAX_CLIENTS = MAX_ROBOTS + 1  # a page for each robot, and a teacher's
 MAX_FRAME = 8192  # bytes of a message that is read at all; Tornado closes the socket of a larger one with 1009
 REFUSED, LOG_IN, FULL, ENDED = 4000, 4001, 4002, 1001  # why a socket is closed
 NO_ROOM = f"{MAX_CLIENTS} pages are connected already"
-TOO_MANY = f"more than {protocol.MAX_RATE} messages per second"
+TOO_MANY = f"more than {MAX_RATE} messages per second"
 FRAME_INTERVAL = 0.08   # s between two frames: what the pages draw more often delays a stop
 PICTURE_INTERVAL = 0.01  # s between two looks at the cameras, while somebody looks
 STOP_PAUSE = 0.1        # s without frames and commands after a stop of all: first of all, it has to reach the wheels
@@ -30,7 +30,7 @@ GONE_AFTER = 15.0       # s without a sign of life: the socket is closed
 FLOOD_PAUSE = 2.0       # s until who has sent too much may connect again
 
 
-class Sender(NamedTuple):
+class PageOwner(NamedTuple):
     """Whose pages share places and limits: the label of a code, and an address. One code may be a whole class's."""
 
     code: str
@@ -40,9 +40,9 @@ class Sender(NamedTuple):
 class Viewer:
     """A client with a socket (web.handlers.Socket), and what its page shows."""
 
-    def __init__(self, client: Client, sender: Sender, connection, now: float):
-        self.client, self.sender, self.connection = client, sender, connection
-        self.allowance = float(protocol.MAX_BURST)  # messages that it may send now
+    def __init__(self, client: Client, owner: PageOwner, connection, now: float):
+        self.client, self.owner, self.connection = client, owner, connection
+        self.allowance = float(MAX_BURST)  # messages that it may send now
         self.active_at = self.pinged_at = self.shown_at = now
         self.state = self.robots = ""
         self.problem: Optional[Notice] = None
@@ -51,8 +51,8 @@ class Viewer:
 
     def record_activity(self, now: float) -> bool:
         """Record a sign of life; return whether there are not too many: MAX_RATE, after a pause MAX_BURST at once."""
-        refilled = self.allowance + (now - self.active_at) * protocol.MAX_RATE
-        self.allowance = min(protocol.MAX_BURST, refilled) - 1
+        refilled = self.allowance + (now - self.active_at) * MAX_RATE
+        self.allowance = min(MAX_BURST, refilled) - 1
         self.active_at = now
         return self.allowance >= 0
 
@@ -93,18 +93,18 @@ class Hub:
         self._numbers = itertools.count(1)
         self._paused_until = -math.inf
         self._viewers: Dict[int, Viewer] = {}
-        self._flooded: Dict[Sender, float] = {}  # until when these may not connect
+        self._flooded: Dict[PageOwner, float] = {}  # until when these may not connect
 
-    def join(self, connection, role: str, robot: Optional[str], sender: Sender, now: float) -> Optional[Viewer]:
+    def join(self, connection, role: str, robot: Optional[str], owner: PageOwner, now: float) -> Optional[Viewer]:
         """Return the new client; None if it may not connect now.
 
         robot: the only one that a pupil may drive, None: any.
         """
-        if now < self._flooded.get(sender, now):
+        if now < self._flooded.get(owner, now):
             connection.close(REFUSED, TOO_MANY)
             return None
         number = next(self._numbers)
-        viewer = Viewer(Client(number, f"{role} {number}", role, robot), sender, connection, now)
+        viewer = Viewer(Client(number, f"{role} {number}", role, robot), owner, connection, now)
         viewers = [*self._viewers.values(), viewer]
         leaving = most_crowding(viewers) if len(viewers) > MAX_CLIENTS else None
         if leaving:
@@ -128,7 +128,7 @@ class Hub:
         """Record that a browser has sent something; return whether it is connected, and stays so."""
         if viewer.client.id in self._viewers and not viewer.record_activity(now):
             self._flooded = {each: until for each, until in self._flooded.items() if now < until}
-            self._flooded[viewer.sender] = now + FLOOD_PAUSE
+            self._flooded[viewer.owner] = now + FLOOD_PAUSE
             self.end(viewer, REFUSED, TOO_MANY)
         return viewer.client.id in self._viewers
 
@@ -227,8 +227,8 @@ def most_crowding(viewers: Sequence[Viewer]) -> Viewer:
 
     If one code has them at several addresses: at the address that has the most. A teacher's goes last.
     """
-    codes, senders = (Counter(each) for each in zip(*((viewer.sender.code, viewer.sender) for viewer in viewers)))
-    return max(viewers, key=lambda viewer: (codes[viewer.sender.code], senders[viewer.sender],
+    codes, owners = (Counter(each) for each in zip(*((viewer.owner.code, viewer.owner) for viewer in viewers)))
+    return max(viewers, key=lambda viewer: (codes[viewer.owner.code], owners[viewer.owner],
                                             viewer.client.role != TEACHER, viewer.client.id))
 
 

@@ -13,12 +13,16 @@ from ..classroom import programs
 from .collection import LABELS
 from .history import MAX_POINTS, STEP
 
-MAX_NAME = 20  # characters of a person's name
-MAX_TASK = 60  # characters of a task's name
+MAX_NAME = 20       # characters of a person's name
+MAX_TASK = 60       # characters of a task's name
+MAX_MESSAGE = 1000  # bytes of a message of the page
+MAX_RATE = 40       # messages per second of a page,
+MAX_BURST = 50      # and at once: what a pause of the network has held back
 
 LIMITS = {  # what the page and the cockpit must agree about; "hello" brings it
-    "name": MAX_NAME, "program_name": programs.MAX_NAME, "program": programs.MAX_TEXT, "trail": MAX_POINTS,
-    "trail_step": STEP, "wheel_separation": WHEEL_SEPARATION, "full_speed": FULL_SPEED}
+    "name": MAX_NAME, "program_name": programs.MAX_NAME, "program": programs.MAX_TEXT, "message": MAX_MESSAGE,
+    "rate": MAX_RATE, "burst": MAX_BURST, "trail": MAX_POINTS, "trail_step": STEP,
+    "wheel_separation": WHEEL_SEPARATION, "full_speed": FULL_SPEED}
 
 
 class Field(NamedTuple):
@@ -29,7 +33,7 @@ class Field(NamedTuple):
     range: str = ""
 
 
-class Row(NamedTuple):
+class Form(NamedTuple):
     """A message: its fields, what it means, and whether only a teacher may send it."""
 
     fields: Dict[str, Field]
@@ -115,62 +119,62 @@ CODE = part("Code", label=TEXT, role=TEXT, robot=or_null(ROBOT), url=TEXT, code=
 AGREED = part("Limits", **dict.fromkeys(LIMITS, NUMBER))
 
 FROM_PAGE = {
-    "drive": Row({"robot": ROBOT, "forward": DEFLECTION, "left": DEFLECTION},
-                 "deflections, forward and to the left, 20 times a second; both 0: let go"),
-    "program": Row({"robot": ROBOT}, "a program runs: keeps a free robot while it stands; is answered by `program`"),
-    "take": Row({"robot": ROBOT}, "takes the robot from whoever drives it, until `go_on`", teacher=True),
-    "go_on": Row({"robot": ROBOT_OR_ALL}, "gives the robot back, or all: ends what `take` or a teacher's `stop` holds",
-                 teacher=True),
-    "stop": Row({"robot": ROBOT_OR_ALL}, "emergency stop: of all robots, or of this one"),
-    "release": Row({"robot": ROBOT_OR_ALL}, "ends that stop"),
-    "reset": Row({"robot": ROBOT_OR_ALL}, "puts all simulated robots back to their starts, or this one", teacher=True),
-    "name": Row({"name": text(MAX_NAME)}, "what the person is called"),
-    "ping": Row({"sent": NUMBER}, "is answered by `pong` with the same number"),
-    "look": Row({"robot": ROBOT_OR_ALL}, "shows what this robot's camera sees, and no other's any more; null: none"),
-    "seen": Row({"number": NUMBER}, "a part of the picture with this number has come; the next one may follow"),
-    "save": Row({"robot": ROBOT, "label": one_of(*LABELS)}, "keeps the robot's newest picture; from its driver"),
-    "delete": Row({"robot": ROBOT}, "deletes the pictures of this robot that were kept; from its driver"),
-    "codes": Row({}, "asks for the addresses and codes to hand out", teacher=True),
-    "judge": Row({"robot": ROBOT, "task": TASK},
-                 'puts a simulated robot at the start of a task, and judges its next drive; task `""`: ends that, '
-                 "without a score"),
-    "offer": Row({"task": TASK, "on": BOOLEAN}, "lets pupils choose a task, or not any more", teacher=True),
+    "drive": Form({"robot": ROBOT, "forward": DEFLECTION, "left": DEFLECTION},
+                  "deflections, forward and to the left, 20 times a second; both 0: let go"),
+    "program": Form({"robot": ROBOT}, "a program runs: keeps a free robot while it stands; is answered by `program`"),
+    "take": Form({"robot": ROBOT}, "takes the robot from whoever drives it, until `go_on`", teacher=True),
+    "go_on": Form({"robot": ROBOT_OR_ALL}, "gives the robot back, or all: ends what `take` or a teacher's `stop` holds",
+                  teacher=True),
+    "stop": Form({"robot": ROBOT_OR_ALL}, "emergency stop: of all robots, or of this one"),
+    "release": Form({"robot": ROBOT_OR_ALL}, "ends that stop"),
+    "reset": Form({"robot": ROBOT_OR_ALL}, "puts all simulated robots back to their starts, or this one", teacher=True),
+    "name": Form({"name": text(MAX_NAME)}, "what the person is called"),
+    "ping": Form({"sent": NUMBER}, "is answered by `pong` with the same number"),
+    "look": Form({"robot": ROBOT_OR_ALL}, "shows what this robot's camera sees, and no other's any more; null: none"),
+    "seen": Form({"number": NUMBER}, "a part of the picture with this number has come; the next one may follow"),
+    "save": Form({"robot": ROBOT, "label": one_of(*LABELS)}, "keeps the robot's newest picture; from its driver"),
+    "delete": Form({"robot": ROBOT}, "deletes the pictures of this robot that were kept; from its driver"),
+    "codes": Form({}, "asks for the addresses and codes to hand out", teacher=True),
+    "judge": Form({"robot": ROBOT, "task": TASK},
+                  'puts a simulated robot at the start of a task, and judges its next drive; task `""`: ends that, '
+                  "without a score"),
+    "offer": Form({"task": TASK, "on": BOOLEAN}, "lets pupils choose a task, or not any more", teacher=True),
 }
 
 FROM_COCKPIT = {
-    "hello": Row({"id": COUNT, "name": TEXT, "role": one_of("pupil", "teacher"), "robot": or_null(ROBOT),
-                  "codes": BOOLEAN, "limits": AGREED},
-                 "who you are; `robot`: the only one that you may drive, or null; `codes`: whether you may see codes; "
-                 "`limits`: what the cockpit and its pages agree about"),
-    "robots": Row({"robots": list_of(ROBOT_ROW)}, "which robots there are: at first, and when that changes"),
-    "state": Row({"emergency": BOOLEAN, "pupils_release": BOOLEAN, "robots": by_robot(ROBOT_STATE)},
-                 "what each one does: at most 12.5 times a second, at least once"),
-    "trail": Row({"robot": ROBOT, "points": list_of(numbers(2))},
-                 "where it has been: at first, and empty when it was put back"),
-    "scene": Row({"robot": ROBOT, "shapes": list_of(SHAPE)},
-                 "what is drawn around a robot: at first, and when that changes"),
-    "scores": Row({"scores": list_of(SCORE)}, "the class's best: at first, and when it changes"),
-    "picture": Row({"robot": ROBOT, "number": COUNT, "stamp": NUMBER, "bytes": COUNT},
-                   "a picture of the robot that the page looks at; its parts follow"),
-    "tasks": Row({"tasks": list_of(OFFERED)},
-                 "which tasks a judge offers, and which of them are on: at first, and when that changes"),
-    "notice": Row(SAID, "one sentence for the person, and its code for programs"),
-    "program": Row({"robot": ROBOT, "ready": BOOLEAN, "pose": or_null(POSE), "line": or_null(numbers(3)),
-                    "wheels": or_null(numbers(2))},
-                   "the answer to `program`; `ready`: whether its controller is connected"),
-    "lift": Row({"robot": ROBOT, **SAID},
-                "why a `drive` or `program` was refused, and the robot stopped; the next one counts after letting go"),
-    "pong": Row({"sent": NUMBER}, "the answer to `ping`"),
-    "codes": Row({"codes": list_of(CODE)}, "the answer to `codes`; `rows` are the modules of the QR code"),
+    "hello": Form({"id": COUNT, "name": TEXT, "role": one_of("pupil", "teacher"), "robot": or_null(ROBOT),
+                   "codes": BOOLEAN, "limits": AGREED},
+                  "who you are; `robot`: the only one that you may drive, or null; `codes`: whether you may see codes; "
+                  "`limits`: what the cockpit and its pages agree about"),
+    "robots": Form({"robots": list_of(ROBOT_ROW)}, "which robots there are: at first, and when that changes"),
+    "state": Form({"emergency": BOOLEAN, "pupils_release": BOOLEAN, "robots": by_robot(ROBOT_STATE)},
+                  "what each one does: at most 12.5 times a second, at least once"),
+    "trail": Form({"robot": ROBOT, "points": list_of(numbers(2))},
+                  "where it has been: at first, and empty when it was put back"),
+    "scene": Form({"robot": ROBOT, "shapes": list_of(SHAPE)},
+                  "what is drawn around a robot: at first, and when that changes"),
+    "scores": Form({"scores": list_of(SCORE)}, "the class's best: at first, and when it changes"),
+    "picture": Form({"robot": ROBOT, "number": COUNT, "stamp": NUMBER, "bytes": COUNT},
+                    "a picture of the robot that the page looks at; its parts follow"),
+    "tasks": Form({"tasks": list_of(OFFERED)},
+                  "which tasks a judge offers, and which of them are on: at first, and when that changes"),
+    "notice": Form(SAID, "one sentence for the person, and its code for programs"),
+    "program": Form({"robot": ROBOT, "ready": BOOLEAN, "pose": or_null(POSE), "line": or_null(numbers(3)),
+                     "wheels": or_null(numbers(2))},
+                    "the answer to `program`; `ready`: whether its controller is connected"),
+    "lift": Form({"robot": ROBOT, **SAID},
+                 "why a `drive` or `program` was refused, and the robot stopped; the next one counts after letting go"),
+    "pong": Form({"sent": NUMBER}, "the answer to `ping`"),
+    "codes": Form({"codes": list_of(CODE)}, "the answer to `codes`; `rows` are the modules of the QR code"),
 }
 
 REQUESTS = {  # to /work, by what they "do"
-    "list": Row({"robot": ROBOT_OR_ALL}, "`programs`, those first that were changed last; of all robots: teacher"),
-    "open": Row({"robot": ROBOT, "id": ID}, "the program, with its `program`"),
-    "save": Row({"robot": ROBOT, "id": ID, "version": VERSION, "name": PROGRAM_NAME, "program": TEXT},
-                "what is kept now"),
-    "delete": Row({"robot": ROBOT, "id": ID, "version": VERSION}, "the same"),
-    "restore": Row({"robot": ROBOT, "id": ID, "version": VERSION}, "the same: undoes `delete`"),
+    "list": Form({"robot": ROBOT_OR_ALL}, "`programs`, those first that were changed last; of all robots: teacher"),
+    "open": Form({"robot": ROBOT, "id": ID}, "the program, with its `program`"),
+    "save": Form({"robot": ROBOT, "id": ID, "version": VERSION, "name": PROGRAM_NAME, "program": TEXT},
+                 "what is kept now"),
+    "delete": Form({"robot": ROBOT, "id": ID, "version": VERSION}, "the same"),
+    "restore": Form({"robot": ROBOT, "id": ID, "version": VERSION}, "the same: undoes `delete`"),
 }
 
 

@@ -5,11 +5,8 @@ import re
 from typing import NamedTuple, Optional, Union
 
 from ..notices import Notice
-from .messages import FROM_PAGE, fit
+from .messages import FROM_PAGE, MAX_MESSAGE, fit
 
-MAX_MESSAGE = 1000      # bytes of a message of the page
-MAX_RATE = 40           # messages per second of a page,
-MAX_BURST = 50          # and at once: what a pause of the network has held back
 STOP = re.compile(r'\s*\{\s*"type"\s*:\s*"stop"\s*(?:,\s*"robot"\s*:\s*(?:null|"([^"\\]*)")\s*)?\}\s*')
 
 

@@ -16,7 +16,7 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from jetbot import files
 
-from ..session.hub import LOG_IN, Hub, Sender, Viewer
+from ..session.hub import LOG_IN, Hub, PageOwner, Viewer
 from .access import Access, TooManyTries
 
 WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit", "www")
@@ -153,8 +153,8 @@ class Socket(Handler, WebSocketHandler):
         grant = self.access.grant(self.get_cookie(self.access.cookie_name), self.request.remote_ip,
                                   self.request.headers["Host"])
         if grant:
-            sender = Sender(grant.label, self.request.remote_ip)
-            self.viewer = self.hub.join(self, grant.role, grant.robot, sender, time.monotonic())
+            owner = PageOwner(grant.label, self.request.remote_ip)
+            self.viewer = self.hub.join(self, grant.role, grant.robot, owner, time.monotonic())
         else:
             self.close(LOG_IN, "log in first")
         if self.ws_connection:
