@@ -18,7 +18,7 @@ from typing import NamedTuple
 CHAOS = Path(__file__).resolve().with_name("chaos.py")
 PACKAGES = CHAOS.parents[2] / "morbot_ws/src"
 DRIVER, NODE = "jetbot/src/jetbot", "jetbot_control_node/src/jetbot_control_node/control"
-RIGHTS = "jetbot_cockpit/src/jetbot_cockpit/session/rights.py"
+SESSION = "jetbot_cockpit/src/jetbot_cockpit/session"
 MOUNT = 'mount --bind "$0" "$1" && shift && exec "$@"'
 
 
@@ -51,11 +51,12 @@ MUTANTS = {
     "stop ignored while the ramp runs": Mutant(
         f"{NODE}/supervisor.py", "self.state = self.state.hold(hold, engaged)",
         "self.state = self.state if engaged and self._ramp.active else self.state.hold(hold, engaged)"),
-    "lease never ending": Mutant(RIGHTS, "return now - self.commanded_at >= LEASE_TIMEOUT", "return False"),
+    "lease never ending": Mutant(
+        f"{SESSION}/lease.py", "return now - self.commanded_at >= LEASE_TIMEOUT", "return False"),
     "dead man's switch off": Mutant(
-        RIGHTS, "if not self._fired and self._fed_at is not None and", "if False and"),
+        f"{SESSION}/lease.py", "return self.driving and now - self.commanded_at >= COMMAND_TIMEOUT", "return False"),
     "stop released by a pupil": Mutant(
-        RIGHTS, "if client.role != TEACHER and robot not in self._by_pupils:", "if False:"),
+        f"{SESSION}/stops.py", "if client.role != TEACHER and robot not in self._by_pupils:", "if False:"),
 }
 
 

@@ -10,6 +10,7 @@ import pytest
 
 from jetbot_cockpit.classroom.classroom import Classroom
 from jetbot_cockpit.session.hub import Hub
+from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.snapshot import RobotSnapshot
 from jetbot_cockpit.web.access import Access, make_grants
 from jetbot_cockpit.web.addresses import listen
@@ -37,6 +38,9 @@ class StandIn:
 
     def handle(self, client, message, now):
         self.handled.append((client, message))
+
+    def stop(self, client, robot):
+        self.handled.append((client, Message("stop", robot)))
 
     def leave(self, client):
         self.left.append(client)

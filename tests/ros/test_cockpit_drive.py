@@ -11,8 +11,15 @@ import rospy
 from jetbot.wait import wait_until
 from jetbot_cockpit.robots import robot_topics
 from jetbot_cockpit.robots.command_publishers import Drivers
+from jetbot_cockpit.session.lease import COMMAND_TIMEOUT, Lease
+from jetbot_cockpit.session.rights import Client
 
 TIMEOUT = 5.0  # s
+
+
+def commanded(ago=0.0):
+    """Return the lease of a command that came so many seconds ago."""
+    return Lease(Client(1, "Ada", "pupil"), time.monotonic() - ago, driving=True)
 
 
 class Publisher:
@@ -45,7 +52,7 @@ def threads():
 
 def test_a_release_is_one_zero_and_then_the_publisher_has_ended(publisher):
     drivers = Drivers()
-    assert drivers.drive("/red", (0.5, 0.1), time.monotonic())
+    drivers.drive("/red", (0.5, 0.1), commanded())
     wait_until(lambda: publisher.published, TIMEOUT)
     drivers.let_go("/red")
     drivers.close()
@@ -57,17 +64,22 @@ def test_a_release_is_one_zero_and_then_the_publisher_has_ended(publisher):
 
 def test_silence_is_one_zero_too(publisher):
     drivers = Drivers()
-    assert drivers.drive("/red", (0.5, 0.1), time.monotonic())
+    drivers.drive("/red", (0.5, 0.1), commanded())
     assert wait_until(lambda: publisher.ended, TIMEOUT)
     assert publisher.published == [(0.5, 0.1), (0.0, 0.0)]
-    assert not drivers.drive("/red", (0.5, 0.1), time.monotonic())
-    assert drivers.stalls("/red", time.monotonic()) == 1
+
+
+def test_a_command_that_is_too_old_when_its_turn_comes_drives_nothing(publisher):
+    drivers = Drivers()
+    drivers.drive("/red", (0.5, 0.1), commanded(ago=COMMAND_TIMEOUT))
+    assert wait_until(lambda: publisher.ended, TIMEOUT)
+    assert set(publisher.published) == {(0.0, 0.0)}
 
 
 def test_a_command_while_the_publisher_ends_is_driven_by_another(publisher):
     drivers = Drivers()
-    publisher.at_end.append(lambda: drivers.drive("/red", (0.2, 0.0), time.monotonic()))
-    drivers.drive("/red", (0.5, 0.0), time.monotonic())
+    publisher.at_end.append(lambda: drivers.drive("/red", (0.2, 0.0), commanded()))
+    drivers.drive("/red", (0.5, 0.0), commanded())
     drivers.let_go("/red")
     assert wait_until(lambda: (0.2, 0.0) in publisher.published, TIMEOUT)
     drivers.close()
@@ -79,7 +91,7 @@ def test_a_command_while_the_publisher_ends_is_driven_by_another(publisher):
 def test_a_robot_that_is_driven_again_soon_keeps_its_publisher(publisher):
     drivers = Drivers()
     for speed in 0.5, 0.2:
-        assert drivers.drive("/red", (speed, 0.0), time.monotonic())
+        drivers.drive("/red", (speed, 0.0), commanded())
         assert wait_until(lambda speed=speed: (speed, 0.0) in publisher.published, TIMEOUT)
         drivers.let_go("/red")
         assert wait_until(lambda: publisher.published[-1] == (0.0, 0.0), TIMEOUT)
@@ -101,7 +113,7 @@ def test_a_shutdown_of_the_node_ends_the_thread(publisher, monkeypatch):
         raise rospy.ROSException("publish() to a closed topic")
 
     monkeypatch.setattr(publisher, "publish", closed)
-    Drivers().drive("/red", (0.5, 0.0), time.monotonic())
+    Drivers().drive("/red", (0.5, 0.0), commanded())
     assert wait_until(lambda: publisher.ended and not threads(), TIMEOUT)
 
 

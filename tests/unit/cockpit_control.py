@@ -10,7 +10,7 @@ from jetbot_cockpit.session.collection import Collection
 from jetbot_cockpit.session.control import Control
 from jetbot_cockpit.session.messages import problem_of
 from jetbot_cockpit.session.protocol import Message
-from jetbot_cockpit.session.rights import Client, DeadMan
+from jetbot_cockpit.session.rights import Client
 from jetbot_cockpit.session.snapshot import RobotSnapshot, Snapshot
 from jetbot_ros.state import RobotState
 
@@ -61,15 +61,18 @@ class FakeRobots:
 
 
 class FakeDrivers:
-    """What each robot is driven at, with the real switch."""
+    """What each robot was commanded last, and under which lease."""
 
     def __init__(self):
-        self.velocities, self._switches, self.waiting, self.resume = {}, {}, set(), 0.0
+        self.commands, self.waiting, self.resume = {}, set(), 0.0
 
-    def drive(self, robot, velocity, now):
-        accepted = self._switches.setdefault(robot, DeadMan()).feed(now)
-        self.velocities[robot] = velocity if accepted else STOPPED
-        return accepted
+    def drive(self, robot, velocity, lease):
+        self.commands[robot] = velocity, lease
+
+    def velocity(self, robot, now):
+        """Return what the thread that publishes drives now."""
+        velocity, lease = self.commands.get(robot, (STOPPED, None))
+        return STOPPED if lease is None or lease.is_silent(now) else velocity
 
     def hold(self, robot):
         return True
@@ -80,12 +83,8 @@ class FakeDrivers:
     def resumes_in(self, robot, now):
         return self.resume
 
-    def stalls(self, robot, now):
-        return self._switches.setdefault(robot, DeadMan()).stalls(now)
-
     def let_go(self, robot):
-        self._switches.setdefault(robot, DeadMan()).let_go()
-        self.velocities[robot] = STOPPED
+        self.commands[robot] = STOPPED, None
 
 
 class FakeCameras:
@@ -112,7 +111,9 @@ class Cockpit:
         self.control.check(self.time)
 
     def do(self, client, message):
-        reply = self.control.handle(client, message, self.time)
+        stops = message.type == "stop"
+        reply = (self.control.stop(client, message.robot) if stops else
+                 self.control.handle(client, message, self.time))
         assert reply is None or problem_of(reply) is None
         return reply
 
@@ -137,7 +138,7 @@ class Cockpit:
         return messages
 
     def drives(self, robot="/red"):
-        return self.drivers.velocities.get(robot, STOPPED)
+        return self.drivers.velocity(robot, self.time)
 
     def driver(self, robot="/red"):
         return self.control.state()["robots"][robot]["driver"]

@@ -7,9 +7,10 @@ from cockpit_control import FakeCameras
 from test_cockpit_hub import Control, Page
 
 from jetbot_cockpit.session.feed import ANSWER_TIMEOUT, MAX_TOTAL_FPS, PART, Picture
-from jetbot_cockpit.session.hub import PICTURE_INTERVAL, Hub, PageOwner
+from jetbot_cockpit.session.hub import PICTURE_INTERVAL, Hub
 from jetbot_cockpit.session.messages import MAX_RATE
 from jetbot_cockpit.session.rights import PUPIL, TEACHER
+from jetbot_cockpit.session.viewers import PageOwner
 
 
 class Looker(Page):

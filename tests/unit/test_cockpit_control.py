@@ -4,8 +4,9 @@ import pytest
 from cockpit_control import ADA, BOB, DRIVES, OWN, STANDS, STOPPED, TEACHER, FakeRobots
 
 from jetbot_cockpit.notices import say
+from jetbot_cockpit.session.lease import Lease
 from jetbot_cockpit.session.protocol import Message
-from jetbot_cockpit.session.rights import Client, DeadMan
+from jetbot_cockpit.session.rights import Client
 from jetbot_cockpit.session.snapshot import RobotSnapshot, Snapshot, TaskSnapshot
 from jetbot_ros.state import UNKNOWN
 
@@ -102,7 +103,7 @@ def test_who_drives_another_robot_stops_the_first(driven):
 def test_a_robot_that_there_never_was_is_not_driven(cockpit):
     for kind in "drive", "take", "stop":
         assert cockpit.do(TEACHER, Message(kind, "/nobody", forward=1.0))["text"] == "nobody has ended."
-    assert cockpit.drivers.velocities == {}
+    assert cockpit.drivers.commands == {}
 
 
 def test_a_teacher_takes_a_robot_and_the_finger_must_lift(driven):
@@ -274,12 +275,11 @@ def test_each_stall_of_a_drivers_commands_counts_for_a_minute(driven):
     assert stalls() == {"/red": 0, "/blue": 0}
 
 
-def test_the_switch_of_a_robot_that_is_not_driven_never_fires():
-    switch = DeadMan()
-    assert switch.remaining(0.0) is None and not switch.check(1e9)
-    assert switch.feed(10.0) and switch.remaining(10.1) == pytest.approx(0.2)
-    switch.let_go()
-    assert switch.remaining(10.1) is None and not switch.check(1e9)
+def test_the_switch_fires_0_3_s_after_the_last_command_and_never_while_the_robot_is_not_driven():
+    lease = Lease(ADA, 10.0, driving=True)
+    assert lease.remaining(10.1) == pytest.approx(0.2)
+    assert (lease.is_silent(10.29), lease.is_silent(10.31), lease.remaining(10.31)) == (False, True, 0)
+    assert not lease._replace(driving=False).is_silent(1e9)
 
 
 @pytest.mark.parametrize("robot", [None, "/red"])

@@ -8,9 +8,10 @@ from cockpit_control import FakeCameras
 from jetbot_cockpit.notices import say
 from jetbot_cockpit.session import hub as hubs
 from jetbot_cockpit.session import protocol
-from jetbot_cockpit.session.hub import FRAME_INTERVAL, Hub, PageOwner
+from jetbot_cockpit.session.hub import FRAME_INTERVAL, Hub
 from jetbot_cockpit.session.messages import LIMITS, MAX_BURST
 from jetbot_cockpit.session.rights import PUPIL, TEACHER
+from jetbot_cockpit.session.viewers import ABSENT_AFTER, PageOwner
 
 STOP = '{"type": "stop"}'
 DRIVE = '{"type": "drive", "robot": "/", "forward": 1, "left": 0}'
@@ -52,6 +53,10 @@ class Control:
 
     def handle(self, client, message, now):
         self.asked.append((client.id, message))
+        return self.reply
+
+    def stop(self, client, robot):
+        self.asked.append((client.id, protocol.Message("stop", robot)))
         return self.reply
 
     def leave(self, client):
@@ -141,10 +146,10 @@ def test_a_page_that_takes_nothing_is_skipped_and_then_gets_all_again(hub, contr
 
 def test_a_page_that_says_nothing_is_sent_nothing_that_would_be_old_when_it_arrives(hub, control):
     page, viewer = join(hub)
-    run(hub, [], 0, hubs.ABSENT_AFTER)
+    run(hub, [], 0, ABSENT_AFTER)
     page.types()
     control.speed = 1
-    run(hub, [], hubs.ABSENT_AFTER, 10)
+    run(hub, [], ABSENT_AFTER, 10)
     assert page.types() == [] and page.pings >= 5
     hub.record_activity(viewer, 10.0)
     hub.tick(10.05)
@@ -190,7 +195,7 @@ def test_after_its_disconnection_nothing_that_a_page_sends_counts_but_stops(hub,
         hub.receive(viewer, text, 0.0)
     hub.leave(viewer)
     assert control.asked == [(1, protocol.Message("stop"))]
-    assert control.left == [1, 1]  # its name is forgotten again
+    assert control.left == [1]
 
 
 @pytest.mark.parametrize("text, robot", [
@@ -207,6 +212,17 @@ def test_a_stop_counts_before_the_limit_and_the_parser_also_after_a_flood_has_en
         hub.receive(viewer, text, 0.0)
         assert control.asked == [(1, protocol.Message("stop", robot))] * count
         assert page.closed == (4000, "more than 40 messages per second") and control.left[0] == 1
+
+
+def test_a_stop_waits_for_no_page_not_for_its_own_either(hub, control, monkeypatch):
+    viewers, events = [join(hub)[1] for _ in range(3)], []
+    control.speed, control.messages, control.reply = 1, [TRAIL], {"type": "notice", "text": "no"}
+    monkeypatch.setattr(Page, "send", lambda page, text: events.append("send"))
+    monkeypatch.setattr(Page, "is_backlogged", lambda page: events.append("look at a page"))
+    stop = control.stop
+    monkeypatch.setattr(control, "stop", lambda *asked: events.append("stop") or stop(*asked))
+    hub.receive(viewers[1], STOP, 0.0)
+    assert events == ["stop", "look at a page", "send"]
 
 
 @pytest.mark.parametrize("text", [

@@ -9,7 +9,7 @@ from jetbot.boards import BOARDS, scmd
 from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE, WAVESHARE_HAT
 from jetbot.guard import process as guard
 from jetbot.host import ROBOT_BUS, robot_bus
-from jetbot_cockpit.session.rights import COMMAND_TIMEOUT
+from jetbot_cockpit.session.lease import COMMAND_TIMEOUT
 from jetbot_control_node.parameters import PARAMETERS
 
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]

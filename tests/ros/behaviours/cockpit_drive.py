@@ -62,6 +62,8 @@ class CockpitDrive(SharedRobotTest):
 
     def do(self, client, message):
         with self.lock:
+            if message.type == "stop":
+                return self.control.stop(client, message.robot)
             return self.control.handle(client, message, time.monotonic())
 
     def lift(self):

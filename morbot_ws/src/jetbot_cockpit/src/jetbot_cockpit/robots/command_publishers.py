@@ -12,7 +12,7 @@ from geometry_msgs.msg import Twist
 
 from jetbot_ros.state import MANUAL_PRIORITY
 
-from ..session.rights import DeadMan
+from ..session.lease import Lease
 
 SEND_TIMEOUT = 0.1      # s until a subscriber that reads nothing is disconnected
 LINGER = 0.5            # s from the zero to the publisher's end: the master is asked nothing while all robots stop;
@@ -32,9 +32,9 @@ class Drivers:
     def __init__(self):
         self._drivers: Dict[str, Driver] = {}
 
-    def drive(self, robot: str, velocity: Velocity, now: float) -> bool:
-        """Drive the robot. Return False, and do not, if its dead man's switch has fired since it was last let go."""
-        return self._driver(robot).drive(velocity, now)
+    def drive(self, robot: str, velocity: Velocity, lease: Lease) -> None:
+        """Drive the robot until its lease's dead man's switch fires."""
+        self._driver(robot).drive(velocity, lease)
 
     def let_go(self, robot: str) -> None:
         """Publish one zero, and then nothing more."""
@@ -52,10 +52,6 @@ class Drivers:
     def resumes_in(self, robot: str, now: float) -> float:
         """Return the seconds until the commands of programs count, 0 or less if they do."""
         return self._driver(robot).sent_at + MANUAL_PRIORITY - now
-
-    def stalls(self, robot: str, now: float) -> int:
-        """Return how often commands for the robot stalled within the last minute, so that its switch fired."""
-        return self._driver(robot).stalls(now)
 
     def _driver(self, robot):
         if robot not in self._drivers:
@@ -79,8 +75,8 @@ class Driver(rospy.SubscribeListener):
 
     def __init__(self, robot: str):
         self._topic = f"{robot.rstrip('/')}/cmd_vel"
-        self._dead_man = DeadMan()
         self._velocity = ZERO  # unless the robot is driven
+        self._lease: Optional[Lease] = None  # of the newest command
         self._pending = False  # something is to be sent
         self._waiting = False  # programs are to wait: zeros are repeated
         self._runs = False     # the thread
@@ -90,15 +86,13 @@ class Driver(rospy.SubscribeListener):
         self.idle = threading.Event()
         self.idle.set()
 
-    def drive(self, velocity: Velocity, now: float) -> bool:
-        """Send this command; return False, and do not, if the switch has fired since the robot was last let go."""
+    def drive(self, velocity: Velocity, lease: Lease) -> None:
+        """Send this command, unless it is too old when its turn comes; then, or if no other follows, a zero."""
         with self._condition:
-            if not self._dead_man.feed(now):
-                return False
+            self._lease = lease
             self._send(velocity)
             self.idle.clear()
             self._start()
-        return True
 
     def hold(self) -> bool:
         """Send a zero unless the robot is driven, so that the publisher stays; return whether it is connected."""
@@ -119,13 +113,7 @@ class Driver(rospy.SubscribeListener):
     def let_go(self) -> None:
         """Stop the robot."""
         with self._condition:
-            self._dead_man.let_go()
             self._send(ZERO)
-
-    def stalls(self, now: float) -> int:
-        """Return how often the switch has fired within the last minute."""
-        with self._condition:
-            return self._dead_man.stalls(now)
 
     def peer_subscribe(self, *_) -> None:
         """A controller has connected: send it what was commanded before."""
@@ -161,9 +149,9 @@ class Driver(rospy.SubscribeListener):
         with self._condition:
             if self._velocity == ZERO and not self._pending:
                 self.idle.set()
-            timeout = LINGER if self._velocity == ZERO else self._dead_man.remaining(time.monotonic())
+            timeout = LINGER if self._velocity == ZERO else self._lease.remaining(time.monotonic())
             self._condition.wait_for(lambda: self._pending, timeout)
-            if self._velocity != ZERO and self._dead_man.check(time.monotonic()):
+            if self._velocity != ZERO and self._lease.is_silent(time.monotonic()):
                 self._send(ZERO)
             self._runs = self._pending or self._waiting or self._velocity != ZERO
             self._pending = False

@@ -1,20 +1,19 @@
 """Who watches, what each one is sent, and when. Times are monotonic seconds."""
 
 import itertools
-import json
-import logging
 import math
-from collections import Counter
-from typing import Callable, Dict, List, NamedTuple, Optional, Sequence
+from typing import Dict, Optional, Sequence
 
 from ..cockpit_parameters import MAX_ROBOTS
-from ..notices import Notice, say
+from ..notices import say
 from . import protocol
 from .control import Control
-from .feed import Feed, Picture, interval
-from .messages import LIMITS, MAX_BURST, MAX_RATE, problem_of
+from .feed import interval
+from .messages import LIMITS, MAX_RATE
+from .protocol import dumps
 from .rights import TEACHER, Client, refuse_role
 from .snapshot import label
+from .viewers import STILL_INTERVAL, PageOwner, Viewer, most_crowding
 
 MAX_CLIENTS = MAX_ROBOTS + 1  # a page for each robot, and a teacher's
 MAX_FRAME = 8192  # bytes of a message that is read at all; Tornado closes the socket of a larger one with 1009
@@ -24,63 +23,8 @@ TOO_MANY = f"more than {MAX_RATE} messages per second"
 FRAME_INTERVAL = 0.08   # s between two frames: what the pages draw more often delays a stop
 PICTURE_INTERVAL = 0.01  # s between two looks at the cameras, while somebody looks
 STOP_PAUSE = 0.1        # s without frames and commands after a stop of all: first of all, it has to reach the wheels
-STILL_INTERVAL = 1.0    # s between two frames while nothing changes, and between two pings
-ABSENT_AFTER = 3.0      # s without a sign of life: frames would only queue up
 GONE_AFTER = 15.0       # s without a sign of life: the socket is closed
 FLOOD_PAUSE = 2.0       # s until who has sent too much may connect again
-
-
-class PageOwner(NamedTuple):
-    """Whose pages share places and limits: the label of a code, and an address. One code may be a whole class's."""
-
-    code: str
-    address: str
-
-
-class Viewer:
-    """A client with a socket (web.handlers.Socket), and what its page shows."""
-
-    def __init__(self, client: Client, owner: PageOwner, connection, now: float):
-        self.client, self.owner, self.connection = client, owner, connection
-        self.allowance = float(MAX_BURST)  # messages that it may send now
-        self.active_at = self.pinged_at = self.shown_at = now
-        self.state = self.robots = ""
-        self.problem: Optional[Notice] = None
-        self.is_done = False  # it was disconnected, and has stopped since: nothing more of it counts
-        self.feed = Feed()
-
-    def record_activity(self, now: float) -> bool:
-        """Record a sign of life; return whether there are not too many: MAX_RATE, after a pause MAX_BURST at once."""
-        refilled = self.allowance + (now - self.active_at) * MAX_RATE
-        self.allowance = min(MAX_BURST, refilled) - 1
-        self.active_at = now
-        return self.allowance >= 0
-
-    def show_picture(self, picture: Optional[Picture], pause: float, now: float) -> None:
-        """Send a part of the newest picture, if it is due. What acknowledges it is within the limit of messages."""
-        for message in [] if self.connection.is_backlogged() else self.feed.next(picture, pause, now):
-            self.connection.send(message if isinstance(message, bytes) else dumps(message))
-            self.allowance += isinstance(message, bytes)
-
-    def is_ready(self, now: float) -> bool:
-        """Return whether the page takes what it is sent; a frozen browser or a bad network does not."""
-        return now - self.active_at < ABSENT_AFTER and not self.connection.is_backlogged()
-
-    def show(self, robots: str, changes: List[str], state: str, history: Callable[[], List[dict]], now: float) -> None:
-        """Send what the page does not show yet. history: returns what only a new page needs."""
-        texts = changes if self.robots else list(map(dumps, history()))
-        for text in texts if self.robots == robots else [robots, *texts]:
-            self.connection.send(text)
-        self.robots = robots
-        if state != self.state or now - self.shown_at >= STILL_INTERVAL:
-            self.connection.send(state)
-            self.state, self.shown_at = state, now
-
-    def warn(self, problem: Optional[Notice]) -> None:
-        """Tell a teacher once why the class is not kept, and when it is again: None."""
-        if problem != self.problem and self.client.role == TEACHER:
-            self.connection.send(dumps(protocol.notice(problem or say("class_kept_again"))))
-        self.problem = problem
 
 
 class Hub:
@@ -119,8 +63,8 @@ class Hub:
     def receive(self, viewer: Viewer, text: object, now: float) -> None:
         """Do what a page asks for. A page that sends too much or something else is disconnected."""
         stop = protocol.as_stop(text)
-        if stop and not viewer.is_done:  # before all else, also from a page that was just disconnected
-            self._stop(viewer, stop, now)
+        if stop:  # before all else
+            self._stop(viewer, stop.robot, now)
         if self.record_activity(viewer, now) and not stop:
             self._obey(viewer, text, now)
 
@@ -179,13 +123,15 @@ class Hub:
             viewer.show_picture(self._cameras.newest(viewer.feed.robot, now), interval(len(looking)), now)
         return bool(looking)
 
-    def _stop(self, viewer: Viewer, stop: protocol.Message, now: float) -> None:
-        self._answer(viewer, stop, now)
-        if viewer.client.id not in self._viewers:
-            self._control.leave(viewer.client.id)
-            viewer.is_done = True
-        if stop.robot is None and now >= self._paused_until + STILL_INTERVAL:  # not for ever, if they never end
+    def _stop(self, viewer: Viewer, robot: Optional[str], now: float) -> None:
+        """Stop robots, whatever else there is to do; after its disconnection, a page does so once."""
+        if viewer.is_done:
+            return
+        reply = self._control.stop(viewer.client, robot)
+        viewer.is_done = viewer.client.id not in self._viewers
+        if robot is None and now >= self._paused_until + STILL_INTERVAL:  # not for ever, if they never end
             self._paused_until = now + STOP_PAUSE
+        viewer.answer(reply)
 
     def _obey(self, viewer: Viewer, text: object, now: float) -> None:
         try:
@@ -193,13 +139,10 @@ class Hub:
         except protocol.ProtocolError as error:
             self.end(viewer, REFUSED, str(error))
             return
-        if now >= self._paused_until or not (message.forward or message.left):
-            self._answer(viewer, message, now)
-
-    def _answer(self, viewer: Viewer, message: protocol.Message, now: float) -> None:
-        reply = self._reply(viewer, message, now)
-        if reply and not viewer.connection.is_backlogged():
-            viewer.connection.send(dumps(reply))
+        if message.type == "stop":  # as no page of ours writes it
+            self._stop(viewer, message.robot, now)
+        elif now >= self._paused_until or not message.moves:
+            viewer.answer(self._reply(viewer, message, now))
 
     def _reply(self, viewer: Viewer, message: protocol.Message, now: float) -> Optional[dict]:
         client = viewer.client
@@ -220,21 +163,3 @@ class Hub:
         viewer.feed.look(robot if allowed else None)
         return protocol.notice(say("own_camera_only", robot=label(viewer.client.robot))) \
             if known and not allowed else None
-
-
-def most_crowding(viewers: Sequence[Viewer]) -> Viewer:
-    """Return who leaves when there is no room: the newest page of the code that has the most pages.
-
-    If one code has them at several addresses: at the address that has the most. A teacher's goes last.
-    """
-    codes, owners = (Counter(each) for each in zip(*((viewer.owner.code, viewer.owner) for viewer in viewers)))
-    return max(viewers, key=lambda viewer: (codes[viewer.owner.code], owners[viewer.owner],
-                                            viewer.client.role != TEACHER, viewer.client.id))
-
-
-def dumps(message: dict) -> str:
-    """Return a message as it is sent; one that is not as documented is logged, for a page can do without a field."""
-    problem = problem_of(message)
-    if problem:
-        logging.getLogger(__name__).error("A message is not as documented: %s", problem)
-    return json.dumps(message, separators=(",", ":"))

@@ -1,11 +1,12 @@
 """The messages of the cockpit's socket: JSON objects with a ``type``."""
 
 import json
+import logging
 import re
 from typing import NamedTuple, Optional, Union
 
 from ..notices import Notice
-from .messages import FROM_PAGE, MAX_MESSAGE, fit
+from .messages import FROM_PAGE, MAX_MESSAGE, fit, problem_of
 
 STOP = re.compile(r'\s*\{\s*"type"\s*:\s*"stop"\s*(?:,\s*"robot"\s*:\s*(?:null|"([^"\\]*)")\s*)?\}\s*')
 
@@ -32,6 +33,11 @@ class Message(NamedTuple):
     label: str = ""
     task: str = ""
     on: bool = False
+
+    @property
+    def moves(self) -> bool:
+        """Whether it drives a robot."""
+        return bool(self.forward or self.left)
 
 
 def as_stop(text: Union[str, bytes]) -> Optional[Message]:
@@ -60,3 +66,11 @@ def parse(text: Union[str, bytes]) -> Message:
 def notice(content: Notice) -> dict:
     """Return a message of the cockpit: one sentence for the person."""
     return {"type": "notice", **content.fields()}
+
+
+def dumps(message: dict) -> str:
+    """Return a message as it is sent; one that is not as documented is logged, for a page can do without a field."""
+    problem = problem_of(message)
+    if problem:
+        logging.getLogger(__name__).error("A message is not as documented: %s", problem)
+    return json.dumps(message, separators=(",", ":"))

@@ -16,7 +16,8 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from jetbot import files
 
-from ..session.hub import LOG_IN, Hub, PageOwner, Viewer
+from ..session.hub import LOG_IN, Hub
+from ..session.viewers import PageOwner, Viewer
 from .access import Access, TooManyTries
 
 WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit", "www")

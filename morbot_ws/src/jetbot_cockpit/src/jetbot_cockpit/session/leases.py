@@ -1,0 +1,195 @@
+"""Who drives which robot. Times are monotonic seconds."""
+
+import math
+from typing import Dict, Optional, Set
+
+from ..notices import Notice, say
+from .holds import Holds
+from .lease import COMMAND_TIMEOUT, Lease
+from .rights import Client, Request
+from .snapshot import Snapshot, label
+
+MINUTE = 60.0  # s, in which stalls are counted
+NO_COMMAND, LET_GO = say("no_command", seconds=COMMAND_TIMEOUT), say("let_go")
+TAKEN, LEFT = "a teacher took the robot over", "the driver's page was closed, or lost its connection"  # interruptions
+SILENT = f"no command came from the driver's page for {COMMAND_TIMEOUT} s"
+
+
+class Leases:
+    """All leases. robots: what reports the drivers; drivers: what commands the robots; holds: what teachers have taken.
+
+    checked_at: the time of the last ``check``.
+    """
+
+    def __init__(self, robots, drivers, holds: Holds):
+        self._robots, self._drivers, self._holds = robots, drivers, holds
+        self._leases: Dict[str, Lease] = {}  # by robot
+        self._typed: Dict[int, str] = {}  # the names that people have typed, by client
+        self._must_lift: Dict[int, Notice] = {}  # why the finger must lift, by client
+        self._stalls: Dict[str, Set[float]] = {}  # the times of the commands that none followed, by robot
+        self.checked_at, self._stale_until = math.inf, -math.inf
+
+    # What a client asks for; each returns why that is refused, or None.
+
+    def drive(self, request: Request) -> Optional[Notice]:
+        """Drive a robot, or let it go."""
+        client, message, snapshot, now = request
+        if not message.moves:
+            self._must_lift.pop(client.id, None)
+            if self.is_driver(client, request.robot):
+                self.halt(request)
+            return None
+        refusal = self.refusal(request)
+        if refusal:
+            self._interrupt(request)
+            return refusal
+        lease = self._give(request, driving=True)
+        velocity = snapshot.robots[request.robot].velocity(message.forward, message.left)
+        self._drivers.drive(request.robot, velocity, lease)
+        return None
+
+    def program(self, request: Request) -> Optional[Notice]:
+        """A program runs: its robot stays its own while it stands. What drives is commands alone."""
+        refusal = self.refusal(request)
+        if not refusal:
+            self.keep(request)
+        return refusal
+
+    def take(self, request: Request) -> Optional[Notice]:
+        """Take a robot from its driver, until ``go_on``."""
+        client, robot = request.client, request.robot
+        if robot in request.snapshot.robots:
+            if not self.is_driver(client, robot):
+                self._report(robot, TAKEN)
+                self._free(robot)
+                self._give(request, driving=False)
+            self._holds.take(robot)
+        return request.snapshot.ended(robot)
+
+    def go_on(self, request: Request) -> None:
+        """Give back a robot that teachers hold, or all; the own one is free."""
+        own = self._robot_of(request.client.id)
+        self._holds.give_back(request.robot)
+        if request.robot in (None, own):
+            self._free(own)
+
+    def rename(self, request: Request) -> None:
+        """Call the client by the name that the person has typed."""
+        self._typed[request.client.id] = request.message.name.strip()
+
+    # What else has a driver
+
+    def refusal(self, request: Request) -> Optional[Notice]:
+        """Return why the client may not drive this robot now, or None."""
+        client, robot = request.client, request.robot
+        if not client.may_drive(robot):
+            return say("own_robot_only", robot=label(client.robot))
+        if self._is_stale(request.now):
+            return say("interrupted")
+        self._notice_silence(robot, request.now)
+        if self._holds.is_taken_from(client, robot):
+            return say("taken", robot=label(robot))
+        if self.has_other(client, robot):
+            return say("driven", driver=self._name(self._leases[robot]), robot=label(robot))
+        return request.snapshot.problem(robot) or self._must_lift.get(client.id)
+
+    def is_driver(self, client: Client, robot: Optional[str]) -> bool:
+        """Return whether this robot is the client's."""
+        return robot in self._leases and self._leases[robot].client.id == client.id
+
+    def has_other(self, client: Client, robot: str) -> bool:
+        """Return whether this robot is somebody else's."""
+        return robot in self._leases and not self.is_driver(client, robot)
+
+    def halt(self, request: Request) -> None:
+        """Stop the robot, which is the client's from now on."""
+        self._drivers.let_go(request.robot)
+        self._give(request, driving=False)
+
+    def keep(self, request: Request) -> None:
+        """Keep a robot that is free or the client's for LEASE_TIMEOUT; while it is driven, only commands do that."""
+        if not (self.is_driver(request.client, request.robot) and self._leases[request.robot].driving):
+            self._give(request, driving=False)
+
+    def leave(self, client: int) -> Optional[str]:
+        """The client's socket is closed: its robot stops at once, and is free. Return it, or None if it was driven."""
+        robot = self._robot_of(client)
+        driven = robot is not None and self._leases[robot].driving
+        if driven:
+            self._report(robot, LEFT)
+        self._free(robot)
+        self._typed.pop(client, None)
+        self._must_lift.pop(client, None)
+        return None if driven else robot
+
+    def check(self, snapshot: Snapshot, now: float) -> None:
+        """End the leases of silent clients and of robots that cannot be driven."""
+        self._is_stale(now)
+        self.checked_at = now
+        for robot, lease in list(self._leases.items()):
+            self._notice_silence(robot, now)
+            if snapshot.problem(robot) or lease.has_expired(now):
+                self._free(robot)
+
+    def driver(self, robot: str) -> Optional[dict]:
+        """Return who drives the robot, for the message "state"."""
+        lease = self._leases.get(robot)
+        return {"id": lease.client.id, "name": self._name(lease)} if lease else None
+
+    def stalls(self, robot: str) -> int:
+        """Return how often the switch has fired within the last minute."""
+        recent = {each for each in self._stalls.get(robot, ()) if self.checked_at - each < MINUTE}
+        self._stalls[robot] = recent
+        return len(recent)
+
+    def _is_stale(self, now):
+        """Return whether commands are too old: this process was frozen, and they waited in the sockets meanwhile."""
+        if now - self.checked_at >= COMMAND_TIMEOUT:
+            self._stale_until = now + COMMAND_TIMEOUT
+        return now < self._stale_until
+
+    def _notice_silence(self, robot, now):
+        """If the switch has fired, the finger must lift. The thread that publishes has stopped the robot."""
+        lease = self._leases.get(robot)
+        if lease and lease.is_silent(now):
+            self._stalls.setdefault(robot, set()).add(lease.commanded_at)
+            self._must_lift.setdefault(lease.client.id, NO_COMMAND)
+            self._report(robot, SILENT)
+
+    def _interrupt(self, request):
+        """A command is refused: the finger must lift, and the robot that it drove stops."""
+        self._must_lift.setdefault(request.client.id, LET_GO)
+        if self.is_driver(request.client, request.robot):
+            self._drivers.let_go(request.robot)
+            if not request.snapshot.problem(request.robot):  # which the robot's status says
+                self._report(request.robot, SILENT)
+
+    def _give(self, request, driving) -> Lease:
+        """Give a free robot to the client, or renew its lease; its other robot stops, and is free."""
+        client, robot = request.client, request.robot
+        other = self._robot_of(client.id)
+        if other not in (None, robot):
+            self._free(other)
+            self._must_lift.pop(client.id, None)
+        self._leases[robot] = Lease(client, request.now, driving)
+        self._report(robot)
+        return self._leases[robot]
+
+    def _report(self, robot, interruption=""):
+        """Tell the robot's judge who drives it, by the name that this person has typed, and what interrupted that."""
+        typed = self._typed.get(self._leases[robot].client.id, "") if robot in self._leases else ""
+        self._robots.report_driver(robot, typed, interruption)
+
+    def _free(self, robot):
+        """Stop the robot and end its lease. Who drove it meanwhile must lift the finger before driving again."""
+        lease = self._leases.pop(robot, None)
+        if lease:
+            self._drivers.let_go(robot)
+            if lease.driving:
+                self._must_lift.setdefault(lease.client.id, LET_GO)
+
+    def _name(self, lease):
+        return self._typed.get(lease.client.id) or lease.client.name
+
+    def _robot_of(self, client: int) -> Optional[str]:
+        return next((robot for robot, lease in self._leases.items() if lease.client.id == client), None)
