@@ -15,8 +15,9 @@ import roslaunch.config
 import rospkg
 
 from jetbot.text import closest, printable
+from jetbot_ros.contract import COCKPIT_PORT
 from jetbot_ros.master import is_reachable, master_uri, require_master, require_name
-from jetbot_ros.ports import COCKPIT_PORT, is_free, processes_on
+from jetbot_ros.ports import is_free, processes_on
 
 FILES = ("config", "body", "world")  # arguments that may be a file in the current folder
 MASTER = "http://localhost:11311"  # where ROS looks for it

@@ -22,7 +22,7 @@ from jetbot_cockpit.session.snapshot import Snapshot
 from jetbot_cockpit.web import addresses, handout
 from jetbot_cockpit.web.access import Access, make_grants
 from jetbot_cockpit.web.server import Server
-from jetbot_ros import lifecycle
+from jetbot_ros import contract, lifecycle
 from jetbot_ros.launcher import Launcher
 from jetbot_ros.node_parameters import fake_advice, private_parameters
 
@@ -36,7 +36,7 @@ class Cockpit:
     """The page's server, and what connects it to the robots. Raise JetbotError if it cannot start."""
 
     def __init__(self):
-        lifecycle.init_node("jetbot_cockpit")
+        lifecycle.init_node(contract.COCKPIT)
         given = resolve(private_parameters(rospy.get_name(), rospy.get_param("~", {}), PARAMETERS))
 
         # Listen first: a port that is taken ends the node before it does anything

@@ -12,13 +12,13 @@ from jetbot_control_node.control import stop_topics
 from jetbot_control_node.control.commanders import Commanders
 from jetbot_control_node.control.ramp import make_ramp
 from jetbot_control_node.control.supervisor import Supervisor
-from jetbot_ros import lifecycle
+from jetbot_ros import contract, lifecycle
 
 
 class JetBotController:
     def __init__(self):
         # Initialize the ROS node
-        lifecycle.init_node("jetbot_controller")
+        lifecycle.init_node(contract.CONTROLLER)
         parameters = node.read_parameters()
 
         # Create a Robot object

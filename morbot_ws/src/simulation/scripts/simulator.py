@@ -13,7 +13,7 @@ from rosgraph.names import namespace
 from jetbot.boards import BOARDS
 from jetbot.fake.motors import Motors
 from jetbot.text import printable
-from jetbot_ros import lifecycle, links
+from jetbot_ros import contract, lifecycle, links
 from jetbot_ros.launcher import Launcher
 from jetbot_ros.node_parameters import private_parameters
 from simulation import variation
@@ -51,11 +51,11 @@ def make_simulator(node: str, parameters: Dict[str, object]) -> Simulator:
 
 
 def main() -> int:
-    lifecycle.init_node("jetbot_simulator")
+    lifecycle.init_node(contract.SIMULATOR)
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, lambda *_: rospy.signal_shutdown("a signal"))
     own = private_parameters(rospy.get_name(), rospy.get_param("~", {}), [*PARAMETERS, "config", "body", "robots"])
-    nodes = [f"/{robot}/jetbot_simulator" for robot in own.pop("robots", "").split()]  # of a class, by their names
+    nodes = [f"/{robot}/{contract.SIMULATOR}" for robot in own.pop("robots", "").split()]  # of a class, by their names
     parameters = {node: rospy.get_param(node, {}) for node in nodes} or {rospy.get_name(): own}
     simulators = [make_simulator(*each) for each in parameters.items()]
     end_with_roslaunch()

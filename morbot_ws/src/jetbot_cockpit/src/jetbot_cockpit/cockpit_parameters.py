@@ -5,8 +5,8 @@ from typing import Dict
 
 from jetbot import InvalidValue
 from jetbot.kinds import BOOLEAN, Kind
+from jetbot_ros.contract import COCKPIT_PORT
 from jetbot_ros.node_parameters import Parameter, check_values
-from jetbot_ros.ports import COCKPIT_PORT
 
 from .classroom.folder import CLASS_NAME, FOLDER
 

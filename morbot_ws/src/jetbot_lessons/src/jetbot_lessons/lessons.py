@@ -7,6 +7,7 @@ from typing import Callable, Dict, List
 from catkin_pkg.package import InvalidPackage
 
 from driving_tasks import contained
+from jetbot_ros import contract
 
 from . import Problem, answers, graph, motion, package_files, packages, sight
 from .packages import NameOrFolder
@@ -60,7 +61,7 @@ def package(name: str, *dependencies: str) -> Checks:
 def controller(start: str, namespace: str, start_master: str = "") -> Checks:
     """Return the checks of the running controller; start: what starts it, and the master if nothing else does."""
     return [partial(graph.check_master, start_master or start),
-            partial(graph.check_node, f"{namespace}/jetbot_controller", start)]
+            partial(graph.check_node, f"{namespace}/{contract.CONTROLLER}", start)]
 
 
 def drives(name: str, start: str, fix: str = IN_A_LOOP, namespace: str = "") -> Checks:

@@ -12,6 +12,7 @@ from jetbot import fake
 from jetbot.boards import BOARDS
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
+from jetbot_ros import contract
 from jetbot_ros.state import DRIVING, EMERGENCY_STOP, OWN_EMERGENCY_STOP, RobotState, read
 from jetbot_tools.terminal import YES_OR_NO, choose
 
@@ -138,7 +139,7 @@ def check_wheels_turn(namespace: str = "") -> Problem:
 
 def motor_diagnostics(namespace: str = "") -> Dict[str, str]:
     """Return what the controller reports about its motors on /diagnostics; raise ROSException if it names no bus."""
-    motors, name = {}, f"{namespace}/jetbot_controller: motors".lstrip("/")
+    motors, name = {}, f"{namespace}/{contract.CONTROLLER}: motors".lstrip("/")
     subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, lambda array: motors.update(
         {pair.key: pair.value for report in array.status if report.name == name
          for pair in report.values}))
@@ -157,14 +158,14 @@ def fake_wheels(motors: Dict[str, str]) -> Optional[Wheels]:
 
 def state_of(namespace: str = "") -> RobotState:
     """Return the robot's state; raise ROSException if none arrives."""
-    return read(rospy.wait_for_message(f"{namespace}/jetbot_controller/state", DiagnosticStatus, REPORT_TIMEOUT))
+    return read(rospy.wait_for_message(f"{namespace}/{contract.STATE}", DiagnosticStatus, REPORT_TIMEOUT))
 
 
 def _reason(namespace: str, motors: Dict[str, str]) -> str:
     """Return the end of a sentence: the state that the controller reports, and what to do about it."""
     state, settings = state_of(namespace), motors.get("settings", "")
     if {EMERGENCY_STOP, OWN_EMERGENCY_STOP} & {*state.holds}:
-        cure = "; release it with rostopic pub -1 /emergency_stop std_msgs/Bool false"
+        cure = f"; release it with rostopic pub -1 {contract.STOP} std_msgs/Bool false"
     elif "from" in settings:
         cure = f"; it has {settings}: start it without that file"
     else:

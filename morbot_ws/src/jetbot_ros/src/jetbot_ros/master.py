@@ -11,6 +11,8 @@ from urllib.parse import urlsplit
 from xml.parsers.expat import ExpatError
 from xmlrpc.client import Error, ServerProxy, Transport
 
+from .contract import COCKPIT, CONTROLLER
+
 TIMEOUT = 2.0             # s for an answer
 MAX_ANSWER = 1024 * 1024  # bytes
 CALLER = "/morbot"
@@ -19,8 +21,8 @@ ALIVE, FROZEN = "is already running", "is already running, but frozen (Ctrl-Z?)"
 # Raised by a question to what hangs (socket.timeout), is gone, refuses (LookupError), or is no ROS program at all.
 NO_ANSWER = (OSError, HTTPException, Error, ExpatError, ValueError, TypeError, LookupError)
 SECOND_ONE = {  # by the last part of a node's name: what to do instead of starting a second one
-    "jetbot_cockpit": "Its page has all robots of this ROS master.",
-    "jetbot_controller": "A second robot is launched with robot_name:=NAME."}
+    COCKPIT: "Its page has all robots of this ROS master.",
+    CONTROLLER: "A second robot is launched with robot_name:=NAME."}
 
 
 class BoundedTransport(Transport):

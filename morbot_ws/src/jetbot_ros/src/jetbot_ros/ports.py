@@ -8,7 +8,6 @@ from typing import List, Set
 
 from jetbot.host import processes_with
 
-COCKPIT_PORT = 8080  # the default one of its page
 LISTEN = "0A"  # a state in /proc/net/tcp, whose columns are: number, local address, remote one, state ... 9: inode
 
 

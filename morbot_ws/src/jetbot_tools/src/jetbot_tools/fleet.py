@@ -7,12 +7,11 @@ from diagnostic_msgs.msg import DiagnosticStatus
 from std_msgs.msg import Bool
 
 from jetbot.wait import wait_until
-from jetbot_ros import rospy_repairs
+from jetbot_ros import contract, rospy_repairs
 from jetbot_ros.announcer import Announcer
 from jetbot_ros.master import address_of, is_reachable, system_state
 from jetbot_ros.state import EMERGENCY_STOP, UNKNOWN, RobotState, read
 
-TOPIC = "/emergency_stop"
 ASK_INTERVAL = 0.05  # s between two questions to the master
 
 
@@ -23,7 +22,7 @@ class Fleet:
         rospy_repairs.repair()
         rospy.init_node("emergency_stop", anonymous=True, disable_rosout=True, disable_signals=True)
         self._engaged = engaged
-        self._publisher = rospy.Publisher(TOPIC, Bool, queue_size=1, latch=True)  # for robots that join meanwhile too
+        self._publisher = rospy.Publisher(contract.STOP, Bool, queue_size=1, latch=True)  # for those that join later
         self._publisher.publish(engaged)
         self._announcer = Announcer(self._publisher)
         self._listeners = 0
@@ -61,8 +60,8 @@ class Fleet:
         """Tell who listens of the stop, and subscribe to the state of new robots; return all."""
         publishers, subscribers, _ = graph = system_state()
         self._announcer.announce(graph)
-        self._listeners = len(subscribers.get(TOPIC, ()))
-        for name in subscribers.get(TOPIC, ()):
+        self._listeners = len(subscribers.get(contract.STOP, ()))
+        for name in subscribers.get(contract.STOP, ()):
             if name in publishers.get(f"{name}/status", ()) and name not in self.states:
                 self.states[name] = UNKNOWN
                 rospy.Subscriber(f"{name}/state", DiagnosticStatus, self._record, name)

@@ -8,6 +8,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from jetbot import kinematics
 from jetbot.kinematics import from_frame
+from jetbot_ros import contract
 from jetbot_ros.ros_messages import quaternion
 
 from ..scoring.recorder import DONE, DRIVING
@@ -26,8 +27,8 @@ class Announcement:
 
     def __init__(self, namespace: str, task: Task):
         self._task = task
-        self._state = rospy.Publisher(f"{namespace}/task", DiagnosticStatus, queue_size=10, latch=True)
-        self._course = rospy.Publisher(f"{namespace}/task_course", MarkerArray, queue_size=10, latch=True)
+        self._state = rospy.Publisher(f"{namespace}/{contract.TASK}", DiagnosticStatus, queue_size=10, latch=True)
+        self._course = rospy.Publisher(f"{namespace}/{contract.TASK_COURSE}", MarkerArray, queue_size=10, latch=True)
 
     def close(self) -> None:
         """Publish nothing more; what is still to be sent is lost."""

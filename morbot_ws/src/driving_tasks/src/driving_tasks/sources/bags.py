@@ -12,6 +12,7 @@ from std_msgs.msg import String
 
 from jetbot import files
 from jetbot.text import enumeration, printable
+from jetbot_ros.contract import BODY, GROUND_TRUTH
 from jetbot_ros.ros_messages import pose_of
 
 from .. import contained
@@ -24,9 +25,8 @@ from .folders import find_files
 MAX_SIZE = 200  # MB
 MAGIC = b"#ROSBAG V2.0\n"  # http://wiki.ros.org/Bags/Format/2.0
 SUFFIXES = (".bag", ".bag.active")  # rosbag renames the second to the first when it ends
-TRUTH, BODY = "jetbot_simulator/ground_truth", "jetbot_simulator/body"
 ODOM = "odom"
-TYPES = {TRUTH: Odometry, ODOM: Odometry, BODY: String}
+TYPES = {GROUND_TRUTH: Odometry, ODOM: Odometry, BODY: String}
 TOPIC = re.compile(rf"/?(?:(.+)/)?({'|'.join(TYPES)})")
 Tracks = Dict[Tuple[str, str], List]  # by robot and topic: samples, or texts
 
@@ -59,7 +59,7 @@ def _judge(task, file, robot) -> Tuple[Result, str]:
     tracks = _read(file)
     robot, topic = _choose(tracks, robot)
     result = judge(task, tracks[robot, topic])
-    if topic != TRUTH:
+    if topic != GROUND_TRUTH:
         return result, "odometry"
     if result.drive.unexplained > UNEXPLAINED:
         raise NoDrive(MOVED)
@@ -131,9 +131,9 @@ def _choose(tracks: Tracks, robot: Optional[str]) -> Tuple[str, str]:
     """Return a robot, and the topic from which its drive is known best. Raises ValueError."""
     robots = sorted({each for each, topic in tracks if topic != BODY})
     if not robots:
-        raise ValueError(f"It does not hold where the robot was: record {TRUTH}, or {ODOM}.")
+        raise ValueError(f"It does not hold where the robot was: record {GROUND_TRUTH}, or {ODOM}.")
     if robot is None and len(robots) > 1 or robot not in (None, *robots):
         names = enumeration([each or "a robot without a name" for each in robots])
         raise ValueError(f"It holds {printable(names)}: choose one with --robot NAME.")
     robot = robots[0] if robot is None else robot
-    return robot, TRUTH if (robot, TRUTH) in tracks else ODOM
+    return robot, GROUND_TRUTH if (robot, GROUND_TRUTH) in tracks else ODOM

@@ -16,6 +16,7 @@ from visualization_msgs.msg import MarkerArray
 
 from jetbot import InvalidValue
 from jetbot.text import enumeration, printable
+from jetbot_ros import contract
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 from jetbot_ros.state import EMERGENCY_STOP, ENDED, HOLDS, OWN_EMERGENCY_STOP, UNKNOWN, read
 
@@ -24,12 +25,11 @@ from ..scoring.recorder import Sample
 from .bags import sample_of
 from .readers import Readers
 
-SIMULATOR = re.compile(r"((?:/[A-Za-z]\w*)*)/jetbot_simulator/reset", re.ASCII)
+SIMULATOR = re.compile(rf"((?:/[A-Za-z]\w*)*)/{contract.RESET}", re.ASCII)
 STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
 MAX_MESSAGE = 200     # characters of what interrupts a drive
-MAX_NAME = 20         # characters of a person's name, as the page allows
 
 
 def choose_robots(names: Sequence[str], running: Sequence[str]) -> List[str]:
@@ -79,14 +79,13 @@ class JudgedRobot:
         self._readers = Readers(namespace) if by_camera else None
         self._state, self._worlds, self._known_worlds = UNKNOWN, 0, 0
         self.body = "an unknown body"  # until the simulator has said how it differs
-        simulator = f"{namespace}/jetbot_simulator"
-        self.truth_topic = f"{simulator}/ground_truth"
-        self.body_topic = f"{simulator}/body"
-        self._world = rospy.Publisher(f"{simulator}/world", String, queue_size=1, latch=True)
-        self._reset = rospy.ServiceProxy(f"{simulator}/reset", Empty)
-        self._controller = rospy.Subscriber(f"{namespace}/jetbot_controller/state", DiagnosticStatus, self._on_state)
-        rospy.Subscriber(f"{namespace}/world", MarkerArray, self._on_world)
-        rospy.Subscriber(f"{namespace}/driver", DiagnosticStatus, self._on_driver)
+        self.truth_topic = f"{namespace}/{contract.GROUND_TRUTH}"
+        self.body_topic = f"{namespace}/{contract.BODY}"
+        self._world = rospy.Publisher(f"{namespace}/{contract.SET_WORLD}", String, queue_size=1, latch=True)
+        self._reset = rospy.ServiceProxy(f"{namespace}/{contract.RESET}", Empty)
+        self._controller = rospy.Subscriber(f"{namespace}/{contract.STATE}", DiagnosticStatus, self._on_state)
+        rospy.Subscriber(f"{namespace}/{contract.WORLD}", MarkerArray, self._on_world)
+        rospy.Subscriber(f"{namespace}/{contract.DRIVER}", DiagnosticStatus, self._on_driver)
         rospy.Subscriber(self.body_topic, String, self._on_body)
         rospy.Subscriber(self.truth_topic, Odometry, self._arrived.append)
 
@@ -94,7 +93,7 @@ class JudgedRobot:
         self._state = read(message)
 
     def _on_driver(self, message):
-        names = [printable(pair.value)[:MAX_NAME] for pair in message.values if pair.key == "name"]
+        names = [printable(pair.value)[:contract.MAX_NAME] for pair in message.values if pair.key == "name"]
         self.driver = "".join(names[:1])
         if message.message:
             self._interruptions.append(printable(message.message)[:MAX_MESSAGE])

@@ -15,6 +15,7 @@ from std_msgs.msg import String
 
 from jetbot import InvalidValue, JetbotError, files
 from jetbot.wait import wait_until
+from jetbot_ros import contract
 from jetbot_ros.master import NO_ANSWER, address_of, condition_of, require_master, system_state
 
 from ..report.marks import Mark
@@ -73,7 +74,8 @@ def check_only_judge(namespaces: Sequence[str]) -> None:
     """Raise JetbotError if another node judges one of the robots."""
     try:
         publishers = system_state()[0]
-        others = [(node, namespace) for namespace in namespaces for node in publishers.get(f"{namespace}/task", ())
+        others = [(node, namespace) for namespace in namespaces
+                  for node in publishers.get(f"{namespace}/{contract.TASK}", ())
                   if node != rospy.get_name() and condition_of(node)]
     except NO_ANSWER:
         raise LOST from None

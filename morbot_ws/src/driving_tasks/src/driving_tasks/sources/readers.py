@@ -7,10 +7,11 @@ from typing import Iterator
 import rospy
 
 from jetbot.text import printable
+from jetbot_ros.contract import GROUND_TRUTH
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 from jetbot_ros.processes import command_of
 
-CLOSED = ("line", "odom", "path", "joint_states", "jetbot_simulator/ground_truth")  # of the robot
+CLOSED = ("line", "odom", "path", "joint_states", GROUND_TRUTH)  # of the robot
 CAMERA = "camera/image_raw/compressed"
 # Programs that show it, and drive nothing; what they are called, where their program is on another computer.
 WATCHERS = re.compile(r".*/(jetbot_cockpit/(scripts/)?cockpit\.py|(bin|rviz)/rviz|rosbag/record|"

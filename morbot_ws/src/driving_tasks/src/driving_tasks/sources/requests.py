@@ -10,6 +10,7 @@ from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 
 from jetbot import JetbotError
 from jetbot_ros import links, rospy_repairs
+from jetbot_ros.contract import JUDGE_REQUESTS, JUDGE_TASKS
 from jetbot_ros.master import NO_ANSWER, require_master
 
 from ..report.announcement import CANCELLED, Announcement
@@ -20,7 +21,6 @@ from .judged_robot import JudgedRobot, simulated_robots
 from .live import check_only_judge, close, polls
 
 NAME = "class_judge"
-TASKS_TOPIC, REQUESTS_TOPIC = "/judge_tasks", "/judge_requests"
 DRIVE_TIMEOUT = 60.0  # s from a request until the robot must drive
 LINGER = 2.0          # s after a result until it is not published any more, and another judge may judge the robot
 
@@ -31,7 +31,7 @@ def serve() -> None:
     rospy_repairs.repair()
     rospy.init_node(NAME, argv=[], disable_signals=True)  # rospy's own handlers would ask the master
     links.stay_linked()
-    tasks = rospy.Publisher(TASKS_TOPIC, DiagnosticStatus, queue_size=1, latch=True)
+    tasks = rospy.Publisher(JUDGE_TASKS, DiagnosticStatus, queue_size=1, latch=True)
     tasks.publish(name="tasks", values=[KeyValue(task.name, task.title) for task in TASKS.values()])
     judge = ClassJudge()
     try:
@@ -49,7 +49,7 @@ class ClassJudge:
         self._robots: Dict[str, JudgedRobot] = {}  # by namespace; a robot that was judged is followed from then on
         self._attempts: Dict[str, Tuple[Attempt, float]] = {}  # with the time of the request
         self._closing: List[Tuple[float, Callable[[], None]]] = []  # what is due later
-        rospy.Subscriber(REQUESTS_TOPIC, KeyValue, self._requests.append)
+        rospy.Subscriber(JUDGE_REQUESTS, KeyValue, self._requests.append)
 
     def judging(self) -> List[JudgedRobot]:
         """Return the robots that are judged now."""

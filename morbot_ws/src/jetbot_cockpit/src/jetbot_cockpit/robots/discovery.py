@@ -8,6 +8,7 @@ from typing import Dict, Iterable, Optional, Set, Tuple
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 
+from jetbot_ros import contract
 from jetbot_ros.links import Links
 from jetbot_ros.master import NO_ANSWER
 from jetbot_ros.state import EMERGENCY_STOP
@@ -16,12 +17,11 @@ from ..cockpit_parameters import MAX_ROBOTS
 from ..session.snapshot import Snapshot
 from .judge_topics import Judge
 from .map_topics import Frames
-from .robot_topics import CONTROLLER, SIMULATOR_RESET, RobotTopics, StopTopic
+from .robot_topics import RobotTopics, StopTopic
 
 POLL_INTERVAL = 1.0   # s between two questions to the master
 MASTER_TIMEOUT = 4.0  # s without an answer until the master counts as gone
-STATE = re.compile(rf"(?=.{{1,100}}$)((?:/[A-Za-z]\w*)*){CONTROLLER}/state", re.ASCII)
-STOP_TOPIC = "/emergency_stop"  # of all robots
+STATE = re.compile(rf"(?=.{{1,100}}$)((?:/[A-Za-z]\w*)*)/{contract.STATE}", re.ASCII)
 
 
 class Robots:
@@ -31,7 +31,7 @@ class Robots:
         self._robots: Dict[str, RobotTopics] = {}  # replaced, never changed
         self._frames = Frames()
         self._links = Links()
-        self._emergency_stop, self._judge = StopTopic(STOP_TOPIC, self._graph), Judge()
+        self._emergency_stop, self._judge = StopTopic(contract.STOP, self._graph), Judge()
         self._answered_at = time.monotonic()
         rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics)
         threading.Thread(target=self._run, daemon=True).start()
@@ -98,14 +98,15 @@ class Robots:
             robots[name] = robots.get(name) or RobotTopics(name, self._frames, self._graph)
         for name, robot in robots.items():
             robot.follow_line()
-            robot.simulated = name.rstrip("/") + SIMULATOR_RESET in services
+            robot.simulated = f"{name.rstrip('/')}/{contract.RESET}" in services
         self._robots = dict(sorted(robots.items()))
         for robot in ended:
             robot.close()
 
     def _on_diagnostics(self, message):
         name = message._connection_header.get("callerid", "")
-        robot = self._robots.get(name[:-len(CONTROLLER)] or "/") if name.endswith(CONTROLLER) else None
+        robot_name, _, node = name.rpartition("/")
+        robot = self._robots.get(robot_name or "/") if node == contract.CONTROLLER else None
         for status in message.status:
             if robot and status.name == f"{name[1:]}: motors":
                 robot.diagnose(status)

@@ -6,10 +6,10 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 
 from jetbot.text import printable
+from jetbot_ros.contract import JUDGE_REQUESTS, JUDGE_TASKS
 
 from .reports import MAX_TITLE
 
-TASKS_TOPIC, REQUESTS_TOPIC = "/judge_tasks", "/judge_requests"
 MAX_TASKS = 30
 
 
@@ -18,8 +18,8 @@ class Judge:
 
     def __init__(self):
         self._tasks: Tuple[Tuple[str, str], ...] = ()
-        self._subscriber = rospy.Subscriber(TASKS_TOPIC, DiagnosticStatus, self._on_tasks)
-        self._requests = rospy.Publisher(REQUESTS_TOPIC, KeyValue, queue_size=100)
+        self._subscriber = rospy.Subscriber(JUDGE_TASKS, DiagnosticStatus, self._on_tasks)
+        self._requests = rospy.Publisher(JUDGE_REQUESTS, KeyValue, queue_size=100)
 
     def tasks(self) -> Tuple[Tuple[str, str], ...]:
         """Return (name, title) of each task that a judge offers now."""

@@ -5,8 +5,8 @@ from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Tuple
 
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, Pose, from_frame
 from jetbot.text import printable
+from jetbot_ros.contract import MAX_NAME
 
-from ..session.messages import MAX_NAME
 from ..session.snapshot import Shape, TaskSnapshot, label
 
 CLOSED_LOOP = WHEEL_SEPARATION, FULL_SPEED  # of a JetBot Pro, which limits its wheels itself

@@ -14,6 +14,7 @@ from std_srvs.srv import Empty
 
 from jetbot.kinematics import Pose
 from jetbot.text import printable
+from jetbot_ros import contract
 from jetbot_ros.announcer import Announcer
 from jetbot_ros.colors import color_of
 from jetbot_ros.links import Graph
@@ -23,8 +24,6 @@ from ..session.snapshot import RobotSnapshot, label
 from .map_topics import Drawing, Frames
 from .reports import TaskTracker, decode_task, geometry, program, rounded, yaw_of
 
-CONTROLLER = "/jetbot_controller"
-SIMULATOR_RESET = "/jetbot_simulator/reset"
 ANSWER_TIMEOUT = 3.0  # s; a controller publishes diagnostics every second
 MOTION_TIMEOUT = 2.0  # s after which a speed that nobody repeats is not shown
 ATTENTION = 5.0       # s for which the line is followed after a program has asked for it
@@ -100,15 +99,16 @@ class RobotTopics:
         self._asked_at, self._line, self._line_subscriber = -math.inf, None, None
         self._resetting: Optional[threading.Thread] = None
         self._tracker = TaskTracker()
-        self._drawings = [Drawing(f"{self._base}/{topic}", frames) for topic in ("world", "task_course")]
+        self._drawings = [Drawing(f"{self._base}/{topic}", frames) for topic in (contract.WORLD, contract.TASK_COURSE)]
         self._reported = "", ""  # who drives, and what has interrupted that
-        self._driver = rospy.Publisher(f"{self._base}/driver", DiagnosticStatus, queue_size=10, latch=True)
-        self.emergency_stop = StopTopic(f"{self._base}{CONTROLLER}/emergency_stop", graph)
-        self._state_subscriber = rospy.Subscriber(f"{self._base}{CONTROLLER}/state", DiagnosticStatus, self._on_state)
-        self._task_subscriber = rospy.Subscriber(f"{self._base}/task", DiagnosticStatus, self._on_task, queue_size=1)
+        self._driver = rospy.Publisher(f"{self._base}/{contract.DRIVER}", DiagnosticStatus, queue_size=10, latch=True)
+        self.emergency_stop = StopTopic(f"{self._base}/{contract.OWN_STOP}", graph)
+        self._state_subscriber = rospy.Subscriber(f"{self._base}/{contract.STATE}", DiagnosticStatus, self._on_state)
+        self._task_subscriber = rospy.Subscriber(f"{self._base}/{contract.TASK}", DiagnosticStatus, self._on_task,
+                                                 queue_size=1)
         self._subscribers = [
             self._state_subscriber, self._task_subscriber, *(drawing.subscriber for drawing in self._drawings),
-            rospy.Subscriber(f"{self._base}{CONTROLLER}/wheels", Float32MultiArray, self._on_wheels, queue_size=1),
+            rospy.Subscriber(f"{self._base}/{contract.WHEELS}", Float32MultiArray, self._on_wheels, queue_size=1),
             rospy.Subscriber(f"{self._base}/odom", Odometry, self._on_odom, queue_size=1)]
 
     def close(self) -> None:
@@ -184,7 +184,7 @@ class RobotTopics:
 
     def _call_reset(self):
         try:
-            rospy.ServiceProxy(self._base + SIMULATOR_RESET, Empty)()
+            rospy.ServiceProxy(f"{self._base}/{contract.RESET}", Empty)()
         except (rospy.ServiceException, rospy.ROSException, OSError) as error:
             rospy.logwarn(f"{label(self.name)} was not put back: {printable(error)}")
 
@@ -193,7 +193,7 @@ class RobotTopics:
 
     def _on_wheels(self, message):
         self._active_at, self._repeats = time.monotonic(), True
-        if len(message.data) == 4:  # x, z, left, right
+        if len(message.data) == 4:  # contract.WHEELS_LABEL
             self._wheels = rounded(message.data[:2]), rounded(message.data[2:])
 
     def _on_line(self, message):

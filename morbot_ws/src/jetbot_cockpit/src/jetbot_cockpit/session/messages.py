@@ -8,12 +8,12 @@ from typing import Any, Callable, Dict, NamedTuple, Optional
 from jetbot.kinds import is_number
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION
 from jetbot.text import is_printable
+from jetbot_ros.contract import MAX_NAME
 
 from ..classroom import programs
 from .collection import LABELS
 from .history import MAX_POINTS, STEP
 
-MAX_NAME = 20       # characters of a person's name
 MAX_TASK = 60       # characters of a task's name
 MAX_MESSAGE = 1000  # bytes of a message of the page
 MAX_RATE = 40       # messages per second of a page,

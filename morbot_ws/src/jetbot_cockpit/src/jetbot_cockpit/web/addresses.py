@@ -12,8 +12,9 @@ from tornado.netutil import bind_sockets
 from jetbot import InvalidValue
 from jetbot.host import is_loopback, program_name
 from jetbot.text import enumeration
+from jetbot_ros.contract import COCKPIT_PORT
 from jetbot_ros.launcher import LAUNCHED
-from jetbot_ros.ports import COCKPIT_PORT, processes_on
+from jetbot_ros.ports import processes_on
 
 ADDRESSES = {False: ("127.0.0.1", "::1"), True: ("0.0.0.0", "::")}
 NO_IPV6 = (errno.EADDRNOTAVAIL, errno.EAFNOSUPPORT, socket.EAI_ADDRFAMILY)

@@ -12,6 +12,7 @@ from rospy.topics import get_topic_manager
 
 from jetbot.wait import wait_until
 from jetbot_ros import links
+from jetbot_ros.contract import COCKPIT
 from jetbot_ros.master import NO_ANSWER, address_of, ask, proxy, system_state
 
 from .state_machine import Sender
@@ -23,7 +24,6 @@ LATCHED_WITHIN = 1.0   # s from a connection until what its publisher has latche
 SETTLE_TIMEOUT = 0.3   # s of these for which a node waits at its start
 MAX_KNOWN = 1000       # programs that are remembered
 MAX_NAME = 80          # characters of a name that are shown
-MANUAL_NODE = "jetbot_cockpit"  # what a person drives with, in whatever namespace
 
 
 class Commanders:
@@ -56,7 +56,7 @@ class Commanders:
             return None
         node, latched = header.get("callerid", ""), header.get("latching") == "1"
         name = shown(node)
-        sender = Sender(name, latched, manual=name.rpartition("/")[2] == MANUAL_NODE, number=next(self._numbers))
+        sender = Sender(name, latched, manual=name.rpartition("/")[2] == COCKPIT, number=next(self._numbers))
         self._senders[id(header)] = link, sender
         before = self._known.pop(node, None) == link.endpoint_id
         self._known[node] = link.endpoint_id

@@ -3,12 +3,13 @@
 import rospy
 from std_msgs.msg import Bool
 
+from jetbot_ros import contract
 from jetbot_ros.state import EMERGENCY_STOP, OWN_EMERGENCY_STOP
 
 from .commanders import Commanders
 from .supervisor import Supervisor
 
-TOPICS = {"/emergency_stop": EMERGENCY_STOP, "~emergency_stop": OWN_EMERGENCY_STOP}
+TOPICS = {contract.STOP: EMERGENCY_STOP, "~emergency_stop": OWN_EMERGENCY_STOP}
 
 
 class EmergencyStop:

@@ -10,13 +10,13 @@ from std_msgs.msg import Float32MultiArray, MultiArrayDimension, MultiArrayLayou
 
 from jetbot.boards import MotorDriver
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, clamp, mix, unmix
+from jetbot_ros.contract import WHEELS_LABEL
 
 from ..control.state_machine import STOPPED
 from ..control.supervisor import Step
 
 CHANGING_INTERVAL = 0.1  # s between two messages, at least
 STEADY_INTERVAL = 1.0    # s, while nothing changes
-LABEL = "x, z, left, right"
 
 
 class WheelsPublisher:
@@ -52,5 +52,3 @@ class WheelsPublisher:
         speeds, wheels = self._driven
         if self._closed_loop:  # m/s, of wheels that are 2 m apart, become fractions of full power
             wheels = (clamp(speed, 1.0) for speed in mix(*unmix(*wheels), WHEEL_SEPARATION, FULL_SPEED))
-        layout = MultiArrayLayout([MultiArrayDimension(LABEL, 4, 4)], 0)
-        return Float32MultiArray(layout, [*unmix(*speeds, *self._geometry), *wheels])

@@ -11,7 +11,8 @@ from jetbot.i2c import I2CDevice
 from jetbot.serial_link import SerialLink
 from jetbot.supply import find_supply
 from jetbot.text import printable
-from jetbot_ros.ports import COCKPIT_PORT, is_free, processes_on
+from jetbot_ros.contract import COCKPIT_PORT
+from jetbot_ros.ports import is_free, processes_on
 
 NOETIC = Path("/opt/ros/noetic")
 
