@@ -52,3 +52,5 @@ class WheelsPublisher:
         speeds, wheels = self._driven
         if self._closed_loop:  # m/s, of wheels that are 2 m apart, become fractions of full power
             wheels = (clamp(speed, 1.0) for speed in mix(*unmix(*wheels), WHEEL_SEPARATION, FULL_SPEED))
+        layout = MultiArrayLayout([MultiArrayDimension(WHEELS_LABEL, 4, 4)], 0)
+        return Float32MultiArray(layout, [*unmix(*speeds, *self._geometry), *wheels])
