@@ -50,7 +50,7 @@ MUTANTS = {
         f"{NODE}/commanders.py", "old=latched and before and", "old=False and"),
     "stop ignored while the ramp runs": Mutant(
         f"{NODE}/supervisor.py", "self.state = self.state.hold(hold, engaged)",
-        "self.state = self.state if engaged and self._ramp.active else self.state.hold(hold, engaged)"),
+        "self.state = self.state if engaged and self._ramp and self._ramp.active else self.state.hold(hold, engaged)"),
     "lease never ending": Mutant(
         f"{SESSION}/lease.py", "return now - self.commanded_at >= LEASE_TIMEOUT", "return False"),
     "dead man's switch off": Mutant(
