@@ -7,10 +7,10 @@ import contextlib
 import signal
 import socket
 import sys
-import time
 from pathlib import Path
 from typing import Callable
 
+from jetbot.wait import wait_until
 from jetbot_ros.master import NO_ANSWER
 
 PROGRAM = Path(__file__).with_name("listener.py")
@@ -24,9 +24,7 @@ def frozen(scene, process, chance):
     topic, _ = draw_topic(scene, chance)
     count, before = chance.randint(3, 6), scene.topic(1, topic)
     echoes = scene.start("bystander", sys.executable, str(PROGRAM), str(count), topic)
-    deadline = time.monotonic() + START_TIMEOUT
-    while len(scene.topic(1, topic) - before) < count and time.monotonic() < deadline:
-        time.sleep(0.05)
+    wait_until(lambda: len(scene.topic(1, topic) - before) >= count, START_TIMEOUT, 0.05)
     echoes.signal_all(signal.SIGSTOP)
     return echoes.end
 

@@ -17,7 +17,7 @@ GUARD_IS_BACK = 10.0      # s after a guard was hit; without one for so long, th
 HEALS = 1.5 + SLACK       # s in which a link that is missing is made
 ENDS = 8.0          # s until what is broken has ended
 DRIVES = 15.0       # s until a robot obeys a new command, its program's start and the priority of pages included
-PRIORITY = 15.0     # s after which a page that was seen hinders nobody any more: the ends of its lease and priority
+HINDERS = 15.0      # s after which a page that was seen hinders nobody any more: the ends of its lease and priority
 AGAIN, MAX_AGAIN = 10.0, 2  # s more, each time that it is typed again, as a page had priority; at most so often
 PAGE_DRIVES = 6.0   # s until it obeys a page: the lease of another one, which is silent, has ended
 SHOWN = 5.0         # s before a violation
@@ -205,7 +205,7 @@ def has_priority(events: Sequence[dict], event: dict) -> bool:
     """Return whether the robot of this event may still wait for a page, also for a silent one until its lease ends."""
     return any("page" in each.seen["commanders"] or "waits for" in each.seen["status"]
                for each in all_stretches(events, event["robot"])
-               if each.end > event["at"] - PRIORITY and each.start < event["at"] + HEALS)
+               if each.end > event["at"] - HINDERS and each.start < event["at"] + HEALS)
 
 
 def typed_again(events: Sequence[dict], event: dict) -> int:

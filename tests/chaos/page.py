@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Dict, Sequence
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "ros"))
-from web_client import Closed, WebSocket  # noqa: E402
+from web_client import Closed, WebSocket, page_headers  # noqa: E402
 
 PERIOD = 0.05         # s between two commands
 RETRY_INTERVAL = 0.5  # s until a page connects again
@@ -24,11 +24,11 @@ HOST = "morbot" if "CHAOS_ISOLATED" in os.environ else "localhost"  # by which e
 
 
 def connect(address: str, port: str, cookie: str) -> WebSocket:
-    return WebSocket(int(port), headers(port, cookie), "", address)
+    return WebSocket(int(port), headers(int(port), cookie), "", address)
 
 
-def headers(port: object, cookie: str) -> Dict[str, str]:
-    return {"Host": f"{HOST}:{port}", "Origin": f"http://{HOST}:{port}", "Cookie": f"jetbot_cockpit_{port}={cookie}"}
+def headers(port: int, cookie: str) -> Dict[str, str]:
+    return page_headers(port, HOST, Cookie=f"jetbot_cockpit_{port}={cookie}")
 
 
 def listen(page: WebSocket, robot: str) -> None:

@@ -20,17 +20,19 @@ from plan import PLACES, Event, Plan
 from process import Process
 from world import COMMANDERS, COOKIES, Scene
 
+from jetbot.wait import wait_until
 from web_client import request
 
 PAGE_TIMEOUT = 2.0   # s until a person takes the terminal instead of the page
 STAYS = 1.0          # s for which a stop is watched without faults
 OBEYS = DRIVES + MAX_AGAIN * AGAIN + HEALS  # s until what was commanded must be obeyed
 FLOODED = 2.5        # s for which pages may not connect after one that has sent too much, as a cut link does
-PRIORITY = 5.5       # s after a command of a page, until others count
+PAGE_PRIORITY = 5.5  # s after a command of a page, until others count
 STARTS = 1.8         # s in which programs start
 JUDGES = 20.0        # s until a judge has put a robot to the start
 BUSY = 0.3           # s for the start of Python, which takes a tenth of that; one of a ROS program, 20 times as long
 SAVE_INTERVAL = 0.5  # s
+LOOK = 0.02          # s between two looks at a condition
 ORDERS = ("order", "port")
 MAX_LINES = 300      # of a log
 PROGRAM = "c4a05c4a05c4a050"  # the id of a program that is saved again and again
@@ -124,10 +126,10 @@ class Round:
         self._history.add("press", way=way)
         confirmed = self.set_stop(True, way)
         self._history.add("pressed", way=way, confirmed=sorted(confirmed), serving=serving)
-        self.wait(lambda: not any(any(seen["wheels"]) for seen in self._observer.seen.values()), STOP_BOUND)
+        wait_until(lambda: not any(any(seen["wheels"]) for seen in self._observer.seen.values()), STOP_BOUND, LOOK)
         for robot in set(serving) - confirmed:
-            self.wait(lambda robot=robot: not {"controller", "launch"} <= set(self._observer.seen[robot]["running"]),
-                      ENDS)
+            wait_until(lambda robot=robot: not {"controller", "launch"} <= set(self._observer.seen[robot]["running"]),
+                       ENDS, LOOK)
 
     def set_stop(self, engaged: bool, way: str, patience: float = PAGE_TIMEOUT) -> Set[str]:
         """Press the emergency stop, or release it; return the robots that confirm it.
@@ -212,15 +214,15 @@ class Round:
                     self._history.add("published", kind=each.kind, robot=each.robot)
                 started.setdefault(each, time.monotonic())
             waiting = [each for each in commanders if "waits for the cockpit" in scene.status(each.robot)
-                       or each.kind in ORDERS and time.monotonic() > started[each] + PRIORITY]  # it is sent once
+                       or each.kind in ORDERS and time.monotonic() > started[each] + PAGE_PRIORITY]  # it is sent once
             for each in waiting:
                 each.end()
             if waiting:
-                time.sleep(PRIORITY)
+                time.sleep(PAGE_PRIORITY)
                 again = [self.command(each.kind, each.robot) for each in waiting]
                 known.update(again)
                 commanders = [each for each in commanders if each not in waiting] + again
-            time.sleep(0.02)
+            time.sleep(LOOK)
 
     def check_logs(self) -> None:
         """Note if a program of ours has failed without one sentence, or has flooded its log."""
@@ -232,13 +234,6 @@ class Round:
                     self._history.add("problem", text=f"{name}:\n{trace}")
             if len(re.findall(r"^\[", text, re.MULTILINE)) >= MAX_LINES:
                 self._history.add("problem", text=f"{name} is flooded")
-
-    @staticmethod
-    def wait(condition: Callable[[], bool], seconds: float) -> None:
-        """Wait until the condition is true, so many seconds at most."""
-        deadline = time.monotonic() + seconds
-        while not condition() and time.monotonic() < deadline:
-            time.sleep(0.02)
 
 
 @contextlib.contextmanager

@@ -9,7 +9,6 @@ import signal
 import struct
 import subprocess
 import sys
-import time
 import uuid
 from pathlib import Path
 from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Set, Tuple
@@ -19,6 +18,7 @@ from page import HOST
 from process import Process, ancestors, children, read
 
 from jetbot.fake.motors import wheel_speeds
+from jetbot.wait import wait_until
 from jetbot_ros.master import NO_ANSWER, proxy
 from processes import free_port, start
 
@@ -220,15 +220,9 @@ class Scene:
             return wheel_speeds(str(self.folder / robot))
         return 0.0, 0.0  # unplugged: no power
 
-    def wait(self, condition: Callable, what: str, within: float = START_TIMEOUT):
-        """Return the condition's value once it is true; raise AssertionError after this many seconds."""
-        deadline = time.monotonic() + within
-        while True:
-            value = condition()
-            if value or time.monotonic() > deadline:
-                assert value, f"waited {within} s for {what}"
-                return value
-            time.sleep(0.02)
+    def wait(self, condition: Callable, what: str, within: float = START_TIMEOUT) -> None:
+        """Wait until the condition is true; raise AssertionError after this many seconds."""
+        assert wait_until(condition, within, 0.02), f"waited {within} s for {what}"
 
     def strays(self) -> List[str]:
         """Return the command lines of the processes that have outlived what started them."""
@@ -240,9 +234,7 @@ class Scene:
         for kinds in (*COMMANDERS, "second", "bystander"), ("launch", "cockpit", "judge", "simulator"), ("master",):
             for process in self.living(*kinds):
                 process.end()
-        deadline = time.monotonic() + END_TIMEOUT
-        while list(self.pids()) and time.monotonic() < deadline:
-            time.sleep(0.1)
+        wait_until(lambda: not list(self.pids()), END_TIMEOUT, 0.1)
         left = [read(pid, "cmdline").replace("\0", " ") for pid in self.pids()]
         left += [str(file) for file in [*self.temporary.iterdir(), *self.folder.glob("*/0x*.*")]]
         self.link.close()

@@ -17,7 +17,7 @@ from jetbot_cockpit.web.addresses import listen
 from jetbot_cockpit.web.handout import Card
 from jetbot_cockpit.web.server import Server
 from jetbot_ros.state import RobotState
-from web_client import WebSocket, request
+from web_client import WebSocket, page_headers, request
 
 WITHIN = 10.0  # s, less than hubs.GONE_AFTER
 GRANTS = make_grants(2)
@@ -80,10 +80,7 @@ class Cockpit:
         self.server.start()
 
     def headers(self, name="localhost", **headers):
-        """Return the headers of a page that was opened by this name; None leaves one out."""
-        host = f"{name}:{self.port}"
-        given = {"Host": host, "Origin": f"http://{host}", **headers}
-        return {name.replace("_", "-"): value for name, value in given.items() if value is not None}
+        return page_headers(self.port, name, **headers)
 
     def log_in(self, code, phone="127.0.0.1", **headers):
         """Send a code from this address; return the answer."""

@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -31,6 +32,7 @@ def program(package: str, name: str) -> str:
 
 signal.signal(signal.SIGHUP, signal.SIG_DFL)  # for the programs that tests start, also below nohup, which ignores it
 CONTROLLER = program("jetbot_control_node", "jetbot_controller.py")
+COCKPIT = program("jetbot_cockpit", "cockpit.py")
 
 
 class RobotTest(unittest.TestCase):
@@ -66,6 +68,12 @@ class RobotTest(unittest.TestCase):
         self.wait_for(lambda: ready() or process.poll() is not None, START_TIMEOUT, "the controller to subscribe")
         self.assertTrue(ready(), f"the controller has ended{self.logs()}")
         return process
+
+    def cockpit(self, *arguments: str) -> Tuple[subprocess.Popen, int]:
+        """Start the cockpit on a free port; return its process, once it serves the page, and the port."""
+        process = self.start(COCKPIT, "_port:=0", *arguments)
+        self.wait_for(lambda: "http://localhost:" in read(process), START_TIMEOUT, "the cockpit's address")
+        return process, int(re.search(r"localhost:(\d+)", read(process))[1])
 
     def wait_for_controller(self) -> None:
         """Wait until the controller subscribes to this test's commands."""

@@ -34,6 +34,13 @@ def connect(port: int, phone: str = "127.0.0.1", host: str = "127.0.0.1") -> soc
     return socket.create_connection((host, port), TIMEOUT, (phone, 0))
 
 
+def page_headers(port: int, name: str = "localhost", **headers: Optional[str]) -> Dict[str, str]:
+    """Return the headers of a page that was opened by this name, and others: _ stands for -; None leaves one out."""
+    host = f"{name}:{port}"
+    given = {"Host": host, "Origin": f"http://{host}", **headers}
+    return {key.replace("_", "-"): value for key, value in given.items() if value is not None}
+
+
 def head(method: str, path: str, headers: Dict[str, str]) -> bytes:
     """Return the head of a request."""
     lines = [f"{method} {path} HTTP/1.1", *(f"{name}: {value}" for name, value in headers.items()), "", ""]
@@ -128,3 +135,8 @@ class WebSocket:
         if len(data) < count:
             raise Closed
         return data
+
+
+def open_page(port: int, name: str = "localhost") -> WebSocket:
+    """Return the socket of a page of this computer that was opened by this name."""
+    return WebSocket(port, page_headers(port, name))

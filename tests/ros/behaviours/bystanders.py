@@ -1,7 +1,6 @@
 """Frozen programs that only listen keep no stop, no release and no new commander from a robot."""
 
 import os
-import re
 import signal
 
 import rospy
@@ -10,9 +9,9 @@ from std_msgs.msg import Bool
 
 from harness import START_TIMEOUT, RobotTest, end, near, program, publishers, read
 from jetbot_ros.master import system_state
-from web_client import WebSocket
+from web_client import open_page
 
-STOP, COCKPIT = program("jetbot_tools", "emergency_stop.py"), program("jetbot_cockpit", "cockpit.py")
+STOP = program("jetbot_tools", "emergency_stop.py")
 FROZEN = 4  # the master announces publishers from three threads, which wait for them
 HEAL_TIMEOUT = 10.0  # s; a second, on a quiet computer
 
@@ -47,16 +46,9 @@ class Bystanders(RobotTest):
         latched.publish(True)
         self.wait_for_stop(HEAL_TIMEOUT)
 
-    def page(self):
-        """Start a cockpit; return the socket of its page."""
-        cockpit = self.start(COCKPIT, "_port:=0")
-        self.wait_for(lambda: "http://localhost:" in read(cockpit), START_TIMEOUT, "the cockpit's address")
-        port = int(re.search(r"localhost:(\d+)", read(cockpit))[1])
-        return WebSocket(port, {"Host": f"localhost:{port}", "Origin": f"http://localhost:{port}"})
-
     def test_a_stop_on_the_page_of_a_cockpit_that_starts_then_arrives(self):
         heard = self.record("/emergency_stop", Bool, lambda message: message.data)  # by a node that heals no link
-        page = self.page()
+        page = open_page(self.cockpit()[1])
         page.receive_until(lambda message: "/" in message.get("robots", ()))
         page.send({"type": "stop"})
         self.wait_for_stop(START_TIMEOUT)

@@ -13,11 +13,10 @@ from geometry_msgs.msg import Point
 from std_msgs.msg import String
 from visualization_msgs.msg import Marker, MarkerArray
 
-from harness import START_TIMEOUT, RobotTest, program, publishers, read
+from harness import COCKPIT, START_TIMEOUT, RobotTest, publishers, read
 from jetbot.wait import wait_until
-from web_client import WebSocket
+from web_client import open_page
 
-COCKPIT = program("jetbot_cockpit", "cockpit.py")
 FULL, RELEASED = ({"type": "drive", "robot": "/", "forward": forward, "left": 0} for forward in (1, 0))
 SEND_INTERVAL = 0.2  # s; more often, a cockpit that reads late would find too many messages at once
 
@@ -30,15 +29,6 @@ def polyline(namespace, across):
 
 
 class CockpitNode(RobotTest):
-    def cockpit(self, *arguments):
-        """Start the node on a free port; return its process, once it serves the page, and the port."""
-        process = self.start(COCKPIT, "_port:=0", *arguments)
-        self.wait_for(lambda: "http://localhost:" in read(process), START_TIMEOUT, "the cockpit's address")
-        return process, int(re.search(r"localhost:(\d+)", read(process))[1])
-
-    def page(self, port, name="localhost"):
-        return WebSocket(port, {"Host": f"{name}:{port}", "Origin": f"http://{name}:{port}"})
-
     def drive(self, page):
         """Put a finger on the pad, and hold it at full deflection until the wheels turn."""
         page.receive_until(lambda message: message.get("robots", {}) and "/" in message["robots"])
@@ -59,14 +49,14 @@ class CockpitNode(RobotTest):
         self.controller(cmd_vel_timeout=0)  # nothing but the cockpit stops it
         cockpit, port = self.cockpit()
 
-        page = self.page(port)
+        page = open_page(port)
         self.drive(page)
         self.wait_for_stop(1.0)  # the browser is frozen: its socket is open, and silent
         self.drive(page)
         page.close()             # the browser is killed
         self.wait_for_stop(1.0)
 
-        page = self.page(port)
+        page = open_page(port)
         self.drive(page)
         cockpit.send_signal(signal.SIGSTOP)  # the controller notices it
         self.wait_for_stop(2.0)
@@ -86,7 +76,7 @@ class CockpitNode(RobotTest):
             return message["type"] == "state" and "emergency stop" in message["robots"].get("/", {}).get("status", "")
 
         node = self.controller()
-        page = self.page(self.cockpit()[1])
+        page = open_page(self.cockpit()[1])
         page.receive_until(lambda message: "/" in message.get("robots", {}))
         page.send({"type": "stop", "robot": "/"})
         page.receive_until(is_stopped)
@@ -99,7 +89,7 @@ class CockpitNode(RobotTest):
     def test_a_task_is_sent_to_a_page_whatever_else_is_published_on_its_topics(self):
         self.controller()
         _, port = self.cockpit()
-        page = self.page(port)
+        page = open_page(port)
         self.publish("world", MarkerArray([polyline("walls", (0.0, math.nan)), polyline("walls", (1.0, 2.0))]))
         self.publish("task_course", String("not a drawing"))
         self.publish("task", DiagnosticStatus(name="metre"))
@@ -121,7 +111,7 @@ class CockpitNode(RobotTest):
         self.wait_for(lambda: "jetbot_02:" in read(cockpit), 5.0, "the codes")
         codes = re.findall(rf"http://class\.test:{port}/#(\w+)", read(cockpit))
         self.assertEqual(list(map(len, codes)), [10, 6, 6])
-        self.assertEqual(self.page(port, "class.test").wait_for_close().code, 4001)
+        self.assertEqual(open_page(port, "class.test").wait_for_close().code, 4001)
         logs = [path.read_text(errors="replace") for path in Path(rospkg.get_log_dir()).rglob("*.log")]
         self.assertTrue(any("jetbot_cockpit" in log for log in logs))
         self.assertFalse([code for code in codes for log in logs if code in log])
