@@ -5,9 +5,9 @@ import time
 
 import pytest
 
-from jetbot_lessons import lessons, marking, package_files, packages
+from jetbot_lessons import lessons, marking, package_files
 from judged_bags import TRUTH, write
-from lesson_package import DRIVE, LAUNCH, PACKAGE_XML, SCRIPT, make_package
+from lesson_package import DRIVE, PACKAGE_XML, SCRIPT, make_package
 
 
 @pytest.fixture
@@ -78,15 +78,3 @@ def test_file_that_ends_or_stops_its_reader_gets_a_row(mine, monkeypatch, happen
     monkeypatch.setattr(lessons, "LIMITS", lessons.LIMITS._replace(wall_time=1))
     monkeypatch.setattr(package_files, "check_scripts", lambda package: happens())
     assert f" cannot be checked: {reason}" in mark(7, mine)
-
-
-def test_launch_file_that_is_an_xml_bomb(mine):
-    (mine / LAUNCH).write_text(BOMB)
-    assert package_files.check_launch_files("mine") == f"{mine / LAUNCH} is not XML: it defines the entity l0: " \
-                                               "remove <!ENTITY ...>"
-
-
-def test_package_xml_bomb_in_the_workspace(mine):
-    (mine / "package.xml").write_text(BOMB)
-    problem = lessons.described(packages.check_exists, "jetbot_lessons", "make it")
-    assert problem.startswith(f"{mine}/package.xml cannot be read: it defines the entity l0: ")

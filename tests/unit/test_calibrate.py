@@ -38,16 +38,10 @@ def test_says_how_to_undo_it_and_that_works(home, capsys):
     assert file.read_text() == "old" and (home / "link").is_symlink()
 
 
-@pytest.mark.parametrize("name, make, reason", [
-    ("fifo", os.mkfifo, "not a regular file"), ("folder", os.mkdir, "not a regular file"),
-    ("large", lambda file: file.touch() or os.truncate(file, 50 * 10**9), "larger than 64 kB"),
-    ("link", lambda file: file.symlink_to("no/file"), "No such file or directory"),
-    ("file/x", lambda file: file.parent.touch(), "File exists")])
-def test_a_file_that_cannot_be_written_is_refused_before_any_question(home, name, make, reason):
-    make(home / name)
-    with pytest.raises(JetbotError) as error:
-        output_file(home / name, False)
-    assert str(error.value) == f"The file {home / name} cannot be written: {reason}. Name another with --output."
+def test_a_file_that_cannot_be_written_is_refused_before_any_question(home):
+    (home / "file").touch()
+    with pytest.raises(JetbotError, match=r"file/x cannot be written: File exists. Name another with --output.$"):
+        output_file(home / "file/x", False)
 
 
 def test_a_simulated_robot_is_not_written_to_the_real_ones_file_by_another_name(home):

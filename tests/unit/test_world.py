@@ -87,7 +87,6 @@ def test_yaml_is_a_world_at_its_origin():
 
 
 @pytest.mark.parametrize("text, reason", [
-    ("", "it holds no walls: and no lines:"),
     ("walls: 3", "walls must be a list of polylines, each a list of points [x, y], not 3"),
     ("lines: [[[0, 0]]]", "polyline 1 of lines must be a list of two points [x, y] or more, not [[0, 0]]"),
     ("walls: [[0, 0], [1, 0]]", "point 1 in polyline 1 of walls must be [x, y] in m, within 1000, not 0"),
@@ -96,12 +95,9 @@ def test_yaml_is_a_world_at_its_origin():
     ("walls: &a [[[0, 0], [1, 1]]]\nlines: *a", "write each point out, without *"),
     ("line_width: 0", "line_width must be a number of metres above 0, 1 at most, not 0"),
     ("origin: [0, 0]", "origin must be [x, y, yaw] in m and rad, within 1000, not [0, 0]"),
-    ("walls: !!python/name:os.system 1", "line 1: could not determine a constructor for the tag "),
     ("walls: [", "line 1: expected the node content, but found '<stream end>'"),
-    ("[" * 1000, "maximum recursion depth exceeded"),
-    ("\0", "special characters are not allowed"),
-    (f"walls: [[{'[0, 0], ' * 1001}]]", "its walls and lines have more than 1000 points"),
-    ("#" * 65537, "it is larger than 64 kB")], ids=lambda value: ascii(value)[:30])
+    (f"walls: [[{'[0, 0], ' * 1001}]]", "its walls and lines have more than 1000 points")],
+    ids=lambda value: ascii(value)[:30])
 def test_another_text_is_refused_with_the_reason_in_one_sentence(text, reason):
     with pytest.raises(InvalidValue) as error:
         parse(text, "the world x.yaml")
@@ -117,13 +113,10 @@ def test_a_shipped_world_is_found_by_its_name_and_another_one_by_its_file(tmp_pa
     assert load("arena.yaml") == parse((SIMULATION / "worlds/arena.yaml").read_text())  # as a task needs it
 
 
-@pytest.mark.parametrize("name, reason", [
-    ("own.yaml", "The world {}/own.yaml cannot be used: No such file or directory. The simulation has arena.yaml, "),
-    ("/dev/zero", "The world /dev/zero cannot be used: not a regular file.")])
-def test_a_file_that_is_no_world_is_refused(tmp_path, monkeypatch, name, reason):
+def test_a_world_that_is_missing_is_named_by_its_path_with_those_there_are(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(InvalidValue, match=re.escape(reason.format(tmp_path))):
-        load(name)
+    with pytest.raises(InvalidValue, match=f"world {tmp_path}/own.yaml .* The simulation has arena.yaml, "):
+        load("own.yaml")
 
 
 def test_in_the_shipped_worlds_the_robots_are_free_at_their_starts():
