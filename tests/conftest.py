@@ -11,7 +11,7 @@ sys.path.append(str(Path(__file__).parent / "ros"))
 from processes import end_on_sigterm  # noqa: E402
 
 LONGEST = ("::test_pages[", *(f"::test_rostest[{name}" for name in (
-    "simulation_launch]", "cockpit_launch]", "launch]", "")))
+    "judge]", "class_judge]", "check_lesson]", "")))
 BROWSER = "tests/browser/"  # each half shares a world and its browsers
 OF_PROGRAMS = tuple(f"{BROWSER}test_{name}" for name in ("program", "tablet", "tasks", "work"))  # one half
 PROCESSES = 6  # of ./morbot test

@@ -42,11 +42,14 @@ class Pupil:
         self._environment.update(HOME=str(home), TERM="dumb", GIT_TERMINAL_PROMPT="0")
         self._terminals = {}
 
-    def make_package(self, name: str) -> None:
-        """Have a package already, as lesson 7 makes it."""
+    def make_package(self, name: str, *dependencies: str) -> None:
+        """Have a package already, as lesson 7 makes it, with what later lessons add to its package.xml."""
         scenarios = self._project / "morbot_ws/src/scenarios"
         subprocess.run(["catkin_create_pkg", name, "rospy", "geometry_msgs"], cwd=scenarios, check=True)
         (scenarios / name / "scripts").mkdir()
+        manifest = scenarios / name / "package.xml"
+        added = "".join(f"<exec_depend>{each}</exec_depend>" for each in dependencies)
+        manifest.write_text(manifest.read_text().replace("</package>", f"{added}</package>"))
 
     def follow(self, page: Path) -> None:
         """Do what the page asks for; raise AssertionError with the line of the page if something else happens."""
@@ -109,11 +112,11 @@ ACTIONS = {RUN: run, FAILS: run, INTERNET: run, LEAVE: leave_running,
 def follow(pages: Sequence[Path], home: Path, package: str = "") -> None:
     """Let a pupil follow the pages in this folder, and leave nothing running; skip if only the internet fails.
 
-    package: the name of one that the pupil has already.
+    package: the name of one that the pupil has already, and what it depends on.
     """
     pupil, offline = Pupil(home), []
     if package:
-        pupil.make_package(package)
+        pupil.make_package(*package.split())
     try:
         for page in pages:
             try:

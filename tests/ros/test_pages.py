@@ -10,8 +10,9 @@ DOCS = ROOT / "docs"
 @pytest.mark.parametrize("pages, package", [
     ([*LESSONS[:6], DOCS / "boards.md", DOCS / "safety.md"], ""),
     ([LESSONS[0], *LESSONS[6:9]], ""),  # lesson 1 opens terminals
-    ([LESSONS[0], *LESSONS[9:]], "my_scenario")],
-    ids=["first lessons", "own package", "camera"])
+    ([LESSONS[0], *LESSONS[9:11]], "my_scenario"),
+    ([LESSONS[0], *LESSONS[11:]], "my_scenario sensor_msgs std_msgs")],
+    ids=["first lessons", "own package", "camera", "free or blocked"])
 def test_pages(tmp_path, pages, package):
     follow(pages, tmp_path, package)
 
