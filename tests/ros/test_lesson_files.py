@@ -48,31 +48,23 @@ def test_package_that_setup_has_left_out(mine):
 
 
 @pytest.mark.parametrize("file, text, check, problem", [
-    ("CMakeLists.txt", None, exists, "{0} has no CMakeLists.txt: mv {0} ~, then make it"),
-    ("package.xml", PACKAGE_XML.replace("<depend>geometry_msgs</depend>", ""), depends, "{0}/package.xml does not name "
-     "geometry_msgs: add <exec_depend>geometry_msgs</exec_depend> before </package>"),
-    (LAUNCH, None, check_launch_files,
-     "There is no launch file in {0}/launch: put one there, with a name that ends in .launch"),
-    (LAUNCH, "<launch/>", check_launch_files,
-     f"{{0}}/{LAUNCH} does not include the controller: add {INCLUDE} below <launch>"),
-    (LAUNCH, f"<launch>{INCLUDE.replace('true', 'false')}</launch>", check_launch_files, f"{{0}}/{LAUNCH} "
-     'does not pass its arguments on to the controller: write pass_all_args="true" in its <include>'),
+    ("CMakeLists.txt", None, exists, "{0} has no CMakeLists.txt: mv {0} ~, "),
+    ("package.xml", PACKAGE_XML.replace("<depend>geometry_msgs</depend>", ""), depends,
+     "add <exec_depend>geometry_msgs</exec_depend>"),
+    (LAUNCH, None, check_launch_files, "no launch file in {0}/launch"),
+    (LAUNCH, "<launch/>", check_launch_files, f"{{0}}/{LAUNCH} does not include the controller: add {INCLUDE} "),
+    (LAUNCH, f"<launch>{INCLUDE.replace('true', 'false')}</launch>", check_launch_files, 'pass_all_args="true"'),
     (LAUNCH, "<launch>", check_launch_files, f"{{0}}/{LAUNCH} is not XML: no element found: line 1, column 8"),
-    (DRIVE, None, check_scripts,
-     "There is no script in {0}/scripts: put one there, with a name that ends in .py"),
-    (DRIVE, "print()\n", check_scripts,
-     f"drive.py does not begin with #!/usr/bin/env python3: make that the first line of {{0}}/{DRIVE}"),
-    (DRIVE, " \n", check_scripts, f"{{0}}/{DRIVE} is empty: write your program into it, and save it"),
-    (DRIVE, "#!/usr/bin/env python3\n# Drives.\n", check_scripts,
-     "drive.py holds no command yet: write your program into it, and save it"),
-    (DRIVE, SCRIPT.replace("\n", "\r\n"), check_scripts,
-     rf"drive.py has Windows line endings: sed -i 's/\r$//' {{0}}/{DRIVE}"),
-    *((DRIVE, f"{first}\n", check_scripts,
-       f"drive.py begins with {first}, which does not start ROS's Python: write #!/usr/bin/env python3")
+    (DRIVE, None, check_scripts, "no script in {0}/scripts"),
+    (DRIVE, "print()\n", check_scripts, "drive.py does not begin with #!/usr/bin/env python3"),
+    (DRIVE, " \n", check_scripts, f"{{0}}/{DRIVE} is empty"),
+    (DRIVE, "#!/usr/bin/env python3\n# Drives.\n", check_scripts, "drive.py holds no command yet"),
+    (DRIVE, SCRIPT.replace("\n", "\r\n"), check_scripts, rf"line endings: sed -i 's/\r$//' {{0}}/{DRIVE}"),
+    *((DRIVE, f"{first}\n", check_scripts, f"drive.py begins with {first}, which does not start ROS's Python")
       for first in ("#!/usr/bin/env python9", "#!usr/bin/env python3", "#!/bin/sh", "#!"))])
 def test_problem_of_a_file(mine, file, text, check, problem):
     (mine / file).unlink() if text is None else (mine / file).write_bytes(text.encode())
-    assert check("mine") == problem.format(mine)
+    assert problem.format(mine) in check("mine")
 
 
 def test_not_built(mine):

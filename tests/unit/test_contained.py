@@ -5,7 +5,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 from unittest.mock import Mock
 
@@ -41,10 +40,6 @@ def write(file):
 ], ids=["error", "memory", "crash", "endless"])
 def test_what_fails_in_a_child_is_a_problem_in_one_sentence(function, arguments, problem):
     assert run(function, *arguments, limits=SMALL) == (None, problem)
-
-
-def test_a_function_that_waits_ends():
-    assert run(time.sleep, 60, limits=SMALL._replace(wall_time=0.1)).problem == "It takes more than 0.1 s."
 
 
 def test_processes_of_others_may_end_while_a_child_starts(monkeypatch):

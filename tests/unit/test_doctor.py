@@ -52,11 +52,6 @@ def test_a_bus_without_a_board(folder):
                                              f"To plug it in: python3 -m jetbot.fake {folder}"]
 
 
-def test_a_bus_that_cannot_be():
-    assert lines("banana")[2] == ("NOT bus banana: an I2C bus cannot be 'banana'. "
-                                  "Give a number (1 for /dev/i2c-1), fake, or fake:FOLDER.")
-
-
 @pytest.mark.parametrize("module, noetic, advice", [
     ("smbus2", True, "Install it with: pip3 install smbus2"),
     ("serial", True, "Install it with: sudo apt install python3-serial"),

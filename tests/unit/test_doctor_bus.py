@@ -73,12 +73,6 @@ def test_what_may_be_a_servo_board_is_offered_on_one_condition(plug_in, address,
     assert lines(1, board="waveshare_hat")[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
 
 
-def test_another_board_there_does_not_make_it_certain(plug_in, monkeypatch):
-    monkeypatch.setitem(BOARDS, "another", BOARDS["waveshare_hat"]._replace(address=0x41))
-    plug_in({0x41: PCA9685})
-    assert "if the chip at 0x41 is the motor board another or waveshare_hat and no servo board" in lines(1)[-1]
-
-
 @pytest.mark.parametrize("board, address, uncertain", [
     ("waveshare_hat", 0x40, True), ("adafruit", 0x40, True), ("adafruit", 0x60, False), ("waveshare_hat", 0x61, False)])
 def test_what_may_be_a_servo_board_is_marked_whatever_board_is_tried_there(plug_in, board, address, uncertain):

@@ -10,13 +10,9 @@ from jetbot.wait import wait_until
 
 
 @pytest.mark.parametrize("name, bus", [
-    ("NVIDIA Jetson Nano Developer Kit", 1), ("NVIDIA Jetson Xavier NX Developer Kit", 8),
-    ("NVIDIA Jetson Orin Nano Developer Kit", 7), ("Raspberry Pi 4 Model B Rev 1.4", 1), ("A PC", None), ("", None),
-    ("NVIDIA Orin NX Developer Kit", 7), ("NVIDIA Jetson Orin NX Engineering Reference Developer Kit Super", 7),
-    ("Jetson AGX Orin Developer Kit", 7), ("NVIDIA Jetson AGX Thor Developer Kit", 7),
-    ("NVIDIA Jetson AGX Xavier Developer Kit", 8), ("Jetson-AGX", 8), ("jetson-xavier", 8),
-    ("NVIDIA Jetson TX2 Developer Kit", 1), ("quill", 1), ("jetson-nano", 1)])
-def test_robot_bus(name, bus):
+    ("A PC", None), ("", None), ("NVIDIA Orin NX Developer Kit", 7), ("Jetson-AGX", 8), ("jetson-xavier", 8),
+    ("quill", 1), ("jetson-nano", 1), ("NVIDIA Jetson Orin NX Engineering Reference Developer Kit Super", 7)])
+def test_robot_bus_of_names_that_are_not_in_the_docs(name, bus):
     assert host.robot_bus(name) == bus
 
 

@@ -82,11 +82,6 @@ def test_a_wall_at_an_angle_ends_where_a_pinhole_shows_its_edges(end, right):
         assert not is_shade(seen[int(row), int(column + right), ::-1] / 255, WALL)
 
 
-def test_the_walls_of_a_corner_differ_in_brightness():
-    seen = render(World(walls=(((0.7, 0.3), (0.4, 0.0), (0.7, -0.3)),)), Pose(yaw=0.1))
-    assert numpy.linalg.norm(at(seen, 0.5, 0.05, 0.1) - at(seen, 0.5, -0.15, 0.1)) > 0.1
-
-
 def test_a_wall_hides_what_is_behind_it_and_a_robot_what_is_beyond():
     line = ((0.8, -2.0), (0.8, 2.0))
     assert is_color(at(render(World(lines=(line,)), Pose()), 0.8, 0), LINE)

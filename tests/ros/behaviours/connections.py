@@ -78,9 +78,9 @@ class Connections(RobotTest):
         rospy.wait_for_message("/diagnostics", DiagnosticArray, START_TIMEOUT)
         self.assertTrue(is_closed(silent[0], within=START_TIMEOUT))
 
-    def test_a_stop_after_5_s_of_1000_commands_a_second_waits_in_no_queue(self):
+    def test_a_stop_after_2_s_of_1000_commands_a_second_waits_in_no_queue(self):
         start = time.monotonic()
-        for i in range(5000):
+        for i in range(2000):
             self.command(0.3 + 0.4 * (i % 2), 0.1)
             time.sleep(max(0, start + i / 1000 - time.monotonic()))
         self.assertNotEqual(self.wheels(), (0, 0))

@@ -28,7 +28,7 @@ class StandingOrder(RobotTest):
 
     def test_holds_until_its_program_is_frozen(self):
         order = self.driven_by_an_order()
-        self.wheels_stay(0.5, 0.5, for_seconds=2.5)
+        self.wheels_stay(0.5, 0.5, for_seconds=1.5)
         os.killpg(order.pid, signal.SIGSTOP)
         self.wait_for_stop(within=STOP_TIMEOUT)
         self.wait_for(lambda: "does not answer" in self.texts[-1], 1.0, f"the reason in {self.texts}")
