@@ -256,6 +256,13 @@ def test_whatever_fails_while_saving_the_old_version_or_the_new_one_is_there(cla
     assert failures
 
 
+def test_what_a_killed_cockpit_left_half_written_is_gone_at_the_next_start(classes):
+    classes()
+    (classes.path / ".0123456789abcdef.new").write_text("{")
+    classes()
+    assert not list(classes.path.iterdir())
+
+
 def test_a_program_is_on_the_disk_before_it_is_answered(classes, monkeypatch):
     programs, synced, fsync = Programs(classes()), [], os.fsync
     monkeypatch.setattr(os, "fsync", lambda file: fsync(file) or synced.append(os.readlink(f"/proc/self/fd/{file}")))

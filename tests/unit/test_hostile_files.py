@@ -45,7 +45,10 @@ class Reader(NamedTuple):
 
 def read_class(file):
     folder = ClassFolder(str(file.parents[1]), file.parent.name)
-    assert folder.read(file.stem) is None
+    try:
+        assert folder.read(file.stem) is None
+    except JetbotError as error:
+        pytest.fail(f"the class does not start: {error}")
     folder.close()
     return folder.problems[0]
 
