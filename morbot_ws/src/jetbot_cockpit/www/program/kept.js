@@ -8,7 +8,6 @@ import { problemOf } from "./check.js";
 const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
 const TOO_LARGE = "Too large to be kept here. Save it as a file.";
-const CONTESTED = "Another page changes this program, too, and is told that its changes are not kept.";
 const CONFLICT = "conflict"; // the cockpit's code for this:
 const CHANGED = "This program was changed on another page. Open it again, or save yours as a copy.";
 
@@ -65,9 +64,8 @@ export class Kept {
   }
 
   // Compares it with what the cockpit has, a row of its list. This page's next change is refused, or the other page's.
-  compare({ version, contested }) {
+  compare({ version }) {
     if (version !== this.version) this.refuse(CHANGED, CONFLICT);
-    else if (contested) this.report(this, CONTESTED, true);
   }
 
   // It is not kept as it is now.

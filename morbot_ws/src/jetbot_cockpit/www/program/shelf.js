@@ -45,8 +45,8 @@ export class Shelf {
     await ask({ do: "save", robot, id: newId(), version: 0, name: copyOf(name), program });
   }
 
-  async remove({ id, robot, version, deleted }) {
-    await ask({ do: deleted ? "restore" : "delete", robot, id, version });
+  async remove({ id, robot, deleted }) {
+    await ask({ do: deleted ? "restore" : "delete", robot, id });
     this.deleted(id);
   }
 
