@@ -37,9 +37,9 @@ export class Clock {
   }
 
   #next(end) {
-    const [first] = [...this.#timers].filter(([, { due }]) => due <= end).sort(([, one], [, other]) => one.due - other.due);
-    if (!first) return null;
-    const [id, timer] = first;
+    const due = [...this.#timers].filter(([, timer]) => timer.due <= end);
+    if (!due.length) return null;
+    const [id, timer] = due.reduce((one, other) => (other[1].due < one[1].due ? other : one));
     if (timer.every) this.#timers.set(id, { ...timer, due: timer.due + timer.every });
     else this.#timers.delete(id);
     return timer;
