@@ -12,7 +12,7 @@ import { Overview } from "./overview.js";
 import { packageName, packageZip } from "./package.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
-import { Judging } from "./tasks.js";
+import { Tasks } from "./tasks.js";
 
 const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
@@ -39,12 +39,12 @@ const shell = new Shell({
       work.update(world.chosen, world.state(world.chosen).programs);
       judging.update();
     },
-    tasks({ tasks }) {
-      judging.list(tasks);
-      overview.show({ tasks });
+    tasks({ tasks: offered }) {
+      tasks.list(offered);
+      overview.show({ tasks: offered });
     },
     scores: ({ scores }) => overview.show({ scores }),
-    notice: ({ text }) => judging.refused(text),
+    notice: ({ text }) => judging.cancel(text),
     lift: ({ robot, text }) => robot === run?.robot.id && end(text),
     program: (message) => message.robot === run?.robot.id && run.senses.receive(message),
   },
@@ -68,7 +68,8 @@ const work = openWork({
     element("title").disabled = on;
   },
 });
-const judging = new Judging({ send, run: () => start(false), world });
+const tasks = new Tasks({ send, run: () => start(false), world });
+const { judging } = tasks;
 const overview = new Overview({ send, look: (row) => work.look(row), download, world });
 
 // The cockpit also refuses the next command; this comes first where the program waits.
@@ -203,7 +204,7 @@ function showButtons() {
   const [going, held] = [runs(), runs() && run.held];
   element("run").disabled = going;
   element("pause").disabled = !going;
-  element("end").disabled = !going && !judging.waiting;
+  element("end").disabled = !going && !judging.isWaiting;
   element("step").disabled = going && !held;
   element("pause").setAttribute("aria-pressed", held);
   setText(element("pause"), held ? "Go on" : "Pause");

@@ -1,4 +1,5 @@
-// The program that is shown: which one it is, whether the cockpit keeps it, and until then this device. It knows no page.
+// The program that is shown: which one it is, whether the cockpit keeps it, and until then this device.
+// It knows no page.
 
 import { recall, remember } from "../storage.js";
 import { ask } from "./ask.js";
