@@ -58,6 +58,7 @@ test("the program runs when the robot is at its start, and only then", (t) => {
   page.report({ state: "ready" });
   page.report({ state: "ready" });
   assert.equal(page.runs, 1);
+  assert.match(page.read.at(-1), /^The judge measures/, "not that the program has ended");
 });
 
 test("a robot that is at the start already is not put there again", (t) => {

@@ -31,7 +31,8 @@ function cockpit(t, programs = []) {
     delete: ({ id }) => state.programs.find((each) => each.id === id),
   };
   state.asked = playCockpit(t, (fields) => (!state.online ? LOST : state.refuses ?? answers[fields.do](fields)));
-  state.saved = () => state.asked.filter((each) => each.do === "save").map(({ id, name }) => [id, name]);
+  state.saves = () => state.asked.filter((each) => each.do === "save");
+  state.saved = () => state.saves().map(({ id, name }) => [id, name]);
   return state;
 }
 
@@ -69,7 +70,7 @@ const square = (fields) => ({ id: ID.square, robot: "/red", name: "Square", prog
 
 test("a page that is opened shows the robot's newest program, which is saved once it is changed", async (t) => {
   const clock = new Clock(t);
-  const { saved } = cockpit(t, [square({ id: ID.star, deleted: true }), square()]);
+  const { saved, saves } = cockpit(t, [square({ id: ID.star, deleted: true }), square()]);
   const page = openPage();
   await page.hear();
   assert.deepEqual([page.name, page.program], ["Square", text("s")]);
@@ -78,6 +79,7 @@ test("a page that is opened shows the robot's newest program, which is saved onc
   page.edit("Larger square");
   await clock.pass(1000);
   assert.deepEqual(saved(), [[ID.square, "Larger square"]]);
+  assert.equal(saves()[0].version, 3);
 });
 
 test("what a person has begun before the first list comes stays", async (t) => {
@@ -126,7 +128,7 @@ test("what could not be sent is there after a reload, and is kept then", async (
   await reloaded.hear();
   assert.equal(reloaded.name, "Offline");
   await next.pass(1000);
-  assert.deepEqual(again.asked.filter((each) => each.do === "save").map(({ id, version, name }) => [id, version, name]),
+  assert.deepEqual(again.saves().map(({ id, version, name }) => [id, version, name]),
                    [[ID.square, 3, "Offline"]], "on the version of which it was made");
 });
 
@@ -156,6 +158,18 @@ test("a newer version of another page is said while this one is open, and shown 
   assert.deepEqual([page.name, page.said, page.newer, state.asked.at(-1).version], ["Theirs", "", false, 5]);
 });
 
+test("what is made of a version that was replaced while it was opened is saved as a change of the newest", async (t) => {
+  const clock = new Clock(t);
+  const { saves } = cockpit(t, [square({ version: 6 })]);
+  const page = openPage();
+  page.work.add("my program", EMPTY);
+  await page.hear();
+  await page.work.open(ID.square, 5);
+  page.edit("Larger square");
+  await clock.pass(1000);
+  assert.equal(saves()[0].version, 6);
+});
+
 test("a cockpit that was started again, and has nothing, gets what is shown", async (t) => {
   const clock = new Clock(t);
   const state = cockpit(t, [square()]);
@@ -169,7 +183,7 @@ test("a cockpit that was started again, and has nothing, gets what is shown", as
 
 test("for another robot its programs are shown, and what waits for the first one is kept for that", async (t) => {
   const clock = new Clock(t);
-  const { asked } = cockpit(t, [square({ robot: "/blue" })]);
+  const { saves } = cockpit(t, [square({ robot: "/blue" })]);
   const page = openPage();
   await page.hear();
   page.edit("Mine");
@@ -177,8 +191,7 @@ test("for another robot its programs are shown, and what waits for the first one
   assert.equal(page.name, "Square");
   page.edit("Blue");
   await clock.pass(1000);
-  assert.deepEqual(asked.filter((each) => each.do === "save").map(({ robot, name }) => [robot, name]),
-                   [["/red", "Mine"], ["/blue", "Blue"]]);
+  assert.deepEqual(saves().map(({ robot, name }) => [robot, name]), [["/red", "Mine"], ["/blue", "Blue"]]);
 });
 
 test("what the cockpit has refused is shown again for its robot, and named while another is shown", async (t) => {
@@ -235,8 +248,8 @@ test("what is to look at only is locked and never saved; what is shown next is n
   await page.hear();
   await page.work.look({ robot: "/blue", id: ID.square });
   assert.deepEqual([page.locked, page.said], [true, "To look at only."]);
-  page.edit("Changed");
   await page.hear();
+  page.edit("Changed");
   await clock.pass(1000);
   assert.deepEqual(saved(), []);
   page.work.add("my program", EMPTY);

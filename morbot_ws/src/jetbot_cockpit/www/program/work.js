@@ -39,7 +39,7 @@ export class Work {
     return this.display(name, program, "editing");
   }
 
-  // Shows one of the robot's programs; version: undefined for the newest. Throws a NotKept.
+  // Shows a version of one of the robot's programs, or what has replaced it. Throws a NotKept.
   async open(id, version) {
     const { robot } = this;
     const { name, program, version: opened } = await ask({ do: "open", robot, id, version });
@@ -105,7 +105,7 @@ export class Work {
   compare(rows) {
     this.view.list(rows);
     const { kept, state: { name, baseline } } = this;
-    if (name === "looking" || kept.state.unsaved) return;
+    if (name === "looking") return;
     const arriving = name === "arriving";
     this.state = { name: "editing", baseline };
     const row = rows.find(({ id }) => id === kept.id);
