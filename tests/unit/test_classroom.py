@@ -211,6 +211,16 @@ def test_a_robots_programs_are_limited_in_all():
     assert len(kept(programs)) == rules.MAX_TOTAL // len(large)
 
 
+def test_earlier_versions_take_a_robots_room_too():
+    programs = Programs(Nowhere())
+    large = [json.dumps({"blocks": page * (one.MAX_TEXT - 20)}) for page in "abcd"]
+    with pytest.raises(Refused, match="no room"):
+        for id in IDS:
+            for text in large:
+                save(programs, id, version=99, program=text)
+    assert len(kept(programs)) == rules.MAX_TOTAL // len(large[0]) // len(large)
+
+
 @pytest.mark.parametrize("program", [
     "", "x", "[]", "1", "null", '"text"', "[" * 10000, '{"a":' * 10, '{"a":' * 10000, '{"a":' * 5000 + "}" * 4999,
     '{"a":' * 5000 + "1" + "}" * 4999 + "]", '{"a": 1{}}', "{{}: 1}", '{"a": {}} {}', '{} "', "}", '"' + '\\"' * 30000,
