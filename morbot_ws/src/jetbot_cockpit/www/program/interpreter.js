@@ -38,7 +38,11 @@ export class Interpreter {
   }
 
   *run() {
-    yield* this.chain(this.start?.next?.block);
+    try {
+      yield* this.chain(this.start?.next?.block);
+    } catch (error) {
+      throw error instanceof RangeError ? new ProgramError(TOO_DEEP) : error; // the browser's own limit came first
+    }
   }
 
   // Runs these statements, one after the other.

@@ -1,0 +1,82 @@
+// A program from elsewhere is opened without what this page does not know, or refused in a sentence.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { parseProgram, problemOf } from "#www/program/check.js";
+
+const START = { type: "robot_start" };
+const opened = (...blocks) => parseProgram(JSON.stringify({ blocks: { blocks } })).blocks.blocks;
+const problem = (...blocks) => problemOf(JSON.stringify({ blocks: { blocks } }));
+
+function nested(depth) {
+  return depth ? { type: "logic_negate", inputs: { BOOL: { block: nested(depth - 1) } } } : { type: "logic_boolean" };
+}
+
+function chained(count) {
+  let block = START;
+  for (let left = count; left > 1; left -= 1) block = { ...START, next: { block } };
+  return block;
+}
+
+test("what the page has saved is opened as it was", () => {
+  const block = {
+    type: "controls_if", id: "a", x: 30, y: 20.5, extraState: { elseIfCount: 1, hasElse: true },
+    inputs: { IF0: { block: { type: "logic_boolean", fields: { BOOL: "TRUE" } } }, DO0: { block: START } },
+    next: { block: { type: "robot_wait", inputs: { SECONDS: { shadow: { type: "math_number" } } } } },
+  };
+  const program = { blocks: { languageVersion: 0, blocks: [block] }, variables: [{ name: "x", id: "1" }] };
+  assert.deepEqual(parseProgram(JSON.stringify(program)), program);
+});
+
+test("what is no program is refused", () => {
+  for (const text of ["", "{}", "[]", "null", "7", '{"blocks": {"blocks": 5}}', '{"blocks": {"blocks": [null]}}',
+    '{"blocks": {"blocks": []}, "variables": [{"name": 5, "id": "x"}]}']) {
+    assert.equal(problemOf(text), "This file is no program of this page.", text);
+  }
+});
+
+test("a block that the page does not know is named", () => {
+  assert.equal(problem({ type: "robot_fly" }), "This page does not know the block robot_fly.");
+  assert.equal(problem({ type: "constructor" }), "This page does not know the block constructor.");
+  assert.ok(problem({ type: "x".repeat(1000) }).length < 100);
+});
+
+test("keys that the page does not know are left out", () => {
+  assert.deepEqual(opened({ ...START, icons: { comment: {} }, data: "x", disabledReasons: ["x"] }), [START]);
+});
+
+test("a state that is XML is left out", () => {
+  assert.deepEqual(opened({ ...START, extraState: "<mutation elseif='1000000'/>" }), [START]);
+});
+
+test("ends of lines and control characters in texts and names are left out", () => {
+  const [{ fields }] = opened({ type: "text", fields: { TEXT: "a\r\nimport os\u202e\0" } });
+  assert.equal(fields.TEXT, "aimport os");
+  const { variables } = parseProgram('{"blocks": {"blocks": []}, "variables": [{"name": "a\\nb", "id": "x"}]}');
+  assert.equal(variables[0].name, "ab");
+});
+
+test("a block far away is brought near", () => {
+  assert.deepEqual(opened({ ...START, x: 1e300, y: "far" }), [{ ...START, x: 1e5, y: 0 }]);
+});
+
+test("sixty blocks in each other are opened, more are refused", () => {
+  assert.equal(problem(nested(60)), "");
+  assert.equal(problem(nested(61)), "This program nests more than 60 blocks in each other.");
+});
+
+test("two thousand blocks below each other are opened, more are refused", () => {
+  assert.equal(problem(chained(2000)), "");
+  assert.equal(problem(chained(2001)), "This program has more than 2000 blocks.");
+});
+
+test("a block with very many branches, parts or parameters is refused", () => {
+  for (const extraState of [{ elseIfCount: 51 }, { itemCount: 1e9 }, { params: Array(51).fill({}) }]) {
+    assert.equal(problem({ type: "controls_if", extraState }), "This file is no program of this page.");
+  }
+});
+
+test("a file that is too large is refused before it is read", () => {
+  assert.equal(problemOf("[".repeat(512 * 1024 + 1)), "This file is too large: a program has 512 kB at most.");
+});

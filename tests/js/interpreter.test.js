@@ -1,0 +1,113 @@
+// What a program does that runs in the page; tests/unit/test_programs.py compares it with the Python that it becomes.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { Interpreter } from "#www/program/interpreter.js";
+
+import { block, body, forever, get, interpret, plug, print, program, set, WORKSHOP } from "./programs.js";
+
+const call = (name) => ({ type: "procedures_callnoreturn", extraState: { name } });
+const define = (name, ...blocks) => ({
+  type: "procedures_defnoreturn", fields: { NAME: name }, inputs: { STACK: body(...blocks) },
+});
+const calculate = (A, OP, B) => plug("math_arithmetic", { A, B }, { OP });
+const compare = (A, OP, B) => plug("logic_compare", { A, B }, { OP });
+const flow = (FLOW) => block("controls_flow_statements", {}, { fields: { FLOW } });
+const X = { fields: { VAR: { id: "x" } } };
+const count = (FROM, TO, BY, ...blocks) =>
+  block("controls_for", { FROM, TO, BY, DO: body(...blocks) }, X);
+
+const FAULTS = {
+  "This calculation has no result.": program([print(calculate(1, "DIVIDE", 0))]),
+  "Functions call functions too deep: one of them calls itself for ever.":
+    program([call("again")], { functions: [define("again", call("again"))] }),
+  "This function is not defined.": program([call("gone")]),
+  "Here a number is needed, not a.": program([block("robot_set", { X: "a" })]),
+  "a is no number to change.": program([set("x", "a"), block("math_change", { DELTA: 1 }, X)]),
+  "2 and a cannot be compared.": program([print(compare(2, "LT", "a"))]),
+  "This robot does not report where it is.": program([print(plug("robot_here", {}, { WHAT: "X" }))]),
+  "This robot does not report what its line sensor sees.": program([print(plug("robot_eye", {}, { WHAT: "LEFT" }))]),
+  "This robot does not report its wheels.": program([print(plug("robot_wheel", {}, { WHAT: "LEFT" }))]),
+  "A text has at most 10000 characters.": program([set("x", "abc"),
+    forever(set("x", plug("text_join", { ADD0: get("x"), ADD1: get("x") })))]),
+  "This loop counts by 0, and never arrives.": program([count(1, 2, 0, print(1))]),
+};
+
+for (const [sentence, faulty] of Object.entries(FAULTS)) {
+  test(`a program that cannot go on says: ${sentence}`, () => {
+    assert.equal(interpret(faulty).error, sentence);
+  });
+}
+
+test("infinity, and a root of a negative number, have no result", () => {
+  const infinity = plug("math_constant", {}, { CONSTANT: "INFINITY" });
+  const root = plug("math_single", { NUM: -4 }, { OP: "ROOT" });
+  for (const value of [infinity, root, calculate(-8, "POWER", 0.5)]) {
+    assert.equal(interpret(program([print(value)])).error, "This calculation has no result.");
+  }
+});
+
+test("a failure names the block that failed", () => {
+  const faulty = calculate(1, "DIVIDE", 0);
+  faulty.block.id = "here";
+  assert.equal(interpret(program([print(faulty)])).block, "here");
+});
+
+test("a block drives, waits and stops, in this order", () => {
+  const drive = { ...block("robot_drive", { X: 0.5, SECONDS: 2 }), id: "drive" };
+  const interpreter = new Interpreter(program([drive, { type: "robot_stop", id: "stop" }]), WORKSHOP, () => ({}));
+  const seen = [];
+  for (const event of interpreter.run()) seen.push([event, interpreter.motion]);
+  assert.deepEqual(seen, [
+    [{ step: "drive" }, [0, 0]], [{ wait: 2 }, [0.5, 0]], [{ step: "stop" }, [0, 0]], [{ publish: true }, [0, 0]]]);
+});
+
+test("wheels are driven in the robot's own units", () => {
+  const wheels = block("robot_wheels", { LEFT: 0.5, RIGHT: 1 });
+  const interpreter = new Interpreter(program([wheels]), { wheel_separation: 0.1, max_speed: 0.4 }, () => ({}));
+  [...interpreter.run()];
+  assert.deepEqual(interpreter.motion.map((each) => each.toFixed(6)), ["0.300000", "2.000000"]);
+});
+
+test("blocks that hang nowhere, or are disabled, do not run", () => {
+  const loose = program([print("a"), { ...print("b"), disabledReasons: ["MANUALLY_DISABLED"] }, print("c")]);
+  loose.blocks.blocks.push(print("d"));
+  assert.deepEqual(interpret(loose).prints, ["a", "c"]);
+  assert.deepEqual(interpret({}), { prints: [], commands: [], error: "", events: 0 });
+});
+
+test("a loop is left, or begins its next round, where the program says", () => {
+  const when = (value, ...blocks) => block("controls_if", {
+    IF0: compare(get("x"), "EQ", value), DO0: body(...blocks),
+  });
+  const { prints } = interpret(program([
+    count(1, 9, 1, when(2, flow("CONTINUE")), when(4, flow("BREAK")), print(get("x"))), print("end")]));
+  assert.deepEqual(prints, ["1", "3", "end"]);
+});
+
+test("a function's parameter is its own, and a function may call itself", () => {
+  const called = (ARG0) => ({ block: block("procedures_callreturn", { ARG0 }, { extraState: { name: "sum" } }) });
+  const functions = [{
+    type: "procedures_defreturn", fields: { NAME: "sum" }, extraState: { params: [{ name: "n", id: "n" }] },
+    inputs: {
+      STACK: body(block("procedures_ifreturn", { CONDITION: compare(get("n"), "EQ", 0), VALUE: 0 })),
+      RETURN: calculate(get("n"), "ADD", called(calculate(get("n"), "MINUS", 1))),
+    },
+  }];
+  const { prints } = interpret(program([set("n", 7), print(called(4)), print(get("n"))], { functions }));
+  assert.deepEqual(prints, ["10", "7"]);
+});
+
+test("a loop without a wait, and a long calculation, let the page have its turn", () => {
+  assert.ok(interpret(program([forever()])).events > 20000);
+  let value = plug("logic_boolean", {}, { BOOL: "TRUE" });
+  for (let depth = 0; depth < 12; depth += 1) value = plug("logic_operation", { A: value, B: value }, { OP: "AND" });
+  const events = [...new Interpreter(program([print(value)]), WORKSHOP, () => ({})).run()];
+  assert.ok(events.filter(({ breathe }) => breathe).length > 100);
+});
+
+test("a random number is among those that were asked for", () => {
+  const dice = program([forever(print(plug("math_random_int", { FROM: 1, TO: 6 })))]);
+  assert.deepEqual(new Set(interpret(dice).prints), new Set(["1", "2", "3", "4", "5", "6"]));
+});

@@ -1,0 +1,87 @@
+// The Python that the page writes of a program.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import "./blockly.js";
+
+import { block, get, plug, print, program, set, WORKSHOP } from "./programs.js";
+
+const { Blockly } = globalThis;
+const { defineBlocks } = await import("#www/program/blocks.js");
+const { prepareGenerator, toPython } = await import("#www/program/python.js");
+defineBlocks();
+prepareGenerator();
+
+function write(json, geometry = WORKSHOP) {
+  const workspace = new Blockly.Workspace();
+  Blockly.serialization.workspaces.load(json, workspace);
+  return toPython(workspace, "my_program", geometry);
+}
+
+test("an empty program is a node that commands a stop", () => {
+  assert.equal(write(program([])).text, `#!/usr/bin/env python3
+import rospy
+from geometry_msgs.msg import Twist
+
+rospy.init_node("my_program")
+publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
+rate = rospy.Rate(10)
+motion = Twist()
+
+
+def main():
+    while publisher.get_num_connections() == 0:
+        rate.sleep()
+    publisher.publish(Twist())
+    rate.sleep()
+
+
+try:
+    main()
+except rospy.ROSInterruptException:
+    pass
+`);
+});
+
+test("each block's line is known, so that the page can mark it", () => {
+  const { text, lines } = write(program([
+    { ...block("robot_set", { X: 0.5, Z: 0.1 }), id: "set" }, { ...print("done"), id: "print" }]));
+  const line = (id) => text.split("\n")[lines.get(id)].trim();
+  assert.deepEqual(["set", "print"].map(line), ["motion.linear.x = 0.5", "print('done')"]);
+  assert.doesNotMatch(text, /#@/);
+});
+
+test("only the helpers and imports that a program needs are written", () => {
+  const { text } = write(program([block("robot_wait", { SECONDS: 1 })]));
+  assert.match(text, /def wait/);
+  assert.doesNotMatch(text, /def drive|import math|nav_msgs/);
+});
+
+test("wheels are set in the robot's own units", () => {
+  const wheels = program([block("robot_wheels", { LEFT: 0.5, RIGHT: 0.5 })]);
+  assert.match(write(wheels).text, /\(right - left\) \/ 2\n/);
+  assert.match(write(wheels, { wheel_separation: 0.1125, max_speed: 0.6 }).text, /\(right - left\) \/ 0.1125 \* 0.6\n/);
+});
+
+test("a turn to the right negates what it is given", () => {
+  const turn = (Z) => block("robot_turn", { Z, SECONDS: 1 }, { fields: { SIDE: "RIGHT" } });
+  const sum = plug("math_arithmetic", { A: get("x"), B: 1 }, { OP: "ADD" });
+  const { text } = write(program([turn(0.2), turn(-0.2), turn(get("x")), turn(sum)], { variables: ["x"] }));
+  for (const call of ["drive(0, -0.2, 1)", "drive(0, 0.2, 1)", "drive(0, -x, 1)", "drive(0, -(x + 1), 1)"]) {
+    assert.ok(text.includes(call), call);
+  }
+});
+
+test("a variable may have the name of what the node uses, or of nothing in Python", () => {
+  const { text } = write(program([set("motion", 1), set("größe in %", 2)], { variables: ["motion", "größe in %"] }));
+  assert.match(text, /^ {4}motion2 = 1$/m);
+  assert.match(text, /^motion = Twist\(\)$/m);
+});
+
+test("no text and no name begins a line of its own", () => {
+  const evil = "a\rimport os\x0cos.x()\x85os.y()\u2028b\nc";
+  const { text } = write(program([set(evil, 1), print(evil)], { variables: [evil] }));
+  assert.doesNotMatch(text, /^\s*(import os|os\.)/m);
+  assert.doesNotMatch(text, /[\r\x0b\x0c\x1c-\x1e\x85]/);
+});

@@ -1,0 +1,34 @@
+// Calculations and prints are Python's.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { modulo, OPERATIONS, plain, PROPERTIES, shown } from "#www/program/values.js";
+
+test("a half is rounded to the even neighbour", () => {
+  assert.deepEqual([0.5, 1.5, 2.5, -0.5, -1.5, 2.4].map(OPERATIONS.ROUND), [0, 2, 2, -0, -2, 2]);
+});
+
+test("the rest of a division has the sign of the divisor", () => {
+  assert.deepEqual([modulo(-7, 3), modulo(7, -3), modulo(-7, -3), modulo(6, 3)], [2, -2, -1, 0]);
+  assert.ok(PROPERTIES.ODD(-3));
+});
+
+test("angles are in degrees", () => {
+  assert.ok(Math.abs(OPERATIONS.SIN(30) - 0.5) < 1e-12);
+  assert.ok(Math.abs(OPERATIONS.ATAN(1) - 45) < 1e-12);
+});
+
+test("primes are found, and a number that would take too long has no result", () => {
+  assert.deepEqual([...Array(20).keys()].filter(PROPERTIES.PRIME), [2, 3, 5, 7, 11, 13, 17, 19]);
+  assert.ok(Number.isNaN(PROPERTIES.PRIME(1e12)));
+});
+
+test("a number is printed with six digits, a large one with all", () => {
+  assert.deepEqual([1 / 3, 0.1 + 0.2, 123456.789, 2e-7, 4].map(shown), ["0.333333", "0.3", "123456.789", "2e-7", "4"]);
+});
+
+test("True, False and None are printed as such, and calculated as 1 and 0", () => {
+  assert.deepEqual([true, false, null, "<b>"].map(shown), ["True", "False", "None", "<b>"]);
+  assert.deepEqual([true, false, 3].map(plain), [1, 0, 3]);
+});
