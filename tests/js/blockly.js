@@ -9,6 +9,7 @@ const FOLDER = new URL("../../morbot_ws/src/jetbot_cockpit/www/vendor/blockly/",
 for (const name of ["blockly_compressed", "blocks_compressed", "python_compressed", "msg/en"]) {
   runInThisContext(readFileSync(new URL(`${name}.js`, FOLDER), "utf8"));
 }
+
 // What Blockly needs of XML, in which some blocks describe their parts.
 class Element {
   childNodes = [];

@@ -15,7 +15,7 @@ def node(*arguments: object, input: str = "") -> "subprocess.CompletedProcess[st
     """Run Node in the project's folder; return how it ended, and what it printed."""
     environment = {name: value for name, value in os.environ.items() if name != "NODE_OPTIONS"}
     return subprocess.run(["node", *map(str, arguments)], cwd=ROOT, env=environment, input=input,
-                          stdout=subprocess.PIPE, universal_newlines=True)
+                          stdout=subprocess.PIPE, text=True)
 
 
 def has_node() -> bool:
@@ -24,4 +24,4 @@ def has_node() -> bool:
 
 
 needs_node = pytest.mark.skipif(
-    not has_node(), reason=f"Node {OLDEST} or later is not installed, which runs the page's scripts: sudo apt install nodejs")
+    not has_node(), reason=f"the page's scripts need Node {OLDEST} or later: sudo apt install nodejs")
