@@ -7,6 +7,8 @@ import { Link } from "#www/link.js";
 
 import { Clock } from "./clock.js";
 
+const CLOSED = 3;
+
 class FakeSocket {
   static OPEN = 1;
   readyState = 0;
@@ -31,7 +33,7 @@ class FakeSocket {
   }
 
   close(code = 1006, reason = "") {
-    this.readyState = 3;
+    this.readyState = CLOSED;
     this.onclose({ code, reason });
   }
 }
@@ -130,7 +132,7 @@ test("what an old connection still says is not heard", (t) => {
   link.open();
   sockets[1].open();
   socket.receive('{"type": "state"}');
-  socket.close();
+  assert.equal(socket.readyState, CLOSED);
   assert.deepEqual([received, problems], [[], ["", ""]]);
 });
 
