@@ -396,9 +396,9 @@ def test_the_keyboard_alone_builds_runs_and_stops_a_program(blocks, world):
             assert page.element(name).accessible_name, f"#{name} has no label"
 
 
-PLACES = """return ["This program was changed on another page. ".repeat(2), "Not kept yet", ""].map((text) => {
+PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not kept yet", ""].map((text) => {
     document.getElementById("kept").textContent = text;
-    document.getElementById("copy").hidden = !text;
+    document.getElementById("newer").hidden = !text;
     return JSON.stringify(document.getElementById("blocks").getBoundingClientRect());
 });"""
 

@@ -36,11 +36,11 @@ def post(cockpit, fields, grant=FIRST_PUPIL, **headers):
 def test_a_pupil_keeps_and_opens_the_programs_of_the_own_robot(cockpit):
     status, saved = post(cockpit, SAVE)
     assert (status, saved) == (200, {"id": ID, "robot": MINE, "name": "<b>Square</b>", "version": 1, "deleted": False,
-                                     "contested": False})
+                                     "earlier": []})
     assert post(cockpit, LIST) == (200, {"programs": [saved]})
     assert post(cockpit, {"do": "open", "robot": MINE, "id": ID})[1]["program"] == PROGRAM
-    assert post(cockpit, {"do": "delete", "robot": MINE, "id": ID, "version": 1})[1]["deleted"]
-    assert not post(cockpit, {"do": "restore", "robot": MINE, "id": ID, "version": 2})[1]["deleted"]
+    assert post(cockpit, {"do": "delete", "robot": MINE, "id": ID})[1]["deleted"]
+    assert not post(cockpit, {"do": "restore", "robot": MINE, "id": ID})[1]["deleted"]
 
 
 def test_a_pupil_reads_and_changes_no_other_robots_programs_and_a_teacher_all(cockpit):
@@ -48,7 +48,7 @@ def test_a_pupil_reads_and_changes_no_other_robots_programs_and_a_teacher_all(co
     assert post(cockpit, theirs, TEACHER)[0] == 200
     refused = say("own_programs_only").fields()
     for fields in (theirs, {"do": "list", "robot": FOREIGN}, {"do": "open", "robot": FOREIGN, "id": OTHER},
-                   {"do": "delete", "robot": FOREIGN, "id": OTHER, "version": 1}, {"do": "list", "robot": None}):
+                   {"do": "delete", "robot": FOREIGN, "id": OTHER}, {"do": "list", "robot": None}):
         assert post(cockpit, fields) == (409, refused)
     for fields in {"do": "open", "robot": MINE, "id": OTHER}, {**SAVE, "id": OTHER, "version": 1}:
         assert post(cockpit, fields) == (409, say("gone").fields())
@@ -64,11 +64,14 @@ def test_without_a_code_or_from_another_page_nobody_gets_in(cockpit):
     assert request(cockpit.port, "GET", "/work", cockpit.headers(Content_Type="application/json")).status == 405
 
 
-def test_two_pages_on_one_program_are_both_told(cockpit):
+def test_what_two_pages_make_of_one_version_is_both_kept_and_can_be_opened(cockpit):
     post(cockpit, SAVE)
     assert post(cockpit, {**SAVE, "version": 1, "name": "A"})[0] == 200
     status, answer = post(cockpit, {**SAVE, "version": 1, "name": "B"}, TEACHER)
-    assert status == 409 and "changed on another page" in answer["text"]
+    assert (status, answer["version"], answer["earlier"]) == (200, 3, [{"version": 2, "name": "A"}])
+    names = [post(cockpit, {"do": "open", "robot": MINE, "id": ID, **version})[1]["name"]
+             for version in ({}, {"version": 2})]
+    assert names == ["B", "A"]
 
 
 @pytest.mark.parametrize("change", [

@@ -14,14 +14,16 @@ from hypothesis import strategies as st
 
 from conftest import PACKAGES, PYTHONPATH
 from jetbot import InvalidValue
+from jetbot_cockpit.classroom import program as one
 from jetbot_cockpit.classroom import programs as rules
 from jetbot_cockpit.classroom.classroom import Classroom, open_classroom
 from jetbot_cockpit.classroom.folder import CLASS_NAME, ClassFolder, Nowhere
-from jetbot_cockpit.classroom.programs import Program, Programs, Refused, is_program_name
+from jetbot_cockpit.classroom.program import Program, is_program_name
+from jetbot_cockpit.classroom.programs import Programs, Refused
 from jetbot_cockpit.web.access import make_grants
 
 IDS = [f"{number:016x}" for number in range(100)]
-SQUARE, CIRCLE = '{"blocks":{"square":4}}', '{"blocks":{"circle":1}}'
+SQUARE, CIRCLE, STAR = (json.dumps({"blocks": {name: 1}}) for name in ("square", "circle", "star"))
 CALLS = "os.replace", "os.fsync", "pathlib.Path.open", "pathlib.Path.unlink"
 
 
@@ -79,40 +81,87 @@ def test_only_the_owner_reads_the_folder(classes):
     assert classes.path.stat().st_mode & 0o777 == 0o700
 
 
-def test_two_pages_on_one_program_do_not_overwrite_each_other():
+def versions(programs):
+    """Return the texts of all versions of the program, the newest first."""
+    return [each.program for each in programs.open("/red", IDS[0]).versions()]
+
+
+def test_what_two_pages_make_of_one_version_is_both_kept_also_after_a_restart(classes):
+    programs = Programs(classes())
+    save(programs)
+    save(programs, version=1, program=CIRCLE)
+    save(programs, version=1, name="Other", program=STAR)
+    programs = Programs(classes())
+    assert versions(programs) == [STAR, CIRCLE]
+    row = programs.rows("/red")[0]
+    assert (row["name"], row["version"], row["earlier"]) == ("Other", 3, [{"version": 2, "name": "Square"}])
+
+
+def test_a_version_is_replaced_by_what_is_made_of_it_and_by_nothing_else():
+    programs = Programs(Nowhere())
+    red = blue = save(programs).version
+    for number in range(20):
+        red = save(programs, version=red, program=json.dumps({"red": number})).version
+        blue = save(programs, version=blue, program=json.dumps({"blue": number})).version
+    assert versions(programs) == ['{"blue": 19}', '{"red": 19}'], "of each page its newest"
+    save(programs, version=red, program=STAR)
+    assert versions(programs) == [STAR, '{"blue": 19}'], "an earlier one was opened and changed"
+
+
+def test_of_many_versions_the_newest_are_kept_and_the_cockpit_reads_the_largest_again(classes):
+    programs, texts = Programs(classes()), [json.dumps({"blocks": '"' * 32700, "page": page}) for page in range(15)]
+    for text in texts:
+        save(programs, version=99, program=text)
+    assert versions(Programs(classes())) == texts[:-12:-1]
+
+
+def test_each_version_can_be_opened_and_the_newest_in_place_of_one_that_is_replaced():
+    programs = Programs(Nowhere())
+    for version, text in (0, SQUARE), (1, CIRCLE), (1, STAR):
+        save(programs, version=version, program=text)
+    program = programs.open("/red", IDS[0])
+    assert [program.opened(version)["program"] for version in (None, 3, 2, 1)] == [STAR, STAR, CIRCLE, STAR]
+    assert program.opened(2)["version"] == 2
+
+
+def test_a_page_that_outlives_a_cockpit_without_a_class_overwrites_no_other_page_there():
+    programs = Programs(Nowhere())
+    save(programs, version=1, program=CIRCLE)
+    save(programs, version=2, program=STAR)
+    assert versions(programs) == [STAR, CIRCLE]
+
+
+def test_a_change_of_a_deleted_program_brings_it_back():
     programs = Programs(Nowhere())
     save(programs)
-    assert save(programs, version=1, program=CIRCLE).version == 2
-    for late in (lambda: save(programs, version=1, name="other"), lambda: programs.delete("/red", IDS[0], 1, True)):
-        with pytest.raises(Refused, match="changed on another page"):
-            late()
+    programs.delete("/red", IDS[0], True)
+    save(programs, version=1, program=CIRCLE)
     assert kept(programs) == {IDS[0]: CIRCLE}
 
 
-def test_the_page_that_keeps_a_program_sees_that_another_one_changes_it_too():
-    programs = Programs(Nowhere())
-    save(programs)
-    save(programs, version=1, program=CIRCLE)
-    seen = programs.changed("/red")
-    with pytest.raises(Refused):
-        save(programs, version=1, name="other")
-    assert programs.changed("/red") > seen and programs.rows("/red")[0]["contested"]
-    save(programs, version=2, name="mine")
-    assert not programs.rows("/red")[0]["contested"]
+def test_what_1_2_has_kept_is_read(classes):
+    classes()
+    (classes.path / f"program_{IDS[0]}.json").write_text(json.dumps({
+        "id": IDS[0], "robot": "/red", "name": "Square", "version": 3, "changed": 8, "deleted": False,
+        "program": SQUARE}))
+    programs = Programs(classes())
+    assert kept(programs) == {IDS[0]: SQUARE} and save(programs, version=3, program=CIRCLE).version == 4
 
 
 def test_what_is_sent_again_because_its_answer_was_lost_is_kept_once():
     programs = Programs(Nowhere())
     assert save(programs) == save(programs)
-    assert programs.delete("/red", IDS[0], 1, True) == programs.delete("/red", IDS[0], 1, True)
-    assert save(Programs(Nowhere()), version=7).version == 1, "after the cockpit was started again"
+    assert programs.delete("/red", IDS[0], True) == programs.delete("/red", IDS[0], True)
+    save(programs, version=1, program=CIRCLE)
+    save(programs, version=1, program=STAR)
+    assert save(programs, version=1, program=CIRCLE) and versions(programs) == [CIRCLE, STAR]
 
 
 def test_the_other_page_sees_that_something_has_changed():
     programs = Programs(Nowhere())
     seen = [programs.changed("/red")]
     for change in (lambda: save(programs), lambda: save(programs, version=1, name="Big square"),
-                   lambda: programs.delete("/red", IDS[0], 2, True), lambda: programs.delete("/red", IDS[0], 3, False)):
+                   lambda: programs.delete("/red", IDS[0], True), lambda: programs.delete("/red", IDS[0], False)):
         change()
         seen.append(programs.changed("/red"))
     assert seen == sorted(set(seen)) and programs.changed("/blue") == 0
@@ -121,17 +170,17 @@ def test_the_other_page_sees_that_something_has_changed():
 def test_a_deleted_program_comes_back_by_undo_also_after_a_restart(classes):
     programs = Programs(classes())
     save(programs)
-    programs.delete("/red", IDS[0], 1, True)
+    programs.delete("/red", IDS[0], True)
     programs = Programs(classes())
     assert kept(programs) == {} and programs.rows("/red")[0]["deleted"]
-    programs.delete("/red", IDS[0], 2, False)
+    programs.delete("/red", IDS[0], False)
     assert kept(Programs(classes())) == {IDS[0]: SQUARE}
 
 
 def test_no_robot_reads_or_changes_another_ones_programs():
     programs = Programs(Nowhere())
     save(programs)
-    for foreign in (lambda: programs.open("/blue", IDS[0]), lambda: programs.delete("/blue", IDS[0], 1, True),
+    for foreign in (lambda: programs.open("/blue", IDS[0]), lambda: programs.delete("/blue", IDS[0], True),
                     lambda: save(programs, version=1, robot="/blue", program=CIRCLE)):
         with pytest.raises(Refused):
             foreign()
@@ -146,7 +195,7 @@ def test_a_robot_has_room_for_some_programs_and_deleted_ones_make_room(classes):
         save(programs, IDS[-1])
     save(programs, IDS[-1], robot="/blue")
     for id in IDS[3], IDS[2]:
-        programs.delete("/red", id, 1, True)
+        programs.delete("/red", id, True)
     save(programs, IDS[-2])
     left = set(kept(programs))
     assert left == {*IDS[:rules.MAX_PROGRAMS], IDS[-2]} - {IDS[2], IDS[3]}
@@ -155,11 +204,21 @@ def test_a_robot_has_room_for_some_programs_and_deleted_ones_make_room(classes):
 
 
 def test_a_robots_programs_are_limited_in_all():
-    programs, large = Programs(Nowhere()), json.dumps({"blocks": "x" * (rules.MAX_TEXT - 20)})
+    programs, large = Programs(Nowhere()), json.dumps({"blocks": "x" * (one.MAX_TEXT - 20)})
     with pytest.raises(Refused, match="no room"):
         for id in IDS:
             save(programs, id, program=large)
     assert len(kept(programs)) == rules.MAX_TOTAL // len(large)
+
+
+def test_earlier_versions_take_a_robots_room_too():
+    programs = Programs(Nowhere())
+    large = [json.dumps({"blocks": page * (one.MAX_TEXT - 20)}) for page in "abcd"]
+    with pytest.raises(Refused, match="no room"):
+        for id in IDS:
+            for text in large:
+                save(programs, id, version=99, program=text)
+    assert len(kept(programs)) == rules.MAX_TOTAL // len(large[0]) // len(large)
 
 
 @pytest.mark.parametrize("program", [
@@ -197,7 +256,8 @@ def test_files_have_numbers_whatever_a_program_is_called(classes):
     "", "[]", "{}", "[" * 10000, '{"id": 1}', " " * 2_000_000,
     *(json.dumps({**Program(IDS[0], "/red", "Square", 1, 1, False, SQUARE)._asdict(), **changes}) for changes in (
         {"id": IDS[1]}, {"name": ""}, {"version": "1"}, {"deleted": 0}, {"program": "x"}, {"robot": None},
-        {"new": 1}))])
+        {"new": 1}, {"earlier": {}}, {"earlier": [1]}, {"earlier": [[1, "Square"]]}, {"earlier": [[1, "", SQUARE]]},
+        {"earlier": [[1, "Square", "x"]]}))])
 def test_a_damaged_file_is_put_aside_and_the_others_are_read(classes, content):
     folder = classes()
     save(Programs(folder), IDS[5])
@@ -257,8 +317,8 @@ def test_whatever_fails_while_saving_the_old_version_or_the_new_one_is_there(cla
         assert kept(again) in ({IDS[0]: SQUARE}, {IDS[0]: CIRCLE})
         assert [file.name for file in classes.path.iterdir()] == [f"program_{IDS[0]}.json"], "nothing is left over"
         save(again, version=again.rows("/red")[0]["version"], name="goes on", program=CIRCLE)
-        again.delete("/red", IDS[0], again.rows("/red")[0]["version"], True)
-        again.delete("/red", IDS[0], again.rows("/red")[0]["version"], False)
+        again.delete("/red", IDS[0], True)
+        again.delete("/red", IDS[0], False)
     assert failures
 
 
@@ -294,7 +354,7 @@ def test_in_whatever_order_what_was_answered_is_there(classes, monkeypatch, step
         if step == "save":
             expected[id] = save(programs, id, version, program=text).program
         elif step in ("delete", "restore") and version:
-            program = programs.delete("/red", id, version, step == "delete")
+            program = programs.delete("/red", id, step == "delete")
             expected.pop(id, None)
             expected.update({} if program.deleted else {id: program.program})
         elif step == "kill":

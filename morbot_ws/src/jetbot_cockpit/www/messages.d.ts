@@ -47,7 +47,7 @@ export type Incoming =
 
 export type Request =
   | { do: "list"; robot?: string | null; }
-  | { do: "open"; robot: string; id: string; }
+  | { do: "open"; robot: string; id: string; version?: number | null; }
   | { do: "save"; robot: string; id: string; version: number; name: string; program: string; }
-  | { do: "delete"; robot: string; id: string; version: number; }
-  | { do: "restore"; robot: string; id: string; version: number; };
+  | { do: "delete"; robot: string; id: string; }
+  | { do: "restore"; robot: string; id: string; };

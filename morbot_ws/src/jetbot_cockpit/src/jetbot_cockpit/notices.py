@@ -39,7 +39,6 @@ NOTICES = {
     "pictures_full": "There are {count} pictures of {label} already.",
     "picture_not_kept": "{problem}: {file}",
     # Programs, and the class
-    "conflict": "This program was changed on another page. Open it again, or save yours as a copy.",
     "gone": "This program is not there any more.",
     "too_large": "This program is too large to be kept here: {kilobytes} kB at most. Save it as a file.",
     "no_program": "This is no program.",

@@ -1,4 +1,9 @@
 // One program that the cockpit keeps: each change is sent after a second, and again until the cockpit has answered.
+// It knows no page.
+//
+//   unchanged, kept, refused, older -- change --> waiting, or refused here
+//   waiting -- a second without a change --> sending -- the cockpit's answer --> kept, or refused
+//   unchanged, kept -- another page has saved it --> older
 
 import { limits } from "../limits.js";
 import { toName } from "../storage.js";
@@ -8,73 +13,74 @@ import { problemOf } from "./check.js";
 const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
 const TOO_LARGE = "Too large to be kept here. Save it as a file.";
-const CONTESTED = "Another page changes this program, too, and is told that its changes are not kept.";
-const CONFLICT = "conflict"; // the cockpit's code for this:
-const CHANGED = "This program was changed on another page. Open it again, or save yours as a copy.";
+const NEWER = "There is a newer version of this program.";
+
+// What a person reads in each state; bad: as a warning; unsaved: the cockpit has another content
+const STATES = {
+  unchanged: { text: "" }, // since it was opened, or begun
+  waiting: { text: "Not kept yet", unsaved: true }, // timer
+  sending: { text: "Not kept yet", unsaved: true }, // perhaps the cockpit has kept it, and its answer was lost
+  kept: { text: "Kept" },
+  refused: { bad: true, unsaved: true }, // text: why it is not kept as it is
+  older: { text: NEWER, bad: true }, // newer: the version that another page has saved
+};
 
 export class Kept {
-  content = null; // { name, program }, as it was changed last
-  unsaved = false; // whether the cockpit has another content
-  waiting = null; // the content that is to be sent
-  sent = null; // what may have been kept, without an answer: it is sent again before anything newer
-  problem = ""; // why the content is not even sent
-  foreign = false; // whether another page has changed it: this page keeps it no more
+  state = { name: "unchanged", ...STATES.unchanged };
 
   // robot: whose program it is, null as long as there is none; version: as the cockpit has it, 0 for a new program;
-  // report(kept, text, bad): what has become of the content
-  constructor(robot, id, version, report) {
-    Object.assign(this, { robot, id: id ?? newId(), version, report });
+  // content: { name, program }, null until there is something to keep; report(kept): it is in another state
+  constructor(robot, { id = newId(), version = 0, content = null }, report) {
+    Object.assign(this, { robot, id, version, content, report });
   }
 
-  get pending() {
-    return this.waiting !== null || this.sent !== null;
+  enter(name, data = {}) {
+    clearTimeout(this.state.timer);
+    this.state = { name, ...STATES[name], ...data };
+    this.report(this);
   }
 
-  keep(content) {
-    Object.assign(this, { content, unsaved: true });
+  change(content) {
+    this.content = content;
+    if (this.state.name === "sending") return this.enter("sending"); // what was sent comes first
     const tooLarge = new TextEncoder().encode(content.program).length > limits.program;
-    this.problem = tooLarge ? TOO_LARGE : problemOf(content.program);
-    if (this.problem) return this.report(this, this.problem, true);
-    this.waiting = content;
-    this.report(this, "Not kept yet", false);
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.save(), SAVE_AFTER);
+    const problem = tooLarge ? TOO_LARGE : problemOf(content.program);
+    if (problem) this.enter("refused", { text: problem });
+    else this.enter("waiting", { timer: setTimeout(() => this.save(), SAVE_AFTER) });
   }
 
-  // Sends until the cockpit has kept or refused all that is waiting.
+  belongTo(robot) {
+    this.robot = robot;
+    return this.save();
+  }
+
+  // Sends what waits, now.
   async save() {
-    if (this.saving || !this.robot) return;
-    this.saving = true;
-    while (this.pending) await this.send();
-    this.saving = false;
+    if (this.state.name !== "waiting" || this.robot === null) return;
+    const { content } = this;
+    this.enter("sending");
+    this.enter(...await this.send(content));
+    if (this.content !== content) this.change(this.content);
   }
 
-  async send() {
-    if (!this.sent) [this.sent, this.waiting] = [this.waiting, null];
-    const [{ robot, id, version }, { name, program }] = [this, this.sent];
-    try {
-      ({ version: this.version } = await ask({ do: "save", robot, id, version, name: clean(name), program }));
-      this.sent = null;
-      this.unsaved = this.pending || this.problem !== "";
-      this.report(this, this.problem || (this.pending ? "Not kept yet" : "Kept"), Boolean(this.problem));
-    } catch ({ message, code, again }) {
-      if (!again) return this.refuse(message, code);
-      this.report(this, message, true);
+  // Sends until the cockpit answers; returns the state after that.
+  async send({ name, program }) {
+    for (;;) {
+      try {
+        const { robot, id, version } = this;
+        ({ version: this.version } = await ask({ do: "save", robot, id, version, name: clean(name), program }));
+        return ["kept"];
+      } catch ({ message, again }) {
+        if (!again) return ["refused", { text: message }];
+        this.enter("sending", { text: message, bad: true });
+      }
       await new Promise((resolve) => { setTimeout(resolve, RETRY_AFTER); });
     }
   }
 
-  // Compares it with what the cockpit has, a row of its list. This page's next change is refused, or the other page's.
-  compare({ version, contested }) {
-    if (version !== this.version) this.refuse(CHANGED, CONFLICT);
-    else if (contested) this.report(this, CONTESTED, true);
-  }
-
-  // It is not kept as it is now.
-  refuse(text, code) {
-    this.waiting = this.sent = null;
-    this.foreign = code === CONFLICT;
-    this.report(this, text, true);
+  // Takes its row of the cockpit's list, which may be a little old.
+  compare({ version }) {
+    if (version > this.version && !this.state.unsaved) this.enter("older", { newer: version });
   }
 }
 

@@ -5,14 +5,14 @@ import { Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
 import { parseProgram } from "./check.js";
 import { currentProgram, openEditor, showProgram } from "./editor.js";
-import { EMPTY, EXAMPLES } from "./examples.js";
+import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
+import { NEW, openWork } from "./keeping.js";
 import { Overview } from "./overview.js";
 import { packageName, packageZip } from "./package.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
-import { Judging } from "./tasks.js";
-import { Work } from "./work.js";
+import { Tasks } from "./tasks.js";
 
 const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
@@ -39,12 +39,12 @@ const shell = new Shell({
       work.update(world.chosen, world.state(world.chosen).programs);
       judging.update();
     },
-    tasks({ tasks }) {
-      judging.list(tasks);
-      overview.show({ tasks });
+    tasks({ tasks: offered }) {
+      tasks.list(offered);
+      overview.show({ tasks: offered });
     },
     scores: ({ scores }) => overview.show({ scores }),
-    notice: ({ text }) => judging.refused(text),
+    notice: ({ text }) => judging.cancel(text),
     lift: ({ robot, text }) => robot === run?.robot.id && end(text),
     program: (message) => message.robot === run?.robot.id && run.senses.receive(message),
   },
@@ -60,7 +60,7 @@ const shell = new Shell({
 const { world, notice, send } = shell;
 const show = () => shell.show();
 const workspace = openEditor(element("blocks"), programChanged);
-const work = new Work({
+const work = openWork({
   show: open,
   current: () => ({ name: element("title").value, program: programText() }),
   lock(on) {
@@ -68,7 +68,8 @@ const work = new Work({
     element("title").disabled = on;
   },
 });
-const judging = new Judging({ send, run: () => start(false), world });
+const tasks = new Tasks({ send, run: () => start(false), world });
+const { judging } = tasks;
 const overview = new Overview({ send, look: (row) => work.look(row), download, world });
 
 // The cockpit also refuses the next command; this comes first where the program waits.
@@ -154,8 +155,7 @@ function open(title, text) {
 
 async function openFile({ target }) {
   const [file] = target.files;
-  if (file) work.choose();
-  if (file) open(file.name.replace(/\.json$/, "").slice(0, 40), await file.slice(0, MAX_FILE).text());
+  if (file) work.add(file.name.replace(/\.json$/, "").slice(0, 40), await file.slice(0, MAX_FILE).text());
   target.value = "";
 }
 
@@ -205,7 +205,7 @@ function showButtons() {
   const [going, held] = [runs(), runs() && run.held];
   element("run").disabled = going;
   element("pause").disabled = !going;
-  element("end").disabled = !going && !judging.waiting;
+  element("end").disabled = !going && !judging.isWaiting;
   element("step").disabled = going && !held;
   element("pause").setAttribute("aria-pressed", held);
   setText(element("pause"), held ? "Go on" : "Pause");
@@ -227,15 +227,13 @@ element("save").addEventListener("click", saveProgram);
 element("package").addEventListener("click", savePackage);
 element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));
 element("examples").addEventListener("change", ({ target }) => {
-  if (target.value) work.choose();
-  if (target.value) open(target.value, EXAMPLES[target.value]);
+  if (target.value) work.add(target.value, EXAMPLES[target.value]);
   target.value = "";
 });
 addEventListener("keydown", (event) => event.key === "Escape" && end("Stopped."), true);
 for (const event of ["pagehide", "freeze"]) addEventListener(event, () => end(HIDDEN));
 document.addEventListener("visibilitychange", () => document.hidden && end(HIDDEN));
 
-open("my program", EMPTY);
-work.restore();
+work.restore(...NEW);
 show();
 shell.start();

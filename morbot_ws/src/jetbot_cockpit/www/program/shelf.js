@@ -1,4 +1,4 @@
-// The sheet with the programs of the chosen robot: open, copy, delete.
+// The sheet with the programs of the chosen robot: open, copy, delete, and open an earlier version.
 
 import { create, element, setText } from "../dom.js";
 import { ask, newId } from "./ask.js";
@@ -8,9 +8,9 @@ import { Sheet } from "./sheet.js";
 export class Shelf {
   rows = []; // as the cockpit lists them
 
-  // open(id); isShown(id); deleted(id): a program was deleted, or is there again
-  constructor({ open, isShown, deleted }) {
-    Object.assign(this, { open, isShown, deleted });
+  // work: opens and deletes them, knows which one is shown
+  constructor(work) {
+    this.work = work;
     this.sheet = new Sheet("work", "programs", () => this.show());
   }
 
@@ -22,32 +22,47 @@ export class Shelf {
   show() {
     const { activeElement: focused } = document;
     const [row, place] = [focused.closest("#work-list li"), [...focused.parentElement.children].indexOf(focused)];
-    element("work-list").replaceChildren(...this.rows.map((each) => this.item(each)));
+    element("work-list").replaceChildren(...this.rows.flatMap((each) => this.items(each)));
     const again = row && element("work-list").querySelector(`[data-id="${row.dataset.id}"]`);
     if (row) (again?.children[place] ?? again?.lastChild ?? element("work")).focus();
   }
 
-  item(row) {
-    const item = create("li", row.deleted ? "deleted" : "");
-    const name = button(row.name, row.name, () => this.open(row.id));
-    const remove = (text) => button(text, `${text}: ${row.name}`, () => this.act(() => this.remove(row)));
-    item.dataset.id = row.id;
-    name.className = "name";
-    name.disabled = row.deleted;
-    if (this.isShown(row.id)) name.setAttribute("aria-current", "true");
-    item.append(name, ...row.deleted ? [remove("Undo")] : [
-      button("Copy", `Copy: ${row.name}`, () => this.act(() => this.copy(row))), remove("Delete")]);
+  // Returns the newest version of a program, and below it the earlier ones.
+  items(row) {
+    const { id, name, deleted, earlier } = row;
+    const remove = (text) => button(text, `${text}: ${name}`, () => this.act(() => this.work.remove(row)));
+    const copy = () => button("Copy", `Copy: ${name}`, () => this.act(() => this.copy(row)));
+    const newest = this.item(id, name, row, deleted ? [remove("Undo")] : [copy(), remove("Delete")]);
+    if (!deleted) return [newest, ...earlier.map((each) => this.earlierItem(id, each))];
+    newest.className = "deleted";
+    newest.firstChild.disabled = true;
+    return [newest];
+  }
+
+  earlierItem(id, { name, version }) {
+    const item = this.item(`${id} ${version}`, `${name}, version ${version}`, { id, version });
+    item.className = "earlier";
     return item;
+  }
+
+  // key: by which it is found again when the list is shown again
+  item(key, text, { id, version }, buttons = []) {
+    const [item, name] = [create("li"), button(text, text, () => this.act(() => this.open(id, version)))];
+    item.dataset.id = key;
+    name.className = "name";
+    if (this.work.isShown(id, version)) name.setAttribute("aria-current", "true");
+    item.append(name, ...buttons);
+    return item;
+  }
+
+  async open(id, version) {
+    await this.work.open(id, version);
+    this.sheet.toggle(false);
   }
 
   async copy({ id, robot }) {
     const { name, program } = await ask({ do: "open", robot, id });
     await ask({ do: "save", robot, id: newId(), version: 0, name: copyOf(name), program });
-  }
-
-  async remove({ id, robot, version, deleted }) {
-    await ask({ do: deleted ? "restore" : "delete", robot, id, version });
-    this.deleted(id);
   }
 
   // Says why the cockpit refuses it.

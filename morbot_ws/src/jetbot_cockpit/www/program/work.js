@@ -1,63 +1,79 @@
 // The program that is shown: which one it is, whether the cockpit keeps it, and until then this device.
+// It knows no page.
 
-import { element, setText } from "../dom.js";
 import { recall, remember } from "../storage.js";
 import { ask } from "./ask.js";
-import { EMPTY } from "./examples.js";
-import { clean, copyOf, Kept } from "./kept.js";
-import { Shelf } from "./shelf.js";
+import { clean, Kept } from "./kept.js";
 
 const LAST = "last program"; // the key of the one that was shown last
+const LOOKING = "To look at only.";
 
 export class Work {
   robot = null; // whose programs these are
-  touched = false; // whether the person has chosen or changed what is shown: it stays, whatever the cockpit has
+  changes = undefined; // to the robot's programs, as far as the last list shows them
+  begun = []; // before there is a robot: they become the first one's
+  // showing: the blocks are being replaced: that is no change of the person's
+  // arriving: what is shown gives way to what the robot has, once its first list has come
+  // editing: what is shown stays, and its changes are kept
+  // looking: it is another robot's, and cannot be changed
+  // baseline: what was shown, when it was looked at last, in the states in which it may be changed
+  state = { name: "showing" };
 
-  // show(name, program): shows a program, returns whether it can; current(): returns { name, program };
-  // lock(on): nobody may change the blocks
-  constructor({ show, current, lock }) {
-    Object.assign(this, { show, current, lock });
-    this.shelf = new Shelf({
-      open: (id) => this.open(id), isShown: (id) => id === this.kept.id,
-      deleted: (id) => id === this.kept.id && this.begin(),
-    });
-    element("new").addEventListener("click", () => {
-      this.choose();
-      this.show("my program", EMPTY);
-      this.shelf.sheet.toggle(false);
-    });
-    element("copy").addEventListener("click", () => this.copyShown());
-    this.begin();
-    this.shown = null; // the first program is still to come
+  // view: show(name, program): shows a program, returns whether it can; current(): returns { name, program };
+  // lock(on): nobody may change the blocks; list(rows); say(text, bad, newer): newer: whether there is a newer version
+  constructor(view) {
+    this.view = view;
   }
 
-  // What is shown from now on is another program; it is not kept until it is changed.
-  begin({ id, version = 0, looking = false } = {}) {
-    this.kept?.save();
-    this.kept = new Kept(this.robot, id, version, (...what) => this.report(...what));
-    Object.assign(this, { looking, touched: false, shown: JSON.stringify(this.current()) });
-    this.report(this.kept, looking ? "To look at only." : "", false);
-    this.lock(looking);
-  }
-
-  // The person shows something else.
-  choose() {
-    this.begin();
-    Object.assign(this, { shown: null, touched: true });
-  }
-
-  // Shows what this device kept when the page was left.
-  restore() {
+  // Shows this program, or what this device kept when the page was left.
+  restore(name, program) {
+    this.display(name, program, "arriving");
     const left = load(recall(LAST));
     if (!left) return;
-    Object.assign(this, { robot: left.robot ?? null, arriving: true });
+    this.robot = left.robot ?? null;
     this.goOn(left);
   }
 
-  // Shows what this device kept.
-  goOn({ id, version, name, program, unsaved }) {
-    this.display(clean(name), program, { id, version });
-    if (unsaved) this.keep({ name: clean(name), program });
+  // Shows a new program; returns whether it can.
+  add(name, program) {
+    return this.display(name, program, "editing");
+  }
+
+  // Shows a version of one of the robot's programs, or what has replaced it. Throws a NotKept.
+  async open(id, version) {
+    const { robot } = this;
+    const { name, program, version: opened } = await ask({ do: "open", robot, id, version });
+    if (robot !== this.robot) return;
+    this.display(name, program, "editing", { id, version: opened, content: { name, program } });
+  }
+
+  // The same, for which nobody waits.
+  async openNewer({ id, version }) {
+    await this.open(id, version).catch(({ message }) => this.view.say(message, true, false));
+  }
+
+  // Shows a program of any robot, which is not changed. Throws a NotKept.
+  async look({ robot, id }) {
+    const { name, program } = await ask({ do: "open", robot, id });
+    this.display(name, program, "looking");
+  }
+
+  // Deletes a program of the list, or undoes that. Throws a NotKept.
+  async remove({ id, robot, deleted }) {
+    if (this.isShown(id)) await this.kept.save(); // so that it is not brought back, and Undo shows the newest
+    await ask({ do: deleted ? "restore" : "delete", robot, id });
+    if (this.isShown(id)) this.begin("editing");
+  }
+
+  isShown(id, version = this.kept.version) {
+    return id === this.kept.id && version === this.kept.version;
+  }
+
+  // The blocks or the name may have changed.
+  changed() {
+    const { name, baseline } = this.state;
+    if (name !== "arriving" && name !== "editing") return;
+    if (JSON.stringify(this.view.current()) !== baseline) this.keep();
   }
 
   // A state has arrived. changes: grows with each change to the robot's programs
@@ -68,98 +84,78 @@ export class Work {
     this.changes = changes;
   }
 
-  // What has had no robot yet becomes this one's.
   changeRobot(robot) {
     const first = this.robot === null;
-    Object.assign(this, { robot, changes: undefined, arriving: true });
-    if (first) {
-      this.kept.robot = robot;
-      if (this.touched) this.keep(this.current());
-      return;
-    }
-    this.begin();
+    Object.assign(this, { robot, changes: undefined });
+    for (const each of this.begun.splice(0)) each.belongTo(robot);
+    if (first) return;
+    this.begin("arriving");
     const left = load(keyOf(robot));
     if (left?.unsaved) this.goOn(left);
   }
 
   async refresh(robot) {
-    try {
-      const { programs } = await ask({ do: "list", robot });
-      if (robot === this.robot) this.compare(programs);
-    } catch {
-      this.changes = undefined; // asks again with the next state
-    }
+    const answer = await ask({ do: "list", robot }).catch(() => null);
+    if (robot !== this.robot) return;
+    if (answer) this.compare(answer.programs);
+    else this.changes = undefined; // asks again with the next state
   }
 
   // Compares what is shown with what the cockpit has.
   compare(rows) {
-    this.shelf.list(rows);
-    const { kept, arriving, touched } = this;
+    this.view.list(rows);
+    const { kept, state: { name, baseline } } = this;
+    if (name === "looking") return;
+    const arriving = name === "arriving";
+    this.state = { name: "editing", baseline };
     const row = rows.find(({ id }) => id === kept.id);
     const newest = rows.find(({ deleted }) => !deleted);
-    this.arriving = false;
-    if (this.looking || kept.pending) return;
-    if (row && (!arriving || row.version === kept.version)) kept.compare(row);
-    else if (row) this.open(row.id);
-    else if (kept.version) this.keep(this.current()); // the cockpit was started again
-    else if (arriving && newest && !touched) this.open(newest.id);
+    if (row && arriving && row.version > kept.version) this.openNewer(row);
+    else if (row) kept.compare(row);
+    else if (kept.version) this.keep(); // the cockpit was started again
+    else if (arriving && newest) this.openNewer(newest);
   }
 
-  // The blocks or the name may have changed.
-  changed() {
-    const work = this.current();
-    const before = this.shown;
-    this.shown = JSON.stringify(work);
-    if (!this.looking && before !== null && this.shown !== before) this.keep(work);
+  // Shows what this device kept.
+  goOn({ id, version, name, program, unsaved }) {
+    const content = { name: clean(name), program };
+    if (this.display(content.name, program, "arriving", { id, version, content }) && unsaved) this.keep();
   }
 
-  keep(work) {
-    this.touched = true;
-    this.kept.keep(work);
+  // What cannot be shown changes nothing.
+  display(name, program, next, which) {
+    const { state } = this;
+    this.state = { name: "showing" };
+    const shown = this.view.show(name, program);
+    if (shown) this.begin(next, which);
+    else this.state = state;
+    return shown;
+  }
+
+  // What is shown is another program from now on; a new one is not kept until it is changed.
+  begin(state, which = {}) {
+    this.kept?.save();
+    this.kept = new Kept(this.robot, which, (kept) => this.report(kept));
+    if (this.robot === null) this.begun.push(this.kept);
+    this.state = { name: state, baseline: JSON.stringify(this.view.current()) };
+    this.view.lock(state === "looking");
+    this.report(this.kept);
+  }
+
+  keep() {
+    const content = this.view.current();
+    this.state = { name: "editing", baseline: JSON.stringify(content) };
+    this.kept.change(content);
   }
 
   // Says what has become of a program, of another one only if it is bad; keeps the shown one on this device.
-  report(kept, text, bad) {
-    const { robot, id, version, content, foreign, unsaved } = kept;
-    const isShown = kept === this.kept;
-    if (isShown || bad) setText(element("kept"), isShown ? text : `${content.name}: ${text}`);
-    if (isShown || bad) element("kept").dataset.level = bad ? "warning" : "";
-    if (!isShown) return;
-    element("copy").hidden = !foreign;
+  report(kept) {
+    const { robot, id, version, content, state: { name, text, bad, unsaved } } = kept;
+    if (kept !== this.kept) return bad && this.view.say(`${content.name}: ${text}`, true, false);
+    this.view.say(this.state.name === "looking" ? LOOKING : text, bad, name === "older");
     if (!content) return;
     remember(keyOf(robot), JSON.stringify({ robot, id, version, ...content, unsaved }));
     remember(LAST, keyOf(robot));
-  }
-
-  open(id) {
-    return this.shelf.act(async () => {
-      const { name, program, version } = await ask({ do: "open", robot: this.robot, id });
-      this.display(name, program, { id, version });
-      this.kept.content = { name, program };
-      this.report(this.kept, "", false);
-      this.shelf.sheet.toggle(false);
-    });
-  }
-
-  // Shows a program of any robot, which is not changed; throws a NotKept.
-  async look({ robot, id }) {
-    const { name, program } = await ask({ do: "open", robot, id });
-    this.display(name, program, { looking: true });
-  }
-
-  // What cannot be shown is not overwritten by what is shown instead.
-  display(name, program, which) {
-    this.begin(which);
-    this.shown = null; // the blocks come back a little different
-    if (!this.show(name, program)) this.begin();
-  }
-
-  // What is shown becomes a program of its own.
-  copyShown() {
-    const { name, program } = this.current();
-    this.begin();
-    this.shown = "";
-    this.show(copyOf(name), program);
   }
 }
 

@@ -17,7 +17,7 @@ from jetbot.text import printable
 from ..notices import Notice, say
 
 OWNER_ONLY = 0o700   # codes are secrets
-MAX_FILE = 1 << 20   # bytes of a file that is read
+MAX_FILE = 2 << 20   # bytes of a file that is read
 FOLDER = "~/.ros/morbot_classes"
 CLASS_NAME = Kind(lambda value: isinstance(value, str) and bool(re.fullmatch("[A-Za-z0-9_-]{0,20}", value)),
                   "letters, digits, _ and -, 20 at most")

@@ -9,7 +9,7 @@ from jetbot.kinds import is_number
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION
 from jetbot.text import is_printable
 
-from ..classroom import programs
+from ..classroom import program
 from .collection import LABELS
 from .history import MAX_POINTS, STEP
 
@@ -17,7 +17,7 @@ MAX_NAME = 20  # characters of a person's name
 MAX_TASK = 60  # characters of a task's name
 
 LIMITS = {  # what the page and the cockpit must agree about; "hello" brings it
-    "name": MAX_NAME, "program_name": programs.MAX_NAME, "program": programs.MAX_TEXT, "trail": MAX_POINTS,
+    "name": MAX_NAME, "program_name": program.MAX_NAME, "program": program.MAX_TEXT, "trail": MAX_POINTS,
     "trail_step": STEP, "wheel_separation": WHEEL_SEPARATION, "full_speed": FULL_SPEED}
 
 
@@ -89,9 +89,9 @@ COUNT = Field("number", lambda value: type(value) is int and value >= 0)
 BOOLEAN = Field("boolean", lambda value: isinstance(value, bool))
 DEFLECTION = Field("number", lambda value: is_number(value) and abs(value) <= 1, "-1 to 1")
 TASK = text(MAX_TASK)
-ID = Field("string", programs.is_id, "16 hexadecimal digits")
-VERSION = Field("number", programs.is_version)
-PROGRAM_NAME = Field("string", programs.is_program_name, f"{programs.MAX_NAME} characters")
+ID = Field("string", program.is_id, "16 hexadecimal digits")
+VERSION = Field("number", program.is_version)
+PROGRAM_NAME = Field("string", program.is_program_name, f"{program.MAX_NAME} characters")
 POSE = numbers(3)
 ARGUMENTS = by_robot(TEXT)._replace(type="Record<string, string>")
 SAID = {"code": TEXT, "arguments": ARGUMENTS, "text": TEXT}  # a Notice
@@ -166,11 +166,12 @@ FROM_COCKPIT = {
 
 REQUESTS = {  # to /work, by what they "do"
     "list": Row({"robot": ROBOT_OR_ALL}, "`programs`, those first that were changed last; of all robots: teacher"),
-    "open": Row({"robot": ROBOT, "id": ID}, "the program, with its `program`"),
+    "open": Row({"robot": ROBOT, "id": ID, "version": or_null(VERSION)},
+                "the program, with the `program` of this version; without `version`, of the newest"),
     "save": Row({"robot": ROBOT, "id": ID, "version": VERSION, "name": PROGRAM_NAME, "program": TEXT},
                 "what is kept now"),
-    "delete": Row({"robot": ROBOT, "id": ID, "version": VERSION}, "the same"),
-    "restore": Row({"robot": ROBOT, "id": ID, "version": VERSION}, "the same: undoes `delete`"),
+    "delete": Row({"robot": ROBOT, "id": ID}, "the same"),
+    "restore": Row({"robot": ROBOT, "id": ID}, "the same: undoes `delete`"),
 }
 
 

@@ -56,7 +56,7 @@ class Work(Handler):
         if do == "list":
             return {"programs": programs.rows(robot)}
         if do == "open":
-            return programs.open(robot, **fields)._asdict()
+            return programs.open(robot, fields["id"]).opened(fields.get("version"))
         if do == "save":
             done = self._classroom.do(lambda: programs.save(robot, **fields))
         else:

@@ -1,0 +1,35 @@
+// A cockpit that a test plays: what /work is asked, and what it answers.
+
+import { settled } from "./clock.js";
+
+export const LOST = null; // an answer
+
+// Answers each request by answer(fields): an object, a refusal, LOST, or a promise. Returns all requests.
+export function playCockpit({ mock }, answer) {
+  const asked = [];
+  mock.method(globalThis, "fetch", async (address, { body }) => {
+    const fields = JSON.parse(body);
+    asked.push(fields);
+    const given = await answer(fields, asked.length);
+    if (given === LOST) throw new TypeError("no network");
+    const { status = 200, ...content } = given;
+    return { ok: status === 200, status, json: async () => content };
+  });
+  return asked;
+}
+
+export function refuse(status, text, code = "") {
+  return { status, code, text };
+}
+
+// Returns a promise, and what fulfils it.
+export function later() {
+  let answer;
+  const promise = new Promise((resolve) => {
+    answer = (given) => {
+      resolve(given);
+      return settled();
+    };
+  });
+  return { promise, answer };
+}

@@ -1,0 +1,298 @@
+// Which program is shown, and that nothing that a person has made is lost: not by a reload, a restart of the cockpit,
+// another robot, or another page.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { limits } from "#www/limits.js";
+import { Work } from "#www/program/work.js";
+
+import { Clock, settled } from "./clock.js";
+import { later, LOST, playCockpit, refuse } from "./cockpit.js";
+
+Object.assign(limits, { program: 1000, program_name: 40 });
+
+const EMPTY = JSON.stringify({ blocks: { blocks: [] } });
+const text = (variable) => JSON.stringify({ blocks: { blocks: [] }, variables: [{ name: variable, id: "x" }] });
+const ID = { square: "5".repeat(16), star: "6".repeat(16) };
+const BAD = "not to be shown";
+
+// A cockpit with these programs: { id, robot, name, program, version }; the newest change first.
+function cockpit(t, programs = []) {
+  const state = { programs, online: true, refuses: null };
+  const answers = {
+    list: ({ robot }) => ({ programs: state.programs.filter((each) => each.robot === robot) }),
+    open: ({ id }) => state.programs.find((each) => each.id === id) ?? refuse(409, "This program is gone."),
+    save: ({ version, do: _, ...fields }) => {
+      const saved = { ...fields, version: version + 1, deleted: false };
+      state.programs = [saved, ...state.programs.filter(({ id }) => id !== fields.id)];
+      return saved;
+    },
+    delete: ({ id }) => state.programs.find((each) => each.id === id),
+  };
+  state.asked = playCockpit(t, (fields) => (!state.online ? LOST : state.refuses ?? answers[fields.do](fields)));
+  state.saves = () => state.asked.filter((each) => each.do === "save");
+  state.saved = () => state.saves().map(({ id, name }) => [id, name]);
+  return state;
+}
+
+// A page, as it is after the first robot has come; storage: what its device keeps.
+function openPage(storage = new Map(), robot = "/red") {
+  const [getItem, setItem] = [(key) => storage.get(key) ?? null, (key, value) => storage.set(key, value)];
+  globalThis.localStorage = { getItem, setItem };
+  const page = { storage, said: "", newer: false, rows: [], locked: false, name: "", program: "", changes: 0 };
+  page.work = new Work({
+    show(name, program) {
+      if (program === BAD) return false;
+      Object.assign(page, { name, program });
+      page.work.changed(); // as the page does while it shows them
+      return true;
+    },
+    current: () => ({ name: page.name, program: page.program }),
+    lock: (on) => { page.locked = on; },
+    list: (rows) => { page.rows = rows; },
+    say: (said, bad, newer) => Object.assign(page, { said, newer }),
+  });
+  page.edit = (name) => {
+    page.name = name;
+    page.work.changed();
+  };
+  page.hear = (of = robot) => {
+    page.work.update(of, page.changes += 1);
+    return settled();
+  };
+  page.work.restore("my program", EMPTY);
+  return page;
+}
+
+const square = (fields) => ({ id: ID.square, robot: "/red", name: "Square", program: text("s"), version: 3,
+  deleted: false, ...fields });
+
+test("a page that is opened shows the robot's newest program, which is saved once it is changed", async (t) => {
+  const clock = new Clock(t);
+  const { saved, saves } = cockpit(t, [square({ id: ID.star, deleted: true }), square()]);
+  const page = openPage();
+  await page.hear();
+  assert.deepEqual([page.name, page.program], ["Square", text("s")]);
+  await clock.pass(60000);
+  assert.deepEqual(saved(), [], "what is only shown is not saved");
+  page.edit("Larger square");
+  await clock.pass(1000);
+  assert.deepEqual(saved(), [[ID.square, "Larger square"]]);
+  assert.equal(saves()[0].version, 3);
+});
+
+test("what a person has begun before the first list comes stays", async (t) => {
+  const clock = new Clock(t);
+  const { saved } = cockpit(t, [square()]);
+  const page = openPage();
+  page.edit("Mine");
+  await page.hear();
+  await clock.pass(1000);
+  assert.equal(page.name, "Mine");
+  assert.deepEqual(saved(), [[page.work.kept.id, "Mine"]]);
+});
+
+test("an example that was opened before the first list comes stays", async (t) => {
+  cockpit(t, [square()]);
+  const page = openPage();
+  page.work.add("Zigzag", EMPTY);
+  await page.hear();
+  assert.equal(page.name, "Zigzag");
+});
+
+test("all that was made before there is a robot is kept for the first one", async (t) => {
+  const clock = new Clock(t);
+  const { saved } = cockpit(t);
+  const page = openPage();
+  page.edit("One");
+  page.work.add("my program", EMPTY);
+  page.edit("Two");
+  await page.hear();
+  await clock.pass(1000);
+  assert.deepEqual(saved().map(([, name]) => name), ["One", "Two"]);
+});
+
+test("what could not be sent is there after a reload, and is kept then", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  state.online = false;
+  page.edit("Offline");
+  await clock.pass(10000);
+  assert.equal(page.said, "The cockpit does not answer.");
+  t.mock.restoreAll();
+  const [next, again] = [new Clock(t), cockpit(t, [square({ version: 4, name: "Theirs" })])];
+  const reloaded = openPage(page.storage);
+  await reloaded.hear();
+  assert.equal(reloaded.name, "Offline");
+  await next.pass(1000);
+  assert.deepEqual(again.saves().map(({ id, version, name }) => [id, version, name]),
+                   [[ID.square, 3, "Offline"]], "on the version of which it was made");
+});
+
+test("after a reload, what another page has made newer is shown if nothing here is unsaved", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  page.edit("Mine");
+  await clock.pass(1000);
+  state.programs = [square({ version: 9, name: "Theirs" })];
+  const reloaded = openPage(page.storage);
+  assert.equal(reloaded.name, "Mine");
+  await reloaded.hear();
+  assert.equal(reloaded.name, "Theirs");
+});
+
+test("a newer version of another page is said while this one is open, and shown when the person wants it", async (t) => {
+  new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  state.programs = [square({ version: 5, name: "Theirs" })];
+  await page.hear();
+  assert.deepEqual([page.name, page.said, page.newer], ["Square", "There is a newer version of this program.", true]);
+  await page.work.openNewer({ id: ID.square, version: page.work.kept.state.newer });
+  assert.deepEqual([page.name, page.said, page.newer, state.asked.at(-1).version], ["Theirs", "", false, 5]);
+});
+
+test("what is made of a version that was replaced while it was opened is saved as a change of the newest", async (t) => {
+  const clock = new Clock(t);
+  const { saves } = cockpit(t, [square({ version: 6 })]);
+  const page = openPage();
+  page.work.add("my program", EMPTY);
+  await page.hear();
+  await page.work.open(ID.square, 5);
+  page.edit("Larger square");
+  await clock.pass(1000);
+  assert.equal(saves()[0].version, 6);
+});
+
+test("a cockpit that was started again, and has nothing, gets what is shown", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  state.programs = [];
+  await page.hear();
+  await clock.pass(1000);
+  assert.deepEqual(state.saved(), [[ID.square, "Square"]]);
+});
+
+test("for another robot its programs are shown, and what waits for the first one is kept for that", async (t) => {
+  const clock = new Clock(t);
+  const { saves } = cockpit(t, [square({ robot: "/blue" })]);
+  const page = openPage();
+  await page.hear();
+  page.edit("Mine");
+  await page.hear("/blue");
+  assert.equal(page.name, "Square");
+  page.edit("Blue");
+  await clock.pass(1000);
+  assert.deepEqual(saves().map(({ robot, name }) => [robot, name]), [["/red", "Mine"], ["/blue", "Blue"]]);
+});
+
+test("what the cockpit has refused is shown again for its robot, and named while another is shown", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t);
+  const page = openPage();
+  await page.hear();
+  page.edit("Mine");
+  state.refuses = refuse(409, "There is no room.");
+  page.work.add("my program", EMPTY);
+  await settled();
+  assert.equal(page.said, "Mine: There is no room.");
+  page.edit("Second");
+  await clock.pass(1000);
+  state.refuses = null;
+  await page.hear("/blue");
+  await page.hear("/red");
+  assert.equal(page.name, "Second");
+  await clock.pass(1000);
+  assert.deepEqual(state.programs.map(({ name }) => name), ["Second"]);
+});
+
+test("a program of which the answer comes after another robot was chosen is not shown there", async (t) => {
+  new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  page.work.add("my program", EMPTY);
+  const { promise, answer } = later();
+  state.refuses = promise;
+  const opened = page.work.open(ID.square);
+  state.refuses = null;
+  await page.hear("/blue");
+  await answer(square());
+  await opened;
+  assert.equal(page.name, "my program");
+});
+
+test("what cannot be shown changes neither what is shown nor where that is kept", async (t) => {
+  const clock = new Clock(t);
+  const { saved } = cockpit(t, [square(), square({ id: ID.star, program: BAD })]);
+  const page = openPage();
+  await page.hear();
+  await page.work.open(ID.star);
+  page.edit("Larger square");
+  await clock.pass(1000);
+  assert.deepEqual(saved(), [[ID.square, "Larger square"]]);
+});
+
+test("what is to look at only is locked and never saved; what is shown next is not locked", async (t) => {
+  const clock = new Clock(t);
+  const { saved } = cockpit(t, [square({ robot: "/blue" })]);
+  const page = openPage();
+  await page.hear();
+  await page.work.look({ robot: "/blue", id: ID.square });
+  assert.deepEqual([page.locked, page.said], [true, "To look at only."]);
+  await page.hear();
+  page.edit("Changed");
+  await clock.pass(1000);
+  assert.deepEqual(saved(), []);
+  page.work.add("my program", EMPTY);
+  assert.equal(page.locked, false);
+});
+
+test("a change comes before the person's Delete, and does not bring the program back after it", async (t) => {
+  const clock = new Clock(t);
+  const { asked } = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  page.edit("Last change");
+  await page.work.remove(square());
+  await clock.pass(60000);
+  assert.deepEqual(asked.map((each) => each.do).slice(-2), ["save", "delete"]);
+  page.edit("A new one");
+  await clock.pass(1000);
+  assert.notEqual(asked.at(-1).id, ID.square);
+});
+
+test("a list that does not come is asked for again, and one of another robot is not shown", async (t) => {
+  new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  state.online = false;
+  await page.hear();
+  state.online = true;
+  page.work.update("/red", page.changes);
+  await settled();
+  assert.equal(page.name, "Square");
+  const { promise, answer } = later();
+  state.refuses = promise;
+  await page.hear();
+  state.refuses = null;
+  await page.hear("/blue");
+  await answer({ programs: [square()] });
+  assert.deepEqual(page.rows, []);
+});
+
+test("whatever lies on the device, the page opens", (t) => {
+  new Clock(t);
+  cockpit(t);
+  for (const left of ["", "x", "null", "[]", '{"program": 7}', '{"program": "{}", "id": "../x"}']) {
+    assert.equal(openPage(new Map([["last program", "program /red"], ["program /red", left]])).name, "my program");
+  }
+});
