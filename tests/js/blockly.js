@@ -3,8 +3,48 @@
 import { readFileSync } from "node:fs";
 import { runInThisContext } from "node:vm";
 
-const BLOCKLY = new URL("../../morbot_ws/src/jetbot_cockpit/www/vendor/blockly/", import.meta.url);
+import { WORKSHOP } from "./programs.js";
 
+const FOLDER = new URL("../../morbot_ws/src/jetbot_cockpit/www/vendor/blockly/", import.meta.url);
 for (const name of ["blockly_compressed", "blocks_compressed", "python_compressed", "msg/en"]) {
-  runInThisContext(readFileSync(new URL(`${name}.js`, BLOCKLY), "utf8"));
+  runInThisContext(readFileSync(new URL(`${name}.js`, FOLDER), "utf8"));
+}
+
+// What Blockly needs of XML, in which some blocks describe their parts.
+class Element {
+  childNodes = [];
+  #attributes = new Map();
+
+  constructor(nodeName) {
+    this.nodeName = nodeName;
+  }
+
+  appendChild(child) {
+    this.childNodes.push(child);
+  }
+
+  setAttribute(name, value) {
+    this.#attributes.set(name, String(value));
+  }
+
+  getAttribute(name) {
+    return this.#attributes.get(name) ?? null;
+  }
+}
+
+const { Blockly } = globalThis;
+Blockly.utils.xml.injectDependencies({
+  document: { createElementNS: (_, nodeName) => new Element(nodeName) }, DOMParser: Object, XMLSerializer: Object,
+});
+Blockly.Events.disable(); // they would write more of it
+const { defineBlocks } = await import("#www/program/blocks.js");
+const { prepareGenerator, toPython } = await import("#www/program/python.js");
+defineBlocks();
+prepareGenerator();
+
+// Returns the Python of a program, as toPython() does.
+export function write(program, geometry = WORKSHOP) {
+  const workspace = new Blockly.Workspace();
+  Blockly.serialization.workspaces.load(program, workspace);
+  return toPython(workspace, "my_program", geometry);
 }

@@ -35,6 +35,16 @@ test("a hand that moves sends its newest place, not more commands", async (t) =>
   assert.ok(sent.at(-1)[1] > sent[0][1]);
 });
 
+test("a hand that taps sends no more than 20 commands per second, and a zero for each tap", async (t) => {
+  const { clock, driving, sent } = begin(t);
+  for (let tap = 0; tap < 10; tap += 1) {
+    driving.deflect("pad", 1, 0);
+    driving.deflect("pad", 0, 0);
+    await clock.pass(5);
+  }
+  assert.deepEqual(sent, [[0.5, 0], ...Array(10).fill([0, 0])]);
+});
+
 test("a trembling hand near the centre drives nothing", (t) => {
   const { driving, sent } = begin(t);
   driving.deflect("pad", 0.08, -0.08);

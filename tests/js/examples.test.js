@@ -3,10 +3,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import "./blockly.js";
-
 import { problemOf } from "#www/program/check.js";
 
+import "./blockly.js";
 import { interpret } from "./programs.js";
 
 const { EMPTY, EXAMPLES } = await import("#www/program/examples.js");

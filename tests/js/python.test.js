@@ -3,21 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import "./blockly.js";
-
-import { block, get, plug, print, program, set, WORKSHOP } from "./programs.js";
-
-const { Blockly } = globalThis;
-const { defineBlocks } = await import("#www/program/blocks.js");
-const { prepareGenerator, toPython } = await import("#www/program/python.js");
-defineBlocks();
-prepareGenerator();
-
-function write(json, geometry = WORKSHOP) {
-  const workspace = new Blockly.Workspace();
-  Blockly.serialization.workspaces.load(json, workspace);
-  return toPython(workspace, "my_program", geometry);
-}
+import { write } from "./blockly.js";
+import { block, get, plug, print, program, set } from "./programs.js";
 
 test("an empty program is a node that commands a stop", () => {
   assert.equal(write(program([])).text, `#!/usr/bin/env python3

@@ -36,6 +36,11 @@ test("each file has its name, its text and its rights", async () => {
   assert.deepEqual(entries.map(({ name, text, mode }) => ({ name, text, mode })), FILES);
 });
 
+test("a computer that unpacks it knows that the rights are those of Unix", async () => {
+  const data = Buffer.from(await zip(FILES).arrayBuffer());
+  assert.equal(data[data.readUInt32LE(data.length - 6) + 5], 3);
+});
+
 test("each file has the checksum of the zip format", async () => {
   const [{ sum }] = await unpack(zip(FILES));
   assert.equal(sum, 0xcbf43926); // the check value of CRC-32

@@ -10,9 +10,11 @@ const LABELS = { free: "Free", blocked: "Blocked" };
 export class Camera {
   robot = null; // whose pictures the cockpit was asked for
   sure = false; // the next press deletes
+  parts = []; // of the picture that comes
 
   constructor(world, send) {
-    Object.assign(this, { world, send });
+    this.world = world;
+    this.send = send;
     const button = element("show-camera");
     button.addEventListener("click", () => this.open(button.getAttribute("aria-pressed") === "false"));
     document.addEventListener("visibilitychange", () => this.look());
@@ -39,7 +41,8 @@ export class Camera {
 
   // Asks for the pictures of the robot that a person sees now, or for none.
   look() {
-    const covered = ["codes", "scores"].includes(document.body.dataset.view) || !element("sight").clientWidth;
+    const { view = "drive" } = document.body.dataset;
+    const covered = ["codes", "scores"].includes(view) || !element("sight").clientWidth;
     const wanted = covered || document.hidden ? null : this.world.robot(this.world.chosen)?.id ?? null;
     if (wanted === this.robot || !this.send({ type: "look", robot: wanted })) return;
     this.robot = wanted;
@@ -55,7 +58,9 @@ export class Camera {
 
   // A picture has begun to come, in parts.
   begin(header) {
-    Object.assign(this, { header, parts: [], missing: header.bytes });
+    this.header = header;
+    this.parts = [];
+    this.missing = header.bytes;
   }
 
   // The next one is sent once this one is acknowledged: a slow device gets fewer pictures, never later ones.

@@ -2,6 +2,7 @@
 
 const CLICK_WITHIN = 1000; // ms after a touch: a click then belongs to that touch
 
+/** @returns {any} whose kind the caller knows */
 export function element(id) {
   return document.getElementById(id);
 }

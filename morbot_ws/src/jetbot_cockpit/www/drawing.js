@@ -111,8 +111,8 @@ export function drawRing(context, [x, y], radius, color, pixel) {
 }
 
 // Draws where the nose would go at this speed [m/s, rad/s].
-export function drawArrow(context, pose, [forward, turn], { color, dashed }, pixel) {
-  const path = nosePath(forward, turn);
+export function drawArrow(context, pose, speed, { color, dashed }, pixel) {
+  const path = nosePath(speed);
   if (pathLength(path) < 6 * pixel) return;
   atPose(context, pose, () => {
     Object.assign(context, { fillStyle: color, lineWidth: 3 * pixel, lineCap: "butt" });
@@ -122,7 +122,7 @@ export function drawArrow(context, pose, [forward, turn], { color, dashed }, pix
   });
 }
 
-function nosePath(forward, turn) {
+function nosePath([forward, turn]) {
   const time = Math.min(ARROW_TIME, Math.PI / Math.max(Math.abs(turn), 1e-6));
   const path = [[NOSE, 0]];
   let [x, y] = [0, 0];
@@ -141,7 +141,7 @@ function pathLength(path) {
 }
 
 // Draws a tip at the end of a line that comes from there.
-function drawArrowhead(context, [fromX, fromY], [x, y], size) {
+function drawArrowhead(context, /** @type {number[]} */ [fromX, fromY], /** @type {number[]} */ [x, y], size) {
   const angle = Math.atan2(y - fromY, x - fromX);
   fillPolygon(context, [0, 2.4, -2.4].map((turn) => [x + size * Math.cos(angle + turn),
     y + size * Math.sin(angle + turn)]));

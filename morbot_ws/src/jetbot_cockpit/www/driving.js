@@ -9,12 +9,14 @@ export class Driving {
   command = [0, 0];
   source = null; // which input drives
   blocked = new Set(); // inputs that must return to the centre first
-  timer = null;
+  timer = 0; // of the repetition, 0 for none
   lastSent = -Infinity;
 
   // send(forward, left): both in [-1, 1]; ready(): whether a command can be sent at all; changed(): active or not
   constructor({ send, ready, changed }) {
-    Object.assign(this, { send, ready, changed });
+    this.send = send;
+    this.ready = ready;
+    this.changed = changed;
   }
 
   get active() {
@@ -33,7 +35,7 @@ export class Driving {
   drive(source, forward, left) {
     this.source = source;
     this.command = [forward, left];
-    if (this.timer !== null) return;
+    if (this.timer) return;
     this.timer = setInterval(() => this.repeat(), INTERVAL);
     if (performance.now() - this.lastSent >= INTERVAL) this.repeat();
     this.changed();
@@ -73,7 +75,7 @@ export class Driving {
 
   end(zero) {
     clearInterval(this.timer);
-    this.timer = null;
+    this.timer = 0;
     this.source = null;
     this.command = [0, 0];
     this.lastSent = performance.now();

@@ -13,7 +13,10 @@ const STILL = 1500; // ms; a dead gamepad's robot stops within 2 s
 // The joystick: one pointer, from the centre of a ring.
 export class Pad {
   constructor(ring, thumb, deflect) {
-    Object.assign(this, { ring, thumb, deflect, pointer: null });
+    this.ring = ring;
+    this.thumb = thumb;
+    this.deflect = deflect;
+    this.pointer = null;
     ring.addEventListener("pointerdown", (event) => this.press(event));
     ring.addEventListener("pointermove", (event) => this.move(event));
     for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) {
@@ -63,7 +66,9 @@ export class Pad {
 // Arrows and WASD drive while they are held; Escape and Space call stop(), Escape also while typing.
 export class Keys {
   constructor(deflect, stop) {
-    Object.assign(this, { deflect, stop, held: new Set() });
+    this.deflect = deflect;
+    this.stop = stop;
+    this.held = new Set();
     addEventListener("keydown", (event) => this.press(event), true);
     addEventListener("keyup", (event) => this.lift(event), true);
   }
@@ -124,7 +129,7 @@ export function watchGamepads(deflect, heldStill) {
     return performance.now() - seen[index].since < STILL;
   };
   const report = () => {
-    const pads = navigator.getGamepads().filter(Boolean);
+    const pads = navigator.getGamepads().filter((pad) => pad !== null);
     const used = pads.filter(moves).find(isOffCentre);
     if (used) deflect(-used.axes[1], -used.axes[0]);
     else if (pads.some(isOffCentre)) heldStill();

@@ -1,3 +1,3 @@
 // What the cockpit and its pages agree about: numbers, which "hello" brings.
 
-export const limits = {};
+export const limits = /** @type {import("./messages.js").Limits} */ ({});

@@ -1,5 +1,8 @@
 // The socket to the cockpit. It reconnects by itself, measures the round trip, and ends a connection that is cut off.
 
+/** @import { Incoming, Outgoing } from "./messages.js" */
+/** @typedef {Incoming | { type: "part", bytes: ArrayBuffer }} Message of the cockpit; "part" is a binary one */
+
 const RETRY_INTERVAL = 1500; // ms, on average: not all pages at once
 const PING_INTERVAL = 1000; // ms
 const SILENCE_TIMEOUT = 3000; // ms; the cockpit sends its state at least once per second
@@ -18,11 +21,19 @@ function explain(code, reason) {
 }
 
 export class Link {
-  // receive(message): binary ones have the type "part"; changed(sentence): what is wrong, "" once connected; refused(): a code is needed;
-  // measured(ms)
+  /** @type {WebSocket | null} */
+  socket = null;
+  receivedAt = 0; // as performance.now() counts
+  retry = 0; // the timer of the next try
+
+  // receive(message); changed(sentence): what is wrong, "" once connected; refused(): a code is needed; measured(ms)
+  /** @param {{ receive: (message: Message) => void, changed: (sentence: string) => void, refused: () => void,
+   * measured: (ms: number) => void }} page */
   constructor({ receive, changed, refused, measured }) {
-    Object.assign(this, { receive, changed, refused, measured });
-    this.socket = null;
+    this.receive = receive;
+    this.changed = changed;
+    this.refused = refused;
+    this.measured = measured;
     setInterval(() => this.check(), PING_INTERVAL);
   }
 
@@ -45,14 +56,16 @@ export class Link {
   }
 
   // Sends the message; returns whether there is a connection.
+  /** @param {Outgoing} message */
   send(message) {
-    if (this.connected) this.socket.send(JSON.stringify(message));
+    if (this.connected) this.socket?.send(JSON.stringify(message));
     return this.connected;
   }
 
   // Sends a command, or drops it if earlier ones are still on their way: an old command must not arrive late.
+  /** @param {Outgoing} message */
   sendFresh(message) {
-    return this.connected && (this.socket.bufferedAmount > BACKLOG || this.send(message));
+    return this.connected && (Number(this.socket?.bufferedAmount) > BACKLOG || this.send(message));
   }
 
   opened(socket) {
@@ -86,8 +99,8 @@ export class Link {
 
   // A socket whose other end is cut off closes only after a long time: do not wait for it.
   abandon() {
-    const socket = this.socket;
+    const { socket } = this;
     this.ended(socket, 0, "");
-    socket.close();
+    socket?.close();
   }
 }

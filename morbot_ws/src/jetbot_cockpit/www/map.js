@@ -15,11 +15,17 @@ const TAP_RADIUS = 28; // pixels
 
 export class RobotMap {
   following = true;
+  /** @type {Record<string, string>} */
+  colors = {};
+  /** @type {(() => number[][]) | null} */
   framed = null; // returns the places that are shown, until a person moves the map
 
   // choose(id): a robot was tapped; redraw(): draw() is due
   constructor(canvas, world, { choose, redraw }) {
-    Object.assign(this, { canvas, world, choose, redraw });
+    this.canvas = canvas;
+    this.world = world;
+    this.choose = choose;
+    this.redraw = redraw;
     this.viewport = new Viewport(canvas, {
       changed: redraw,
       tapped: (right, down) => this.tap(right, down),
@@ -131,7 +137,7 @@ export class RobotMap {
   // The chosen robot is on top.
   chosenLast(items, idOf) {
     const isChosen = (item) => idOf(item) === this.world.chosen;
-    return items.sort((one, other) => isChosen(one) - isChosen(other));
+    return items.sort((one, other) => Number(isChosen(one)) - Number(isChosen(other)));
   }
 
   get placed() {

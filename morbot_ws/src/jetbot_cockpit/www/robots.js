@@ -8,7 +8,8 @@ const MANY_STALLS = 2; // per minute: one alone may be a tablet that was switche
 export class Choice {
   // changed(): another robot was chosen
   constructor(world, changed) {
-    Object.assign(this, { world, changed });
+    this.world = world;
+    this.changed = changed;
     element("robot").addEventListener("change", (event) => this.choose(event.target.value));
   }
 
@@ -46,7 +47,10 @@ export class Choice {
 export class Fleet {
   // choose(id); send(message)
   constructor(world, choose, send) {
-    Object.assign(this, { world, choose, send, rows: [] });
+    this.world = world;
+    this.choose = choose;
+    this.send = send;
+    this.rows = [];
     element("reset-all").addEventListener("click", () => send({ type: "reset", robot: null }));
     element("all-go-on").addEventListener("click", () => send({ type: "go_on", robot: null }));
   }

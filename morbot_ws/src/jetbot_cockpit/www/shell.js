@@ -14,18 +14,28 @@ const NEW_CODES = "The cockpit was started again: its codes are new.";
 const STOPPED = "All robots were stopped.";
 const ASKED = "The cockpit asks for the code.";
 
+/** @import { Message } from "./link.js" */
+/** @import { Outgoing } from "./messages.js" */
+/** @typedef {{ [Type in Message["type"]]?: (message: Extract<Message, { type: Type }>) => void }} Receivers */
+
 export class Shell {
   problem = "Connecting"; // why there is no connection
   world = new World();
   notice = new Notice();
   #codeError = ""; // why the code in the address was refused
-  #frame = null; // the next one shows what has changed
+  #frame = 0; // the next one, which shows what has changed; 0 for none
 
   // receivers: what else the page does with a message, by its type; end(sentence): nothing drives any more, and why;
   // drives(): whether this page drives its robot; changed(): another robot was chosen; draw(): shows what has changed;
   // tap(id): a robot on the map was tapped
+  /** @param {{ receivers: Receivers, end: (sentence: string) => void, drives: () => boolean, changed: () => void,
+   * draw: () => void, tap: (id: string) => void }} page */
   constructor({ receivers, end, drives, changed, draw, tap }) {
-    Object.assign(this, { receivers, end, drives, changed, draw });
+    this.receivers = receivers;
+    this.end = end;
+    this.drives = drives;
+    this.changed = changed;
+    this.draw = draw;
     const redraw = () => this.show();
     this.link = new Link({
       receive: (message) => this.#receive(message), changed: (sentence) => this.#connectionChanged(sentence),
@@ -39,7 +49,7 @@ export class Shell {
   }
 
   // Sends a message; returns whether there is a connection. An old command must not arrive late.
-  send = (message) => (message.type === "drive" && (message.forward || message.left)
+  send = (/** @type {Outgoing} */ message) => (message.type === "drive" && (message.forward || message.left)
     ? this.link.sendFresh(message) : this.link.send(message));
 
   // Connects, with the code in the address if there is one; after a wrong one, too: an earlier one may still hold.
@@ -51,8 +61,8 @@ export class Shell {
   }
 
   show() {
-    this.#frame ??= requestAnimationFrame(() => {
-      this.#frame = null;
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#frame = 0;
       showStatus(this.world, this.problem);
       this.notice.update(this.world.isBlocked(this.world.chosen), this.drives());
       this.stops.show();
@@ -60,6 +70,7 @@ export class Shell {
     });
   }
 
+  /** @type {Receivers} */
   #takes = {
     hello: (message) => {
       this.world.hello(message);

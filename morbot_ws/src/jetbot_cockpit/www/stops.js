@@ -12,12 +12,15 @@ const NOT_CONFIRMED = "The stop is not confirmed yet. Press again, or use the ro
 
 // A stop that the cockpit does not confirm is reported.
 export class Stops {
-  unconfirmed = null;
+  unconfirmed = 0; // the timer of a stop that is not confirmed yet
   unsentAt = -Infinity;
 
   // send(message) returns whether it was sent; notice; stopped(): a stop was sent
   constructor(world, { send, notice, stopped }) {
-    Object.assign(this, { world, send, notice, stopped });
+    this.world = world;
+    this.send = send;
+    this.notice = notice;
+    this.stopped = stopped;
     onPress(element("stop"), () => this.stop());
     onPress(element("release"), () => this.release(), () => false);
   }
@@ -68,8 +71,10 @@ export class Stops {
 // One sentence: for a while, and no longer than it is true.
 export class Notice {
   // over(): whether it is no longer true; without it, it is over once nothing keeps this person from driving
+  /** @param {(() => boolean)?} over */
   show(text, over = null) {
-    Object.assign(this, { over, wasBlocked: false, rested: false });
+    this.over = over;
+    this.wasBlocked = this.rested = false;
     element("notice").textContent = text;
     element("notice").hidden = false;
     clearTimeout(this.timer);

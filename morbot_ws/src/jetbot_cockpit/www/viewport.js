@@ -6,12 +6,16 @@ const TAP = 6; // pixels that a tap may move
 export class Viewport {
   // changed(): it shows another part; tapped(x, y): in pixels; dragged(), zoomed(): by a person
   constructor(canvas, { changed, tapped, dragged, zoomed }) {
-    Object.assign(this, { canvas, changed, tapped, dragged, zoomed });
+    this.canvas = canvas;
+    this.changed = changed;
+    this.tapped = tapped;
+    this.dragged = dragged;
+    this.zoomed = zoomed;
     this.x = 0;
     this.y = 0;
     this.scale = 220;
     this.covered = { above: 0, below: 0 }; // pixels of the map below its tools; its legend and its scale
-    this.pointers = new Map();
+    this.pointers = new Map(); // where each is, by its id
     canvas.addEventListener("pointerdown", (event) => this.press(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
     for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => this.lift(event));
@@ -108,6 +112,6 @@ export class Viewport {
   }
 }
 
-function distance([x, y], [otherX, otherY]) {
+function distance(/** @type {number[]} */ [x, y], /** @type {number[]} */ [otherX, otherY]) {
   return Math.hypot(x - otherX, y - otherY);
 }

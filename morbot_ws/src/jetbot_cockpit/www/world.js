@@ -1,11 +1,15 @@
 // What the cockpit has sent: who this page is, which robots there are, and how each one is; and which one was chosen.
 
+/** @import { Incoming, Robot, RobotState } from "./messages.js" */
+/** @typedef {Omit<RobotState, "programs"> & { programs?: number }} State without programs: nothing is known yet */
+
 import { prepareShapes } from "./drawing.js";
 import { limits } from "./limits.js";
 
 const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // causes: it has heard of a stop, or cannot
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
 
+/** @type {State} */
 const UNKNOWN = {
   status: "", state: "", cause: "", holds: [], waiting: [], fake: false, warning: false, answers: true, stopped: false,
   pose: null, speed: null, command: null, wheels: null, program: "",
@@ -13,10 +17,15 @@ const UNKNOWN = {
 };
 
 export class World {
+  /** @type {{ id: number | null, name: string, role: string, robot: string | null, codes?: boolean }} */
   me = { id: null, name: "", role: "pupil", robot: null };
+  /** @type {string | null} */
   chosen = null; // id of the robot that this page shows and drives
+  /** @type {Robot[]} */
   robots = []; // in the order of the cockpit
-  missing = []; // robots that have gone
+  /** @type {Robot[]} */
+  missing = []; // those that have gone
+  /** @type {Record<string, State>} */
   states = {};
   trails = new Map();
   scenes = new Map(); // shapes, by the robot around which they are
@@ -39,6 +48,7 @@ export class World {
   }
 
   // A connection begins: everything is sent again.
+  /** @param {Extract<Incoming, { type: "hello" }>} message */
   hello(message) {
     this.me = message;
     Object.assign(limits, message.limits);
@@ -46,6 +56,7 @@ export class World {
   }
 
   // Takes the list of robots; returns which have come and gone since the last one, in a sentence, or "".
+  /** @param {{ robots: Robot[] }} message */
   list({ robots }) {
     const isNew = ({ id }) => !this.robot(id);
     const isGone = ({ id }) => !robots.some((robot) => robot.id === id);
@@ -60,13 +71,14 @@ export class World {
     return [sentence(gone, "not running any more"), sentence(come, "running")].filter(Boolean).join(" ");
   }
 
+  /** @param {Extract<Incoming, { type: "state" }>} message */
   update({ emergency, pupils_release: pupilsRelease, robots }) {
     Object.assign(this, { emergency, pupilsRelease });
     this.states = robots;
     for (const [id, { pose }] of Object.entries(robots)) if (pose) this.append(id, pose);
   }
 
-  append(id, [x, y]) {
+  append(id, /** @type {number[]} */ [x, y]) {
     const points = this.trails.get(id) ?? [];
     const [lastX, lastY] = points[points.length - 1] ?? [Infinity, Infinity];
     if (Math.hypot(x - lastX, y - lastY) < limits.trail_step) return;
@@ -76,6 +88,7 @@ export class World {
   }
 
   // Takes what is drawn around a robot; returns whether its course is another one.
+  /** @param {Extract<Incoming, { type: "scene" }>} message */
   scene({ robot, shapes }) {
     const before = String(this.courseOf(robot));
     this.scenes.set(robot, prepareShapes(shapes));
@@ -97,12 +110,14 @@ export class World {
     return others.length && others.every((other) => other === first) ? first ?? "" : "";
   }
 
+  /** @param {string | null} id */
   robot(id) {
     return this.robots.find((robot) => robot.id === id);
   }
 
+  /** @param {string | null} id */
   state(id) {
-    return this.states[id] ?? UNKNOWN;
+    return this.states[id ?? ""] ?? UNKNOWN;
   }
 
   // Whether this page's person cannot end the stop that holds all robots, or the chosen one.

@@ -23,13 +23,13 @@ class NumberField extends Blockly.FieldNumber {
 
   showPromptEditor() {
     super.showPromptEditor();
-    document.querySelector(".blocklyDialogInput").inputMode = "decimal";
+    /** @type {any} */ (document.querySelector(".blocklyDialogInput")).inputMode = "decimal";
   }
 }
 
 // Defines the blocks, once.
 export function defineBlocks() {
-  Blockly.Extensions.register("units", function label() {
+  Blockly.Extensions.register("units", /** @this {any} */ function label() {
     showUnits(this);
   });
   Blockly.fieldRegistry.unregister("field_number");

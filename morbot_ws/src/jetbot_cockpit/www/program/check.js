@@ -39,7 +39,8 @@ export function problemOf(text) {
 
 // Goes from block to block in a list, not by recursion: what is nested deep ends no page.
 function checkBlocks(tops) {
-  const [checked, todo] = [[], tops.map((block) => ({ block, depth: 0, put: (copy) => checked.push(copy) }))];
+  const checked = [];
+  const todo = tops.map((block) => ({ block, depth: 0, put: (copy) => checked.push(copy) }));
   for (let count = 0; todo.length; count += 1) {
     if (count >= MAX_BLOCKS) throw new Refusal(`This program has more than ${MAX_BLOCKS} blocks.`);
     const { block, depth, put } = todo.pop();

@@ -5,11 +5,15 @@ const TICK = 100; // ms
 const LATE = 25; // ms by which a timer may be late
 
 export class Clock {
+  start = 0;
+  due = 0; // when the last wait was to end
+  tickedAt = 0;
   lost = 0; // while it stood
+  /** @type {number | null} */
   stoodAt = null; // since when it stands, as performance.now() counts
 
   begin() {
-    this.start = this.due = this.tickedAt = this.now; // due: when the last wait was to end
+    this.start = this.due = this.tickedAt = this.now;
   }
 
   get now() {
@@ -25,7 +29,7 @@ export class Clock {
   }
 
   goOn() {
-    if (this.stands) this.lost += performance.now() - this.stoodAt;
+    if (this.stoodAt !== null) this.lost += performance.now() - this.stoodAt;
     this.stoodAt = null;
   }
 

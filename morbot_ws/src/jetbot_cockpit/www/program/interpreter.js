@@ -30,7 +30,8 @@ export class Interpreter {
   // program: as Blockly.serialization saves it; geometry: { wheel_separation, max_speed } of the robot;
   // senses(): what the robot senses, as the rows of robot.js read it
   constructor(program, geometry, senses) {
-    Object.assign(this, { geometry, senses });
+    this.geometry = geometry;
+    this.senses = senses;
     const tops = program.blocks?.blocks ?? [];
     this.start = tops.find(({ type }) => type === "robot_start");
     const functions = tops.filter(({ type }) => type.startsWith("procedures_def"));
@@ -84,7 +85,7 @@ export class Interpreter {
     return result;
   }
 
-  *value(block, name, fallback = 0) {
+  *value(block, name, /** @type {any} */ fallback = 0) {
     const input = block.inputs?.[name];
     const inner = input?.block ?? input?.shadow;
     if (!inner) return fallback;

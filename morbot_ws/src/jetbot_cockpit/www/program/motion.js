@@ -8,10 +8,11 @@ const [RATE, BURST] = [26, 6]; // commands a second, and at once: the cockpit ta
 export class Motion {
   command = [0, 0]; // forward, left: in [-1, 1], as a pad's
   sent = [0, 0]; // the last one
+  publishedAt = -Infinity;
   changesAt = -Infinity; // when the program will publish again, as performance.now() counts
   allowance = BURST;
   sentAt = -Infinity;
-  timer = null;
+  timer = 0; // of the repetition, 0 for none
 
   // send(forward, left)
   constructor(send) {
@@ -19,19 +20,19 @@ export class Motion {
   }
 
   begin() {
-    this.timer ??= setInterval(() => this.repeat(), INTERVAL);
+    this.timer ||= setInterval(() => this.repeat(), INTERVAL);
   }
 
   // Stops, whatever was commanded, and is silent from now on.
   end() {
     clearInterval(this.timer);
-    this.timer = null;
+    this.timer = 0;
     this.command = this.sent = [0, 0];
     this.send(0, 0);
   }
 
   // Drives x, z, in the units of this robot's commands.
-  publish([x, z], { wheel_separation: separation, max_speed: maxSpeed }) {
+  publish(/** @type {number[]} */ [x, z], { wheel_separation: separation, max_speed: maxSpeed }) {
     const power = (side) => Math.max(-1, Math.min(1, (x + side * z * separation / 2) / maxSpeed));
     this.publishedAt = performance.now();
     this.set((power(-1) + power(1)) / 2, (power(1) - power(-1)) / 2);

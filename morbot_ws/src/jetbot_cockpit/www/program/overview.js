@@ -1,5 +1,7 @@
 // The teacher's sheet: which tasks are on, the best scores, and all programs, to look at or as one zip.
 
+/** @import { Score, Task } from "../messages.js" */
+
 import { create, element, setText } from "../dom.js";
 import { ask } from "./ask.js";
 import { Sheet } from "./sheet.js";
@@ -23,6 +25,7 @@ export class Overview {
     if (!this.world.teacher) this.sheet.toggle(false);
   }
 
+  /** @param {{ tasks?: Task[], scores?: Score[] }} news */
   show({ tasks, scores }) {
     if (tasks) this.showTasks(tasks);
     this.scores = scores ?? this.scores;

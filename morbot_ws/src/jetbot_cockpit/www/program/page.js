@@ -166,6 +166,7 @@ function download(name, content, type) {
 }
 
 // Blocks get new ids when they are shown again; a variable keeps its own.
+/** @this {any} */
 function withoutIds(key, value) {
   return key === "id" && this.type ? undefined : value;
 }

@@ -120,7 +120,7 @@ function adapt(helper, { wheel_separation: separation, max_speed: speed }) {
 
 // Takes the marks out.
 function separate(marked) {
-  const [text, lines] = [[], new Map()];
+  const text = [], lines = new Map();
   for (const line of marked.split("\n")) {
     const [, id] = MARKED.exec(line) ?? [];
     if (id === undefined) text.push(line);

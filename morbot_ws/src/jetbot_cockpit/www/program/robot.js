@@ -107,6 +107,7 @@ const OTHERS = [
   },
 ];
 
+/** @type {any[]} */
 export const ROBOT = [...DRIVE, ...SENSE, ...OTHERS];
 
 function negative(code) {

@@ -23,7 +23,13 @@ export class Run {
   // changed(); delay(): ms before each statement;
   // ended(sentence, block): why, "" at the program's end; block: the id of where it failed
   constructor(program, robot, stepping, { send, printed, changed, ended, delay }) {
-    Object.assign(this, { robot, stepping, send, printed, changed, ended, delay });
+    this.robot = robot;
+    this.stepping = stepping;
+    this.send = send;
+    this.printed = printed;
+    this.changed = changed;
+    this.ended = ended;
+    this.delay = delay;
     this.senses = new Senses(program, () => send({ type: "program", robot: robot.id }));
     const { clock } = this;
     this.interpreter = new Interpreter(program, robot, () => ({ ...this.senses.values, seconds: clock.seconds }));

@@ -12,7 +12,9 @@ export class Senses {
   // program: the JSON; ask(): asks the cockpit, whose answer comes to receive()
   constructor(program, ask) {
     this.ask = ask;
-    [this.used, this.looks] = [SENSORS, EYES].map((blocks) => blocks.test(JSON.stringify(program)));
+    const text = JSON.stringify(program);
+    this.used = SENSORS.test(text);
+    this.looks = EYES.test(text);
   }
 
   receive(answer) {
@@ -30,7 +32,7 @@ export class Senses {
 
   async wait() {
     await new Promise((resolve) => {
-      this.answered = resolve;
+      this.answered = () => resolve(null);
       setTimeout(resolve, TIMEOUT);
     });
   }

@@ -7,7 +7,9 @@ let open = null;
 export class Sheet {
   // id: of the sheet; button: the id of what opens it; shown(): it is open
   constructor(id, button, shown) {
-    Object.assign(this, { sheet: element(id), button: element(button), shown });
+    this.sheet = element(id);
+    this.button = element(button);
+    this.shown = shown;
     this.button.addEventListener("click", () => this.toggle());
     element(`close-${id}`).addEventListener("click", () => this.toggle(false));
     addEventListener("keydown", ({ key }) => key === "Escape" && this.toggle(false));

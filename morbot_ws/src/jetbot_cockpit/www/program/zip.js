@@ -10,7 +10,7 @@ const CRC = Uint32Array.from({ length: 256 }, (_, byte) => {
 // Returns the zip as a Blob. files: { name, text, mode }, mode as of chmod
 export function zip(files) {
   const encoder = new TextEncoder();
-  const [parts, entries] = [[], []];
+  const parts = [], entries = [];
   let offset = 0;
   for (const { name, text, mode } of files) {
     const [path, data] = [encoder.encode(name), encoder.encode(text)];

@@ -1,43 +1,12 @@
-"""The page for programs runs blocks as Python runs the node that it makes of them."""
-
-import ast
-import json
+"""The page runs blocks as Python runs the node that it makes of them."""
 
 import pytest
+from browser.programs import block, calculate, chain, drive, let, num, plug, program, set_motion, show, var, wait
+from javascript import needs_node
+from program_node import changes, run_python, translate
 
-from .conftest import ROBOT
-from .programs import (
-    block,
-    calculate,
-    chain,
-    changes,
-    drive,
-    interpret,
-    let,
-    num,
-    plug,
-    program,
-    python_of,
-    run_python,
-    set_motion,
-    show,
-    var,
-    wait,
-)
-
+pytestmark = needs_node
 X_EQ = {"VAR": {"id": "x"}}
-
-
-@pytest.fixture(scope="module")
-def editor(world, browsers):
-    """The page for programs in a browser."""
-    page = browsers(1)
-    page.screen(1024, 768)
-    page.driver.get(f"{world.address}program")
-    page.wait_for_link()
-    page.choose(ROBOT)
-    yield page
-    page.leave()
 
 
 def compare(operator, left, right):
@@ -137,11 +106,16 @@ PROGRAMS = {
 }
 
 
+@pytest.fixture(scope="module")
+def done():
+    """What the page does with all programs, and their Python."""
+    return translate(PROGRAMS)
+
+
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_blocks_print_and_command_what_their_python_does(name, editor, monkeypatch):
-    blocks = PROGRAMS[name]
-    prints, commands = run_python(python_of(editor, blocks), monkeypatch)
-    done = interpret(editor, blocks)
+def test_blocks_print_and_command_what_their_python_does(name, done, monkeypatch):
+    done = done[name]
+    prints, commands = run_python(done["python"], monkeypatch)
     assert done["error"] == ""
     assert done["prints"] == prints
     ended = [commands[-1][0], 0.0, 0.0]  # the node's last command, and the page's
@@ -149,79 +123,14 @@ def test_blocks_print_and_command_what_their_python_does(name, editor, monkeypat
     assert prints or len(commands) > 3 or name == "nothing"
 
 
-EXAMPLES = "import('/program/examples.js').then(({EXAMPLES}) => arguments[0](EXAMPLES))"
-SENSES = {"here": {"X": 0.97}, "line": [0.3, 0, 1]}
-
-
-def test_the_examples_drive_and_their_python_is_a_program(editor):
-    for name, example in editor.driver.execute_async_script(EXAMPLES).items():
-        done = interpret(editor, json.loads(example), SENSES)
-        assert not done["error"] and done["commands"], name
-        compile(python_of(editor, json.loads(example)), name, "exec")
-
-
-FAULTS = {
-    "This calculation has no result.": program(show(calculate("DIVIDE", num(1), num(0)))),
-    "This calculation has no result": program(show(plug("math_constant", {"CONSTANT": "INFINITY"}))),
-    "Functions call functions too deep": program(block("procedures_callnoreturn"), functions=(
-        {"type": "procedures_defnoreturn", "fields": {"NAME": "again"}, "inputs": {"STACK": chain(
-            {"type": "procedures_callnoreturn", "extraState": {"name": "again"}})}},)),
-    "Here a number is needed, not a.": program(drive(1, 1), let("x", plug("text", {"TEXT": "a"})),
-                                               block("robot_set", X=var("x")), variables="x"),
-    "2 and a cannot be compared.": program(show(compare("LT", num(2), plug("text", {"TEXT": "a"})))),
-    "This robot does not report where it is.": program(show(plug("robot_here", {"WHAT": "X"}))),
-    "A text has at most 10000 characters.": program(let("x", plug("text", {"TEXT": "abc"})), block(
-        "controls_repeat_ext", TIMES=num(50), DO=chain(let("x", plug("text_join", ADD0=var("x"), ADD1=var("x"))))),
-        variables="x"),
-    "This loop counts by 0": program(block("controls_for", X_EQ, FROM=num(1), TO=num(2), BY=num(0)), variables="x"),
-}
-FAULTS["Functions call functions too deep"]["blocks"]["blocks"][0]["next"]["block"]["extraState"] = {"name": "again"}
-
-
-@pytest.mark.parametrize("sentence", FAULTS)
-def test_what_cannot_be_run_is_named_in_a_sentence(sentence, editor):
-    assert interpret(editor, FAULTS[sentence])["error"].startswith(sentence)
+def test_the_examples_are_programs_in_python_too():
+    for name, example in translate(None).items():
+        compile(example["python"], name, "exec")
 
 
 @pytest.mark.parametrize("root", [single("math_single", "ROOT", -4), calculate("POWER", num(-8), num(0.5))])
-def test_a_root_of_a_negative_number_ends_the_program_and_its_python(root, editor, monkeypatch):
-    blocks = program(show(root))
-    assert interpret(editor, blocks)["error"] == "This calculation has no result."
+def test_a_root_of_a_negative_number_ends_the_program_and_its_python(root, monkeypatch):
+    done = translate({"root": program(show(root))})["root"]
+    assert done["error"] == "This calculation has no result."
     with pytest.raises(ValueError, match="math domain error"):
-        run_python(python_of(editor, blocks), monkeypatch)
-
-
-def test_no_text_ends_a_line_of_the_python(editor):
-    source = python_of(editor, program(show(plug("text", {"TEXT": "a\rimport os\x0cb\nc"}))))
-    imported = [each.names[0].name for each in ast.walk(ast.parse(source)) if isinstance(each, ast.Import)]
-    assert imported == ["rospy"]
-
-
-def test_a_loop_without_a_wait_lets_the_page_have_its_turn(editor):
-    endless = program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"})))
-    assert interpret(editor, endless)["steps"] > 20000
-
-
-def test_a_long_calculation_lets_the_page_have_its_turn(editor):
-    fibonacci = {**COUNT, "inputs": {"RETURN": plug(
-        "logic_ternary", IF=compare("LT", var("n"), num(2)), THEN=var("n"),
-        ELSE=calculate("ADD", *(called(calculate("MINUS", var("n"), num(less))) for less in (1, 2))))}}
-    endless = program(show(called(num(40))), functions=(fibonacci,), variables="n")
-    assert interpret(editor, endless)["steps"] > 20000
-
-
-PULSES = """const [done] = arguments;
-import("/program/motion.js").then(({ Motion }) => {
-    const sent = [];
-    const motion = new Motion((...command) => sent.push(command));
-    for (let count = 0; count < 100; count += 1) {
-        motion.set(1, 0);
-        motion.set(0, 0);
-    }
-    done(sent);
-})"""
-
-
-def test_short_pulses_are_not_more_than_the_cockpit_takes(editor):
-    sent = editor.driver.execute_async_script(PULSES)
-    assert 2 <= len(sent) < 20 and sent[-1] == [0, 0]
+        run_python(done["python"], monkeypatch)

@@ -1,0 +1,3 @@
+// Scripts of the page that are no modules.
+declare var Blockly: any;
+declare var python: any;

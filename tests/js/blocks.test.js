@@ -1,0 +1,23 @@
+// The blocks that a person finds in the toolbox.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { problemOf } from "#www/program/check.js";
+
+import { write } from "./blockly.js";
+
+const { TOOLBOX } = await import("#www/program/blocks.js");
+const { Blockly } = globalThis;
+const BLOCKS = TOOLBOX.contents.flatMap(({ contents }) => contents ?? []);
+const alone = (block) => ({ blocks: { languageVersion: 0, blocks: [block] } });
+
+for (const { kind, ...block } of BLOCKS) {
+  test(`${block.type} can be opened again, and becomes Python`, () => {
+    assert.equal(problemOf(JSON.stringify(alone(block))), "");
+    const { outputConnection } = Blockly.serialization.blocks.append(block, new Blockly.Workspace());
+    const statement = outputConnection ? { type: "robot_print", inputs: { VALUE: { block } } } : block;
+    const empty = write(alone({ type: "robot_start" })).text;
+    assert.ok(write(alone({ type: "robot_start", next: { block: statement } })).text.length > empty.length);
+  });
+}

@@ -1,0 +1,173 @@
+// What the page knows of the robots, and what it says about them.
+
+import assert from "node:assert/strict";
+import { beforeEach, test } from "node:test";
+
+import { limits } from "#www/limits.js";
+import { World } from "#www/world.js";
+
+import "./dom.js";
+
+const LIMITS = { trail: 3, trail_step: 0.01 };
+const robot = (name, more = {}) => ({ id: `/${name}`, label: name, color: "#808080", ...more });
+let world = null;
+
+// Takes the states of robots, as far as they are not those of a robot that waits.
+function report(states, more = {}) {
+  const waiting = { ...world.state(null), status: "waiting for commands", state: "stopped" };
+  const robots = Object.entries(states).map(([name, state]) => [`/${name}`, { ...waiting, ...state }]);
+  world.update({ emergency: false, pupils_release: false, robots: Object.fromEntries(robots), ...more });
+}
+
+function login(role, own = null) {
+  world.hello({ type: "hello", id: 1, name: "Ada", role, robot: own, codes: false, limits: LIMITS });
+}
+
+beforeEach(() => {
+  world = new World();
+  login("pupil");
+  world.list({ robots: [robot("red"), robot("blue")] });
+  world.chosen = "/red";
+});
+
+test("the page takes the cockpit's limits", () => {
+  assert.equal(limits.trail, 3);
+});
+
+test("a pupil with a robot of its own chooses that one only; everybody else chooses from all", () => {
+  assert.deepEqual(world.allowed.map(({ label }) => label), ["red", "blue"]);
+  login("pupil", "/blue");
+  world.list({ robots: [robot("red"), robot("blue")] });
+  assert.deepEqual(world.allowed.map(({ label }) => label), ["blue"]);
+});
+
+test("robots that come and go are named, or counted if they are many", () => {
+  assert.equal(world.list({ robots: [robot("red")] }), "blue is not running any more.");
+  assert.deepEqual(world.missing.map(({ label }) => label), ["blue"]);
+  assert.equal(world.list({ robots: [robot("red"), robot("blue"), robot("tom")] }), "2 robots are running.");
+  assert.deepEqual(world.missing, []);
+  assert.equal(world.list({ robots: [robot("red"), robot("blue"), robot("tom")] }), "");
+});
+
+test("the first list is no news", () => {
+  login("pupil");
+  assert.equal(world.list({ robots: [robot("red")] }), "");
+});
+
+test("a trail keeps its newest points, and none of a robot that stands", () => {
+  for (const x of [0, 0.001, 1, 2, 3]) report({ red: { pose: [x, 0, 0] } });
+  assert.deepEqual(world.trails.get("/red"), [[1, 0], [2, 0], [3, 0]]);
+});
+
+test("a robot that has gone leaves no trail and no walls on the map", () => {
+  report({ blue: { pose: [1, 1, 0] } });
+  world.scene({ robot: "/blue", shapes: [{ kind: "wall", width: 0.01, points: [[0, 0], [1, 0]] }] });
+  world.list({ robots: [robot("red")] });
+  assert.deepEqual([world.trails.size, world.pointsOf("/blue")], [0, []]);
+});
+
+test("the page learns when a robot's course is another one, and draws no shape that it does not know", () => {
+  const course = { kind: "course", width: 0.01, points: [[0, 0], [1, 0]] };
+  const shapes = [course, { kind: "wall", width: 0.01, points: [[2, 2]] }, { kind: "constructor", points: [[9, 9]] }];
+  assert.equal(world.scene({ robot: "/red", shapes }), true);
+  assert.equal(world.scene({ robot: "/red", shapes: [course] }), false);
+  assert.equal(world.scene({ robot: "/red", shapes }), false);
+  assert.deepEqual(world.pointsOf("/red"), [[0, 0], [1, 0], [2, 2]]);
+});
+
+test("what the names of a class begin with is left out, if only numbers follow", () => {
+  const name = (...labels) => {
+    world.list({ robots: labels.map((label) => robot(label)) });
+    return world.commonName;
+  };
+  assert.equal(name("jetbot_01", "jetbot_02"), "jetbot_");
+  assert.deepEqual([name("red", "blue"), name("jetbot_01", "red_01"), name("jetbot_01"), name()], ["", "", "", ""]);
+});
+
+const TAKEN = "Your teacher has taken red. Wait until a teacher presses Go on.";
+const SUMMARIES = [ // the state of the robot, whether all are stopped; what is said, and how urgent that is
+  [{ status: "driving", state: "driving" }, false, "driving", "driving"],
+  [{ status: "no commands", state: "stopped" }, false, "no commands", "waiting"],
+  [{ status: "battery low", warning: true }, false, "battery low", "warning"],
+  [{ status: "" }, false, "waiting for its status", "waiting"],
+  [{ status: "", answers: false }, false, "red does not answer: look after its node.", "warning"],
+  [{ status: "stopped: no board", stopped: true, cause: "board" }, false, "stopped: no board", "stopped"],
+  [{ status: "driving", stopped: true }, false, "stopped: emergency stop", "stopped"],
+  [{ status: "driving" }, true, "Your teacher stopped all robots.", "stopped"],
+  [{ status: "driving", held: "robot" }, false, TAKEN, "stopped"],
+];
+
+for (const [state, emergency, text, level] of SUMMARIES) {
+  test(`a pupil reads "${text}", as ${level}`, () => {
+    report({ red: state }, { emergency });
+    assert.deepEqual(world.summarize("/red"), { text, level });
+  });
+}
+
+test("a robot that is not known yet has a status, too", () => {
+  assert.deepEqual(world.summarize("/tom"), { text: "waiting for its status", level: "waiting" });
+});
+
+const ADA = { id: 1, name: "Ada" };
+const BOB = { id: 2, name: "Bob" };
+const DRIVERS = [ // the state of the robot; what is said, and whether this page can drive
+  [{}, "Free to drive: drag the pad", true],
+  [{ driver: ADA }, "You drive it", true],
+  [{ driver: BOB }, "Bob drives it", false],
+  [{ state: "driving" }, "A program drives. Take the pad to drive.", true],
+  [{ state: "driving", program: "/zigzag" }, "/zigzag drives. Take the pad to drive.", true],
+  [{ resumes: 3 }, "The program drives on in 3 s", true],
+  [{ held: "robot" }, "Pupils and programs wait until a teacher presses Go on", false],
+  [{ held: "programs", waiting: ["/zigzag"] }, "The program waits until a teacher presses Go on", true],
+  [{ held: "programs" }, "Free to drive: drag the pad", true],
+  [{ stopped: true }, "Nobody drives it", false],
+  [{ answers: false, state: "driving" }, "Nobody drives it", false],
+];
+
+for (const [state, text, free] of DRIVERS) {
+  test(`of the driver a pupil reads "${text}": ${JSON.stringify(state)}`, () => {
+    report({ red: state });
+    assert.equal(world.describeDriver("/red"), text);
+    assert.equal(!world.isBlocked("/red"), free);
+  });
+}
+
+test("a teacher drives what a teacher holds", () => {
+  login("teacher");
+  report({ red: { held: "robot" } });
+  assert.equal(world.isBlocked("/red"), false);
+});
+
+test("nobody drives while all robots are stopped", () => {
+  login("teacher");
+  report({ red: {} }, { emergency: true });
+  assert.equal(world.isBlocked("/red"), true);
+});
+
+test("a pupil waits for the teacher's release, unless the pupil stopped all robots alone", () => {
+  const waits = (state, more) => {
+    report({ red: state }, more);
+    return world.mustWait;
+  };
+  assert.equal(waits({}, { emergency: true, pupils_release: false }), true);
+  assert.equal(waits({}, { emergency: true, pupils_release: true }), false);
+  assert.equal(waits({ stopped: true }), true);
+  login("teacher");
+  assert.equal(waits({ stopped: true }, { emergency: true }), false);
+});
+
+test("a teacher can take a robot from whoever drives it or is about to", () => {
+  login("teacher");
+  const takes = (state) => {
+    report({ red: state });
+    return world.mayTake("/red");
+  };
+  assert.deepEqual([{ driver: BOB }, { program: "/zigzag" }, { resumes: 2 }, { state: "driving" }].map(takes),
+    [true, true, true, true]);
+  assert.deepEqual([{ driver: ADA }, {}, { held: "robot", program: "/zigzag" }].map(takes), [false, false, false]);
+});
+
+test("the map shows the robots whose place is known", () => {
+  report({ red: { pose: [1, 2, 3] }, blue: {} });
+  assert.deepEqual(world.placed.map(({ robot: { label }, state }) => [label, state.pose]), [["red", [1, 2, 3]]]);
+});

@@ -1,0 +1,27 @@
+"""Node, which runs the page's scripts without a browser."""
+
+import os
+import shutil
+import subprocess
+
+import pytest
+
+from conftest import ROOT
+
+OLDEST = 18
+
+
+def node(*arguments: object, input: str = "") -> "subprocess.CompletedProcess[str]":
+    """Run Node in the project's folder; return how it ended, and what it printed."""
+    environment = {name: value for name, value in os.environ.items() if name != "NODE_OPTIONS"}
+    return subprocess.run(["node", *map(str, arguments)], cwd=ROOT, env=environment, input=input,
+                          stdout=subprocess.PIPE, text=True)
+
+
+def has_node() -> bool:
+    """Return whether a Node is there that knows all that the tests use."""
+    return bool(shutil.which("node")) and int(node("-p", "parseInt(process.versions.node)").stdout) >= OLDEST
+
+
+needs_node = pytest.mark.skipif(
+    not has_node(), reason=f"the page's scripts need Node {OLDEST} or later: sudo apt install nodejs")
