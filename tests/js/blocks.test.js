@@ -12,7 +12,7 @@ const { Blockly } = globalThis;
 const BLOCKS = TOOLBOX.contents.flatMap(({ contents }) => contents ?? []);
 const alone = (block) => ({ blocks: { languageVersion: 0, blocks: [block] } });
 
-for (const { kind, ...block } of BLOCKS) {
+for (const { kind: _, ...block } of BLOCKS) {
   test(`${block.type} can be opened again, and becomes Python`, () => {
     assert.equal(problemOf(JSON.stringify(alone(block))), "");
     const { outputConnection } = Blockly.serialization.blocks.append(block, new Blockly.Workspace());

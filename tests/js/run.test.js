@@ -41,7 +41,7 @@ test("a program begins and ends with a stop, and drives for as long as it says",
   assert.ok(others.filter((speed) => speed === 0.5).length >= 20);
 });
 
-test("nothing moves before the robot's controller is connected, and a program whose robot never is says so", async (t) => {
+test("nothing moves before the robot's controller is connected; a program whose robot never is says so", async (t) => {
   const page = await begin(t, program([drive(0.5, 1)]), { ready: false });
   await page.clock.pass(3800);
   assert.deepEqual(page.ends, []);

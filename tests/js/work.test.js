@@ -146,7 +146,7 @@ test("after a reload, what another page has made newer is shown if nothing here 
   assert.equal(reloaded.name, "Theirs");
 });
 
-test("a newer version of another page is said while this one is open, and shown when the person wants it", async (t) => {
+test("a newer version of another page is named while this one is open, and shown when a person wants it", async (t) => {
   new Clock(t);
   const state = cockpit(t, [square()]);
   const page = openPage();
@@ -158,7 +158,7 @@ test("a newer version of another page is said while this one is open, and shown 
   assert.deepEqual([page.name, page.said, page.newer, state.asked.at(-1).version], ["Theirs", "", false, 5]);
 });
 
-test("what is made of a version that was replaced while it was opened is saved as a change of the newest", async (t) => {
+test("what is made of a version that was replaced while it was opened is saved as one of the newest", async (t) => {
   const clock = new Clock(t);
   const { saves } = cockpit(t, [square({ version: 6 })]);
   const page = openPage();

@@ -34,7 +34,9 @@ export class Camera {
   show() {
     const { pictures } = this.world.state(this.world.chosen);
     element("collect").hidden = !pictures;
-    for (const [label, text] of Object.entries(LABELS)) setText(element(`save-${label}`), `${text} ${pictures?.[label]}`);
+    for (const [label, text] of Object.entries(LABELS)) {
+      setText(element(`save-${label}`), `${text} ${pictures?.[label]}`);
+    }
     setText(element("collect-text"), pictures?.problem?.text ?? "");
     this.look();
   }

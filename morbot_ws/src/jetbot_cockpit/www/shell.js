@@ -61,7 +61,8 @@ export class Shell {
   }
 
   show() {
-    this.#frame ||= requestAnimationFrame(() => {
+    if (this.#frame) return;
+    this.#frame = requestAnimationFrame(() => {
       this.#frame = 0;
       showStatus(this.world, this.problem);
       this.notice.update(this.world.isBlocked(this.world.chosen), this.drives());

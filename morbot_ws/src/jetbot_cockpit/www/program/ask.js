@@ -8,7 +8,8 @@ const REFUSED = "The cockpit has refused this.";
 export class NotKept extends Error {
   constructor(text, code, again) {
     super(text);
-    Object.assign(this, { code, again });
+    this.code = code;
+    this.again = again;
   }
 }
 
@@ -19,7 +20,8 @@ export async function ask(fields) {
   const content = await answer?.json().catch(() => null);
   if (answer?.ok && content) return content;
   const lost = !answer || answer.ok; // perhaps in the middle
-  throw new NotKept(lost ? NO_ANSWER : content?.text ?? REFUSED, content?.code ?? "", lost || AGAIN.includes(answer.status));
+  const text = lost ? NO_ANSWER : content?.text ?? REFUSED;
+  throw new NotKept(text, content?.code ?? "", lost || AGAIN.includes(answer.status));
 }
 
 // Returns 16 random hexadecimal digits.

@@ -1,6 +1,6 @@
 // Checks a program that comes from elsewhere, before Blockly sees it.
 
-import { TYPES } from "./interpreter.js";
+import { TYPES } from "./semantics.js";
 
 const MAX_SIZE = 512 * 1024; // characters
 const MAX_BLOCKS = 2000;

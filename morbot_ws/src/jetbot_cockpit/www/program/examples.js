@@ -8,7 +8,8 @@ const wait = (SECONDS) => block("robot_wait", { SECONDS });
 const drive = (X, SECONDS) => block("robot_drive", { X, SECONDS });
 const turn = (SIDE, Z, SECONDS) => block("robot_turn", { Z, SECONDS }, { fields: { SIDE } });
 const stop = block("robot_stop");
-const stack = (/** @type {any[]} */ [first, ...others]) => (others.length ? { ...first, next: { block: stack(others) } } : first);
+const stack = (/** @type {any[]} */ [first, ...others]) =>
+  (others.length ? { ...first, next: { block: stack(others) } } : first);
 const body = (...blocks) => ({ block: stack(blocks) });
 const loop = (...blocks) => block("robot_loop", { DO: body(...blocks) });
 const repeat = (TIMES, ...blocks) => block("controls_repeat_ext", { TIMES, DO: body(...blocks) });

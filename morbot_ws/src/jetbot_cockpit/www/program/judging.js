@@ -21,7 +21,10 @@ export class Judging {
 
   // send(message); run(): runs the program; say(text); world
   constructor({ send, run, say, world }) {
-    Object.assign(this, { send, run, say, world });
+    this.send = send;
+    this.run = run;
+    this.say = say;
+    this.world = world;
   }
 
   get isWaiting() {

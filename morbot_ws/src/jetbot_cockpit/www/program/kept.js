@@ -25,13 +25,21 @@ const STATES = {
   older: { text: NEWER, bad: true }, // newer: the version that another page has saved
 };
 
+/** @typedef {{ name: string, text?: string, bad?: boolean, unsaved?: boolean, timer?: number, newer?: number }} State
+ */
+
 export class Kept {
+  /** @type {State} */
   state = { name: "unchanged", ...STATES.unchanged };
 
   // robot: whose program it is, null as long as there is none; version: as the cockpit has it, 0 for a new program;
   // content: { name, program }, null until there is something to keep; report(kept): it is in another state
   constructor(robot, { id = newId(), version = 0, content = null }, report) {
-    Object.assign(this, { robot, id, version, content, report });
+    this.robot = robot;
+    this.id = id;
+    this.version = version;
+    this.content = content;
+    this.report = report;
   }
 
   enter(name, data = {}) {

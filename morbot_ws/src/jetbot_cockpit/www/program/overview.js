@@ -14,7 +14,10 @@ export class Overview {
 
   // send(message); look(row): shows a program; download(name, content, type); world
   constructor({ send, look, download, world }) {
-    Object.assign(this, { send, look, download, world });
+    this.send = send;
+    this.look = look;
+    this.download = download;
+    this.world = world;
     this.sheet = new Sheet("overview", "overview-button", () => this.open());
     element("zip").addEventListener("click", () => this.act(() => this.downloadAll()));
   }

@@ -94,7 +94,7 @@ const OTHERS = [
     python: () => "", does: () => [],
   },
   {
-    type: "robot_loop", message0: "repeat at 10 Hz %1 %2", // interpreter.js runs it
+    type: "robot_loop", message0: "repeat at 10 Hz %1 %2", // semantics.js runs it
     args0: [{ type: "input_dummy" }, { type: "input_statement", name: "DO" }], ...statement,
     colour: "#3c7a1f", tooltip: "Does this ten times per second, and repeats the command each time.",
     python: ({ DO }) => `while not rospy.is_shutdown():\n${DO}    publisher.publish(motion)\n    rate.sleep()`,

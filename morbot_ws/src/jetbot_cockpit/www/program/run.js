@@ -1,8 +1,9 @@
 // One run of a program in this page: Pause, Step, Stop, how fast, and the robot that it drives.
 
 import { Clock } from "./clock.js";
-import { Interpreter, ProgramError } from "./interpreter.js";
+import { Interpreter } from "./interpreter.js";
 import { Motion } from "./motion.js";
+import { ProgramError } from "./program_error.js";
 import { Senses } from "./senses.js";
 
 const SLICE = 8; // ms that a program computes before the page has its turn

@@ -20,7 +20,7 @@ export class Shelf {
   }
 
   show() {
-    const { activeElement: focused } = document;
+    const focused = /** @type {any} */ (document.activeElement);
     const [row, place] = [focused.closest("#work-list li"), [...focused.parentElement.children].indexOf(focused)];
     element("work-list").replaceChildren(...this.rows.flatMap((each) => this.items(each)));
     const again = row && element("work-list").querySelector(`[data-id="${row.dataset.id}"]`);

@@ -9,14 +9,18 @@ const LAST = "last program"; // the key of the one that was shown last
 const LOOKING = "To look at only.";
 
 export class Work {
+  /** @type {string | null} */
   robot = null; // whose programs these are
   changes = undefined; // to the robot's programs, as far as the last list shows them
+  /** @type {any} */
+  kept = null; // the Kept that is shown
   begun = []; // before there is a robot: they become the first one's
   // showing: the blocks are being replaced: that is no change of the person's
   // arriving: what is shown gives way to what the robot has, once its first list has come
   // editing: what is shown stays, and its changes are kept
   // looking: it is another robot's, and cannot be changed
   // baseline: what was shown, when it was looked at last, in the states in which it may be changed
+  /** @type {{ name: string, baseline?: string }} */
   state = { name: "showing" };
 
   // view: show(name, program): shows a program, returns whether it can; current(): returns { name, program };
