@@ -4,7 +4,7 @@ Registers and bits by the names of SparkFun's firmware, https://github.com/spark
 """
 
 import itertools
-from typing import Any
+from typing import Any, Optional
 
 from ..errors import NoAnswer, NotReady
 from .driver import Link, MotorDriver
@@ -33,7 +33,7 @@ class ScmdMotors(MotorDriver):
 
     def __init__(self, link: Link, *settings: Any):
         super().__init__(link, *settings)
-        self._sent = None  # the drive bytes as the chip holds them; None: not known
+        self._sent: Optional[bytes] = None  # the drive bytes as the chip holds them; None: not known
         self._timeout = 0  # FSAFE_TIME as the chip holds it
         self._verified = itertools.cycle([DRIVER_ENABLE, MA_DRIVE, FSAFE_CTRL, MB_DRIVE, FSAFE_TIME])
         self._differs = False  # whether something else was read than was sent
@@ -91,11 +91,11 @@ class ScmdMotors(MotorDriver):
         else:
             self._differs = True  # a brown-out: what follows would hide it from ``verify``
 
-    def _feed(self, timeout):
+    def _feed(self, timeout: int) -> None:
         self.link.write(FSAFE_TIME, [timeout])
         self._timeout = timeout
 
-    def _count_fault(self):
+    def _count_fault(self) -> None:
         """Count why the board was found changed: only a power-on leaves its motors disabled."""
         if self._differs:
             if self.link.read(DRIVER_ENABLE):
@@ -104,7 +104,7 @@ class ScmdMotors(MotorDriver):
                 self.resets += 1
         self._differs = False
 
-    def _send(self, wanted):
+    def _send(self, wanted: bytes) -> None:
         self._sent = None  # until all of it went through
         self.link.write(MA_DRIVE, wanted[:1])  # one by one: whether a board takes both depends on its firmware
         self.link.write(MB_DRIVE, wanted[1:])
