@@ -25,7 +25,11 @@ signal.signal(signal.SIGHUP, signal.SIG_DFL)  # for the programs that tests star
 sys.path[:0] = [*MODULES, str(ROOT / "setup")]
 
 from jetbot import fake, guard, i2c, robot, serial_link  # noqa: E402
+from jetbot.boards import BOARDS  # noqa: E402
 from jetbot.fake.bus import FakeBus  # noqa: E402
+from jetbot.fake.chips import INA219  # noqa: E402
+
+VOLTMETER = next(each for each in INA219.ADDRESSES if each not in [board.address for board in BOARDS.values()])
 
 
 class CountedBus(FakeBus):
@@ -44,7 +48,7 @@ class CountedBus(FakeBus):
 @pytest.fixture
 def wire(monkeypatch):
     """What crossed the fake bus since ``wire.bits.clear()``."""
-    monkeypatch.setattr(i2c, "open_bus", lambda name, address: CountedBus(fake.folder_of(name), address))
+    monkeypatch.setattr(i2c, "open_bus", lambda name, *chip: CountedBus(fake.folder_of(name), *chip))
     CountedBus.bits.clear()
     CountedBus.states.clear()
     return CountedBus

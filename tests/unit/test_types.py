@@ -31,7 +31,7 @@ def check(python, tmp_path, program):
     """Return what mypy reports of a program, without the names of the files."""
     (tmp_path / "program.py").write_text(f"from jetbot import BusError, Camera, Robot\n\nrobot = Robot()\n{program}\n")
     done = subprocess.run([MYPY, "--strict", "--config-file=", "--python-executable", python, "program.py"],
-                          cwd=tmp_path, stdout=subprocess.PIPE, universal_newlines=True)
+                          cwd=tmp_path, stdout=subprocess.PIPE, text=True)
     return [line.partition("error: ")[2] for line in done.stdout.splitlines() if "error: " in line]
 
 
