@@ -27,9 +27,6 @@ sys.path[:0] = [*MODULES, str(ROOT / "setup")]
 from jetbot import fake, guard, i2c, robot, serial_link  # noqa: E402
 from jetbot.boards import BOARDS  # noqa: E402
 from jetbot.fake.bus import FakeBus  # noqa: E402
-from jetbot.fake.chips import INA219  # noqa: E402
-
-VOLTMETER = next(each for each in INA219.ADDRESSES if each not in [board.address for board in BOARDS.values()])
 
 
 class CountedBus(FakeBus):
@@ -52,6 +49,13 @@ def wire(monkeypatch):
     CountedBus.bits.clear()
     CountedBus.states.clear()
     return CountedBus
+
+
+@pytest.fixture
+def six_boards(monkeypatch):
+    """BOARDS with those boards alone whose addresses and names a test writes out."""
+    for name in set(BOARDS) - {"jetbot", "adafruit", "waveshare", "waveshare_hat", "sparkfun", "jetbot_pro"}:
+        monkeypatch.delitem(BOARDS, name)
 
 
 @pytest.fixture
