@@ -25,6 +25,7 @@ signal.signal(signal.SIGHUP, signal.SIG_DFL)  # for the programs that tests star
 sys.path[:0] = [*MODULES, str(ROOT / "setup")]
 
 from jetbot import fake, guard, i2c, robot, serial_link  # noqa: E402
+from jetbot.boards import BOARDS  # noqa: E402
 from jetbot.fake.bus import FakeBus  # noqa: E402
 
 
@@ -44,10 +45,17 @@ class CountedBus(FakeBus):
 @pytest.fixture
 def wire(monkeypatch):
     """What crossed the fake bus since ``wire.bits.clear()``."""
-    monkeypatch.setattr(i2c, "open_bus", lambda name, address: CountedBus(fake.folder_of(name), address))
+    monkeypatch.setattr(i2c, "open_bus", lambda name, *chip: CountedBus(fake.folder_of(name), *chip))
     CountedBus.bits.clear()
     CountedBus.states.clear()
     return CountedBus
+
+
+@pytest.fixture
+def six_boards(monkeypatch):
+    """BOARDS with those boards alone whose addresses and names a test writes out."""
+    for name in set(BOARDS) - {"jetbot", "adafruit", "waveshare", "waveshare_hat", "sparkfun", "jetbot_pro"}:
+        monkeypatch.delitem(BOARDS, name)
 
 
 @pytest.fixture

@@ -35,7 +35,7 @@ class Bus:
 
 
 @pytest.fixture(autouse=True)
-def bare(monkeypatch, tmp_path):
+def bare(six_boards, monkeypatch, tmp_path):
     make_bare(monkeypatch, tmp_path)
 
 

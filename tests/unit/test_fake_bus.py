@@ -10,12 +10,14 @@ from pathlib import Path
 import pytest
 
 from conftest import registers
-from jetbot import BusError
+from jetbot import BusError, Robot
+from jetbot.boards import BOARDS
 from jetbot.fake.bus import FakeBus, power_on
-from jetbot.fake.chips import PCA9685
+from jetbot.fake.chips import INA219, PCA9685, SCMD, JetBotPro
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.fake.port import FakePort
 
+VOLTS = [0x5E, 0x8A]
 FULL, HALF, OFF = bytes([0, 0x10, 0, 0]), bytes([0, 0, 0, 0x08]), bytes([0, 0, 0, 0x10])  # one output's registers
 
 
@@ -24,15 +26,54 @@ def bus(folder):
     return FakeBus(folder)
 
 
-def test_a_motor_board_takes_the_place_of_the_sensor_at_its_address_and_keeps_it(bus, folder):
-    assert bus.read_i2c_block_data(0x41, 0x02, 2) == [0x5E, 0x8A]
+def test_a_motor_board_takes_the_place_of_the_sensor_which_moves_to_its_other_address(six_boards, bus, folder):
+    assert bus.read_i2c_block_data(0x41, 0x02, 2) == VOLTS
     power_on(folder, 0x41)
-    assert bus.read_byte_data(0x41, 0xFE) == 0x1E
-    power_on(folder)
-    assert bus.read_byte_data(0x41, 0xFE) == 0x1E
+    for _ in range(2):
+        assert bus.read_byte_data(0x41, 0xFE) == 0x1E
+        assert bus.read_i2c_block_data(0x42, 0x02, 2) == VOLTS
+        power_on(folder)
     (folder / "0x41").unlink()
     power_on(folder)
-    assert bus.read_i2c_block_data(0x41, 0x02, 2) == [0x5E, 0x8A]
+    assert bus.read_i2c_block_data(0x41, 0x02, 2) == VOLTS
+
+
+def test_a_chip_is_known_by_its_name_whatever_its_address(folder):
+    for _ in range(2):
+        with Robot("sparkfun", f"fake:{folder}", i2c_address=0x58, guard=False) as robot:
+            robot.set_motors(0.5, -0.5)
+            assert wheel_speeds(folder, "sparkfun", 0x58) == (0.5, -0.5)
+            assert wheel_speeds(folder, "waveshare_hat", 0x58) == STOPPED
+        power_on(folder)
+    assert registers(folder, 0x58)[-16:] == b"SCMD".ljust(16, b"\0")
+
+
+@pytest.mark.usefixtures("six_boards")
+@pytest.mark.parametrize("board, address, found, option", [
+    ("waveshare", 0x41, "INA219, not as PCA9685", ""),
+    ("sparkfun", 0x60, "PCA9685, not as SCMD", " --chip SCMD")])
+def test_another_chip_than_the_boards_is_named_and_what_to_do(folder, monkeypatch, board, address, found, option):
+    monkeypatch.delenv("MORBOT", raising=False)
+    power_on(folder)
+    with pytest.raises(BusError) as error:
+        Robot(board, f"fake:{folder}", i2c_address=address, guard=False)
+    command = f"python3 -m jetbot.fake {folder} --i2c-address 0x{address:02x}{option}"
+    assert str(error.value) == (f"The chip at 0x{address:02x} on fake:{folder} is simulated as {found}. "
+                                f"To plug that in: {command}")
+    power_on_by_hand(monkeypatch, *command.split()[3:])
+    Robot(board, f"fake:{folder}", i2c_address=address, guard=False).close()
+
+
+def test_a_chip_without_a_name_as_earlier_versions_have_made_it_is_that_of_its_address(bus, folder):
+    for address, chip in (0x60, PCA9685), (0x5D, SCMD), (0x42, INA219):
+        (folder / f"0x{address:02x}").write_bytes(chip.POWER_ON)
+    (folder / "jetbot_pro").write_bytes(JetBotPro.POWER_ON)
+    assert (bus.read_byte_data(0x60, 0xFE), bus.read_byte_data(0x5D, 0x01)) == (0x1E, 0xA9)
+    assert bus.read_i2c_block_data(0x42, 0x02, 2) == VOLTS
+    for board in BOARDS:
+        with Robot(board, f"fake:{folder}", f"fake:{folder}", guard=False) as robot:
+            robot.forward(0.5)
+            assert wheel_speeds(folder, board) == pytest.approx((0.5, 0.5), abs=robot.driver.resolution)
 
 
 def test_power_on_values(bus, folder):
@@ -202,11 +243,13 @@ def test_a_chip_is_plugged_in_by_hand_and_powered_on_with_the_others(bus, folder
     assert registers(folder, 0x61)[0x00] == 0x11
 
 
-@pytest.mark.parametrize("address", ["0x3f", "0x78", "0x161", "sixty"])
-def test_no_chip_can_be_at_any_address(folder, monkeypatch, capsys, address):
-    with pytest.raises(SystemExit):
-        power_on_by_hand(monkeypatch, folder, "--i2c-address", address)
-    assert "--i2c-address must be an address from 0x40 to 0x77" in capsys.readouterr().err
+@pytest.mark.parametrize("chip, addresses, possible", [
+    ("PCA9685", ["0x3f", "0x78", "0x161", "sixty"], "0x40 to 0x77"), ("SCMD", ["0x57", "0x64"], "0x58 to 0x63")])
+def test_no_chip_can_be_at_any_address(folder, monkeypatch, capsys, chip, addresses, possible):
+    for address in addresses:
+        with pytest.raises(SystemExit):
+            power_on_by_hand(monkeypatch, folder, "--i2c-address", address, "--chip", chip)
+        assert f"--i2c-address must be an address from {possible}" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("restart, duty", [(0x20, 0), (0xA0, 0.5)])

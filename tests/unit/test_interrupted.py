@@ -35,9 +35,8 @@ def chip(board, monkeypatch):
 
 def exact(board, speeds):
     """The speeds, as the chip counts them; SparkFun's cannot drive full backward."""
-    if board == "sparkfun":
-        return tuple(max(-127, round(128 * speed)) / 128 for speed in speeds)
-    return tuple(round(4096 * speed) / 4096 for speed in speeds)
+    steps = round(1 / BOARDS[board].driver.resolution)
+    return tuple(max(1 - steps if board == "sparkfun" else -steps, round(steps * speed)) / steps for speed in speeds)
 
 
 def limits(board, before, after):
@@ -45,10 +44,11 @@ def limits(board, before, after):
 
     Only a PCA9685 may be faster, while OFF_L, which comes first, is new and OFF_H is old.
     """
-    duties = [round(4096 * abs(speed)) for speed in (before, after)]
-    if board != "sparkfun" and 0 < min(duties) and max(duties) < 4096:
+    steps = round(1 / BOARDS[board].driver.resolution)
+    duties = [round(steps * abs(speed)) for speed in (before, after)]
+    if BOARDS[board].chip == "PCA9685" and 0 < min(duties) and max(duties) < steps:
         duties.append(duties[0] & 0xF00 | duties[1] & 0xFF)
-    fastest = max(duties) / 4096
+    fastest = max(duties) / steps
     return -fastest if min(before, after) < 0 else 0, fastest if max(before, after) > 0 else 0
 
 
@@ -144,7 +144,7 @@ def test_every_byte_while_the_board_is_opened(chip, board, fault):
         chip.interrupt(byte, fault)
         driver = open_board(find_board(board), BUS)
         driver.drive(0.5, -0.5)
-        assert {speeds(bytes(chip.registers), board)} == {(0.5, -0.5) * len(WIRINGS[board])}
+        assert {speeds(bytes(chip.registers), board)} == {exact(board, (0.5, -0.5)) * len(WIRINGS[board])}
 
 
 @pytest.mark.parametrize("board", WIRINGS)

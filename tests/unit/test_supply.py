@@ -19,7 +19,7 @@ PCA9685_WITHOUT_INCREMENT = bytes.fromhex("1111 0000 E2E2 0000 0000 0000")  # wh
 
 
 @pytest.fixture
-def link(folder):
+def link(six_boards, folder):
     """The link to a motor board on a fake bus."""
     power_on(folder)
     return I2CDevice(f"fake:{folder}", 0x60)

@@ -29,7 +29,7 @@ def locate(board: Board, i2c_bus: Union[int, str], port: str) -> str:
 
 def connect(board: Board, place: str, pwm_frequency: float = DEFAULT_PWM_FREQUENCY) -> MotorDriver:
     """Return the driver of the board at this place, a ``locate``; nothing is sent."""
-    link = I2CDevice(place, board.address) if board.address else SerialLink(place)
+    link = I2CDevice(place, board.address, board.chip) if board.address else SerialLink(place)
     return board.driver(link, pwm_frequency, board.wirings)
 
 

@@ -62,10 +62,10 @@ class FatalError(JetbotError):
 
 
 class OutOfResources(FatalError):
-    """This computer, or this program, has no file descriptor or memory left: an OSError that is one of EXHAUSTED."""
+    """This computer, or this program, has no file descriptor or memory left: ``errno`` is one of EXHAUSTED."""
 
-    def __init__(self, error: OSError):
-        super().__init__(f"out of file descriptors or memory: {os.strerror(error.errno)}",
+    def __init__(self, errno: int):
+        super().__init__(f"out of file descriptors or memory: {os.strerror(errno)}",
                          "End other programs, or raise the limits of this one.")
 
 

@@ -45,10 +45,10 @@ class Heartbeat(traitlets.HasTraits):
         """Send no more pulses; the status stays."""
         self.running = False
 
-    def _now(self):
+    def _now(self) -> float:
         return self._epoch + time.monotonic()
 
-    def _run(self):
+    def _run(self) -> None:
         while self.running:
             try:
                 late = self.pulseout.value - self.pulsein.value >= self.period

@@ -9,7 +9,7 @@ import shlex
 import socket
 import struct
 from pathlib import Path
-from typing import List, Optional, Set, Tuple, Union
+from typing import Any, List, Optional, Set, Tuple, Union
 
 from .text import printable
 
@@ -144,7 +144,7 @@ def bus_advice() -> str:
     return f"This computer has {existing}.{hint}"
 
 
-def is_loopback(host: object) -> bool:
+def is_loopback(host: Any) -> bool:
     """Return whether a host's name or address always means the computer that uses it."""
     try:
         return ipaddress.ip_address(host).is_loopback
@@ -152,7 +152,7 @@ def is_loopback(host: object) -> bool:
         return host in ("localhost", "localhost.localdomain", "ip6-localhost", "ip6-loopback")
 
 
-def is_this_host(host: object) -> bool:
+def is_this_host(host: Any) -> bool:
     """Return whether a name or an address is this computer's. No other name is looked up: its owner could change it."""
     if is_loopback(host) or str(host).lower() == socket.gethostname().lower():
         return True

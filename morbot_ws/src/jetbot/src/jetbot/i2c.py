@@ -17,6 +17,8 @@ class I2CDevice:
     """The registers of one chip. A failed transfer is repeated; one that keeps failing raises a BusError.
 
     bus: N for /dev/i2c-N, ``fake`` or ``fake:FOLDER``; address: 7 bits.
+    chip: the class in ``fake.chips`` that simulates this one, "" for any: a new fake bus has it at the address, and one
+    with another chip there raises NoAnswer.
     transfers, errors: how many transfers were tried, and how many of them failed.
     tries: how often a transfer is tried.
     time_limit: s that a transfer may take. The second one in a row that takes longer raises FatalError; those after it
@@ -27,11 +29,11 @@ class I2CDevice:
     tries = TRIES
     time_limit = math.inf
 
-    def __init__(self, bus: Union[int, str], address: int):
+    def __init__(self, bus: Union[int, str], address: int, chip: str = ""):
         self.name = bus_name(bus)
-        self.address = address
+        self.address, self._chip = address, chip
         self.transfers = self.errors = 0
-        self._smbus = None
+        self._smbus: Any = None
         self._slow = 0  # transfers in a row that took too long; a busy computer holds up one, hardly two
 
     def read(self, register: int) -> int:
@@ -55,10 +57,10 @@ class I2CDevice:
             self._smbus.close()
             self._smbus = None
 
-    def _transfer(self, method, *arguments):
+    def _transfer(self, method: str, *arguments: Any) -> Any:
         for _ in range(self.tries):
             try:
-                self._smbus = self._smbus or open_bus(self.name, self.address)
+                self._smbus = self._smbus or open_bus(self.name, self.address, self._chip)
                 self.transfers += 1
                 start = time.monotonic()
                 result = getattr(self._smbus, method)(self.address, *arguments)
@@ -73,9 +75,9 @@ class I2CDevice:
             else:
                 self._check_duration(time.monotonic() - start)
                 return result
-        raise explain(failure, self.name, self.address) from None
+        raise explain(failure, self.name, self.address, self._chip) from None
 
-    def _check_duration(self, duration):
+    def _check_duration(self, duration: float) -> None:
         self._slow = self._slow + 1 if duration > self.time_limit else 0
         if self._slow == 2:
             raise FatalError(f"the bus {self.name} is too slow to stop the robot in time: {duration:.2f} s a transfer",
@@ -93,12 +95,12 @@ def bus_name(bus: Union[int, str]) -> str:
     raise InvalidValue(f"an I2C bus cannot be {bus!r}", "Give a number (1 for /dev/i2c-1), fake, or fake:FOLDER.")
 
 
-def open_bus(name: str, address: int) -> Any:
-    """Return the bus with this ``bus_name``, with the methods of smbus2.SMBus. A new fake one has a chip there."""
+def open_bus(name: str, address: int, chip: str = "") -> Any:
+    """Return the bus with this ``bus_name``, with the methods of smbus2.SMBus. chip: there, as for I2CDevice."""
     folder = fake.folder_of(name)
     if folder:
         from .fake.bus import FakeBus
-        return FakeBus(folder, address)
+        return FakeBus(folder, address, chip)
     try:
         from smbus2 import SMBus  # here: a computer without a bus does not need it
     except ImportError:
@@ -106,12 +108,13 @@ def open_bus(name: str, address: int) -> Any:
     return SMBus(int(name[len("/dev/i2c-"):]))
 
 
-def explain(error: OSError, bus: str, address: int) -> JetbotError:
-    """Return the BusError for an OSError of the bus, or OutOfResources."""
+def explain(error: OSError, bus: str, address: int, chip: str = "") -> JetbotError:
+    """Return the BusError for an OSError of the bus, or OutOfResources. chip: as for I2CDevice."""
     if error.errno in EXHAUSTED:
-        return OutOfResources(error)
-    if fake.folder_of(bus):
-        return explain_fake(error, bus, address)
+        return OutOfResources(error.errno)
+    folder = fake.folder_of(bus)
+    if folder:
+        return explain_fake(error, folder, address, chip)
     if error.errno == errno.EBUSY:
         return explain_held(bus, address)
     if error.errno == errno.ENOENT:
@@ -136,14 +139,14 @@ def explain_held(bus: str, address: int) -> BusError:
                     errno.EBUSY)
 
 
-def explain_fake(error: OSError, bus: str, address: int) -> BusError:
+def explain_fake(error: OSError, folder: str, address: int, chip: str) -> BusError:
     """Return the BusError for an OSError of a fake bus."""
     if error.errno in (errno.EROFS, errno.EACCES, errno.ENOTDIR, errno.ENOSPC):
-        return BusError(f"the fake bus {bus} cannot be used: {error.strerror}",
+        return BusError(f"the fake bus fake:{folder} cannot be used: {error.strerror}",
                         "Name another folder: fake:FOLDER", error.errno)
     from .fake.bus import plug_in_advice  # here: no real robot needs it
-    return NoAnswer(f"no answer from 0x{address:02x} on {bus}",
-                    address_advice(address) + plug_in_advice(fake.folder_of(bus), address), error.errno)
+    return NoAnswer(f"no answer from 0x{address:02x} on fake:{folder}",
+                    address_advice(address) + plug_in_advice(folder, address, chip), error.errno)
 
 
 def address_advice(address: int) -> str:

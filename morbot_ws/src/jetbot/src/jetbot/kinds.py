@@ -2,7 +2,7 @@
 
 import math
 from contextlib import suppress
-from typing import Callable, NamedTuple, Union
+from typing import Any, Callable, NamedTuple, Union
 
 from .errors import InvalidValue
 from .text import literal
@@ -11,7 +11,7 @@ from .text import literal
 class Kind(NamedTuple):
     """What a value must be: a check, and its description."""
 
-    accepts: Callable[[object], bool]
+    accepts: Callable[[Any], bool]
     description: str
 
     def check(self, name: str, value: object) -> None:
@@ -20,7 +20,7 @@ class Kind(NamedTuple):
             raise InvalidValue(f"{name} must be {self.description}, not {literal(value)}")
 
 
-def is_finite(value: object) -> bool:
+def is_finite(value: Any) -> bool:
     """Return whether this is a finite number, of Python or another library."""
     try:
         return math.isfinite(value)
@@ -28,7 +28,7 @@ def is_finite(value: object) -> bool:
         return False
 
 
-def is_number(value: object) -> bool:
+def is_number(value: Any) -> bool:
     """Return whether this is a finite number; not a bool, which YAML's yes and no would give."""
     return is_finite(value) and not isinstance(value, bool)
 
@@ -38,7 +38,7 @@ def whole(limit: int) -> Kind:
     return Kind(lambda value: type(value) is int and 1 <= value <= limit, f"a whole number from 1 to {limit}")
 
 
-def is_address(value: object) -> bool:
+def is_address(value: Any) -> bool:
     """Return whether a chip may have this I2C address: a number, or its hexadecimal text as roslaunch passes it on."""
     with suppress(ValueError, TypeError):
         return type(value) in (int, str) and 0x03 <= address_of(value) <= 0x77
@@ -62,7 +62,7 @@ PWM_FREQUENCY = Kind(lambda value: is_number(value) and 24 <= value <= 1526, "a 
 ADDRESS = Kind(is_address, "an address from 0x03 to 0x77")
 
 
-def check_duties(min_duty: object, max_duty: object) -> None:
+def check_duties(min_duty: float, max_duty: float) -> None:
     """Raise InvalidValue unless 0 <= min_duty < max_duty <= 1."""
     FRACTION.check("the min_duty", min_duty)
     DUTY.check("the max_duty", max_duty)

@@ -5,7 +5,7 @@ import contextlib
 import os
 import threading
 import time
-from typing import Callable, Dict, Iterable, List, Optional, Tuple, Union
+from typing import Callable, Dict, Iterable, List, Optional, Tuple, Type, Union
 
 from .boards import DEFAULT_PORT, DEFAULT_PWM_FREQUENCY, find_board
 from .connection import locate, open_board
@@ -36,7 +36,7 @@ class Robot:
     any thread and any signal handler.
     """
 
-    motor_class = Motor
+    motor_class: Type[Motor] = Motor
 
     def __init__(self, board: Optional[str] = None, i2c_bus: Union[int, str, None] = None, port: Optional[str] = None,
                  left_motor_alpha: float = 1.0, right_motor_alpha: float = 1.0, swap_motors: bool = False,
@@ -169,7 +169,7 @@ class Robot:
             if not self._update():
                 self._wait_for_guard()
 
-    def _checked(self, speed):
+    def _checked(self, speed: float) -> float:
         """Return the speed as a float; stop both wheels and raise InvalidValue for anything but a finite number."""
         try:
             FINITE.check("a speed", speed)
@@ -178,7 +178,7 @@ class Robot:
             raise
         return float(speed)
 
-    def _wait_for_guard(self):
+    def _wait_for_guard(self) -> None:
         try:
             self._guard.wait(self._is_commanded)
         except GuardError:
@@ -186,7 +186,7 @@ class Robot:
             raise
         self._update()
 
-    def _watch_guard(self):
+    def _watch_guard(self) -> None:
         """Stop the wheels of a program that only waits when its guard is lost; the next command replaces that."""
         while not self._closed:
             time.sleep(PING_INTERVAL)
@@ -215,16 +215,16 @@ class Robot:
                 self._given = outputs
         return permitted
 
-    def _is_commanded(self):
+    def _is_commanded(self) -> bool:
         return any(self._speeds.values())
 
-    def _clear_speeds(self):
+    def _clear_speeds(self) -> None:
         self._speeds.update(dict.fromkeys(self._outputs, 0.0))
 
     def __enter__(self) -> "Robot":
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.close()
 
 

@@ -4,7 +4,7 @@ import errno
 import termios
 import threading
 from pathlib import Path
-from typing import Any
+from typing import Any, Callable
 
 from . import fake
 from .errors import EXHAUSTED, BusError, InvalidValue, JetbotError, NoAnswer, OutOfResources
@@ -36,7 +36,7 @@ class SerialLink:
             raise InvalidValue(f"a serial port cannot be {port!r}",
                                "Give a device such as /dev/ttyACM0, a URL socket://... or rfc2217://..., or fake.")
         self.transfers = self.errors = 0
-        self._port = None
+        self._port: Any = None
         self._opening = threading.RLock()  # one thread may write while another reads; a signal handler may write, too
 
     def write(self, data: bytes) -> None:
@@ -55,7 +55,7 @@ class SerialLink:
             if port is not None:
                 port.close()
 
-    def _try(self, action):
+    def _try(self, action: Callable[[Any], Any]) -> Any:
         port = None
         try:
             with self._opening:
@@ -91,9 +91,10 @@ def explain(error: Exception, name: str) -> JetbotError:
     """Return the BusError for an error that pyserial raised, or OutOfResources."""
     number = getattr(error, "errno", None)
     if number in EXHAUSTED:
-        return OutOfResources(error)
-    if fake.folder_of(name):
-        advice = f"To plug it in: {fake.power_on_command(fake.folder_of(name))}"
+        return OutOfResources(number)
+    folder = fake.folder_of(name)
+    if folder:
+        advice = f"To plug it in: {fake.power_on_command(folder)}"
         return NoAnswer(f"no answer from {name}", advice, number)
     if number == errno.EACCES:
         return BusError(f"no permission to open {name}", permission_advice(name, "dialout"), number)

@@ -1,26 +1,26 @@
 """Motors whose ``value`` is a trait, which ``traitlets.link``, ``dlink`` and ``observe`` take."""
 
 import threading
-from typing import Dict
+from typing import Any, Dict, Optional
 
 import traitlets
 from traitlets.utils.bunch import Bunch
 
 from . import motor, robot
 
-get_speed, set_speed = motor.Motor.value.fget, motor.Motor.value.fset
+speed = vars(motor.Motor)["value"]  # the property
 
 
 class Speed(traitlets.TraitType):
     """The trait of a speed: the robot keeps, checks and drives it."""
 
-    def get(self, obj: "Motor", cls: type = None) -> float:
+    def get(self, obj: "Motor", cls: Optional[type] = None) -> float:
         """Return the speed."""
-        return get_speed(obj)
+        return speed.__get__(obj)
 
     def set(self, obj: "Motor", value: float) -> None:
         """Drive the wheel."""
-        set_speed(obj, value)
+        speed.__set__(obj, value)
 
 
 class Motor(motor.Motor, traitlets.HasTraits):
@@ -28,12 +28,12 @@ class Motor(motor.Motor, traitlets.HasTraits):
 
     value = Speed(0.0)
 
-    def __init__(self, *options):
+    def __init__(self, *options: Any):
         super().__init__(*options)
         self.observed = False  # ever; until then, a command takes no longer than without traits
         self._published, self._publishing = 0.0, threading.Lock()
 
-    def observe(self, *args, **options) -> None:
+    def observe(self, *args: Any, **options: Any) -> None:
         """As of HasTraits."""
         super().observe(*args, **options)
         if not self.observed:
@@ -55,6 +55,8 @@ class Motor(motor.Motor, traitlets.HasTraits):
 class Robot(robot.Robot):
     __doc__ = robot.Robot.__doc__
     motor_class = Motor
+    left_motor: Motor
+    right_motor: Motor
 
     def command(self, speeds: Dict[motor.Motor, float]) -> None:
         """Drive the wheels; only then call the observers, which must not run while this thread holds up others."""

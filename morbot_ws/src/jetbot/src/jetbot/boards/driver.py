@@ -37,12 +37,16 @@ class MotorDriver(abc.ABC):
     ignores: Sequence[str] = ()  # the controller's parameters that change nothing on this board
     resets = 0       # how often the board was found at its power-on values: a brown-out
     overwritten = 0  # how often it held what another program has written
-    in_sync = True   # whether the board holds what it was sent, as far as is known; else the next ``drive`` restores it
     keep_alive_interval = 0.25  # s: how often ``keep_alive`` is due while the wheels turn
 
     def __init__(self, link: Link, pwm_frequency: float = DEFAULT_PWM_FREQUENCY,
                  wirings: Sequence[Any] = ()):
         self.link = link
+
+    @property
+    def in_sync(self) -> bool:
+        """Whether the board holds what it was sent, as far as is known; else the next ``drive`` restores it."""
+        return True
 
     @staticmethod
     def recognizes(link: Link) -> bool:

@@ -8,7 +8,7 @@ import math
 import struct
 import threading
 import time
-from typing import Any, Callable, Iterator, Tuple
+from typing import Any, Callable, Iterator, Optional, Tuple
 
 from ..errors import BusError
 from .driver import Link, MotorDriver, Telemetry
@@ -43,9 +43,9 @@ class JetBotPro(MotorDriver):
 
     def __init__(self, link: Link, *settings: Any):
         super().__init__(link, *settings)
-        self._sent = None
+        self._sent: Optional[bytes] = None
         self._closed = False
-        self._listener = None
+        self._listener: Optional[threading.Thread] = None
 
     @property
     def in_sync(self) -> bool:
@@ -80,12 +80,12 @@ class JetBotPro(MotorDriver):
             self._listener.join(1.0)  # its next read would open the port again
         self.link.close()
 
-    def _send(self, wanted):
+    def _send(self, wanted: bytes) -> None:
         self._sent = None  # until it went through
         self.link.write(wanted)
         self._sent = wanted
 
-    def _listen(self, callback):
+    def _listen(self, callback: Callable[[Telemetry], None]) -> None:
         reader = FrameReader()
         while not self._closed:
             try:
@@ -100,7 +100,7 @@ class JetBotPro(MotorDriver):
 class FrameReader:
     """Finds frames in a stream of bytes, past noise, lost bytes and wrong sums."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self._buffer = b""
 
     def feed(self, data: bytes) -> Iterator[Tuple[int, bytes]]:

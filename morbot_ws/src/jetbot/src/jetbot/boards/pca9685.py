@@ -52,8 +52,8 @@ class PCA9685:
         self._prescale = prescale(pwm_frequency)
         self._spans = [range(LED0_ON_L + 4 * min(group), LED0_ON_L + 4 * max(group) + 4) for group in groups]
         self._blocks = itertools.cycle([range(MODE1, MODE2 + 1), range(PRE_SCALE, PRE_SCALE + 1), *self._spans])
-        self._sent = None  # the registers as the chip holds them; None: not known
-        self._differs = None  # what ``verify`` read instead of what was sent
+        self._sent = b""  # the registers as the chip holds them; empty: not known
+        self._differs = b""  # what ``verify`` read instead of what was sent
 
     @staticmethod
     def recognizes(link: Link) -> bool:
@@ -62,7 +62,7 @@ class PCA9685:
 
     @property
     def in_sync(self) -> bool:
-        return self._sent is not None
+        return bool(self._sent)
 
     def start(self) -> None:
         """Set the chip up, whatever state it is in: first the outputs off, and only then the rest.
@@ -81,7 +81,7 @@ class PCA9685:
         for span in self._spans:
             sent[span.start:span.stop] = OFF * (len(span) // 4)
             self.link.write(span.start, sent[span.start:span.stop])
-        self._sent = sent
+        self._sent = bytes(sent)
 
     def stop(self) -> None:
         """Switch the outputs off, whatever state the chip is in; nothing else changes.
@@ -89,14 +89,14 @@ class PCA9685:
         Byte by byte: after a brown-out, without MODE1_AI, a block would end up in a single register. MODE2 comes first:
         it may invert the outputs, or let them wait for all four registers.
         """
-        self._sent = None
+        self._sent = b""
         self.link.write(MODE2, [MODE2_OUTDRV])
         for output in self._outputs:
             self.link.write(LED0_ON_L + 4 * output + OFF_H, [LED_FULL])
 
     def set_outputs(self, duties: Dict[int, int]) -> None:
         """Set outputs to duties, {output: 0 to 4096}, in 4096ths; start the chip first if its state is unknown."""
-        if self._sent is None:
+        if not self._sent:
             self.start()
         sent, wanted = self._sent, bytearray(self._sent)
         for output, duty in duties.items():
@@ -104,18 +104,18 @@ class PCA9685:
             wanted[register:register + 4] = encode(duty)
         if wanted == sent:
             return
-        self._sent = None  # until all of it went through
+        self._sent = b""  # until all of it went through
         for piece in transfers(sent, wanted, self._spans):
             self.link.write(piece.start, wanted[piece.start:piece.stop])
-        self._sent = wanted
+        self._sent = bytes(wanted)
 
     def verify(self) -> None:
         """Read back the next block of registers; if it differs, the next ``set_outputs`` sets the chip up again.
 
         A chip whose supply failed is back at its power-on values: asleep, all outputs off. Only ``start`` wakes it.
         """
-        sent, self._sent = self._sent, None  # also if the chip does not answer
-        if sent is None:
+        sent, self._sent = self._sent, b""  # also if the chip does not answer
+        if not sent:
             return
         block = next(self._blocks)
         held = bytearray(self.link.read_block(block.start, len(block)))
@@ -124,26 +124,26 @@ class PCA9685:
         if held == sent[block.start:block.stop]:
             self._sent = sent
         else:
-            self._differs = held
+            self._differs = bytes(held)
 
     def invalidate(self) -> None:
         """Something else has written to the chip: the next ``set_outputs`` sets it up again."""
-        self._sent = None
+        self._sent = b""
 
-    def _set_prescale(self):
+    def _set_prescale(self) -> None:
         for register, value in (MODE1, MODE1_AI | MODE1_SLEEP), (PRE_SCALE, self._prescale), (MODE1, MODE1_AI):
             self.link.write(register, [value])
         time.sleep(OSCILLATOR_START)
         self.link.write(MODE1, [MODE1_RESTART | MODE1_AI])
 
-    def _count_fault(self, mode1):
+    def _count_fault(self, mode1: int) -> None:
         """Count why ``verify`` found the chip changed; mode1: what its MODE1 holds now."""
         if self._differs:
             if mode1 == MODE1_POWER_ON or self._differs == bytes([PRESCALE_POWER_ON]):
                 self.resets += 1
             else:
                 self.overwritten += 1
-        self._differs = None
+        self._differs = b""
 
 
 def prescale(pwm_frequency: float) -> int:
@@ -161,7 +161,7 @@ def encode(duty: int) -> bytes:
     return bytes([0, 0, duty & 0xFF, duty >> 8])
 
 
-def transfers(sent: bytes, wanted: bytes, spans: Sequence[range]) -> List[range]:
+def transfers(sent: Sequence[int], wanted: Sequence[int], spans: Sequence[range]) -> List[range]:
     """Return the ranges of registers to write: those that changed, and short gaps between them.
 
     Where full on or full off is among the changes (a wheel starts, stops, reverses or reaches full speed), a span is
@@ -177,7 +177,7 @@ def transfers(sent: bytes, wanted: bytes, spans: Sequence[range]) -> List[range]
 
 def join(registers: List[int], most: int) -> List[range]:
     """Return ascending registers as at most ``most`` ranges; a gap that costs no more than a transfer is included."""
-    pieces = []
+    pieces: List[range] = []
     for register in registers:
         if pieces and register - pieces[-1].stop <= OVERHEAD:
             pieces[-1] = range(pieces[-1].start, register + 1)

@@ -62,7 +62,7 @@ class PwmMotors(PCA9685, MotorDriver):
         self._wirings = wirings
 
     def drive(self, left: float, right: float) -> None:
-        duties = {}
+        duties: Dict[int, int] = {}
         for wiring in self._wirings:
             duties.update(wiring.left.duties(left))
             duties.update(wiring.right.duties(right))

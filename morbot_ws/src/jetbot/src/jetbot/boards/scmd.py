@@ -4,7 +4,7 @@ Registers and bits by the names of SparkFun's firmware, https://github.com/spark
 """
 
 import itertools
-from typing import Any
+from typing import Any, Optional
 
 from ..errors import NoAnswer, NotReady
 from .driver import Link, MotorDriver
@@ -20,6 +20,7 @@ STATUS_1 = 0x77
 ENUMERATION_BIT = 0x01           # 0 while the firmware looks for further boards
 
 STOP = 0x80
+STOPPED = bytes([STOP, STOP])
 TIMEOUT = 100                    # FSAFE_TIME while the timer is fed: 1.0 s
 
 
@@ -33,7 +34,7 @@ class ScmdMotors(MotorDriver):
 
     def __init__(self, link: Link, *settings: Any):
         super().__init__(link, *settings)
-        self._sent = None  # the drive bytes as the chip holds them; None: not known
+        self._sent: Optional[bytes] = None  # the drive bytes as the chip holds them; None: not known
         self._timeout = 0  # FSAFE_TIME as the chip holds it
         self._verified = itertools.cycle([DRIVER_ENABLE, MA_DRIVE, FSAFE_CTRL, MB_DRIVE, FSAFE_TIME])
         self._differs = False  # whether something else was read than was sent
@@ -50,14 +51,16 @@ class ScmdMotors(MotorDriver):
         if not self.recognizes(self.link):
             raise NoAnswer(f"the chip at 0x{self.link.address:02x} on {self.link.name} is not a {self.chip_name}",
                            "Choose another board.")
+        self._sent = None  # until all of it went through
         self._count_fault()
         self.link.write(DRIVER_ENABLE, [0])
         if not self.link.read(STATUS_1) & ENUMERATION_BIT:
             raise NotReady(f"the motor driver on {self.link.name} is not ready", "Switch the robot off and on.")
-        self._send(bytes([STOP, STOP]))
+        self._write_speeds(STOPPED)
         self.link.write(FSAFE_CTRL, [FSAFE_DRIVE_KILL])
         self._feed(0)
         self.link.write(DRIVER_ENABLE, [1])
+        self._sent = STOPPED
 
     def drive(self, left: float, right: float) -> None:
         if self._sent is None:
@@ -91,11 +94,11 @@ class ScmdMotors(MotorDriver):
         else:
             self._differs = True  # a brown-out: what follows would hide it from ``verify``
 
-    def _feed(self, timeout):
+    def _feed(self, timeout: int) -> None:
         self.link.write(FSAFE_TIME, [timeout])
         self._timeout = timeout
 
-    def _count_fault(self):
+    def _count_fault(self) -> None:
         """Count why the board was found changed: only a power-on leaves its motors disabled."""
         if self._differs:
             if self.link.read(DRIVER_ENABLE):
@@ -104,11 +107,14 @@ class ScmdMotors(MotorDriver):
                 self.resets += 1
         self._differs = False
 
-    def _send(self, wanted):
+    def _send(self, wanted: bytes) -> None:
         self._sent = None  # until all of it went through
-        self.link.write(MA_DRIVE, wanted[:1])  # one by one: whether a board takes both depends on its firmware
-        self.link.write(MB_DRIVE, wanted[1:])
+        self._write_speeds(wanted)
         self._sent = wanted
+
+    def _write_speeds(self, speeds: bytes) -> None:
+        self.link.write(MA_DRIVE, speeds[:1])  # one by one: whether a board takes both depends on its firmware
+        self.link.write(MB_DRIVE, speeds[1:])
 
 
 def encode(speed: float) -> int:

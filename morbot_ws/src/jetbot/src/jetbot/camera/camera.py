@@ -3,7 +3,7 @@
 import atexit
 import os
 import threading
-from typing import List
+from typing import Any, Iterator, List, Optional
 
 import numpy  # noqa: F401  here, and not first in the thread that decodes
 import PIL.Image  # noqa: F401
@@ -33,7 +33,8 @@ class Camera(traitlets.HasTraits):
         super().__init__()
         self.width, self.height, self.fps = width, height, fps
         self.source = source or os.environ.get("JETBOT_CAMERA", "")
-        self._stream = None
+        self._stream: Optional[Stream] = None
+        self._thread: Optional[threading.Thread] = None
         self.start()
 
     @classmethod
@@ -51,7 +52,6 @@ class Camera(traitlets.HasTraits):
         for other in [other for other in running if other.source == self.source]:
             other.stop()
         self._stream = Stream(command, self._report, lambda jpeg: decode(jpeg, self.width, self.height))
-        self._thread = None
         running.append(self)
         try:
             self._begin(self._stream)
@@ -59,7 +59,7 @@ class Camera(traitlets.HasTraits):
             self.stop()
             raise
 
-    def _begin(self, stream):
+    def _begin(self, stream: Stream) -> None:
         pictures = iter(stream)
         stream.start()
         stream.require_picture()
@@ -81,13 +81,13 @@ class Camera(traitlets.HasTraits):
         self.stop()
         self.start()
 
-    def _report(self, sentence):
+    def _report(self, sentence: str) -> None:
         """Print a sentence, unless ``start`` raises it."""
         stream = self._stream
         if stream and (stream.count or not stream.error):
             print_sentence(sentence)
 
-    def _follow(self, stream, pictures):
+    def _follow(self, stream: Stream, pictures: Iterator[Any]) -> None:
         for picture in pictures:
             try:
                 self.value = picture
@@ -98,8 +98,8 @@ class Camera(traitlets.HasTraits):
 @atexit.register
 def abandon_all() -> None:
     """Do not wait: the robot has yet to be stopped."""
-    for camera in running:
-        camera._stream.abandon()
+    for stream in filter(None, [camera._stream for camera in running]):
+        stream.abandon()
 
 
 os.register_at_fork(after_in_child=running.clear)  # the parent's

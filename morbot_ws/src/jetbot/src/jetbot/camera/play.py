@@ -7,6 +7,7 @@ import itertools
 import sys
 import time
 from pathlib import Path
+from typing import Iterator
 
 import numpy
 from lens import HEIGHT, rays  # a neighbour: this file runs by itself
@@ -16,7 +17,7 @@ FLOOR, LINE, SKY = (120, 125, 130), (235, 200, 40), (190, 210, 230)  # RGB
 LINE_WIDTH, TILE = 0.05, 0.25  # m
 
 
-def floor_with_line(width, height):
+def floor_with_line(width: int, height: int) -> Image.Image:
     """Return the picture of a tiled floor, on which a line leads ahead and bends to the left."""
     down, left = rays(width, height)
     x = HEIGHT / numpy.where(down > 0, down, numpy.inf)
@@ -28,7 +29,7 @@ def floor_with_line(width, height):
     return Image.fromarray(picture.astype(numpy.uint8))
 
 
-def pictures_of(name, width, height):
+def pictures_of(name: str, width: int, height: int) -> Iterator[Image.Image]:
     """Yield the pictures of a source, for ever; a folder's in the order of their names."""
     if name == "fake":
         yield from itertools.repeat(floor_with_line(width, height))
@@ -41,8 +42,8 @@ def pictures_of(name, width, height):
                 yield image.convert("RGB").resize((width, height), Image.BILINEAR)
 
 
-def main(name, *numbers):
-    width, height, fps, quality, rotation = map(int, (*numbers, 0)[:5])
+def main(name: str, *numbers: str) -> None:
+    width, height, fps, quality, rotation = map(int, (*numbers, "0")[:5])
     for picture in pictures_of(name, width, height):
         picture.rotate(rotation).save(sys.stdout.buffer, "JPEG", quality=quality)
         sys.stdout.buffer.flush()

@@ -11,7 +11,7 @@ import threading
 import time
 from collections import deque
 from pathlib import Path
-from typing import Any, Callable, Deque, Iterator
+from typing import Any, Callable, Deque, Iterator, List, Optional
 
 from ..errors import JetbotError
 from ..wait import wait_until
@@ -48,10 +48,11 @@ class Stream:
     def __init__(self, command: Command, report: Callable[[str], None] = print_sentence,
                  decode: Callable[[bytes], Any] = bytes):
         self._command, self._report, self._decode = command, report, decode
-        self.newest, self.count, self.error = None, 0, None
+        self.newest, self.count = None, 0
+        self.error: Optional[JetbotError] = None
         self._changed = threading.Condition()
         self._stopping = threading.Event()
-        self._process = None
+        self._process: Optional[subprocess.Popen[bytes]] = None
         self._reported, self._reported_at = "", 0.0
         self._thread = threading.Thread(target=self._run, daemon=True)
 
@@ -94,7 +95,7 @@ class Stream:
             self._reported, self._reported_at = str(error), now
             self._report(str(error))
 
-    def _interrupt(self):
+    def _interrupt(self) -> None:
         """Let the thread end; interrupt the child."""
         with self._changed:
             self._stopping.set()
@@ -102,19 +103,19 @@ class Stream:
         if self._process is not None and self._process.returncode is None:
             send(self._process, signal.SIGINT)
 
-    def _run(self):
+    def _run(self) -> None:
         while not self._stopping.is_set():
             try:
                 with child(self._command.line) as self._process:
                     error = self._read(Output(self._process))
             except OSError as failure:
-                error = self._command.explain(b"", failure.strerror)
+                error = self._command.explain(b"", failure.strerror or str(failure))
             if not self._stopping.is_set():
                 self._set(error=error)
                 self.complain(error)
             self._stopping.wait(RESTART_INTERVAL)
 
-    def _read(self, output):
+    def _read(self, output: "Output") -> JetbotError:
         """Return the error with which a child ends, or which makes its end necessary."""
         timeout, deadline = START_TIMEOUT, time.monotonic() + START_TIMEOUT
         while not (output.ended or self._stopping.is_set()):
@@ -124,7 +125,7 @@ class Stream:
                 return self._command.explain(output.words, f"no picture came from the camera for {timeout:g} s")
         return self._command.explain(output.words, "the camera's program has ended")
 
-    def _publish(self, jpeg):
+    def _publish(self, jpeg: bytes) -> bool:
         """Make this the newest picture; return whether it is one."""
         try:
             self._set(newest=self._decode(jpeg), count=self.count + 1, error=None)
@@ -133,7 +134,7 @@ class Stream:
             return False
         return True
 
-    def _set(self, **attributes):
+    def _set(self, **attributes: Any) -> None:
         with self._changed:
             vars(self).update(attributes)
             self._changed.notify_all()
@@ -146,13 +147,14 @@ class Output:
     more.
     """
 
-    def __init__(self, process: subprocess.Popen):
-        self._stdout, self._stderr = self._open = [process.stdout, process.stderr]
+    def __init__(self, process: "subprocess.Popen[bytes]"):
+        self._open: List[Any] = [process.stdout, process.stderr]
+        self._stdout, self._stderr = self._open
         self._buffer, self.words, self.ended = bytearray(), b"", False
 
     def read(self) -> Deque[bytes]:
         """Wait for more, POLL_INTERVAL at most; return the newest JPEG since the last call, if there is one."""
-        newest = deque(maxlen=1)
+        newest: Deque[bytes] = deque(maxlen=1)
         ready = select.select(self._open, [], [], POLL_INTERVAL)[0]  # in this order: last words come last
         for pipe in ready:
             data = os.read(pipe.fileno(), CHUNK)
@@ -169,7 +171,7 @@ class Output:
 
 
 @contextlib.contextmanager
-def child(line):
+def child(line: str) -> Iterator["subprocess.Popen[bytes]"]:
     """Run a shell command in a group of its own, which ends with the context: interrupted first, then killed.
 
     So does what it has started in other groups. The group also ends, within END_TIMEOUT, if this process does, be it
@@ -181,10 +183,10 @@ def child(line):
             subprocess.Popen(["env", mark, "sh", "-c", line], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                              stderr=subprocess.PIPE, start_new_session=True) as process:
         try:
-            watcher.stdin.write(b"%d\n" % process.pid)
+            watcher.stdin.write(b"%d\n" % process.pid)  # type: ignore[union-attr]  # a PIPE
             yield process
         finally:
-            process.stdout.close()  # it may wait for room in the pipe
+            process.stdout.close()  # type: ignore[union-attr]  # a PIPE, in which it may wait for room
             send(process, signal.SIGINT)
             wait_until(lambda: os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT | os.WNOHANG), END_TIMEOUT)
             send(process, signal.SIGKILL)  # all of its group
@@ -202,6 +204,6 @@ def marked(mark: str) -> Iterator[int]:
                 yield int(file.parent.name)
 
 
-def send(process, signum):
+def send(process: "subprocess.Popen[bytes]", signum: int) -> None:
     with contextlib.suppress(ProcessLookupError):
         os.killpg(process.pid, signum)

@@ -28,9 +28,10 @@ def folder_of(name: str) -> Optional[str]:
     return name[len("fake:"):] or None if name.startswith("fake:") else None
 
 
-def power_on_command(folder: Folder, address: Optional[int] = None) -> str:
-    """Return the command that plugs every simulated board in there, and one at this I2C address."""
+def power_on_command(folder: Folder, address: Optional[int] = None, chip: str = "") -> str:
+    """Return the command that plugs all simulated boards in there, and a chip at this address, by default a PCA9685."""
     option = f" --i2c-address 0x{address:02x}" if address else ""
+    option += f" --chip {chip}" if chip not in ("", "PCA9685") else ""
     return in_shell(f"python3 -m jetbot.fake {shlex.quote(str(folder))}{option}")
 
 

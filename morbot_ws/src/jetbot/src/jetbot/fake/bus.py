@@ -10,46 +10,43 @@ Chips stay powered when the process that uses them ends. By hand:
                                            set the voltage of the supply to 11.1 V, which is 0x56B8 >> 3 times 4 mV
     python3 -m jetbot.fake FOLDER          power every chip on again: after unplugging, or as a brown-out
                   --i2c-address 0x61       plug a PCA9685 in at this address, too
+                  --chip SCMD              another chip there
 """
 
 import errno
 import fcntl
-import functools
 import os
 import re
 import secrets
 import shutil
 import time
 from pathlib import Path
-from typing import List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Type
 
 from ..boards import BOARDS
-from ..errors import BusError
+from ..errors import BusError, NoAnswer
 from . import Folder, chip_file, power_on_command
-from .chips import INA219, PCA9685, chip_class
+from .chip_files import chip_at, chip_in, label, read_chip, read_open
+from .chips import INA219, Chip, chip_class
 
-HALF_MADE = rf"0x{INA219.ADDRESS:02x}$|0x..\.\d+$"
+HALF_MADE = r"0x41$|0x..\.\d+$"
 CLOCK_RANGE = (10.0, 1e7)  # Hz
 
 
-def power_on(folder: Folder, address: Optional[int] = None) -> None:
+def power_on(folder: Folder, address: Optional[int] = None, chip: str = "") -> None:
     """Give every chip its power-on registers; make the folder, and plug in the chips that are missing.
 
-    address: of one more chip, a motor board's; nothing is plugged in where a PCA9685 cannot be. A new folder is there
-    with all its chips or not at all: the disk may be full, and whoever makes it may be killed.
+    address: of one more chip, a motor board's; nothing is plugged in where that cannot be. chip: its class, by default
+    that of the board with this address, or a PCA9685. A new folder is there with all its chips or not at all: the disk
+    may be full, and whoever makes it may be killed.
     """
-    chips = {INA219.ADDRESS: INA219, **{board.address: chip_at(board.address) for board in BOARDS.values()}}
-    for file in Path(folder).glob("0x[0-7][0-9a-f]"):
-        plugged = int(file.name, 16)
-        chips[plugged] = chip_of(plugged, file.stat().st_size)
-    if address in PCA9685.ADDRESSES:
-        chips[address] = chip_at(address)
     folder = Path(folder)
+    chips = chips_of(folder, address, chip_class(chip) if chip else chip_at(address))
     new = (folder if folder.exists() else folder.parent) / f".{folder.name}.{secrets.token_hex(4)}"
     new.mkdir(parents=True)
     try:
-        for each, chip in chips.items():
-            chip_file(new, each).write_bytes(chip.POWER_ON)
+        for each, kind in chips.items():
+            chip_file(new, each).write_bytes(kind.POWER_ON + label(kind))
         if new.parent == folder:
             for file in new.iterdir():
                 file.replace(folder / file.name)  # at once, for the processes that use the chip
@@ -62,17 +59,37 @@ def power_on(folder: Folder, address: Optional[int] = None) -> None:
         shutil.rmtree(new, ignore_errors=True)
 
 
+def chips_of(folder: Path, address: Optional[int], chip: Type[Chip]) -> Dict[Optional[int], Type[Chip]]:
+    """Return {address: chip}: those of all boards, what is plugged in, this one, and a voltmeter where none of them is.
+
+    Of two boards with one address, the first has its chip there, unless the other one's is plugged in.
+    """
+    boards = {address: chip_at(address) for address in [board.address for board in BOARDS.values()]}
+    for file in folder.glob("0x[0-7][0-9a-f]"):
+        plugged = int(file.name, 16)
+        kind, _ = chip_in(file.read_bytes(), plugged)
+        if kind is not INA219:
+            boards[plugged] = kind
+    if address in chip.ADDRESSES:
+        boards[address] = chip
+    free = [each for each in INA219.ADDRESSES if each not in boards]
+    return {**boards, **dict.fromkeys(free[:1], INA219)}
+
+
 class FakeBus:
     """Takes the place of ``smbus2.SMBus``: the methods that the drivers use, and the OSErrors of the kernel.
 
     folder: made, with every known chip in it, if it does not exist or holds only the buses of namespaces.
-    address: of one more chip in a folder that is made, as for ``power_on``.
+    address, chip: of one more chip in a folder that is made, as for ``power_on``. Raise NoAnswer if another one than
+    this ``chip`` is there.
     """
 
-    def __init__(self, folder: Folder, address: Optional[int] = None):
+    def __init__(self, folder: Folder, address: Optional[int] = None, chip: str = ""):
         self._folder = Path(folder)
         if is_new(self._folder):
-            power_on(self._folder, address)
+            power_on(self._folder, address, chip)
+        if address and chip:
+            require(self._folder, address, chip)
         self._seconds_per_bit = seconds_per_bit(self._folder / "clock")
 
     def read_byte_data(self, address: int, register: int) -> int:
@@ -93,7 +110,7 @@ class FakeBus:
     def close(self) -> None:
         """Nothing stays open between transfers."""
 
-    def _transfer(self, address, wire_bytes, action):
+    def _transfer(self, address: int, wire_bytes: int, action: Callable[[Type[Chip], bytearray], Any]) -> Any:
         """Act on the chip's registers at once at the STOP, when the wire has carried all bytes."""
         file = f"{self._folder}/0x{address:02x}"  # pathlib would take longer than all the rest
         fail_if_asked(f"{file}.fail")
@@ -110,17 +127,15 @@ class FakeBus:
             os.close(descriptor)
 
 
-def act(descriptor, file, address, action):
+def act(descriptor: int, file: str, address: int, action: Callable[[Type[Chip], bytearray], Any]) -> Any:
     """Act on the registers in a chip's open file, and return the result; other processes wait meanwhile.
 
     Only the bytes that have changed are written: whoever writes others at this moment, by hand too, loses none.
     """
     fcntl.lockf(descriptor, fcntl.LOCK_EX)  # of this process, so that a signal handler may come in between
-    status = os.fstat(descriptor)
-    if not status.st_nlink:  # unplugged, or a brown-out, before the STOP
+    if not os.fstat(descriptor).st_nlink:  # unplugged, or a brown-out, before the STOP
         raise no_answer()
-    chip = chip_of(address, status.st_size)
-    before = read_registers(descriptor, file, len(chip.POWER_ON))
+    chip, before = read_open(descriptor, file, address)
     registers = bytearray(before)
     result = action(chip, registers)
     if result is None:  # a write; the file's time is then that of the last write
@@ -129,26 +144,11 @@ def act(descriptor, file, address, action):
     return result
 
 
-def span_of_changes(before: bytes, after: bytes) -> Tuple[int, int]:
+def span_of_changes(before: bytes, after: bytearray) -> Tuple[int, int]:
     """Return from where to where two sequences of one length differ; (0, 1) if they do not."""
     changed = int.from_bytes(before, "little") ^ int.from_bytes(after, "little")  # faster than byte by byte
     lowest = changed & -changed
     return max(0, lowest.bit_length() - 1) // 8, max(1, (changed.bit_length() + 7) // 8)
-
-
-def read_registers(descriptor: int, file: str, size: int) -> bytes:
-    """Return the registers in a chip's open file; raise BusError if it is not a file of ``size`` bytes."""
-    registers = os.pread(descriptor, size + 1, 0)
-    if len(registers) != size:
-        raise BusError(f"{file} is not a chip, which is a file of {size} bytes",
-                       f"Make a new one: {power_on_command(Path(file).parent)}", errno.EINVAL)
-    return registers
-
-
-def read_chip(file: str, size: int) -> Tuple[bytes, float]:
-    """Return the registers in a chip's file, and the time of the last write to it; raise as ``read_registers``."""
-    with open(file, "rb", buffering=0) as chip:
-        return read_registers(chip.fileno(), file, size), os.fstat(chip.fileno()).st_mtime
 
 
 def is_new(folder: Path) -> bool:
@@ -176,23 +176,22 @@ def seconds_per_bit(clock: Path) -> float:
     return 1 / frequency
 
 
-def chip_of(address: Optional[int], size: int) -> type:
-    """Return the class of the chip in a file of this size: an INA219, or a motor board's."""
-    return INA219 if size == len(INA219.POWER_ON) else chip_at(address)
+def require(folder: Folder, address: int, chip: str) -> None:
+    """Raise NoAnswer if another chip than this one is plugged in there; none at all answers for itself."""
+    file = chip_file(folder, address)
+    found = read_chip(str(file), address)[0].__name__ if file.exists() else chip
+    if found != chip:
+        raise NoAnswer(f"the chip at {file.name} on fake:{folder} is simulated as {found}, not as {chip}",
+                       f"To plug that in: {power_on_command(folder, address, chip)}")
 
 
-@functools.lru_cache(maxsize=None)
-def chip_at(address: Optional[int]) -> type:
-    """Return the class of a motor board's chip at this address: a board's own, or a PCA9685; None: the serial port."""
-    return next((chip_class(board.chip) for board in BOARDS.values() if board.address == address), PCA9685)
-
-
-def plug_in_advice(folder: Folder, address: int) -> str:
-    """Return how to plug a motor board's chip in at an address where there is none."""
-    if address not in PCA9685.ADDRESSES:
-        return "A fake motor board is at 0x40 to 0x77."
-    extra = None if address in [board.address for board in BOARDS.values()] else address
-    return f"To plug it in: {power_on_command(folder, extra)}"
+def plug_in_advice(folder: Folder, address: int, chip: str = "") -> str:
+    """Return how to plug a motor board's chip in at an address where there is none. chip: as for ``power_on``."""
+    kind = chip_class(chip) if chip else chip_at(address)
+    if address not in kind.ADDRESSES:
+        return f"A fake motor board is at 0x{min(kind.ADDRESSES):02x} to 0x{max(kind.ADDRESSES):02x}."
+    own = address in [board.address for board in BOARDS.values()] and kind is chip_at(address)
+    return f"To plug it in: {power_on_command(folder, None if own else address, kind.__name__)}"
 
 
 def fail_if_asked(request: str) -> None:

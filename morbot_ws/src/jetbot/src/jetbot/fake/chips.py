@@ -2,18 +2,45 @@
 
 Written from NXP's data sheet of the PCA9685 (rev. 4), SparkFun's description of the SCMD, TI's data sheet of the INA219
 (SBOS448) and Waveshare's ROS node for the JetBot Pro, not from the drivers, and with registers as plain numbers, so
-that a driver's mistake shows. A chip has ``POWER_ON``, its registers at power-on; ``write(registers, register, data)``
-and ``read(registers, register, length)``, one transfer each; and, if it drives motors, ``speed(registers, motor,
-age)``, the speed in [-1, 1] of a motor that is wired to it, ``age`` seconds after the last write.
+that a driver's mistake shows.
 """
 
 import math
 import struct
 from collections import deque
-from typing import List, Optional, Sequence, Tuple
+from typing import Any, Deque, List, Optional, Sequence, Tuple, Type
 
 
-class PCA9685:
+class Chip:
+    """A chip with registers of one byte. Another kind is a subclass, which a fake bus knows by its name.
+
+    ADDRESSES: where its pins or jumpers can put it on an I2C bus. POWER_ON: its registers at power-on.
+    READ_ONLY: the registers that keep what is written to them from changing.
+    """
+
+    ADDRESSES: Sequence[int] = ()
+    POWER_ON = b""
+    READ_ONLY: Sequence[int] = ()
+
+    @classmethod
+    def write(cls, registers: bytearray, register: int, data: Sequence[int]) -> None:
+        """Do what one transfer does that writes these bytes."""
+        for each, value in enumerate(data, register):
+            if each not in cls.READ_ONLY:
+                registers[each] = value
+
+    @classmethod
+    def read(cls, registers: bytes, register: int, length: int) -> List[int]:
+        """Return the bytes that one transfer reads."""
+        return list(registers[register:register + length])
+
+    @staticmethod
+    def speed(registers: bytes, motor: Any, age: float) -> float:
+        """Return the speed in [-1, 1] of a motor, ``age`` seconds after the last write. motor: how it is wired."""
+        return 0.0
+
+
+class PCA9685(Chip):
     """Sixteen PWM outputs of 12 bits: MODE1 0x00, outputs 0x06..0x45, all outputs 0xFA..0xFD, PRE_SCALE 0xFE."""
 
     ADDRESSES = range(0x40, 0x78)  # 0x40 plus its pins A5 to A0; an I2C bus reserves those from 0x78 on
@@ -35,13 +62,13 @@ class PCA9685:
         return values
 
     @staticmethod
-    def _next(registers, register):
+    def _next(registers: bytes, register: int) -> int:
         if not registers[0x00] & 0x20:  # no auto-increment
             return register
         return 0x00 if register == 0x45 else (register + 1) % 256
 
     @staticmethod
-    def _store(registers, register, value):
+    def _store(registers: bytearray, register: int, value: int) -> None:
         if register == 0xFE and not PCA9685.asleep(registers):
             return  # PRE_SCALE cannot be written while the chip is awake
         if register == 0x00:
@@ -54,7 +81,7 @@ class PCA9685:
             registers[first:0x46:4] = bytes([value] * 16)
 
     @staticmethod
-    def _with_restart(registers, mode1):
+    def _with_restart(registers: bytes, mode1: int) -> int:
         """Return MODE1 as the chip stores it: RESTART is set by a sleep with an output on, cleared by writing 1."""
         slept = mode1 & 0x10 and any(PCA9685.duty(registers, output) for output in range(16))
         waits = registers[0x00] & 0x80 and (mode1 & 0x90 != 0x80 or PCA9685.asleep(registers))
@@ -92,21 +119,12 @@ class PCA9685:
         return (ahead - back) * (1.0 if pwm is None else PCA9685.duty(registers, pwm))
 
 
-class SCMD:
+class SCMD(Chip):
     """SparkFun's motor driver: ID 0x01, drive bytes 0x20 and 0x21, DRIVER_ENABLE 0x70, FSAFE_TIME 0x76, STATUS 0x77."""
 
+    ADDRESSES = range(0x58, 0x64)  # by its jumpers
     POWER_ON = bytes({0x01: 0xA9, 0x20: 0x80, 0x21: 0x80, 0x77: 0x01}.get(register, 0) for register in range(256))
     READ_ONLY = (0x01, 0x77)
-
-    @staticmethod
-    def write(registers: bytearray, register: int, data: Sequence[int]) -> None:
-        for offset, value in enumerate(data):
-            if register + offset not in SCMD.READ_ONLY:
-                registers[register + offset] = value
-
-    @staticmethod
-    def read(registers: bytes, register: int, length: int) -> List[int]:
-        return list(registers[register:register + length])
 
     @staticmethod
     def speed(registers: bytes, motor: int, age: float) -> float:
@@ -117,13 +135,13 @@ class SCMD:
         return (0x80 - registers[motor]) / 0x80
 
 
-class INA219:
+class INA219(Chip):
     """A voltmeter of six registers of 16 bits, the high byte first: configuration 0, bus voltage 2, calibration 5.
 
     Register n is in the bytes 2 n and 2 n + 1. It measures what its bus voltage is set to: V / 0.004 from bit 3 on.
     """
 
-    ADDRESS = 0x41  # beside a robot's chip
+    ADDRESSES = (0x41, 0x42)  # of those that its pins select: on Waveshare's JetBot, on its UPS module
     POWER_ON = bytes.fromhex("399F 0000 5E8A 0000 0000 0000")  # 12.1 V
     WRITABLE = (0, 5)
 
@@ -137,17 +155,12 @@ class INA219:
         return [registers[(2 * register + offset % 2) % len(registers)] for offset in range(length)]
 
 
-def chip_class(name: str) -> type:
-    """Return the class of this name in this module: a chip."""
-    return globals()[name]
-
-
 def with_checksum(body: bytes) -> bytes:
     """Return the frame with its checksum."""
     return body + bytes([sum(body) % 256])
 
 
-class JetBotPro:
+class JetBotPro(Chip):
     """Waveshare's JetBot Pro at the end of a serial port: takes velocity frames, and sends telemetry.
 
     Its registers are the last velocity frame that it received, byte by byte as on the wire.
@@ -156,9 +169,9 @@ class JetBotPro:
 
     POWER_ON = with_checksum(struct.pack(">HBB3h", 0xAA55, 11, 0x11, 0, 0, 0))
 
-    def __init__(self):
-        self.velocities = deque(maxlen=1000)
-        self.bad = deque(maxlen=1000)
+    def __init__(self) -> None:
+        self.velocities: Deque[Tuple[int, int]] = deque(maxlen=1000)
+        self.bad: Deque[bytes] = deque(maxlen=1000)
         self._buffer = b""
 
     def receive(self, data: bytes) -> bytes:
@@ -200,3 +213,8 @@ def decode(frame: bytes) -> Tuple[int, int]:
 def wrap(count: int) -> int:
     """Return the count as a signed 16-bit integer."""
     return (count + 0x8000) % 0x10000 - 0x8000
+
+
+def chip_class(name: str) -> Type[Chip]:
+    """Return the class of this name: a chip."""
+    return {chip.__name__: chip for chip in Chip.__subclasses__()}[name]

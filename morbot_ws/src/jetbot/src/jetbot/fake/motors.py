@@ -7,7 +7,7 @@ from typing import Optional, Tuple, Union
 
 from ..boards import DEFAULT_PWM_FREQUENCY, find_board
 from . import Folder, chip_file
-from .bus import read_chip
+from .chip_files import read_chip
 from .chips import PCA9685, chip_class
 
 STOPPED = (0.0, 0.0)  # speeds (left, right)
@@ -32,13 +32,13 @@ class Motors:
         self._board = find_board(board, i2c_address)
         self._chip = chip_class(self._board.chip)
         self._file = str(chip_file(folder, self._board.address))
-        self._registers, self._written = None, 0.0  # the time of the last write
-        self._version = None  # of the file when it was read; None: read it again
+        self._registers, self._written = b"", 0.0  # the time of the last write
+        self._version: Optional[Tuple[int, ...]] = None  # of the file when it was read; None: read it again
 
     def speeds(self) -> Tuple[float, float]:
-        """Return the speeds (left, right), 0 if there is no chip."""
+        """Return the speeds (left, right), 0 if there is no such chip."""
         self._read()
-        if self._registers is None:
+        if not self._registers:
             return STOPPED
         age = time.time() - self._written
         left, right = (self._chip.speed(self._registers, motor, age) for motor in (self._board.left, self._board.right))
@@ -49,16 +49,17 @@ class Motors:
         self._read()
         return PCA9685.frequency(self._registers) if self._registers and self._chip is PCA9685 else None
 
-    def _read(self):
+    def _read(self) -> None:
         try:
             status = os.stat(self._file)
             version = status.st_mtime_ns, status.st_ino, status.st_size
             if version == self._version:
                 return
-            self._registers, self._written = read_chip(self._file, len(self._chip.POWER_ON))
+            chip, registers, self._written = read_chip(self._file, self._board.address)
+            self._registers = registers if chip is self._chip else b""
             self._version = version if time.time() - status.st_mtime > CLOCK_TICK else None
         except OSError:  # a BusError, too; the controller reports it
-            self._registers = self._version = None
+            self._registers, self._version = b"", None
 
 
 def wheel_speeds(folder: Folder, board: str = "adafruit",

@@ -5,11 +5,11 @@ import os
 import time
 
 from . import Folder, chip_file
-from .bus import power_on, read_chip
+from .bus import power_on
+from .chip_files import read_chip
 from .chips import JetBotPro, decode
 
 TELEMETRY_INTERVAL = 1 / 30  # s
-FRAME = len(JetBotPro.POWER_ON)  # bytes
 
 
 class FakePort:
@@ -23,7 +23,7 @@ class FakePort:
     def __init__(self, folder: Folder, timeout: float):
         if not os.path.exists(folder):
             power_on(folder)
-        self._file = chip_file(folder, None)
+        self._file = str(chip_file(folder, None))
         self._timeout = timeout
         self._board = JetBotPro()
         self._pose = (0.0, 0.0, 0.0)  # mm, mm, mrad
@@ -31,7 +31,7 @@ class FakePort:
 
     def write(self, data: bytes) -> None:
         frame = self._board.receive(data)
-        read_chip(self._file, FRAME)  # FileNotFoundError: unplugged
+        read_chip(self._file, None)  # FileNotFoundError: unplugged
         with open(self._file, "r+b", buffering=0) as chip:
             chip.write(frame)
 
@@ -39,7 +39,7 @@ class FakePort:
         """Return the next telemetry frame, whatever the size asked for; b"" when none is due within the timeout."""
         time.sleep(min(self._timeout, max(0.0, self._sent_at + TELEMETRY_INTERVAL - time.monotonic())))
         seconds = time.monotonic() - self._sent_at
-        linear, angular = decode(read_chip(self._file, FRAME)[0])
+        linear, angular = decode(read_chip(self._file, None)[1])
         if seconds < TELEMETRY_INTERVAL:
             return b""
         self._sent_at += seconds

@@ -11,7 +11,7 @@ import socket
 import subprocess
 import sys
 import time
-from typing import Callable, Optional
+from typing import Callable, Optional, Tuple
 
 from ..errors import GuardError
 from ..host import peer_of
@@ -43,8 +43,8 @@ class Guard:
     def __init__(self, board: str, place: str, address: Optional[int] = None):
         self._robot = json.dumps([board, place, address]).encode() + b"\n"
         self._listener = os.environ.get("JETBOT_GUARD")
-        self._process = None  # the guard's, if this program has started it
-        self._missing_since = None
+        self._process: Optional[subprocess.Popen[bytes]] = None  # the guard's, if this program has started it
+        self._missing_since: Optional[float] = None
         self._start()
         if self._problem:
             raise self._error()
@@ -80,10 +80,10 @@ class Guard:
         """Leave it to the guard to stop the wheels."""
         self._connection.close()
 
-    def _start(self):
+    def _start(self) -> None:
         self._up, self._problem = False, ""
         self._started_at = self._answered_at = time.monotonic()
-        self._asked_at = self._started_at  # since when it owes an answer, or None
+        self._asked_at: Optional[float] = self._started_at  # since when it owes an answer, or None
         try:
             if self._listener:
                 self._connection = connect(self._listener)
@@ -110,24 +110,24 @@ class Guard:
             self._start()
         return False
 
-    def _error(self):
+    def _error(self) -> GuardError:
         advice = (f"Start the guard that listens on {self._listener}, or unset JETBOT_GUARD." if self._listener
                   else "Close other programs, then start this one again.")
         return GuardError("the guard, which stops the wheels if this program dies, cannot be started: "
                           f"{self._problem}", advice)
 
-    def _ask(self, message):
+    def _ask(self, message: bytes) -> None:
         """Send a message that the guard answers."""
         if self._asked_at is None:
             self._asked_at = time.monotonic()
         self._send(message)
 
-    def _send(self, message):
+    def _send(self, message: bytes) -> None:
         # It has just been killed, was dismissed meanwhile, or hangs. No SIGPIPE: the program may have its own handler.
         with contextlib.suppress(OSError):
             self._connection.send(message, socket.MSG_NOSIGNAL)
 
-    def _receive(self, now):
+    def _receive(self, now: float) -> None:
         try:
             answer = self._connection.recv(4096)
         except BlockingIOError:
@@ -140,7 +140,7 @@ class Guard:
         else:
             self._problem = answer.strip(ANSWER).decode(errors="replace") or "it has ended"
 
-    def _check_silence(self, now):
+    def _check_silence(self, now: float) -> None:
         if self._asked_at is None:
             if now - self._answered_at > PING_INTERVAL:
                 self._ask(PING)
@@ -155,18 +155,18 @@ class NoGuard:
         """Return True: there is nothing to wait for."""
         return True
 
-    def heartbeat(self) -> None:
+    def heartbeat(self, *_: object) -> None:
         """Do nothing."""
 
-    dismiss = leave = heartbeat
+    wait = dismiss = leave = heartbeat
 
 
-def spawn(robot: str):
+def spawn(robot: str) -> Tuple[socket.socket, "subprocess.Popen[bytes]"]:
     """Start a guard process; return (the socket to it, the process). robot: for who lists processes. Raise OSError."""
     ours, theirs = socket.socketpair()
     with theirs:
         process = subprocess.Popen(
-            [sys.executable, "-IS", "-c", CODE, robot], stdin=theirs,
+            [sys.executable, "-IS", "-c", CODE, robot], stdin=theirs.fileno(),
             stdout=subprocess.DEVNULL,  # else whatever reads this program's output would wait for the guard to end
             start_new_session=True)  # out of reach of Ctrl-C and of what ends the driving process's group
     return ours, process
