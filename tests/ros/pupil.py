@@ -3,7 +3,6 @@
 import contextlib
 import os
 import re
-import shutil
 import signal
 import subprocess
 from pathlib import Path
@@ -16,11 +15,9 @@ from pupil_terminal import PS1, TIMEOUT, Terminal
 
 from jetbot.wait import wait_until
 from processes import SHUTDOWN_TIMEOUT, free_port
+from project_copy import ROOT, clean_environment, copy_project
 
-ROOT = Path(__file__).parents[2]
 LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"), key=lambda page: int(page.name.partition("_")[0]))
-NOT_COPIED = ("build", "devel", "install", ".git", "__pycache__", "tests", "teleop_twist_keyboard", "my_scenario")
-WORKSPACE = ("ROS", "CMAKE", "PYTHON", "PKG_CONFIG", "LD_LIBRARY", "JETBOT")  # variables that a sourced one sets
 OFFLINE = re.compile(r"Could not resolve|unable to access|unable to look up|timed out")
 
 
@@ -33,13 +30,11 @@ class Pupil:
 
     def __init__(self, home: Path):
         self._home = home
-        self._project = home / "MorBot"
-        shutil.copytree(ROOT, self._project, symlinks=True, ignore=shutil.ignore_patterns(*NOT_COPIED))
+        self._project = copy_project(home)
         port = free_port()
         (home / ".bashrc").write_text(
             f"PS1='{PS1}'\nbind 'set enable-bracketed-paste off'\nexport ROS_MASTER_URI=http://localhost:{port}\n")
-        self._environment = {name: value for name, value in os.environ.items() if not name.startswith(WORKSPACE)}
-        self._environment.update(HOME=str(home), TERM="dumb", GIT_TERMINAL_PROMPT="0")
+        self._environment = {**clean_environment(home), "TERM": "dumb", "GIT_TERMINAL_PROMPT": "0"}
         self._terminals = {}
 
     def make_package(self, name: str, *dependencies: str) -> None:

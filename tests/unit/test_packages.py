@@ -12,8 +12,13 @@ import jetbot
 from conftest import PACKAGES, ROOT
 
 MANIFESTS = sorted([*PACKAGES.glob("*/package.xml"), *PACKAGES.glob("scenarios/*/package.xml"),
-                    ROOT / "bench/package.xml"])
+                    ROOT / "bench/package.xml", ROOT / "tests/ros/package.xml"])
 SETUPS = sorted(PACKAGES.glob("*/setup.py"))
+ROSDEP_KEYS = set(  # rosdistro of August 2026 has them for Debian 12 and 13, and for noetic on Ubuntu 20.04
+    "catkin diagnostic_msgs diagnostic_updater genpy geometry_msgs nav_msgs python3-catkin-pkg python3-matplotlib "
+    "python3-numpy python3-pil python3-segno python3-serial python3-setuptools python3-smbus2 python3-smbus2-pip "
+    "python3-tornado python3-yaml robot_state_publisher rosbag rosgraph roslaunch roslib rospy rostest rostopic "
+    "sensor_msgs std_msgs std_srvs tf2_msgs tf2_ros visualization_msgs".split())
 
 
 @pytest.fixture
@@ -43,6 +48,12 @@ def test_all_packages_have_one_version(setup_of):
 @pytest.mark.parametrize("file", sorted(PACKAGES.glob("**/CHANGELOG.rst")), ids=lambda file: file.parent.name)
 def test_a_changelog_begins_with_this_version(file):
     assert re.search(r"^(\d+\.\d+\.\d+) \(\d{4}-\d\d-\d\d\)$", file.read_text(), re.M)[1] == jetbot.__version__
+
+
+def test_rosdep_knows_every_dependency():
+    roots = [ET.parse(file).getroot() for file in MANIFESTS]
+    keys = {each.text for root in roots for each in root if each.tag.endswith("depend")}
+    assert keys - {root.findtext("name") for root in roots} == ROSDEP_KEYS
 
 
 def test_what_a_missing_extra_keeps_away_is_named(monkeypatch):

@@ -118,6 +118,8 @@ def check_exists(package: str, source: str) -> Problem:
     places = find(package)
     if not places:
         return _not_found(package, source)
+    if (places[0] / "cmake").exists():  # catkin writes it where it installs a package
+        return f"{places[0]} is installed, without its source: check a copy of the project, by its ./morbot check"
     if not (places[0] / "CMakeLists.txt").exists():
         return f"{places[0]} has no CMakeLists.txt: mv {quote(str(places[0]))} ~, then {source}"
     return None

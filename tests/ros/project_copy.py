@@ -1,0 +1,36 @@
+"""A fresh copy of the project, and an environment that knows no workspace, as in a new terminal."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Dict, Tuple
+
+ROOT = Path(__file__).parents[2]
+NOT_COPIED = ("build", "devel", "install", ".git", "__pycache__", "tests", "teleop_twist_keyboard", "my_scenario")
+WORKSPACE = ("ROS", "CMAKE", "PYTHON", "PKG_CONFIG", "LD_LIBRARY", "JETBOT")  # variables that a sourced one sets
+
+
+def copy_project(home: Path, *without: str) -> Path:
+    """Return the folder of a copy in this home, without the packages of these names."""
+    project = home / "MorBot"
+    shutil.copytree(ROOT, project, symlinks=True, ignore=shutil.ignore_patterns(*NOT_COPIED, *without))
+    return project
+
+
+def clean_environment(home: Path) -> Dict[str, str]:
+    """Return this process's variables, without those of a workspace, for a user with this home."""
+    clean = {name: value for name, value in os.environ.items() if not name.startswith(WORKSPACE)}
+    return {**clean, "HOME": str(home)}
+
+
+def morbot(project: Path, *arguments: str) -> Tuple[int, str]:
+    """Run a copy's ./morbot as in a new terminal, and return its exit code and all that it printed."""
+    return finish([project / "morbot", *arguments], clean_environment(project.parent))
+
+
+def finish(command: list, environment: Dict[str, str]) -> Tuple[int, str]:
+    """Run a command to its end, and return its exit code and all that it printed."""
+    process = subprocess.run(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             encoding="utf-8")
+    return process.returncode, process.stdout
