@@ -68,7 +68,10 @@ class Terminal:
         return self.result
 
     def close(self) -> None:
-        self._shell.close(force=True)
+        try:
+            self._shell.close(force=True)
+        except pexpect.ExceptionPexpect:  # it is killed, but on a busy computer not gone within 0.1 s
+            self._shell.wait()
 
     @property
     def output(self) -> str:
