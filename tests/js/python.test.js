@@ -60,9 +60,11 @@ test("a turn to the right negates what it is given", () => {
   }
 });
 
-const USED = ["rospy", "Twist", "motion", "publisher", "rate", "main", "math", "Pose2D", "Odometry",
-  "Float32MultiArray", "wait", "drive", "stop", "set_wheels", "seconds", "beginning", "here", "origin", "on_odom", "eyes", "on_line",
-  "wheels", "on_wheels"];
+const USED = [
+  "rospy", "Twist", "motion", "publisher", "rate", "main", "math", "Pose2D", "Odometry", "Float32MultiArray", "wait",
+  "drive", "stop", "set_wheels", "seconds", "beginning", "here", "origin", "on_odom", "eyes", "on_line", "wheels",
+  "on_wheels",
+];
 
 test("a variable may have the name of what a node uses", () => {
   const { text } = write(program(USED.map((name) => set(name, 1)), { variables: USED }));
