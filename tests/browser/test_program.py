@@ -176,18 +176,6 @@ def test_pause_step_and_slow(blocks, world):
 
 
 @undisturbed
-def test_the_clock_stands_during_a_pause(blocks, world):
-    page = blocks(program(drive(0.5, 1), show(plug("robot_time"))))
-    run(page, world)
-    page.click("#pause")
-    world.wait_for_stop(ROBOT, "Pause")
-    world.stay_stopped(ROBOT, for_seconds=0.6)
-    run(page, world, button="pause")
-    page.wait_for_text("outcome", "The program has ended.")
-    assert float(page.text("prints")) == pytest.approx(1, abs=0.3)
-
-
-@undisturbed
 def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blocks, world):
     page = blocks(program(drive(0.5, 0.1), set_motion(0.5, 0), wait(0.1),
                           {**ENDLESS, "inputs": {**ENDLESS["inputs"], "DO": chain(
@@ -206,12 +194,6 @@ def test_waits_too_short_to_send_each_command_drive_on(blocks, world):
     world.stay(lambda *wheels: wheels != STOPPED, ROBOT, for_seconds=0.6)
 
 
-def test_long_texts_and_names_open_again(blocks):
-    long = {"name": "x" * 200, "id": "x"}
-    page = blocks({**program(let("x", plug("text", {"TEXT": "y" * 300}))), "variables": [long]})
-    page.wait_for_text("python", f"{'x' * 200} = '{'y' * 300}'")
-
-
 def nested(depth):
     value = num(1)
     for _ in range(depth):
@@ -219,23 +201,10 @@ def nested(depth):
     return program(show(value))
 
 
-def deep(depth):
-    """Return the text of a program that is nested deeper than Python writes JSON."""
-    before = '{"block": {"type": "math_single", "inputs": {"NUM": '
-    return ('{"blocks": {"blocks": [{"type": "robot_start", "next": {"block": {"type": "robot_print", "inputs": '
-            '{"VALUE": ' + before * depth + "{}" + "}}}" * depth + "}}}}]}}")
-
-
-DEEP = '{"a": ' * 9999 + "1" + "}" * 9999
-FORGED = {
-    "no program": "hello", "another JSON": "[1, 2]", "nothing in it": "{}",
-    "an unknown block": program(block("lists_create_with")),
-    "markup as a type": program(block("<img src=x onerror=alert(1)>")),
-    "nested 100 deep": nested(100), "nested 10,000 deep": deep(10000),
-    "10 MB": " " * 10_000_000 + json.dumps(program()), "2,001 blocks": program(functions=(block("robot_stop"),) * 2001),
-    "many branches": program({"type": "controls_if", "extraState": {"elseIfCount": 1e9}}),
-    "deep fields": deep(0).replace('"robot_print"', f'"robot_print", "fields": {DEEP}'),
-    "a number as a state": program({**block("math_number_property"), "extraState": 5}),
+FORGED = {  # of those that check.js refuses, one each of its ways
+    "no program": "hello", "markup as a type": program(block("<img src=x onerror=alert(1)>")),
+    "10 MB": " " * 10_000_000 + json.dumps(program()),
+    "what Blockly refuses": program({**block("math_number_property"), "extraState": 5}),
 }
 
 
@@ -254,12 +223,6 @@ def test_a_forged_program_is_refused_in_a_sentence(blocks):
         blocks(content)
         page.wait_for(lambda: page.text("notice").endswith("."), f"a sentence for {name}")
         assert page.run("return Blockly.getMainWorkspace().getAllBlocks().length") == 3, "the one before is still there"
-
-
-def test_a_state_that_is_xml_makes_no_branches(blocks):
-    page = blocks(program({"type": "controls_if", "extraState": "<mutation elseif='1000000'/>"}))
-    page.wait_for_text("python", "if False")
-    assert "elif" not in page.text("python")
 
 
 @undisturbed

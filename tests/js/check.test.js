@@ -29,6 +29,14 @@ test("what the page has saved is opened as it was", () => {
   assert.deepEqual(parseProgram(JSON.stringify(program)), program);
 });
 
+test("long texts and names are opened as they are", () => {
+  const program = {
+    blocks: { languageVersion: 0, blocks: [{ type: "text", fields: { TEXT: "y".repeat(300) } }] },
+    variables: [{ name: "x".repeat(200), id: "x" }],
+  };
+  assert.deepEqual(parseProgram(JSON.stringify(program)), program);
+});
+
 test("what is no program is refused", () => {
   for (const text of ["", "{}", "[]", "null", "7", '{"blocks": {"blocks": 5}}', '{"blocks": {"blocks": [null]}}',
     '{"blocks": {"blocks": []}, "variables": [{"name": 5, "id": "x"}]}']) {
@@ -64,6 +72,15 @@ test("a block far away is brought near", () => {
 test("sixty blocks in each other are opened, more are refused", () => {
   assert.equal(problem(nested(60)), "");
   assert.equal(problem(nested(61)), "This program nests more than 60 blocks in each other.");
+});
+
+test("very deep nesting, also in what a block holds, is refused like any other", () => {
+  const deep = (before, after) => before.repeat(9000) + after.repeat(9000);
+  const inputs = deep('{"type": "text", "inputs": {"A": {"block": ', "}}}").replace("}", "{}}");
+  assert.match(problemOf(`{"blocks": {"blocks": [${inputs}]}}`), /^This program nests more than 60 blocks/);
+  const fields = deep('{"a": ', "}").replace("}", "1}");
+  assert.equal(problemOf(`{"blocks": {"blocks": [{"type": "robot_start", "fields": ${fields}}]}}`),
+    "This file is no program of this page.");
 });
 
 test("two thousand blocks below each other are opened, more are refused", () => {

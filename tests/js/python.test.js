@@ -60,10 +60,19 @@ test("a turn to the right negates what it is given", () => {
   }
 });
 
-test("a variable may have the name of what the node uses, or of nothing in Python", () => {
-  const { text } = write(program([set("motion", 1), set("größe in %", 2)], { variables: ["motion", "größe in %"] }));
-  assert.match(text, /^ {4}motion2 = 1$/m);
-  assert.match(text, /^motion = Twist\(\)$/m);
+const USED = [
+  "rospy", "Twist", "motion", "publisher", "rate", "main", "math", "Pose2D", "Odometry", "Float32MultiArray", "wait",
+  "drive", "stop", "set_wheels", "seconds", "beginning", "here", "origin", "on_odom", "eyes", "on_line", "wheels",
+  "on_wheels",
+];
+
+test("a variable may have the name of what a node uses", () => {
+  const { text } = write(program(USED.map((name) => set(name, 1)), { variables: USED }));
+  for (const name of USED) assert.match(text, RegExp(`^ {4}${name}2 = 1$`, "m"));
+});
+
+test("a variable may have a name that Python does not take", () => {
+  assert.match(write(program([set("x in %", 2)], { variables: ["x in %"] })).text, /^ {4}x_in_\w+ = 2$/m);
 });
 
 test("no text and no name begins a line of its own", () => {

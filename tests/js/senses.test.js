@@ -32,6 +32,12 @@ test("a place that is not known is none", (t) => {
   assert.equal(senses.values.here, undefined);
 });
 
+test("only a program with a block that asks the robot asks it", (t) => {
+  const uses = (type) => begin(t, { blocks: { blocks: [{ type }] } }).senses.used;
+  assert.deepEqual(["robot_here", "robot_eye", "robot_wheel"].map(uses), [true, true, true]);
+  assert.deepEqual(["robot_time", "robot_drive", "math_number"].map(uses), [false, false, false]);
+});
+
 test("the cockpit is asked eleven times per second at most", async (t) => {
   const { clock, asked, senses } = begin(t);
   for (let turn = 0; turn < 1000; turn += 1) {

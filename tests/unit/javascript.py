@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+from pathlib import Path
 
 import pytest
 
@@ -11,10 +12,10 @@ from conftest import ROOT
 OLDEST = 18
 
 
-def node(*arguments: object, input: str = "") -> "subprocess.CompletedProcess[str]":
-    """Run Node in the project's folder; return how it ended, and what it printed."""
+def node(*arguments: object, input: str = "", cwd: Path = ROOT) -> "subprocess.CompletedProcess[str]":
+    """Run Node in the project's folder, or a copy; return how it ended, and what it printed."""
     environment = {name: value for name, value in os.environ.items() if name != "NODE_OPTIONS"}
-    return subprocess.run(["node", *map(str, arguments)], cwd=ROOT, env=environment, input=input,
+    return subprocess.run(["node", *map(str, arguments)], cwd=cwd, env=environment, input=input,
                           stdout=subprocess.PIPE, text=True)
 
 

@@ -1,8 +1,10 @@
-"""The recipes for a parameter and for a board in CONTRIBUTING.md, followed as they are written."""
+"""The recipes for a parameter, a board and a block in CONTRIBUTING.md, followed as they are written."""
 
 import re
+import shutil
 
 import pytest
+from javascript import needs_node, node
 from parameter_lines import lines_of, unread
 
 from conftest import ROOT, registers
@@ -63,6 +65,19 @@ def test_a_parameter_is_a_row_three_lines_and_a_reader():
     (name, parameter), = eval(f"{{{row}}}", dict(vars(controller))).items()
     assert lines_of(name, parameter) == tuple("\n".join(lines).splitlines())
     assert unread(["no_row"]) == {"no_row"}
+
+
+@needs_node
+def test_a_block_is_a_row_with_which_it_is_opened_and_becomes_python(tmp_path):
+    row, = re.findall(r"```js\n(.*?)```", PAGE.split("## A block")[1].split("\n## ")[0], re.S)
+    www = "morbot_ws/src/jetbot_cockpit/www"
+    for folder in "tests/js", www:
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    shutil.copy(ROOT / "package.json", tmp_path)
+    robot = tmp_path / www / "program/robot.js"
+    robot.write_text(robot.read_text().replace("export const DRIVE = [\n", f"export const DRIVE = [\n{row}"))
+    done = node("--test", "tests/js/blocks.test.js", cwd=tmp_path)
+    assert done.returncode == 0 and "\nok 1 - robot_curve can be opened again" in done.stdout, done.stdout
 
 
 def test_the_behaviour_that_is_tested_by_hand_exists():

@@ -1,5 +1,8 @@
 // What the chosen robot's camera sees, while a person looks, and the pictures of it that are collected.
 
+/** @import { Send } from "./link.js" */
+/** @import { World } from "./world.js" */
+
 import { element, onPress, setClass, setText } from "./dom.js";
 
 const TIMEOUT = 2000; // ms without a picture
@@ -8,17 +11,19 @@ const SURE_WITHIN = 3000; // ms
 const LABELS = { free: "Free", blocked: "Blocked" };
 
 export class Camera {
+  /** @type {string | null} */
   robot = null; // whose pictures the cockpit was asked for
   sure = false; // the next press deletes
   parts = []; // of the picture that comes
 
+  /** @param {World} world @param {Send} send */
   constructor(world, send) {
     this.world = world;
     this.send = send;
     const button = element("show-camera");
     button.addEventListener("click", () => this.open(button.getAttribute("aria-pressed") === "false"));
     document.addEventListener("visibilitychange", () => this.look());
-    for (const label of Object.keys(LABELS)) {
+    for (const label of /** @type {("free" | "blocked")[]} */ (Object.keys(LABELS))) {
       onPress(element(`save-${label}`), () => send({ type: "save", robot: world.chosen, label }), () => false);
     }
     onPress(element("delete"), () => this.delete(), () => false);

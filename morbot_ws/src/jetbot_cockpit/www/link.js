@@ -1,6 +1,7 @@
 // The socket to the cockpit. It reconnects by itself, measures the round trip, and ends a connection that is cut off.
 
 /** @import { Incoming, Outgoing } from "./messages.js" */
+/** @typedef {(message: Outgoing) => boolean} Send whether there is a connection */
 /** @typedef {Incoming | { type: "part", bytes: ArrayBuffer }} Message of the cockpit; "part" is a binary one */
 
 const RETRY_INTERVAL = 1500; // ms, on average: not all pages at once

@@ -1,5 +1,7 @@
 // How a person gets in, by a code that is sent once for a cookie, and what they want to be called.
 
+/** @import { Send } from "./link.js" */
+
 import { element } from "./dom.js";
 import { recall, remember, toName } from "./storage.js";
 
@@ -60,6 +62,7 @@ export class LoginForm {
 
 // The person's name, kept on this device. send(message)
 export class NameField {
+  /** @param {Send} send */
   constructor(send) {
     this.send = send;
     element("name").value = storedName();

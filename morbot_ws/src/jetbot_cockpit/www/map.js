@@ -1,5 +1,7 @@
 // The map from above: grid, trails, robots, and the chosen robot's commanded and actual speed.
 
+/** @import { World } from "./world.js" */
+
 import { visible } from "./colors.js";
 import { element, setText, signed } from "./dom.js";
 import {
@@ -21,6 +23,7 @@ export class RobotMap {
   framed = null; // returns the places that are shown, until a person moves the map
 
   // choose(id): a robot was tapped; redraw(): draw() is due
+  /** @param {World} world */
   constructor(canvas, world, { choose, redraw }) {
     this.canvas = canvas;
     this.world = world;
@@ -83,18 +86,18 @@ export class RobotMap {
   }
 
   tap(right, down) {
-    const distances = this.world.placed.map(({ robot, state }) => {
+    const distances = this.world.placed.map(({ robot: { id }, state }) => {
       const [x, y] = this.viewport.toPixels(...state.pose);
-      return [Math.hypot(x - right, y - down), robot.id];
+      return { id, distance: Math.hypot(x - right, y - down) };
     });
-    const [near] = distances.sort(([one], [other]) => one - other);
-    if (near && near[0] < TAP_RADIUS) this.choose(near[1]);
+    const [near] = distances.sort((one, other) => one.distance - other.distance);
+    if (near?.distance < TAP_RADIUS) this.choose(near.id);
   }
 
   draw() {
     const context = this.fitCanvas();
     const { pose } = this.world.state(this.world.chosen);
-    if (this.following && pose) this.viewport.centre(...pose);
+    if (this.following && pose) this.viewport.centre(pose[0], pose[1]);
     drawGrid(context, this.viewport, this.colors);
     this.inMetres(context, (pixel) => {
       this.drawScenes(context, pixel);

@@ -1,6 +1,8 @@
 // What is shown of the chosen robot: who drives it, why it does not move, its task, what its wheels get and the formula
 // that leads there, and what a teacher can do with it.
 
+/** @import { World } from "./world.js" */
+
 import { visible } from "./colors.js";
 import { element, inSeconds, setClass, setText, signed } from "./dom.js";
 import { leaveView } from "./views.js";
@@ -8,6 +10,7 @@ import { leaveView } from "./views.js";
 const SIDES = [["left", "−", -1], ["right", "+", 1]];
 
 // problem: why there is no connection, or ""
+/** @param {World} world */
 export function showPanel(world, problem) {
   const id = world.chosen;
   const [robot, state] = [world.robot(id), world.state(id)];
@@ -19,6 +22,7 @@ export function showPanel(world, problem) {
 }
 
 // Shows the chosen robot's status, and its colour.
+/** @param {World} world */
 export function showStatus(world, problem) {
   const robot = world.robot(world.chosen);
   const { text, level } = problem ? { text: problem, level: "warning" } : currentStatus(world, world.chosen);

@@ -1,5 +1,8 @@
 // Which robots there are: the list from which a person chooses one, and the teacher's, which stops each.
 
+/** @import { Send } from "./link.js" */
+/** @import { World } from "./world.js" */
+
 import { visible } from "./colors.js";
 import { create, element, onPress, setText } from "./dom.js";
 
@@ -7,6 +10,7 @@ const MANY_STALLS = 2; // per minute: one alone may be a tablet that was switche
 
 export class Choice {
   // changed(): another robot was chosen
+  /** @param {World} world */
   constructor(world, changed) {
     this.world = world;
     this.changed = changed;
@@ -46,6 +50,7 @@ export class Choice {
 // The teacher's list: every robot with its status, and a button that stops it.
 export class Fleet {
   // choose(id); send(message)
+  /** @param {World} world @param {Send} send */
   constructor(world, choose, send) {
     this.world = world;
     this.choose = choose;

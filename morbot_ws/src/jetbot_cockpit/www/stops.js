@@ -1,5 +1,8 @@
 // The emergency stop and its release, and the one sentence that this page has for the person.
 
+/** @import { Send } from "./link.js" */
+/** @import { World } from "./world.js" */
+
 import { element, onPress, setClass, setText } from "./dom.js";
 
 const RESEND_FOR = 60000; // ms
@@ -16,6 +19,7 @@ export class Stops {
   unsentAt = -Infinity;
 
   // send(message) returns whether it was sent; notice; stopped(): a stop was sent
+  /** @param {World} world @param {{ send: Send, notice: Notice, stopped: () => void }} page */
   constructor(world, { send, notice, stopped }) {
     this.world = world;
     this.send = send;

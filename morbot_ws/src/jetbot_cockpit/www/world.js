@@ -19,8 +19,8 @@ const UNKNOWN = {
 export class World {
   /** @type {{ id: number | null, name: string, role: string, robot: string | null, codes?: boolean }} */
   me = { id: null, name: "", role: "pupil", robot: null };
-  /** @type {string | null} */
-  chosen = null; // id of the robot that this page shows and drives
+  /** @type {any} */
+  chosen = null; // id of the robot that this page shows and drives, null for none
   /** @type {Robot[]} */
   robots = []; // in the order of the cockpit
   /** @type {Robot[]} */
@@ -43,6 +43,7 @@ export class World {
   }
 
   // The robots whose place is known, each with its state.
+  /** @returns {{ robot: Robot, state: any }[]} */
   get placed() {
     return this.robots.map((robot) => ({ robot, state: this.state(robot.id) })).filter(({ state }) => state.pose);
   }

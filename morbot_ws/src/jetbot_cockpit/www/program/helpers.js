@@ -2,6 +2,8 @@
 
 const STOP = "motion.linear.x = motion.angular.z = 0";
 
+const NAME = /^(?:(?:from \S+ )?import |def |global )?(\w+)/; // that a line brings
+
 // imports; code; start: what main() does first
 export const HELPERS = {
   wait: {
@@ -69,3 +71,7 @@ def on_wheels(message):
     start: ['rospy.Subscriber("jetbot_controller/wheels", Float32MultiArray, on_wheels)'],
   },
 };
+
+// The names that all of this uses: a person's variables get others.
+export const NAMES = Object.values(HELPERS).flatMap(({ imports = [], code, start = [] }) =>
+  [...imports, ...code.split("\n"), ...start].map((line) => NAME.exec(line)?.[1]).filter(Boolean));

@@ -5,6 +5,9 @@
 //   driving, ended -- the judge's result, or its end --> idle
 //   all -- begin --> waiting
 
+/** @import { Send } from "../link.js" */
+/** @import { World } from "../world.js" */
+
 import { inSeconds } from "../dom.js";
 
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
@@ -20,6 +23,7 @@ export class Judging {
   state = { name: "idle" };
 
   // send(message); run(): runs the program; say(text); world
+  /** @param {{ send: Send, run: () => void, say: (text: string) => void, world: World }} page */
   constructor({ send, run, say, world }) {
     this.send = send;
     this.run = run;
@@ -104,7 +108,7 @@ export class Judging {
   follow() {
     const { report, state: { name, task } } = this;
     if (name === "ended" && this.isReady) this.say(NOT_DRIVEN);
-    else if (report?.name !== task) this.enter("idle", JUDGE_ENDED);
+    else if (!report || report.name !== task) this.enter("idle", JUDGE_ENDED);
     else if (report.state === "done") this.enter("idle", result(report));
     else if (report.state === "cancelled") this.enter("idle", report.text);
   }

@@ -1,6 +1,8 @@
 // The teacher's sheet: which tasks are on, the best scores, and all programs, to look at or as one zip.
 
+/** @import { Send } from "../link.js" */
 /** @import { Score, Task } from "../messages.js" */
+/** @import { World } from "../world.js" */
 
 import { create, element, setText } from "../dom.js";
 import { ask } from "./ask.js";
@@ -13,6 +15,7 @@ export class Overview {
   scores = [];
 
   // send(message); look(row): shows a program; download(name, content, type); world
+  /** @param {{ send: Send, look: any, download: any, world: World }} page */
   constructor({ send, look, download, world }) {
     this.send = send;
     this.look = look;

@@ -1,6 +1,6 @@
 // Writes the program as a node of the workshop's kind. Blockly's own generator writes what is not the robot's.
 
-import { HELPERS } from "./helpers.js";
+import { HELPERS, NAMES } from "./helpers.js";
 import { ROBOT } from "./robot.js";
 
 const { Blockly } = globalThis;
@@ -57,8 +57,7 @@ const writer = ({ python: write, args0 = [], needs = [], output }) => (block) =>
 export function prepareGenerator() {
   Object.assign(python.forBlock, ADAPTED, Object.fromEntries(ROBOT.map((row) => [row.type, writer(row)])));
   Object.assign(python, { INDENT, STATEMENT_PREFIX: MARK, addLoopTrap: (body) => body }); // no marks in loops
-  python.addReservedWords("rospy,Twist,Pose2D,Odometry,Float32MultiArray,motion,publisher,rate,main,wait,drive,stop,"
-    + "set_wheels,here,origin,on_odom,eyes,on_line,wheels,on_wheels,beginning,seconds");
+  python.addReservedWords(["rospy", "Twist", "motion", "publisher", "rate", "main", ...NAMES].join(","));
 }
 
 // Returns { text, lines }: the node of this name, and the numbers of the lines by their blocks' ids, from 0.

@@ -60,6 +60,7 @@ export const DRIVE = [
 ].map((row) => ({ ...row, ...statement, colour: "#2f66c4", extensions: ["units"], inputsInline: true }));
 
 // read() finds the value in what the robot senses; unknown: what is missing there if it finds none
+/** @type {any[]} */
 export const SENSE = [
   {
     type: "robot_here", message0: "%1 from the start",

@@ -1,5 +1,8 @@
 // One run of a program in this page: Pause, Step, Stop, how fast, and the robot that it drives.
 
+/** @import { Send } from "../link.js" */
+/** @import { Robot } from "../messages.js" */
+
 import { Clock } from "./clock.js";
 import { Interpreter } from "./interpreter.js";
 import { Motion } from "./motion.js";
@@ -23,6 +26,7 @@ export class Run {
   // robot: as the cockpit describes it; stepping: it pauses before its first statement; send(message); printed(text);
   // changed(); delay(): ms before each statement;
   // ended(sentence, block): why, "" at the program's end; block: the id of where it failed
+  /** @param program @param {Robot} robot @param stepping @param {Record<string, any> & { send: Send }} page */
   constructor(program, robot, stepping, { send, printed, changed, ended, delay }) {
     this.robot = robot;
     this.stepping = stepping;

@@ -1,8 +1,11 @@
 // What the robot senses while a program runs: the cockpit is asked for it, not too often.
 
+import { SENSE } from "./robot.js";
+
 const INTERVAL = 90; // ms between two questions
 const TIMEOUT = 100; // ms for the answer
-const SENSORS = /"type":"robot_(here|eye|wheel)"/; // blocks that ask the robot
+const ASKING = SENSE.filter(({ unknown }) => unknown).map(({ type }) => type);
+const SENSORS = RegExp(`"type":"(${ASKING.join("|")})"`); // blocks that ask the robot
 const EYES = /"type":"robot_eye"/;
 
 export class Senses {
