@@ -180,9 +180,10 @@ def fail_at(driver, number, patch):
 
 
 def try_to_drive(driver, speeds):
-    """Set the board up and drive, until a transfer fails."""
+    """Set the board up, drive and keep it alive, until a transfer fails."""
     try:
         driver.drive(*speeds)
+        driver.keep_alive()
         driver.invalidate()
         driver.drive(*speeds)
     except BusError:

@@ -11,7 +11,7 @@ from jetbot.boards import find_board
 from jetbot.connection import open_board, stop_board
 from jetbot.fake import chip_file
 from jetbot.fake.bus import power_on
-from jetbot.fake.motors import STOPPED, wheel_speeds
+from jetbot.fake.motors import wheel_speeds
 
 OFF, HIGH, HALF = "00000010", "00100000", "00000008"
 
@@ -82,14 +82,6 @@ def test_any_change_of_speed_ahead_takes_at_most_three_transfers_and_160_bits(fo
         assert sum(wire.bits) <= 160
 
 
-def test_a_repeated_command_takes_no_transfer(folder, wire):
-    board = open_board(find_board("jetbot"), f"fake:{folder}")
-    board.drive(0.3, -0.4)
-    wire.bits.clear()
-    board.drive(0.3, -0.4)
-    assert wire.bits == []
-
-
 @pytest.mark.parametrize("name, transfers", [
     ("jetbot", [2 + 9 * (3 + length) for length in (2, 1, 24, 16)]),  # MODE1 and MODE2, PRE_SCALE, two spans of outputs
     ("sparkfun", [2 + 9 * 4] * 5)])
@@ -114,24 +106,6 @@ def test_a_changed_register_is_restored(folder, name, address, register, value):
         board.verify()
     board.drive(0.5, 0.5)
     assert registers(folder, address) == good
-
-
-@pytest.mark.parametrize("name, step", [("jetbot", 1 / 4096), ("waveshare_hat", 1 / 4096), ("sparkfun", 1 / 128),
-                                        ("jetbot_pro", 0.001)])
-def test_half_a_step_of_the_board_is_rounded_to_0(folder, name, step):
-    board = open_board(find_board(name), f"fake:{folder}")
-    assert board.resolution == step
-    for part, sign in itertools.product((0, 0.3, 0.4, 0.6, 0.7, 1), (1, -1)):
-        board.drive(part * step, sign * part * step)
-        assert (wheel_speeds(folder, name) != STOPPED) == (part > 0.5)
-    board.close()
-
-
-@pytest.mark.parametrize("board", ["jetbot", "adafruit"])
-def test_opening_a_board_stops_what_turned(folder, board):
-    open_board(find_board("adafruit"), f"fake:{folder}").drive(1, 1)
-    open_board(find_board(board), f"fake:{folder}")
-    assert wheel_speeds(folder) == (0, 0)
 
 
 def test_another_chip_is_not_driven(folder, monkeypatch, six_boards):

@@ -14,7 +14,7 @@ from jetbot import BusError, Robot
 from jetbot.boards import BOARDS
 from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.chips import INA219, PCA9685, SCMD, JetBotPro
-from jetbot.fake.motors import STOPPED, wheel_speeds
+from jetbot.fake.motors import STOPPED, Motors, wheel_speeds
 from jetbot.fake.port import FakePort
 
 VOLTS = [0x5E, 0x8A]
@@ -43,7 +43,8 @@ def test_a_chip_is_known_by_its_name_whatever_its_address(folder):
         with Robot("sparkfun", f"fake:{folder}", i2c_address=0x58, guard=False) as robot:
             robot.set_motors(0.5, -0.5)
             assert wheel_speeds(folder, "sparkfun", 0x58) == (0.5, -0.5)
-            assert wheel_speeds(folder, "waveshare_hat", 0x58) == STOPPED
+            other = Motors(folder, "waveshare_hat", 0x58)
+            assert (other.speeds(), other.pwm_frequency()) == (STOPPED, None)
         power_on(folder)
     assert registers(folder, 0x58)[-16:] == b"SCMD".ljust(16, b"\0")
 

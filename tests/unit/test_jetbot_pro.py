@@ -1,6 +1,7 @@
 """Frames of the JetBot Pro, to the byte, and how it finds them in noise."""
 
 import os
+import select
 import termios
 from pathlib import Path
 from random import Random
@@ -55,7 +56,7 @@ def test_finds_the_frames_after_noise(noise):
 
 def read(end, count):
     data = b""
-    while len(data) < count:
+    while len(data) < count and select.select([end], [], [], TIMEOUT)[0]:
         data += os.read(end, count - len(data))
     return data
 

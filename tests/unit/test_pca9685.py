@@ -49,24 +49,6 @@ def test_duty_in_registers(chip, folder, duty, wanted):
     assert output(folder, 9) == wanted
 
 
-def test_after_a_command_that_failed_halfway_all_is_sent(chip, folder, monkeypatch):
-    chip.set_outputs({8: 0x111, 13: 0x111})
-    write = I2CDevice.write
-    (done, failed) = [], OSError("the second transfer fails")
-
-    def failing(device, register, data):
-        if done:
-            raise failed
-        done.append(write(device, register, data))
-
-    with monkeypatch.context() as patch:
-        patch.setattr(I2CDevice, "write", failing)
-        with pytest.raises(OSError, match="the second transfer fails"):
-            chip.set_outputs({8: 0x222, 13: 0x222})
-    chip.set_outputs({8: 0x111, 13: 0x111})
-    assert output(folder, 8) == output(folder, 13) == "00 00 11 01"
-
-
 @pytest.mark.parametrize("changes, counts", [
     ({}, (0, 0)), ({0x00: 0x11, 0x01: 0x04, 0xFE: 0x1E}, (1, 0)), ({0xFE: 0x1E}, (1, 0)), ({0xFE: 0x79}, (0, 1)),
     ({0x00: 0x00}, (0, 1)), ({0x29: 0x10}, (0, 1))])
