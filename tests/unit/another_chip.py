@@ -1,6 +1,6 @@
 """A board with a chip that jetbot does not know: the driver and the simulated chip that CONTRIBUTING asks for."""
 
-from jetbot.boards import Board, MotorDriver
+from jetbot.boards import BOARDS, Board, MotorDriver
 from jetbot.fake.chips import Chip
 
 CONTROL, LEFT, RIGHT = 0x00, 0x01, 0x02
@@ -57,4 +57,5 @@ class SmallChip(Chip):
         return speed if registers[CONTROL] & ENABLE else 0.0
 
 
-BOARD = Board(SmallMotors, 0x30, range(0x30, 0x38), chip="SmallChip", left=LEFT, right=RIGHT)
+FREE = [each for each in SmallChip.ADDRESSES if each not in [board.address for board in BOARDS.values()]]
+BOARD = Board(SmallMotors, FREE[0], SmallChip.ADDRESSES, chip="SmallChip", left=LEFT, right=RIGHT)

@@ -159,7 +159,7 @@ def test_after_a_failed_transfer_the_next_drive_sets_the_board_up_again(driver, 
             try_to_drive(driver, B)
         if failed and brown_out:
             power_on(folder)
-        assert driver.in_sync != bool(failed)
+        assert driver.in_sync != bool(failed), f"in_sync is {driver.in_sync} after the failed writes {failed}"
         driver.drive(*A)
         assert wheels() == near(A, driver)
     assert not failed  # all transfers have had their turn
