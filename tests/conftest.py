@@ -10,7 +10,8 @@ import pytest
 sys.path.append(str(Path(__file__).parent / "ros"))
 from processes import end_on_sigterm  # noqa: E402
 
-LONGEST = ("::test_pages[", *(f"::test_rostest[{name}" for name in (
+PAGES = "::test_pages["
+LONGEST = (PAGES, *(f"::test_rostest[{name}" for name in (
     "judge]", "class_judge]", "check_lesson]", "")))
 BROWSER = "tests/browser/"  # each half shares a world and its browsers
 OF_PROGRAMS = tuple(f"{BROWSER}test_{name}" for name in ("program", "tablet", "tasks", "work"))  # one half
@@ -30,29 +31,34 @@ def is_long(nodeid):
     return any(name in nodeid for name in LONGEST)
 
 
+def scope_of(nodeid):
+    """Return what one process runs: a file, a long test, the pages of one pupil, or half of the tests in a browser."""
+    file = nodeid.partition("::")[0]
+    if file.startswith(BROWSER):
+        return BROWSER + str(file.startswith(OF_PROGRAMS))
+    if PAGES in nodeid:
+        return nodeid[:nodeid.index("-", nodeid.index(PAGES))]
+    return nodeid if is_long(nodeid) else file
+
+
 def pytest_collection_modifyitems(items):
     """Start with the longest tests, so that no process is left with one at the end.
 
-    pytest-xdist gives each process two at once; the second ones are short, as they wait for the first.
+    pytest-xdist gives each process two scopes at once; the second ones are short, as they wait for the first.
     """
-    longest = list(dict.fromkeys(item for name in LONGEST for item in items if name in item.nodeid))
-    others = [item for item in items if not is_long(item.nodeid)]
-    second = list(dict.fromkeys(item.location[0] for item in others))[:PROCESSES]
-    others.sort(key=lambda item: item.location[0] not in second)
-    count = sum(item.location[0] in second for item in others)
-    items[:] = longest[:PROCESSES] + others[:count] + longest[PROCESSES:] + others[count:]
+    longest = list(dict.fromkeys(scope_of(item.nodeid) for name in LONGEST for item in items if name in item.nodeid))
+    others = [scope for scope in dict.fromkeys(scope_of(item.nodeid) for item in items) if scope not in longest]
+    order = longest[:PROCESSES] + others[:PROCESSES] + longest[PROCESSES:] + others[PROCESSES:]
+    items.sort(key=lambda item: order.index(scope_of(item.nodeid)))
 
 
 @pytest.hookimpl(optionalhook=True)  # pytest-xdist may be missing
 def pytest_xdist_make_scheduler(config, log):
-    """Give each process one file after the other, or one long test, or a half of the tests in a browser."""
+    """Give each process one scope after the other."""
     from xdist.scheduler import LoadScopeScheduling
 
     class Scheduling(LoadScopeScheduling):
         def _split_scope(self, nodeid):
-            file = nodeid.partition("::")[0]
-            if file.startswith(BROWSER):
-                return BROWSER + str(file.startswith(OF_PROGRAMS))
-            return nodeid if is_long(nodeid) else file
+            return scope_of(nodeid)
 
     return Scheduling(config, log)

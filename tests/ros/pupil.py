@@ -6,10 +6,9 @@ import re
 import signal
 import subprocess
 from pathlib import Path
-from typing import Dict, List, Sequence
+from typing import Dict, List
 
 import collected_pictures
-import pytest
 from lesson_pages import FAILS, FILE, INTERNET, LEAVE, ON_PAGE, PRESS, RUN, SEE, Box, boxes
 from pupil_terminal import PS1, TIMEOUT, Terminal
 
@@ -18,6 +17,8 @@ from processes import SHUTDOWN_TIMEOUT, free_port
 from project_copy import ROOT, clean_environment, copy_project
 
 LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"), key=lambda page: int(page.name.partition("_")[0]))
+ABOUT_FILES = ("cd ", "mkdir ", "chmod ", "sed ", "catkin_create_pkg ")
+OPEN = "./morbot shell\n"  # opens a terminal
 OFFLINE = re.compile(r"Could not resolve|unable to access|unable to look up|timed out")
 
 
@@ -37,18 +38,24 @@ class Pupil:
         self._environment = {**clean_environment(home), "TERM": "dumb", "GIT_TERMINAL_PROMPT": "0"}
         self._terminals = {}
 
-    def make_package(self, name: str, *dependencies: str) -> None:
-        """Have a package already, as lesson 7 makes it, with what later lessons add to its package.xml."""
-        scenarios = self._project / "morbot_ws/src/scenarios"
-        subprocess.run(["catkin_create_pkg", name, "rospy", "geometry_msgs"], cwd=scenarios, check=True)
-        (scenarios / name / "scripts").mkdir()
-        manifest = scenarios / name / "package.xml"
-        added = "".join(f"<exec_depend>{each}</exec_depend>" for each in dependencies)
-        manifest.write_text(manifest.read_text().replace("</package>", f"{added}</package>"))
+    def prepare(self, page: Path) -> None:
+        """Have what the lessons before this page leave, unless they were followed: their files, and open terminals."""
+        if self._terminals or page == LESSONS[0]:
+            return
+        earlier = LESSONS[:LESSONS.index(page)] if page in LESSONS else []
+        for box in (box for lesson in earlier for box in boxes(lesson)):
+            if box.how == FILE:
+                self._do(box)
+            elif box.how == RUN:
+                lines = [line for line in box.text.splitlines() if line.startswith(ABOUT_FILES)]
+                subprocess.run("\n".join(lines), shell=True, cwd=self._project)
+        for box in boxes(LESSONS[0]):
+            if box.text == OPEN:
+                self._do(box)
 
     def follow(self, page: Path) -> None:
         """Do what the page asks for; raise AssertionError with the line of the page if something else happens."""
-        for box in boxes(page):
+        for box in list(boxes(page)):
             try:
                 self._do(box)
             except AssertionError as error:
@@ -61,6 +68,7 @@ class Pupil:
         """Close the terminals, kill what the pupil left running, and return the command lines of that."""
         for terminal in self._terminals.values():
             terminal.close()
+        self._terminals.clear()
         wait_until(lambda: not processes_of(self._home), SHUTDOWN_TIMEOUT, interval=0.2)
         remaining = processes_of(self._home)
         for pid in remaining:
@@ -102,27 +110,6 @@ def leave_running(terminal: Terminal, box: Box) -> None:
 ACTIONS = {RUN: run, FAILS: run, INTERNET: run, LEAVE: leave_running,
            PRESS: lambda terminal, box: terminal.press(box.text.strip()),
            SEE: lambda terminal, box: terminal.see(box.text)}
-
-
-def follow(pages: Sequence[Path], home: Path, package: str = "") -> None:
-    """Let a pupil follow the pages in this folder, and leave nothing running; skip if only the internet fails.
-
-    package: the name of one that the pupil has already, and what it depends on.
-    """
-    pupil, offline = Pupil(home), []
-    if package:
-        pupil.make_package(*package.split())
-    try:
-        for page in pages:
-            try:
-                pupil.follow(page)
-            except Offline as error:
-                offline.append(f"{page.name} needs the internet: {error}")
-    finally:
-        remaining = pupil.leave()
-    assert not remaining
-    if offline:
-        pytest.skip(f"everything else works, but {offline[0]}")
 
 
 def processes_of(home: Path) -> Dict[int, str]:
