@@ -1,4 +1,4 @@
-"""The packages that ROS and catkin find; what strangers hand in is read without entities, links or waiting."""
+"""The packages that ROS and catkin find; what others hand in is read without entities, links or waiting."""
 
 import itertools
 import os

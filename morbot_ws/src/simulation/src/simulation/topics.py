@@ -14,6 +14,7 @@ from std_msgs.msg import ColorRGBA, Float32MultiArray, Header, MultiArrayDimensi
 from tf2_msgs.msg import TFMessage  # without tf2_ros, which takes 5 MB
 from visualization_msgs.msg import Marker, MarkerArray
 
+from jetbot_ros import contract
 from jetbot_ros.ros_messages import frame_name, joint_states, odometry, quaternion, transform
 
 from .diff_drive import DiffDriveModel, Pose
@@ -52,7 +53,7 @@ class Topics:
                       for topic, (kind, message_of) in rows.items() if topic not in others]
         self._path, self._world, self._body = (
             rospy.Publisher(resolve_name(topic, node), kind, queue_size=1, latch=True)
-            for topic, kind in (("path", Path), ("world", MarkerArray), ("~body", String)))
+            for topic, kind in (("path", Path), (contract.WORLD, MarkerArray), ("~body", String)))
         self._body.publish(model.body.changes)
         self.static_transform = transform(rospy.Time.now(), "map", odom, model.pose if drifts else Pose())
         self._poses = deque(maxlen=PATH_LENGTH)

@@ -63,7 +63,7 @@ class Mark(NamedTuple):
 
 
 def changed(body: str) -> str:
-    """Return the source of a drive in a simulator whose robot differs like this, in a stranger's words, or does not."""
+    """Return the source of a drive in a simulator. body: how its robot differs from the shipped one, or ""."""
     return body and f"{SIMULATOR} with {printable(body[:MAX_BODY])}"
 
 
