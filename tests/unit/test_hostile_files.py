@@ -23,7 +23,7 @@ PLACES = {
     "50 GB": lambda file: file.touch() or os.truncate(file, 50 * 10**9)}
 CONTENTS = {
     "empty": b"", "no text": b"a: \xff", "zeros": bytes(99), "escape sequence": b"a: \x1b[2J", "100 kB": b"#" * 100_000,
-    "nested": b"[" * 1000, "nested, closed": b"[" * 5000 + b"]" * 5000, "a list": b"[1, 2]",
+    "nested": b"[" * 1000, "nested, closed": b"[" * 100000 + b"]" * 100000, "a list": b"[1, 2]",
     "code": b"a: !!python/object/apply:os.mkdir [executed]",
     "aliases": b"a: &a [1]\n" + b"".join(b"b%d: &%c [*%c, *%c]\n" % (n, n + 1, n, n) for n in range(97, 121)),
     "entities": f'<!DOCTYPE l [<!ENTITY l0 "lol">{ENTITIES}]><launch>&l11;</launch>'.encode()}
