@@ -319,3 +319,23 @@ def test_a_program_whose_command_arrives_after_its_end_is_not_listed(supervisor)
     supervisor.disconnect(order, others=True)
     supervisor.command(0.5, 0.5, order)
     assert supervisor.commands.recent(0.0) == []
+
+
+@pytest.mark.parametrize("timeout", [1.0, 0.0])
+@pytest.mark.parametrize("first", ["a command", "a step"])
+def test_what_was_commanded_during_a_freeze_of_this_program_moves_nothing(
+        supervisor, folder, monkeypatch, timeout, first):
+    supervisor.state = supervisor.state._replace(timeout=timeout)
+    clock = Mock(return_value=0.0)
+    monkeypatch.setattr(supervisors.time, "monotonic", clock)
+    supervisor.step(0.0, woken=False)
+    clock.return_value = 3.0
+    if first == "a step":
+        supervisor.step(3.0, woken=False)
+    supervisor.command(-0.9, -0.9, PUPIL)
+    supervisor.step(3.0, woken=True)
+    assert wheel_speeds(folder) == STOPPED
+    clock.return_value = 3.0 + supervisors.STALE_FOR
+    supervisor.command(0.5, 0.5, PUPIL)
+    supervisor.step(clock(), woken=True)
+    assert wheel_speeds(folder) == pytest.approx((0.5, 0.5), abs=0.0003)

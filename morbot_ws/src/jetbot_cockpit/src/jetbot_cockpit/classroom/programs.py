@@ -11,6 +11,7 @@ MAX_PROGRAMS = 50          # of a robot, those that were deleted last included,
 MAX_TOTAL = 1024 * 1024    # and bytes of all of them, with their earlier versions
 MAX_EARLIER = 10           # versions of a program, beside the newest
 RESTART_BITS = 20          # see Programs._version
+MAX_CLAIMED = 2 ** 30      # the largest version of a page that is counted on
 
 
 class Refused(Exception):
@@ -81,7 +82,7 @@ class Programs:
         """
         if before or not changed:
             return (before.version if before else 0) + 1
-        return changed + 1 + random.getrandbits(RESTART_BITS)
+        return min(changed, MAX_CLAIMED) + 1 + random.getrandbits(RESTART_BITS)
 
     def _keep(self, program, leaving=()):
         """Write before it counts; what makes room for it goes last, so that a kill at any moment loses nothing."""

@@ -2,13 +2,12 @@
 
 import json
 import logging
-import re
 from typing import NamedTuple, Optional, Union
 
 from ..notices import Notice
 from .messages import FROM_PAGE, MAX_MESSAGE, fit, problem_of
 
-STOP = re.compile(r'\s*\{\s*"type"\s*:\s*"stop"\s*(?:,\s*"robot"\s*:\s*(?:null|"([^"\\]*)")\s*)?\}\s*')
+MAX_STOP = 200  # characters of a stop that counts before any limit
 
 
 class ProtocolError(Exception):
@@ -41,9 +40,15 @@ class Message(NamedTuple):
 
 
 def as_stop(text: Union[str, bytes]) -> Optional[Message]:
-    """Return the message if it is a stop as pages write it, else None. It needs less than ``parse``."""
-    found = STOP.fullmatch(text) if isinstance(text, str) else None
-    return Message("stop", found[1]) if found else None
+    """Return the message if it is a stop, however it is spelled, else None. It needs less than ``parse``."""
+    try:
+        fields = json.loads(text) if isinstance(text, str) and len(text) <= MAX_STOP else None
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(fields, dict) or fields.pop("type", None) != "stop":
+        return None
+    robot = fields.pop("robot", None)
+    return Message("stop", robot) if not fields and isinstance(robot, (str, type(None))) else None
 
 
 def parse(text: Union[str, bytes]) -> Message:

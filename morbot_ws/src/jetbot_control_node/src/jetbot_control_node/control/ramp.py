@@ -17,13 +17,12 @@ class Ramp:
     """Limits the acceleration of both wheels, and keeps to the arc that is commanded.
 
     acceleration_limit: by how much the speed of a wheel may grow in a second.
-    wheel_separation: in m; the speeds are those of wheels 2 m apart, and all robots but a jetbot_pro's are driven by
-    them as if theirs were, too.
+    wheel_separation: in m, if the speeds are not those of the wheels, but of wheels 2 m apart.
 
     Only speeding up takes time. A wheel slows down and stops at once; one that reverses speeds up from zero.
     """
 
-    def __init__(self, acceleration_limit: float, wheel_separation: float = 2.0):
+    def __init__(self, acceleration_limit: float, wheel_separation: Optional[float] = None):
         self._acceleration_limit, self._separation = acceleration_limit, wheel_separation
         self._wanted = self._given = STOPPED  # speeds (left, right)
         self._stepped_at = -math.inf
@@ -54,7 +53,7 @@ class Ramp:
                    default=1.0)
 
     def _of_wheels(self, speeds):
-        return mix(*unmix(*speeds), self._separation)
+        return mix(*unmix(*speeds), self._separation) if self._separation else speeds
 
 
 def make_ramp(parameters: Dict[str, object], driver: MotorDriver) -> Optional[Ramp]:

@@ -19,6 +19,7 @@ RETRY_INTERVAL = 0.05        # s until a board that does not answer is tried aga
 UPKEEP_AFTER_COMMAND = 0.15  # s between two verifications and heartbeats right after a command, as no other is due soon
 FREEZE = 0.7                 # s between two steps after which this program was frozen, and with it its questions
 #                              and heartbeats; the guard stops the wheels 0.75 s after a step at the earliest
+STALE_FOR = 0.3              # s after a freeze in which commands have waited for its end, and are old
 GUARD_START_TIMEOUT = 5.0    # s until a guard that does not start is reported
 
 NO_GUARD = JetbotError("the guard, which stops the wheels if this program dies, is not running")
@@ -64,11 +65,15 @@ class Supervisor:
         self._step = Step(-math.inf, self.state, None, STOPPED, STOPPED)
         self._kept_up_at = -math.inf
         self._stepped_at = self._due_at = math.inf  # there is no step yet, and so no gap after it
+        self._stale_until = -math.inf
         self._wakes_at = math.inf  # when the thread in ``run`` looks whether a step is due
 
     def command(self, left: float, right: float, sender: Sender) -> None:
         """Accept a command: the speeds of the wheels, as Robot.set_motors takes them."""
         now = time.monotonic()
+        self._notice_freeze(now)
+        if now < self._stale_until:
+            sender = sender._replace(old=True)
         with self._lock:
             if not sender.old and sender.number not in self.state.ended:
                 self.commands.record(sender, now)
@@ -152,7 +157,7 @@ class Supervisor:
 
         woken: whether something has just happened, such as a command.
         """
-        if now - self._stepped_at > FREEZE:
+        if self._notice_freeze(now):
             if self.state.must_answer:  # no answer could arrive meanwhile: the time left for one stays
                 self.confirm(self.state.must_answer, self.state.confirmed_at + now - self._due_at)
             self.robot.driver.invalidate()  # the guard may have stopped the wheels meanwhile
@@ -174,6 +179,13 @@ class Supervisor:
         self._show(Step(now, state, fault, speeds, duties), due)
         self._due_at = min(self._kept_up_at + interval, state.deadline, now + self._pause(fault))
         return self._due_at
+
+    def _notice_freeze(self, now):
+        """Return whether this program was frozen until now; what was sent meanwhile arrives now."""
+        frozen = now - self._stepped_at > FREEZE
+        if frozen:
+            self._stale_until = now + STALE_FOR
+        return frozen
 
     def _pause(self, fault):
         if fault:

@@ -17,6 +17,7 @@ from ..control.supervisor import Step
 
 CHANGING_INTERVAL = 0.1  # s between two messages, at least
 STEADY_INTERVAL = 1.0    # s, while nothing changes
+FLOAT32_MAX = 3.4e38     # the message carries no more
 
 
 class WheelsPublisher:
@@ -53,4 +54,5 @@ class WheelsPublisher:
         if self._closed_loop:  # m/s, of wheels that are 2 m apart, become fractions of full power
             wheels = (clamp(speed, 1.0) for speed in mix(*unmix(*wheels), WHEEL_SEPARATION, FULL_SPEED))
         layout = MultiArrayLayout([MultiArrayDimension(WHEELS_LABEL, 4, 4)], 0)
-        return Float32MultiArray(layout, [*unmix(*speeds, *self._geometry), *wheels])
+        command = (clamp(value, FLOAT32_MAX) for value in unmix(*speeds, *self._geometry))
+        return Float32MultiArray(layout, [*command, *wheels])
