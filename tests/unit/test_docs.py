@@ -4,14 +4,16 @@ import re
 
 import pytest
 
-from conftest import ROOT
+from conftest import PACKAGES, ROOT
 from jetbot.boards import BOARDS, scmd
 from jetbot.boards.pwm_motors import ADAFRUIT, WAVESHARE, WAVESHARE_HAT
 from jetbot.fake.bus import chips_of
 from jetbot.fake.chips import INA219, PCA9685
+from jetbot.guard import ANSWER_TIMEOUT
 from jetbot.guard import process as guard
 from jetbot.host import ROBOT_BUS, robot_bus
 from jetbot_cockpit.session.lease import COMMAND_TIMEOUT
+from jetbot_cockpit.session.messages import FROM_PAGE
 from jetbot_control_node.parameters import PARAMETERS
 
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
@@ -93,6 +95,16 @@ def test_the_bus_of_each_computer():
     assert buses == {name: robot_bus(name) for name in buses}
     missing = [part for part in ROBOT_BUS if not any(part in name.lower() for name in buses)]
     assert missing == ["jetson agx", "quill"]  # what Jetson Linux 32 calls an AGX Xavier and a TX2
+
+
+def test_the_sequences_name_what_exists():
+    page = (ROOT / "docs/design.md").read_text()
+    rooms = re.findall(r"participant \w+ as (\w+)/(\S+)", page)
+    assert rooms and all(any(PACKAGES.glob(f"{package}/**/{room}")) for package, room in rooms)
+    assert set(re.findall(r"page->>session: (\w+)", page)) <= set(FROM_PAGE)
+    assert all(hasattr(guard, name) for name in re.findall(r"(?:controller|guard)-.*: ([A-Z]+)\b", page))
+    assert {guard.HEARTBEAT_TIMEOUT, ANSWER_TIMEOUT, COMMAND_TIMEOUT} == {
+        float(seconds) for seconds in re.findall(r"(?:no|No).* for ([\d.]+) s", page)}
 
 
 @pytest.mark.parametrize("words, seconds", [
