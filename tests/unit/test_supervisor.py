@@ -213,6 +213,13 @@ def test_a_command_is_driven_by_the_thread_that_brings_it(running, robot):
     assert wait_until(drives_at_once, 1.0)  # the first time, unless the other thread is in a step
 
 
+def test_before_the_supervisor_runs_a_command_turns_no_wheel(supervisor, folder):
+    supervisor.command(0.5, 0.1, PUPIL)
+    assert wheel_speeds(folder) == STOPPED
+    with run(supervisor):
+        assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
+
+
 def test_the_timeout_of_such_a_command_is_not_left_to_the_next_heartbeat(supervisor, folder, statuses, monkeypatch):
     monkeypatch.setattr(supervisors, "STOPPED_INTERVAL", 30.0)
     supervisor.state = supervisor.state._replace(timeout=0.1)
@@ -265,10 +272,12 @@ def test_the_end_stops_the_wheels_and_closes_the_robot(running, folder):
 
 
 def test_without_a_guard_nothing_turns(supervisor, robot, folder, statuses, monkeypatch):
-    monkeypatch.setattr(type(robot), "guarded", False)
     go(supervisor)
+    monkeypatch.setattr(type(robot), "guarded", False)
+    supervisor.step(0.1, woken=False)
     assert wheel_speeds(folder) == STOPPED
-    assert statuses == ["stopped: the guard, which stops the wheels if this program dies, is not running, trying again"]
+    assert statuses == ["driving", "stopped: the guard, which stops the wheels if this program dies, is not running, "
+                        "trying again"]
 
 
 @pytest.mark.parametrize("fail", [

@@ -59,7 +59,7 @@ class Supervisor:
         self.faults, self.closed = 0, False
         self._lock = threading.Lock()  # held while ``state`` is replaced, never during a transfer
         self._stepping = threading.Lock()  # held during a step
-        self._running = False  # whether a command is driven by the thread that brings it
+        self._running = False  # until then, no command is driven: nothing would stop it
         self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
         self._ending, self._failure = False, None
         self._step = Step(-math.inf, self.state, None, STOPPED, STOPPED)
@@ -140,7 +140,6 @@ class Supervisor:
                 raise self._failure
         finally:
             with self._stepping, contextlib.suppress(JetbotError):  # the guard reports it, and keeps trying
-                self._running = False
                 self.robot.close()
                 self.closed = True
             self._show(Step(time.monotonic(), self.state, None, STOPPED, self.robot.duties))
