@@ -59,7 +59,7 @@ class Supervisor:
         self.faults, self.closed = 0, False
         self._lock = threading.Lock()  # held while ``state`` is replaced, never during a transfer
         self._stepping = threading.Lock()  # held during a step
-        self._running = False  # until then, no command is driven: nothing would stop it
+        self._running = False  # whether ``run`` drives; before it does, nothing would stop what a command drives
         self._events = queue.SimpleQueue()  # its put is reentrant, as a signal handler needs it
         self._ending, self._failure = False, None
         self._step = Step(-math.inf, self.state, None, STOPPED, STOPPED)
