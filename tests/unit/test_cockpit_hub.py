@@ -201,7 +201,7 @@ def test_after_its_disconnection_nothing_that_a_page_sends_counts_but_stops(hub,
 @pytest.mark.parametrize("text, robot", [
     (STOP, None), ('{"type":"stop","robot":null}', None), ('{"type":"stop","robot":"/red"}', "/red"),
     (' { "type" : "stop" , "robot" : "/jetbot_01" } ', "/jetbot_01"), ('{"robot":null,"type":"stop"}', None),
-    ('{"type":"s\\u0074op","robot":"\\/red"}', "/red")])
+    ('{"type":"s\\u0074op","robot":"\\/red"}', "/red"), (STOP.ljust(1000), None)])
 def test_a_stop_counts_before_the_limit_and_the_parser_also_after_a_flood_has_ended_the_socket(
         hub, control, monkeypatch, text, robot):
     monkeypatch.delattr(protocol, "parse")

@@ -139,9 +139,7 @@ class Hub:
         except protocol.ProtocolError as error:
             self.end(viewer, REFUSED, str(error))
             return
-        if message.type == "stop":  # as no page of ours writes it
-            self._stop(viewer, message.robot, now)
-        elif now >= self._paused_until or not message.moves:
+        if now >= self._paused_until or not message.moves:
             viewer.answer(self._reply(viewer, message, now))
 
     def _reply(self, viewer: Viewer, message: protocol.Message, now: float) -> Optional[dict]:

@@ -7,8 +7,6 @@ from typing import NamedTuple, Optional, Union
 from ..notices import Notice
 from .messages import FROM_PAGE, MAX_MESSAGE, fit, problem_of
 
-MAX_STOP = 200  # characters of a stop that counts before any limit
-
 
 class ProtocolError(Exception):
     """A message is not of the documented form; the socket is closed with this reason."""
@@ -42,7 +40,7 @@ class Message(NamedTuple):
 def as_stop(text: Union[str, bytes]) -> Optional[Message]:
     """Return the message if it is a stop, however it is spelled, else None. It needs less than ``parse``."""
     try:
-        fields = json.loads(text) if isinstance(text, str) and len(text) <= MAX_STOP else None
+        fields = json.loads(text) if isinstance(text, str) and len(text) <= MAX_MESSAGE else None
     except (ValueError, RecursionError):
         return None
     if not isinstance(fields, dict) or fields.pop("type", None) != "stop":
