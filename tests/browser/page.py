@@ -159,8 +159,10 @@ class Page(Chromium):
         field.send_keys(text + "\n")
 
     def click(self, selector: str) -> None:
-        """Click on an element."""
-        self.driver.find_element(By.CSS_SELECTOR, selector).click()
+        """Click on an element, as soon as it is shown."""
+        element = self.driver.find_element(By.CSS_SELECTOR, selector)
+        self.wait_for(element.is_displayed, f"{selector} to be shown")
+        element.click()
 
     def controls(self) -> List[str]:
         """Return the ids of the visible controls that a person can use now."""
