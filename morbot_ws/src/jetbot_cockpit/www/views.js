@@ -14,6 +14,7 @@ export function prepareViews(askForCodes) {
     element(id).addEventListener("click", () => showView(document.body.dataset.view === view ? "drive" : view));
   }
   for (const id of ["close-codes", "close-scores"]) element(id).addEventListener("click", () => showView("drive"));
+  addEventListener("ask", () => showView("drive")); // what it shows may be old
   element("show-codes").addEventListener("click", askForCodes);
   element("print-codes").addEventListener("click", () => print());
   element("show-teacher").addEventListener("click", () => showTeachersCode(element("teacher-codes").hidden));
