@@ -24,7 +24,7 @@ EXCLUDED = ["disable-background-timer-throttling", "disable-renderer-backgroundi
             "disable-backgrounding-occluded-windows"]
 KEYS = {"ArrowUp": Keys.ARROW_UP, "ArrowDown": Keys.ARROW_DOWN, "ArrowLeft": Keys.ARROW_LEFT,
         "ArrowRight": Keys.ARROW_RIGHT, "Space": Keys.SPACE, "Escape": Keys.ESCAPE, "Tab": Keys.TAB,
-        "Enter": Keys.ENTER}
+        "Enter": Keys.ENTER, "Home": Keys.HOME}
 CAUSED_BY_TESTS = "/favicon.ico", "willReadFrequently"  # a picture in a tab of its own; the map's pixels that are read
 END_TIMEOUT = 20.0  # s
 # Keeps the socket, and for other pages of this origin the newest commands that the page sends, and when it paused.
