@@ -7,6 +7,7 @@ const TEXTS = ["", "a", "hello", "it's", 'say "x"', "سلام", "👩‍👩‍�
 const NUMBERS = [0, 1, 2, 3, 4, 5, 7, 10, -1, -2, -3, 0.5, 0.1, 2.5, -0.5, 1.5, 0.2, 0.3, 9, 45, 90, 570, 1000];
 const POWERS = [0, 0.1, 0.2, 0.5, -0.3, 1, 0.25];
 const SECONDS = [0, 0.1, 0.2, 0.25, 0.5, 1, -1, 0.05, 0.37];
+const STEPS = [1, 1, 1, 2, 3, 0.5, -1, 0];
 const SIDES = ["LEFT", "RIGHT"];
 const EYES = ["LEFT", "MIDDLE", "RIGHT"];
 const DEEPEST = 3; // values in values, and statements in statements
@@ -29,8 +30,8 @@ const KINDS = {
     math_number: [6, (make) => make.block("math_number", { NUM: make.one(NUMBERS) })],
     variables_get: [6, (make) => make.get("number")],
     math_arithmetic: [4, (make) => make.block("math_arithmetic",
-      { OP: make.one(["ADD", "MINUS", "MULTIPLY", "DIVIDE", "POWER"]) }, { A: "number", B: "number" })],
-    math_single: [2, (make) => make.block("math_single",
+      { OP: make.one(["ADD", "MINUS", "MULTIPLY", "DIVIDE", "POWER"]) }, { A: "number", B: make.one([NUMBERS, "number"]) })],
+    math_single: [1, (make) => make.block("math_single",
       { OP: make.one(["ROOT", "ABS", "NEG", "LN", "LOG10", "EXP", "POW10"]) }, { NUM: "number" })],
     math_trig: [1, (make) => make.block("math_trig",
       { OP: make.one(["SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN"]) }, { NUM: "number" })],
@@ -38,7 +39,8 @@ const KINDS = {
       { CONSTANT: make.one(["PI", "E", "GOLDEN_RATIO", "SQRT2", "SQRT1_2", "INFINITY"]) })],
     math_round: [2, (make) => make.block("math_round",
       { OP: make.one(["ROUND", "ROUNDUP", "ROUNDDOWN"]) }, { NUM: "number" })],
-    math_modulo: [2, (make) => make.block("math_modulo", {}, { DIVIDEND: "number", DIVISOR: "number" })],
+    math_modulo: [2, (make) => make.block("math_modulo", {},
+      { DIVIDEND: "number", DIVISOR: make.one([STEPS, "number"]) })],
     math_constrain: [2, (make) => make.block("math_constrain", {}, { VALUE: "number", LOW: "number", HIGH: "number" })],
     math_random_int: [2, (make) => make.block("math_random_int", {}, { FROM: "number", TO: "number" })],
     math_random_float: [1, (make) => make.block("math_random_float")],
@@ -88,7 +90,7 @@ const STATEMENTS = {
   controls_whileUntil: [1, (make) => make.loop("controls_whileUntil",
     { MODE: make.one(["WHILE", "UNTIL"]) }, { BOOL: "truth" })],
   controls_for: [2, (make) => make.loop("controls_for",
-    { VAR: make.variable("number") }, { FROM: "number", TO: "number", BY: "number" })],
+    { VAR: make.variable("number") }, { FROM: "number", TO: "number", BY: make.one([STEPS, "number"]) })],
   robot_loop: [0.5, (make) => make.loop("robot_loop", {}, {})],
   procedures_callnoreturn: [3, (make) => make.call(false) ?? make.block("robot_stop")],
   procedures_ifreturn: [1, (make) => make.ifReturn()],
@@ -211,8 +213,11 @@ class Maker {
     return this.block("text_join", {}, Object.fromEntries(inputs), { itemCount });
   }
 
+  // Returns a call of a function, or null: one that calls itself is rare.
   call(returns) {
-    const called = this.one(this.functions.filter((each) => each.returns === returns));
+    const fitting = this.functions.filter((each) => each.returns === returns);
+    const later = fitting.filter((each) => this.functions.indexOf(each) > this.functions.indexOf(this.inside));
+    const called = this.one(this.chance(0.05) ? fitting : later);
     if (!called) return null;
     const names = called.params.map(({ name }) => name);
     const inputs = called.params.map((_, number) => [`ARG${number}`, "number"]);
@@ -282,8 +287,15 @@ class Maker {
     return { type, id, x: 400, y: 30 + 200 * index, ...more };
   }
 
+  // Returns statements that set most of the variables.
+  beginning() {
+    return this.variables.filter(() => this.chance(0.8)).map(({ id }) => this.block("variables_set", { VAR: { id } },
+      { VALUE: this.kinds[this.variables.findIndex((each) => each.id === id)] }));
+  }
+
   program() {
-    const next = this.statements(this.up(9));
+    const next = this.beginning().reduceRight((below, each) => ({ block: { ...each, ...below && { next: below } } }),
+      this.statements(this.up(9)));
     const start = { type: "robot_start", id: this.id(), x: 30, y: 30, next };
     const loose = this.chance(0.1) ? [{ type: "robot_stop", id: this.id(), x: 700, y: 30 }] : [];
     const definitions = this.functions.map((each, index) => this.definition(each, index));
