@@ -47,8 +47,8 @@ class Watched extends Interpreter {
   }
 }
 
-// Runs a program without a robot, by a clock that its waits turn, for 10 s or so many events, as long as its numbers are
-// exact. Returns what it prints, and [ms, x, z] of each command, in their order, and by themselves; whether it is cut
+// Runs a program without a robot, by a clock that its waits turn, for 10 s or so many events, as long as its numbers
+// are exact. Returns what it prints, and [ms, x, z] of each command, in their order, and by themselves; whether it is cut
 // short; whether its numbers are exact; why it failed, and at which block; and how many events it had.
 export function interpret(json, senses = {}, most = 20000) {
   const done = { trace: [], cut: false, error: "", events: 0 };
@@ -66,7 +66,7 @@ export function interpret(json, senses = {}, most = 20000) {
       if (done.cut) break;
     }
     interpreter.motion = [0, 0]; // as run.js ends
-    if (!done.cut) done.trace.push(command(clock, interpreter));
+    if (!done.cut && interpreter.exact) done.trace.push(command(clock, interpreter));
   } catch (error) {
     Object.assign(done, { error: error.message, block: error.block });
   }

@@ -30,7 +30,8 @@ const KINDS = {
     math_number: [6, (make) => make.block("math_number", { NUM: make.one(NUMBERS) })],
     variables_get: [6, (make) => make.get("number")],
     math_arithmetic: [4, (make) => make.block("math_arithmetic",
-      { OP: make.one(["ADD", "MINUS", "MULTIPLY", "DIVIDE", "POWER"]) }, { A: "number", B: make.one([NUMBERS, "number"]) })],
+      { OP: make.one(["ADD", "MINUS", "MULTIPLY", "DIVIDE", "POWER"]) },
+      { A: "number", B: make.one([NUMBERS, "number"]) })],
     math_single: [1, (make) => make.block("math_single",
       { OP: make.one(["ROOT", "ABS", "NEG", "LN", "LOG10", "EXP", "POW10"]) }, { NUM: "number" })],
     math_trig: [1, (make) => make.block("math_trig",
@@ -306,35 +307,4 @@ class Maker {
 // Returns the JSON of a program, always the same one for a seed.
 export function randomProgram(seed) {
   return new Maker(seed).program();
-}
-
-// Returns smaller programs, each with a block fewer at least, the smallest first: what a program that fails becomes.
-export function reductions(program) {
-  const smaller = [];
-  const change = (slot, replacement) => {
-    const before = slot.block;
-    if (replacement) slot.block = replacement;
-    else delete slot.block;
-    smaller.push(JSON.stringify(program));
-    slot.block = before;
-  };
-  for (const slot of slotsOf(program.blocks.blocks)) {
-    const { inputs = {}, next } = slot.block;
-    change(slot, next?.block);
-    for (const { block } of Object.values(inputs)) if (block) change(slot, block);
-  }
-  const { blocks } = program.blocks;
-  for (const gone of blocks.slice(1)) {
-    program.blocks.blocks = blocks.filter((each) => each !== gone);
-    smaller.push(JSON.stringify(program));
-  }
-  program.blocks.blocks = blocks;
-  return smaller.sort((one, other) => one.length - other.length).map((each) => JSON.parse(each));
-}
-
-// Returns all inputs and places for a next block that have one.
-function slotsOf(blocks) {
-  const slots = blocks.flatMap(({ inputs = {}, next }) => [...Object.values(inputs), ...next ? [next] : []])
-    .filter(({ block }) => block);
-  return [...slots, ...slots.flatMap(({ block }) => slotsOf([block]))];
 }

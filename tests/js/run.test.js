@@ -122,6 +122,6 @@ test("a block that fails stops the robot, and is named", async (t) => {
   const moving = [block("robot_set", { X: 0.5, Z: 0 }), block("robot_wait", { SECONDS: 0.1 })];
   const page = await begin(t, program([...moving, print(faulty)]));
   await page.clock.pass(300);
-  assert.deepEqual(page.ends, [["This calculation has no result.", "here"]]);
+  assert.deepEqual(page.ends, [["This block divides by 0.", "here"]]);
   assert.deepEqual(page.sent.at(-1), ZERO);
 });

@@ -10,7 +10,8 @@ import { shown } from "#www/program/values.js";
 
 import { write } from "./blockly.js";
 import { interpret } from "./programs.js";
-import { randomProgram, reductions } from "./random_programs.js";
+import { randomProgram } from "./random_programs.js";
+import { smallerPrograms } from "./smaller_programs.js";
 
 const MOST = 5000; // events
 const SENSES = { here: { X: 0, Y: 0, HEADING: 0 }, line: [0.25, 0.5, 1], wheels: [0, 0] }; // program_node.py's
@@ -21,7 +22,7 @@ const CHOICES = {
   examples: () => Object.entries(EXAMPLES).map(([name, text]) => [name, JSON.parse(text)]),
   given: () => Object.entries(standardInput()),
   random: (from, to) => Array.from({ length: to - from }, (_, index) => [+from + index, randomProgram(+from + index)]),
-  smaller: () => Object.entries(reductions(standardInput())),
+  smaller: () => Object.entries(smallerPrograms(standardInput())),
 };
 
 // Returns draws from a stream of random numbers in [0, 1) that program_node.py has too: Park and Miller's

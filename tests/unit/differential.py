@@ -102,7 +102,8 @@ def mark_above(source: List[str], marks: Dict[int, List[str]], line: int) -> Opt
     inside = [number for number in range(first, line + 1) if marks[number]]
     if source[line].startswith("    return"):  # the block that defines the function
         return marks[min(number for number in marks if number > first and marks[number])][0]
-    return next((marks[number][-1] for number in reversed(inside) if indentation_of(source[number]) <= indentation), None)
+    outside = (number for number in reversed(inside) if indentation_of(source[number]) <= indentation)
+    return next((marks[number][-1] for number in outside), None)
 
 
 def indentation_of(text: str) -> int:

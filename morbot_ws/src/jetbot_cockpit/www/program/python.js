@@ -12,6 +12,8 @@ const MARK = "#@%1\n"; // a line of its own before a block's first line, with th
 const MARKED = /^\s*#@'(.*)'$/s;
 const ENDS = /[^\n\x20-\x7e\u00a0-\u{10ffff}]/gu; // other ends of lines, and control characters
 
+const OWN = ["async", "await", "rospy", "Twist", "motion", "publisher", "rate", "main"]; // not a person's names
+
 let needed = new Set(); // of HELPERS
 
 const code = (block, name, order, empty = "0") => python.valueToCode(block, name, order) || empty;
@@ -78,7 +80,7 @@ const writer = ({ python: write, args0 = [], needs = [], output }) => (block) =>
 export function prepareGenerator() {
   Object.assign(python.forBlock, ADAPTED, Object.fromEntries(ROBOT.map((row) => [row.type, writer(row)])));
   Object.assign(python, { INDENT, STATEMENT_PREFIX: MARK, addLoopTrap: (body) => body }); // no marks in loops
-  python.addReservedWords(["async", "await", "rospy", "Twist", "motion", "publisher", "rate", "main", ...NAMES].join(","));
+  python.addReservedWords([...OWN, ...NAMES].join(","));
 }
 
 // Returns { text, lines }: the node of this name, and the numbers of the lines by their blocks' ids, from 0.
