@@ -224,7 +224,7 @@ def test_earlier_versions_take_a_robots_room_too():
 @pytest.mark.parametrize("program", [
     "", "x", "[]", "1", "null", '"text"', "[" * 10000, '{"a":' * 10, '{"a":' * 10000, '{"a":' * 5000 + "}" * 4999,
     '{"a":' * 5000 + "1" + "}" * 4999 + "]", '{"a": 1{}}', "{{}: 1}", '{"a": {}} {}', '{} "', "}", '"' + '\\"' * 30000,
-    '{"a": "\ud800"}',
+    '{"a": "\ud800"}', '{"a": NaN}', '{"a": [-Infinity]}',
     json.dumps({"a": "x" * 65536}), json.dumps({"a": "ä" * 32768}, ensure_ascii=False), "9" * 60000],
     ids=lambda each: f"{each[:9]} {len(each)}")
 def test_what_is_no_program_is_refused(program):
@@ -242,7 +242,9 @@ def test_a_chain_of_blocks_may_be_deeper_than_python_reads_json(classes):
 
 @pytest.mark.parametrize("name, good", [
     ("<img src=x onerror=alert(1)>", True), ("../../etc/passwd", True), ("🙂" * 40, True), ("x" * 41, False),
-    ("", False), (" ", False), ("a\nb", False), ("a\u202eb", False), ("\ud800", False), (7, False), (None, False)])
+    ("👩‍👩‍👧‍👦", True), ("می‌خواهم", True), ("前　進", True), ("a\u200fb", True),
+    ("", False), (" ", False), ("a\nb", False), ("a\u2066b", False), ("a\u2028b", False),
+    ("a\u202eb", False), ("\ud800", False), (7, False), (None, False)])
 def test_the_name_of_a_program_is_printable_text(name, good):
     assert is_program_name(name) == good
 
