@@ -31,7 +31,7 @@ test("a change is sent once nothing has changed for a second, and then it is kep
   assert.equal(asked.length, 0);
   await clock.pass(1);
   assert.deepEqual(asked, [
-    { do: "save", robot: "/red", id: program.id, version: 0, name: "AB", program: EMPTY }]);
+    { do: "save", class: null, robot: "/red", id: program.id, version: 0, name: "AB", program: EMPTY }]);
   assert.deepEqual(read, ["Not kept yet", "Not kept yet", "Not kept yet", "Kept"]);
   assert.equal(program.version, 1);
 });

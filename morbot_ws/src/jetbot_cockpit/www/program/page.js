@@ -27,6 +27,7 @@ let changing = null; // the next look at what was changed
 const shell = new Shell({
   receivers: {
     hello() {
+      work.connected();
       overview.hello();
       judging.cancel();
     },
