@@ -4,12 +4,15 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { reopen, save } from "./blockly.js";
+import { randomProgram } from "./random_programs.js";
 
 const { TOOLBOX } = await import("#www/program/blocks.js");
-const { parseProgram } = await import("#www/program/check.js");
+const { parseProgram, writeProgram } = await import("#www/program/check.js");
 const { EXAMPLES } = await import("#www/program/examples.js");
 const { TYPES } = await import("#www/program/semantics.js");
 const { Blockly } = globalThis;
+
+const COUNT = Number(process.env.PROGRAMS ?? 100); // random programs
 
 const program = (blocks, variables = []) => ({ blocks: { languageVersion: 0, blocks }, variables });
 const PARAMETERS = [{ name: "n", id: "n" }, { name: "m", id: "m" }];
@@ -103,4 +106,8 @@ test("what the page itself says of a block is not saved", () => {
   const said = { deletable: false, disabledReasons: ["ORPHANED_BLOCK"] };
   assert.equal(save(program([{ type: "robot_stop", x: 1, y: 2, id: "a", ...said }])),
     save(program([{ type: "robot_stop", x: 1, y: 2 }])));
+});
+
+test(`${COUNT} random programs`, () => {
+  for (let seed = 1; seed <= COUNT; seed += 1) unchanged(writeProgram(randomProgram(seed)));
 });
