@@ -31,7 +31,7 @@ test("a change is sent once nothing has changed for a second, and then it is kep
   assert.equal(asked.length, 0);
   await clock.pass(1);
   assert.deepEqual(asked, [
-    { do: "save", robot: "/red", id: program.id, version: 0, name: "AB", program: EMPTY }]);
+    { do: "save", class: null, robot: "/red", id: program.id, version: 0, name: "AB", program: EMPTY }]);
   assert.deepEqual(read, ["Not kept yet", "Not kept yet", "Not kept yet", "Kept"]);
   assert.equal(program.version, 1);
 });
@@ -134,11 +134,11 @@ test("a change before there is a robot is sent when there is one", async (t) => 
 
 test("a name is sent as the cockpit takes it", async (t) => {
   const { kept: program, clock, asked } = begin(t);
-  for (const name of [" a\nb\u202e ", "", "x".repeat(50)]) {
+  for (const name of [" a\nb\u202e ", "", "\u200d", "👩‍👧 می‌خواهم", "x".repeat(50)]) {
     program.change(named(name));
     await clock.pass(1000);
   }
-  assert.deepEqual(asked.map(({ name }) => name), ["ab", "Program", "x".repeat(40)]);
+  assert.deepEqual(asked.map(({ name }) => name), ["ab", "Program", "Program", "👩‍👧 می‌خواهم", "x".repeat(40)]);
 });
 
 test("a newer version of another page is said, and the next change is made of the version that is shown", async (t) => {

@@ -48,6 +48,6 @@ export type Incoming =
 export type Request =
   | { do: "list"; robot?: string | null; }
   | { do: "open"; robot: string; id: string; version?: number | null; }
-  | { do: "save"; robot: string; id: string; version: number; name: string; program: string; }
+  | { do: "save"; robot: string; id: string; version: number; name: string; program: string; class?: string | null; }
   | { do: "delete"; robot: string; id: string; }
   | { do: "restore"; robot: string; id: string; };

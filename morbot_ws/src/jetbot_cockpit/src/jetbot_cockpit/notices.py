@@ -40,6 +40,7 @@ NOTICES = {
     "picture_not_kept": "{problem}: {file}",
     # Programs, and the class
     "gone": "This program is not there any more.",
+    "other_class": "This program belongs to another class.",
     "too_large": "This program is too large to be kept here: {kilobytes} kB at most. Save it as a file.",
     "no_program": "This is no program.",
     "full": "There is no room for more: delete a program. A robot has {count} programs at most, and 1 MB in all.",

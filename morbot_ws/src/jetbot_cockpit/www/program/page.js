@@ -3,7 +3,7 @@
 import { create, element, onPress, setText } from "../dom.js";
 import { Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
-import { parseProgram } from "./check.js";
+import { parseProgram, writeProgram } from "./check.js";
 import { currentProgram, openEditor, showProgram } from "./editor.js";
 import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
@@ -27,6 +27,7 @@ let changing = null; // the next look at what was changed
 const shell = new Shell({
   receivers: {
     hello() {
+      work.connected();
       overview.hello();
       judging.cancel();
     },
@@ -165,14 +166,8 @@ function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
-// Blocks get new ids when they are shown again; a variable keeps its own.
-/** @this {any} */
-function withoutIds(key, value) {
-  return key === "id" && this.type ? undefined : value;
-}
-
 function programText() {
-  return JSON.stringify(currentProgram(workspace), withoutIds);
+  return writeProgram(currentProgram(workspace));
 }
 
 function saveProgram() {

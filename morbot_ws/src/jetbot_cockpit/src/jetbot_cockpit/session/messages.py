@@ -172,8 +172,8 @@ REQUESTS = {  # to /work, by what they "do"
     "list": Form({"robot": ROBOT_OR_ALL}, "`programs`, those first that were changed last; of all robots: teacher"),
     "open": Form({"robot": ROBOT, "id": ID, "version": or_null(VERSION)},
                 "the program, with the `program` of this version; without `version`, of the newest"),
-    "save": Form({"robot": ROBOT, "id": ID, "version": VERSION, "name": PROGRAM_NAME, "program": TEXT},
-                "what is kept now"),
+    "save": Form({"robot": ROBOT, "id": ID, "version": VERSION, "name": PROGRAM_NAME, "program": TEXT,
+                 "class": or_null(ID)}, "what is kept now"),
     "delete": Form({"robot": ROBOT, "id": ID}, "the same"),
     "restore": Form({"robot": ROBOT, "id": ID}, "the same: undoes `delete`"),
 }
