@@ -55,8 +55,8 @@ class CockpitLaunch(RobotTest):
         environment = {**self.environment, "DISPLAY": ":99", "PATH": f"{self.folder}:{os.environ['PATH']}"}
         environment.pop("SSH_CONNECTION", None)
         run = self.start(sys.executable, str(RUN), "a robot", "simulation", "simulation.launch", "motion:=true",
-                         "cockpit:=true", "browser:=auto", "rviz:=false", f"i2c_bus:=fake:{self.bus}", f"cockpit_port:={self.port}",
-                         env=environment)
+                         "cockpit:=true", "browser:=auto", "rviz:=false", f"i2c_bus:=fake:{self.bus}",
+                         f"cockpit_port:={self.port}", env=environment)
         self.wait_for(self.is_served, START_TIMEOUT, "the page")
         self.wait_for(lambda: opened.exists() and opened.read_text(), START_TIMEOUT, "the browser")
         self.assertEqual(opened.read_text().split(), [self.address()])
