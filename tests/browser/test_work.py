@@ -134,7 +134,8 @@ def test_what_is_divisible_and_what_returns_is_the_same_when_it_is_opened_again(
     page.wait_for(lambda: page.text("python") == python, python)
 
 
-@pytest.mark.parametrize("button, sheet, first", [("programs", "work", "new"), ("overview-button", "overview", "zip")])
+@pytest.mark.parametrize("button, sheet, first", [
+    ("programs", "work", "new"), ("overview-button", "overview", "download-all")])
 def test_a_sheet_takes_the_keyboards_focus_and_gives_it_back(button, sheet, first, page):
     page.tab_to(button)
     page.tap("Enter")
@@ -199,3 +200,14 @@ def test_who_comes_back_in_a_new_browser_goes_on_with_the_newest_program(page, p
     pupil.run("localStorage.clear()")
     open_programs(pupil, pupil.driver.current_url)
     pupil.wait_for(lambda: pupil.value("title") == "Newest", "the newest program")
+
+
+def test_what_is_saved_arrives_from_a_computer_without_https(page, world):
+    rename(page, "Mine")
+    open_programs(page, world.codes()["teacher"].replace("#", "program#"))
+    assert not page.run("return isSecureContext")
+    page.wait_for(lambda: page.value("title") == "Mine", "the program")
+    assert "import rospy" in page.download("package", "my_mine.txt").read_text()
+    assert "robot_start" in page.download("save", "my_mine.json").read_text()
+    page.click("#overview-button")
+    assert "Mine.json" in page.download("download-all", "programs.txt").read_text()

@@ -21,6 +21,7 @@ from jetbot_cockpit.session.hub import Hub
 from jetbot_cockpit.session.snapshot import Snapshot
 from jetbot_cockpit.web import addresses, handout
 from jetbot_cockpit.web.access import Access, make_grants
+from jetbot_cockpit.web.announcement import Announcement
 from jetbot_cockpit.web.server import Server
 from jetbot_ros import contract, lifecycle
 from jetbot_ros.launcher import Launcher
@@ -47,16 +48,16 @@ class Cockpit:
         # Who gets in, and what is handed out: other computers need a code
         self.classroom = open_classroom(given["classes"], given["class"])
         grants = self.grants(given["robots"]) if given["lan"] else []
-        names = [given["name"]] if given["name"] else addresses.lan_addresses()
-        self.access = Access(self.port, [*names, *addresses.host_names()] if given["lan"] else [], grants)
-        self.cards = [handout.Card(grant, (names or ["localhost"])[0], self.port) for grant in grants]
+        names = [given["name"], *addresses.host_names()] if given["lan"] else []
+        self.access = Access(self.port, filter(None, names), grants)
+        self.announcement = Announcement(self.port, grants, given["name"], given["robots"])
 
         # What clients ask for goes into the control, and what the robots report comes out
         self.drivers = Drivers()
         cameras = Cameras()
         self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]), self.classroom)
-        hub = Hub(self.control, [card.message() for card in self.cards], cameras)
-        self.server = Server(sockets, self.access, hub, self.classroom)
+        self.hub = Hub(self.control, self.codes(), cameras)
+        self.server = Server(sockets, self.access, self.hub, self.classroom)
         self.logged, self.no_robot_at = Snapshot(), time.monotonic() + NO_ROBOT_AFTER
 
     def grants(self, robots):
@@ -72,11 +73,14 @@ class Cockpit:
         """Serve until a signal, the end of rospy or of roslaunch."""
         ended = lifecycle.ending()
         self.server.start()
-        self.show()
+        if self.browser == "auto":
+            handout.open_browser(f"http://localhost:{self.port}/")
         launcher = Launcher()
+        self.show()
         while not ended.wait(POLL_INTERVAL) and not launcher.ended and self.server.is_alive():
             launcher.poll()
             self.log_changes()  # in this thread: a terminal that blocks holds up no client
+            self.show()
         self.end()
 
     def log_changes(self):
@@ -92,17 +96,19 @@ class Cockpit:
         for line in lines:
             rospy.loginfo(line)
 
+    def codes(self):
+        """Return what a teacher hands out, as the rows of the message "codes"."""
+        return [card.message() for card in self.announcement.cards]
+
     def show(self):
-        """Print the addresses, and open the page if that is wanted."""
-        # Printed, not logged: neither a log file nor /rosout holds a code
-        url = f"http://localhost:{self.port}/"
-        print(f"The cockpit, for a browser on this computer: {url}", flush=True)
-        if self.cards:
+        """Print the addresses when it is time."""
+        if self.announcement.look():
+            self.hub.codes = self.codes()
+        text = self.announcement.take(len(self.logged.robots), time.monotonic(), sys.stdout.isatty())
+        if text:
+            # Printed, not logged: neither a log file nor /rosout holds a code
             sys.stdout.reconfigure(errors="replace")  # a terminal may lack the blocks of the QR codes
-            cards = [card.text(sys.stdout.isatty()) for card in self.cards]
-            print("For others:", *cards, sep="\n", flush=True)
-        if self.browser == "auto":
-            handout.open_browser(url)
+            print(text, end="", flush=True)
 
     def end(self):
         """Disconnect the clients, whose robots stop, and leave ROS; within SHUTDOWN_TIMEOUT."""

@@ -1,15 +1,13 @@
-// The teacher's sheet: which tasks are on, the best scores, and all programs, to look at or as one zip.
+// The teacher's sheet: which tasks are on, the best scores, and all programs, to look at or as one text.
 
 /** @import { Send } from "../link.js" */
 /** @import { Score, Task } from "../messages.js" */
 /** @import { World } from "../world.js" */
 
 import { create, element, setText } from "../dom.js";
+import { archive } from "./archive.js";
 import { ask } from "./ask.js";
 import { Sheet } from "./sheet.js";
-import { zip } from "./zip.js";
-
-const FILE_MODE = 0o644;
 
 export class Overview {
   scores = [];
@@ -22,7 +20,7 @@ export class Overview {
     this.download = download;
     this.world = world;
     this.sheet = new Sheet("overview", "overview-button", () => this.open());
-    element("zip").addEventListener("click", () => this.act(() => this.downloadAll()));
+    element("download-all").addEventListener("click", () => this.act(() => this.downloadAll()));
   }
 
   // Messages of the cockpit
@@ -95,9 +93,9 @@ export class Overview {
     for (const [index, { robot, id, name }] of (await allPrograms()).entries()) {
       const { program } = await ask({ do: "open", robot, id });
       const plain = name.replace(/[^A-Za-z0-9]+/g, "_");
-      files.push({ name: `${label(robot)}/${index + 1}_${plain}.json`, text: program, mode: FILE_MODE });
+      files.push({ name: `${label(robot)}/${index + 1}_${plain}.json`, text: program });
     }
-    this.download("programs.zip", zip(files), "application/zip");
+    this.download("programs.txt", archive("programs", files), "text/plain");
   }
 }
 

@@ -9,7 +9,7 @@ import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
 import { NEW, openWork } from "./keeping.js";
 import { Overview } from "./overview.js";
-import { packageName, packageZip } from "./package.js";
+import { packageName, packageText } from "./package.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
 import { Tasks } from "./tasks.js";
@@ -177,7 +177,7 @@ function saveProgram() {
 function savePackage() {
   writePython();
   const name = packageName(element("title").value);
-  download(`${name}.zip`, packageZip(name, python.text, programText()), "application/zip");
+  download(`${name}.txt`, packageText(name, python.text, programText()), "text/plain");
 }
 
 // What is shown

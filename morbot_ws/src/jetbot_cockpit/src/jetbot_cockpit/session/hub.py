@@ -33,7 +33,7 @@ class Hub:
     """
 
     def __init__(self, control: Control, codes: Sequence[dict], cameras):
-        self._control, self._codes, self._cameras = control, codes, cameras
+        self._control, self.codes, self._cameras = control, codes, cameras
         self._numbers = itertools.count(1)
         self._paused_until = -math.inf
         self._viewers: Dict[int, Viewer] = {}
@@ -55,7 +55,7 @@ class Hub:
             self.end(leaving, FULL, NO_ROOM)
         if leaving is viewer:
             return None
-        codes = role == TEACHER and bool(self._codes)
+        codes = role == TEACHER and bool(self.codes)
         connection.send(dumps({"type": "hello", **viewer.client._asdict(), "codes": codes, "limits": LIMITS}))
         self._viewers[number] = viewer
         return viewer
@@ -153,7 +153,7 @@ class Hub:
         if message.type != "codes":
             return self._control.handle(client, message, now)
         refusal = refuse_role(client, message.type)
-        return protocol.notice(refusal) if refusal else {"type": "codes", "codes": self._codes}
+        return protocol.notice(refusal) if refusal else {"type": "codes", "codes": self.codes}
 
     def _look(self, viewer: Viewer, robot: Optional[str]) -> Optional[dict]:
         known = self.knows(robot)
