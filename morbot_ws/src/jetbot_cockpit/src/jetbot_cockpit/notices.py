@@ -24,6 +24,7 @@ NOTICES = {
     "teacher_releases": "No pupil stopped this here. Only a teacher can release it.",
     "teacher_codes": "Only a teacher can see the codes.",
     "teacher_offer": "Only a teacher chooses the tasks.",
+    "teacher_pupil": "Only a teacher names the pupils.",
     # Simulated robots and their tasks
     "not_reset": "Not answered yet: {robots}.",
     "real_not_reset": "Only simulated robots can be put back.",

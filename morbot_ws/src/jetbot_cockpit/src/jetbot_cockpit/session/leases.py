@@ -6,6 +6,7 @@ from typing import Dict, Optional, Set
 from ..notices import Notice, say
 from .holds import Holds
 from .lease import COMMAND_TIMEOUT, Lease
+from .pupils import Pupils
 from .rights import Client, Request
 from .snapshot import Snapshot, label
 
@@ -18,13 +19,12 @@ SILENT = f"no command came from the driver's page for {COMMAND_TIMEOUT} s"
 class Leases:
     """All leases. robots: what reports the drivers; drivers: what commands the robots; holds: what teachers have taken.
 
-    checked_at: the time of the last ``check``.
+    pupils: what people are called; checked_at: the time of the last ``check``.
     """
 
-    def __init__(self, robots, drivers, holds: Holds):
-        self._robots, self._drivers, self._holds = robots, drivers, holds
+    def __init__(self, robots, drivers, holds: Holds, pupils: Pupils):
+        self._robots, self._drivers, self._holds, self._pupils = robots, drivers, holds, pupils
         self._leases: Dict[str, Lease] = {}  # by robot
-        self._typed: Dict[int, str] = {}  # the names that people have typed, by client
         self._must_lift: Dict[int, Notice] = {}  # why the finger must lift, by client
         self._stalls: Dict[str, Set[float]] = {}  # the times of the commands that none followed, by robot
         self.checked_at, self._stale_until = math.inf, -math.inf
@@ -73,10 +73,6 @@ class Leases:
         if request.robot in (None, own):
             self._free(own)
 
-    def rename(self, request: Request) -> None:
-        """Call the client by the name that the person has typed."""
-        self._typed[request.client.id] = request.message.name.strip()
-
     # What else has a driver
 
     def refusal(self, request: Request) -> Optional[Notice]:
@@ -118,7 +114,6 @@ class Leases:
         if driven:
             self._report(robot, LEFT)
         self._free(robot)
-        self._typed.pop(client, None)
         self._must_lift.pop(client, None)
         return None if driven else robot
 
@@ -176,9 +171,9 @@ class Leases:
         return self._leases[robot]
 
     def _report(self, robot, interruption=""):
-        """Tell the robot's judge who drives it, by the name that this person has typed, and what interrupted that."""
-        typed = self._typed.get(self._leases[robot].client.id, "") if robot in self._leases else ""
-        self._robots.report_driver(robot, typed, interruption)
+        """Tell the robot's judge who drives it, by name, and what interrupted that."""
+        name = self._pupils.called(self._leases[robot].client) if robot in self._leases else ""
+        self._robots.report_driver(robot, name, interruption)
 
     def _free(self, robot):
         """Stop the robot and end its lease. Who drove it meanwhile must lift the finger before driving again."""
@@ -189,7 +184,7 @@ class Leases:
                 self._must_lift.setdefault(lease.client.id, LET_GO)
 
     def _name(self, lease):
-        return self._typed.get(lease.client.id) or lease.client.name
+        return self._pupils.called(lease.client) or lease.client.name
 
     def _robot_of(self, client: int) -> Optional[str]:
         return next((robot for robot, lease in self._leases.items() if lease.client.id == client), None)

@@ -111,7 +111,7 @@ ROBOT_STATE = part(
     driver=or_null(DRIVER), resumes=or_null(COUNT), held=or_null(one_of("robot", "programs")), stalls=COUNT,
     task=or_null(JUDGED), pictures=or_null(PICTURES), programs=COUNT)
 ROBOT_ROW = part("Robot", id=ROBOT, label=TEXT, color=TEXT, workshop=or_null(BOOLEAN), wheel_separation=NUMBER,
-                 max_speed=NUMBER, simulated=BOOLEAN)
+                 max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT)
 SHAPE = part("Shape", kind=one_of("wall", "line", "course", "goal"), width=NUMBER, points=list_of(numbers(2)))
 SCORE = part("Score", task=TEXT, robot=TEXT, score=NUMBER, seconds=or_null(NUMBER), name=TEXT)
 OFFERED = part("Task", name=TEXT, title=TEXT, on=BOOLEAN)
@@ -129,6 +129,8 @@ FROM_PAGE = {
     "release": Form({"robot": ROBOT_OR_ALL}, "ends that stop"),
     "reset": Form({"robot": ROBOT_OR_ALL}, "puts all simulated robots back to their starts, or this one", teacher=True),
     "name": Form({"name": text(MAX_NAME)}, "what the person is called"),
+    "pupil": Form({"robot": ROBOT, "name": text(MAX_NAME)},
+                  'what the pupil of this robot is called, whatever the pupil types; `""`: nothing', teacher=True),
     "ping": Form({"sent": NUMBER}, "is answered by `pong` with the same number"),
     "look": Form({"robot": ROBOT_OR_ALL}, "shows what this robot's camera sees, and no other's any more; null: none"),
     "seen": Form({"number": NUMBER}, "a part of the picture with this number has come; the next one may follow"),
