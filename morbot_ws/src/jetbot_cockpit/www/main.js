@@ -31,8 +31,9 @@ const shell = new Shell({
     },
     scores: ({ scores }) => showScores(scores),
     lift({ robot, text }) {
+      if (robot !== driven) return; // all pages are told of a robot that is put back
       const late = !driving.active && notice.visible; // a command was on its way: the first reason counts
-      if (robot === driven) driving.lift();
+      driving.lift();
       if (!late) notice.show(text);
     },
     codes: ({ codes }) => showCodes(codes),

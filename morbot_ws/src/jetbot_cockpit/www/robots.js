@@ -4,7 +4,7 @@
 /** @import { World } from "./world.js" */
 
 import { visible } from "./colors.js";
-import { create, element, onPress, setText } from "./dom.js";
+import { create, element, onPress, onSurePress, setText } from "./dom.js";
 
 const MANY_STALLS = 2; // per minute: one alone may be a tablet that was switched off
 
@@ -56,7 +56,7 @@ export class Fleet {
     this.choose = choose;
     this.send = send;
     this.rows = [];
-    element("reset-all").addEventListener("click", () => send({ type: "reset", robot: null }));
+    onSurePress(element("reset-all"), "End all programs?", () => send({ type: "reset", robot: null }));
     element("all-go-on").addEventListener("click", () => send({ type: "go_on", robot: null }));
   }
 

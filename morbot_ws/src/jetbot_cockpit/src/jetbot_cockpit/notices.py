@@ -15,6 +15,7 @@ NOTICES = {
     "no_answer": "{robot} does not answer.",
     "all_stopped": "Emergency stop. Release it first.",
     "stopped": "{robot}: its own emergency stop. Release it first.",
+    "put_back": "{robot} was put back to its start.",
     # What only teachers may do
     "teacher_take": "Only a teacher can take a robot.",
     "teacher_go_on": "Only a teacher lets robots go on.",

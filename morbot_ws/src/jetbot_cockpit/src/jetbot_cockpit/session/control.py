@@ -70,9 +70,9 @@ class Control:
         Return messages of the socket for all clients.
         """
         before, self.snapshot = self.snapshot, self._robots.snapshot()
-        self._leases.check(self.snapshot, now)
+        lifts = self._leases.check(self.snapshot, now)
         self._stops.check(self.snapshot, before)
-        return self._judging.check(self.snapshot, now)
+        return lifts + self._judging.check(self.snapshot, now)
 
     @property
     def problem(self) -> Optional[Notice]:

@@ -127,7 +127,8 @@ FROM_PAGE = {
                   teacher=True),
     "stop": Form({"robot": ROBOT_OR_ALL}, "emergency stop: of all robots, or of this one"),
     "release": Form({"robot": ROBOT_OR_ALL}, "ends that stop"),
-    "reset": Form({"robot": ROBOT_OR_ALL}, "puts all simulated robots back to their starts, or this one", teacher=True),
+    "reset": Form({"robot": ROBOT_OR_ALL}, "puts all simulated robots back to their starts, or this one; "
+                  "ends the pads, programs of blocks and tasks there", teacher=True),
     "name": Form({"name": text(MAX_NAME)}, "what the person is called"),
     "pupil": Form({"robot": ROBOT, "name": text(MAX_NAME)},
                   'what the pupil of this robot is called, whatever the pupil types; `""`: nothing', teacher=True),
@@ -165,7 +166,8 @@ FROM_COCKPIT = {
                      "wheels": or_null(numbers(2))},
                     "the answer to `program`; `ready`: whether its controller is connected"),
     "lift": Form({"robot": ROBOT, **SAID},
-                 "why a `drive` or `program` was refused, and the robot stopped; the next one counts after letting go"),
+                 "why a `drive` or `program` was refused, or a `reset` ended it, and the robot stopped; the next one "
+                 "counts after letting go"),
     "pong": Form({"sent": NUMBER}, "the answer to `ping`"),
     "codes": Form({"codes": list_of(CODE)}, "the answer to `codes`; `rows` are the modules of the QR code"),
 }
