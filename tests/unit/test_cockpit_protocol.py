@@ -23,7 +23,8 @@ FROM_PAGE, FROM_COCKPIT = SOCKET.split("## The page sends")[1].split("## The coc
     {"type": "ping", "sent": 12.5}, {"type": "codes"},
     {"type": "look", "robot": "/"}, {"type": "look"}, {"type": "seen", "number": 7},
     {"type": "save", "robot": "/", "label": "free"}, {"type": "delete", "robot": "/"},
-    {"type": "pupil", "robot": "/", "name": "<b>Eve</b>"}], ids=str)
+    {"type": "pupil", "robot": "/", "name": "<b>Eve</b>"}, {"type": "new_code"}, {"type": "new_code", "robot": "/"}],
+    ids=str)
 def test_what_a_page_sends(fields):
     assert parse(json.dumps(fields)) == Message(**fields)
 
@@ -38,7 +39,7 @@ def test_what_a_page_sends(fields):
     '{"type": "ping", "sent": 1%s}' % ("0" * 400), '{"type": "ping", "sent": "1"}', b'{"type": "stop"}',
     *(json.dumps({"type": "save", "robot": "/", "label": label}) for label in ("../x", "", "Free", None, ["free"])),
     *(json.dumps({"type": "pupil", "robot": "/", "name": name}) for name in ("x" * 21, "a\n", "\u202e", 7, None)),
-    '{"type": "delete"}', '{"type": "seen", "number": "7"}'],
+    '{"type": "new_code", "robot": ["/"]}', '{"type": "delete"}', '{"type": "seen", "number": "7"}'],
     ids=lambda text: str(text)[:30])
 def test_anything_else_is_refused(text):
     with pytest.raises(ProtocolError):

@@ -20,7 +20,8 @@ from jetbot_cockpit.session.control import Control
 from jetbot_cockpit.session.hub import Hub
 from jetbot_cockpit.session.snapshot import Snapshot
 from jetbot_cockpit.web import addresses, handout
-from jetbot_cockpit.web.access import Access, make_grants
+from jetbot_cockpit.web.access import Access
+from jetbot_cockpit.web.codes import Codes
 from jetbot_cockpit.web.server import Server
 from jetbot_ros import contract, lifecycle
 from jetbot_ros.launcher import Launcher
@@ -46,27 +47,18 @@ class Cockpit:
 
         # Who gets in, and what is handed out: other computers need a code
         self.classroom = open_classroom(given["classes"], given["class"])
-        grants = self.grants(given["robots"]) if given["lan"] else []
         names = [given["name"]] if given["name"] else addresses.lan_addresses()
-        self.access = Access(self.port, [*names, *addresses.host_names()] if given["lan"] else [], grants)
-        self.cards = [handout.Card(grant, (names or ["localhost"])[0], self.port) for grant in grants]
+        codes = Codes(self.classroom, given["robots"] if given["lan"] else None, (names or ["localhost"])[0], self.port)
+        self.access = Access(self.port, [*names, *addresses.host_names()] if given["lan"] else [], codes.grants)
+        self.cards = codes.cards
 
         # What clients ask for goes into the control, and what the robots report comes out
         self.drivers = Drivers()
         cameras = Cameras()
         self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]), self.classroom)
-        hub = Hub(self.control, [card.message() for card in self.cards], cameras)
+        hub = Hub(self.control, codes, cameras)
         self.server = Server(sockets, self.access, hub, self.classroom)
         self.logged, self.no_robot_at = Snapshot(), time.monotonic() + NO_ROBOT_AFTER
-
-    def grants(self, robots):
-        """Return who gets in, by the codes that the class has already, and keep the new ones."""
-        kept = self.classroom.read("codes", dict)
-        grants = make_grants(robots, kept)
-        codes = {**kept, **{each.label: [each.code, each.cookie] for each in grants}}
-        if codes != kept:
-            self.classroom.keep("codes", codes)
-        return grants
 
     def run(self):
         """Serve until a signal, the end of rospy or of roslaunch."""

@@ -28,6 +28,7 @@ export type Outgoing =
   | { type: "save"; robot: string; label: "free" | "blocked"; }
   | { type: "delete"; robot: string; }
   | { type: "codes"; }
+  | { type: "new_code"; robot?: string | null; }
   | { type: "judge"; robot: string; task: string; }
   | { type: "offer"; task: string; on: boolean; };
 

@@ -24,6 +24,7 @@ NOTICES = {
     "teacher_releases_one": "Only a teacher can release a single robot.",
     "teacher_releases": "No pupil stopped this here. Only a teacher can release it.",
     "teacher_codes": "Only a teacher can see the codes.",
+    "teacher_new_code": "Only a teacher can replace a code.",
     "teacher_offer": "Only a teacher chooses the tasks.",
     "teacher_pupil": "Only a teacher names the pupils.",
     # Simulated robots and their tasks
@@ -51,6 +52,7 @@ NOTICES = {
     "class_read_only": "{folder} is on a disk that is read-only: nothing of this class is kept.",
     "class_not_kept": "The class cannot be kept: {problem}. The cockpit tries again.",
     "class_kept_again": "The class is kept again.",
+    "no_code": "There is no such code.",
 }
 
 

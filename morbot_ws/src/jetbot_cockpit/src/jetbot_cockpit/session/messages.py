@@ -138,6 +138,9 @@ FROM_PAGE = {
     "save": Form({"robot": ROBOT, "label": one_of(*LABELS)}, "keeps the robot's newest picture; from its driver"),
     "delete": Form({"robot": ROBOT}, "deletes the pictures of this robot that were kept; from its driver"),
     "codes": Form({}, "asks for the addresses and codes to hand out", teacher=True),
+    "new_code": Form({"robot": ROBOT_OR_ALL},
+                     "replaces the code for this robot, or for all pupils, and disconnects who came in with the old "
+                     "one; is answered by `codes`", teacher=True),
     "judge": Form({"robot": ROBOT, "task": TASK},
                   'puts a simulated robot at the start of a task, and judges its next drive; task `""`: ends that, '
                   "without a score"),
@@ -169,7 +172,8 @@ FROM_COCKPIT = {
                  "why a `drive` or `program` was refused, or a `reset` ended it, and the robot stopped; the next one "
                  "counts after letting go"),
     "pong": Form({"sent": NUMBER}, "the answer to `ping`"),
-    "codes": Form({"codes": list_of(CODE)}, "the answer to `codes`; `rows` are the modules of the QR code"),
+    "codes": Form({"codes": list_of(CODE)},
+                  "the answer to `codes` and `new_code`; `rows` are the modules of the QR code"),
 }
 
 REQUESTS = {  # to /work, by what they "do"
