@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { limits } from "#www/limits.js";
-import { Kept } from "#www/program/kept.js";
+import { freeName, Kept } from "#www/program/kept.js";
 
 import { Clock } from "./clock.js";
 import { later, LOST, playCockpit, refuse } from "./cockpit.js";
@@ -160,4 +160,12 @@ test("a list that is older than what was kept, or that comes before a change is 
   assert.equal(program.state.name, "waiting");
   await clock.pass(1000);
   assert.equal(program.state.name, "kept");
+});
+
+test("a new program has a name that no other one of the robot has", () => {
+  const rows = ["my program", "Square", "Square 2", "Lesson 7", "x".repeat(40)].map((name) => ({ name }));
+  const names = ["Circle", "my program", "Square", "Square 2", "Lesson 7", "x".repeat(40)];
+  assert.deepEqual(names.map((name) => freeName(name, rows)),
+                   ["Circle", "my program 2", "Square 3", "Square 3", "Lesson 8", `${"x".repeat(38)} 2`]);
+  assert.equal(freeName("my program", [{ name: "my program", deleted: true }]), "my program", "that one is gone");
 });

@@ -117,6 +117,23 @@ test("all that was made before there is a robot is kept for the first one", asyn
   assert.deepEqual(saved().map(([, name]) => name), ["One", "Two"]);
 });
 
+test("new programs are numbered, also while the one before is not in the list yet", async (t) => {
+  const clock = new Clock(t);
+  const { saved } = cockpit(t, [square({ name: "my program" })]);
+  const page = openPage();
+  await page.hear();
+  page.work.add("my program", EMPTY);
+  page.work.add("my program", EMPTY);
+  assert.equal(page.name, "my program 2", "one that is not changed is not kept");
+  page.program = text("a");
+  page.work.changed();
+  page.work.add("my program", EMPTY);
+  page.program = text("b");
+  page.work.changed();
+  await clock.pass(1000);
+  assert.deepEqual(saved().map(([, name]) => name), ["my program 2", "my program 3"]);
+});
+
 test("what could not be sent is there after a reload, and is kept then", async (t) => {
   const clock = new Clock(t);
   const state = cockpit(t, [square()]);

@@ -6,6 +6,7 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 import pytest
 
 from jetbot_cockpit.classroom.classroom import Classroom
+from jetbot_cockpit.classroom.folder import Nowhere
 from jetbot_cockpit.session.collection import Collection
 from jetbot_cockpit.session.control import Control
 from jetbot_cockpit.session.messages import problem_of
@@ -100,6 +101,20 @@ class FakeCameras:
         self.watched = robots
 
 
+class Kept(Nowhere):
+    """What a class keeps, without a disk."""
+
+    def __init__(self):
+        super().__init__()
+        self.content = {}
+
+    def read(self, name):
+        return self.content.get(name)
+
+    def write(self, name, content):
+        self.content[name] = content
+
+
 class Cockpit:
     """Control, and pads that are held down as the pages hold them. pictures: the folder for those that are saved."""
 
@@ -126,6 +141,10 @@ class Cockpit:
             reply = self.do(client, Message("drive", robot, forward, left))
         return reply
 
+    def settle(self):
+        """Wait until everything is kept."""
+        self.classroom.do(str).result()
+
     def lift(self, client, robot="/red"):
         return self.do(client, Message("drive", robot))
 
@@ -151,6 +170,11 @@ class Cockpit:
         assert self.lift(client, robot) is None
         assert self.push(client, robot) is None
         assert self.drives(robot) != STOPPED
+
+
+@pytest.fixture
+def kept():
+    return Kept()
 
 
 @pytest.fixture

@@ -459,13 +459,15 @@ def test_a_class_that_is_not_kept_has_no_id(classes, monkeypatch):
 
 
 def test_a_class_is_forgotten_but_not_while_a_cockpit_has_it(classes, tmp_path):
-    save(Programs(classes()))
+    folder = classes()
+    save(Programs(folder))
+    folder.write("names", {"/red": "Ada"})
     refused = forget("7b", "--classes", tmp_path, home=tmp_path)
     assert (refused.returncode, refused.stderr) == (1, "A cockpit runs with the class 7b: end it first.\n")
     classes.end()
     done = forget("7b", "--classes", tmp_path, home=tmp_path)
-    assert (done.returncode, done.stdout) == (0, f"Deleted {classes.path}: 1 files with the codes, programs and best "
-                                                 "scores of the class 7b.\n")
+    assert (done.returncode, done.stdout) == (0, f"Deleted {classes.path}: 2 files with the codes, names, programs and "
+                                                 "best scores of the class 7b.\n")
     assert not classes.path.exists()
     classes()
 

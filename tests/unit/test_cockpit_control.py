@@ -364,6 +364,38 @@ def test_a_teacher_puts_back_simulated_robots(cockpit):
     assert cockpit.do(TEACHER, Message("reset", "/red"))["text"] == "Not answered yet: red."
 
 
+def test_a_robot_that_is_put_back_stops_and_what_drove_it_ends_and_all_pages_are_told(driven):
+    driven.do(OWN, Message("program", "/blue"))  # it waits, and drives later
+    driven.do(TEACHER, Message("reset"))
+    assert (driven.drives(), driven.driver("/red"), driven.driver("/blue")) == (STOPPED, None, None)
+    assert driven.robots.reports[-2:] == [(robot, "", "a teacher put the robot back to its start")
+                                          for robot in ("/red", "/blue")]
+    assert [(each["type"], each["robot"], each["text"]) for each in driven.wait(0.05)] == [
+        ("lift", "/red", "red was put back to its start."), ("lift", "/blue", "blue was put back to its start.")]
+    assert driven.wait(0.05) == []
+
+
+def test_a_robot_is_put_back_before_anybody_drives_it_again(cockpit):
+    cockpit.push(ADA)
+    cockpit.lift(ADA)
+    cockpit.do(TEACHER, Message("reset", "/red"))
+    for message in Message("drive", "/red", 0.5, 0.0), Message("program", "/red"), Message("judge", "/red", task="x"):
+        assert cockpit.do(BOB, message)["code"] == "put_back"
+    assert cockpit.push(OWN, "/blue") is None, "another robot"
+    cockpit.wait(0.55)
+    assert cockpit.push(ADA) is None, "who had let go need not do so again"
+
+
+def test_a_finger_that_drove_a_robot_which_is_put_back_must_lift(driven):
+    driven.do(TEACHER, Message("reset", "/red"))
+    driven.must_lift(ADA)
+
+
+def test_the_task_of_a_robot_that_is_put_back_ends(cockpit):
+    cockpit.do(TEACHER, Message("reset", "/red"))
+    assert cockpit.robots.judged == [("/red", "")]
+
+
 def test_ids_of_robots_become_short_printable_labels():
     assert [RobotSnapshot(name).label for name in ("/", "/jetbot_01", "/a/b", "/\x1b[31m" + 99 * "x")] == [
         "robot", "jetbot_01", "a/b", "?[31m" + 35 * "x"]

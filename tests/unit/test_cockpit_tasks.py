@@ -3,33 +3,14 @@
 import pytest
 from cockpit_control import ADA, BOB, OWN, TEACHER, Cockpit
 
-from jetbot_cockpit.classroom.folder import Nowhere
 from jetbot_cockpit.session.history import Scores
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.snapshot import TaskSnapshot
 
+pytest_plugins = ["cockpit_control"]  # its fixtures
 OFFERED = (("metre", "One metre"), ("park", "Into the gap"))
 DONE = TaskSnapshot("metre", "One metre", "done", "Largest loss: too late.", 4.0, 80.0, "Ada")
 JUDGE = Message("judge", "/red", task="metre")
-
-
-class Kept(Nowhere):
-    """What a class keeps, without a disk."""
-
-    def __init__(self):
-        super().__init__()
-        self.content = {}
-
-    def read(self, name):
-        return self.content.get(name)
-
-    def write(self, name, content):
-        self.content[name] = content
-
-
-@pytest.fixture
-def kept():
-    return Kept()
 
 
 @pytest.fixture
@@ -52,11 +33,6 @@ def offered(cockpit):
 
 def switch(cockpit, task="metre", on=True, client=TEACHER):
     return cockpit.do(client, Message("offer", task=task, on=on))
-
-
-def settle(cockpit):
-    """Wait until everything is kept."""
-    cockpit.classroom.do(str).result()
 
 
 def test_pupils_choose_what_a_teacher_has_switched_on(cockpit):
@@ -120,7 +96,7 @@ def test_a_class_keeps_its_tasks_and_best_scores(cockpit, kept):
     switch(cockpit, "park")
     cockpit.robots.change("/red", task=DONE)
     cockpit.control.check(cockpit.time)
-    settle(cockpit)
+    cockpit.settle()
     again = start(kept)
     assert offered(again) == {"metre": False, "park": True}
     assert [message["scores"] for message in again.control.history() if message["type"] == "scores"] == [

@@ -20,8 +20,9 @@ from jetbot_cockpit.session.control import Control
 from jetbot_cockpit.session.hub import Hub
 from jetbot_cockpit.session.snapshot import Snapshot
 from jetbot_cockpit.web import addresses, handout
-from jetbot_cockpit.web.access import Access, make_grants
+from jetbot_cockpit.web.access import Access
 from jetbot_cockpit.web.announcement import Announcement
+from jetbot_cockpit.web.codes import Codes
 from jetbot_cockpit.web.server import Server
 from jetbot_ros import contract, lifecycle
 from jetbot_ros.launcher import Launcher
@@ -47,27 +48,18 @@ class Cockpit:
 
         # Who gets in, and what is handed out: other computers need a code
         self.classroom = open_classroom(given["classes"], given["class"])
-        grants = self.grants(given["robots"]) if given["lan"] else []
+        self.codes = Codes(self.classroom, given["robots"] if given["lan"] else None, given["name"], self.port)
         names = [given["name"], *addresses.host_names()] if given["lan"] else []
-        self.access = Access(self.port, filter(None, names), grants)
-        self.announcement = Announcement(self.port, grants, given["name"], given["robots"])
+        self.access = Access(self.port, filter(None, names), self.codes.grants)
+        self.announcement = Announcement(self.codes, self.port, given["robots"])
 
         # What clients ask for goes into the control, and what the robots report comes out
         self.drivers = Drivers()
         cameras = Cameras()
         self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]), self.classroom)
-        self.hub = Hub(self.control, self.codes(), cameras)
-        self.server = Server(sockets, self.access, self.hub, self.classroom)
+        hub = Hub(self.control, self.codes, cameras)
+        self.server = Server(sockets, self.access, hub, self.classroom)
         self.logged, self.no_robot_at = Snapshot(), time.monotonic() + NO_ROBOT_AFTER
-
-    def grants(self, robots):
-        """Return who gets in, by the codes that the class has already, and keep the new ones."""
-        kept = self.classroom.read("codes", dict)
-        grants = make_grants(robots, kept)
-        codes = {**kept, **{each.label: [each.code, each.cookie] for each in grants}}
-        if codes != kept:
-            self.classroom.keep("codes", codes)
-        return grants
 
     def run(self):
         """Serve until a signal, the end of rospy or of roslaunch."""
@@ -96,14 +88,9 @@ class Cockpit:
         for line in lines:
             rospy.loginfo(line)
 
-    def codes(self):
-        """Return what a teacher hands out, as the rows of the message "codes"."""
-        return [card.message() for card in self.announcement.cards]
-
     def show(self):
         """Print the addresses when it is time."""
-        if self.announcement.look():
-            self.hub.codes = self.codes()
+        self.codes.make_cards()
         text = self.announcement.take(len(self.logged.robots), time.monotonic(), sys.stdout.isatty())
         if text:
             # Printed, not logged: neither a log file nor /rosout holds a code

@@ -10,7 +10,7 @@ import { Notice, Stops } from "./stops.js";
 import { World } from "./world.js";
 
 const LOST = "The connection to the cockpit was lost.";
-const NEW_CODES = "The cockpit was started again: its codes are new.";
+const NEW_CODES = "Your code is not valid any more. Enter the new one.";
 const STOPPED = "All robots were stopped.";
 const ASKED = "The cockpit asks for the code.";
 

@@ -192,6 +192,12 @@ export class World {
   }
 }
 
+// Returns what a robot is called, with the name of its pupil.
+/** @param {{ label: string, pupil?: string }} robot */
+export function titleOf({ label, pupil }) {
+  return pupil ? `${label}, ${pupil}` : label;
+}
+
 function sentence(robots, what) {
   if (!robots.length) return "";
   return robots.length === 1 ? `${robots[0].label} is ${what}.` : `${robots.length} robots are ${what}.`;

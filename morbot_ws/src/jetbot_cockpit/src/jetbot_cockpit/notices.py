@@ -15,6 +15,7 @@ NOTICES = {
     "no_answer": "{robot} does not answer.",
     "all_stopped": "Emergency stop. Release it first.",
     "stopped": "{robot}: its own emergency stop. Release it first.",
+    "put_back": "{robot} was put back to its start.",
     # What only teachers may do
     "teacher_take": "Only a teacher can take a robot.",
     "teacher_go_on": "Only a teacher lets robots go on.",
@@ -23,7 +24,9 @@ NOTICES = {
     "teacher_releases_one": "Only a teacher can release a single robot.",
     "teacher_releases": "No pupil stopped this here. Only a teacher can release it.",
     "teacher_codes": "Only a teacher can see the codes.",
+    "teacher_new_code": "Only a teacher can replace a code.",
     "teacher_offer": "Only a teacher chooses the tasks.",
+    "teacher_pupil": "Only a teacher names the pupils.",
     # Simulated robots and their tasks
     "not_reset": "Not answered yet: {robots}.",
     "real_not_reset": "Only simulated robots can be put back.",
@@ -50,6 +53,7 @@ NOTICES = {
     "class_read_only": "{folder} is on a disk that is read-only: nothing of this class is kept.",
     "class_not_kept": "The class cannot be kept: {problem}. The cockpit tries again.",
     "class_kept_again": "The class is kept again.",
+    "no_code": "There is no such code.",
 }
 
 

@@ -102,6 +102,16 @@ export function clean(name) {
   return toName(String(name).slice(0, limits.program_name)) || "Program";
 }
 
-export function copyOf(name) {
-  return clean(`${name.slice(0, limits.program_name - 5)} copy`);
+// Returns a name for a new program, which none of these rows has: "Square", "Square 2", "Square 3".
+/** @param {string} name @param {{ name: string, deleted?: boolean }[]} rows */
+export function freeName(name, rows) {
+  const isTaken = (each) => rows.some((row) => !row.deleted && row.name === each);
+  const [, base, last] = /** @type {string[]} */ (name.match(/^([^]*?)(?: (\d{1,4}))?$/));
+  for (let number = Number(last ?? 1); isTaken(name); name = numbered(base, number)) number += 1;
+  return name;
+}
+
+function numbered(name, number) {
+  const longest = limits.program_name - ` ${number}`.length;
+  return `${name.length > longest ? name.slice(0, longest) : name} ${number}`;
 }

@@ -3,7 +3,7 @@
 
 import { recall, remember } from "../storage.js";
 import { ask } from "./ask.js";
-import { clean, Kept } from "./kept.js";
+import { clean, freeName, Kept } from "./kept.js";
 
 const LAST = "last program"; // the key of the one that was shown last
 const LOOKING = "To look at only.";
@@ -15,6 +15,7 @@ export class Work {
   changes = undefined; // to the robot's programs, as far as the last list shows them
   /** @type {any} */
   kept = null; // the Kept that is shown
+  rows = []; // the last list of the robot's programs
   /** @type {[string, string]} */
   empty = ["", ""]; // the program that is shown where there is no other
   begun = []; // before there is a robot: they become the first one's
@@ -42,9 +43,10 @@ export class Work {
     this.goOn(left);
   }
 
-  // Shows a new program; returns whether it can.
+  // Shows a new program, by a name of its own; returns whether it can.
   add(name, program) {
-    return this.display(name, program, "editing");
+    const shown = this.kept?.content ? [this.view.current()] : []; // perhaps not in the list yet
+    return this.display(freeName(name, [...this.rows, ...shown]), program, "editing");
   }
 
   // Shows a version of one of the robot's programs, or what has replaced it. Throws a NotKept.
@@ -94,7 +96,7 @@ export class Work {
 
   changeRobot(robot) {
     const first = this.robot === null;
-    Object.assign(this, { robot, changes: undefined });
+    Object.assign(this, { robot, changes: undefined, rows: [] });
     for (const each of this.begun.splice(0)) each.belongTo(robot);
     if (first) return;
     this.begin("arriving");
@@ -115,6 +117,7 @@ export class Work {
 
   // Compares what is shown with what the cockpit has.
   compare({ programs: rows, class: classId = null }) {
+    this.rows = rows;
     this.view.list(rows);
     if (this.state.name === "looking") return;
     this.classId = classId;

@@ -1,6 +1,7 @@
 """What the clients ask for goes to who does it; what the robots report comes back as messages of the socket."""
 
 import math
+from functools import partial
 from typing import Callable, Dict, List, Optional
 
 from ..classroom.classroom import Classroom
@@ -11,6 +12,7 @@ from .holds import Holds
 from .judging import Judging
 from .leases import Leases
 from .protocol import Message, notice
+from .pupils import Pupils
 from .rights import Client, Request, refuse_role
 from .snapshot import RobotSnapshot, Snapshot
 from .stops import Stops
@@ -27,13 +29,14 @@ class Control:
         self._robots, self._drivers, self._collection, self._classroom = robots, drivers, collection, classroom
         self.snapshot: Snapshot = robots.snapshot()  # as of the last check, or stop
         self._holds = Holds(drivers)
-        self._stops, self._leases = Stops(robots, self._holds), Leases(robots, drivers, self._holds)
+        self._pupils = pupils = Pupils(classroom.read("names", dict), partial(classroom.keep, "names"))
+        self._stops, self._leases = Stops(robots, self._holds), Leases(robots, drivers, self._holds, pupils)
         self._judging = Judging(robots, self._leases, classroom)
         leases, judging, collecting = self._leases, self._judging, Collecting(cameras, collection, self._leases)
         self._actions: Dict[str, Callable[[Request], Optional[Notice]]] = {
             "drive": leases.drive, "program": leases.program, "take": leases.take, "go_on": leases.go_on,
-            "name": leases.rename, "release": self._stops.release, "judge": judging.judge, "offer": judging.offer,
-            "reset": judging.reset, "save": collecting.save, "delete": collecting.delete}
+            "name": pupils.rename, "pupil": pupils.name, "release": self._stops.release, "judge": judging.judge,
+            "offer": judging.offer, "reset": judging.reset, "save": collecting.save, "delete": collecting.delete}
 
     def stop(self, client: Client, robot: Optional[str]) -> Optional[dict]:
         """Engage the emergency stop of a robot, or of all; return None, or a message that says why not."""
@@ -57,6 +60,7 @@ class Control:
     def leave(self, client: int) -> None:
         """The client's socket is closed: its robot stops at once, and is free."""
         robot = self._leases.leave(client)
+        self._pupils.leave(client)
         if robot:
             self._judging.end(robot)
 
@@ -66,9 +70,9 @@ class Control:
         Return messages of the socket for all clients.
         """
         before, self.snapshot = self.snapshot, self._robots.snapshot()
-        self._leases.check(self.snapshot, now)
+        lifts = self._leases.check(self.snapshot, now)
         self._stops.check(self.snapshot, before)
-        return self._judging.check(self.snapshot, now)
+        return lifts + self._judging.check(self.snapshot, now)
 
     @property
     def problem(self) -> Optional[Notice]:
@@ -77,7 +81,7 @@ class Control:
 
     def robots(self) -> List[dict]:
         """Return the robots of the message "robots"."""
-        return [robot.description() for robot in self.snapshot.robots.values()]
+        return [{**robot.description(), "pupil": self._pupils[robot.id]} for robot in self.snapshot.robots.values()]
 
     def state(self) -> dict:
         """Return the message "state"."""

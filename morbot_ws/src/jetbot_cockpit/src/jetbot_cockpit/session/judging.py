@@ -44,10 +44,12 @@ class Judging:
         self._tasks.switch(request.message.task, request.message.on)
 
     def reset(self, request: Request) -> Optional[Notice]:
-        """Put simulated robots back to their starts."""
+        """Put simulated robots back to their starts, and end what drives them from pages, and their tasks."""
         chosen = [robot for robot in request.snapshot.robots.values()
                   if robot.simulated and request.robot in (None, robot.id)]
         for robot in chosen:
+            self._leases.reset(robot.id, request.now)
+            self.end(robot.id)
             self._history.reset(robot.id, request.now)
         silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]
         if silent:

@@ -2,8 +2,7 @@
 
 from typing import List, Optional, Sequence
 
-from .access import Grant
-from .addresses import lan_addresses
+from .codes import Codes
 from .handout import Card
 
 LAST_ROBOT_AFTER = 5.0  # s without another robot: those that are missing do not come
@@ -13,47 +12,34 @@ NO_NETWORK = ("This computer has no network address: connect it to a network, an
 
 
 class Announcement:
-    """grants: what others get in by; name: by which they reach this computer, "" for its own addresses.
+    """codes: what others get in by; port: the page's; robots: how many will come."""
 
-    robots: how many will come. cards: what to hand out, empty as long as this computer has no address for others.
-    """
-
-    def __init__(self, port: int, grants: Sequence[Grant], name: str, robots: int):
-        self._port, self._grants, self._name, self._expected = port, grants, name, robots
+    def __init__(self, codes: Codes, port: int, robots: int):
+        self._codes, self._port, self._expected = codes, port, robots
         self._seen, self._due = 0, 0.0
         self._shown: Optional[int] = None  # how many cards
-        self.cards: List[Card] = []
-        self.look()
-
-    def look(self) -> bool:
-        """Find this computer's address for others; return whether there are cards now that there were not."""
-        if self.cards or not self._grants:
-            return False
-        host = self._name or next(iter(lan_addresses()), "")
-        self.cards = [Card(grant, host, self._port) for grant in self._grants if host]
-        return bool(self.cards)
 
     def take(self, robots: int, now: float, colors: bool) -> str:
         """Return what to print now, or "". robots: how many there are; now: in s, from any start; colors: see Card."""
         if not self._due or robots > self._seen:
             self._seen, self._due = robots, now + LAST_ROBOT_AFTER
         waits = robots < self._expected and now < self._due
-        if waits or self._shown == len(self.cards):
+        if waits or self._shown == len(self._codes.cards):
             return ""
-        self._shown = len(self.cards)
+        self._shown = len(self._codes.cards)
         here = f"The cockpit, for a browser on this computer: http://localhost:{self._port}/\n"
         return "\n".join([*self._for_others(colors), here])
 
     def _for_others(self, colors: bool) -> List[str]:
-        if not self.cards:
-            return [NO_NETWORK] if self._grants else []
-        teacher, *pupils = self.cards
+        if not self._codes.cards:
+            return [NO_NETWORK] if self._codes.grants else []
+        teacher, *pupils = self._codes.cards
         if self._expected:
-            return [codes(pupils), teacher.text(colors)]
+            return [in_columns(pupils), teacher.text(colors)]
         return [*(card.text(colors) for card in pupils), teacher.text(colors)]
 
 
-def codes(cards: Sequence[Card]) -> str:
+def in_columns(cards: Sequence[Card]) -> str:
     """Return the robots' codes in a few lines: QR codes of a class would fill the terminal."""
     words = [f"{card.grant.label} {card.grant.code}" for card in cards]
     rows = ["   ".join(words[start:start + COLUMNS]) for start in range(0, len(words), COLUMNS)]
