@@ -199,6 +199,14 @@ class Page(Chromium):
         """Return the elements that are not wholly on the screen, or whose middle something else covers."""
         return self._looks("misplaced", list(names))
 
+    def overlapping(self) -> List[str]:
+        """Return the controls and texts that lie over each other, in pairs."""
+        return self._looks("overlapping")
+
+    def is_whole(self, name: str) -> bool:
+        """Return whether the element with this id is shown to its edges."""
+        return self.run(f"{LOOKS}\nreturn isWhole(document.getElementById(arguments[0]))", name)
+
     def small_controls(self, least: int) -> List[str]:
         """Return the visible controls that are smaller than this, in px."""
         return self._looks("smallControls", least)

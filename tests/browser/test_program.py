@@ -242,6 +242,8 @@ def test_a_thousand_blocks_load_in_two_seconds(blocks):
     page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
 
 
+FINGER = 40  # px
+NUMBER = ".blocklySvg .math_number .blocklyFieldRect"
 NUMBER_BOXES = {"showEditor": "blocklyHtmlInput", "showPromptEditor": "blocklyDialogInput"}  # a computer's, Android's
 
 
@@ -253,9 +255,18 @@ def test_a_number_may_have_a_decimal_comma(blocks):
             page.run(f"Blockly.getMainWorkspace().getBlocksByType('math_number')[0].getField('NUM').{editor}();"
                      f"document.querySelector('.{field}').select()")
             box = page.driver.switch_to.active_element
-            assert box.get_attribute("inputmode") == "decimal"
+            assert box.get_attribute("inputmode") == "decimal" and box.size["height"] >= FINGER
             box.send_keys(f"{typed}\n")
             page.wait_for_text("python", f"drive({x}, 0, 1)")
+
+
+def test_a_number_is_large_enough_for_a_finger_and_its_box_opens_over_it(blocks):
+    page = blocks(program(drive(0.5, 1)))
+    page.wait_for_text("python", "drive(0.5, 0, 1)")
+    size = page.driver.find_element("css selector", NUMBER).rect
+    assert size["width"] >= 32 and size["height"] >= 32
+    page.run("Blockly.getMainWorkspace().getBlocksByType('math_number')[0].getField('NUM').showEditor()")
+    assert page.place_of(".blocklyHtmlInput") == pytest.approx(page.place_of(NUMBER), abs=2)
 
 
 def test_the_map_shows_the_robot_its_trail_and_the_tasks_world_while_the_program_runs(blocks, world):
@@ -342,6 +353,30 @@ def test_the_keyboard_alone_builds_runs_and_stops_a_program(blocks, world):
     for name in page.controls():
         if page.run("return !document.getElementById(arguments[0]).closest('#blocks')", name):
             assert page.element(name).accessible_name, f"#{name} has no label"
+
+
+IN_SIGHT = """const { top, bottom } = document.getElementById("python").getBoundingClientRect();
+    return [...document.querySelectorAll("#python div")].filter((line) => {
+        const box = line.getBoundingClientRect();
+        return box.top >= top && box.bottom <= bottom;
+    }).map((line) => line.textContent.trim())"""
+
+
+def test_the_python_is_shown_from_the_pupils_own_part_on_unless_the_pupil_has_scrolled(blocks):
+    page = blocks(program(drive(0.5, 1)))
+    in_sight = functools.partial(page.run, IN_SIGHT)
+    page.wait_for(lambda: {"def main():", "drive(0.5, 0, 1)"} <= set(in_sight()), "the program in sight")
+    page.click("#show-map")
+    page.resize(768, 1024)
+    page.set("examples", "A square, with a function")
+    page.click("#show-map")
+    page.wait_for(lambda: in_sight()[0] == "def side():", "the pupil's function, on an upright tablet, after the map")
+    page.tab_to("python")
+    page.tap("Home")
+    page.wait_for(lambda: in_sight()[0].startswith("#!"), "the beginning")
+    page.run(CHANGE)
+    page.wait_for_text("python", "drive(2,")
+    assert in_sight()[0].startswith("#!")
 
 
 PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not kept yet", ""].map((text) => {

@@ -59,7 +59,7 @@ const driving = new Driving({
 });
 const deflect = (source) => (forward, left) => driving.deflect(source, forward, left);
 const pad = new Pad(element("pad"), element("thumb"), deflect("pad"));
-const keys = new Keys(deflect("keys"), () => shell.stops.stop());
+const keys = new Keys(deflect("keys"), () => shell.login.asking || shell.stops.stop());
 
 function command(forward, left) {
   if (forward || left) driven = world.chosen;

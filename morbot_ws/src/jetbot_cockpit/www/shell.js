@@ -111,6 +111,7 @@ export class Shell {
   #askForCode() {
     this.end(ASKED);
     this.login.ask(this.#codeError || (this.world.me.id === null ? "" : NEW_CODES));
+    this.#codeError = "";
   }
 
   #robotChanged() {

@@ -11,6 +11,12 @@ const COLORS = { // of Blockly's parts: the page's names
   flyoutBackgroundColour: "--calm-ground", flyoutForegroundColour: "--text", scrollbarColour: "--muted",
 };
 
+const [HEIGHT, PADDING] = matchMedia("(any-pointer: coarse)").matches ? [40, 14] : [26, 8]; // for a finger, a mouse
+const SIZES = { // of the fields, and of what has none
+  FIELD_BORDER_RECT_HEIGHT: HEIGHT, FIELD_DROPDOWN_BORDER_RECT_HEIGHT: HEIGHT, FIELD_BORDER_RECT_X_PADDING: PADDING,
+  EMPTY_INLINE_INPUT_HEIGHT: HEIGHT, DUMMY_INPUT_MIN_HEIGHT: HEIGHT, MIN_BLOCK_HEIGHT: HEIGHT,
+};
+
 const STYLES = { // of Blockly's own blocks, on which white text stands out
   logic_blocks: "#2a6a8a", loop_blocks: "#3c7a1f", math_blocks: "#4a55b5", text_blocks: "#6a4fb5",
   variable_blocks: "#a03060", procedure_blocks: "#8a4a9a",
@@ -41,6 +47,7 @@ export function openEditor(target, changed) {
   const workspace = Blockly.inject(target, {
     toolbox: TOOLBOX, media: "vendor/blockly/media/", renderer: "thrasos", theme: theme(), sounds: false,
     trashcan: true, comments: false, collapse: false, disable: false, maxInstances: { robot_start: 1 },
+    rendererOverrides: SIZES,
     zoom: { controls: true, pinch: true, wheel: false, startScale: 0.9, minScale: 0.4, maxScale: 2 },
     move: { scrollbars: true, drag: true, wheel: true }, grid: { spacing: 24, length: 2, colour: "#8884", snap: false },
   });

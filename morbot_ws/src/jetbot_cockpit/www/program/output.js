@@ -8,10 +8,25 @@ const MAX_VALUE = 100; // characters
 
 let lines = new Map(); // of the Python, by the ids of the blocks
 let printed = false; // since it was shown
+let scrolled = false; // the person has scrolled the Python
+
+for (const type of ["wheel", "pointerdown", "keydown"]) {
+  element("python").addEventListener(type, () => { scrolled = true; }, { passive: true });
+}
+new ResizeObserver(showOwnPart).observe(element("python"));
 
 export function showPython(python) {
   lines = python.lines;
   element("python").replaceChildren(...python.text.trimEnd().split("\n").map((line) => create("div", "", line || " ")));
+  showOwnPart();
+}
+
+// Scrolls to the first function that has blocks of the person's: what is above it is alike in all programs.
+function showOwnPart() {
+  const box = element("python");
+  let part = box.children[Math.min(...lines.values())];
+  while (part && !part.textContent.startsWith("def ")) part = part.previousElementSibling;
+  if (part && !scrolled) box.scrollTop = part.offsetTop - box.firstChild.offsetTop;
 }
 
 // Marks the block that runs, and its line.
@@ -22,7 +37,9 @@ export function showPlace(workspace, id) {
   if (before === line) return;
   before?.classList.remove("now");
   line?.classList.add("now");
-  line?.scrollIntoView({ block: "center", inline: "nearest" });
+  if (!line) return;
+  line.scrollIntoView({ block: "center", inline: "nearest" });
+  scrolled = false;
 }
 
 export function clearPrints() {
