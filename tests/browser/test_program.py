@@ -366,17 +366,25 @@ PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not
 });"""
 
 
+MANY_PRINTS = """const prints = document.getElementById("prints");
+    for (let count = 0; count < 30; count += 1) prints.append(document.createElement("li"), `line ${count}`);
+    document.getElementById("output").scrollTop = 9999;"""
+
+
 def test_the_page_fits_tablets_and_phones_and_what_is_said_of_keeping_moves_nothing(blocks):
     page = blocks(program(drive(0.5, 1)))
+    page.run(MANY_PRINTS)
     for screen in TABLETS:
         page.resize(*screen)
         page.wait_for(lambda: page.fits("run", "pause", "step", "end", "stop", "release", "robot", "status", "python",
                                         "output"), f"all on {screen}")
         assert not page.text("small")
         assert len(set(page.run(PLACES))) == 1
+        assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
     page.receive({"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]})
     page.resize(1024, 768)
     assert page.run("return document.getElementById('running').clientHeight") < 60, "all in one row"
     page.resize(390, 844)
     page.wait_for(lambda: page.fits("run", "end", "stop", "blocks", "output"), "a phone")
     assert "tablet" in page.text("small")
+    assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
