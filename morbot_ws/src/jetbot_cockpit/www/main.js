@@ -30,10 +30,10 @@ const shell = new Shell({
       fitOnce();
     },
     scores: ({ scores }) => showScores(scores),
-    lift({ robot, text }) {
+    lift(message) {
       const late = !driving.active && notice.visible; // a command was on its way: the first reason counts
-      if (robot === driven) driving.lift();
-      if (!late) notice.show(text);
+      if (message.robot === driven) driving.lift();
+      if (!late) shell.refuse(message, message.robot);
     },
     codes: ({ codes }) => showCodes(codes),
     picture: (message) => camera.begin(message),
@@ -70,8 +70,9 @@ function fitOnce() {
 function noticeLostLease() {
   if (wasDriver && !world.isMine(driven)) {
     driving.lift();
-    const { driver } = world.state(driven);
-    if (driver) notice.show(`${driver.name} has taken ${world.robot(driven)?.label ?? "the robot"}.`);
+    const [robot, { driver }] = [driven, world.state(driven)];
+    const drives = () => driver?.id === world.state(robot).driver?.id;
+    if (driver) notice.show(`${driver.name} has taken ${world.robot(robot)?.label ?? "the robot"}.`, drives);
   }
   wasDriver = world.isMine(driven);
 }
@@ -98,7 +99,8 @@ function setSpeed() {
   element("speed").setAttribute("aria-valuetext", `${percent} % of full speed`);
 }
 
-watchGamepads(deflect("gamepad"), () => driving.pause("gamepad") && notice.show("Move the stick a little to go on"));
+watchGamepads(deflect("gamepad"), () => driving.pause("gamepad")
+  && notice.show("Move the stick a little to go on", () => !driving.active));
 prepareViews(() => send({ type: "codes" }));
 element("speed").addEventListener("input", setSpeed);
 element("take").addEventListener("click", () => send({ type: "take", robot: world.chosen }));

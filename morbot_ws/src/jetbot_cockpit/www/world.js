@@ -5,6 +5,7 @@
 
 import { prepareShapes } from "./drawing.js";
 import { limits } from "./limits.js";
+import { OBSTACLES } from "./refusals.js";
 
 const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // causes: it has heard of a stop, or cannot
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
@@ -137,10 +138,13 @@ export class World {
     return !this.teacher && this.state(id).held === TAKEN;
   }
 
-  // Whether this page's person cannot drive the robot now.
+  // Returns what keeps this page's person from driving the robot now, as a code of notices.py, or "".
+  obstacle(id) {
+    return Object.keys(OBSTACLES).find((code) => OBSTACLES[code](this, id, false)) ?? "";
+  }
+
   isBlocked(id) {
-    const { answers, stopped, driver } = this.state(id);
-    return this.emergency || stopped || !answers || this.isTaken(id) || Boolean(driver) && !this.isMine(id);
+    return Boolean(this.obstacle(id));
   }
 
   // Whether there is somebody from whom a teacher can take the robot, also a program that pauses.

@@ -143,7 +143,7 @@ function open(title, text) {
   try {
     showProgram(workspace, parseProgram(text));
   } catch ({ message }) {
-    notice.show(message, () => false);
+    notice.show(message);
     return false;
   }
   end(CHANGED);
