@@ -121,7 +121,7 @@ test("what could not be sent is there after a reload, and is kept then", async (
   state.online = false;
   page.edit("Offline");
   await clock.pass(10000);
-  assert.equal(page.said, "The cockpit does not answer.");
+  assert.equal(page.said, "The cockpit does not answer. The page tries again.");
   t.mock.restoreAll();
   const [next, again] = [new Clock(t), cockpit(t, [square({ version: 4, name: "Theirs" })])];
   const reloaded = openPage(page.storage);

@@ -338,7 +338,14 @@ def test_a_pupils_stop_that_a_terminal_has_released_is_forgotten(driven):
     change(driven.robots, emergency=False)
     driven.wait(0.05)
     change(driven.robots, emergency=True)
-    assert driven.do(ADA, Message("release"))["type"] == "notice"
+    driven.wait(0.05)
+    assert driven.do(ADA, Message("release"))["code"] == "teacher_releases"
+
+
+def test_a_pupil_who_releases_where_nothing_is_stopped_is_told_so(driven):
+    for client, robot in ((ADA, None), (OWN, None), (OWN, "/blue")):
+        assert driven.do(client, Message("release", robot))["code"] == "not_stopped"
+    assert driven.drives() != STOPPED
 
 
 @pytest.mark.parametrize("break_it, repair_it", [

@@ -23,7 +23,8 @@ from jetbot_cockpit.session.rights import Client
 
 ADA, TEACHER = Client(1, "Ada", "pupil"), Client(2, "teacher", "teacher")
 LET_GO, NO_ANSWER = "Let go, then drive again.", "robot does not answer."
-RELEASE_FIRST, RELEASE_OWN_FIRST = "Emergency stop. Release it first.", "its own emergency stop. Release it first."
+RELEASE_FIRST = "Emergency stop: it must be released first."
+RELEASE_OWN_FIRST = "its own emergency stop must be released first."
 
 
 def wait_for_page(condition):

@@ -39,7 +39,7 @@ function currentStatus(world, id) {
     return { text: fake && text === status ? `${text}, on a fake bus` : text, level };
   }
   const own = world.me.robot ?? id;
-  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one.";
+  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running.";
   return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
 }
 

@@ -11,10 +11,10 @@ import { Choice } from "./robots.js";
 import { Stops } from "./stops.js";
 import { World } from "./world.js";
 
-const LOST = "The connection to the cockpit was lost.";
+export const LOST = "The connection to the cockpit was lost.";
 const NEW_CODES = "The cockpit was started again: its codes are new.";
 const STOPPED = "All robots were stopped.";
-const ASKED = "The cockpit asks for the code.";
+const ASKED = "The cockpit asked for the code.";
 
 /** @import { Message } from "./link.js" */
 /** @import { Outgoing } from "./messages.js" */

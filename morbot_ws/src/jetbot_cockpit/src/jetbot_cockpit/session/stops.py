@@ -37,7 +37,7 @@ class Stops:
         if not client.may_stop(robot):
             return say("teacher_releases_one")
         if client.role != TEACHER and robot not in self._by_pupils:
-            return say("teacher_releases")
+            return say("teacher_releases" if request.snapshot.is_stopped(robot) else "not_stopped")
         self._robots.set_emergency_stop(robot, False)
         if robot is None:
             self._holds.update(False, ())  # though the robots may still say that they are stopped
