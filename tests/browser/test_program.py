@@ -113,7 +113,7 @@ def test_no_program_drives_a_robot_that_somebody_else_drives(blocks, world, vict
     page = blocks(program(drive(0.5, 30)))
     world.drive(victim, ROBOT)
     page.click("#run")
-    page.wait_for_text("outcome", "drives")  # somebody else does
+    page.wait_for_text("outcome", f"was driving {ROBOT}")
 
 
 LATE_STATUS = """const receive = socket.onmessage; socket.onmessage = ({data}) => {
@@ -182,9 +182,21 @@ def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blo
                               block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1)))}}, variables="x"))
     run(page, world)
     world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, 3.0, "the command to be too old")
-    assert page.text("outcome") == "Running"
+    page.wait_for_text("outcome", "This loop runs without a wait")
+    assert page.has(".controls_whileUntil.blocklyHighlighted")
     page.click("#end")
     page.wait_for_text("outcome", "Stopped.")
+
+
+@undisturbed
+def test_a_program_that_asks_for_too_much_or_for_nothing_says_so_at_its_end_and_marks_the_block(blocks):
+    for content, sentence, marked in (
+            ([drive(3.33, 0.2), wait(0.1)], "The program has ended. A wheel takes 1 at most, not 3.33.", "drive"),
+            ([], 'Nothing is below "when the program starts"', "start")):
+        page = blocks(program(*content))
+        page.click("#run")
+        page.wait_for_text("outcome", sentence)
+        assert page.has(f".robot_{marked}.blocklySelected")
 
 
 @undisturbed

@@ -64,3 +64,14 @@ export function showProgram(workspace, program) {
 export function currentProgram(workspace) {
   return Blockly.serialization.workspaces.save(workspace);
 }
+
+// Blocks get new ids when they are shown again; a variable keeps its own.
+/** @this {any} */
+function withoutIds(key, value) {
+  return key === "id" && this.type ? undefined : value;
+}
+
+// Returns the program as it is kept.
+export function textOf(workspace) {
+  return JSON.stringify(currentProgram(workspace), withoutIds);
+}

@@ -15,7 +15,8 @@ export function showPython(python) {
 }
 
 // Marks the block that runs, and its line.
-export function showPlace(workspace, id) {
+export function showPlace(workspace, run) {
+  const id = run?.waitless ? loopAround(workspace, run.at) : run?.at ?? null;
   workspace.highlightBlock(id);
   const line = element("python").children[lines.get(id)] ?? null;
   const before = element("python").querySelector(".now");
@@ -23,6 +24,13 @@ export function showPlace(workspace, id) {
   before?.classList.remove("now");
   line?.classList.add("now");
   line?.scrollIntoView({ block: "center", inline: "nearest" });
+}
+
+// Returns the id of the innermost loop with this block in it, or its own.
+function loopAround(workspace, id) {
+  let block = workspace.getBlockById(id);
+  while (block && !block.getInput("DO")) block = block.getSurroundParent();
+  return block?.id ?? id;
 }
 
 export function clearPrints() {
@@ -46,7 +54,7 @@ export function showOutput(workspace, values) {
   printed = false;
 }
 
-export function setOutcome(text, level = "") {
+export function setOutcome(text, warning = false) {
   setText(element("outcome"), text);
-  element("outcome").dataset.level = level;
+  element("outcome").dataset.level = warning ? "warning" : "";
 }
