@@ -179,7 +179,7 @@ def test_pause_step_and_slow(blocks, world):
 def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blocks, world):
     page = blocks(program(drive(0.5, 0.1), set_motion(0.5, 0), wait(0.1),
                           {**ENDLESS, "inputs": {**ENDLESS["inputs"], "DO": chain(
-                              block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1)))}}, variables="x"))
+                              *[block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1))] * 20)}}, variables="x"))
     run(page, world)
     world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, 3.0, "the command to be too old")
     page.wait_for_text("outcome", "This loop runs without a wait")
