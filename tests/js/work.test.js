@@ -247,7 +247,7 @@ test("what is to look at only is locked and never saved; what is shown next is n
   const page = openPage();
   await page.hear();
   await page.work.look({ robot: "/blue", id: ID.square });
-  assert.deepEqual([page.locked, page.said], [true, "To look at only."]);
+  assert.deepEqual([page.locked, page.said], [true, "You can look at this program, but not change it."]);
   await page.hear();
   page.edit("Changed");
   await clock.pass(1000);

@@ -184,6 +184,11 @@ def test_the_seconds_until_a_program_drives_on_are_counted_where_one_waits(comma
         assert resumes(commanded) is None
 
 
+def test_nothing_is_counted_while_a_page_repeats_zeros_for_its_program_is_paused(commanded):
+    commanded.drivers.resume = 4.95
+    assert resumes(commanded) is None
+
+
 @pytest.mark.parametrize("state", [STANDS._replace(waiting=("/circle",)), DRIVES], ids=["waits", "drives"])
 @pytest.mark.parametrize("message, held", [(Message("take", "/red"), "robot"), (Message("stop"), "programs"),
                                            (Message("stop", "/red"), "programs")])
@@ -368,7 +373,7 @@ def test_a_teacher_puts_back_simulated_robots(cockpit):
     assert cockpit.do(TEACHER, Message("reset")) is None
     assert cockpit.robots.were_reset == ["/red"]
     assert cockpit.do(TEACHER, Message("reset", "/blue"))["type"] == "notice"
-    assert cockpit.do(TEACHER, Message("reset", "/red"))["text"] == "Not answered yet: red."
+    assert cockpit.do(TEACHER, Message("reset", "/red"))["text"] == "Not put back, as the simulator does not answer: red."
 
 
 def test_ids_of_robots_become_short_printable_labels():

@@ -10,7 +10,7 @@ const RESEND_FOR = 60000; // ms
 const CONFIRM_TIMEOUT = 1000; // ms
 const MAX_NAME = 16; // characters that fit on the button
 const NOT_CONNECTED = "No connection: this stop reached no robot. Use the robot's own switch."
-  + " It is sent as soon as the connection is back.";
+  + " It is sent if the connection is back within a minute.";
 const NOT_RELEASED = "No connection: nothing was released.";
 const NOT_CONFIRMED = "The stop is not confirmed yet. Press again, or use the robot's own switch.";
 

@@ -26,7 +26,7 @@ NOTICES = {
     "teacher_codes": "Only a teacher can see the codes.",
     "teacher_offer": "Only a teacher chooses the tasks.",
     # Simulated robots and their tasks
-    "not_reset": "Not answered yet: {robots}.",
+    "not_reset": "Not put back, as the simulator does not answer: {robots}.",
     "real_not_reset": "Only simulated robots can be put back.",
     "real_not_judged": "Only simulated robots can be judged.",
     "no_judge": "No judge has this task. Is class_judge running?",
@@ -38,11 +38,11 @@ NOTICES = {
     "no_pictures_kept": "This cockpit keeps no pictures.",
     "pictures_busy": "The disk is busy: wait until the number changes.",
     "pictures_full": "There are {count} pictures of {label} already.",
-    "picture_not_kept": "{problem}: {file}",
+    "picture_not_kept": "The picture was not kept: {problem} ({file})",
     # Programs, and the class
     "gone": "This program is not there any more.",
     "too_large": "This program is too large to be kept here: {kilobytes} kB at most. Save it as a file.",
-    "no_program": "This is no program.",
+    "no_program": "This is not a program.",
     "full": "There is no room for more: delete a program. A robot has {count} programs at most, and 1 MB in all.",
     "own_programs_only": "With your code, you see only the programs of your own robot.",
     "disk_busy": "The disk of the cockpit's computer is busy.",

@@ -3,6 +3,8 @@
 import math
 from typing import Callable, Dict, List, Optional
 
+from jetbot_ros.state import MANUAL_PRIORITY
+
 from ..classroom.classroom import Classroom
 from ..notices import Notice
 from .collecting import Collecting
@@ -14,6 +16,8 @@ from .protocol import Message, notice
 from .rights import Client, Request, refuse_role
 from .snapshot import RobotSnapshot, Snapshot
 from .stops import Stops
+
+QUIET = 0.5  # s without a command until the countdown begins: a program that is paused in a page repeats its zeros
 
 
 class Control:
@@ -95,4 +99,5 @@ class Control:
     def _seconds_until_programs(self, robot: RobotSnapshot) -> Optional[int]:
         """Return when programs that wait drive on, or None if none do, or not by themselves."""
         left = self._drivers.resumes_in(robot.id, self._leases.checked_at)
-        return math.ceil(left) if robot.programs_wait and not self._holds[robot.id] and left > 0 else None
+        counts = robot.programs_wait and not self._holds[robot.id] and 0 < left <= MANUAL_PRIORITY - QUIET
+        return math.ceil(left) if counts else None
