@@ -347,8 +347,8 @@ def test_a_pupils_stop_that_a_terminal_has_released_is_forgotten(driven):
     assert driven.do(ADA, Message("release"))["code"] == "teacher_releases"
 
 
-def test_a_pupil_who_releases_where_nothing_is_stopped_is_told_so(driven):
-    for client, robot in ((ADA, None), (OWN, None), (OWN, "/blue")):
+def test_who_releases_where_nothing_is_stopped_is_told_so(driven):
+    for client, robot in ((ADA, None), (OWN, None), (OWN, "/blue"), (TEACHER, None), (TEACHER, "/red")):
         assert driven.do(client, Message("release", robot))["code"] == "not_stopped"
     assert driven.drives() != STOPPED
 
@@ -373,7 +373,7 @@ def test_a_teacher_puts_back_simulated_robots(cockpit):
     assert cockpit.do(TEACHER, Message("reset")) is None
     assert cockpit.robots.were_reset == ["/red"]
     assert cockpit.do(TEACHER, Message("reset", "/blue"))["type"] == "notice"
-    assert cockpit.do(TEACHER, Message("reset", "/red"))["text"] == "Not put back, as the simulator does not answer: red."
+    assert cockpit.do(TEACHER, Message("reset", "/red"))["text"] == "The simulator does not answer: red."
 
 
 def test_ids_of_robots_become_short_printable_labels():

@@ -177,6 +177,6 @@ class CockpitDrive(SharedRobotTest):
         start = time.monotonic()
         self.assertIsNone(self.do(TEACHER, Message("reset")))
         self.push(0.5)
-        self.assertEqual(self.do(TEACHER, Message("reset"))["text"], "Not put back, as the simulator does not answer: robot.")
+        self.assertEqual(self.do(TEACHER, Message("reset"))["text"], "The simulator does not answer: robot.")
         self.assertEqual(calls, [])
         self.assertLess(time.monotonic() - start, START_TIMEOUT / 2)

@@ -21,6 +21,7 @@ const OTHERS = {
   let_go: untilDriven, no_command: untilDriven, interrupted: untilDriven,
   ended: (world, robot) => !world.robot(robot),
   teacher_releases: (world) => world.mustWait,
+  not_stopped: (world, robot) => !world.emergency && !world.state(robot).stopped,
   driver_collects: (world, robot) => !world.isMine(robot),
 };
 

@@ -26,7 +26,7 @@ NOTICES = {
     "teacher_codes": "Only a teacher can see the codes.",
     "teacher_offer": "Only a teacher chooses the tasks.",
     # Simulated robots and their tasks
-    "not_reset": "Not put back, as the simulator does not answer: {robots}.",
+    "not_reset": "The simulator does not answer: {robots}.",
     "real_not_reset": "Only simulated robots can be put back.",
     "real_not_judged": "Only simulated robots can be judged.",
     "no_judge": "No judge has this task. Is class_judge running?",
