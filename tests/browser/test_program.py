@@ -106,7 +106,7 @@ def test_no_program_drives_a_robot_that_somebody_else_drives(blocks, world, vict
     page = blocks(program(drive(0.5, 30)))
     world.drive(victim, ROBOT)
     page.click("#run")
-    page.wait_for_text("outcome", "drives")  # somebody else does
+    page.wait_for_text("outcome", f"was driving {ROBOT}")
 
 
 LATE_STATUS = """const receive = socket.onmessage; socket.onmessage = ({data}) => {
@@ -172,12 +172,24 @@ def test_pause_step_and_slow(blocks, world):
 def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blocks, world):
     page = blocks(program(drive(0.5, 0.1), set_motion(0.5, 0), wait(0.1),
                           {**ENDLESS, "inputs": {**ENDLESS["inputs"], "DO": chain(
-                              block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1)))}}, variables="x"))
+                              *[block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1))] * 20)}}, variables="x"))
     run(page, world)
     world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, 3.0, "the command to be too old")
-    assert page.text("outcome") == "Running"
+    page.wait_for_text("outcome", "This loop runs without a wait")
+    assert page.has(".controls_whileUntil.blocklyHighlighted")
     page.click("#end")
     page.wait_for_text("outcome", "Stopped.")
+
+
+@undisturbed
+def test_a_program_that_asks_for_too_much_or_for_nothing_says_so_at_its_end_and_marks_the_block(blocks):
+    for content, sentence, marked in (
+            ([drive(3.33, 0.2), wait(0.1)], "The program has ended. A wheel takes 1 at most, not 3.33.", "drive"),
+            ([], 'Nothing is below "when the program starts"', "start")):
+        page = blocks(program(*content))
+        page.click("#run")
+        page.wait_for_text("outcome", sentence)
+        assert page.has(f".robot_{marked}.blocklySelected")
 
 
 @undisturbed
@@ -386,17 +398,25 @@ PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not
 });"""
 
 
+MANY_PRINTS = """const prints = document.getElementById("prints");
+    for (let count = 0; count < 30; count += 1) prints.append(document.createElement("li"), `line ${count}`);
+    document.getElementById("output").scrollTop = 9999;"""
+
+
 def test_the_page_fits_tablets_and_phones_and_what_is_said_of_keeping_moves_nothing(blocks):
     page = blocks(program(drive(0.5, 1)))
+    page.run(MANY_PRINTS)
     for screen in TABLETS:
         page.resize(*screen)
         page.wait_for(lambda: page.fits("run", "pause", "step", "end", "stop", "release", "robot", "status", "python",
                                         "output"), f"all on {screen}")
         assert not page.text("small")
         assert len(set(page.run(PLACES))) == 1
+        assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
     page.receive({"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]})
     page.resize(1024, 768)
     assert page.run("return document.getElementById('running').clientHeight") < 60, "all in one row"
     page.resize(390, 844)
     page.wait_for(lambda: page.fits("run", "end", "stop", "blocks", "output"), "a phone")
     assert "tablet" in page.text("small")
+    assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"

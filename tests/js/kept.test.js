@@ -40,7 +40,7 @@ test("without an answer the same is sent again every 3 s, and the person reads t
   const { kept: program, clock, asked, read } = begin(t, (fields, times) => (times < 3 ? LOST : kept(fields)));
   program.change(named("A"));
   await clock.pass(1000 + 3000);
-  assert.equal(read.at(-1), "The cockpit does not answer.");
+  assert.equal(read.at(-1), "The cockpit does not answer. The page tries again.");
   assert.equal(program.state.unsaved, true);
   await clock.pass(3000);
   assert.deepEqual(asked, Array(3).fill(asked[0]));
@@ -53,7 +53,7 @@ for (const [what, status] of [["no code yet", 403], ["a disk that is busy", 503]
       times < 2 ? refuse(status, "Not now.") : kept(fields)));
     program.change(named("A"));
     await clock.pass(1000);
-    assert.deepEqual([program.state.text, program.state.bad], ["Not now.", true]);
+    assert.deepEqual([program.state.text, program.state.bad], ["Not now. The page tries again.", true]);
     await clock.pass(3000);
     assert.equal(read.at(-1), "Kept");
   });

@@ -142,7 +142,7 @@ test("what could not be sent is there after a reload, and is kept then", async (
   state.online = false;
   page.edit("Offline");
   await clock.pass(10000);
-  assert.equal(page.said, "The cockpit does not answer.");
+  assert.equal(page.said, "The cockpit does not answer. The page tries again.");
   t.mock.restoreAll();
   const [next, again] = [new Clock(t), cockpit(t, [square({ version: 4, name: "Theirs" })])];
   const reloaded = openPage(page.storage);
@@ -268,7 +268,7 @@ test("what is to look at only is locked and never saved; what is shown next is n
   const page = openPage();
   await page.hear();
   await page.work.look({ robot: "/blue", id: ID.square });
-  assert.deepEqual([page.locked, page.said], [true, "To look at only."]);
+  assert.deepEqual([page.locked, page.said], [true, "You can look at this program, but not change it."]);
   await page.hear();
   page.edit("Changed");
   await clock.pass(1000);

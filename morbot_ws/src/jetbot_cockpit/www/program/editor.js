@@ -1,7 +1,7 @@
 // The blocks on the page: Blockly's workspace, in the page's colours.
 
 import { defineBlocks, TOOLBOX } from "./blocks.js";
-import { NO_PROGRAM, Refusal } from "./check.js";
+import { NO_PROGRAM, Refusal, writeProgram } from "./check.js";
 import { prepareGenerator } from "./python.js";
 
 const { Blockly } = globalThis;
@@ -90,4 +90,9 @@ export function showProgram(workspace, program) {
 
 export function currentProgram(workspace) {
   return Blockly.serialization.workspaces.save(workspace);
+}
+
+// Returns its text as it is saved and kept.
+export function textOf(workspace) {
+  return writeProgram(currentProgram(workspace));
 }

@@ -13,6 +13,7 @@ import { problemOf } from "./check.js";
 const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
 const TOO_LARGE = "Too large to be kept here. Save it as a file.";
+const AGAIN = "The page tries again.";
 const NEWER = "There is a newer version of this program.";
 
 // What a person reads in each state; bad: as a warning; unsaved: the cockpit has another content
@@ -85,7 +86,7 @@ export class Kept {
       } catch ({ message, code, again }) {
         if (code === "other_class") return ["foreign"];
         if (!again) return ["refused", { text: message }];
-        this.enter("sending", { text: message, bad: true });
+        this.enter("sending", { text: `${message} ${AGAIN}`, bad: true });
       }
       await new Promise((resolve) => { setTimeout(resolve, RETRY_AFTER); });
     }

@@ -1,7 +1,7 @@
 // What a program commands: sent when it changes, and 20 times a second while the program runs, as wheels can obey it.
 
 const INTERVAL = 50; // ms between two commands: 20 Hz
-const HOLD = 1000; // ms for which a command counts, as in the controller: a program that only computes stops
+export const HOLD = 1000; // ms for which a command counts, as in the controller: a program that only computes stops
 const SOON = 15; // ms; a command that changes so soon is not repeated before
 const [RATE, BURST] = [26, 6]; // commands a second, and at once: the cockpit takes 40 messages of a page
 

@@ -6,7 +6,7 @@ import { ask } from "./ask.js";
 import { clean, freeName, Kept } from "./kept.js";
 
 const LAST = "last program"; // the key of the one that was shown last
-const LOOKING = "To look at only.";
+const LOOKING = "You can look at this program, but not change it.";
 
 export class Work {
   /** @type {string | null} */

@@ -4,6 +4,8 @@ import math
 from functools import partial
 from typing import Callable, Dict, List, Optional
 
+from jetbot_ros.state import MANUAL_PRIORITY
+
 from ..classroom.classroom import Classroom
 from ..notices import Notice
 from .collecting import Collecting
@@ -16,6 +18,8 @@ from .pupils import Pupils
 from .rights import Client, Request, refuse_role
 from .snapshot import RobotSnapshot, Snapshot
 from .stops import Stops
+
+QUIET = 0.5  # s without a command until the countdown begins: a program that is paused in a page repeats its zeros
 
 
 class Control:
@@ -99,4 +103,5 @@ class Control:
     def _seconds_until_programs(self, robot: RobotSnapshot) -> Optional[int]:
         """Return when programs that wait drive on, or None if none do, or not by themselves."""
         left = self._drivers.resumes_in(robot.id, self._leases.checked_at)
-        return math.ceil(left) if robot.programs_wait and not self._holds[robot.id] and left > 0 else None
+        counts = robot.programs_wait and not self._holds[robot.id] and 0 < left <= MANUAL_PRIORITY - QUIET
+        return math.ceil(left) if counts else None
