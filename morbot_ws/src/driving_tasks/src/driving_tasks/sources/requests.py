@@ -13,7 +13,7 @@ from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 
 from jetbot import JetbotError
 from jetbot_ros import links, rospy_repairs
-from jetbot_ros.contract import JUDGE_REQUESTS, JUDGE_TASKS
+from jetbot_ros.contract import CLASS_JUDGE, JUDGE_REQUESTS, JUDGE_TASKS
 from jetbot_ros.master import NO_ANSWER, require_master
 
 from ..report.announcement import CANCELLED, Announcement
@@ -23,7 +23,6 @@ from .attempt import NO_MARK, Attempt
 from .judged_robot import JudgedRobot, simulated_robots
 from .live import check_only_judge, close, polls
 
-NAME = "class_judge"
 OFFERED = {task.name: task for task in TASKS.values() if not task.by_camera}
 DRIVE_TIMEOUT = 60.0  # s from a request until the robot must drive
 LINGER = 2.0          # s after a result until it is not published any more, and another judge may judge the robot
@@ -33,7 +32,7 @@ def serve() -> None:
     """Judge until Ctrl-C. Raise JetbotError if the master ends."""
     require_master("roslaunch jetbot_class class.launch")
     rospy_repairs.repair()
-    rospy.init_node(NAME, argv=[], disable_signals=True)  # rospy's own handlers would ask the master
+    rospy.init_node(CLASS_JUDGE, argv=[], disable_signals=True)  # rospy's own handlers would ask the master
     links.stay_linked()
     tasks = rospy.Publisher(JUDGE_TASKS, DiagnosticStatus, queue_size=1, latch=True)
     tasks.publish(name="tasks", values=[KeyValue(task.name, task.title) for task in OFFERED.values()])
@@ -98,7 +97,10 @@ class ClassJudge:
     def _cancel(self, namespace, _name, _request, now):
         """End a robot's attempt without a score: the program that drives it was stopped."""
         if namespace in self._attempts:
-            self._attempts[namespace][0].cancel(f"{NO_MARK}: its program was stopped.")
+            attempt, _ = self._attempts[namespace]
+            attempt.step()  # what has interrupted the drive before is the reason
+            if not attempt.mark:
+                attempt.cancel(f"{NO_MARK}: its program was stopped.")
             self._end(namespace, now)
 
     def _running(self):
