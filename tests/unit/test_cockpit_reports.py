@@ -87,8 +87,8 @@ def test_a_score_that_is_none_is_not_shown(text):
 def test_texts_are_cut_off_and_harmless():
     task = decode_task("x" * 1000, "a\nb" + "c" * 1000,
                        {"state": "ready", "title": "\x1b[31m" * 100, "driver": "\r" * 99, "request": "\n" * 99})
-    assert [len(text) for text in (task.name, task.title, task.text, task.driver, task.request)] == [60, 60, 200, 20, 60]
-    assert (task.title + task.text + task.driver + task.request).isprintable()
+    texts = task.name, task.title, task.text, task.driver, task.request
+    assert list(map(len, texts)) == [60, 60, 200, 20, 60] and "".join(texts).isprintable()
 
 
 @pytest.mark.parametrize("task", [READY, DRIVING, CANCELLED])

@@ -42,7 +42,7 @@ class RobotSnapshot(NamedTuple):
     be put back to its start; state: its controller's; stopped: by its own emergency stop;
     pose: (x, y in m, yaw in rad) on the map; speed: the measured one, and command: the driven one, each in m/s and
     rad/s; wheels: the duties (left, right) in [-1, 1]; program: whose command it drives, "" if that is the cockpit's;
-    shapes: what is drawn around it; task: which one it drives; judged_elsewhere: whether a judge in a terminal judges it.
+    shapes: what is drawn around it; task: which one it drives; judged_elsewhere: whether judge.py judges it.
     """
 
     id: str
