@@ -140,7 +140,7 @@ test("a program that runs on this page ends at the press, and starts again at th
   const page = new Page(t);
   page.going = true;
   page.judging.begin("/red", "metre");
-  assert.deepEqual([page.going, page.ends], [false, ["Judge me starts the program again."]]);
+  assert.deepEqual([page.going, page.ends], [false, ["Judge me ended this program."]]);
   assert.deepEqual(page.take(), [STAND, ASK]);
   page.accept();
   page.report({ state: "ready" });

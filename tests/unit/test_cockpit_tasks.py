@@ -106,7 +106,7 @@ def test_a_robot_is_judged_for_who_may_drive_it_now(cockpit):
 def test_a_robot_that_a_judge_in_a_terminal_judges_is_refused_and_nothing_is_asked(cockpit):
     cockpit.robots.change("/red", judged_elsewhere=True)
     cockpit.control.check(cockpit.time)
-    assert judge(cockpit) == "Another judge already judges red. Ask your teacher to end it, then press Judge me again."
+    assert judge(cockpit) == "A judge in a terminal already judges red. When it has ended, press Judge me again."
     assert cockpit.robots.judged == [] and cockpit.driver() is None
 
 

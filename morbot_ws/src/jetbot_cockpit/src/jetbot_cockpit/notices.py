@@ -28,7 +28,7 @@ NOTICES = {
     "not_reset": "Not answered yet: {robots}.",
     "real_not_reset": "Only simulated robots can be put back.",
     "real_not_judged": "Only simulated robots can be judged.",
-    "judged_elsewhere": "Another judge already judges {robot}. Ask your teacher to end it, then press Judge me again.",
+    "judged_elsewhere": "A judge in a terminal already judges {robot}. When it has ended, press Judge me again.",
     "judge_driven": "{driver} drives {robot}. Press Judge me again when {robot} is free.",
     "judge_interrupted": "The cockpit was interrupted. Press Judge me again.",
     "no_judge": "No judge has this task now. Choose another one.",

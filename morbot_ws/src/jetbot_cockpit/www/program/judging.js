@@ -17,7 +17,7 @@ const DRIVE_TIMEOUT = 4000; // ms from the program's end until the judge must ha
 const KEEP_INTERVAL = 1000; // ms between two messages that keep the robot this page's
 const STARTING = "The robot goes to the start of the task.";
 const MEASURING = "The judge measures until the robot has stopped for 3 s, or the time is over.";
-const RESTARTED = "Judge me starts the program again.";
+const ENDED = "Judge me ended this program.";
 const NO_ROBOT = "No robot is running: start one.";
 const NOT_CONNECTED = "There is no connection to the cockpit.";
 const NO_ANSWER = "The judge did not put the robot at its start. Try again.";
@@ -71,7 +71,7 @@ export class Judging {
     const { program, state } = this.world.state(robot);
     const waiting = program && state === "driving" ? ` ${program} waits until the end.` : "";
     this.enter("waiting", STARTING + waiting, { robot, task });
-    this.end(RESTARTED);
+    this.end(ENDED);
     this.send({ type: "drive", robot, forward: 0, left: 0 }); // who had to let go, has
     if (!this.ask(task)) this.enter("idle", NOT_CONNECTED);
   }
