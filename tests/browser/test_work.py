@@ -10,10 +10,10 @@ from harness import program
 
 from . import programs
 from .conftest import ROBOT
-from .programs import as_file, block, chain, num, plug, show
+from .programs import as_file, block, chain, num, plug, set_motion, show
 from .world import moving
 
-LATE = "no command came from the driver's page"  # what the judge says if the page pauses
+NOT_COUNTED = "The drive does not count"  # what is said, too, if the page pauses
 
 
 def open_programs(page, url):
@@ -156,10 +156,13 @@ def judge(pupil, world, sentence, act=None):
     """Press Judge me, and do this while the robot drives; again only if the page paused: fail unless it says this."""
     def press():
         pupil.click("#judge")
+        pupil.wait_for(lambda: NOT_COUNTED not in pupil.text("score"), "another judging")
         if act:
+            pupil.wait_for_text("score", "The judge measures")
             world.wait_for(lambda: moving(*world.wheels(ROBOT)), 20.0, "the drive")
             act()
-        pupil.wait_for(lambda: sentence in pupil.text("score") or LATE in pupil.text("score"), sentence, within=60.0)
+        pupil.wait_for(lambda: sentence in pupil.text("score") or NOT_COUNTED in pupil.text("score"), sentence,
+                       within=60.0)
         assert sentence in pupil.text("score")
     world.undisturbed(pupil, press)
 
@@ -172,14 +175,20 @@ def suspended(process):
     process.send_signal(signal.SIGCONT)
 
 
-def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world):
+THERE = plug("logic_compare", {"OP": "LT"}, A=plug("robot_here", {"WHAT": "X"}), B=num(0.95))
+ENDLESS = programs.program(block("robot_loop", DO=chain(
+    set_motion(0, 0), block("controls_if", IF0=THERE, DO0=chain(set_motion(0.4, 0))))))
+
+
+def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world, tmp_path):
     process = world.start(program("driving_tasks", "class_judge.py"))
     page.click("#overview-button")
     page.wait_for(lambda: page.has("#task-switches input"), "the tasks")
     assert not pupil.element("judge").is_displayed(), "no task is on"
     page.click("#task-switches input")
     pupil.wait_for(lambda: pupil.element("judge").is_displayed(), "the task")
-    pupil.set("examples", "Drive until I am there")
+    pupil.element("file").send_keys(as_file(tmp_path, ENDLESS))
+    pupil.wait_for_text("python", "if here.x < 0.95:")
     for stop in (lambda: pupil.click("#end"), lambda: page.click("#stop")):
         with suspended(process), world.stops(ROBOT, what="a stop before the robot is at its start"):
             pupil.click("#judge")
@@ -187,10 +196,14 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
             pupil.wait_for_text("score", "cancelled")
     page.click("#release")
     pupil.wait_for(lambda: not pupil.has("#release.needed"), "the release")
-    for button in "#pause", "#end":
-        judge(pupil, world, "its program was stopped", lambda button=button: pupil.click(button))
+    judge(pupil, world, "the program was paused", lambda: pupil.click("#pause"))
+    pupil.click("#pause")
+    pupil.wait_for_text("outcome", "Running")
+    judge(pupil, world, NOT_COUNTED, lambda: pupil.click("#end"))
     judge(pupil, world, "points")
     assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
+    pupil.wait_for_text("outcome", "The judge has seen enough.")
+    world.wait_for_stop(ROBOT)
     page.wait_for_text("score-table", "One metre")
     world.kill(process)
 

@@ -32,7 +32,10 @@ NOTICES = {
     "not_reset": "The simulator does not answer: {robots}.",
     "real_not_reset": "Only simulated robots can be put back.",
     "real_not_judged": "Only simulated robots can be judged.",
-    "no_judge": "No judge has this task. Is class_judge running?",
+    "judged_elsewhere": "A judge in a terminal already judges {robot}. When it has ended, press Judge me again.",
+    "judge_driven": "{driver} drives {robot}. Press Judge me again when {robot} is free.",
+    "judge_interrupted": "The cockpit was interrupted. Press Judge me again.",
+    "no_judge": "No judge has this task now. Choose another one.",
     "task_off": "Your teacher has not switched this task on.",
     # Pictures
     "own_camera_only": "With your code, you see only through {robot}'s camera.",

@@ -33,7 +33,7 @@ const shell = new Shell({
     hello() {
       work.connected();
       overview.hello();
-      judging.cancel();
+      judging.hello();
     },
     robots() {
       showUnits();
@@ -49,11 +49,11 @@ const shell = new Shell({
       overview.show({ tasks: offered });
     },
     scores: ({ scores }) => overview.show({ scores }),
-    notice: ({ text }) => judging.cancel(text),
+    judge: (message) => judging.answered(message),
     lift: (message) => message.robot === run?.robot.id && end(ending(message)),
     program: (message) => message.robot === run?.robot.id && run.senses.receive(message),
   },
-  end,
+  end: (sentence) => tasks.end(sentence),
   drives: runs,
   changed() {
     end("Another robot was chosen.");
@@ -73,7 +73,7 @@ const work = openWork({
     element("title").disabled = on;
   },
 });
-const tasks = new Tasks({ send, run: () => start(false), world });
+const tasks = new Tasks({ send, run: () => start(false), end, world });
 const { judging } = tasks;
 const overview = new Overview({ send, look: (row) => work.look(row), download, world });
 

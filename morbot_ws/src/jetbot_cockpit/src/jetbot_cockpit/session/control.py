@@ -56,6 +56,8 @@ class Control:
             self.snapshot = self._robots.snapshot()
         if refusal and message.type in ("drive", "program"):
             return {"type": "lift", "robot": message.robot, **refusal.fields()}
+        if message.type == "judge":
+            return self._judging.answer(message.robot, refusal)
         if message.type == "program":
             ready = self._drivers.hold(message.robot)
             return {"type": "program", "robot": message.robot, "ready": ready, **self._robots.senses(message.robot)}
@@ -63,10 +65,8 @@ class Control:
 
     def leave(self, client: int) -> None:
         """The client's socket is closed: its robot stops at once, and is free."""
-        robot = self._leases.leave(client)
+        self._leases.leave(client)
         self._pupils.leave(client)
-        if robot:
-            self._judging.end(robot)
 
     def check(self, now: float) -> List[dict]:
         """Let all look at the robots as they are now; call it for each frame.
