@@ -164,6 +164,14 @@ class Page(Chromium):
         self.wait_for(element.is_displayed, f"{selector} to be shown")
         element.click()
 
+    def download(self, button: str, name: str) -> Path:
+        """Press a button; return the file of this name that arrives where the person's browser keeps downloads."""
+        file = self.downloads / name
+        file.unlink(missing_ok=True)
+        self.click(f"#{button}")
+        self.wait_for(file.exists, f"{name} to arrive")
+        return file
+
     def controls(self) -> List[str]:
         """Return the ids of the visible controls that a person can use now."""
         return [element.get_attribute("id") for element in self.driver.find_elements(By.CSS_SELECTOR, CONTROLS)

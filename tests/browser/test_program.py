@@ -1,13 +1,11 @@
 """The page for programs drives a real robot, and whatever stops the robot ends the program."""
 
 import functools
-import io
 import json
 import signal
+import subprocess
 import time
-import zipfile
 from itertools import groupby
-from pathlib import Path
 
 import pytest
 
@@ -26,11 +24,6 @@ SMALL = [(320, 568), (844, 390), (640, 340), (400, 300)]
 CLEAR = """const { left, top, width } = document.getElementById(arguments[0]).getBoundingClientRect();
     const shown = document.elementFromPoint(left + width / 2, Math.max(top, 0) + 20);
     return shown.closest("#" + arguments[0]) !== null"""
-PACKAGE = """const blob = []; const create = URL.createObjectURL;
-    URL.createObjectURL = (given) => { blob.push(given); return create(given); };
-    document.getElementById('package').click(); URL.createObjectURL = create;
-    const done = arguments[0];
-    blob[0].arrayBuffer().then((bytes) => done([...new Uint8Array(bytes)]));"""
 
 
 def undisturbed(test):
@@ -117,7 +110,7 @@ def test_no_program_drives_a_robot_that_somebody_else_drives(blocks, world, vict
     page = blocks(program(drive(0.5, 30)))
     world.drive(victim, ROBOT)
     page.click("#run")
-    page.wait_for_text("outcome", "drives")  # somebody else does
+    page.wait_for_text("outcome", f"was driving {ROBOT}")
 
 
 LATE_STATUS = """const receive = socket.onmessage; socket.onmessage = ({data}) => {
@@ -183,12 +176,24 @@ def test_pause_step_and_slow(blocks, world):
 def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blocks, world):
     page = blocks(program(drive(0.5, 0.1), set_motion(0.5, 0), wait(0.1),
                           {**ENDLESS, "inputs": {**ENDLESS["inputs"], "DO": chain(
-                              block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1)))}}, variables="x"))
+                              *[block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1))] * 20)}}, variables="x"))
     run(page, world)
     world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, 3.0, "the command to be too old")
-    assert page.text("outcome") == "Running"
+    page.wait_for_text("outcome", "This loop runs without a wait")
+    assert page.has(".controls_whileUntil.blocklyHighlighted")
     page.click("#end")
     page.wait_for_text("outcome", "Stopped.")
+
+
+@undisturbed
+def test_a_program_that_asks_for_too_much_or_for_nothing_says_so_at_its_end_and_marks_the_block(blocks):
+    for content, sentence, marked in (
+            ([drive(3.33, 0.2), wait(0.1)], "The program has ended. A wheel takes 1 at most, not 3.33.", "drive"),
+            ([], 'Nothing is below "when the program starts"', "start")):
+        page = blocks(program(*content))
+        page.click("#run")
+        page.wait_for_text("outcome", sentence)
+        assert page.has(f".robot_{marked}.blocklySelected")
 
 
 @undisturbed
@@ -306,19 +311,11 @@ def test_the_name_that_the_device_knows_is_announced(blocks, world, pupil):
     pupil.wait_for_text("driver", "Ada drives it")
 
 
-def unpack(packed, folder):
-    """Unpack a zip with the rights that it gives its files, which Python's own zipfile leaves out."""
-    for each in packed.infolist():
-        Path(packed.extract(each, folder)).chmod(each.external_attr >> 16 & 0o777)
-
-
 def test_a_package_is_accepted_by_the_lessons_and_drives_the_same(blocks, world, tmp_path):
     page = blocks(program(drive(0.5, 0.8), set_motion(0.3, 0.1), wait(0.5),
                           show(plug("robot_here", {"WHAT": "HEADING"}))))
     page.set("title", "Two moves!")
-    packed = zipfile.ZipFile(io.BytesIO(bytes(page.driver.execute_async_script(PACKAGE))))
-    assert packed.testzip() is None
-    unpack(packed, tmp_path)
+    subprocess.run(["sh", page.download("package", "my_two_moves.txt"), tmp_path], check=True)
     folder = tmp_path / "my_two_moves"
     for lesson in 7, 8:
         assert lessons.find_problem(lessons.handed_in_package(folder)[lesson]) is None
@@ -406,8 +403,14 @@ PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not
 });"""
 
 
+MANY_PRINTS = """const prints = document.getElementById("prints");
+    for (let count = 0; count < 30; count += 1) prints.append(document.createElement("li"), `line ${count}`);
+    document.getElementById("output").scrollTop = 9999;"""
+
+
 def test_the_page_fits_tablets_and_phones_and_what_is_said_of_keeping_moves_nothing(blocks):
     page = blocks(program(drive(0.5, 1)))
+    page.run(MANY_PRINTS)
     for screen in TABLETS:
         page.resize(*screen)
         page.wait_for(lambda: page.fits("run", "pause", "step", "end", "stop", "release", "robot", "status", "python",
@@ -415,6 +418,7 @@ def test_the_page_fits_tablets_and_phones_and_what_is_said_of_keeping_moves_noth
         assert page.overlapping() == [], screen
         assert not page.text("small")
         assert len(set(page.run(PLACES))) == 1
+        assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
     page.receive(TASKS)
     page.resize(1024, 768)
     assert page.run("return document.getElementById('running').clientHeight") < 60, "all in one row"
@@ -422,6 +426,7 @@ def test_the_page_fits_tablets_and_phones_and_what_is_said_of_keeping_moves_noth
     page.wait_for(lambda: page.fits("run", "end", "stop", "blocks", "output"), "a phone")
     assert page.overlapping() == []
     assert "tablet" in page.text("small")
+    assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
 
 
 def test_on_a_small_or_magnified_screen_all_of_the_page_is_reached_and_stop_stays(blocks):

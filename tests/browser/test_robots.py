@@ -40,6 +40,8 @@ def test_a_teacher_chooses_a_robot_in_the_list_and_puts_it_or_all_back(page, wor
         else:
             page.click("#show-fleet")
             page.click("#reset-all")
+            page.wait_for_text("reset-all", "End all programs?")
+            page.click("#reset-all")
             page.click("#show-fleet")
         page.wait_for(lambda: distance(page) < 0.01, "the robot to be put back")
 

@@ -8,7 +8,7 @@ import pytest
 from harness import START_TIMEOUT
 from jetbot.fake.motors import STOPPED
 
-from .conftest import ROBOT
+from .conftest import OTHER_ROBOT, ROBOT
 
 NAME = "<b>Eve</b> & Ömer +1"
 
@@ -109,8 +109,9 @@ def test_what_a_teacher_takes_waits_though_the_teachers_page_is_closed_and_every
     pupil.lift()
     pupil.open(world.codes()["pupil"].replace("#", "program#"), ROBOT)
     pupil.wait_for_text("status", reason)
+    pupil.set("examples", "One metre")
     pupil.click("#run")
-    pupil.wait_for_text("outcome", reason)
+    pupil.wait_for_text("outcome", f"Your teacher took {ROBOT}.")
     world.stay_stopped(ROBOT)
     page.wait_for(lambda: page.element("go-on").is_displayed(), "Go on")
     page.click("#go-on")
@@ -122,6 +123,14 @@ def test_a_pupil_has_neither_fleet_nor_codes_nor_others_robots(pupil):
         assert not pupil.element(name).is_displayed(), name
 
 
+def codes_of(robots):
+    """Return the message with the codes of a class."""
+    names = [f"jetbot_{number:02d}" for number in range(1, robots + 1)]
+    return {"type": "codes", "codes": [
+        {"label": name, "role": "pupil", "robot": f"/{name}", "code": "7KQ2MX", "rows": ["10" * 16 + "1"] * 33,
+         "url": "http://192.168.100.200:8080/#7KQ2MX"} for name in names]}
+
+
 def test_codes_are_shown_when_asked_for_and_15_fit_on_a_sheet_of_paper_with_a_line_for_each_name(page, world):
     codes = {role: url.partition("#")[2] for role, url in world.codes().items()}
     page.click("#show-codes")
@@ -129,10 +138,7 @@ def test_codes_are_shown_when_asked_for_and_15_fit_on_a_sheet_of_paper_with_a_li
     assert codes["teacher"] not in page.text("codes")
     page.click("#show-teacher")
     page.wait_for_text("codes", codes["teacher"])
-    show = """const [show, done] = [(await import("/views.js")).showCodes, arguments[0]];
-        show(Array.from({length: 15}, (_, n) => ({label: `jetbot_${n + 1}`, role: "pupil", code: "7KQ2MX",
-            url: "http://192.168.100.200:8080/#7KQ2MX", rows: Array(33).fill("10".repeat(16) + "1")}))); done()"""
-    page.driver.execute_async_script(f"(async (...arguments) => {{ {show} }})(...arguments)")
+    page.receive(codes_of(15))
     sheet = page.driver.execute_cdp_cmd("Page.printToPDF", {"paperWidth": 8.27, "paperHeight": 11.69})
     assert len(re.findall(rb"/Type\s*/Page\b", b64decode(sheet["data"]))) == 1
     page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
@@ -140,3 +146,53 @@ def test_codes_are_shown_when_asked_for_and_15_fit_on_a_sheet_of_paper_with_a_li
         assert page.text("codes-list").count("Name:") == 15
     finally:
         page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+
+@pytest.fixture
+def codes(page):
+    """The teacher's page with the codes of two robots; their pupils have no names afterwards."""
+    page.click("#show-codes")
+    page.wait_for(lambda: page.has("#codes-list li"), "the codes")
+    page.receive(codes_of(2))
+    page.run("""const send = socket.send.bind(socket);
+        window.asked = [];
+        socket.send = (text) => { asked.push(JSON.parse(text)); send(text); }""")
+    yield page
+    page.send({"type": "pupil", "robot": f"/{ROBOT}", "name": ""})
+
+
+def asked(page, kind):
+    """Return the messages of this type that the page has sent."""
+    return page.run("return asked.filter(({ type }) => type === arguments[0])", kind)
+
+
+def test_a_pupil_sees_the_name_that_a_teacher_has_typed_beside_the_code(codes, pupil, world):
+    pupil.open(world.codes()["pupil"].replace("#", "program#"), ROBOT)
+    codes.driver.find_element("css selector", "#codes-list input").send_keys(f"{NAME}\n")
+    pupil.wait_for(lambda: pupil.robots()[f"/{ROBOT}"] == f"{ROBOT}, {NAME}", "the name")
+    assert not pupil.has("b") and codes.run("return document.activeElement.dataset.robot") == f"/{OTHER_ROBOT}"
+    codes.click("#close-codes")
+    codes.click("#show-fleet")
+    codes.wait_for_text("fleet-list", f"{ROBOT}, {NAME}")
+
+
+def test_one_code_is_shown_large_until_escape_which_stops_nothing_then(codes):
+    for width, height in (1920, 1080), (1024, 768), (844, 390), (390, 844):
+        codes.resize(width, height)
+        codes.click("#codes-list .enlarge")
+        assert ROBOT in codes.text("codes-list") and OTHER_ROBOT not in codes.text("codes-list")
+        assert codes.fits("stop", "new-code", "close-codes") and not codes.outside("#codes-list .code", "#codes")
+        codes.tap("Escape")
+        assert OTHER_ROBOT in codes.text("codes-list")
+    assert not asked(codes, "stop")
+    codes.tap("Escape")
+    assert asked(codes, "stop")
+
+
+def test_a_new_code_needs_a_second_press(codes):
+    codes.click("#codes-list .enlarge")
+    codes.click("#new-code")
+    codes.wait_for_text("new-code", "End the old code?")
+    assert not asked(codes, "new_code")
+    codes.click("#new-code")
+    assert asked(codes, "new_code") == [{"type": "new_code", "robot": f"/{ROBOT}"}]

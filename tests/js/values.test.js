@@ -19,9 +19,15 @@ test("angles are in degrees", () => {
   assert.ok(Math.abs(OPERATIONS.ATAN(1) - 45) < 1e-12);
 });
 
-test("primes are found, and a number that would take too long has no result", () => {
+test("primes are found, and a number that would take too long is refused", () => {
   assert.deepEqual([...Array(20).keys()].filter(PROPERTIES.PRIME), [2, 3, 5, 7, 11, 13, 17, 19]);
-  assert.ok(Number.isNaN(PROPERTIES.PRIME(1e12)));
+  assert.throws(() => PROPERTIES.PRIME(1e12), /^Error: Whether 1000000000000 is prime takes too long to find out\.$/);
+});
+
+test("what is divided by 0, also for the rest, is refused", () => {
+  for (const divide of [OPERATIONS.DIVIDE, modulo, PROPERTIES.DIVISIBLE_BY]) {
+    assert.throws(() => divide(1, 0), { message: "This block divides by 0." });
+  }
 });
 
 test("a number is printed with six digits, a large one with all", () => {
@@ -30,5 +36,6 @@ test("a number is printed with six digits, a large one with all", () => {
 
 test("True, False and None are printed as such, and calculated as 1 and 0", () => {
   assert.deepEqual([true, false, null, "<b>"].map(shown), ["True", "False", "None", "<b>"]);
+  assert.deepEqual([Infinity, -Infinity, NaN].map(shown), ["inf", "-inf", "nan"]);
   assert.deepEqual([true, false, 3].map(plain), [1, 0, 3]);
 });

@@ -5,6 +5,7 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 
 import json
 import time
+from types import SimpleNamespace
 
 import pytest
 
@@ -49,7 +50,7 @@ class StandIn:
         return []
 
     def robots(self):
-        return [RobotSnapshot("/").description()]
+        return [{**RobotSnapshot("/").description(), "pupil": ""}]
 
     def watch(self, robots):
         pass
@@ -74,8 +75,8 @@ class Cockpit:
         self.port = sockets[0].getsockname()[1]
         self.access = Access(self.port, ["class.test"], GRANTS)
         self.control, self.classroom = StandIn(), Classroom()
-        cards = [Card(grant, "class.test", self.port).message() for grant in GRANTS]
-        hub = Hub(self.control, cards, self.control)
+        codes = SimpleNamespace(rows=[Card(grant, "class.test", self.port).message() for grant in GRANTS])
+        hub = Hub(self.control, codes, self.control)
         self.server = Server(sockets, self.access, hub, self.classroom)
         self.server.start()
 

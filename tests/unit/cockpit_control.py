@@ -6,6 +6,7 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 import pytest
 
 from jetbot_cockpit.classroom.classroom import Classroom
+from jetbot_cockpit.classroom.folder import Nowhere
 from jetbot_cockpit.session.collection import Collection
 from jetbot_cockpit.session.control import Control
 from jetbot_cockpit.session.messages import problem_of
@@ -48,8 +49,9 @@ class FakeRobots:
     def tasks(self):
         return self.offered
 
-    def judge(self, robot, task):
+    def judge(self, robot, task, request=""):
         self.judged.append((robot, task))
+        self.request = request
 
     def report_driver(self, robot, name, interruption):
         if self.reports[-1:] != [(robot, name, interruption)]:
@@ -64,7 +66,7 @@ class FakeDrivers:
     """What each robot was commanded last, and under which lease."""
 
     def __init__(self):
-        self.commands, self.waiting, self.resume = {}, set(), 0.0
+        self.commands, self.waiting, self.held, self.resume = {}, set(), [], 0.0
 
     def drive(self, robot, velocity, lease):
         self.commands[robot] = velocity, lease
@@ -75,6 +77,7 @@ class FakeDrivers:
         return STOPPED if lease is None or lease.is_silent(now) else velocity
 
     def hold(self, robot):
+        self.held.append(robot)
         return True
 
     def keep_waiting(self, robot, waiting):
@@ -98,6 +101,20 @@ class FakeCameras:
 
     def watch(self, robots):
         self.watched = robots
+
+
+class Kept(Nowhere):
+    """What a class keeps, without a disk."""
+
+    def __init__(self):
+        super().__init__()
+        self.content = {}
+
+    def read(self, name):
+        return self.content.get(name)
+
+    def write(self, name, content):
+        self.content[name] = content
 
 
 class Cockpit:
@@ -126,6 +143,10 @@ class Cockpit:
             reply = self.do(client, Message("drive", robot, forward, left))
         return reply
 
+    def settle(self):
+        """Wait until everything is kept."""
+        self.classroom.do(str).result()
+
     def lift(self, client, robot="/red"):
         return self.do(client, Message("drive", robot))
 
@@ -151,6 +172,11 @@ class Cockpit:
         assert self.lift(client, robot) is None
         assert self.push(client, robot) is None
         assert self.drives(robot) != STOPPED
+
+
+@pytest.fixture
+def kept():
+    return Kept()
 
 
 @pytest.fixture

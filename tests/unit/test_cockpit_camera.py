@@ -4,7 +4,7 @@ import json
 
 import pytest
 from cockpit_control import FakeCameras
-from test_cockpit_hub import Control, Page
+from test_cockpit_hub import NO_CODES, Control, Page
 
 from jetbot_cockpit.session.feed import ANSWER_TIMEOUT, MAX_TOTAL_FPS, PART, Picture
 from jetbot_cockpit.session.hub import PICTURE_INTERVAL, Hub
@@ -51,7 +51,7 @@ class Scene:
     def __init__(self):
         self.cameras, control = FakeCameras(), Control()
         control.names = ["/red", "/blue"]
-        self.hub, self.time, self.size = Hub(control, [], self.cameras), 0.0, 10
+        self.hub, self.time, self.size = Hub(control, NO_CODES, self.cameras), 0.0, 10
 
     def expose(self, number):
         jpeg = b"%d" % number

@@ -1,6 +1,7 @@
 """What the pages of the cockpit are sent, and when one is disconnected; with a clock turned by hand."""
 
 import json
+from types import SimpleNamespace
 
 import pytest
 from cockpit_control import FakeCameras
@@ -17,6 +18,7 @@ STOP = '{"type": "stop"}'
 DRIVE = '{"type": "drive", "robot": "/", "forward": 1, "left": 0}'
 PING = '{"type": "ping", "sent": 7}'
 CODES = [{"code": "ABC234"}]
+NO_CODES = SimpleNamespace(rows=[])
 TRAIL = {"type": "trail", "robot": "/", "points": [[0, 0]]}
 
 
@@ -83,7 +85,7 @@ def control():
 
 @pytest.fixture
 def hub(control):
-    return Hub(control, [], FakeCameras())
+    return Hub(control, NO_CODES, FakeCameras())
 
 
 def join(hub, role=TEACHER, now=0.0, code="", address="10.0.0.1"):
@@ -179,12 +181,42 @@ def test_replies_do_not_pile_up_for_a_page_that_takes_nothing(hub):
 
 @pytest.mark.parametrize("role, codes", [(TEACHER, CODES), (TEACHER, []), (PUPIL, CODES)])
 def test_a_teacher_gets_the_codes_where_there_are_some(control, role, codes):
-    hub = Hub(control, codes, FakeCameras())
+    hub = Hub(control, SimpleNamespace(rows=codes), FakeCameras())
     page, viewer = join(hub, role)
     assert page.sent[0]["codes"] is (role == TEACHER and bool(codes))
     hub.receive(viewer, '{"type": "codes"}', 0.0)
     assert page.sent[-1] == ({"type": "codes", "codes": codes} if role == TEACHER else
                              protocol.notice(say("teacher_codes")))
+
+
+class Renewed:
+    """Codes of which each can be replaced, of jetbot_07 alone."""
+
+    rows = CODES
+
+    def renew(self, robot):
+        return "jetbot_07" if robot == "/jetbot_07" else None
+
+
+NEW_CODE = '{"type": "new_code", "robot": "/jetbot_07"}'
+
+
+def test_whose_code_is_replaced_is_disconnected_and_nobody_else(control):
+    hub = Hub(control, Renewed(), FakeCameras())
+    (teacher, viewer), (other, _) = join(hub, TEACHER), join(hub, PUPIL, code="jetbot_08")
+    old = [join(hub, PUPIL, code="jetbot_07", address=address) for address in ("10.0.0.2", "10.0.0.3")]
+    hub.receive(viewer, NEW_CODE, 0.0)
+    assert teacher.sent[-1] == {"type": "codes", "codes": CODES}
+    assert [page.closed[0] for page, _ in old] == [4001] * 2 and control.left == [3, 4], "their robots stop"
+    assert teacher.closed is other.closed is None
+
+
+def test_no_pupil_replaces_a_code_and_nobody_one_that_there_is_not(control):
+    hub = Hub(control, Renewed(), FakeCameras())
+    for role, text, code in (PUPIL, NEW_CODE, "teacher_new_code"), (TEACHER, '{"type": "new_code"}', "no_code"):
+        page, viewer = join(hub, role)
+        hub.receive(viewer, text, 0.0)
+        assert page.sent[-1] == protocol.notice(say(code)) and page.closed is None
 
 
 def test_after_its_disconnection_nothing_that_a_page_sends_counts_but_stops(hub, control):

@@ -22,7 +22,9 @@ FROM_PAGE, FROM_COCKPIT = SOCKET.split("## The page sends")[1].split("## The coc
     {"type": "name", "name": "<b>Eve</b> + 🙂"}, {"type": "name", "name": "\U0001fadf"},  # newer than Unicode 15
     {"type": "ping", "sent": 12.5}, {"type": "codes"},
     {"type": "look", "robot": "/"}, {"type": "look"}, {"type": "seen", "number": 7},
-    {"type": "save", "robot": "/", "label": "free"}, {"type": "delete", "robot": "/"}], ids=str)
+    {"type": "save", "robot": "/", "label": "free"}, {"type": "delete", "robot": "/"},
+    {"type": "pupil", "robot": "/", "name": "<b>Eve</b>"}, {"type": "new_code"}, {"type": "new_code", "robot": "/"}],
+    ids=str)
 def test_what_a_page_sends(fields):
     assert parse(json.dumps(fields)) == Message(**fields)
 
@@ -36,7 +38,8 @@ def test_what_a_page_sends(fields):
     '{"type": "ping", "sent": true}', '{"type": "ping", "sent": NaN}', '{"type": "ping", "sent": 1e999}',
     '{"type": "ping", "sent": 1%s}' % ("0" * 400), '{"type": "ping", "sent": "1"}', b'{"type": "stop"}',
     *(json.dumps({"type": "save", "robot": "/", "label": label}) for label in ("../x", "", "Free", None, ["free"])),
-    '{"type": "delete"}', '{"type": "seen", "number": "7"}'],
+    *(json.dumps({"type": "pupil", "robot": "/", "name": name}) for name in ("x" * 21, "a\n", "\u202e", 7, None)),
+    '{"type": "new_code", "robot": ["/"]}', '{"type": "delete"}', '{"type": "seen", "number": "7"}'],
     ids=lambda text: str(text)[:30])
 def test_anything_else_is_refused(text):
     with pytest.raises(ProtocolError):

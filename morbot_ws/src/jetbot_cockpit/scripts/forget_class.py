@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Deletes what a class has kept on this computer: its codes, programs, tasks and best scores."""
+"""Deletes what a class has kept on this computer: its codes, names, programs, tasks and best scores."""
 
 import argparse
 import sys
@@ -25,7 +25,7 @@ def main() -> str:
         return f"Not all of {path} was deleted: {error.strerror or error}."
     if count is None:
         return f"There is no class {name}: {path} does not exist."
-    print(f"Deleted {path}: {count} files with the codes, programs and best scores of the class {name}.")
+    print(f"Deleted {path}: {count} files with the codes, names, programs and best scores of the class {name}.")
     return ""
 
 

@@ -3,17 +3,15 @@
 /** @import { Send } from "./link.js" */
 /** @import { World } from "./world.js" */
 
-import { element, onPress, setClass, setText } from "./dom.js";
+import { element, onPress, onSurePress, setClass, setText } from "./dom.js";
 
 const TIMEOUT = 2000; // ms without a picture
-const NO_PICTURE = "No picture: is a camera running? (camera:=true) One above 1 MB is not shown.";
-const SURE_WITHIN = 3000; // ms
+const NO_PICTURE = "No picture. Is the robot's camera on? (camera:=true) Pictures above 1 MB are not shown.";
 const LABELS = { free: "Free", blocked: "Blocked" };
 
 export class Camera {
   /** @type {string | null} */
   robot = null; // whose pictures the cockpit was asked for
-  sure = false; // the next press deletes
   parts = []; // of the picture that comes
 
   /** @param {World} world @param {Send} send */
@@ -26,7 +24,8 @@ export class Camera {
     for (const label of /** @type {("free" | "blocked")[]} */ (Object.keys(LABELS))) {
       onPress(element(`save-${label}`), () => send({ type: "save", robot: world.chosen, label }), () => false);
     }
-    onPress(element("delete"), () => this.delete(), () => false);
+    const remove = () => send({ type: "delete", robot: world.chosen });
+    this.askNoMore = onSurePress(element("delete"), "Delete all?", remove);
   }
 
   open(on) {
@@ -53,7 +52,7 @@ export class Camera {
     const wanted = covered || document.hidden ? null : this.world.robot(this.world.chosen)?.id ?? null;
     if (wanted === this.robot || !this.send({ type: "look", robot: wanted })) return;
     this.robot = wanted;
-    this.ask(false);
+    this.askNoMore();
     this.clear("");
     element("camera").setAttribute("aria-label", `What ${this.world.robot(wanted)?.label} sees`);
   }
@@ -97,18 +96,5 @@ export class Camera {
     element("camera").hidden = hidden;
     clearTimeout(this.timer);
     if (this.robot !== null && !text) this.timer = setTimeout(() => this.clear(NO_PICTURE), TIMEOUT);
-  }
-
-  // Deletes at the second press.
-  delete() {
-    if (this.sure) this.send({ type: "delete", robot: this.world.chosen });
-    this.ask(!this.sure);
-  }
-
-  ask(sure) {
-    this.sure = sure;
-    setText(element("delete"), sure ? "Delete all?" : "Delete");
-    clearTimeout(this.asking);
-    if (sure) this.asking = setTimeout(() => this.ask(false), SURE_WITHIN);
   }
 }

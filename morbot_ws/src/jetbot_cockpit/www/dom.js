@@ -1,6 +1,7 @@
 // Short forms for the elements of the page. Text from outside reaches it as textContent alone.
 
 const CLICK_WITHIN = 1000; // ms after a touch: a click then belongs to that touch
+const SURE_WITHIN = 3000; // ms between the two presses that something needs
 
 /** @returns {any} whose kind the caller knows */
 export function element(id) {
@@ -52,6 +53,23 @@ export function onPress(target, action, urgent = () => true) {
     const ofTouch = event.detail > 0 && event.timeStamp - touched < CLICK_WITHIN;
     if (!ofTouch) action();
   });
+}
+
+// Calls action() at the second press; the first one lets the button ask. Returns a function that takes that back.
+export function onSurePress(target, question, action) {
+  const text = target.textContent;
+  let [sure, timer] = [false, 0]; // sure: the next press acts
+  const ask = (on) => {
+    sure = on;
+    clearTimeout(timer);
+    if (on) timer = setTimeout(() => ask(false), SURE_WITHIN);
+    setText(target, on ? question : text);
+  };
+  onPress(target, () => {
+    if (sure) action();
+    ask(!sure);
+  }, () => false);
+  return () => ask(false);
 }
 
 // Returns whether the finger is on the button: it may have slid away.

@@ -1,6 +1,7 @@
 // The cockpit's page: connects what the person does, what the cockpit sends, and what is shown.
 
 import { Camera } from "./camera.js";
+import { Codes } from "./codes.js";
 import { element, setClass, setText } from "./dom.js";
 import { Driving } from "./driving.js";
 import { Keys, Pad, watchGamepads } from "./inputs.js";
@@ -8,7 +9,8 @@ import { NameField } from "./login.js";
 import { showPanel } from "./panel.js";
 import { Fleet } from "./robots.js";
 import { Shell } from "./shell.js";
-import { prepareViews, showCodes, showScores } from "./views.js";
+import { showSwitches } from "./switches.js";
+import { prepareViews, showScores } from "./views.js";
 
 let driven = null; // the robot that the commands go to
 let wasDriver = false;
@@ -24,18 +26,21 @@ const shell = new Shell({
     robots() {
       if (driving.active && !world.robot(driven)) driving.lift();
       fleet.list();
+      codes.showNames();
     },
     state() {
       noticeLostLease();
       fitOnce();
     },
     scores: ({ scores }) => showScores(scores),
-    lift({ robot, text }) {
+    lift(message) {
+      if (message.robot !== driven) return; // all pages are told of a robot that is put back
       const late = !driving.active && notice.visible; // a command was on its way: the first reason counts
-      if (robot === driven) driving.lift();
-      if (!late) notice.show(text);
+      driving.lift();
+      if (!late) shell.refuse(message, message.robot);
     },
-    codes: ({ codes }) => showCodes(codes),
+    codes: (message) => codes.list(message.codes),
+    tasks: ({ tasks }) => showTasks(tasks),
     picture: (message) => camera.begin(message),
     part: ({ bytes }) => camera.take(bytes),
   },
@@ -48,6 +53,7 @@ const shell = new Shell({
 const { world, notice, send } = shell;
 const fleet = new Fleet(world, choose, send);
 const camera = new Camera(world, send);
+const codes = new Codes(world, send); // before the keys: see there
 const driving = new Driving({
   send: command, ready: () => shell.link.connected && Boolean(world.robot(world.chosen)), changed: () => shell.show(),
 });
@@ -70,8 +76,9 @@ function fitOnce() {
 function noticeLostLease() {
   if (wasDriver && !world.isMine(driven)) {
     driving.lift();
-    const { driver } = world.state(driven);
-    if (driver) notice.show(`${driver.name} has taken ${world.robot(driven)?.label ?? "the robot"}.`);
+    const [robot, { driver }] = [driven, world.state(driven)];
+    const drives = () => driver?.id === world.state(robot).driver?.id;
+    if (driver) notice.show(`${driver.name} has taken ${world.robot(robot)?.label ?? "the robot"}.`, drives);
   }
   wasDriver = world.isMine(driven);
 }
@@ -83,6 +90,11 @@ function draw() {
   fleet.show();
   camera.show();
   shell.map.draw();
+}
+
+function showTasks(tasks) {
+  element("codes-tasks").hidden = !tasks.length;
+  showSwitches(element("task-switches"), tasks, send);
 }
 
 // The page sees no finger and no key any more.
@@ -98,8 +110,9 @@ function setSpeed() {
   element("speed").setAttribute("aria-valuetext", `${percent} % of full speed`);
 }
 
-watchGamepads(deflect("gamepad"), () => driving.pause("gamepad") && notice.show("Move the stick a little to go on"));
-prepareViews(() => send({ type: "codes" }));
+watchGamepads(deflect("gamepad"), () => driving.pause("gamepad")
+  && notice.show("Move the stick a little to go on", () => !driving.active));
+prepareViews();
 element("speed").addEventListener("input", setSpeed);
 element("take").addEventListener("click", () => send({ type: "take", robot: world.chosen }));
 element("go-on").addEventListener("click", () => send({ type: "go_on", robot: world.chosen }));

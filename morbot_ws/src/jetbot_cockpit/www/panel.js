@@ -36,7 +36,7 @@ export function showStatus(world, problem) {
 function currentStatus(world, id) {
   if (world.robot(id)) return world.summarize(id);
   const own = world.me.robot ?? id;
-  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one.";
+  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running.";
   return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
 }
 
@@ -46,6 +46,7 @@ function showTeachersTools(world, robot, { held, fake }) {
   element("fit").hidden = !several && !world.pointsOf(robot?.id).length;
   element("fleet").hidden = element("show-fleet").hidden = !fleet;
   element("show-codes").hidden = !world.me.codes;
+  element("name").hidden = Boolean(world.robot(world.me.robot)?.pupil); // a teacher has said it
   element("take").hidden = !(world.teacher && robot && world.mayTake(robot.id));
   element("go-on").hidden = !(world.teacher && held);
   element("reset").hidden = !(world.teacher && robot?.simulated);

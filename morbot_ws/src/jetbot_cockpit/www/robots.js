@@ -4,7 +4,8 @@
 /** @import { World } from "./world.js" */
 
 import { visible } from "./colors.js";
-import { create, element, onPress, setText } from "./dom.js";
+import { create, element, onPress, onSurePress, setText } from "./dom.js";
+import { titleOf } from "./world.js";
 
 const MANY_STALLS = 2; // per minute: one alone may be a tablet that was switched off
 
@@ -39,7 +40,7 @@ export class Choice {
   list() {
     const { allowed, chosen } = this.world;
     const gone = chosen !== null && !this.world.robot(chosen);
-    const options = allowed.map(({ id, label }) => new Option(label, id, false, id === chosen));
+    const options = allowed.map((robot) => new Option(titleOf(robot), robot.id, false, robot.id === chosen));
     if (gone) options.unshift(new Option(`${chosen.slice(1) || "robot"} (gone)`, chosen, true, true));
     if (!options.length) options.push(new Option("no robot", ""));
     element("robot").replaceChildren(...options);
@@ -56,7 +57,7 @@ export class Fleet {
     this.choose = choose;
     this.send = send;
     this.rows = [];
-    element("reset-all").addEventListener("click", () => send({ type: "reset", robot: null }));
+    onSurePress(element("reset-all"), "End all programs?", () => send({ type: "reset", robot: null }));
     element("all-go-on").addEventListener("click", () => send({ type: "go_on", robot: null }));
   }
 
@@ -67,13 +68,14 @@ export class Fleet {
     element("reset-all").hidden = !this.world.robots.some(({ simulated }) => simulated);
   }
 
-  row({ id, label, color }) {
+  row(robot) {
+    const { id, label, color } = robot;
     const item = create("li");
     item.dataset.robot = id;
     const [driver, status] = [create("span", "who"), create("span", "why")];
     const stalls = create("span", "stalls", "network stalls");
     const [pick, words] = [create("button", "choose"), create("span", "words")];
-    words.append(create("span", "label", label), driver, status, stalls);
+    words.append(create("span", "label", titleOf(robot)), driver, status, stalls);
     pick.append(create("span", "swatch"), words);
     pick.addEventListener("click", () => this.choose(id));
     const stop = create("button", "stop-one", "Stop");

@@ -39,8 +39,8 @@ PARAMETERS = {
     "robots": Parameter(0, integer_to(MAX_ROBOTS), "how many of jetbot_01, jetbot_02 and so on get a code each"),
     "pictures": Parameter("~/jetbot_pictures", Kind(is_folder, "a folder, such as ~/jetbot_pictures, or false"),
                           "folder on this computer for the pictures that people collect on the page; false: none"),
-    "class": Parameter("", CLASS_NAME, "name of a class, such as 7b, whose codes, programs and best scores are kept "
-                       "until ./morbot forget; without one, they end with the cockpit"),
+    "class": Parameter("", CLASS_NAME, "name of a class, such as 7b, whose codes, names, programs and best scores are "
+                       "kept until ./morbot forget; without one, they end with the cockpit"),
     "classes": Parameter(FOLDER, Kind(lambda value: value is not False and is_folder(value),
                          "a folder, such as ~/classes"), "folder on this computer where classes are kept"),
     "browser": Parameter(False, Kind(lambda value: value in (False, "auto"), "false or auto"),

@@ -1,7 +1,7 @@
 // The blocks on the page: Blockly's workspace, in the page's colours.
 
 import { defineBlocks, TOOLBOX } from "./blocks.js";
-import { NO_PROGRAM, Refusal } from "./check.js";
+import { NO_PROGRAM, Refusal, writeProgram } from "./check.js";
 import { prepareGenerator } from "./python.js";
 
 const { Blockly } = globalThis;
@@ -22,10 +22,28 @@ const STYLES = { // of Blockly's own blocks, on which white text stands out
   variable_blocks: "#a03060", procedure_blocks: "#8a4a9a",
 };
 
+const { bumpNeighbours } = Blockly.BlockSvg.prototype;
+let dropped = false; // whether a person has just dropped a block
+
+// Blockly moves blocks apart whenever it draws them: a program that is opened would not stay as it was saved.
+/** @this {any} */
+function bumpDropped() {
+  if (dropped) bumpNeighbours.call(this);
+}
+
+function bump(block, group) {
+  dropped = true;
+  Blockly.Events.setGroup(group);
+  block?.bumpNeighbours();
+  Blockly.Events.setGroup(false);
+  dropped = false;
+}
+
 // Returns a new workspace in this element. changed(): the program is another one
 export function openEditor(target, changed) {
   defineBlocks();
   prepareGenerator();
+  Blockly.BlockSvg.prototype.bumpNeighbours = bumpDropped;
   const workspace = Blockly.inject(target, {
     toolbox: TOOLBOX, media: "vendor/blockly/media/", renderer: "thrasos", theme: theme(), sounds: false,
     trashcan: true, comments: false, collapse: false, disable: false, maxInstances: { robot_start: 1 },
@@ -36,6 +54,8 @@ export function openEditor(target, changed) {
   Blockly.ShortcutItems.registerNavigationShortcuts();
   workspace.addChangeListener(Blockly.Events.disableOrphans);
   workspace.addChangeListener((event) => event.isUiEvent || changed());
+  workspace.addChangeListener((event) => event.type === Blockly.Events.BLOCK_DRAG && !event.isStart
+    && bump(workspace.getBlockById(event.blockId), event.group));
   DARK.addEventListener("change", () => workspace.setTheme(theme()));
   new ResizeObserver(() => Blockly.svgResize(workspace)).observe(target);
   return workspace;
@@ -70,4 +90,9 @@ export function showProgram(workspace, program) {
 
 export function currentProgram(workspace) {
   return Blockly.serialization.workspaces.save(workspace);
+}
+
+// Returns its text as it is saved and kept.
+export function textOf(workspace) {
+  return writeProgram(currentProgram(workspace));
 }

@@ -1,8 +1,8 @@
 // One program that the cockpit keeps: each change is sent after a second, and again until the cockpit has answered.
 // It knows no page.
 //
-//   unchanged, kept, refused, older -- change --> waiting, or refused here
-//   waiting -- a second without a change --> sending -- the cockpit's answer --> kept, or refused
+//   unchanged, kept, refused, foreign, older -- change --> waiting, or refused here
+//   waiting -- a second without a change --> sending -- the cockpit's answer --> kept, refused or foreign
 //   unchanged, kept -- another page has saved it --> older
 
 import { limits } from "../limits.js";
@@ -13,6 +13,7 @@ import { problemOf } from "./check.js";
 const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
 const TOO_LARGE = "Too large to be kept here. Save it as a file.";
+const AGAIN = "The page tries again.";
 const NEWER = "There is a newer version of this program.";
 
 // What a person reads in each state; bad: as a warning; unsaved: the cockpit has another content
@@ -22,6 +23,7 @@ const STATES = {
   sending: { text: "Not kept yet", unsaved: true }, // perhaps the cockpit has kept it, and its answer was lost
   kept: { text: "Kept" },
   refused: { bad: true, unsaved: true }, // text: why it is not kept as it is
+  foreign: { text: "", unsaved: true }, // the cockpit has another class: it waits on this device for its own
   older: { text: NEWER, bad: true }, // newer: the version that another page has saved
 };
 
@@ -33,11 +35,13 @@ export class Kept {
   state = { name: "unchanged", ...STATES.unchanged };
 
   // robot: whose program it is, null as long as there is none; version: as the cockpit has it, 0 for a new program;
-  // content: { name, program }, null until there is something to keep; report(kept): it is in another state
-  constructor(robot, { id = newId(), version = 0, content = null }, report) {
+  // classId: of the class that keeps it, null for one without a name; content: { name, program }, null until there is
+  // something to keep; report(kept): it is in another state
+  constructor(robot, { id = newId(), version = 0, classId = null, content = null }, report) {
     this.robot = robot;
     this.id = id;
     this.version = version;
+    this.classId = classId;
     this.content = content;
     this.report = report;
   }
@@ -75,12 +79,14 @@ export class Kept {
   async send({ name, program }) {
     for (;;) {
       try {
-        const { robot, id, version } = this;
-        ({ version: this.version } = await ask({ do: "save", robot, id, version, name: clean(name), program }));
+        const { robot, id, version, classId } = this;
+        const fields = { do: "save", class: classId, robot, id, version, name: clean(name), program };
+        ({ version: this.version, class: this.classId } = await ask(fields));
         return ["kept"];
-      } catch ({ message, again }) {
+      } catch ({ message, code, again }) {
+        if (code === "other_class") return ["foreign"];
         if (!again) return ["refused", { text: message }];
-        this.enter("sending", { text: message, bad: true });
+        this.enter("sending", { text: `${message} ${AGAIN}`, bad: true });
       }
       await new Promise((resolve) => { setTimeout(resolve, RETRY_AFTER); });
     }
@@ -97,6 +103,16 @@ export function clean(name) {
   return toName(String(name).slice(0, limits.program_name)) || "Program";
 }
 
-export function copyOf(name) {
-  return clean(`${name.slice(0, limits.program_name - 5)} copy`);
+// Returns a name for a new program, which none of these rows has: "Square", "Square 2", "Square 3".
+/** @param {string} name @param {{ name: string, deleted?: boolean }[]} rows */
+export function freeName(name, rows) {
+  const isTaken = (each) => rows.some((row) => !row.deleted && row.name === each);
+  const [, base, last] = /** @type {string[]} */ (name.match(/^([^]*?)(?: (\d{1,4}))?$/));
+  for (let number = Number(last ?? 1); isTaken(name); name = numbered(base, number)) number += 1;
+  return name;
+}
+
+function numbered(name, number) {
+  const longest = limits.program_name - ` ${number}`.length;
+  return `${name.length > longest ? name.slice(0, longest) : name} ${number}`;
 }

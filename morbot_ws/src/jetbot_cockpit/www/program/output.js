@@ -30,7 +30,8 @@ function showOwnPart() {
 }
 
 // Marks the block that runs, and its line.
-export function showPlace(workspace, id) {
+export function showPlace(workspace, run) {
+  const id = run?.waitless ? loopAround(workspace, run.at) : run?.at ?? null;
   workspace.highlightBlock(id);
   const line = element("python").children[lines.get(id)] ?? null;
   const before = element("python").querySelector(".now");
@@ -40,6 +41,13 @@ export function showPlace(workspace, id) {
   if (!line) return;
   line.scrollIntoView({ block: "center", inline: "nearest" });
   scrolled = false;
+}
+
+// Returns the id of the innermost loop with this block in it, or its own.
+function loopAround(workspace, id) {
+  let block = workspace.getBlockById(id);
+  while (block && !block.getInput("DO")) block = block.getSurroundParent();
+  return block?.id ?? id;
 }
 
 export function clearPrints() {
@@ -63,7 +71,7 @@ export function showOutput(workspace, values) {
   printed = false;
 }
 
-export function setOutcome(text, level = "") {
+export function setOutcome(text, warning = false) {
   setText(element("outcome"), text);
-  element("outcome").dataset.level = level;
+  element("outcome").dataset.level = warning ? "warning" : "";
 }

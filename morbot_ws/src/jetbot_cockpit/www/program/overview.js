@@ -1,15 +1,15 @@
-// The teacher's sheet: which tasks are on, the best scores, and all programs, to look at or as one zip.
+// The teacher's sheet: which tasks are on, the best scores, and all programs, to look at or as one text.
 
 /** @import { Send } from "../link.js" */
 /** @import { Score, Task } from "../messages.js" */
 /** @import { World } from "../world.js" */
 
 import { create, element, setText } from "../dom.js";
+import { showSwitches } from "../switches.js";
+import { titleOf } from "../world.js";
+import { archive } from "./archive.js";
 import { ask } from "./ask.js";
 import { Sheet } from "./sheet.js";
-import { zip } from "./zip.js";
-
-const FILE_MODE = 0o644;
 
 export class Overview {
   scores = [];
@@ -22,7 +22,7 @@ export class Overview {
     this.download = download;
     this.world = world;
     this.sheet = new Sheet("overview", "overview-button", () => this.open());
-    element("zip").addEventListener("click", () => this.act(() => this.downloadAll()));
+    element("download-all").addEventListener("click", () => this.act(() => this.downloadAll()));
   }
 
   // Messages of the cockpit
@@ -33,26 +33,9 @@ export class Overview {
 
   /** @param {{ tasks?: Task[], scores?: Score[] }} news */
   show({ tasks, scores }) {
-    if (tasks) this.showTasks(tasks);
+    if (tasks) showSwitches(element("task-switches"), tasks, this.send);
     this.scores = scores ?? this.scores;
     if (this.sheet.isOpen) this.showScores();
-  }
-
-  // The same switches stay, with the keyboard's focus.
-  showTasks(tasks) {
-    const switches = element("task-switches");
-    const names = String(tasks.map(({ name }) => name));
-    if (switches.dataset.names !== names) switches.replaceChildren(...tasks.map((task) => this.toSwitch(task)));
-    switches.dataset.names = names;
-    switches.querySelectorAll("input").forEach((box, index) => { box.checked = tasks[index].on; });
-  }
-
-  toSwitch({ name, title }) {
-    const [label, box] = [create("label", "", title), create("input")];
-    box.type = "checkbox";
-    box.addEventListener("change", () => this.send({ type: "offer", task: name, on: box.checked }));
-    label.prepend(box);
-    return label;
   }
 
   // Shows a row for each robot, a column for each task in which there is a score.
@@ -60,7 +43,8 @@ export class Overview {
     const titles = [...new Set(this.scores.map(({ task }) => task))];
     const best = (robot, title) => this.scores.find((each) => each.task === title && each.robot === robot);
     const cell = (robot, title) => best(robot, title)?.score.toFixed(1) ?? "–";
-    const rows = this.world.robots.map(({ label }) => row("td", label, titles.map((title) => cell(label, title))));
+    const rows = this.world.robots.map((robot) => row("td", titleOf(robot),
+      titles.map((title) => cell(robot.label, title))));
     element("score-table").replaceChildren(row("th", "Robot", titles), ...rows);
   }
 
@@ -81,7 +65,7 @@ export class Overview {
   }
 
   item(program) {
-    const [item, look] = [create("li"), create("button", "name", `${label(program.robot)}: ${program.name}`)];
+    const [item, look] = [create("li"), create("button", "name", `${this.owner(program.robot)}: ${program.name}`)];
     look.addEventListener("click", () => this.act(async () => {
       await this.look(program);
       this.sheet.toggle(false);
@@ -90,14 +74,19 @@ export class Overview {
     return item;
   }
 
+  // Returns what a robot is called, with its pupil; it may not run now.
+  owner(id) {
+    return titleOf(this.world.robot(id) ?? { label: id.slice(1) || "robot" });
+  }
+
   async downloadAll() {
     const files = [];
     for (const [index, { robot, id, name }] of (await allPrograms()).entries()) {
       const { program } = await ask({ do: "open", robot, id });
-      const plain = name.replace(/[^A-Za-z0-9]+/g, "_");
-      files.push({ name: `${label(robot)}/${index + 1}_${plain}.json`, text: program, mode: FILE_MODE });
+      const path = `${plain(this.owner(robot))}/${index + 1}_${plain(name)}.json`;
+      files.push({ name: path, text: program });
     }
-    this.download("programs.zip", zip(files), "application/zip");
+    this.download("programs.txt", archive("programs", files), "text/plain");
   }
 }
 
@@ -112,6 +101,7 @@ function row(kind, heading, texts) {
   return made;
 }
 
-function label(robot) {
-  return robot.replace(/^\//, "").replace(/[^A-Za-z0-9_]/g, "_") || "robot";
+// Returns a name for a file: "jetbot_07, Ömer" becomes "jetbot_07_Omer".
+function plain(text) {
+  return text.normalize("NFD").replace(/\p{M}/gu, "").replace(/[^A-Za-z0-9]+/g, "_");
 }

@@ -2,7 +2,7 @@
 
 import { create, element, setText } from "../dom.js";
 import { ask, newId } from "./ask.js";
-import { copyOf } from "./kept.js";
+import { freeName } from "./kept.js";
 import { Sheet } from "./sheet.js";
 
 export class Shelf {
@@ -62,7 +62,7 @@ export class Shelf {
 
   async copy({ id, robot }) {
     const { name, program } = await ask({ do: "open", robot, id });
-    await ask({ do: "save", robot, id: newId(), version: 0, name: copyOf(name), program });
+    await ask({ do: "save", robot, id: newId(), version: 0, name: freeName(name, this.rows), program });
   }
 
   // Says why the cockpit refuses it.

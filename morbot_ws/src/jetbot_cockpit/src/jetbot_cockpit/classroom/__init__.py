@@ -1,1 +1,1 @@
-"""What a class keeps on this computer from lesson to lesson: codes, programs, tasks and best scores."""
+"""What a class keeps on this computer from lesson to lesson: codes, names, programs, tasks and best scores."""

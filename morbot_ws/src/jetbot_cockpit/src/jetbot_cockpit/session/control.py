@@ -1,7 +1,10 @@
 """What the clients ask for goes to who does it; what the robots report comes back as messages of the socket."""
 
 import math
+from functools import partial
 from typing import Callable, Dict, List, Optional
+
+from jetbot_ros.state import MANUAL_PRIORITY
 
 from ..classroom.classroom import Classroom
 from ..notices import Notice
@@ -11,9 +14,12 @@ from .holds import Holds
 from .judging import Judging
 from .leases import Leases
 from .protocol import Message, notice
+from .pupils import Pupils
 from .rights import Client, Request, refuse_role
 from .snapshot import RobotSnapshot, Snapshot
 from .stops import Stops
+
+QUIET = 0.5  # s without a command until the countdown begins: a program that is paused in a page repeats its zeros
 
 
 class Control:
@@ -27,13 +33,14 @@ class Control:
         self._robots, self._drivers, self._collection, self._classroom = robots, drivers, collection, classroom
         self.snapshot: Snapshot = robots.snapshot()  # as of the last check, or stop
         self._holds = Holds(drivers)
-        self._stops, self._leases = Stops(robots, self._holds), Leases(robots, drivers, self._holds)
+        self._pupils = pupils = Pupils(classroom.read("names", dict), partial(classroom.keep, "names"))
+        self._stops, self._leases = Stops(robots, self._holds), Leases(robots, drivers, self._holds, pupils)
         self._judging = Judging(robots, self._leases, classroom)
         leases, judging, collecting = self._leases, self._judging, Collecting(cameras, collection, self._leases)
         self._actions: Dict[str, Callable[[Request], Optional[Notice]]] = {
             "drive": leases.drive, "program": leases.program, "take": leases.take, "go_on": leases.go_on,
-            "name": leases.rename, "release": self._stops.release, "judge": judging.judge, "offer": judging.offer,
-            "reset": judging.reset, "save": collecting.save, "delete": collecting.delete}
+            "name": pupils.rename, "pupil": pupils.name, "release": self._stops.release, "judge": judging.judge,
+            "offer": judging.offer, "reset": judging.reset, "save": collecting.save, "delete": collecting.delete}
 
     def stop(self, client: Client, robot: Optional[str]) -> Optional[dict]:
         """Engage the emergency stop of a robot, or of all; return None, or a message that says why not."""
@@ -49,6 +56,8 @@ class Control:
             self.snapshot = self._robots.snapshot()
         if refusal and message.type in ("drive", "program"):
             return {"type": "lift", "robot": message.robot, **refusal.fields()}
+        if message.type == "judge":
+            return self._judging.answer(message.robot, refusal)
         if message.type == "program":
             ready = self._drivers.hold(message.robot)
             return {"type": "program", "robot": message.robot, "ready": ready, **self._robots.senses(message.robot)}
@@ -56,9 +65,8 @@ class Control:
 
     def leave(self, client: int) -> None:
         """The client's socket is closed: its robot stops at once, and is free."""
-        robot = self._leases.leave(client)
-        if robot:
-            self._judging.end(robot)
+        self._leases.leave(client)
+        self._pupils.leave(client)
 
     def check(self, now: float) -> List[dict]:
         """Let all look at the robots as they are now; call it for each frame.
@@ -66,9 +74,9 @@ class Control:
         Return messages of the socket for all clients.
         """
         before, self.snapshot = self.snapshot, self._robots.snapshot()
-        self._leases.check(self.snapshot, now)
+        lifts = self._leases.check(self.snapshot, now)
         self._stops.check(self.snapshot, before)
-        return self._judging.check(self.snapshot, now)
+        return lifts + self._judging.check(self.snapshot, now)
 
     @property
     def problem(self) -> Optional[Notice]:
@@ -77,7 +85,7 @@ class Control:
 
     def robots(self) -> List[dict]:
         """Return the robots of the message "robots"."""
-        return [robot.description() for robot in self.snapshot.robots.values()]
+        return [{**robot.description(), "pupil": self._pupils[robot.id]} for robot in self.snapshot.robots.values()]
 
     def state(self) -> dict:
         """Return the message "state"."""
@@ -95,4 +103,5 @@ class Control:
     def _seconds_until_programs(self, robot: RobotSnapshot) -> Optional[int]:
         """Return when programs that wait drive on, or None if none do, or not by themselves."""
         left = self._drivers.resumes_in(robot.id, self._leases.checked_at)
-        return math.ceil(left) if robot.programs_wait and not self._holds[robot.id] and left > 0 else None
+        counts = robot.programs_wait and not self._holds[robot.id] and 0 < left <= MANUAL_PRIORITY - QUIET
+        return math.ceil(left) if counts else None

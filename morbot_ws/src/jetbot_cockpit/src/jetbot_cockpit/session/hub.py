@@ -2,10 +2,10 @@
 
 import itertools
 import math
-from typing import Dict, Optional, Sequence
+from typing import Dict, Optional
 
 from ..cockpit_parameters import MAX_ROBOTS
-from ..notices import say
+from ..notices import Notice, say
 from . import protocol
 from .control import Control
 from .feed import interval
@@ -18,6 +18,7 @@ from .viewers import STILL_INTERVAL, PageOwner, Viewer, most_crowding
 MAX_CLIENTS = MAX_ROBOTS + 1  # a page for each robot, and a teacher's
 MAX_FRAME = 8192  # bytes of a message that is read at all; Tornado closes the socket of a larger one with 1009
 REFUSED, LOG_IN, FULL, ENDED = 4000, 4001, 4002, 1001  # why a socket is closed
+NO_CODE = "log in first"
 NO_ROOM = f"{MAX_CLIENTS} pages are connected already"
 TOO_MANY = f"more than {MAX_RATE} messages per second"
 FRAME_INTERVAL = 0.08   # s between two frames: what the pages draw more often delays a stop
@@ -28,11 +29,11 @@ FLOOD_PAUSE = 2.0       # s until who has sent too much may connect again
 
 
 class Hub:
-    """All clients. codes: the rows of the message "codes", with what a teacher hands out; cameras: what the robots see
-    (robots.cameras.Cameras).
+    """All clients. codes: what a teacher hands out (web.codes.Codes); cameras: what the robots see
+    (robots.camera_topics.Cameras).
     """
 
-    def __init__(self, control: Control, codes: Sequence[dict], cameras):
+    def __init__(self, control: Control, codes, cameras):
         self._control, self._codes, self._cameras = control, codes, cameras
         self._numbers = itertools.count(1)
         self._paused_until = -math.inf
@@ -55,7 +56,7 @@ class Hub:
             self.end(leaving, FULL, NO_ROOM)
         if leaving is viewer:
             return None
-        codes = role == TEACHER and bool(self._codes)
+        codes = role == TEACHER and bool(self._codes.rows)
         connection.send(dumps({"type": "hello", **viewer.client._asdict(), "codes": codes, "limits": LIMITS}))
         self._viewers[number] = viewer
         return viewer
@@ -150,10 +151,19 @@ class Hub:
             return viewer.feed.acknowledge(message.number)
         if message.type == "look":
             return self._look(viewer, message.robot)
-        if message.type != "codes":
+        if message.type not in ("codes", "new_code"):
             return self._control.handle(client, message, now)
         refusal = refuse_role(client, message.type)
-        return protocol.notice(refusal) if refusal else {"type": "codes", "codes": self._codes}
+        if not refusal and message.type == "new_code":
+            refusal = self._renew(message.robot)
+        return protocol.notice(refusal) if refusal else {"type": "codes", "codes": self._codes.rows}
+
+    def _renew(self, robot: Optional[str]) -> Optional[Notice]:
+        """Replace a code, and disconnect who came in with the old one; return that there is none, or None."""
+        code = self._codes.renew(robot)
+        for viewer in [each for each in self._viewers.values() if each.owner.code == code]:
+            self.end(viewer, LOG_IN, NO_CODE)
+        return None if code else say("no_code")
 
     def _look(self, viewer: Viewer, robot: Optional[str]) -> Optional[dict]:
         known = self.knows(robot)

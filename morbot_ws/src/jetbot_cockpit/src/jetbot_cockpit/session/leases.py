@@ -1,32 +1,36 @@
 """Who drives which robot. Times are monotonic seconds."""
 
 import math
-from typing import Dict, Optional, Set
+from typing import Dict, List, Optional, Set
 
 from ..notices import Notice, say
+from .history import RESET_TIME
 from .holds import Holds
 from .lease import COMMAND_TIMEOUT, Lease
+from .pupils import Pupils
 from .rights import Client, Request
 from .snapshot import Snapshot, label
 
 MINUTE = 60.0  # s, in which stalls are counted
 NO_COMMAND, LET_GO = say("no_command", seconds=COMMAND_TIMEOUT), say("let_go")
 TAKEN, LEFT = "a teacher took the robot over", "the driver's page was closed, or lost its connection"  # interruptions
+PUT_BACK = "a teacher put the robot back to its start"
 SILENT = f"no command came from the driver's page for {COMMAND_TIMEOUT} s"
 
 
 class Leases:
     """All leases. robots: what reports the drivers; drivers: what commands the robots; holds: what teachers have taken.
 
-    checked_at: the time of the last ``check``.
+    pupils: what people are called; checked_at: the time of the last ``check``.
     """
 
-    def __init__(self, robots, drivers, holds: Holds):
-        self._robots, self._drivers, self._holds = robots, drivers, holds
+    def __init__(self, robots, drivers, holds: Holds, pupils: Pupils):
+        self._robots, self._drivers, self._holds, self._pupils = robots, drivers, holds, pupils
         self._leases: Dict[str, Lease] = {}  # by robot
-        self._typed: Dict[int, str] = {}  # the names that people have typed, by client
         self._must_lift: Dict[int, Notice] = {}  # why the finger must lift, by client
         self._stalls: Dict[str, Set[float]] = {}  # the times of the commands that none followed, by robot
+        self._reset_until: Dict[str, float] = {}  # by robot
+        self._lifts: List[dict] = []  # messages for all pages, not sent yet
         self.checked_at, self._stale_until = math.inf, -math.inf
 
     # What a client asks for; each returns why that is refused, or None.
@@ -66,16 +70,24 @@ class Leases:
             self._holds.take(robot)
         return request.snapshot.ended(robot)
 
+    def reset(self, robot: str, now: float) -> None:
+        """The robot is put back to its start: end what drives it here, and let nobody drive it on the way."""
+        reason = say("put_back", robot=label(robot))
+        lease = self._leases.get(robot)
+        if lease:
+            self._report(robot, PUT_BACK)
+            self._free(robot)
+            if lease.driving:
+                self._must_lift[lease.client.id] = reason
+        self._reset_until[robot] = now + RESET_TIME
+        self._lifts.append({"type": "lift", "robot": robot, **reason.fields()})
+
     def go_on(self, request: Request) -> None:
         """Give back a robot that teachers hold, or all; the own one is free."""
         own = self._robot_of(request.client.id)
         self._holds.give_back(request.robot)
         if request.robot in (None, own):
             self._free(own)
-
-    def rename(self, request: Request) -> None:
-        """Call the client by the name that the person has typed."""
-        self._typed[request.client.id] = request.message.name.strip()
 
     # What else has a driver
 
@@ -87,6 +99,8 @@ class Leases:
         if self._is_stale(request.now):
             return say("interrupted")
         self._notice_silence(robot, request.now)
+        if request.now < self._reset_until.get(robot, -math.inf):
+            return say("put_back", robot=label(robot))
         if self._holds.is_taken_from(client, robot):
             return say("taken", robot=label(robot))
         if self.has_other(client, robot):
@@ -106,30 +120,34 @@ class Leases:
         self._drivers.let_go(request.robot)
         self._give(request, driving=False)
 
+    def seize(self, request: Request) -> None:
+        """Stop the robot, which is the client's from now on, also if a program commands it: that waits."""
+        self.halt(request)
+        self._drivers.hold(request.robot)
+
     def keep(self, request: Request) -> None:
         """Keep a robot that is free or the client's for LEASE_TIMEOUT; while it is driven, only commands do that."""
         if not (self.is_driver(request.client, request.robot) and self._leases[request.robot].driving):
             self._give(request, driving=False)
 
-    def leave(self, client: int) -> Optional[str]:
-        """The client's socket is closed: its robot stops at once, and is free. Return it, or None if it was driven."""
+    def leave(self, client: int) -> None:
+        """The client's socket is closed: its robot stops at once, and is free."""
         robot = self._robot_of(client)
-        driven = robot is not None and self._leases[robot].driving
-        if driven:
+        if robot is not None and self._leases[robot].driving:
             self._report(robot, LEFT)
         self._free(robot)
-        self._typed.pop(client, None)
         self._must_lift.pop(client, None)
-        return None if driven else robot
 
-    def check(self, snapshot: Snapshot, now: float) -> None:
-        """End the leases of silent clients and of robots that cannot be driven."""
+    def check(self, snapshot: Snapshot, now: float) -> List[dict]:
+        """End the leases of silent clients and of robots that cannot be driven; return messages for all pages."""
         self._is_stale(now)
         self.checked_at = now
         for robot, lease in list(self._leases.items()):
             self._notice_silence(robot, now)
             if snapshot.problem(robot) or lease.has_expired(now):
                 self._free(robot)
+        lifts, self._lifts = self._lifts, []
+        return lifts
 
     def driver(self, robot: str) -> Optional[dict]:
         """Return who drives the robot, for the message "state"."""
@@ -176,9 +194,9 @@ class Leases:
         return self._leases[robot]
 
     def _report(self, robot, interruption=""):
-        """Tell the robot's judge who drives it, by the name that this person has typed, and what interrupted that."""
-        typed = self._typed.get(self._leases[robot].client.id, "") if robot in self._leases else ""
-        self._robots.report_driver(robot, typed, interruption)
+        """Tell the robot's judge who drives it, by name, and what interrupted that."""
+        name = self._pupils.called(self._leases[robot].client) if robot in self._leases else ""
+        self._robots.report_driver(robot, name, interruption)
 
     def _free(self, robot):
         """Stop the robot and end its lease. Who drove it meanwhile must lift the finger before driving again."""
@@ -189,7 +207,7 @@ class Leases:
                 self._must_lift.setdefault(lease.client.id, LET_GO)
 
     def _name(self, lease):
-        return self._typed.get(lease.client.id) or lease.client.name
+        return self._pupils.called(lease.client) or lease.client.name
 
     def _robot_of(self, client: int) -> Optional[str]:
         return next((robot for robot, lease in self._leases.items() if lease.client.id == client), None)

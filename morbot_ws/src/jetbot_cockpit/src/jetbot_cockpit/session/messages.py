@@ -102,7 +102,7 @@ SAID = {"code": TEXT, "arguments": ARGUMENTS, "text": TEXT}  # a Notice
 NOTICE = part("Said", **SAID)
 DRIVER = part("Driver", id=COUNT, name=TEXT)
 JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "driving", "done", "cancelled"), text=TEXT,
-              seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT)
+              seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT, request=TEXT)
 PICTURES = part("Pictures", **dict.fromkeys(LABELS, COUNT), problem=or_null(NOTICE))
 ROBOT_STATE = part(
     "RobotState", status=TEXT, state=one_of("", "driving", "stopped", "ended"), cause=TEXT, holds=list_of(TEXT),
@@ -111,7 +111,7 @@ ROBOT_STATE = part(
     driver=or_null(DRIVER), resumes=or_null(COUNT), held=or_null(one_of("robot", "programs")), stalls=COUNT,
     task=or_null(JUDGED), pictures=or_null(PICTURES), programs=COUNT)
 ROBOT_ROW = part("Robot", id=ROBOT, label=TEXT, color=TEXT, workshop=or_null(BOOLEAN), wheel_separation=NUMBER,
-                 max_speed=NUMBER, simulated=BOOLEAN)
+                 max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT)
 SHAPE = part("Shape", kind=one_of("wall", "line", "course", "goal"), width=NUMBER, points=list_of(numbers(2)))
 SCORE = part("Score", task=TEXT, robot=TEXT, score=NUMBER, seconds=or_null(NUMBER), name=TEXT)
 OFFERED = part("Task", name=TEXT, title=TEXT, on=BOOLEAN)
@@ -127,14 +127,20 @@ FROM_PAGE = {
                   teacher=True),
     "stop": Form({"robot": ROBOT_OR_ALL}, "emergency stop: of all robots, or of this one"),
     "release": Form({"robot": ROBOT_OR_ALL}, "ends that stop"),
-    "reset": Form({"robot": ROBOT_OR_ALL}, "puts all simulated robots back to their starts, or this one", teacher=True),
+    "reset": Form({"robot": ROBOT_OR_ALL}, "puts all simulated robots back to their starts, or this one; "
+                  "ends the pads, programs of blocks and tasks there", teacher=True),
     "name": Form({"name": text(MAX_NAME)}, "what the person is called"),
+    "pupil": Form({"robot": ROBOT, "name": text(MAX_NAME)},
+                  'what the pupil of this robot is called, whatever the pupil types; `""`: nothing', teacher=True),
     "ping": Form({"sent": NUMBER}, "is answered by `pong` with the same number"),
     "look": Form({"robot": ROBOT_OR_ALL}, "shows what this robot's camera sees, and no other's any more; null: none"),
     "seen": Form({"number": NUMBER}, "a part of the picture with this number has come; the next one may follow"),
     "save": Form({"robot": ROBOT, "label": one_of(*LABELS)}, "keeps the robot's newest picture; from its driver"),
     "delete": Form({"robot": ROBOT}, "deletes the pictures of this robot that were kept; from its driver"),
     "codes": Form({}, "asks for the addresses and codes to hand out", teacher=True),
+    "new_code": Form({"robot": ROBOT_OR_ALL},
+                     "replaces the code for this robot, or for all pupils, and disconnects who came in with the old "
+                     "one; is answered by `codes`", teacher=True),
     "judge": Form({"robot": ROBOT, "task": TASK},
                   'puts a simulated robot at the start of a task, and judges its next drive; task `""`: ends that, '
                   "without a score"),
@@ -163,17 +169,21 @@ FROM_COCKPIT = {
                      "wheels": or_null(numbers(2))},
                     "the answer to `program`; `ready`: whether its controller is connected"),
     "lift": Form({"robot": ROBOT, **SAID},
-                 "why a `drive` or `program` was refused, and the robot stopped; the next one counts after letting go"),
+                  "why a `drive` or `program` was refused, or a `reset` ended it, and the robot stopped; the next one "
+                  "counts after letting go"),
+    "judge": Form({"robot": ROBOT, "request": TEXT, "refusal": or_null(NOTICE)},
+                  "the answer to `judge`: the `request` of the robot's `task` from then on, or why it is refused"),
     "pong": Form({"sent": NUMBER}, "the answer to `ping`"),
-    "codes": Form({"codes": list_of(CODE)}, "the answer to `codes`; `rows` are the modules of the QR code"),
+    "codes": Form({"codes": list_of(CODE)},
+                  "the answer to `codes` and `new_code`; `rows` are the modules of the QR code"),
 }
 
 REQUESTS = {  # to /work, by what they "do"
     "list": Form({"robot": ROBOT_OR_ALL}, "`programs`, those first that were changed last; of all robots: teacher"),
     "open": Form({"robot": ROBOT, "id": ID, "version": or_null(VERSION)},
                 "the program, with the `program` of this version; without `version`, of the newest"),
-    "save": Form({"robot": ROBOT, "id": ID, "version": VERSION, "name": PROGRAM_NAME, "program": TEXT},
-                "what is kept now"),
+    "save": Form({"robot": ROBOT, "id": ID, "version": VERSION, "name": PROGRAM_NAME, "program": TEXT,
+                 "class": or_null(ID)}, "what is kept now"),
     "delete": Form({"robot": ROBOT, "id": ID}, "the same"),
     "restore": Form({"robot": ROBOT, "id": ID}, "the same: undoes `delete`"),
 }

@@ -16,7 +16,7 @@ class Message(NamedTuple):
     """What a page sends. What its type does not have, or what was left out, has the default.
 
     robot: a namespace, None: all robots; forward, left: deflections in [-1, 1], both 0: the pad was let go;
-    name: what the person wants to be called; sent: a number that is sent back at once; number: of a picture; label:
+    name: what a person is called; sent: a number that is sent back at once; number: of a picture; label:
     what a picture shows, one of LABELS; task: its name; on: whether pupils may choose it.
     """
 

@@ -64,7 +64,10 @@ def authority(host: str, port: int) -> str:
 
 
 class Access:
-    """Decides who gets in. names: by which others reach this computer, beside the addresses that they connect to."""
+    """Decides who gets in. names: by which others reach this computer, beside the addresses that they connect to.
+
+    grants: by which codes; the list may change.
+    """
 
     def __init__(self, port: int, names: Iterable[str], grants: Sequence[Grant]):
         self.cookie_name = f"jetbot_cockpit_{port}"  # a host's ports share their cookies

@@ -16,7 +16,7 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from jetbot import files
 
-from ..session.hub import LOG_IN, Hub
+from ..session.hub import LOG_IN, NO_CODE, Hub
 from ..session.viewers import PageOwner, Viewer
 from .access import Access, TooManyTries
 
@@ -157,7 +157,7 @@ class Socket(Handler, WebSocketHandler):
             owner = PageOwner(grant.label, self.request.remote_ip)
             self.viewer = self.hub.join(self, grant.role, grant.robot, owner, time.monotonic())
         else:
-            self.close(LOG_IN, "log in first")
+            self.close(LOG_IN, NO_CODE)
         if self.ws_connection:
             self.ws_connection.stream.is_page = True
 
