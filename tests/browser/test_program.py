@@ -390,8 +390,9 @@ def test_the_python_is_shown_from_the_pupils_own_part_on_unless_the_pupil_has_sc
     page.tab_to("python")
     page.tap("Home")
     page.wait_for(lambda: in_sight()[0].startswith("#!"), "the beginning")
+    before = page.text("python")
     page.run(CHANGE)
-    page.wait_for_text("python", "drive(2,")
+    page.wait_for(lambda: page.text("python") != before, "another program")
     assert in_sight()[0].startswith("#!")
 
 
