@@ -1,8 +1,9 @@
 // The blocks on the page: Blockly's workspace, in the page's colours.
 
 import { defineBlocks, TOOLBOX } from "./blocks.js";
-import { NO_PROGRAM, Refusal } from "./check.js";
+import { NO_PROGRAM, Refusal, writeProgram } from "./check.js";
 import { prepareGenerator } from "./python.js";
+import { Room } from "./room.js";
 
 const { Blockly } = globalThis;
 const DARK = matchMedia("(prefers-color-scheme: dark)");
@@ -79,6 +80,16 @@ export function showProgram(workspace, program) {
   first.setDeletable(false);
   workspace.clearUndo();
   workspace.scroll(0, 0);
+}
+
+const room = new Room();
+
+// Undoes the last change if it makes the program too large to be kept, or to be opened again; says why.
+export function limitProgram(workspace, say) {
+  const problem = room.change(writeProgram(currentProgram(workspace)), workspace.getUndoStack().length > 0);
+  if (!problem) return;
+  workspace.undo(false);
+  say(problem);
 }
 
 export function currentProgram(workspace) {

@@ -4,7 +4,7 @@ import { create, element, onPress, setText } from "../dom.js";
 import { Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
 import { parseProgram, writeProgram } from "./check.js";
-import { currentProgram, openEditor, showProgram } from "./editor.js";
+import { currentProgram, limitProgram, openEditor, showProgram } from "./editor.js";
 import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
 import { NEW, openWork } from "./keeping.js";
@@ -126,6 +126,7 @@ function ended(sentence, block) {
 function programChanged() {
   changing ??= setTimeout(() => {
     changing = null;
+    limitProgram(workspace, (text) => notice.show(text, () => false));
     const before = python.text;
     writePython();
     if (python.text !== before) end(CHANGED);
