@@ -9,7 +9,7 @@ from cockpit_control import ADA, BOB, STOPPED
 from conftest import ROOT
 from jetbot_cockpit.session.protocol import Message
 
-read_files = pytest.importorskip("jetbot_cockpit.web.handlers").read_files  # it needs Tornado
+read_files = pytest.importorskip("jetbot_cockpit.web.page_files").read_files  # it needs Tornado
 pytest_plugins = ["cockpit_control"]  # its fixtures
 
 BLOCKLY = ROOT / "morbot_ws/src/jetbot_cockpit/www/vendor/blockly"

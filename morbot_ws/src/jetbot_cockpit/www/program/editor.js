@@ -12,6 +12,7 @@ const COLORS = { // of Blockly's parts: the page's names
   flyoutBackgroundColour: "--calm-ground", flyoutForegroundColour: "--text", scrollbarColour: "--muted",
 };
 
+const MEDIA = new URL("../vendor/blockly/media/", import.meta.url).href;
 const STYLES = { // of Blockly's own blocks, on which white text stands out
   logic_blocks: "#2a6a8a", loop_blocks: "#3c7a1f", math_blocks: "#4a55b5", text_blocks: "#6a4fb5",
   variable_blocks: "#a03060", procedure_blocks: "#8a4a9a",
@@ -40,7 +41,7 @@ export function openEditor(target, changed) {
   prepareGenerator();
   Blockly.BlockSvg.prototype.bumpNeighbours = bumpDropped;
   const workspace = Blockly.inject(target, {
-    toolbox: TOOLBOX, media: "vendor/blockly/media/", renderer: "thrasos", theme: theme(), sounds: false,
+    toolbox: TOOLBOX, media: MEDIA, renderer: "thrasos", theme: theme(), sounds: false,
     trashcan: true, comments: false, collapse: false, disable: false, maxInstances: { robot_start: 1 },
     zoom: { controls: true, pinch: true, wheel: false, startScale: 0.9, minScale: 0.4, maxScale: 2 },
     move: { scrollbars: true, drag: true, wheel: true }, grid: { spacing: 24, length: 2, colour: "#8884", snap: false },
