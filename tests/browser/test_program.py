@@ -19,7 +19,11 @@ from .programs import block, chain, drive, let, num, plug, program, set_motion, 
 FORWARD = (0.5, 0.5)
 ENDLESS = block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}))
 CHANGE = "Blockly.getMainWorkspace().getBlocksByType('math_number')[0].setFieldValue(2, 'NUM')"
-TABLETS = [(768, 1024), (1024, 768), (1180, 820)]
+TABLETS = [(768, 1024), (1024, 768), (1180, 820), (960, 540)]  # px; the last one is a projector's at 200 %
+SMALL = [(320, 568), (844, 390), (640, 340), (400, 300)]
+CLEAR = """const { left, top, width } = document.getElementById(arguments[0]).getBoundingClientRect();
+    const shown = document.elementFromPoint(left + width / 2, Math.max(top, 0) + 20);
+    return shown.closest("#" + arguments[0]) !== null"""
 
 
 def undisturbed(test):
@@ -391,6 +395,7 @@ def test_the_python_is_shown_from_the_pupils_own_part_on_unless_the_pupil_has_sc
     assert in_sight()[0].startswith("#!")
 
 
+TASKS = {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]}
 PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not kept yet", ""].map((text) => {
     document.getElementById("kept").textContent = text;
     document.getElementById("newer").hidden = !text;
@@ -410,13 +415,27 @@ def test_the_page_fits_tablets_and_phones_and_what_is_said_of_keeping_moves_noth
         page.resize(*screen)
         page.wait_for(lambda: page.fits("run", "pause", "step", "end", "stop", "release", "robot", "status", "python",
                                         "output"), f"all on {screen}")
+        assert page.overlapping() == [], screen
         assert not page.text("small")
         assert len(set(page.run(PLACES))) == 1
         assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
-    page.receive({"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]})
+    page.receive(TASKS)
     page.resize(1024, 768)
     assert page.run("return document.getElementById('running').clientHeight") < 60, "all in one row"
     page.resize(390, 844)
     page.wait_for(lambda: page.fits("run", "end", "stop", "blocks", "output"), "a phone")
+    assert page.overlapping() == []
     assert "tablet" in page.text("small")
     assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
+
+
+def test_on_a_small_or_magnified_screen_all_of_the_page_is_reached_and_stop_stays(blocks):
+    page = blocks(program(drive(0.5, 1)))
+    page.receive(TASKS)
+    for screen in SMALL:
+        page.resize(*screen)
+        page.receive({"type": "notice", "text": "Somebody else drives the robot. " * 3})
+        for name in "programs", "run", "end", "output", "blocks":
+            page.run("document.getElementById(arguments[0]).scrollIntoView({block: 'center'})", name)
+            page.wait_for(lambda name=name: page.run(CLEAR, name) and page.fits("stop", "release"),
+                          f"{name} on {screen}")
