@@ -1,4 +1,7 @@
-"""./morbot run PACKAGE FILE NAME:=VALUE...: refuses a mistyped word or a second start, then becomes roslaunch."""
+"""./morbot run and class: run.py WHAT PACKAGE FILE NAME:=VALUE... refuses a mistyped word or a second start.
+
+Then it becomes roslaunch, without its list of all parameters. WHAT: what is started, for the terminal.
+"""
 
 # ruff: noqa: E402
 import signal
@@ -82,16 +85,16 @@ def problem_of(package: str, file: str, words: List[str]) -> Optional[str]:
     return word_problem(words, known) or start_problem(required)
 
 
-def main(package: str, file: str, *typed: str) -> None:
+def main(what: str, package: str, file: str, *typed: str) -> None:
     words = list(map(whole_path, typed))
     sys.argv[1:] = words  # roslaunch reads the values of the arguments there
     problem = problem_of(package, file, [word for word in words if not word.startswith("-")])
     if problem:
         sys.exit(f"morbot: {printable(problem)}")
-    if not any(word.startswith("cockpit_port:=") for word in words):
+    if "cockpit:=true" in words and not any(word.startswith("cockpit_port:=") for word in words):
         words.append(f"cockpit_port:={next(filter(is_free, PORTS), COCKPIT_PORT)}")
-    print("morbot: the workshop's scenario with a simulated robot; Ctrl-C ends it", flush=True)
-    os.execvp("roslaunch", ["roslaunch", package, file, *words])
+    print(f"morbot: {what}; Ctrl-C ends it", flush=True)
+    os.execvp("roslaunch", ["roslaunch", "--no-summary", package, file, *words])
 
 
 if __name__ == "__main__":

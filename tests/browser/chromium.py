@@ -24,8 +24,9 @@ EXCLUDED = ["disable-background-timer-throttling", "disable-renderer-backgroundi
             "disable-backgrounding-occluded-windows"]
 KEYS = {"ArrowUp": Keys.ARROW_UP, "ArrowDown": Keys.ARROW_DOWN, "ArrowLeft": Keys.ARROW_LEFT,
         "ArrowRight": Keys.ARROW_RIGHT, "Space": Keys.SPACE, "Escape": Keys.ESCAPE, "Tab": Keys.TAB,
-        "Enter": Keys.ENTER}
-CAUSED_BY_TESTS = "/favicon.ico", "willReadFrequently"  # a picture in a tab of its own; the map's pixels that are read
+        "Enter": Keys.ENTER, "Home": Keys.HOME}
+CAUSED_BY_TESTS = ("/favicon.ico", "willReadFrequently",  # a picture in a tab of its own; the map's pixels
+                   "insecure connection")                 # a file that is saved from a page without https
 END_TIMEOUT = 20.0  # s
 # Keeps the socket, and for other pages of this origin the newest commands that the page sends, and when it paused.
 KEEP_SENT = f"""if (location.protocol === "http:") {{ let turn = performance.now();
@@ -59,7 +60,7 @@ class Command(NamedTuple):
 
 
 class Chromium:
-    """profile: a folder of its own."""
+    """profile: a folder of its own. downloads: the folder with what the page's person saves."""
 
     def __init__(self, profile: Path):
         options = webdriver.ChromeOptions()
@@ -71,6 +72,8 @@ class Chromium:
         options.add_experimental_option("excludeSwitches", EXCLUDED)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         service = Service(shutil.which("chromedriver"), popen_kw={"preexec_fn": end_with_parent})
+        self.downloads = profile / "downloads"
+        options.add_experimental_option("prefs", {"download.default_directory": str(self.downloads)})
         self.driver = webdriver.Chrome(service=service, options=options)
         self._watch_tab()
         self._driver_process, self._service = service.process.pid, service

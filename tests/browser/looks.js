@@ -14,6 +14,36 @@ function misplaced(names) {
   });
 }
 
+// Returns the box of what is to be seen of an element: what it is in may hide a part of it.
+function shownBox(element) {
+  let { left, top, right, bottom } = element.getBoundingClientRect();
+  for (let around = element.parentElement; around; around = around.parentElement) {
+    if (around === document.body || getComputedStyle(around).overflow === "visible") continue;
+    const box = around.getBoundingClientRect();
+    [left, top] = [Math.max(left, box.left), Math.max(top, box.top)];
+    [right, bottom] = [Math.min(right, box.right), Math.min(bottom, box.bottom)];
+  }
+  return { left, top, right, bottom };
+}
+
+// Returns whether an element is shown to its edges.
+function isWhole(element) {
+  const [shown, { width, height }] = [shownBox(element), element.getBoundingClientRect()];
+  return shown.right - shown.left > width - 1 && shown.bottom - shown.top > height - 1;
+}
+
+// Returns the controls and texts that lie over each other, in pairs.
+function overlapping() {
+  const parts = [...document.querySelectorAll("#cockpit :is(button, input, select, a[href], p, h2, dl, #pad, .wheel > *)")]
+    .filter((element) => visible(element) && !element.closest(".unseen, meter, svg"));
+  const boxes = parts.map(shownBox);
+  const length = (one, other, start, end) => Math.min(one[end], other[end]) - Math.max(one[start], other[start]);
+  const overlap = (one, other) => length(one, other, "left", "right") > 1 && length(one, other, "top", "bottom") > 1;
+  return parts.flatMap((one, index) => parts.slice(0, index)
+    .filter((other, place) => !other.contains(one) && overlap(boxes[index], boxes[place]))
+    .map((other) => `${nameOf(other)}, ${nameOf(one)}`));
+}
+
 function smallControls(least) {
   return [...document.querySelectorAll("button, input, select, a[href]")].filter(visible).filter((element) => {
     const { width, height } = element.getBoundingClientRect();

@@ -164,6 +164,14 @@ class Page(Chromium):
         self.wait_for(element.is_displayed, f"{selector} to be shown")
         element.click()
 
+    def download(self, button: str, name: str) -> Path:
+        """Press a button; return the file of this name that arrives where the person's browser keeps downloads."""
+        file = self.downloads / name
+        file.unlink(missing_ok=True)
+        self.click(f"#{button}")
+        self.wait_for(file.exists, f"{name} to arrive")
+        return file
+
     def controls(self) -> List[str]:
         """Return the ids of the visible controls that a person can use now."""
         return [element.get_attribute("id") for element in self.driver.find_elements(By.CSS_SELECTOR, CONTROLS)
@@ -190,6 +198,14 @@ class Page(Chromium):
     def misplaced(self, *names: str) -> List[str]:
         """Return the elements that are not wholly on the screen, or whose middle something else covers."""
         return self._looks("misplaced", list(names))
+
+    def overlapping(self) -> List[str]:
+        """Return the controls and texts that lie over each other, in pairs."""
+        return self._looks("overlapping")
+
+    def is_whole(self, name: str) -> bool:
+        """Return whether the element with this id is shown to its edges."""
+        return self.run(f"{LOOKS}\nreturn isWhole(document.getElementById(arguments[0]))", name)
 
     def small_controls(self, least: int) -> List[str]:
         """Return the visible controls that are smaller than this, in px."""

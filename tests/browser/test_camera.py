@@ -98,7 +98,7 @@ def test_pictures_are_kept_and_deleted_by_who_drives(looking, pupil, world):
 def test_without_a_camera_the_page_says_so_and_shows_no_old_picture(looking, world):
     robot = world.publish_status(BLIND, "blind")
     looking.choose(BLIND)
-    looking.wait_for_text("no-picture", "No picture: is a camera running? (camera:=true) One above 1 MB is not shown.")
+    looking.wait_for_text("no-picture", "Is the robot's camera on? (camera:=true) Pictures above 1 MB are not shown.")
     assert not looking.run(PICTURE)
     looking.choose(ROBOT)
     looking.wait_for(lambda: looking.run(PICTURE), "a picture")

@@ -7,6 +7,8 @@ from .test_driving import hold
 
 TOUCH_SCREENS = [(360, 640), (390, 844), (844, 390), (820, 1180), (1180, 820)]  # px
 DESKTOP = (1280, 800)
+PROJECTORS = [(960, 540), (640, 400), (640, 340), (512, 324), (400, 300)]  # px that are left of them at 200 %
+SMALL_PHONE = (320, 568)
 FINGER, MOUSE = 44, 24  # px that each control has at least
 LONG = "stopped: " + "a reason that nobody has ever shortened, " * 7
 NAME = "a_robot_with_a_name_of_forty_characters_"
@@ -30,6 +32,22 @@ def test_everything_fits_the_screen_and_the_finger(page, pupil):
             each.run(LONG_TEXTS)
             assert each.misplaced("pad", "stop", "release") == [], f"with long texts on {screen}"
             assert each.fits(), f"with long texts on {screen}"
+
+
+RELEASED = "stopped: no command since the emergency stop was released"
+TASK = {"name": "metre", "title": "One metre", "state": "ready", "text": "Drive, and stop.", "seconds": 0.0,
+        "score": None}
+
+
+def test_after_a_release_nothing_covers_the_sums_and_who_drives_is_shown_whole_at_200_percent_too(page):
+    for screen in [*TOUCH_SCREENS, SMALL_PHONE, *PROJECTORS, DESKTOP, (1920, 1080)]:
+        page.resize(*screen)
+        for task in None, TASK:
+            page.receive_class(2, status=RELEASED, state="stopped", fake=True, held="stop", waiting=["roam"], task=task)
+            page.wait_for_text("status", "The program waits until a teacher presses Go on")
+            assert page.overlapping() == [], screen
+            assert page.is_whole("driver") and page.is_whole("sentence"), screen
+        assert page.text("status").count("fake") == 0
 
 
 def test_a_teacher_sees_a_class_on_one_screen_each_status_to_its_end_and_all_robots_on_the_map(page):

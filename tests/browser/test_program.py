@@ -1,13 +1,11 @@
 """The page for programs drives a real robot, and whatever stops the robot ends the program."""
 
 import functools
-import io
 import json
 import signal
+import subprocess
 import time
-import zipfile
 from itertools import groupby
-from pathlib import Path
 
 import pytest
 
@@ -21,12 +19,11 @@ from .programs import block, chain, drive, let, num, plug, program, set_motion, 
 FORWARD = (0.5, 0.5)
 ENDLESS = block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}))
 CHANGE = "Blockly.getMainWorkspace().getBlocksByType('math_number')[0].setFieldValue(2, 'NUM')"
-TABLETS = [(768, 1024), (1024, 768), (1180, 820)]
-PACKAGE = """const blob = []; const create = URL.createObjectURL;
-    URL.createObjectURL = (given) => { blob.push(given); return create(given); };
-    document.getElementById('package').click(); URL.createObjectURL = create;
-    const done = arguments[0];
-    blob[0].arrayBuffer().then((bytes) => done([...new Uint8Array(bytes)]));"""
+TABLETS = [(768, 1024), (1024, 768), (1180, 820), (960, 540)]  # px; the last one is a projector's at 200 %
+SMALL = [(320, 568), (844, 390), (640, 340), (400, 300)]
+CLEAR = """const { left, top, width } = document.getElementById(arguments[0]).getBoundingClientRect();
+    const shown = document.elementFromPoint(left + width / 2, Math.max(top, 0) + 20);
+    return shown.closest("#" + arguments[0]) !== null"""
 
 
 def undisturbed(test):
@@ -113,7 +110,7 @@ def test_no_program_drives_a_robot_that_somebody_else_drives(blocks, world, vict
     page = blocks(program(drive(0.5, 30)))
     world.drive(victim, ROBOT)
     page.click("#run")
-    page.wait_for_text("outcome", "drives")  # somebody else does
+    page.wait_for_text("outcome", f"was driving {ROBOT}")
 
 
 LATE_STATUS = """const receive = socket.onmessage; socket.onmessage = ({data}) => {
@@ -179,12 +176,24 @@ def test_pause_step_and_slow(blocks, world):
 def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blocks, world):
     page = blocks(program(drive(0.5, 0.1), set_motion(0.5, 0), wait(0.1),
                           {**ENDLESS, "inputs": {**ENDLESS["inputs"], "DO": chain(
-                              block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1)))}}, variables="x"))
+                              *[block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1))] * 20)}}, variables="x"))
     run(page, world)
     world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, 3.0, "the command to be too old")
-    assert page.text("outcome") == "Running"
+    page.wait_for_text("outcome", "A loop runs without a wait")
+    assert page.has(".controls_whileUntil.blocklyHighlighted")
     page.click("#end")
     page.wait_for_text("outcome", "Stopped.")
+
+
+@undisturbed
+def test_a_program_that_asks_for_too_much_or_for_nothing_says_so_at_its_end_and_marks_the_block(blocks):
+    for content, sentence, marked in (
+            ([drive(3.33, 0.2), wait(0.1)], "The program has ended. A wheel takes 1 at most, not 3.33.", "drive"),
+            ([], 'Nothing is below "when the program starts"', "start")):
+        page = blocks(program(*content))
+        page.click("#run")
+        page.wait_for_text("outcome", sentence)
+        assert page.has(f".robot_{marked}.blocklySelected")
 
 
 @undisturbed
@@ -249,6 +258,8 @@ def test_a_thousand_blocks_load_in_two_seconds(blocks):
     page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
 
 
+FINGER = 40  # px
+NUMBER = ".blocklySvg .math_number .blocklyFieldRect"
 NUMBER_BOXES = {"showEditor": "blocklyHtmlInput", "showPromptEditor": "blocklyDialogInput"}  # a computer's, Android's
 
 
@@ -260,9 +271,18 @@ def test_a_number_may_have_a_decimal_comma(blocks):
             page.run(f"Blockly.getMainWorkspace().getBlocksByType('math_number')[0].getField('NUM').{editor}();"
                      f"document.querySelector('.{field}').select()")
             box = page.driver.switch_to.active_element
-            assert box.get_attribute("inputmode") == "decimal"
+            assert box.get_attribute("inputmode") == "decimal" and box.size["height"] >= FINGER
             box.send_keys(f"{typed}\n")
             page.wait_for_text("python", f"drive({x}, 0, 1)")
+
+
+def test_a_number_is_large_enough_for_a_finger_and_its_box_opens_over_it(blocks):
+    page = blocks(program(drive(0.5, 1)))
+    page.wait_for_text("python", "drive(0.5, 0, 1)")
+    size = page.driver.find_element("css selector", NUMBER).rect
+    assert size["width"] >= 32 and size["height"] >= 32
+    page.run("Blockly.getMainWorkspace().getBlocksByType('math_number')[0].getField('NUM').showEditor()")
+    assert page.place_of(".blocklyHtmlInput") == pytest.approx(page.place_of(NUMBER), abs=2)
 
 
 def test_the_map_shows_the_robot_its_trail_and_the_tasks_world_while_the_program_runs(blocks, world):
@@ -291,19 +311,11 @@ def test_the_name_that_the_device_knows_is_announced(blocks, world, pupil):
     pupil.wait_for_text("driver", "Ada drives it")
 
 
-def unpack(packed, folder):
-    """Unpack a zip with the rights that it gives its files, which Python's own zipfile leaves out."""
-    for each in packed.infolist():
-        Path(packed.extract(each, folder)).chmod(each.external_attr >> 16 & 0o777)
-
-
 def test_a_package_is_accepted_by_the_lessons_and_drives_the_same(blocks, world, tmp_path):
     page = blocks(program(drive(0.5, 0.8), set_motion(0.3, 0.1), wait(0.5),
                           show(plug("robot_here", {"WHAT": "HEADING"}))))
     page.set("title", "Two moves!")
-    packed = zipfile.ZipFile(io.BytesIO(bytes(page.driver.execute_async_script(PACKAGE))))
-    assert packed.testzip() is None
-    unpack(packed, tmp_path)
+    subprocess.run(["sh", page.download("package", "my_two_moves.txt"), tmp_path], check=True)
     folder = tmp_path / "my_two_moves"
     for lesson in 7, 8:
         assert lessons.find_problem(lessons.handed_in_package(folder)[lesson]) is None
@@ -359,6 +371,31 @@ def test_the_keyboard_alone_builds_runs_and_stops_a_program(blocks, world):
             assert page.element(name).accessible_name, f"#{name} has no label"
 
 
+IN_SIGHT = """const { top, bottom } = document.getElementById("python").getBoundingClientRect();
+    return [...document.querySelectorAll("#python div")].filter((line) => {
+        const box = line.getBoundingClientRect();
+        return box.top >= top && box.bottom <= bottom;
+    }).map((line) => line.textContent.trim())"""
+
+
+def test_the_python_is_shown_from_the_pupils_own_part_on_unless_the_pupil_has_scrolled(blocks):
+    page = blocks(program(drive(0.5, 1)))
+    in_sight = functools.partial(page.run, IN_SIGHT)
+    page.wait_for(lambda: {"def main():", "drive(0.5, 0, 1)"} <= set(in_sight()), "the program in sight")
+    page.click("#show-map")
+    page.resize(768, 1024)
+    page.set("examples", "A square, with a function")
+    page.click("#show-map")
+    page.wait_for(lambda: in_sight()[0] == "def side():", "the pupil's function, on an upright tablet, after the map")
+    page.tab_to("python")
+    page.tap("Home")
+    page.wait_for(lambda: in_sight()[0].startswith("#!"), "the beginning")
+    page.run(CHANGE)
+    page.wait_for_text("python", "drive(2,")
+    assert in_sight()[0].startswith("#!")
+
+
+TASKS = {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]}
 PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not kept yet", ""].map((text) => {
     document.getElementById("kept").textContent = text;
     document.getElementById("newer").hidden = !text;
@@ -366,17 +403,39 @@ PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not
 });"""
 
 
+MANY_PRINTS = """const prints = document.getElementById("prints");
+    for (let count = 0; count < 30; count += 1) prints.append(document.createElement("li"), `line ${count}`);
+    document.getElementById("output").scrollTop = 9999;"""
+
+
 def test_the_page_fits_tablets_and_phones_and_what_is_said_of_keeping_moves_nothing(blocks):
     page = blocks(program(drive(0.5, 1)))
+    page.run(MANY_PRINTS)
     for screen in TABLETS:
         page.resize(*screen)
         page.wait_for(lambda: page.fits("run", "pause", "step", "end", "stop", "release", "robot", "status", "python",
                                         "output"), f"all on {screen}")
+        assert page.overlapping() == [], screen
         assert not page.text("small")
         assert len(set(page.run(PLACES))) == 1
-    page.receive({"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]})
+        assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
+    page.receive(TASKS)
     page.resize(1024, 768)
     assert page.run("return document.getElementById('running').clientHeight") < 60, "all in one row"
     page.resize(390, 844)
     page.wait_for(lambda: page.fits("run", "end", "stop", "blocks", "output"), "a phone")
+    assert page.overlapping() == []
     assert "tablet" in page.text("small")
+    assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
+
+
+def test_on_a_small_or_magnified_screen_all_of_the_page_is_reached_and_stop_stays(blocks):
+    page = blocks(program(drive(0.5, 1)))
+    page.receive(TASKS)
+    for screen in SMALL:
+        page.resize(*screen)
+        page.receive({"type": "notice", "text": "Somebody else drives the robot. " * 3})
+        for name in "programs", "run", "end", "output", "blocks":
+            page.run("document.getElementById(arguments[0]).scrollIntoView({block: 'center'})", name)
+            page.wait_for(lambda name=name: page.run(CLEAR, name) and page.fits("stop", "release"),
+                          f"{name} on {screen}")

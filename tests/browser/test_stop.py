@@ -82,7 +82,7 @@ def test_an_emergency_stop_from_ros_is_shown_and_what_is_refused_meanwhile_is_po
     world.emergency_stop()
     wait_for_stop(page)
     page.touch()
-    page.wait_for_text("notice", "Release it first")
+    page.wait_for_text("notice", "it must be released first")
     world.stay_stopped(ROBOT)
     page.lift()
     release(page)

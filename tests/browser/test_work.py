@@ -10,10 +10,10 @@ from harness import program
 
 from . import programs
 from .conftest import ROBOT
-from .programs import as_file, block, chain, num, plug, show
+from .programs import as_file, block, chain, num, plug, set_motion, show
 from .world import moving
 
-LATE = "no command came from the driver's page"  # what the judge says if the page pauses
+NOT_COUNTED = "The drive does not count"  # what is said, too, if the page pauses
 
 
 def open_programs(page, url):
@@ -93,19 +93,45 @@ for (const category of [...categories, ...categories]) { // a function can be ca
 }
 toolbox.clearSelection();
 """
-BLOCKS = """const places = ["id", "x", "y"];
-return Blockly.serialization.workspaces.save(Blockly.getMainWorkspace()).blocks.blocks
-  .map((block) => JSON.stringify(block, (key, value) => (places.includes(key) ? undefined : value))).sort()"""
+SAVED = """const blobs = [], create = URL.createObjectURL;
+URL.createObjectURL = (blob) => { blobs.push(blob); return create(blob); };
+document.getElementById("save").click();
+URL.createObjectURL = create;
+blobs[0].text().then(arguments[0]);"""
 
 
-def test_every_block_of_the_toolbox_is_kept_and_opened_again(page):
+def test_every_block_of_the_toolbox_is_kept_and_opened_again_as_it_was(page):
+    page.click("#programs")
+    page.click("#new")
     page.run(ALL_BLOCKS)
     rename(page, "All blocks")
-    every = page.run(BLOCKS)
+    saved = page.driver.execute_async_script(SAVED)
     assert {"math_number_property", "procedures_ifreturn", "procedures_callreturn", "math_change", "robot_print"} <= {
-        json.loads(each)["type"] for each in every}
+        each["type"] for each in json.loads(saved)["blocks"]["blocks"]}
     page.driver.refresh()
-    page.wait_for(lambda: page.value("title") == "All blocks" and page.run(BLOCKS) == every, "all blocks")
+    page.wait_for(lambda: page.value("title") == "All blocks", "all blocks")
+    page.wait_for_link()
+    assert page.driver.execute_async_script(SAVED) == saved
+    assert page.text("kept") == "", "what is only opened is no change"
+
+
+DEEPER = """const workspace = Blockly.getMainWorkspace(), innermost = workspace.getBlocksByType("logic_negate").at(-1);
+Blockly.Events.setGroup(true);
+const more = Blockly.serialization.blocks.append({type: "logic_negate"}, workspace, {recordUndo: true});
+innermost.getInput("BOOL").connection.connect(more.outputConnection);
+Blockly.Events.setGroup(false);"""
+
+
+def test_a_block_that_nests_too_deep_is_taken_back_so_that_the_program_can_be_opened_again(page, tmp_path):
+    deep = {"block": {"type": "logic_negate"}}
+    for _ in range(59):
+        deep = plug("logic_negate", BOOL=deep)
+    page.element("file").send_keys(as_file(tmp_path, programs.program(show(deep))))
+    page.wait_for(lambda: page.run("return Blockly.getMainWorkspace().getAllBlocks().length") == 62, "the program")
+    saved = page.driver.execute_async_script(SAVED)
+    page.run(DEEPER)
+    page.wait_for_text("notice", "nests more than 60 blocks in each other. It was undone.")
+    assert page.driver.execute_async_script(SAVED) == saved
 
 
 YES = plug("logic_boolean", {"BOOL": "TRUE"})
@@ -127,7 +153,8 @@ def test_what_is_divisible_and_what_returns_is_the_same_when_it_is_opened_again(
     page.wait_for(lambda: page.text("python") == python, python)
 
 
-@pytest.mark.parametrize("button, sheet, first", [("programs", "work", "new"), ("overview-button", "overview", "zip")])
+@pytest.mark.parametrize("button, sheet, first", [
+    ("programs", "work", "new"), ("overview-button", "overview", "download-all")])
 def test_a_sheet_takes_the_keyboards_focus_and_gives_it_back(button, sheet, first, page):
     page.tab_to(button)
     page.tap("Enter")
@@ -148,10 +175,13 @@ def judge(pupil, world, sentence, act=None):
     """Press Judge me, and do this while the robot drives; again only if the page paused: fail unless it says this."""
     def press():
         pupil.click("#judge")
+        pupil.wait_for(lambda: NOT_COUNTED not in pupil.text("score"), "another judging")
         if act:
+            pupil.wait_for_text("score", "The judge measures")
             world.wait_for(lambda: moving(*world.wheels(ROBOT)), 20.0, "the drive")
             act()
-        pupil.wait_for(lambda: sentence in pupil.text("score") or LATE in pupil.text("score"), sentence, within=60.0)
+        pupil.wait_for(lambda: sentence in pupil.text("score") or NOT_COUNTED in pupil.text("score"), sentence,
+                       within=60.0)
         assert sentence in pupil.text("score")
     world.undisturbed(pupil, press)
 
@@ -164,14 +194,20 @@ def suspended(process):
     process.send_signal(signal.SIGCONT)
 
 
-def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world):
+THERE = plug("logic_compare", {"OP": "LT"}, A=plug("robot_here", {"WHAT": "X"}), B=num(0.95))
+ENDLESS = programs.program(block("robot_loop", DO=chain(
+    set_motion(0, 0), block("controls_if", IF0=THERE, DO0=chain(set_motion(0.4, 0))))))
+
+
+def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_score(page, pupil, world, tmp_path):
     process = world.start(program("driving_tasks", "class_judge.py"))
     page.click("#overview-button")
     page.wait_for(lambda: page.has("#task-switches input"), "the tasks")
     assert not pupil.element("judge").is_displayed(), "no task is on"
     page.click("#task-switches input")
     pupil.wait_for(lambda: pupil.element("judge").is_displayed(), "the task")
-    pupil.set("examples", "Drive until I am there")
+    pupil.element("file").send_keys(as_file(tmp_path, ENDLESS))
+    pupil.wait_for_text("python", "if here.x < 0.95:")
     for stop in (lambda: pupil.click("#end"), lambda: page.click("#stop")):
         with suspended(process), world.stops(ROBOT, what="a stop before the robot is at its start"):
             pupil.click("#judge")
@@ -179,10 +215,14 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
             pupil.wait_for_text("score", "cancelled")
     page.click("#release")
     pupil.wait_for(lambda: not pupil.has("#release.needed"), "the release")
-    for button in "#pause", "#end":
-        judge(pupil, world, "its program was stopped", lambda button=button: pupil.click(button))
+    judge(pupil, world, "the program was paused", lambda: pupil.click("#pause"))
+    pupil.click("#pause")
+    pupil.wait_for_text("outcome", "Running")
+    judge(pupil, world, NOT_COUNTED, lambda: pupil.click("#end"))
     judge(pupil, world, "points")
     assert "Largest loss" in pupil.text("score") and "One metre" in pupil.text("score")
+    pupil.wait_for_text("outcome", "The judge has seen enough.")
+    world.wait_for_stop(ROBOT)
     page.wait_for_text("score-table", "One metre")
     world.kill(process)
 
@@ -192,3 +232,14 @@ def test_who_comes_back_in_a_new_browser_goes_on_with_the_newest_program(page, p
     pupil.run("localStorage.clear()")
     open_programs(pupil, pupil.driver.current_url)
     pupil.wait_for(lambda: pupil.value("title") == "Newest", "the newest program")
+
+
+def test_what_is_saved_arrives_from_a_computer_without_https(page, world):
+    rename(page, "Mine")
+    open_programs(page, world.codes()["teacher"].replace("#", "program#"))
+    assert not page.run("return isSecureContext")
+    page.wait_for(lambda: page.value("title") == "Mine", "the program")
+    assert "import rospy" in page.download("package", "my_mine.txt").read_text()
+    assert "robot_start" in page.download("save", "my_mine.json").read_text()
+    page.click("#overview-button")
+    assert "Mine.json" in page.download("download-all", "programs.txt").read_text()

@@ -30,14 +30,26 @@ class Element {
   getAttribute(name) {
     return this.#attributes.get(name) ?? null;
   }
+
+  toString() {
+    const attributes = Array.from(this.#attributes, ([name, value]) => ` ${name}="${value}"`).join("");
+    return `<${this.nodeName}${attributes}>${this.childNodes.join("")}</${this.nodeName}>`;
+  }
+}
+
+class XMLSerializer {
+  serializeToString(element) {
+    return String(element);
+  }
 }
 
 const { Blockly } = globalThis;
 Blockly.utils.xml.injectDependencies({
-  document: { createElementNS: (_, nodeName) => new Element(nodeName) }, DOMParser: Object, XMLSerializer: Object,
+  document: { createElementNS: (_, nodeName) => new Element(nodeName) }, DOMParser: Object, XMLSerializer,
 });
 Blockly.Events.disable(); // they would write more of it
 const { defineBlocks } = await import("#www/program/blocks.js");
+const { parseProgram, writeProgram } = await import("#www/program/check.js");
 const { prepareGenerator, toPython } = await import("#www/program/python.js");
 defineBlocks();
 prepareGenerator();
@@ -48,3 +60,13 @@ export function write(program, geometry = WORKSHOP) {
   Blockly.serialization.workspaces.load(program, workspace);
   return toPython(workspace, "my_program", geometry);
 }
+
+// Returns the text that the page saves of this program.
+export function save(program) {
+  const workspace = new Blockly.Workspace();
+  Blockly.serialization.workspaces.load(program, workspace);
+  return writeProgram(Blockly.serialization.workspaces.save(workspace));
+}
+
+// Returns the text that the page saves once it has opened this one.
+export const reopen = (text) => save(parseProgram(text));

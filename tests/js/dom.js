@@ -1,10 +1,11 @@
 // What modules of the page ask of the browser as they begin; a test changes it.
 
 export const style = { "--calm-ground": "#ffffff", "--text": "#000000" }; // the page's colours
+const elements = {};
 const darkens = [];
 
 Object.assign(globalThis, {
-  document: { documentElement: {} },
+  document: { documentElement: {}, getElementById: (id) => elements[id] ??= { hidden: true } },
   matchMedia: () => ({ addEventListener: (_, call) => darkens.push(call) }),
   getComputedStyle: () => ({ getPropertyValue: (name) => ` ${style[name]}` }),
   Path2D: class {

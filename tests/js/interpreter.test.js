@@ -19,8 +19,8 @@ const count = (FROM, TO, BY, ...blocks) =>
   block("controls_for", { FROM, TO, BY, DO: body(...blocks) }, X);
 
 const FAULTS = {
-  "This calculation has no result.": program([print(calculate(1, "DIVIDE", 0))]),
-  "Functions call functions too deep: one of them calls itself for ever.":
+  "This block divides by 0.": program([print(calculate(1, "DIVIDE", 0))]),
+  "Functions call each other more than 998 deep. Does one call itself for ever?":
     program([call("again")], { functions: [define("again", call("again"))] }),
   "This function is not defined.": program([call("gone")]),
   "Here a number is needed, not a.": program([block("robot_set", { X: "a" })]),
@@ -40,12 +40,24 @@ for (const [sentence, faulty] of Object.entries(FAULTS)) {
   });
 }
 
-test("infinity, and a root of a negative number, have no result", () => {
-  const infinity = plug("math_constant", {}, { CONSTANT: "INFINITY" });
-  const root = plug("math_single", { NUM: -4 }, { OP: "ROOT" });
-  for (const value of [infinity, root, calculate(-8, "POWER", 0.5)]) {
+test("a root of a negative number has no result", () => {
+  for (const value of [plug("math_single", { NUM: -4 }, { OP: "ROOT" }), calculate(-8, "POWER", 0.5)]) {
     assert.equal(interpret(program([print(value)])).error, "This calculation has no result.");
   }
+});
+
+test("more loops in each other than Python allows are refused before anything runs", () => {
+  let inner = { ...print(1), id: "inner" };
+  for (let loops = 21; loops > 0; loops -= 1) {
+    inner = { ...block("controls_repeat_ext", { TIMES: 1, DO: body(inner) }), id: `loop ${loops}` };
+  }
+  const { prints, error, block: place } = interpret(program([print("begins"), inner]));
+  assert.deepEqual([prints, error, place], [[], "Python allows 20 loops in each other, not more.", "loop 21"]);
+});
+
+test("a function that calls itself for ever is marked where it does", () => {
+  const again = { ...call("again"), id: "again" };
+  assert.equal(interpret(program([call("again")], { functions: [define("again", again)] })).block, "again");
 });
 
 test("a failure names the block that failed", () => {
@@ -74,7 +86,7 @@ test("blocks that hang nowhere, or are disabled, do not run", () => {
   const loose = program([print("a"), { ...print("b"), disabledReasons: ["MANUALLY_DISABLED"] }, print("c")]);
   loose.blocks.blocks.push(print("d"));
   assert.deepEqual(interpret(loose).prints, ["a", "c"]);
-  assert.deepEqual(interpret({}), { prints: [], commands: [], error: "", events: 0 });
+  assert.deepEqual(interpret({}).trace, [[0, 0, 0]]);
 });
 
 test("a loop is left, or begins its next round, where the program says", () => {

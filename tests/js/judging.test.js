@@ -4,161 +4,365 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { Judging } from "#www/program/judging.js";
+import { World } from "#www/world.js";
 
 import { Clock } from "./clock.js";
 
 const STAND = { type: "drive", robot: "/red", forward: 0, left: 0 };
 const ASK = { type: "judge", robot: "/red", task: "metre" };
 const END = { type: "judge", robot: "/red", task: "" };
+const KEEP = { type: "program", robot: "/red" };
 const STARTING = "The robot goes to the start of the task.";
-const CANCELLED = "Judge me was cancelled.";
 const RESULT = { state: "done", title: "One metre", score: 87.26, seconds: 3.41, text: "Largest loss: too late." };
+const POINTS = "One metre: 87.3 points, 3.4 s. Largest loss: too late.";
+const NOT_JUDGED = "This drive is not judged any more.";
+const ME = { id: 1, name: "pupil 1", role: "pupil", robot: null };
+const FREE = { answers: true, driver: null, task: null };
 
-// Returns a page on which Judge me was pressed; report(fields): the judge of /red says so.
-function press(t, task = null) {
-  const page = { clock: new Clock(t), sent: [], read: [], runs: 0, blocked: false, states: { "/red": { task } } };
-  page.world = { chosen: "/red", state: (robot) => page.states[robot] ?? {}, isBlocked: () => page.blocked };
-  page.judging = new Judging({
-    world: page.world, send: (message) => page.sent.push(message), say: (text) => page.read.push(text),
-    run: () => { page.runs += 1; },
-  });
-  page.report = (fields) => {
-    page.states["/red"].task = fields && { name: "metre", ...fields };
-    page.judging.update();
-  };
+// A page as the judging sees it: programs run and end, messages are sent and answered, states arrive.
+class Page {
+  sent = []; // messages
+  read = []; // what the person reads
+  ends = []; // why programs were ended
+  runs = 0;
+  going = false; // whether a program runs
+  connected = true;
+
+  constructor(t) {
+    this.clock = new Clock(t);
+    this.world = Object.assign(new World(), { chosen: "/red", me: ME, robots: [{ id: "/red" }, { id: "/blue" }] });
+    this.be({});
+    const send = (message) => this.connected && this.sent.push(message) > 0;
+    this.judging = new Judging({
+      send, world: this.world, say: (text) => this.read.push(text),
+      run: () => {
+        this.runs += 1;
+        this.going = true;
+      },
+      end: (sentence) => this.end(sentence),
+    });
+  }
+
+  // The program ends, if one runs; "" is its own end.
+  end(sentence) {
+    if (!this.going) return;
+    this.going = false;
+    this.ends.push(sentence);
+    this.judging.programEnded(Boolean(sentence));
+  }
+
+  be(fields, robot = "/red") {
+    this.world.states = { ...this.world.states, [robot]: { ...FREE, ...this.world.states[robot], ...fields } };
+  }
+
+  // A state arrives, with these fields of the robot.
+  state(fields = {}) {
+    this.be(fields);
+    this.judging.update();
+  }
+
+  // The judge reports how the robot does, and what was asked for with this word.
+  report(fields, request = "one") {
+    this.state({ task: fields && { name: "metre", request, ...fields } });
+  }
+
+  // The cockpit answers.
+  accept(request = "one") {
+    this.be({ driver: ME, task: null });
+    this.judging.answered({ request, refusal: null });
+  }
+
+  refuse(text) {
+    this.judging.answered({ request: "", refusal: { text } });
+  }
+
+  // Takes what was sent but for what keeps the robot.
+  take() {
+    return this.sent.splice(0).filter(({ type }) => type !== "program");
+  }
+
+  get name() {
+    return this.judging.state.name;
+  }
+
+  get said() {
+    return this.read.at(-1);
+  }
+}
+
+function press(t) {
+  const page = new Page(t);
   page.judging.begin("/red", "metre");
   return page;
 }
 
-function drive(t) {
+function wait(t) {
   const page = press(t);
-  page.report({ state: "ready" });
-  page.sent.splice(0);
+  page.accept();
+  page.take();
   return page;
 }
 
-test("the robot stands, goes to the start, the program runs once, and the score is shown", (t) => {
-  const { judging, sent, read, report } = press(t);
-  assert.deepEqual(sent, [STAND, ASK]);
-  for (const fields of [null, { name: "square", state: "ready" }, { state: "driving" }]) report(fields);
-  assert.deepEqual([judging.isWaiting, read], [true, [STARTING]]);
-  report({ state: "ready" });
-  report({ state: "driving" });
-  judging.programEnded(false);
-  report({ ...RESULT });
-  assert.match(read[1], /^The judge measures from the first motion/);
-  assert.deepEqual(read.slice(2), ["One metre: 87.3 points, 3.4 s. Largest loss: too late."]);
-  assert.equal(judging.state.name, "idle");
-});
+function drive(t) {
+  const page = wait(t);
+  page.report({ state: "ready" });
+  page.take();
+  return page;
+}
 
-test("the program runs when the robot is at its start, and only then", (t) => {
-  const page = press(t);
+function end(t) {
+  const page = drive(t);
   page.report({ state: "driving" });
+  page.end("");
+  return page;
+}
+
+const STATES = { waiting: wait, driving: drive, ended: end };
+
+test("the robot stands, goes to the start, the program runs once, and the score is shown", (t) => {
+  const page = press(t);
+  assert.deepEqual(page.take(), [STAND, ASK]);
+  page.state();
+  page.accept();
+  page.report(null);
+  assert.deepEqual([page.name, page.read, page.runs], ["waiting", [STARTING], 0]);
+  page.report({ state: "ready" });
+  page.report({ state: "ready" });
+  page.report({ state: "driving" });
+  page.end("");
+  page.report({ ...RESULT });
+  assert.match(page.read[1], /^The judge measures until the robot has stopped/);
+  assert.deepEqual([page.read.slice(2), page.runs, page.ends], [[POINTS], 1, [""]]);
+  assert.deepEqual([page.name, page.take()], ["idle", []]);
+});
+
+test("a program that runs on this page ends at the press, and starts again at the start", (t) => {
+  const page = new Page(t);
+  page.going = true;
+  page.judging.begin("/red", "metre");
+  assert.deepEqual([page.going, page.ends], [false, ["Judge me ended this program."]]);
+  assert.deepEqual(page.take(), [STAND, ASK]);
+  page.accept();
+  page.report({ state: "ready" });
+  assert.deepEqual([page.going, page.runs, page.name], [true, 1, "driving"]);
+});
+
+test("a program that drives from elsewhere is named, and kept waiting until the judge is done", (t) => {
+  const page = new Page(t);
+  page.be({ program: "my_metre", state: "driving" });
+  page.judging.begin("/red", "metre");
+  assert.equal(page.said, `${STARTING} my_metre waits until the end.`);
+  page.accept();
+  page.sent.splice(0);
+  const kept = (seconds) => Array.from({ length: seconds }, () => {
+    page.clock.freeze(1001);
+    page.state();
+    return page.sent.splice(0);
+  });
+  assert.deepEqual(kept(3), [[KEEP], [KEEP], [KEEP]]);
+  page.report({ state: "ready" });
+  assert.deepEqual(kept(2), [[], []], "the program does it");
+  page.report({ state: "driving" });
+  page.end("");
+  assert.deepEqual(kept(2), [[KEEP], [KEEP]]);
+});
+
+test("what another judge reports starts no program, and is not read, nor what this one said before", (t) => {
+  const page = press(t);
+  for (const [state, request] of [["ready", ""], ["ready", "before"], ["cancelled", "before"], ["done", ""]]) {
+    page.report({ ...RESULT, state }, request);
+  }
+  page.accept();
+  for (const [state, request] of [["ready", ""], ["ready", "before"], ["cancelled", "before"], ["done", ""]]) {
+    page.report({ ...RESULT, state }, request);
+  }
+  assert.deepEqual([page.name, page.read, page.runs], ["waiting", [STARTING], 0]);
+});
+
+test("a refusal is shown as it is, once, and nothing is asked for", (t) => {
+  const page = press(t);
+  page.take();
+  page.state({ driver: { id: 2, name: "pupil 2" } });
+  page.refuse("pupil 2 drives red. Press Judge me again when red is free.");
+  page.state();
+  assert.deepEqual(page.read.slice(1), ["pupil 2 drives red. Press Judge me again when red is free."]);
+  assert.deepEqual([page.name, page.take()], ["idle", []]);
+});
+
+test("of presses and cancels in a row, only the answer to the last press counts", (t) => {
+  const page = press(t);
+  page.judging.cancel();
+  page.judging.begin("/red", "metre");
+  page.refuse("The first one is refused.");
+  page.accept("");
+  assert.deepEqual([page.name, page.said], ["waiting", STARTING]);
+  page.accept("two");
+  page.report({ state: "ready" }, "one");
   assert.equal(page.runs, 0);
-  page.report({ state: "ready" });
-  page.report({ state: "ready" });
+  page.report({ state: "ready" }, "two");
+  assert.deepEqual([page.runs, page.name], [1, "driving"]);
+});
+
+test("after a new connection, answers to what was asked before are not waited for", (t) => {
+  const page = press(t);
+  page.judging.cancel("The connection to the cockpit was lost.");
+  page.judging.hello();
+  page.judging.begin("/red", "metre");
+  page.accept("two");
+  page.report({ state: "ready" }, "two");
   assert.equal(page.runs, 1);
-  assert.match(page.read.at(-1), /^The judge measures/, "not that the program has ended");
 });
 
-test("a robot that is at the start already is not put there again", (t) => {
-  const page = press(t, { name: "metre", state: "ready" });
-  page.judging.update();
-  assert.deepEqual([page.sent, page.runs], [[STAND], 1]);
+test("without a robot or a connection it says so, and waits for nothing", (t) => {
+  const page = new Page(t);
+  page.judging.begin(null, "metre");
+  assert.deepEqual([page.said, page.name, page.sent], ["No robot is running: start one.", "idle", []]);
+  page.connected = false;
+  page.judging.begin("/red", "metre");
+  assert.deepEqual([page.said, page.name], ["There is no connection to the cockpit.", "idle"]);
 });
 
-const STOPS = {
-  "the person cancels": ({ judging }) => judging.cancel(),
-  "another robot is chosen": ({ world }) => { world.chosen = "/blue"; },
-  "the robot is stopped": (page) => { page.blocked = true; },
+const LOST = {
+  "the person cancels": ["Judge me was cancelled.", (page) => page.judging.cancel()],
+  "another robot is chosen": ["Judge me was cancelled: another robot was chosen.",
+    (page) => { page.world.chosen = "/blue"; }],
+  "all robots are stopped": ["Judge me was cancelled: the robot was stopped.",
+    ({ world }) => { world.emergency = true; }],
+  "this robot is stopped": ["Judge me was cancelled: the robot was stopped.", (page) => page.be({ stopped: true })],
+  "the robot falls silent": ["Judge me was cancelled: the robot does not answer.",
+    (page) => page.be({ answers: false })],
+  "a teacher takes it": ["Judge me was cancelled: your teacher has taken the robot.",
+    (page) => page.be({ held: "robot", driver: null })],
+  "another page drives it": ["Judge me was cancelled: Ada drives the robot.",
+    (page) => page.be({ driver: { id: 2, name: "Ada" } })],
 };
-for (const [what, stop] of Object.entries(STOPS)) {
-  test(`before the start, when ${what}, the judge ends it and the program never runs`, (t) => {
-    const page = press(t);
-    stop(page);
-    page.judging.update();
-    page.world.chosen = "/red";
-    page.blocked = false;
+for (const [what, [sentence, lose]] of Object.entries(LOST)) {
+  test(`before the start, when ${what}, it says so, the judge ends it, and the program never runs`, (t) => {
+    const page = wait(t);
+    lose(page);
+    page.state();
+    assert.deepEqual([page.said, page.name, page.take()], [sentence, "idle", [END]]);
+    Object.assign(page.world, { chosen: "/red", emergency: false });
+    page.be({ stopped: false, answers: true, driver: ME, held: null });
     page.report({ state: "ready" });
-    assert.deepEqual([page.sent.slice(2), page.read.slice(1), page.runs], [[END], [CANCELLED], 0]);
+    assert.deepEqual([page.runs, page.read.length], [0, 2]);
   });
 }
 
-test("a refusal of the cockpit ends it with the cockpit's sentence", (t) => {
-  const { judging, sent, read } = press(t);
-  judging.cancel("No judge has this task.");
-  assert.deepEqual([sent.slice(2), read.at(-1)], [[END], "No judge has this task."]);
+test("when the judge cannot begin, its reason is read at once", (t) => {
+  const page = wait(t);
+  page.report({ state: "cancelled", text: "The simulator does not answer." });
+  assert.deepEqual([page.said, page.name, page.runs], ["The simulator does not answer.", "idle", 0]);
 });
 
-test("a sentence that comes later cancels nothing", (t) => {
-  const { judging, sent, read } = drive(t);
-  judging.cancel("Somebody has come.");
-  assert.equal(judging.state.name, "driving");
-  assert.deepEqual([sent, read.length], [[], 2]);
+test("after 20 s without the robot at its start it ends", (t) => {
+  const page = wait(t);
+  page.clock.freeze(20000);
+  page.state();
+  assert.equal(page.name, "waiting");
+  page.clock.freeze(1);
+  page.state();
+  assert.equal(page.said, "The judge did not put the robot at its start. Try again.");
+  assert.deepEqual([page.name, page.take()], ["idle", [END]]);
 });
 
-test("what the judge cancels meanwhile is said, and it may still begin; what it said before is not said", (t) => {
-  const old = { name: "metre", state: "cancelled", text: "Its program was stopped." };
-  const page = press(t, old);
-  page.report(old);
-  assert.deepEqual(page.read, [STARTING]);
-  page.report({ state: "cancelled", text: "The robot was moved." });
-  page.report({ state: "cancelled", text: "The robot was moved." });
-  assert.deepEqual(page.read.slice(1), ["The robot was moved."]);
+test("a pause, or an end before the program's own, gives no score, and is said once", (t) => {
+  for (const [stop, sentence] of [
+    [(page) => page.judging.paused(), "The drive does not count: the program was paused."],
+    [(page) => page.end("Stopped."), "The drive does not count."]]) {
+    const page = drive(t);
+    stop(page);
+    assert.deepEqual([page.said, page.name, page.take()], [sentence, "idle", [END]]);
+    page.report({ state: "cancelled", text: "The drive does not count: its program was stopped." });
+    assert.equal(page.said, sentence);
+    t.mock.restoreAll();
+  }
+});
+
+test("once the judge has a result, a program that still runs ends, and its score counts", (t) => {
+  const page = drive(t);
+  page.report({ state: "driving" });
+  page.report({ ...RESULT });
+  assert.deepEqual([page.said, page.ends, page.take()], [POINTS, ["The judge has seen enough."], []]);
+});
+
+for (const [state, begin] of Object.entries({ driving: drive, ended: end })) {
+  test(`${state}: what the judge cancels is said, and no program drives on`, (t) => {
+    const page = begin(t);
+    page.report({ state: "cancelled", text: "The robot was put back to its start, so the drive does not count." });
+    assert.equal(page.said, "The robot was put back to its start, so the drive does not count.");
+    assert.deepEqual([page.name, page.ends], ["idle", [state === "driving" ? NOT_JUDGED : ""]]);
+  });
+
+  test(`${state}: a judge that ends is said, and no program drives on`, (t) => {
+    for (const task of [null, { request: "", state: "driving" }, { request: "two", state: "ready" }]) {
+      const page = begin(t);
+      page.report(task, task?.request);
+      assert.deepEqual([page.said, page.name, page.going],
+        ["The judge does not answer any more. Try again.", "idle", false]);
+      t.mock.restoreAll();
+    }
+  });
+}
+
+for (const [state, begin] of Object.entries(STATES)) {
+  test(`${state}: a press begins again, and only the new drive is judged`, (t) => {
+    const page = begin(t);
+    page.take();
+    page.judging.begin("/red", "square");
+    assert.deepEqual([page.name, page.going, page.said], ["waiting", false, STARTING]);
+    assert.deepEqual(page.take(), [END, STAND, { ...ASK, task: "square" }]);
+    page.report({ ...RESULT });
+    page.accept("");
+    page.report({ ...RESULT });
+    page.accept("two");
+    page.report({ ...RESULT });
+    assert.deepEqual([page.name, page.said], ["waiting", STARTING], "the last result comes in meanwhile");
+    page.report({ state: "ready" }, "two");
+    assert.deepEqual([page.name, page.going], ["driving", true]);
+  });
+}
+
+test("once the program has ended, a new start of it or another robot cancels, and no score is shown", (t) => {
+  for (const lose of [(page) => page.judging.cancel(), (page) => { page.world.chosen = "/blue"; }]) {
+    const page = end(t);
+    page.take();
+    lose(page);
+    page.state();
+    assert.deepEqual([page.name, page.take()], ["idle", [END]]);
+    page.world.chosen = "/red";
+    page.report({ ...RESULT });
+    assert.match(page.said, /^Judge me was cancelled/);
+    t.mock.restoreAll();
+  }
+});
+
+test("nothing that is said meanwhile cancels a drive", (t) => {
+  const page = drive(t);
+  page.judging.cancel("Somebody has come.");
+  assert.deepEqual([page.name, page.going, page.take()], ["driving", true, []]);
+});
+
+test("a program that ends and has not driven is said, but not before the judge can have seen its drive", (t) => {
+  const page = drive(t);
+  page.end("");
+  page.clock.freeze(4000);
   page.report({ state: "ready" });
-  assert.equal(page.runs, 1);
-});
-
-test("after 20 s without the robot at its start it ends, with the judge's reason if there is one", (t) => {
-  for (const [task, sentence] of [[null, "The judge did not put the robot at its start. Try again."],
-    [{ state: "cancelled", text: "The robot was moved." }, "The robot was moved."]]) {
-    const page = press(t);
-    page.clock.freeze(20000);
-    page.report(task);
-    assert.equal(page.judging.isWaiting, true);
-    page.clock.freeze(1);
-    page.report(task);
-    assert.deepEqual([page.read.at(-1), page.sent.at(-1), page.judging.state.name], [sentence, END, "idle"]);
-    t.mock.restoreAll();
-  }
-});
-
-test("a program that is paused, or ends before its end, gives no score, and the judge says so", (t) => {
-  for (const stop of [(judging) => judging.paused(), (judging) => judging.programEnded(true)]) {
-    const { judging, sent, read, report } = drive(t);
-    stop(judging);
-    assert.deepEqual(sent, [END]);
-    report({ state: "cancelled", text: "Its program was stopped." });
-    assert.deepEqual([read.at(-1), judging.state.name], ["Its program was stopped.", "idle"]);
-    t.mock.restoreAll();
-  }
-});
-
-test("a program that ends and has not driven is said; who drives on by hand gets the score", (t) => {
-  const { judging, sent, read, report } = drive(t);
-  judging.programEnded(false);
-  report({ state: "ready" });
-  assert.equal(read.at(-1), "The program has ended, and the robot stands at the start.");
-  report({ state: "driving" });
-  report({ ...RESULT });
-  assert.deepEqual([sent, judging.state.name], [[], "idle"]);
-  assert.match(read.at(-1), /^One metre: 87.3 points/);
-});
-
-test("a judge that ends, or begins another task, is said", (t) => {
-  for (const task of [null, { name: "square", state: "driving" }]) {
-    const { judging, read, report } = drive(t);
-    report(task);
-    assert.deepEqual([read.at(-1), judging.state.name], ["The judge has ended. Try again.", "idle"]);
-    t.mock.restoreAll();
-  }
+  assert.equal(page.name, "ended");
+  page.clock.freeze(1);
+  page.report({ state: "ready" });
+  assert.equal(page.said, "The program has ended, and the robot did not drive: no score.");
+  assert.deepEqual([page.name, page.take()], ["idle", [END]]);
 });
 
 test("without Judge me, programs end and pause, and no judge hears of it", (t) => {
-  const { judging, sent, report } = drive(t);
-  report({ ...RESULT });
-  judging.paused();
-  judging.programEnded(true);
-  judging.update();
-  assert.deepEqual(sent, []);
+  const page = end(t);
+  page.report({ ...RESULT });
+  page.take();
+  page.judging.paused();
+  page.going = true;
+  page.end("Stopped.");
+  page.judging.cancel();
+  page.state();
+  assert.deepEqual([page.take(), page.said], [[], POINTS]);
 });

@@ -31,7 +31,7 @@ test("a change is sent once nothing has changed for a second, and then it is kep
   assert.equal(asked.length, 0);
   await clock.pass(1);
   assert.deepEqual(asked, [
-    { do: "save", robot: "/red", id: program.id, version: 0, name: "AB", program: EMPTY }]);
+    { do: "save", class: null, robot: "/red", id: program.id, version: 0, name: "AB", program: EMPTY }]);
   assert.deepEqual(read, ["Not kept yet", "Not kept yet", "Not kept yet", "Kept"]);
   assert.equal(program.version, 1);
 });
@@ -40,7 +40,7 @@ test("without an answer the same is sent again every 3 s, and the person reads t
   const { kept: program, clock, asked, read } = begin(t, (fields, times) => (times < 3 ? LOST : kept(fields)));
   program.change(named("A"));
   await clock.pass(1000 + 3000);
-  assert.equal(read.at(-1), "The cockpit does not answer.");
+  assert.equal(read.at(-1), "The cockpit does not answer. The page tries again.");
   assert.equal(program.state.unsaved, true);
   await clock.pass(3000);
   assert.deepEqual(asked, Array(3).fill(asked[0]));
@@ -53,7 +53,7 @@ for (const [what, status] of [["no code yet", 403], ["a disk that is busy", 503]
       times < 2 ? refuse(status, "Not now.") : kept(fields)));
     program.change(named("A"));
     await clock.pass(1000);
-    assert.deepEqual([program.state.text, program.state.bad], ["Not now.", true]);
+    assert.deepEqual([program.state.text, program.state.bad], ["Not now. The page tries again.", true]);
     await clock.pass(3000);
     assert.equal(read.at(-1), "Kept");
   });
@@ -134,11 +134,11 @@ test("a change before there is a robot is sent when there is one", async (t) => 
 
 test("a name is sent as the cockpit takes it", async (t) => {
   const { kept: program, clock, asked } = begin(t);
-  for (const name of [" a\nb\u202e ", "", "x".repeat(50)]) {
+  for (const name of [" a\nb\u202e ", "", "\u200d", "👩‍👧 می‌خواهم", "x".repeat(50)]) {
     program.change(named(name));
     await clock.pass(1000);
   }
-  assert.deepEqual(asked.map(({ name }) => name), ["ab", "Program", "x".repeat(40)]);
+  assert.deepEqual(asked.map(({ name }) => name), ["ab", "Program", "Program", "👩‍👧 می‌خواهم", "x".repeat(40)]);
 });
 
 test("a newer version of another page is said, and the next change is made of the version that is shown", async (t) => {

@@ -145,7 +145,7 @@ test("without a code the page asks for one, and does not try again", async (t) =
 
 const ENDS = {
   4002: "The cockpit is full: close a page that nobody needs.",
-  1001: "The cockpit has ended: start it again.",
+  1001: "The cockpit has ended: somebody must start it again.",
   4003: "The cockpit closed the connection: too slow.",
 };
 

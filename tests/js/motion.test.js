@@ -39,6 +39,15 @@ test("a wheel gets full power at most, in the robot's own units", (t) => {
   assert.deepEqual(sent[1], [1, 0]);
 });
 
+test("a command that is not finite stops the robot, as in its controller", (t) => {
+  const { motion } = begin(t);
+  for (const endless of [[Infinity, 0], [0, NaN]]) {
+    motion.publish([0.5, 0], WORKSHOP);
+    motion.publish(endless, WORKSHOP);
+    assert.deepEqual(motion.command, [0, 0]);
+  }
+});
+
 test("short pulses are not more than the cockpit takes, and end with a stop", (t) => {
   const { motion, sent } = begin(t);
   for (let count = 0; count < 100; count += 1) {

@@ -1,5 +1,6 @@
 // Programs of blocks, as tests write them, and what the page does with them.
 
+import { Clock } from "#www/program/clock.js";
 import { Interpreter } from "#www/program/interpreter.js";
 
 export const WORKSHOP = { wheel_separation: 2, max_speed: 1 };
@@ -33,29 +34,53 @@ export function program(blocks, { functions = [], variables = [] } = {}) {
   };
 }
 
-// Runs a program without a robot, by a clock that its waits turn. Returns what it prints; [time, x, z] of each command,
-// in tenths of a second; why it failed; and how many events it had.
-export function interpret(json, senses = {}) {
-  const done = { prints: [], commands: [], error: "", events: 0 };
-  const clock = { now: 0, ticked: 0 };
-  const interpreter = new Interpreter(json, WORKSHOP, () => ({ seconds: clock.now / 10, ...senses }));
+const DRIVES = ["wait", "tick", "publish"]; // events
+
+// An interpreter that sees whether a value is larger than all whole numbers that the page knows exactly.
+class Watched extends Interpreter {
+  exact = true;
+
+  *value(...parts) {
+    const value = yield* super.value(...parts);
+    if (Number.isFinite(value) && Math.abs(value) > Number.MAX_SAFE_INTEGER) this.exact = false;
+    return value;
+  }
+}
+
+// Runs a program without a robot, by a clock that its waits turn, for 10 s or so many events, while its numbers are
+// exact. Returns what it prints, and [ms, x, z] of each command: in their order, and by themselves; whether it is cut
+// short; whether its numbers are exact; why it failed, and at which block; and how many events it had.
+export function interpret(json, senses = {}, most = 20000) {
+  const done = { trace: [], cut: false, error: "", events: 0 };
+  const clock = new Clock();
+  stand(clock, 0);
+  clock.begin();
+  const interpreter = new Watched(json, WORKSHOP, () => ({ seconds: clock.seconds, ...senses }));
   try {
     for (const event of interpreter.run()) {
-      if ((done.events += 1) > 20000 || clock.now > 100) break;
-      if ("print" in event) done.prints.push(event.print);
-      if (!("wait" in event || "tick" in event || "publish" in event)) continue;
-      done.commands.push([Math.round(clock.now), ...interpreter.motion]);
+      if (!interpreter.exact) break;
+      if ("print" in event) done.trace.push(event.print);
+      if (DRIVES.some((name) => name in event)) done.trace.push(command(clock, interpreter));
       turn(clock, event);
+      done.cut = (done.events += 1) > most || clock.now > 10000;
+      if (done.cut) break;
     }
+    interpreter.motion = [0, 0]; // as run.js ends
+    if (!done.cut && interpreter.exact) done.trace.push(command(clock, interpreter));
   } catch (error) {
     Object.assign(done, { error: error.message, block: error.block });
   }
-  return done;
+  const [prints, commands] = [false, true].map((are) => done.trace.filter((each) => Array.isArray(each) === are));
+  return { ...done, exact: interpreter.exact, prints, commands };
 }
 
+const command = (clock, { motion }) => [Math.round(clock.now), ...motion.map(Number)];
+
 function turn(clock, { wait, tick }) {
-  if (wait > 0) clock.now += 10 * wait;
-  if (!tick) return;
-  const { now, ticked } = clock;
-  Object.assign(clock, { now: Math.max(now, ticked + 1), ticked: now - ticked > 3 ? now : ticked + 1 });
+  if (tick) stand(clock, Math.max(clock.now, clock.nextTick()));
+  if (wait) stand(clock, clock.afterWait(wait));
+}
+
+function stand(clock, now) {
+  clock.stoodAt = Math.round(1000 * now) / 1000;
 }

@@ -3,19 +3,26 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { excess, newsOf } from "#www/program/remarks.js";
 import { Run } from "#www/program/run.js";
 
 import { Clock } from "./clock.js";
-import { block, forever, plug, print, program } from "./programs.js";
+import { block, body, forever, plug, print, program, set } from "./programs.js";
 
 const ROBOT = { id: "/red", wheel_separation: 2, max_speed: 1 };
 const drive = (X, SECONDS) => block("robot_drive", { X, SECONDS });
 const ZERO = { type: "drive", robot: "/red", forward: 0, left: 0 };
 
+// Returns the program with an id for each block that has none, as the editor saves it.
+function named(json) {
+  let count = 0;
+  return JSON.parse(JSON.stringify(json), (_, each) => (each?.type ? { id: `block ${count += 1}`, ...each } : each));
+}
+
 // Runs a program, whose robot answers at once, on a page that shows what it prints and why it has ended.
 async function begin(t, json, { stepping = false, delay = 0, ready = true } = {}) {
   const page = { clock: new Clock(t), sent: [], prints: [], ends: [] };
-  page.run = new Run(json, ROBOT, stepping, {
+  page.run = new Run(named(json), ROBOT, stepping, {
     send: (message) => (message.type === "program" ? answer(page, ready) : page.sent.push(message)),
     printed: (text) => page.prints.push(text), changed() {}, delay: () => delay,
     ended: (...why) => page.ends.push(why),
@@ -46,7 +53,7 @@ test("nothing moves before the robot's controller is connected; a program whose 
   await page.clock.pass(3800);
   assert.deepEqual(page.ends, []);
   await page.clock.pass(300);
-  assert.deepEqual(page.ends, [["The robot is not connected to the cockpit. Start its controller again.", null]]);
+  assert.deepEqual(page.ends, [["The robot did not get ready in time. Try again, or tell your teacher.", null]]);
   assert.ok(page.sent.every(({ forward, left }) => !forward && !left));
 });
 
@@ -75,6 +82,28 @@ test("a step runs one block, and the robot stands after it", async (t) => {
   page.run.step();
   await page.clock.pass(100);
   assert.deepEqual(page.prints, ["done"]);
+});
+
+test("a step into a loop marks its first block: no two steps look the same", async (t) => {
+  const repeat = (id, TIMES, each) => ({ ...block("controls_repeat_ext", { TIMES, DO: body(each) }), id });
+  const outer = repeat("outer", 2, repeat("inner", 1, { ...print("a"), id: "print" }));
+  const page = await begin(t, program([outer]), { stepping: true });
+  const places = [page.run.at];
+  while (!page.run.over) {
+    page.run.step();
+    await page.clock.pass(100);
+    places.push(page.run.at);
+  }
+  assert.deepEqual(places.slice(0, -1), ["outer", "inner", "print", "outer", "inner", "print"]);
+});
+
+test("a loop that has nothing in it is stepped through, too", async (t) => {
+  const page = await begin(t, program([forever()]), { stepping: true });
+  for (let count = 0; count < 3; count += 1) {
+    page.run.step();
+    await page.clock.pass(100);
+    assert.ok(page.run.held);
+  }
 });
 
 test("a slow program stands for a while before each block", async (t) => {
@@ -122,6 +151,67 @@ test("a block that fails stops the robot, and is named", async (t) => {
   const moving = [block("robot_set", { X: 0.5, Z: 0 }), block("robot_wait", { SECONDS: 0.1 })];
   const page = await begin(t, program([...moving, print(faulty)]));
   await page.clock.pass(300);
-  assert.deepEqual(page.ends, [["This calculation has no result.", "here"]]);
+  assert.deepEqual(page.ends, [["This block divides by 0.", "here"]]);
   assert.deepEqual(page.sent.at(-1), ZERO);
 });
+
+const FAST = [ // the first block, what it asks for at most, whose robot; the blocks after it
+  [drive(3.33, 0.1), "A wheel takes 1 at most, not 3.33."],
+  [drive(-2, 0.1), "A wheel takes 1 at most, not 2."],
+  [block("robot_set", { X: 0.8, Z: 0.4 }), "A wheel takes 1 at most, not 1.2.", block("robot_wait", { SECONDS: 0.1 })],
+  [block("robot_set", { X: 7, Z: 0 }), "A wheel takes 1 at most, not 7.", print("no wait")],
+  [drive(1, 0.1), undefined],
+  [block("robot_turn", { Z: 1, SECONDS: 0.1 }, { fields: { SIDE: "LEFT" } }), undefined],
+];
+
+for (const [first, text, ...others] of FAST) {
+  test(`of ${first.type} a person reads ${text}`, async (t) => {
+    const page = await begin(t, program([{ ...first, id: "fast" }, ...others, drive(9, 0.1)].slice(0, text ? 9 : 1)));
+    await page.clock.pass(1000);
+    assert.deepEqual(page.run.limit && [page.run.limit.text, page.run.limit.block], text ? [text, "fast"] : null);
+  });
+}
+
+test("the fastest speed of a robot with SI units has its unit", () => {
+  const robot = { wheel_separation: 0.1, max_speed: 0.6, workshop: false };
+  assert.equal(excess([2, 0], robot), "A wheel takes 0.6 m/s at most, not 2.");
+  assert.equal(excess([0.6, 0], robot), "");
+  assert.equal(excess([0, 20], robot), "A wheel takes 0.6 m/s at most, not 1.");
+});
+
+test("a loop without a wait is reported after a second, until the program waits again", async (t) => {
+  const page = { clock: new Clock(t) };
+  const early = plug("logic_compare", { A: plug("robot_time"), B: 2 }, { OP: "LT" });
+  const loop = block("controls_whileUntil", { BOOL: early, DO: body(set("x", 1)) }, { fields: { MODE: "WHILE" } });
+  page.run = new Run(named(program([loop, drive(0.5, 30)], { variables: ["x"] })), ROBOT, false, {
+    send: (message) => message.type === "program" && answer(page, true), printed() {}, changed() {}, ended() {},
+    delay: () => page.clock.freeze(1), // each statement takes a millisecond
+  });
+  const waitless = [];
+  for (const ms of [900, 600, 3000]) {
+    await page.clock.pass(ms);
+    waitless.push(page.run.waitless);
+  }
+  assert.deepEqual(waitless, [false, true, false]);
+});
+
+test("a program without a block below its start says so, and marks the start", async (t) => {
+  const json = program([]);
+  json.blocks.blocks[0].id = "start";
+  const page = await begin(t, json);
+  assert.deepEqual(page.ends, [['Nothing is below "when the program starts": drag blocks there.', "start"]]);
+});
+
+const NEWS = [ // a run; what is said of it, and whether that is a warning
+  [{ held: false, at: null }, "Starting", false],
+  [{ held: false, at: "here" }, "Running", false],
+  [{ held: true, at: "here" }, "Paused. Step runs the marked block.", false],
+  [{ held: true, at: null }, "Paused", false],
+  [{ at: "here", limit: { text: "Too fast." } }, "Running. Too fast.", true],
+  [{ at: "here", waitless: true },
+    "A loop runs without a wait, so the robot stands still: put a wait into it.", true],
+];
+
+for (const [run, text, warning] of NEWS) {
+  test(`of a program that runs a person reads: ${text}`, () => assert.deepEqual(newsOf(run), [text, warning]));
+}

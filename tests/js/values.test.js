@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { modulo, OPERATIONS, plain, PROPERTIES, shown } from "#www/program/values.js";
+import { comparable, COMPARISONS, modulo, OPERATIONS, plain, PROPERTIES, shown } from "#www/program/values.js";
 
 test("a half is rounded to the even neighbour", () => {
   assert.deepEqual([0.5, 1.5, 2.5, -0.5, -1.5, 2.4].map(OPERATIONS.ROUND), [0, 2, 2, -0, -2, 2]);
@@ -19,16 +19,28 @@ test("angles are in degrees", () => {
   assert.ok(Math.abs(OPERATIONS.ATAN(1) - 45) < 1e-12);
 });
 
-test("primes are found, and a number that would take too long has no result", () => {
+test("primes are found, and a number that would take too long is refused", () => {
   assert.deepEqual([...Array(20).keys()].filter(PROPERTIES.PRIME), [2, 3, 5, 7, 11, 13, 17, 19]);
-  assert.ok(Number.isNaN(PROPERTIES.PRIME(1e12)));
+  assert.throws(() => PROPERTIES.PRIME(1e12), /^Error: Whether 1000000000000 is prime takes too long to find out\.$/);
+});
+
+test("what is divided by 0, also for the rest, is refused", () => {
+  for (const divide of [OPERATIONS.DIVIDE, modulo, PROPERTIES.DIVISIBLE_BY]) {
+    assert.throws(() => divide(1, 0), { message: "This block divides by 0." });
+  }
 });
 
 test("a number is printed with six digits, a large one with all", () => {
   assert.deepEqual([1 / 3, 0.1 + 0.2, 123456.789, 2e-7, 4].map(shown), ["0.333333", "0.3", "123456.789", "2e-7", "4"]);
 });
 
+test("texts are compared by their code points", () => {
+  assert.ok(COMPARISONS.LT(...["\ufe0f", "👪"].map(comparable)));
+  assert.ok(COMPARISONS.LT(...["a", "ab"].map(comparable)));
+});
+
 test("True, False and None are printed as such, and calculated as 1 and 0", () => {
   assert.deepEqual([true, false, null, "<b>"].map(shown), ["True", "False", "None", "<b>"]);
+  assert.deepEqual([Infinity, -Infinity, NaN].map(shown), ["inf", "-inf", "nan"]);
   assert.deepEqual([true, false, 3].map(plain), [1, 0, 3]);
 });

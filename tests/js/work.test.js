@@ -17,14 +17,18 @@ const text = (variable) => JSON.stringify({ blocks: { blocks: [] }, variables: [
 const ID = { square: "5".repeat(16), star: "6".repeat(16) };
 const BAD = "not to be shown";
 
-// A cockpit with these programs: { id, robot, name, program, version }; the newest change first.
-function cockpit(t, programs = []) {
-  const state = { programs, online: true, refuses: null };
+// A cockpit with these programs: { id, robot, name, program, version }; the newest change first; and with this class.
+function cockpit(t, programs = [], classId = null) {
+  const state = { programs, classId, online: true, refuses: null };
   const answers = {
-    list: ({ robot }) => ({ programs: state.programs.filter((each) => each.robot === robot) }),
-    open: ({ id }) => state.programs.find((each) => each.id === id) ?? refuse(409, "This program is gone."),
+    list: ({ robot }) => ({ class: state.classId, programs: state.programs.filter((each) => each.robot === robot) }),
+    open: ({ id }) => {
+      const found = state.programs.find((each) => each.id === id);
+      return found ? { class: state.classId, ...found } : refuse(409, "This program is gone.");
+    },
     save: ({ version, do: _, ...fields }) => {
-      const saved = { ...fields, version: version + 1, deleted: false };
+      if (![null, state.classId].includes(fields.class)) return refuse(409, "Another class.", "other_class");
+      const saved = { ...fields, class: state.classId, version: version + 1, deleted: false };
       state.programs = [saved, ...state.programs.filter(({ id }) => id !== fields.id)];
       return saved;
     },
@@ -138,7 +142,7 @@ test("what could not be sent is there after a reload, and is kept then", async (
   state.online = false;
   page.edit("Offline");
   await clock.pass(10000);
-  assert.equal(page.said, "The cockpit does not answer.");
+  assert.equal(page.said, "The cockpit does not answer. The page tries again.");
   t.mock.restoreAll();
   const [next, again] = [new Clock(t), cockpit(t, [square({ version: 4, name: "Theirs" })])];
   const reloaded = openPage(page.storage);
@@ -231,6 +235,21 @@ test("what the cockpit has refused is shown again for its robot, and named while
   assert.deepEqual(state.programs.map(({ name }) => name), ["Second"]);
 });
 
+test("what is said of a program that is not shown goes once that is kept", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  state.online = false;
+  page.edit("Mine");
+  page.work.add("Other", EMPTY);
+  await settled();
+  assert.equal(page.said, "Mine: The cockpit does not answer. The page tries again.");
+  state.online = true;
+  await clock.pass(3000);
+  assert.deepEqual([state.saves().at(-1).name, page.said], ["Mine", ""]);
+});
+
 test("a program of which the answer comes after another robot was chosen is not shown there", async (t) => {
   new Clock(t);
   const state = cockpit(t, [square()]);
@@ -264,7 +283,7 @@ test("what is to look at only is locked and never saved; what is shown next is n
   const page = openPage();
   await page.hear();
   await page.work.look({ robot: "/blue", id: ID.square });
-  assert.deepEqual([page.locked, page.said], [true, "To look at only."]);
+  assert.deepEqual([page.locked, page.said], [true, "You can look at this program, but not change it."]);
   await page.hear();
   page.edit("Changed");
   await clock.pass(1000);
@@ -304,6 +323,105 @@ test("a list that does not come is asked for again, and one of another robot is 
   await page.hear("/blue");
   await answer({ programs: [square()] });
   assert.deepEqual(page.rows, []);
+});
+
+// A page of class A on which this program was opened and, if there is a name, renamed.
+async function openInClassA(clock, state, name) {
+  const page = openPage();
+  await page.hear();
+  if (name) page.edit(name);
+  await clock.pass(1000);
+  assert.equal(page.name, name || "Square");
+  return page;
+}
+
+for (const [what, name, again] of [["stays open", "", (page) => page],
+  ["has changed one and stays open", "Kept", (page) => page],
+  ["is opened again", "Kept", (page) => openPage(page.storage)]]) {
+  test(`once a class was deleted, a page that ${what} neither shows nor sends its programs`, async (t) => {
+    const clock = new Clock(t);
+    const state = cockpit(t, [square()], "a");
+    const page = await openInClassA(clock, state, name);
+    Object.assign(state, { programs: [], classId: "b" });
+    const after = again(page);
+    after.work.connected();
+    after.work.update("/red", page.changes);
+    await settled();
+    await clock.pass(60000);
+    assert.deepEqual([after.name, after.program, state.programs], ["my program", EMPTY, []]);
+    assert.doesNotMatch([...after.storage.values()].join(), /Kept|Square/, "nor does the device keep them");
+    after.edit("New");
+    await clock.pass(1000);
+    assert.deepEqual(state.programs.map(({ name }) => name), ["New"]);
+  });
+}
+
+// The page is closed, and opened again a minute later, with a cockpit that has these programs and this class.
+async function reopen(t, page, programs, classId) {
+  t.mock.restoreAll();
+  const [clock, state] = [new Clock(t), cockpit(t, programs, classId)];
+  const opened = openPage(page.storage);
+  await opened.hear();
+  await clock.pass(60000);
+  return [opened, state.programs.map(({ name }) => name)];
+}
+
+test("a change that was not sent waits on the device while another class has its lesson", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()], "a");
+  const page = await openInClassA(clock, state);
+  state.online = false;
+  page.work.add("my program", EMPTY);
+  page.edit("Before the bell");
+  await clock.pass(2000);
+  const [other, theirs] = await reopen(t, page, [], "b");
+  assert.deepEqual([other.name, other.said, theirs], ["my program", "", []]);
+  assert.equal(openPage(other.storage).name, "my program", "also without the cockpit");
+  const [own, ours] = await reopen(t, other, [square()], "a");
+  assert.deepEqual([own.name, ours], ["Before the bell", ["Before the bell", "Square"]]);
+});
+
+test("ten minutes without a network, and a reload, lose nothing", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()], "a");
+  const page = await openInClassA(clock, state);
+  state.online = false;
+  page.edit("Offline");
+  await clock.pass(600000);
+  const [again, names] = await reopen(t, page, [square()], "a");
+  assert.deepEqual([again.name, names], ["Offline", ["Offline"]]);
+});
+
+test("what was made in a cockpit without a class goes into the class with which it is started again", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = await openInClassA(clock, state, "Mine");
+  Object.assign(state, { programs: [], classId: "a" });
+  page.work.connected();
+  await page.hear();
+  await clock.pass(1000);
+  assert.deepEqual(state.programs.map(({ name }) => name), ["Mine"]);
+  assert.deepEqual([...page.storage.values()].filter((text) => text.includes("Mine")).length, 1);
+});
+
+test("a deleted program that has made room for others is not sent again", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()], "a");
+  const page = await openInClassA(clock, state, "Mine");
+  state.programs = [];
+  await page.hear();
+  await clock.pass(60000);
+  assert.deepEqual([page.name, state.programs], ["Mine", []]);
+});
+
+test("a program that was deleted while the page was away is not shown again", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()], "a");
+  const page = await openInClassA(clock, state, "Mine");
+  state.programs = [square({ name: "Mine", deleted: true, version: 4 })];
+  const reloaded = openPage(page.storage);
+  await reloaded.hear();
+  assert.equal(reloaded.name, "my program");
 });
 
 test("whatever lies on the device, the page opens", (t) => {

@@ -90,9 +90,18 @@ const SUMMARIES = [ // the state of the robot, whether all are stopped; what is 
   [{ status: "no commands", state: "stopped" }, false, "no commands", "waiting"],
   [{ status: "battery low", warning: true }, false, "battery low", "warning"],
   [{ status: "" }, false, "waiting for its status", "waiting"],
-  [{ status: "", answers: false }, false, "red does not answer: look after its node.", "warning"],
-  [{ status: "stopped: no board", stopped: true, cause: "board" }, false, "stopped: no board", "stopped"],
+  [{ status: "red does not answer. Restart it, or resume it with fg.", answers: false }, false,
+    "red does not answer. Tell your teacher.", "warning"],
+  [{ status: "stopped: no answer at 0x60", stopped: true, cause: "board" }, false,
+    "stopped: its motor board cannot be reached. Tell your teacher.", "stopped"],
+  [{ status: "stopped: no command for 1.0 s (repeat it: rostopic pub -r 10)", cause: "no_command" }, false,
+    "stopped: no more commands came", "waiting"],
+  [{ status: "stopped: its terminal is suspended (Ctrl-Z); fg resumes it", cause: "suspended", warning: true }, false,
+    "stopped: it is paused at its computer. Tell your teacher.", "warning"],
+  [{ status: "stopped: made up", cause: "constructor" }, false, "stopped: made up", "waiting"],
   [{ status: "driving", stopped: true }, false, "stopped: emergency stop", "stopped"],
+  [{ status: "stopped: its own emergency stop", stopped: true, cause: "own_emergency_stop" }, false,
+    "stopped: by your teacher", "stopped"],
   [{ status: "driving" }, true, "Your teacher stopped all robots.", "stopped"],
   [{ status: "driving", held: "robot" }, false, TAKEN, "stopped"],
 ];
@@ -103,6 +112,14 @@ for (const [state, emergency, text, level] of SUMMARIES) {
     assert.deepEqual(world.summarize("/red"), { text, level });
   });
 }
+
+test("a teacher reads the status itself, which helps at a terminal", () => {
+  login("teacher");
+  for (const state of [{ cause: "suspended" }, { answers: false }]) {
+    report({ red: { status: "fg resumes it", ...state } });
+    assert.equal(world.summarize("/red").text, "fg resumes it");
+  }
+});
 
 test("a robot that is not known yet has a status, too", () => {
   assert.deepEqual(world.summarize("/tom"), { text: "waiting for its status", level: "waiting" });

@@ -35,9 +35,9 @@ def post(cockpit, fields, grant=FIRST_PUPIL, **headers):
 
 def test_a_pupil_keeps_and_opens_the_programs_of_the_own_robot(cockpit):
     status, saved = post(cockpit, SAVE)
-    assert (status, saved) == (200, {"id": ID, "robot": MINE, "name": "<b>Square</b>", "version": 1, "deleted": False,
-                                     "earlier": []})
-    assert post(cockpit, LIST) == (200, {"programs": [saved]})
+    row = {"id": ID, "robot": MINE, "name": "<b>Square</b>", "version": 1, "deleted": False, "earlier": []}
+    assert (status, saved) == (200, {"class": None, **row})
+    assert post(cockpit, LIST) == (200, {"class": None, "programs": [row]})
     assert post(cockpit, {"do": "open", "robot": MINE, "id": ID})[1]["program"] == PROGRAM
     assert post(cockpit, {"do": "delete", "robot": MINE, "id": ID})[1]["deleted"]
     assert not post(cockpit, {"do": "restore", "robot": MINE, "id": ID})[1]["deleted"]
@@ -53,6 +53,13 @@ def test_a_pupil_reads_and_changes_no_other_robots_programs_and_a_teacher_all(co
     for fields in {"do": "open", "robot": MINE, "id": OTHER}, {**SAVE, "id": OTHER, "version": 1}:
         assert post(cockpit, fields) == (409, say("gone").fields())
     assert [row["robot"] for row in post(cockpit, {"do": "list", "robot": None}, TEACHER)[1]["programs"]] == [FOREIGN]
+
+
+def test_a_program_of_another_class_is_refused(cockpit):
+    cockpit.classroom.id = OTHER
+    assert post(cockpit, {**SAVE, "class": ID}) == (409, say("other_class").fields())
+    assert post(cockpit, {**SAVE, "class": OTHER})[1]["class"] == OTHER
+    assert post(cockpit, {**SAVE, "class": None, "version": 1})[1]["class"] == OTHER
 
 
 def test_without_a_code_or_from_another_page_nobody_gets_in(cockpit):
@@ -133,7 +140,7 @@ def test_a_disk_that_hangs_holds_up_no_page(cockpit, monkeypatch):
     try:
         assert hangs.wait(WITHIN)
         assert cockpit.page().receive("hello")
-        assert post(cockpit, LIST) == (200, {"programs": []})
+        assert post(cockpit, LIST)[1]["programs"] == []
     finally:
         goes_on.set()
     saving.join(WITHIN)

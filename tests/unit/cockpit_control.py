@@ -49,8 +49,9 @@ class FakeRobots:
     def tasks(self):
         return self.offered
 
-    def judge(self, robot, task):
+    def judge(self, robot, task, request=""):
         self.judged.append((robot, task))
+        self.request = request
 
     def report_driver(self, robot, name, interruption):
         if self.reports[-1:] != [(robot, name, interruption)]:
@@ -65,7 +66,7 @@ class FakeDrivers:
     """What each robot was commanded last, and under which lease."""
 
     def __init__(self):
-        self.commands, self.waiting, self.resume = {}, set(), 0.0
+        self.commands, self.waiting, self.held, self.resume = {}, set(), [], 0.0
 
     def drive(self, robot, velocity, lease):
         self.commands[robot] = velocity, lease
@@ -76,6 +77,7 @@ class FakeDrivers:
         return STOPPED if lease is None or lease.is_silent(now) else velocity
 
     def hold(self, robot):
+        self.held.append(robot)
         return True
 
     def keep_waiting(self, robot, waiting):

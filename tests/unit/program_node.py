@@ -1,16 +1,24 @@
 """What the page makes of programs: what it does itself, and its Python, run without ROS."""
 
 import json
+import math
+import re
 import sys
+import traceback
+from decimal import ROUND_HALF_UP, Context, Decimal
 from types import SimpleNamespace
-from typing import Dict, List, Optional, Tuple
+from typing import Dict, List, NamedTuple, Optional
 
 from javascript import node
 
+MOST = 40000  # lines of a program that are run
+SECONDS = 10.05  # that it runs
+ROUNDED = ("sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "log10", "pow")
 
-def translate(programs: Optional[Dict[str, dict]]) -> Dict[str, dict]:
-    """Return what the page does with each program: prints, commands, error; and its Python. None: the examples."""
-    done = node("tests/js/translate.js", input=json.dumps(programs))
+
+def translate(*choice: object, programs: Optional[dict] = None) -> Dict[str, dict]:
+    """Return what the page does with each program, and its Python; see tests/js/translate.js."""
+    done = node("tests/js/translate.js", *choice, input=json.dumps(programs))
     assert done.returncode == 0, done.stdout
     return json.loads(done.stdout)
 
@@ -26,43 +34,118 @@ class Twist:
         self.linear, self.angular = SimpleNamespace(x=0.0), SimpleNamespace(z=0.0)
 
 
-def run_python(source: str, monkeypatch) -> Tuple[List[str], List[List[float]]]:
-    """Return what a node prints, and [time, x, z] of each command, with a rospy whose clock is turned by its sleeps."""
-    prints, commands, clock = [], [], SimpleNamespace(now=0.0, ticked=0.0)
+class Time(float):
+    """A time in s, which is a whole number of microseconds."""
 
-    def sleep(seconds):
-        clock.now += max(0.0, seconds)
-        if clock.now > 10.05:
-            raise End
+    def __add__(self, other):
+        return Time(round(float(self) + other, 6))
 
-    def tick():
-        behind = clock.now - clock.ticked - 0.1
-        sleep(-behind)
-        clock.ticked = clock.now if behind > 0.2 else clock.ticked + 0.1
+    def __sub__(self, other):
+        return round(float(self) - other, 6)
 
-    def publish(twist):
-        commands.append([round(10 * clock.now), twist.linear.x, twist.angular.z])
 
-    fake = SimpleNamespace(
-        init_node=lambda name: None, Rate=lambda rate: SimpleNamespace(sleep=tick), sleep=sleep,
-        get_time=lambda: clock.now,
-        Publisher=lambda *_, **__: SimpleNamespace(publish=publish, get_num_connections=lambda: 1),
-        is_shutdown=lambda: False, ROSInterruptException=End)
-    monkeypatch.setitem(sys.modules, "rospy", fake)
-    monkeypatch.setitem(sys.modules, "geometry_msgs.msg", SimpleNamespace(Twist=Twist))
-    exec(compile(source, "program.py", "exec"), {"print": lambda value: prints.append(printed(value))})
-    return prints, commands
+class Run(NamedTuple):
+    """What a node has printed and commanded, in its order; why it failed, and in which of its lines; if it went on."""
+
+    trace: list
+    error: Optional[Exception]
+    lines: List[int]
+    cut: bool
+
+
+class Node:
+    """A rospy whose clock is turned by its sleeps, and what else a node imports."""
+
+    def __init__(self) -> None:
+        self.trace, self.now, self.ticked, self.left, self.cut = [], Time(), Time(), MOST, False
+        self.state = 1
+
+    def sleep(self, seconds):
+        self.now += max(0.0, seconds)
+        if self.now > SECONDS:
+            self.end()
+
+    def end(self):
+        self.cut = True
+        raise End
+
+    def tick(self):
+        behind = self.now - self.ticked - 0.1
+        self.sleep(-behind)
+        self.ticked = self.now if behind > 0.2 else self.ticked + 0.1
+
+    def publish(self, twist):
+        self.trace.append([round(1000 * self.now), float(twist.linear.x), float(twist.angular.z)])
+
+    def random(self):
+        """Return a number in [0, 1), of the same stream as in tests/js/translate.js."""
+        self.state = self.state * 16807 % 2147483647
+        return self.state / 2147483647
+
+    def randint(self, low, high):
+        """Return a whole number from low to high."""
+        return low + math.floor(self.random() * (high - low + 1))
+
+    def modules(self):
+        """Return what stands for each module that a node imports."""
+        odom = SimpleNamespace(pose=SimpleNamespace(pose=SimpleNamespace(
+            position=SimpleNamespace(x=1.0, y=2.0), orientation=SimpleNamespace(z=0.0, w=1.0))))
+        messages = {"odom": odom, "line": SimpleNamespace(data=[0.25, 0.5, 1])}
+        rospy = SimpleNamespace(
+            init_node=lambda name: None, Rate=lambda rate: SimpleNamespace(sleep=self.tick), sleep=self.sleep,
+            Publisher=lambda *_, **__: SimpleNamespace(publish=self.publish, get_num_connections=lambda: 1),
+            wait_for_message=lambda topic, *_: messages[topic], Subscriber=lambda *_: None, get_time=lambda: self.now,
+            is_shutdown=lambda: False, ROSInterruptException=End)
+        return {"rospy": rospy, "geometry_msgs.msg": SimpleNamespace(Twist=Twist, Pose2D=SimpleNamespace),
+                "nav_msgs.msg": SimpleNamespace(Odometry=None), "std_msgs.msg": SimpleNamespace(Float32MultiArray=None),
+                "random": SimpleNamespace(random=self.random, randint=self.randint),
+                "math": SimpleNamespace(**{**vars(math), **{name: rounded(vars(math)[name]) for name in ROUNDED}})}
+
+    def count(self, frame, event, _):
+        """Trace the lines of the program alone, and end it after many."""
+        if frame.f_code.co_filename != "program.py":
+            return None
+        self.left -= event == "line"
+        return self.count if self.left else self.end()
+
+
+def rounded(function):
+    """Return a function of ``math`` that calculates with 12 digits: the last ones are the C library's own."""
+    return lambda *given: float(f"{function(*given):.12g}")
+
+
+def run_python(source: str) -> Run:
+    """Run a node without ROS."""
+    ros = Node()
+    names = {"print": lambda value: ros.trace.append(printed(value)), "str": printed, "__name__": "program"}
+    before, deepest, error = {name: sys.modules.get(name) for name in ros.modules()}, sys.getrecursionlimit(), None
+    sys.modules.update(ros.modules())
+    sys.setrecursionlimit(len(traceback.extract_stack()) + 1001)  # as of a program; one more is the tracer's
+    try:
+        sys.settrace(ros.count)
+        exec(compile(source, "program.py", "exec"), names)
+    except Exception as failure:
+        error = failure
+    finally:
+        sys.settrace(None)
+        sys.setrecursionlimit(deepest)
+        sys.modules.update({name: module for name, module in before.items() if module})
+    return Run(ros.trace, error, lines_of(error), ros.cut)
+
+
+def lines_of(error: Optional[Exception]) -> List[int]:
+    """Return the lines of the program that led to this error, from 1, the innermost one last."""
+    frames = traceback.walk_tb(error.__traceback__ if error else None)
+    inside = [line for frame, line in frames if frame.f_code.co_filename == "program.py"]
+    return [error.lineno] if isinstance(error, SyntaxError) else inside
 
 
 def printed(value) -> str:
-    """Return a value as the page prints it: numbers with six digits, large ones with all."""
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
+    """Return a value as the page prints it: numbers with six digits, large ones with 15."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
         return str(value)
-    return f"{value:.6g}" if abs(value) < 1e5 else f"{value:.15g}"
-
-
-def changes(commands: List[List[float]]) -> List[List[float]]:
-    """Return the commands, rounded, without those that repeat the one before; of several at a time the last one."""
-    newest = {time: [round(value, 6) + 0.0 for value in values] for time, *values in commands}
-    rows = [[time, *values] for time, values in newest.items()]
-    return [row for row, before in zip(rows, [[None, 0.0, 0.0], *rows]) if row[1:] != before[1:]]
+    digits = Context(prec=6 if abs(value) < 1e5 else 15, rounding=ROUND_HALF_UP)
+    short = value if value == int(value) else float(digits.create_decimal(value))
+    if short == int(short):
+        return str(int(short))
+    return f"{Decimal(repr(short)):f}" if abs(short) >= 1e-6 else re.sub("e-0", "e-", repr(short))

@@ -18,7 +18,7 @@ from jetbot_cockpit.classroom import program as one
 from jetbot_cockpit.classroom import programs as rules
 from jetbot_cockpit.classroom.classroom import Classroom, open_classroom
 from jetbot_cockpit.classroom.folder import CLASS_NAME, ClassFolder, Nowhere
-from jetbot_cockpit.classroom.program import Program, is_program_name
+from jetbot_cockpit.classroom.program import Program, is_id, is_program_name
 from jetbot_cockpit.classroom.programs import Programs, Refused
 from jetbot_cockpit.web.access import make_grants
 
@@ -224,7 +224,7 @@ def test_earlier_versions_take_a_robots_room_too():
 @pytest.mark.parametrize("program", [
     "", "x", "[]", "1", "null", '"text"', "[" * 10000, '{"a":' * 10, '{"a":' * 10000, '{"a":' * 5000 + "}" * 4999,
     '{"a":' * 5000 + "1" + "}" * 4999 + "]", '{"a": 1{}}', "{{}: 1}", '{"a": {}} {}', '{} "', "}", '"' + '\\"' * 30000,
-    '{"a": "\ud800"}',
+    '{"a": "\ud800"}', '{"a": NaN}', '{"a": [-Infinity]}',
     json.dumps({"a": "x" * 65536}), json.dumps({"a": "ä" * 32768}, ensure_ascii=False), "9" * 60000],
     ids=lambda each: f"{each[:9]} {len(each)}")
 def test_what_is_no_program_is_refused(program):
@@ -242,7 +242,9 @@ def test_a_chain_of_blocks_may_be_deeper_than_python_reads_json(classes):
 
 @pytest.mark.parametrize("name, good", [
     ("<img src=x onerror=alert(1)>", True), ("../../etc/passwd", True), ("🙂" * 40, True), ("x" * 41, False),
-    ("", False), (" ", False), ("a\nb", False), ("a\u202eb", False), ("\ud800", False), (7, False), (None, False)])
+    ("👩‍👩‍👧‍👦", True), ("می‌خواهم", True), ("前　進", True), ("a\u200fb", True),
+    ("", False), (" ", False), ("a\nb", False), ("a\u2066b", False), ("a\u2028b", False),
+    ("a\u202eb", False), ("\ud800", False), (7, False), (None, False)])
 def test_the_name_of_a_program_is_printable_text(name, good):
     assert is_program_name(name) == good
 
@@ -423,6 +425,7 @@ def test_on_a_read_only_disk_a_class_starts_and_nothing_is_kept(tmp_path, classe
     assert bool(kept(classroom.programs)) == (call == "chmod")
     save(classroom.programs, IDS[1], program=CIRCLE)
     assert kept(classroom.programs)[IDS[1]] == CIRCLE and not list(tmp_path.glob(f"*/*{IDS[1]}*"))
+    assert classroom.id is None
     sentence = f"{classes.path} is on a disk that is read-only: nothing of this class is kept."
     assert classroom.take_problems() == [sentence] and str(classroom.problem) == sentence
 
@@ -439,6 +442,20 @@ def forget(*arguments, home):
     script = PACKAGES / "jetbot_cockpit/scripts/forget_class.py"
     return subprocess.run([sys.executable, script, *arguments], capture_output=True, text=True,
                           env={**os.environ, "HOME": str(home), "PYTHONPATH": PYTHONPATH})
+
+
+def test_a_class_has_another_id_once_one_of_its_name_was_deleted(classes, tmp_path):
+    first = Classroom(classes()).id
+    assert is_id(first) and Classroom(classes()).id == first
+    classes.end()
+    forget("7b", "--classes", tmp_path, home=tmp_path)
+    assert is_id(Classroom(classes()).id) and Classroom(classes()).id != first
+
+
+def test_a_class_that_is_not_kept_has_no_id(classes, monkeypatch):
+    folder = classes()
+    monkeypatch.setattr(folder, "write", Mock(side_effect=OSError(errno.ENOSPC, "No space left on device")))
+    assert Classroom(folder).id is None and open_classroom("~/classes", "").id is None
 
 
 def test_a_class_is_forgotten_but_not_while_a_cockpit_has_it(classes, tmp_path):

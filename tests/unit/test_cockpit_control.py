@@ -184,6 +184,11 @@ def test_the_seconds_until_a_program_drives_on_are_counted_where_one_waits(comma
         assert resumes(commanded) is None
 
 
+def test_nothing_is_counted_while_a_page_repeats_zeros_for_its_program_is_paused(commanded):
+    commanded.drivers.resume = 4.95
+    assert resumes(commanded) is None
+
+
 @pytest.mark.parametrize("state", [STANDS._replace(waiting=("/circle",)), DRIVES], ids=["waits", "drives"])
 @pytest.mark.parametrize("message, held", [(Message("take", "/red"), "robot"), (Message("stop"), "programs"),
                                            (Message("stop", "/red"), "programs")])
@@ -338,7 +343,14 @@ def test_a_pupils_stop_that_a_terminal_has_released_is_forgotten(driven):
     change(driven.robots, emergency=False)
     driven.wait(0.05)
     change(driven.robots, emergency=True)
-    assert driven.do(ADA, Message("release"))["type"] == "notice"
+    driven.wait(0.05)
+    assert driven.do(ADA, Message("release"))["code"] == "teacher_releases"
+
+
+def test_who_releases_where_nothing_is_stopped_is_told_so(driven):
+    for client, robot in ((ADA, None), (OWN, None), (OWN, "/blue"), (TEACHER, None), (TEACHER, "/red")):
+        assert driven.do(client, Message("release", robot))["code"] == "not_stopped"
+    assert driven.drives() != STOPPED
 
 
 @pytest.mark.parametrize("break_it, repair_it", [
@@ -361,7 +373,7 @@ def test_a_teacher_puts_back_simulated_robots(cockpit):
     assert cockpit.do(TEACHER, Message("reset")) is None
     assert cockpit.robots.were_reset == ["/red"]
     assert cockpit.do(TEACHER, Message("reset", "/blue"))["type"] == "notice"
-    assert cockpit.do(TEACHER, Message("reset", "/red"))["text"] == "Not answered yet: red."
+    assert cockpit.do(TEACHER, Message("reset", "/red"))["text"] == "The simulator does not answer: red."
 
 
 def test_a_robot_that_is_put_back_stops_and_what_drove_it_ends_and_all_pages_are_told(driven):
@@ -379,8 +391,9 @@ def test_a_robot_is_put_back_before_anybody_drives_it_again(cockpit):
     cockpit.push(ADA)
     cockpit.lift(ADA)
     cockpit.do(TEACHER, Message("reset", "/red"))
-    for message in Message("drive", "/red", 0.5, 0.0), Message("program", "/red"), Message("judge", "/red", task="x"):
+    for message in Message("drive", "/red", 0.5, 0.0), Message("program", "/red"):
         assert cockpit.do(BOB, message)["code"] == "put_back"
+    assert cockpit.do(BOB, Message("judge", "/red", task="x"))["refusal"]["code"] == "put_back"
     assert cockpit.push(OWN, "/blue") is None, "another robot"
     cockpit.wait(0.55)
     assert cockpit.push(ADA) is None, "who had let go need not do so again"
@@ -389,11 +402,6 @@ def test_a_robot_is_put_back_before_anybody_drives_it_again(cockpit):
 def test_a_finger_that_drove_a_robot_which_is_put_back_must_lift(driven):
     driven.do(TEACHER, Message("reset", "/red"))
     driven.must_lift(ADA)
-
-
-def test_the_task_of_a_robot_that_is_put_back_ends(cockpit):
-    cockpit.do(TEACHER, Message("reset", "/red"))
-    assert cockpit.robots.judged == [("/red", "")]
 
 
 def test_ids_of_robots_become_short_printable_labels():

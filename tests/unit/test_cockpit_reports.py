@@ -12,7 +12,7 @@ from jetbot_cockpit.session.snapshot import Shape, TaskSnapshot
 
 VALUES = {"state": "driving", "seconds": "3.4", "title": "One metre"}
 READY, DRIVING, DONE, CANCELLED = (
-    decode_task("metre", "a sentence", {**VALUES, "state": state, "score": "87.3", "driver": "Ada"})
+    decode_task("metre", "a sentence", {**VALUES, "state": state, "score": "87.3", "driver": "Ada", "request": "one"})
     for state in ("ready", "driving", "done", "cancelled"))
 WALL = Shape("wall", 0.01, ((1.0, 0.0), (1.0, 2.0)))
 
@@ -69,7 +69,7 @@ def tracker(task):
 
 
 def test_a_judges_report():
-    assert DRIVING == TaskSnapshot("metre", "One metre", "driving", "a sentence", 3.4, None, "Ada")
+    assert DRIVING == TaskSnapshot("metre", "One metre", "driving", "a sentence", 3.4, None, "Ada", "one")
     assert (DONE.score, DONE.driver) == (87.3, "Ada")
 
 
@@ -86,9 +86,9 @@ def test_a_score_that_is_none_is_not_shown(text):
 
 def test_texts_are_cut_off_and_harmless():
     task = decode_task("x" * 1000, "a\nb" + "c" * 1000,
-                       {"state": "ready", "title": "\x1b[31m" * 100, "driver": "\r" * 99})
-    assert [len(text) for text in (task.name, task.title, task.text, task.driver)] == [60, 60, 200, 20]
-    assert (task.title + task.text + task.driver).isprintable()
+                       {"state": "ready", "title": "\x1b[31m" * 100, "driver": "\r" * 99, "request": "\n" * 99})
+    texts = task.name, task.title, task.text, task.driver, task.request
+    assert list(map(len, texts)) == [60, 60, 200, 20, 60] and "".join(texts).isprintable()
 
 
 @pytest.mark.parametrize("task", [READY, DRIVING, CANCELLED])

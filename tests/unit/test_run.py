@@ -1,4 +1,4 @@
-"""./morbot run refuses mistyped words, a second start and another user's master, and then is roslaunch."""
+"""./morbot run and class refuse mistyped words, a second start and another user's master, and then are roslaunch."""
 
 import signal
 import socket
@@ -90,7 +90,7 @@ def test_a_file_is_named_by_its_whole_path(monkeypatch, tmp_path):
     assert list(map(run.whole_path, words)) == [f"config:={tmp_path}/my.yaml", *words[1:]]
 
 
-def test_then_it_is_roslaunch_and_the_cockpits_page_gets_the_first_free_port(monkeypatch):
+def test_then_it_is_roslaunch_and_the_cockpits_page_gets_the_first_free_port(monkeypatch, capsys):
     started = []
     monkeypatch.setattr(run.sys, "argv", ["run.py"])
     monkeypatch.setattr(run, "problem_of", lambda *_: None)
@@ -98,9 +98,11 @@ def test_then_it_is_roslaunch_and_the_cockpits_page_gets_the_first_free_port(mon
     with socket.create_server(("localhost", 0)) as other:
         taken = other.getsockname()[1]
         monkeypatch.setattr(run, "PORTS", range(taken, taken + 100))
-        run.main("simulation", "simulation.launch", "linear:=1")
-        run.main("simulation", "simulation.launch", "cockpit_port:=9000")
-    (program, words), (_, typed) = started
-    assert program == "roslaunch" and words[:-1] == ["roslaunch", "simulation", "simulation.launch", "linear:=1"]
-    assert taken < int(words[-1].partition(":=")[2]) < taken + 100
-    assert typed[3:] == ["cockpit_port:=9000"]
+        for typed in ["cockpit:=true"], ["cockpit:=true", "cockpit_port:=9000"], ["robots:=2"]:
+            run.main("a robot", "any", "any.launch", *typed)
+    assert {(program, *words[:4]) for program, words in started} == {
+        ("roslaunch", "roslaunch", "--no-summary", "any", "any.launch")}
+    (_, chosen), *given = [words[4:] for _, words in started]
+    assert taken < int(chosen.partition(":=")[2]) < taken + 100
+    assert given == [["cockpit:=true", "cockpit_port:=9000"], ["robots:=2"]]
+    assert capsys.readouterr().out.startswith("morbot: a robot; Ctrl-C ends it\n")

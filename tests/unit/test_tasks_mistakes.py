@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from driving_pupil import BEND, arc, one_after_the_other, ramp, run, solution, square, straight, turn
+from driving_pupil import BEND, arc, follow_for_ever, one_after_the_other, ramp, run, solution, square, straight, turn
 
 from driving_tasks.scoring.recorder import NoDrive
 from driving_tasks.scoring.score import judge
@@ -64,6 +64,8 @@ MISTAKES = [
     ("park", one_after_the_other(PARK, straight(0.2)), "stopped 10 cm short of the goal"),
     ("follow", straight(1.9566), "stopped 80 cm right of the goal and 46 cm past it"),
     ("camera", straight(1.36, speed=0.2), "stopped 80 cm right of the goal"),
+    ("follow", follow_for_ever, "was still driving 10 cm past the goal"),
+    ("camera", follow_for_ever, "was still driving 10 cm past the goal"),
     ("roam", turn(3600), "was in 0 squares of the floor, and 30 are wanted"),
     ("roam", arc(0.1, 3600), "was in 1 square of the floor, and 30 are wanted"),
     ("roam", arc(0.2, 1800), "was in 6 squares of the floor, and 30 are wanted"),

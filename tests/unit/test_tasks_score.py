@@ -4,7 +4,7 @@ import math
 import time
 
 import pytest
-from driving_pupil import run, solution, straight
+from driving_pupil import follow_for_ever, run, solution, straight
 
 from driving_tasks.scoring.course import Arc, Straight, Turn, advance
 from driving_tasks.scoring.measures import SQUARE, corners
@@ -127,6 +127,14 @@ def test_a_twitch_is_no_drive():
 def test_a_robot_that_never_stops_is_judged_after_the_time_limit():
     samples = [Sample(number / 50, Pose(0.01 * number / 50), 0.01) for number in range(10000)]
     assert judge(TASKS["metre"], samples).drive.seconds == pytest.approx(60, abs=0.2)
+
+
+def test_a_robot_that_drives_on_past_the_tape_is_judged_there_at_once_and_gets_points():
+    samples = run(follow_for_ever, TASKS["follow"].load_world())
+    result = judge(TASKS["follow"], samples)
+    assert result.drive.end.x == pytest.approx(1.6, abs=0.01) and result.drive.seconds < 20
+    assert 25 < result.score < 40
+    assert judge(TASKS["metre"], run(straight(1.5))).drive.end.x == pytest.approx(1.5, abs=0.01)
 
 
 def test_a_drive_ends_where_the_samples_stop_for_3_s():

@@ -8,7 +8,8 @@ from jetbot_tools.doctor.computer import Check
 
 
 @pytest.mark.parametrize("text, shown", [
-    ("Läuft, 100 %", "Läuft, 100 %"), ("\x1b[2J", r"\x1b[2J"), ("a\r\nb", r"a\r\nb"), ("\x9b1m", r"\x9b1m"),
+    ("Läuft, 100 %", "Läuft, 100 %"), ("👩‍👧 می‌خواهم", "👩‍👧 می‌خواهم"),
+    ("\x1b[2J", r"\x1b[2J"), ("a\r\nb", r"a\r\nb"), ("\x9b1m", r"\x9b1m"),
     ("\u202eevil", r"\u202eevil"), ("\udcff", r"\udcff"), ("x" * 10**6, "x" * MAX_LENGTH + "...")],
     ids=lambda text: ascii(text)[:20])
 def test_only_printable_characters_on_one_line(text, shown):

@@ -54,8 +54,8 @@ class ClassJudge(SharedRobotTest):
         self.wait_for(lambda: self.command(SPEED) or self.states[-1][1] == "driving", START_TIMEOUT, "a drive")
 
     def test_a_robot_is_judged_as_often_as_it_is_asked_for(self):
-        self.assertEqual([(each.key, each.value) for each in self.offered[0].values],
-                         [(task.name, task.title) for task in TASKS.values()])
+        offered = {each.key: each.value for each in self.offered[0].values}
+        self.assertEqual(offered, {name: task.title for name, task in TASKS.items() if name not in ("camera", "roam")})
         self.drive("metre")
         self.command(0.0)
         self.wait_for(lambda: self.states[-1][1] == "done", START_TIMEOUT, "the score")
@@ -68,7 +68,6 @@ class ClassJudge(SharedRobotTest):
         self.emergency_stop(True)
         self.wait_for(lambda: self.states[-1][1] == "cancelled", START_TIMEOUT, "its end")
         self.assertIn("The robot is stopped: emergency stop.", self.states[-1][2])
-        self.wait_for(lambda: "emergency stop" in "".join(self.rows()), START_TIMEOUT, "its row")
         self.emergency_stop(False)
         self.ask("quarter")
         self.ask("metre")
@@ -86,4 +85,5 @@ class ClassJudge(SharedRobotTest):
         self.requests.publish("/", "")
         self.wait_for(lambda: self.states[-1][1] == "cancelled", START_TIMEOUT, "its end")
         self.assertEqual(self.states[-1][2], "The drive does not count: its program was stopped.")
-        self.wait_for(lambda: "program was stopped" in "".join(self.rows()), START_TIMEOUT, "its row")
+        self.ask("quarter")
+        self.assertEqual(self.rows(), [])

@@ -23,7 +23,8 @@ from jetbot_cockpit.session.rights import Client
 
 ADA, TEACHER = Client(1, "Ada", "pupil"), Client(2, "teacher", "teacher")
 LET_GO, NO_ANSWER = "Let go, then drive again.", "robot does not answer."
-RELEASE_FIRST, RELEASE_OWN_FIRST = "Emergency stop. Release it first.", "its own emergency stop. Release it first."
+RELEASE_FIRST = "Emergency stop: it must be released first."
+RELEASE_OWN_FIRST = "its own emergency stop must be released first."
 
 
 def wait_for_page(condition):
@@ -176,6 +177,6 @@ class CockpitDrive(SharedRobotTest):
         start = time.monotonic()
         self.assertIsNone(self.do(TEACHER, Message("reset")))
         self.push(0.5)
-        self.assertEqual(self.do(TEACHER, Message("reset"))["text"], "Not answered yet: robot.")
+        self.assertEqual(self.do(TEACHER, Message("reset"))["text"], "The simulator does not answer: robot.")
         self.assertEqual(calls, [])
         self.assertLess(time.monotonic() - start, START_TIMEOUT / 2)

@@ -54,9 +54,9 @@ class CockpitLaunch(RobotTest):
         browser.chmod(0o755)
         environment = {**self.environment, "DISPLAY": ":99", "PATH": f"{self.folder}:{os.environ['PATH']}"}
         environment.pop("SSH_CONNECTION", None)
-        run = self.start(sys.executable, str(RUN), "simulation", "simulation.launch", "motion:=true", "cockpit:=true",
-                         "browser:=auto", "rviz:=false", f"i2c_bus:=fake:{self.bus}", f"cockpit_port:={self.port}",
-                         env=environment)
+        run = self.start(sys.executable, str(RUN), "a robot", "simulation", "simulation.launch", "motion:=true",
+                         "cockpit:=true", "browser:=auto", "rviz:=false", f"i2c_bus:=fake:{self.bus}",
+                         f"cockpit_port:={self.port}", env=environment)
         self.wait_for(self.is_served, START_TIMEOUT, "the page")
         self.wait_for(lambda: opened.exists() and opened.read_text(), START_TIMEOUT, "the browser")
         self.assertEqual(opened.read_text().split(), [self.address()])
@@ -74,8 +74,11 @@ class CockpitLaunch(RobotTest):
                             f"port:={self.port}", "class:=7", f"classes:={self.folder}", env=self.environment)
         self.wait_for(self.is_served, START_TIMEOUT, "the page")
         self.wait_for(lambda: all(statuses.values()), START_TIMEOUT, "both robots")
-        self.wait_for(lambda: read(launch).count(f":{self.port}/#") == 1 + len(CLASS), 10.0, "a code for each")
-        self.assertEqual(len(json.loads(Path(self.folder, "7/codes.json").read_text())), 1 + len(CLASS), "kept")
+        self.wait_for(lambda: read(launch).endswith(f" {self.address()}\n"), 10.0, "its address, last of all")
+        codes = json.loads(Path(self.folder, "7/codes.json").read_text())
+        self.assertEqual({*codes}, {"teacher", *(name[1:] for name in CLASS)}, "kept")
+        started, _, printed = read(launch).rpartition("on the page: jetbot_01 and jetbot_02\n")
+        self.assertTrue(started and all(code in printed for code, _ in codes.values()), printed)
         self.assertEqual(self.open_ports(), {self.port})
         self.wait_for(lambda: all(poses.values()), START_TIMEOUT, "the simulator")
         os.kill(pid(f"{CLASS[0]}/jetbot_controller"), signal.SIGKILL)

@@ -107,10 +107,9 @@ class CockpitNode(RobotTest):
         publisher.publish(message)
 
     def test_codes_are_printed_and_not_logged(self):
-        cockpit, port = self.cockpit("_lan:=true", "_name:=class.test", "_robots:=2")
-        self.wait_for(lambda: "jetbot_02:" in read(cockpit), 5.0, "the codes")
+        cockpit, port = self.cockpit("_lan:=true", "_name:=class.test")
         codes = re.findall(rf"http://class\.test:{port}/#(\w+)", read(cockpit))
-        self.assertEqual(list(map(len, codes)), [10, 6, 6])
+        self.assertEqual(list(map(len, codes)), [6, 10])
         self.assertEqual(open_page(port, "class.test").wait_for_close().code, 4001)
         logs = [path.read_text(errors="replace") for path in Path(rospkg.get_log_dir()).rglob("*.log")]
         self.assertTrue(any("jetbot_cockpit" in log for log in logs))

@@ -46,7 +46,8 @@ class Launch(RobotTest):
         self.launch("workshop", "workshop_jetbot_controller.launch")
         self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
         other = f"_i2c_bus:=fake:{self.bus}_of_another"
-        seconds = [self.start(sys.executable, str(RUN), "workshop", "workshop_jetbot_controller.launch", "linear:=1.0"),
+        seconds = [self.start(sys.executable, str(RUN), "another", "workshop", "workshop_jetbot_controller.launch",
+                              "linear:=1.0"),
                    self.start("roslaunch", "jetbot_control_node", "jetbot_controller.launch"),
                    self.start(CONTROLLER, other)]
         for second in seconds:

@@ -21,6 +21,7 @@ from jetbot_cockpit.session.hub import Hub
 from jetbot_cockpit.session.snapshot import Snapshot
 from jetbot_cockpit.web import addresses, handout
 from jetbot_cockpit.web.access import Access
+from jetbot_cockpit.web.announcement import Announcement
 from jetbot_cockpit.web.codes import Codes
 from jetbot_cockpit.web.server import Server
 from jetbot_ros import contract, lifecycle
@@ -47,16 +48,16 @@ class Cockpit:
 
         # Who gets in, and what is handed out: other computers need a code
         self.classroom = open_classroom(given["classes"], given["class"])
-        names = [given["name"]] if given["name"] else addresses.lan_addresses()
-        codes = Codes(self.classroom, given["robots"] if given["lan"] else None, (names or ["localhost"])[0], self.port)
-        self.access = Access(self.port, [*names, *addresses.host_names()] if given["lan"] else [], codes.grants)
-        self.cards = codes.cards
+        self.codes = Codes(self.classroom, given["robots"] if given["lan"] else None, given["name"], self.port)
+        names = [given["name"], *addresses.host_names()] if given["lan"] else []
+        self.access = Access(self.port, filter(None, names), self.codes.grants)
+        self.announcement = Announcement(self.codes, self.port, given["robots"])
 
         # What clients ask for goes into the control, and what the robots report comes out
         self.drivers = Drivers()
         cameras = Cameras()
         self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]), self.classroom)
-        hub = Hub(self.control, codes, cameras)
+        hub = Hub(self.control, self.codes, cameras)
         self.server = Server(sockets, self.access, hub, self.classroom)
         self.logged, self.no_robot_at = Snapshot(), time.monotonic() + NO_ROBOT_AFTER
 
@@ -64,11 +65,14 @@ class Cockpit:
         """Serve until a signal, the end of rospy or of roslaunch."""
         ended = lifecycle.ending()
         self.server.start()
-        self.show()
+        if self.browser == "auto":
+            handout.open_browser(f"http://localhost:{self.port}/")
         launcher = Launcher()
+        self.show()
         while not ended.wait(POLL_INTERVAL) and not launcher.ended and self.server.is_alive():
             launcher.poll()
             self.log_changes()  # in this thread: a terminal that blocks holds up no client
+            self.show()
         self.end()
 
     def log_changes(self):
@@ -85,16 +89,13 @@ class Cockpit:
             rospy.loginfo(line)
 
     def show(self):
-        """Print the addresses, and open the page if that is wanted."""
-        # Printed, not logged: neither a log file nor /rosout holds a code
-        url = f"http://localhost:{self.port}/"
-        print(f"The cockpit, for a browser on this computer: {url}", flush=True)
-        if self.cards:
+        """Print the addresses when it is time."""
+        self.codes.make_cards()
+        text = self.announcement.take(len(self.logged.robots), time.monotonic(), sys.stdout.isatty())
+        if text:
+            # Printed, not logged: neither a log file nor /rosout holds a code
             sys.stdout.reconfigure(errors="replace")  # a terminal may lack the blocks of the QR codes
-            cards = [card.text(sys.stdout.isatty()) for card in self.cards]
-            print("For others:", *cards, sep="\n", flush=True)
-        if self.browser == "auto":
-            handout.open_browser(url)
+            print(text, end="", flush=True)
 
     def end(self):
         """Disconnect the clients, whose robots stop, and leave ROS; within SHUTDOWN_TIMEOUT."""

@@ -6,7 +6,7 @@
 import { element, onPress, onSurePress, setClass, setText } from "./dom.js";
 
 const TIMEOUT = 2000; // ms without a picture
-const NO_PICTURE = "No picture: is a camera running? (camera:=true) One above 1 MB is not shown.";
+const NO_PICTURE = "No picture. Is the robot's camera on? (camera:=true) Pictures above 1 MB are not shown.";
 const LABELS = { free: "Free", blocked: "Blocked" };
 
 export class Camera {

@@ -16,7 +16,7 @@ const GOING_AWAY = 1001;
 // Returns the sentence for a connection that has ended.
 function explain(code, reason) {
   if (code === FULL) return "The cockpit is full: close a page that nobody needs.";
-  if (code === GOING_AWAY) return "The cockpit has ended: start it again.";
+  if (code === GOING_AWAY) return "The cockpit has ended: somebody must start it again.";
   if (code >= 4000) return `The cockpit closed the connection: ${reason || "no reason given"}.`;
   return "No connection to the cockpit: check the network, and that the cockpit runs.";
 }

@@ -7,7 +7,7 @@ import { recall, remember, toName } from "./storage.js";
 
 const WRONG = "This code is wrong, or not valid any more. Ask for the new one.";
 const TOO_MANY = "Too many wrong codes. Wait a minute, and try again.";
-const NO_ANSWER = "The cockpit does not answer: check the network, and try again.";
+const NO_ANSWER = "The cockpit did not answer: check the network, and try again.";
 const STORED_NAME = "name";
 
 // Returns the code after the # of the address and takes it out of there, or "".
@@ -29,19 +29,24 @@ export async function logIn(code) {
   }
 }
 
-// Asks for the code; entered() is called once it is right.
+// Asks for the code, over all else; entered() is called once it is right. The event "ask" closes what else is open.
 export class LoginForm {
+  asking = false;
+
   constructor(entered) {
     this.entered = entered;
-    element("login").addEventListener("submit", (event) => {
+    this.dialog = element("login");
+    this.dialog.addEventListener("close", () => this.asking && this.dialog.showModal()); // by Escape, or Android's Back
+    this.dialog.addEventListener("submit", (event) => {
       event.preventDefault();
       this.submit();
     });
   }
 
   ask(error = "") {
-    element("cockpit").inert = true;
-    element("login").hidden = false;
+    this.asking = true;
+    dispatchEvent(new Event("ask"));
+    if (!this.dialog.open) this.dialog.showModal();
     element("login-error").textContent = error;
     element("code").focus();
   }
@@ -54,8 +59,8 @@ export class LoginForm {
   }
 
   close() {
-    element("login").hidden = true;
-    element("cockpit").inert = false;
+    this.asking = false;
+    this.dialog.close();
     element("code").value = "";
   }
 }

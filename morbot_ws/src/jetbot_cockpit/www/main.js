@@ -33,11 +33,11 @@ const shell = new Shell({
       fitOnce();
     },
     scores: ({ scores }) => showScores(scores),
-    lift({ robot, text }) {
-      if (robot !== driven) return; // all pages are told of a robot that is put back
+    lift(message) {
+      if (message.robot !== driven) return; // all pages are told of a robot that is put back
       const late = !driving.active && notice.visible; // a command was on its way: the first reason counts
       driving.lift();
-      if (!late) notice.show(text);
+      if (!late) shell.refuse(message, message.robot);
     },
     codes: (message) => codes.list(message.codes),
     tasks: ({ tasks }) => showTasks(tasks),
@@ -59,7 +59,7 @@ const driving = new Driving({
 });
 const deflect = (source) => (forward, left) => driving.deflect(source, forward, left);
 const pad = new Pad(element("pad"), element("thumb"), deflect("pad"));
-const keys = new Keys(deflect("keys"), () => shell.stops.stop());
+const keys = new Keys(deflect("keys"), () => shell.login.asking || shell.stops.stop());
 
 function command(forward, left) {
   if (forward || left) driven = world.chosen;
@@ -76,8 +76,9 @@ function fitOnce() {
 function noticeLostLease() {
   if (wasDriver && !world.isMine(driven)) {
     driving.lift();
-    const { driver } = world.state(driven);
-    if (driver) notice.show(`${driver.name} has taken ${world.robot(driven)?.label ?? "the robot"}.`);
+    const [robot, { driver }] = [driven, world.state(driven)];
+    const drives = () => driver?.id === world.state(robot).driver?.id;
+    if (driver) notice.show(`${driver.name} has taken ${world.robot(robot)?.label ?? "the robot"}.`, drives);
   }
   wasDriver = world.isMine(driven);
 }
@@ -109,7 +110,8 @@ function setSpeed() {
   element("speed").setAttribute("aria-valuetext", `${percent} % of full speed`);
 }
 
-watchGamepads(deflect("gamepad"), () => driving.pause("gamepad") && notice.show("Move the stick a little to go on"));
+watchGamepads(deflect("gamepad"), () => driving.pause("gamepad")
+  && notice.show("Move the stick a little to go on", () => !driving.active));
 prepareViews();
 element("speed").addEventListener("input", setSpeed);
 element("take").addEventListener("click", () => send({ type: "take", robot: world.chosen }));

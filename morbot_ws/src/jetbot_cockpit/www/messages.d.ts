@@ -2,7 +2,7 @@
 
 export interface Said { code: string; arguments: Record<string, string>; text: string; }
 export interface Driver { id: number; name: string; }
-export interface JudgedTask { name: string; title: string; state: "ready" | "driving" | "done" | "cancelled"; text: string; seconds: number | null; score: number | null; driver: string; }
+export interface JudgedTask { name: string; title: string; state: "ready" | "driving" | "done" | "cancelled"; text: string; seconds: number | null; score: number | null; driver: string; request: string; }
 export interface Pictures { free: number; blocked: number; problem: Said | null; }
 export interface RobotState { status: string; state: "" | "driving" | "stopped" | "ended"; cause: string; holds: string[]; waiting: string[]; fake: boolean; warning: boolean; answers: boolean; stopped: boolean; pose: [number, number, number] | null; speed: [number, number] | null; command: [number, number] | null; wheels: [number, number] | null; program: string; driver: Driver | null; resumes: number | null; held: "robot" | "programs" | null; stalls: number; task: JudgedTask | null; pictures: Pictures | null; programs: number; }
 export interface Robot { id: string; label: string; color: string; workshop: boolean | null; wheel_separation: number; max_speed: number; simulated: boolean; pupil: string; }
@@ -44,12 +44,13 @@ export type Incoming =
   | { type: "notice"; code: string; arguments: Record<string, string>; text: string; }
   | { type: "program"; robot: string; ready: boolean; pose: [number, number, number] | null; line: [number, number, number] | null; wheels: [number, number] | null; }
   | { type: "lift"; robot: string; code: string; arguments: Record<string, string>; text: string; }
+  | { type: "judge"; robot: string; request: string; refusal: Said | null; }
   | { type: "pong"; sent: number; }
   | { type: "codes"; codes: Code[]; };
 
 export type Request =
   | { do: "list"; robot?: string | null; }
   | { do: "open"; robot: string; id: string; version?: number | null; }
-  | { do: "save"; robot: string; id: string; version: number; name: string; program: string; }
+  | { do: "save"; robot: string; id: string; version: number; name: string; program: string; class?: string | null; }
   | { do: "delete"; robot: string; id: string; }
   | { do: "restore"; robot: string; id: string; };

@@ -7,6 +7,7 @@ import { visible } from "./colors.js";
 import { element, inSeconds, setClass, setText, signed } from "./dom.js";
 import { leaveView } from "./views.js";
 
+const SIMULATED = "Simulated: no real robot moves.";
 const SIDES = [["left", "−", -1], ["right", "+", 1]];
 
 // problem: why there is no connection, or ""
@@ -33,17 +34,13 @@ export function showStatus(world, problem) {
 }
 
 function currentStatus(world, id) {
-  if (world.robot(id)) {
-    const { status, fake } = world.state(id);
-    const { text, level } = world.summarize(id);
-    return { text: fake && text === status ? `${text}, on a fake bus` : text, level };
-  }
+  if (world.robot(id)) return world.summarize(id);
   const own = world.me.robot ?? id;
-  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running: start one.";
+  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running.";
   return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
 }
 
-function showTeachersTools(world, robot, { held }) {
+function showTeachersTools(world, robot, { held, fake }) {
   const several = world.robots.length > 1;
   const fleet = world.teacher && several;
   element("fit").hidden = !several && !world.pointsOf(robot?.id).length;
@@ -53,6 +50,7 @@ function showTeachersTools(world, robot, { held }) {
   element("take").hidden = !(world.teacher && robot && world.mayTake(robot.id));
   element("go-on").hidden = !(world.teacher && held);
   element("reset").hidden = !(world.teacher && robot?.simulated);
+  element("robot").title = fake ? SIMULATED : "";
   setClass(document.body, "several", fleet);
   if (!fleet) leaveView("fleet");
 }

@@ -4,15 +4,17 @@ import { element, setText } from "./dom.js";
 import { Link } from "./link.js";
 import { LoginForm, logIn, storedName, takeCodeFromAddress } from "./login.js";
 import { RobotMap } from "./map.js";
+import { Notice } from "./notice.js";
 import { showRoundTrip, showStatus } from "./panel.js";
+import { holds } from "./refusals.js";
 import { Choice } from "./robots.js";
-import { Notice, Stops } from "./stops.js";
+import { Stops } from "./stops.js";
 import { World } from "./world.js";
 
-const LOST = "The connection to the cockpit was lost.";
+export const LOST = "The connection to the cockpit was lost.";
 const NEW_CODES = "Your code is not valid any more. Enter the new one.";
 const STOPPED = "All robots were stopped.";
-const ASKED = "The cockpit asks for the code.";
+const ASKED = "The cockpit asked for the code.";
 
 /** @import { Message } from "./link.js" */
 /** @import { Outgoing } from "./messages.js" */
@@ -43,7 +45,8 @@ export class Shell {
     });
     this.login = new LoginForm(() => this.link.open());
     this.choice = new Choice(this.world, () => this.#robotChanged());
-    this.stops = new Stops(this.world, { send: this.send, notice: this.notice, stopped: () => end(STOPPED) });
+    const lost = () => !this.link.connected;
+    this.stops = new Stops(this.world, { send: this.send, lost, notice: this.notice, stopped: () => end(STOPPED) });
     this.map = new RobotMap(element("map"), this.world, { choose: tap, redraw });
     addEventListener("hashchange", () => location.hash && this.start());
   }
@@ -60,12 +63,17 @@ export class Shell {
     this.link.open();
   }
 
+  // Shows why the cockpit refuses something, as long as it does.
+  refuse({ code, text }, robot) {
+    this.notice.show(text, () => holds(code, this.world, robot, this.drives()));
+  }
+
   show() {
     if (this.#frame) return;
     this.#frame = requestAnimationFrame(() => {
       this.#frame = 0;
       showStatus(this.world, this.problem);
-      this.notice.update(this.world.isBlocked(this.world.chosen), this.drives());
+      this.notice.update();
       this.stops.show();
       this.draw();
     });
@@ -79,7 +87,7 @@ export class Shell {
     },
     robots: (message) => {
       const changes = this.world.list(message);
-      if (changes) this.notice.show(changes, () => false);
+      if (changes) this.notice.show(changes);
       this.choice.begin();
     },
     state: (message) => {
@@ -88,7 +96,7 @@ export class Shell {
     },
     trail: ({ robot, points }) => this.world.trails.set(robot, points),
     scene: (message) => this.world.scene(message) && this.map.showCourse(message.robot),
-    notice: ({ text }) => this.notice.show(text),
+    notice: (message) => this.refuse(message, this.world.chosen),
   };
 
   #receive(message) {
@@ -111,6 +119,7 @@ export class Shell {
   #askForCode() {
     this.end(ASKED);
     this.login.ask(this.#codeError || (this.world.me.id === null ? "" : NEW_CODES));
+    this.#codeError = "";
   }
 
   #robotChanged() {

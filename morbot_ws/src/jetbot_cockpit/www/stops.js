@@ -1,16 +1,17 @@
-// The emergency stop and its release, and the one sentence that this page has for the person.
+// The emergency stop and its release.
 
 /** @import { Send } from "./link.js" */
+/** @import { Notice } from "./notice.js" */
 /** @import { World } from "./world.js" */
 
 import { element, onPress, setClass, setText } from "./dom.js";
 
 const RESEND_FOR = 60000; // ms
 const CONFIRM_TIMEOUT = 1000; // ms
-const NOTICE_TIME = 6000; // ms
 const MAX_NAME = 16; // characters that fit on the button
 const NOT_CONNECTED = "No connection: this stop reached no robot. Use the robot's own switch."
-  + " It is sent as soon as the connection is back.";
+  + " It is sent if the connection is back within a minute.";
+const NOT_RELEASED = "No connection: nothing was released.";
 const NOT_CONFIRMED = "The stop is not confirmed yet. Press again, or use the robot's own switch.";
 
 // A stop that the cockpit does not confirm is reported.
@@ -18,11 +19,13 @@ export class Stops {
   unconfirmed = 0; // the timer of a stop that is not confirmed yet
   unsentAt = -Infinity;
 
-  // send(message) returns whether it was sent; notice; stopped(): a stop was sent
-  /** @param {World} world @param {{ send: Send, notice: Notice, stopped: () => void }} page */
-  constructor(world, { send, notice, stopped }) {
+  // send(message) returns whether it was sent; lost(): whether there is no connection; stopped(): a stop was sent
+  /** @param {World} world
+   * @param {{ send: Send, lost: () => boolean, notice: Notice, stopped: () => void }} page */
+  constructor(world, { send, lost, notice, stopped }) {
     this.world = world;
     this.send = send;
+    this.lost = lost;
     this.notice = notice;
     this.stopped = stopped;
     onPress(element("stop"), () => this.stop());
@@ -32,11 +35,11 @@ export class Stops {
   stop() {
     const sent = this.send({ type: "stop", robot: null });
     this.unsentAt = sent ? -Infinity : performance.now();
-    if (!sent) return this.notice.show(NOT_CONNECTED);
+    if (!sent) return this.notice.show(NOT_CONNECTED, this.lost);
     this.stopped();
     clearTimeout(this.unconfirmed);
-    const confirmed = () => this.world.emergency;
-    this.unconfirmed = setTimeout(() => this.notice.show(NOT_CONFIRMED, confirmed), CONFIRM_TIMEOUT);
+    const missing = () => !this.world.emergency;
+    this.unconfirmed = setTimeout(() => this.notice.show(NOT_CONFIRMED, missing), CONFIRM_TIMEOUT);
   }
 
   // The connection is back: a stop that was not sent is sent first.
@@ -52,7 +55,7 @@ export class Stops {
   release() {
     clearTimeout(this.unconfirmed);
     const sent = this.send({ type: "release", robot: this.stoppedAlone() });
-    if (!sent) this.notice.show("No connection: nothing was released.");
+    if (!sent) this.notice.show(NOT_RELEASED, this.lost);
   }
 
   // Returns the chosen robot if it alone is stopped, else null: all robots.
@@ -69,37 +72,5 @@ export class Stops {
     setClass(element("release"), "needed", alone || this.world.emergency);
     element("release").disabled = this.world.mustWait;
     setClass(document.body, "emergency", this.world.emergency);
-  }
-}
-
-// One sentence: for a while, and no longer than it is true.
-export class Notice {
-  // over(): whether it is no longer true; without it, it is over once nothing keeps this person from driving
-  /** @param {(() => boolean)?} over */
-  show(text, over = null) {
-    this.over = over;
-    this.wasBlocked = this.rested = false;
-    element("notice").textContent = text;
-    element("notice").hidden = false;
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.hide(), NOTICE_TIME);
-  }
-
-  get visible() {
-    return !element("notice").hidden;
-  }
-
-  // blocked: whether this person cannot drive the robot now; driving: whether this page drives it
-  update(blocked, driving) {
-    if (!this.visible) return;
-    const over = this.over ? this.over() : this.wasBlocked && !blocked;
-    const drivesAgain = this.rested && driving;
-    this.wasBlocked ||= blocked;
-    this.rested ||= !driving;
-    if (over || drivesAgain) this.hide();
-  }
-
-  hide() {
-    element("notice").hidden = true;
   }
 }

@@ -1,6 +1,8 @@
 // What this device remembers, and texts as the cockpit takes them.
 
-const UNWANTED = /(?! )[\p{C}\p{Z}]/gu; // control characters and the like, which the cockpit refuses in a name
+// Control characters, ends of lines, what reverses the text around it, and halves of characters; as in jetbot/text.py.
+const HARMFUL = /[\p{Cc}\p{Cs}\u2028-\u202e\u2066-\u2069]/gu;
+const VISIBLE = /[^\p{C}\p{Z}]/u;
 
 // Returns the text that is kept under this key, or "".
 export function recall(key) {
@@ -17,7 +19,13 @@ export function remember(key, text) {
   } catch { /* it is asked for again next time, or the cockpit keeps it */ }
 }
 
-// Returns a name that the cockpit takes, or "".
+// Returns the text without what is harmful where it is shown: one line, in the scripts and emoji of all languages.
+export function toText(text) {
+  return text.replace(HARMFUL, "");
+}
+
+// Returns a name that the cockpit takes, or "" if there is nothing to see.
 export function toName(text) {
-  return text.replace(UNWANTED, "").trim();
+  const name = toText(text).trim();
+  return VISIBLE.test(name) ? name : "";
 }

@@ -10,6 +10,7 @@ export function prepareViews() {
     element(id).addEventListener("click", () => showView(document.body.dataset.view === view ? "drive" : view));
   }
   element("close-scores").addEventListener("click", () => showView("drive"));
+  addEventListener("ask", () => showView("drive")); // what it shows may be old
 }
 
 export function showView(view) {

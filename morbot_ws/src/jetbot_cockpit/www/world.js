@@ -3,10 +3,13 @@
 /** @import { Incoming, Robot, RobotState } from "./messages.js" */
 /** @typedef {Omit<RobotState, "programs"> & { programs?: number }} State without programs: nothing is known yet */
 
+import { forPupils } from "./causes.js";
 import { prepareShapes } from "./drawing.js";
 import { limits } from "./limits.js";
+import { OBSTACLES } from "./refusals.js";
 
 const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // causes: it has heard of a stop, or cannot
+const ASK = "Tell your teacher.";
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
 
 /** @type {State} */
@@ -137,10 +140,13 @@ export class World {
     return !this.teacher && this.state(id).held === TAKEN;
   }
 
-  // Whether this page's person cannot drive the robot now.
+  // Returns what keeps this page's person from driving the robot now, as a code of notices.py, or "".
+  obstacle(id) {
+    return Object.keys(OBSTACLES).find((code) => OBSTACLES[code](this, id, false)) ?? "";
+  }
+
   isBlocked(id) {
-    const { answers, stopped, driver } = this.state(id);
-    return this.emergency || stopped || !answers || this.isTaken(id) || Boolean(driver) && !this.isMine(id);
+    return Boolean(this.obstacle(id));
   }
 
   // Whether there is somebody from whom a teacher can take the robot, also a program that pauses.
@@ -152,9 +158,10 @@ export class World {
 
   // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
   summarize(id) {
-    const { status, state, cause, warning, answers, stopped } = this.state(id);
+    const { state, cause, warning, answers, stopped } = this.state(id);
+    const status = this.teacher ? this.state(id).status : forPupils(this.state(id));
     const label = this.robot(id)?.label ?? "The robot";
-    if (!answers) return { text: status || `${label} does not answer: look after its node.`, level: "warning" };
+    if (!answers) return { text: this.teacher ? status : `${label} does not answer. ${ASK}`, level: "warning" };
     if (this.emergency && this.mustWait) return { text: "Your teacher stopped all robots.", level: "stopped" };
     if (this.emergency || stopped) {
       return { text: STOPS.includes(cause) ? status : "stopped: emergency stop", level: "stopped" };

@@ -1,24 +1,22 @@
 """Words for people: text from outside made harmless to print, lists in one phrase, what was probably meant."""
 
-import unicodedata
+import re
 from typing import Iterable, Optional, Sequence
 
 MAX_LENGTH = 1000  # characters; a sentence is shorter
+# Control characters, ends of lines, what reverses the text around it, and surrogates; as in the page's storage.js
+HARMFUL = re.compile("[\0-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
 def printable(text: object) -> str:
-    """Return the text on one line: control characters are escaped as in Python, what exceeds MAX_LENGTH is cut off."""
-    shown = "".join(each if each.isprintable() else ascii(each)[1:-1] for each in str(text)[:MAX_LENGTH + 1])
+    """Return the text on one line: HARMFUL characters are escaped as in Python, what exceeds MAX_LENGTH is cut off."""
+    shown = HARMFUL.sub(lambda found: ascii(found[0])[1:-1], str(text)[:MAX_LENGTH + 1])
     return shown if len(shown) <= MAX_LENGTH else f"{shown[:MAX_LENGTH]}..."
 
 
 def is_printable(text: object, longest: int) -> bool:
-    """Return whether this is text without control characters, of so many characters at most.
-
-    Browsers know newer characters than this Python, such as emoji.
-    """
-    return isinstance(text, str) and len(text) <= longest and all(
-        each.isprintable() or unicodedata.category(each) == "Cn" for each in text)
+    """Return whether this is text without HARMFUL characters, of so many characters at most."""
+    return isinstance(text, str) and len(text) <= longest and not HARMFUL.search(text)
 
 
 def literal(value: object) -> str:

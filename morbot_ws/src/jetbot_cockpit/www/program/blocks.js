@@ -36,7 +36,14 @@ export function defineBlocks() {
   Blockly.fieldRegistry.register("field_number", NumberField);
   delete Blockly.Blocks.text;
   Blockly.common.defineBlocksWithJsonArray([...ROBOT, TEXT]);
+  Object.assign(Blockly.Blocks.procedures_ifreturn, { loadExtraState: loadReturn });
   Blockly.libraryBlocks?.loops?.loopTypes.add("robot_loop");
+}
+
+// Loads whether a return has a value from Blockly's XML, which is not parsed.
+/** @this {any} */
+function loadReturn(xml) {
+  this.domToMutation({ getAttribute: () => (String(xml).includes('value="0"') ? "0" : "1") });
 }
 
 let units = WORKSHOP;

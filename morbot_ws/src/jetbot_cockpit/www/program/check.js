@@ -1,5 +1,6 @@
-// Checks a program that comes from elsewhere, before Blockly sees it.
+// The text of a program: written as it is saved, and checked when it comes from elsewhere, before Blockly sees it.
 
+import { toText } from "../storage.js";
 import { TYPES } from "./semantics.js";
 
 const MAX_SIZE = 512 * 1024; // characters
@@ -8,10 +9,21 @@ const MAX_NESTING = 60; // blocks in blocks; those below each other do not count
 const MAX_PARTS = 50; // branches of an if, parts of a text
 const MAX_TYPE = 40; // characters of a block's type that are shown
 export const NO_PROGRAM = "This file is no program of this page.";
-const BLOCK_KEYS = ["type", "id", "x", "y", "fields", "inputs", "next", "extraState"];
+const BLOCK_KEYS = ["type", "id", "x", "y", "inline", "fields", "inputs", "next", "extraState"];
+const MADE_ANEW = ["id", "deletable", "disabledReasons"]; // of each block, whenever it is shown
 
 // Why a program is refused, in a sentence for the person.
 export class Refusal extends Error {}
+
+// Returns the text of a program of Blockly. Opened and saved again, it is the same.
+export function writeProgram(program) {
+  return JSON.stringify(program, leaveOut);
+}
+
+/** @this {any} */
+function leaveOut(key, value) { // a variable keeps its id
+  return this.type && MADE_ANEW.includes(key) ? undefined : value;
+}
 
 // Returns the program, with what this page knows of it alone; throws a Refusal.
 export function parseProgram(file) {
@@ -20,7 +32,7 @@ export function parseProgram(file) {
     const { blocks: { blocks }, variables = [] } = JSON.parse(file);
     return {
       blocks: { languageVersion: 0, blocks: checkBlocks(blocks) },
-      variables: variables.slice(0, MAX_BLOCKS).map(({ name, id }) => ({ name: text(name), id: text(id) })),
+      variables: checkVariables(variables),
     };
   } catch (error) { // what is of another form causes a TypeError
     throw error instanceof Refusal ? error : new Refusal(NO_PROGRAM);
@@ -37,10 +49,15 @@ export function problemOf(text) {
   return "";
 }
 
+function checkVariables(variables) {
+  if (variables.length > MAX_BLOCKS) throw new Refusal(`This program has more than ${MAX_BLOCKS} variables.`);
+  return variables.map(({ name, id }) => ({ name: text(name), id: text(id) }));
+}
+
 // Goes from block to block in a list, not by recursion: what is nested deep ends no page.
 function checkBlocks(tops) {
   const checked = [];
-  const todo = tops.map((block) => ({ block, depth: 0, put: (copy) => checked.push(copy) }));
+  const todo = tops.map((block, index) => ({ block, depth: 0, put: (copy) => { checked[index] = copy; } }));
   for (let count = 0; todo.length; count += 1) {
     if (count >= MAX_BLOCKS) throw new Refusal(`This program has more than ${MAX_BLOCKS} blocks.`);
     const { block, depth, put } = todo.pop();
@@ -64,10 +81,13 @@ function checkBlock(block) {
   if (!TYPES.has(type)) throw new Refusal(`This page does not know the block ${text(type).slice(0, MAX_TYPE)}.`);
   const known = Object.fromEntries(BLOCK_KEYS.filter((key) => key in block).map((key) => [key, block[key]]));
   for (const key of ["fields", "extraState"].filter((each) => each in known)) known[key] = copy(known[key]);
-  if (typeof known.extraState === "string") delete known.extraState; // XML, which says what fields and place say
+  const isXml = typeof known.extraState === "string"; // it says what fields say, except of a return
+  if (isXml && type !== "procedures_ifreturn") delete known.extraState;
   const { elseIfCount, itemCount, params } = known.extraState ?? {};
-  for (const parts of [elseIfCount, itemCount, params?.length]) need(!(parts > MAX_PARTS));
+  const isLarge = [elseIfCount, itemCount, params?.length].some((parts) => parts > MAX_PARTS);
+  if (isLarge) throw new Refusal(`This program has a block with more than ${MAX_PARTS} parts.`);
   if ("id" in known) known.id = text(known.id);
+  if ("inline" in known) need(typeof known.inline === "boolean");
   for (const key of ["x", "y"]) if (key in known) known[key] = Math.max(-1e5, Math.min(1e5, Number(known[key]) || 0));
   return known;
 }
@@ -78,7 +98,7 @@ function copy(value) {
 
 function text(value) {
   need(typeof value === "string");
-  return value.replace(/\p{C}/gu, "");
+  return toText(value);
 }
 
 function need(condition) {

@@ -1,8 +1,9 @@
 // The blocks on the page: Blockly's workspace, in the page's colours.
 
 import { defineBlocks, TOOLBOX } from "./blocks.js";
-import { NO_PROGRAM, Refusal } from "./check.js";
+import { NO_PROGRAM, Refusal, writeProgram } from "./check.js";
 import { prepareGenerator } from "./python.js";
+import { Room } from "./room.js";
 
 const { Blockly } = globalThis;
 const DARK = matchMedia("(prefers-color-scheme: dark)");
@@ -11,24 +12,51 @@ const COLORS = { // of Blockly's parts: the page's names
   flyoutBackgroundColour: "--calm-ground", flyoutForegroundColour: "--text", scrollbarColour: "--muted",
 };
 
+const [HEIGHT, PADDING] = matchMedia("(any-pointer: coarse)").matches ? [40, 14] : [26, 8]; // for a finger, a mouse
+const SIZES = { // of the fields, and of what has none
+  FIELD_BORDER_RECT_HEIGHT: HEIGHT, FIELD_DROPDOWN_BORDER_RECT_HEIGHT: HEIGHT, FIELD_BORDER_RECT_X_PADDING: PADDING,
+  EMPTY_INLINE_INPUT_HEIGHT: HEIGHT, DUMMY_INPUT_MIN_HEIGHT: HEIGHT, MIN_BLOCK_HEIGHT: HEIGHT,
+};
+const MEDIA = new URL("../vendor/blockly/media/", import.meta.url).href;
 const STYLES = { // of Blockly's own blocks, on which white text stands out
   logic_blocks: "#2a6a8a", loop_blocks: "#3c7a1f", math_blocks: "#4a55b5", text_blocks: "#6a4fb5",
   variable_blocks: "#a03060", procedure_blocks: "#8a4a9a",
 };
 
+const { bumpNeighbours } = Blockly.BlockSvg.prototype;
+let dropped = false; // whether a person has just dropped a block
+
+// Blockly moves blocks apart whenever it draws them: a program that is opened would not stay as it was saved.
+/** @this {any} */
+function bumpDropped() {
+  if (dropped) bumpNeighbours.call(this);
+}
+
+function bump(block, group) {
+  dropped = true;
+  Blockly.Events.setGroup(group);
+  block?.bumpNeighbours();
+  Blockly.Events.setGroup(false);
+  dropped = false;
+}
+
 // Returns a new workspace in this element. changed(): the program is another one
 export function openEditor(target, changed) {
   defineBlocks();
   prepareGenerator();
+  Blockly.BlockSvg.prototype.bumpNeighbours = bumpDropped;
   const workspace = Blockly.inject(target, {
-    toolbox: TOOLBOX, media: "vendor/blockly/media/", renderer: "thrasos", theme: theme(), sounds: false,
+    toolbox: TOOLBOX, media: MEDIA, renderer: "thrasos", theme: theme(), sounds: false,
     trashcan: true, comments: false, collapse: false, disable: false, maxInstances: { robot_start: 1 },
+    rendererOverrides: SIZES,
     zoom: { controls: true, pinch: true, wheel: false, startScale: 0.9, minScale: 0.4, maxScale: 2 },
     move: { scrollbars: true, drag: true, wheel: true }, grid: { spacing: 24, length: 2, colour: "#8884", snap: false },
   });
   Blockly.ShortcutItems.registerNavigationShortcuts();
   workspace.addChangeListener(Blockly.Events.disableOrphans);
   workspace.addChangeListener((event) => event.isUiEvent || changed());
+  workspace.addChangeListener((event) => event.type === Blockly.Events.BLOCK_DRAG && !event.isStart
+    && bump(workspace.getBlockById(event.blockId), event.group));
   DARK.addEventListener("change", () => workspace.setTheme(theme()));
   new ResizeObserver(() => Blockly.svgResize(workspace)).observe(target);
   return workspace;
@@ -61,6 +89,21 @@ export function showProgram(workspace, program) {
   workspace.scroll(0, 0);
 }
 
+const room = new Room();
+
+// Undoes the last change if it makes the program too large to be kept, or to be opened again; says why.
+export function limitProgram(workspace, say) {
+  const problem = room.change(writeProgram(currentProgram(workspace)), workspace.getUndoStack().length > 0);
+  if (!problem) return;
+  workspace.undo(false);
+  say(problem);
+}
+
 export function currentProgram(workspace) {
   return Blockly.serialization.workspaces.save(workspace);
+}
+
+// Returns its text as it is saved and kept.
+export function textOf(workspace) {
+  return writeProgram(currentProgram(workspace));
 }

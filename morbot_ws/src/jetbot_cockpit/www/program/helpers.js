@@ -31,6 +31,22 @@ export const HELPERS = {
     motion.linear.x = (left + right) / 2%speed
     motion.angular.z = (right - left) / %separation%speed`,
   },
+  counting: {
+    code: `def counting(start, end, step):
+    """Count from start to end, up or down."""
+    if step == 0:
+        raise ValueError("This loop counts by 0, and never arrives.")
+    sign = 1 if start <= end else -1
+    while sign * start <= sign * end:
+        yield start
+        start += sign * abs(step)`,
+  },
+  random_integer: {
+    imports: ["import random"],
+    code: `def random_integer(one, other):
+    low, high = sorted([round(one), round(other)])
+    return random.randint(low, high)`,
+  },
   seconds: {
     code: `def seconds():
     return rospy.get_time() - beginning`,

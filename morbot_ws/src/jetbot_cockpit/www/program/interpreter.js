@@ -5,18 +5,18 @@
 // { breathe }: nothing, it has computed for a while.
 
 import { ProgramError } from "./program_error.js";
-import { BLOCKS } from "./semantics.js";
-import { plain, shown } from "./values.js";
+import { BLOCKS, LOOPS } from "./semantics.js";
+import { shown, truth } from "./values.js";
 
-const MAX_DEPTH = 1000; // blocks in blocks, functions that call functions
+const MAX_CALLS = 998; // functions that call functions; Python's
+const MAX_LOOPS = 20; // in each other; Python's
 const BREATHE_AFTER = 50; // values that are evaluated
-const TOO_DEEP = "Functions call functions too deep: one of them calls itself for ever.";
 
 export class Interpreter {
   variables = new Map(); // by id
   locals = new Map(); // of the function that runs
   motion = [0, 0]; // x, z: in the units of the robot's commands
-  depth = 0;
+  running = []; // generators: the program, the function that it calls, the one that this one calls ...
   evaluated = 0; // values
 
   // program: as Blockly.serialization saves it; geometry: { wheel_separation, max_speed } of the robot;
@@ -30,11 +30,17 @@ export class Interpreter {
     this.functions = new Map(functions.map((block) => [block.fields.NAME, block]));
   }
 
+  // A function's body does not run inside its caller's, but on top of it: a browser's own stack is not deep enough.
   *run() {
-    try {
-      yield* this.chain(this.start?.next?.block);
-    } catch (error) {
-      throw error instanceof RangeError ? new ProgramError(TOO_DEEP) : error; // the browser's own limit came first
+    for (const top of [this.start, ...this.functions.values()]) checkLoops(top);
+    this.running = [this.chain(this.start?.next?.block)];
+    let result;
+    while (this.running.length) {
+      const { value, done } = this.running.at(-1).next(result);
+      result = done ? value : undefined;
+      if (done) this.running.pop();
+      else if ("call" in value) this.running.push(value.call);
+      else yield value;
     }
   }
 
@@ -59,22 +65,21 @@ export class Interpreter {
 
   // Runs a part of the program that a block may leave: it throws { way }, which is returned here.
   *leaving(way, part) {
-    const { depth } = this;
     try {
       yield* part;
     } catch (leave) {
       if (leave.way !== way) throw leave;
-      this.depth = depth;
       return leave;
     }
   }
 
   *perform(block) {
-    this.depth += 1;
-    if (this.depth > MAX_DEPTH) throw new ProgramError(TOO_DEEP, block.id);
-    const result = yield* BLOCKS[block.type](this, block);
-    this.depth -= 1;
-    return result;
+    try {
+      return yield* BLOCKS[block.type](this, block);
+    } catch (error) {
+      if (error instanceof ProgramError) error.block ??= block.id;
+      throw error;
+    }
   }
 
   *value(block, name, /** @type {any} */ fallback = 0) {
@@ -86,24 +91,26 @@ export class Interpreter {
     return yield* this.perform(inner);
   }
 
+  // Returns a number, or True or False, with which Python calculates too.
   *number(block, name, fallback = 0) {
-    const value = plain(yield* this.value(block, name, fallback));
-    if (typeof value !== "number") throw new ProgramError(`Here a number is needed, not ${shown(value)}.`, block.id);
-    return value;
+    const value = yield* this.value(block, name, fallback);
+    if (["number", "boolean"].includes(typeof value)) return value;
+    throw new ProgramError(`Here a number is needed, not ${shown(value)}.`);
   }
 
-  *numbers(block, names) {
+  *numbers(block, inputs) {
     const numbers = [];
-    for (const name of names) numbers.push(yield* this.number(block, name));
+    for (const [name, fallback] of Object.entries(inputs)) numbers.push(yield* this.number(block, name, fallback));
     return numbers;
   }
 
   *truth(block, name, fallback = false) {
-    return Boolean(yield* this.value(block, name, fallback));
+    return truth(yield* this.value(block, name, fallback));
   }
 
   get({ fields: { VAR: { id } } }) {
-    return this.locals.has(id) ? this.locals.get(id) : this.variables.get(id) ?? 0;
+    const known = [this.locals, this.variables].find((each) => each.has(id));
+    return known ? known.get(id) : 0;
   }
 
   set({ fields: { VAR: { id } } }, value) {
@@ -112,16 +119,34 @@ export class Interpreter {
 
   *call(block) {
     const called = this.functions.get(block.extraState?.name);
-    if (!called) throw new ProgramError("This function is not defined.", block.id);
+    if (!called) throw new ProgramError("This function is not defined.");
     const locals = new Map();
     for (const [index, { id }] of (called.extraState?.params ?? []).entries()) {
       locals.set(id, yield* this.value(block, `ARG${index}`));
     }
+    if (this.running.length > MAX_CALLS) {
+      throw new ProgramError(`Functions call each other more than ${MAX_CALLS} deep. Does one call itself for ever?`);
+    }
     const outer = this.locals;
     this.locals = locals;
-    const left = yield* this.leaving("RETURN", this.body(called, "STACK"));
-    const result = left ? left.result : yield* this.value(called, "RETURN", null);
+    const result = yield { call: this.activation(called) };
     this.locals = outer;
     return result;
+  }
+
+  *activation(called) {
+    const left = yield* this.leaving("RETURN", this.body(called, "STACK"));
+    return left ? left.result : yield* this.value(called, "RETURN", null);
+  }
+}
+
+// Throws if there are more loops in each other than Python allows.
+function checkLoops(first, around = 0) {
+  for (let block = first; block; block = block.next?.block) {
+    const loops = around + Number(block.type in LOOPS);
+    if (loops > MAX_LOOPS) {
+      throw new ProgramError(`Python allows ${MAX_LOOPS} loops in each other, not more.`, block.id);
+    }
+    for (const { block: inner } of Object.values(block.inputs ?? {})) checkLoops(inner, loops);
   }
 }

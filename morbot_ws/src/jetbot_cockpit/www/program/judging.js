@@ -1,8 +1,10 @@
 // Judge me: the robot goes to the start of a task, the program runs, and the judge's score comes. It knows no page.
 //
 //   idle -- begin --> waiting -- the robot is at its start --> driving -- the program's own end --> ended
-//   waiting -- cancel, a refusal, too late --> idle
-//   driving, ended -- the judge's result, or its end --> idle
+//   waiting -- a refusal, an obstacle, too late --> idle
+//   waiting, ended -- cancel --> idle
+//   driving -- a pause, another end of the program --> idle
+//   driving, ended -- the judge's result, or its end --> idle, and the program ends
 //   all -- begin --> waiting
 
 /** @import { Send } from "../link.js" */
@@ -11,22 +13,37 @@
 import { inSeconds } from "../dom.js";
 
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
+const DRIVE_TIMEOUT = 4000; // ms from the program's end until the judge must have seen a drive
+const KEEP_INTERVAL = 1000; // ms between two messages that keep the robot this page's
 const STARTING = "The robot goes to the start of the task.";
-const MEASURING = "The judge measures from the first motion until the robot has stood still for 3 s.";
+const MEASURING = "The judge measures until the robot has stopped for 3 s, or the time is over.";
+const ENDED = "Judge me ended this program.";
+const NO_ROBOT = "No robot is running: start one.";
+const NOT_CONNECTED = "There is no connection to the cockpit.";
 const NO_ANSWER = "The judge did not put the robot at its start. Try again.";
-const NOT_DRIVEN = "The program has ended, and the robot stands at the start.";
-const JUDGE_ENDED = "The judge has ended. Try again.";
-const CANCELLED = "Judge me was cancelled.";
+const NOT_DRIVEN = "The program has ended, and the robot did not drive: no score.";
+const JUDGE_GONE = "The judge does not answer any more. Try again.";
+const CANCELLED = "Judge me was cancelled";
+const NOT_COUNTED = "The drive does not count";
+const SEEN = "The judge has seen enough.";
+const NOT_JUDGED = "This drive is not judged any more.";
 
 export class Judging {
-  // robot, task: what is judged, in all states but idle; waiting has since, and heard: what the judge has said of it
+  // robot, task: what is judged, in all states but idle; request: what its judge's reports are about, once accepted;
+  // since: when this state began
+  /** @type {any} */
   state = { name: "idle" };
+  unanswered = 0; // messages "judge"
+  keptAt = -Infinity;
 
-  // send(message); run(): runs the program; say(text); world
-  /** @param {{ send: Send, run: () => void, say: (text: string) => void, world: World }} page */
-  constructor({ send, run, say, world }) {
+  // send(message) returns whether there is a connection; run(): runs the program; end(sentence): ends one that runs;
+  // say(text); world
+  /** @param {{ send: Send, run: () => void, end: (sentence: string) => void, say: (text: string) => void,
+   * world: World }} page */
+  constructor({ send, run, end, say, world }) {
     this.send = send;
     this.run = run;
+    this.end = end;
     this.say = say;
     this.world = world;
   }
@@ -35,83 +52,134 @@ export class Judging {
     return this.state.name === "waiting";
   }
 
-  // The task of the robot that is judged, as its judge reports it.
+  // The task of the robot that is judged, as the judge reports it that was asked here.
   get report() {
-    return this.world.state(this.state.robot).task ?? null;
-  }
-
-  // Whether the robot is at the start of this task, and its judge waits.
-  get isReady() {
-    return this.report?.name === this.state.task && this.report?.state === "ready";
+    const { robot, request } = this.state;
+    const { task } = this.world.state(robot);
+    return task && request && task.request === request ? task : null;
   }
 
   enter(name, text, data = {}) {
-    this.state = { name, ...data };
+    this.state = { name, since: performance.now(), ...data };
     this.say(text);
   }
 
+  // The program that runs ends, and its drive is not judged; one that commands the robot from elsewhere waits.
   begin(robot, task) {
-    const heard = this.world.state(robot).task?.text;
-    this.enter("waiting", STARTING, { robot, task, heard, since: performance.now() });
+    this.disarm();
+    if (!this.world.robot(robot)) return this.enter("idle", NO_ROBOT);
+    const { program, state } = this.world.state(robot);
+    const waiting = program && state === "driving" ? ` ${program} waits until the end.` : "";
+    this.enter("waiting", STARTING + waiting, { robot, task });
+    this.end(ENDED);
     this.send({ type: "drive", robot, forward: 0, left: 0 }); // who had to let go, has
-    if (!this.isReady) this.send({ type: "judge", robot, task });
+    if (!this.ask(task)) this.enter("idle", NOT_CONNECTED);
   }
 
-  cancel(text = CANCELLED) {
-    if (!this.isWaiting) return;
+  // Asks for a task, or "" for the end of it; the cockpit answers one after the other.
+  ask(task) {
+    const sent = this.send({ type: "judge", robot: this.state.robot, task });
+    this.unanswered += Number(sent);
+    return sent;
+  }
+
+  // The judge gives no score for this drive.
+  disarm() {
+    if (this.state.name !== "idle") this.ask("");
+  }
+
+  // A connection begins: what was asked before is not answered any more.
+  hello() {
+    this.unanswered = 0;
+  }
+
+  answered({ request, refusal }) {
+    this.unanswered -= 1;
+    if (!this.isWaiting || this.unanswered) return;
+    if (refusal) this.enter("idle", refusal.text);
+    else this.state.request = request;
+  }
+
+  cancel(text = `${CANCELLED}.`) {
+    if (!["waiting", "ended"].includes(this.state.name)) return;
     this.disarm();
     this.enter("idle", text);
   }
 
-  // The judge gives no score for this drive, and says so.
-  disarm() {
-    this.send({ type: "judge", robot: this.state.robot, task: "" });
-  }
-
   // The person pauses the program.
   paused() {
-    if (this.isDriving) this.disarm();
-  }
-
-  get isDriving() {
-    return this.state.name === "driving" || this.state.name === "ended";
+    this.interrupt(`${NOT_COUNTED}: the program was paused.`);
   }
 
   // early: before its own end
   programEnded(early) {
-    if (!this.isDriving) return;
-    if (early) this.disarm();
-    else this.state = { ...this.state, name: "ended" };
+    if (early) this.interrupt(`${NOT_COUNTED}.`);
+    else if (this.state.name === "driving") this.state = { ...this.state, name: "ended", since: performance.now() };
+  }
+
+  interrupt(text) {
+    if (this.state.name !== "driving") return;
+    this.disarm();
+    this.enter("idle", text);
   }
 
   // A state has arrived.
   update() {
     if (this.isWaiting) this.wait();
-    else if (this.isDriving) this.follow();
+    else if (this.state.name !== "idle") this.follow();
+    this.keep();
   }
 
   wait() {
-    const { robot, task, since, heard } = this.state;
-    if (robot !== this.world.chosen || this.world.isBlocked(robot)) return this.cancel();
-    if (this.isReady) {
-      this.enter("driving", MEASURING, { robot, task });
-      return this.run();
-    }
-    const text = this.report?.text;
-    const refusal = this.report?.state === "cancelled" && text; // perhaps of what was asked for before
-    if (refusal && text !== heard) this.say(text);
-    this.state.heard = text;
-    if (performance.now() - since > READY_TIMEOUT) this.cancel(refusal || NO_ANSWER);
+    const { report, world, state: { robot, request, since } } = this;
+    const obstacle = request && whyBlocked(world, robot); // before, the cockpit says it
+    if (robot !== world.chosen) this.cancel(`${CANCELLED}: another robot was chosen.`);
+    else if (obstacle) this.cancel(`${CANCELLED}: ${obstacle}.`);
+    else if (report?.state === "ready") this.drive();
+    else if (report?.state === "cancelled") this.enter("idle", report.text);
+    else if (performance.now() - since > READY_TIMEOUT) this.cancel(NO_ANSWER);
   }
 
-  // Says so if there is nothing to judge; who drives on by hand gets the score all the same.
-  follow() {
-    const { report, state: { name, task } } = this;
-    if (name === "ended" && this.isReady) this.say(NOT_DRIVEN);
-    else if (!report || report.name !== task) this.enter("idle", JUDGE_ENDED);
-    else if (report.state === "done") this.enter("idle", result(report));
-    else if (report.state === "cancelled") this.enter("idle", report.text);
+  drive() {
+    const { robot, task, request } = this.state;
+    this.enter("driving", MEASURING, { robot, task, request });
+    this.run();
   }
+
+  follow() {
+    const { report, world, state: { name, robot, since } } = this;
+    if (robot !== world.chosen) this.cancel(`${CANCELLED}: another robot was chosen.`);
+    else if (!report) this.conclude(JUDGE_GONE, NOT_JUDGED);
+    else if (report.state === "done") this.conclude(result(report), SEEN);
+    else if (report.state === "cancelled") this.conclude(report.text, NOT_JUDGED);
+    else if (name === "ended" && report.state === "ready" && performance.now() - since > DRIVE_TIMEOUT) {
+      this.cancel(NOT_DRIVEN);
+    }
+  }
+
+  // The judge is done: a program that still runs ends, and the robot stops.
+  conclude(text, sentence) {
+    this.enter("idle", text);
+    this.end(sentence);
+  }
+
+  // While no program does so, the robot stays this page's, and programs from elsewhere wait.
+  keep() {
+    const { name, robot, request } = this.state;
+    const now = performance.now();
+    if (!request || name === "driving" || now - this.keptAt < KEEP_INTERVAL) return;
+    this.keptAt = now;
+    this.send({ type: "program", robot });
+  }
+}
+
+// Returns why the robot is not this page's any more, or "".
+function whyBlocked(world, id) {
+  const { driver, answers } = world.state(id);
+  if (!world.isBlocked(id)) return "";
+  if (driver && !world.isMine(id)) return `${driver.name} drives the robot`;
+  if (world.isTaken(id)) return "your teacher has taken the robot";
+  return answers ? "the robot was stopped" : "the robot does not answer";
 }
 
 function result({ title, score, seconds, text }) {

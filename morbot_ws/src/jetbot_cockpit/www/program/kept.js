@@ -1,18 +1,20 @@
 // One program that the cockpit keeps: each change is sent after a second, and again until the cockpit has answered.
 // It knows no page.
 //
-//   unchanged, kept, refused, older -- change --> waiting, or refused here
-//   waiting -- a second without a change --> sending -- the cockpit's answer --> kept, or refused
+//   unchanged, kept, refused, foreign, older -- change --> waiting, or refused here
+//   waiting -- a second without a change --> sending -- the cockpit's answer --> kept, refused or foreign
 //   unchanged, kept -- another page has saved it --> older
 
 import { limits } from "../limits.js";
 import { toName } from "../storage.js";
 import { ask, newId } from "./ask.js";
 import { problemOf } from "./check.js";
+import { isTooLarge } from "./room.js";
 
 const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
 const TOO_LARGE = "Too large to be kept here. Save it as a file.";
+const AGAIN = "The page tries again.";
 const NEWER = "There is a newer version of this program.";
 
 // What a person reads in each state; bad: as a warning; unsaved: the cockpit has another content
@@ -22,6 +24,7 @@ const STATES = {
   sending: { text: "Not kept yet", unsaved: true }, // perhaps the cockpit has kept it, and its answer was lost
   kept: { text: "Kept" },
   refused: { bad: true, unsaved: true }, // text: why it is not kept as it is
+  foreign: { text: "", unsaved: true }, // the cockpit has another class: it waits on this device for its own
   older: { text: NEWER, bad: true }, // newer: the version that another page has saved
 };
 
@@ -33,11 +36,13 @@ export class Kept {
   state = { name: "unchanged", ...STATES.unchanged };
 
   // robot: whose program it is, null as long as there is none; version: as the cockpit has it, 0 for a new program;
-  // content: { name, program }, null until there is something to keep; report(kept): it is in another state
-  constructor(robot, { id = newId(), version = 0, content = null }, report) {
+  // classId: of the class that keeps it, null for one without a name; content: { name, program }, null until there is
+  // something to keep; report(kept): it is in another state
+  constructor(robot, { id = newId(), version = 0, classId = null, content = null }, report) {
     this.robot = robot;
     this.id = id;
     this.version = version;
+    this.classId = classId;
     this.content = content;
     this.report = report;
   }
@@ -51,8 +56,7 @@ export class Kept {
   change(content) {
     this.content = content;
     if (this.state.name === "sending") return this.enter("sending"); // what was sent comes first
-    const tooLarge = new TextEncoder().encode(content.program).length > limits.program;
-    const problem = tooLarge ? TOO_LARGE : problemOf(content.program);
+    const problem = isTooLarge(content.program) ? TOO_LARGE : problemOf(content.program);
     if (problem) this.enter("refused", { text: problem });
     else this.enter("waiting", { timer: setTimeout(() => this.save(), SAVE_AFTER) });
   }
@@ -75,12 +79,14 @@ export class Kept {
   async send({ name, program }) {
     for (;;) {
       try {
-        const { robot, id, version } = this;
-        ({ version: this.version } = await ask({ do: "save", robot, id, version, name: clean(name), program }));
+        const { robot, id, version, classId } = this;
+        const fields = { do: "save", class: classId, robot, id, version, name: clean(name), program };
+        ({ version: this.version, class: this.classId } = await ask(fields));
         return ["kept"];
-      } catch ({ message, again }) {
+      } catch ({ message, code, again }) {
+        if (code === "other_class") return ["foreign"];
         if (!again) return ["refused", { text: message }];
-        this.enter("sending", { text: message, bad: true });
+        this.enter("sending", { text: `${message} ${AGAIN}`, bad: true });
       }
       await new Promise((resolve) => { setTimeout(resolve, RETRY_AFTER); });
     }

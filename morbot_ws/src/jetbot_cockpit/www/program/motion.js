@@ -1,7 +1,7 @@
 // What a program commands: sent when it changes, and 20 times a second while the program runs, as wheels can obey it.
 
 const INTERVAL = 50; // ms between two commands: 20 Hz
-const HOLD = 1000; // ms for which a command counts, as in the controller: a program that only computes stops
+export const HOLD = 1000; // ms for which a command counts, as in the controller: a program that only computes stops
 const SOON = 15; // ms; a command that changes so soon is not repeated before
 const [RATE, BURST] = [26, 6]; // commands a second, and at once: the cockpit takes 40 messages of a page
 
@@ -31,11 +31,12 @@ export class Motion {
     this.send(0, 0);
   }
 
-  // Drives x, z, in the units of this robot's commands.
+  // Drives x, z, in the units of this robot's commands. What is not finite stops the robot, as in the controller.
   publish(/** @type {number[]} */ [x, z], { wheel_separation: separation, max_speed: maxSpeed }) {
-    const power = (side) => Math.max(-1, Math.min(1, (x + side * z * separation / 2) / maxSpeed));
+    const sides = [-1, 1].map((side) => (x + side * z * separation / 2) / maxSpeed);
+    const [left, right] = sides.map((power) => (sides.every(Number.isFinite) ? Math.max(-1, Math.min(1, power)) : 0));
     this.publishedAt = performance.now();
-    this.set((power(-1) + power(1)) / 2, (power(1) - power(-1)) / 2);
+    this.set((left + right) / 2, (right - left) / 2);
   }
 
   // A stop is sent at once; another change waits for the next of the 20 if there were too many.

@@ -1,4 +1,4 @@
-// The teacher's sheet: which tasks are on, the best scores, and all programs, to look at or as one zip.
+// The teacher's sheet: which tasks are on, the best scores, and all programs, to look at or as one text.
 
 /** @import { Send } from "../link.js" */
 /** @import { Score, Task } from "../messages.js" */
@@ -7,11 +7,9 @@
 import { create, element, setText } from "../dom.js";
 import { showSwitches } from "../switches.js";
 import { titleOf } from "../world.js";
+import { archive } from "./archive.js";
 import { ask } from "./ask.js";
 import { Sheet } from "./sheet.js";
-import { zip } from "./zip.js";
-
-const FILE_MODE = 0o644;
 
 export class Overview {
   scores = [];
@@ -24,7 +22,7 @@ export class Overview {
     this.download = download;
     this.world = world;
     this.sheet = new Sheet("overview", "overview-button", () => this.open());
-    element("zip").addEventListener("click", () => this.act(() => this.downloadAll()));
+    element("download-all").addEventListener("click", () => this.act(() => this.downloadAll()));
   }
 
   // Messages of the cockpit
@@ -86,9 +84,9 @@ export class Overview {
     for (const [index, { robot, id, name }] of (await allPrograms()).entries()) {
       const { program } = await ask({ do: "open", robot, id });
       const path = `${plain(this.owner(robot))}/${index + 1}_${plain(name)}.json`;
-      files.push({ name: path, text: program, mode: FILE_MODE });
+      files.push({ name: path, text: program });
     }
-    this.download("programs.zip", zip(files), "application/zip");
+    this.download("programs.txt", archive("programs", files), "text/plain");
   }
 }
 

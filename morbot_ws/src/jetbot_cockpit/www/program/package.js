@@ -1,8 +1,7 @@
 // The program as a catkin package: unpacked into morbot_ws/src and built with ./morbot setup, rosrun starts it.
 
-import { zip } from "./zip.js";
+import { archive } from "./archive.js";
 
-const EXECUTABLE = 0o755, PLAIN = 0o644;
 const SCRIPT = "program.py"; // not the program's name: a script random.py would be imported in place of Python's module
 
 // Returns the name of the package of a program: it clashes with no package of the workspace.
@@ -11,16 +10,15 @@ export function packageName(title) {
   return name.startsWith("my_") ? name : `my_${name || "program"}`;
 }
 
-// Returns a zip as a Blob. python: the script; program: the JSON of the blocks, to be opened again
-export function packageZip(name, python, program) {
-  const files = [
-    { name: "package.xml", text: manifest(name, python), mode: PLAIN },
-    { name: "CMakeLists.txt", text: cmake(name), mode: PLAIN },
-    { name: `scripts/${SCRIPT}`, text: python, mode: EXECUTABLE },
-    { name: `launch/${name}.launch`, text: launch(name), mode: PLAIN },
-    { name: `${name}.json`, text: program, mode: PLAIN },
-  ];
-  return zip(files.map((file) => ({ ...file, name: `${name}/${file.name}` })));
+// Returns it as a text that unpacks itself. python: the script; program: the JSON of the blocks, to be opened again
+export function packageText(name, python, program) {
+  return archive(name, [
+    { name: "package.xml", text: manifest(name, python) },
+    { name: "CMakeLists.txt", text: cmake(name) },
+    { name: `scripts/${SCRIPT}`, text: python, executable: true },
+    { name: `launch/${name}.launch`, text: launch(name) },
+    { name: `${name}.json`, text: program },
+  ]);
 }
 
 function manifest(name, python) {

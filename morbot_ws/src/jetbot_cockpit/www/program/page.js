@@ -1,15 +1,17 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
 import { create, element, onPress, setText } from "../dom.js";
-import { Shell } from "../shell.js";
+import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
 import { parseProgram } from "./check.js";
-import { currentProgram, openEditor, showProgram } from "./editor.js";
+import { showControls } from "./controls.js";
+import { currentProgram, limitProgram, openEditor, showProgram, textOf } from "./editor.js";
+import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
 import { NEW, openWork } from "./keeping.js";
 import { Overview } from "./overview.js";
-import { packageName, packageZip } from "./package.js";
+import { packageName, packageText } from "./package.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
 import { Tasks } from "./tasks.js";
@@ -17,8 +19,10 @@ import { Tasks } from "./tasks.js";
 const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
 const HIDDEN = "The page was hidden, so the program was stopped.";
+const NO_ROBOT = "No robot was running.";
+const ENDED = "The program has ended.";
 const CHANGED = "The program was changed. Run it again.";
-const NO_ROBOT = { workshop: true, wheel_separation: 2, max_speed: 1 };
+const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
 let run = null; // of a program, the last one
 let python = { text: "", lines: new Map() };
@@ -27,12 +31,13 @@ let changing = null; // the next look at what was changed
 const shell = new Shell({
   receivers: {
     hello() {
+      work.connected();
       overview.hello();
-      judging.cancel();
+      judging.hello();
     },
     robots() {
       showUnits();
-      if (run && !world.robot(run.robot.id)) end("The robot is not running any more.");
+      if (run && !world.robot(run.robot.id)) endBecause("ended", run.robot);
     },
     state() {
       endIfStopped();
@@ -44,11 +49,11 @@ const shell = new Shell({
       overview.show({ tasks: offered });
     },
     scores: ({ scores }) => overview.show({ scores }),
-    notice: ({ text }) => judging.cancel(text),
-    lift: ({ robot, text }) => robot === run?.robot.id && end(text),
+    judge: (message) => judging.answered(message),
+    lift: (message) => message.robot === run?.robot.id && end(ending(message)),
     program: (message) => message.robot === run?.robot.id && run.senses.receive(message),
   },
-  end,
+  end: (sentence) => tasks.end(sentence),
   drives: runs,
   changed() {
     end("Another robot was chosen.");
@@ -62,23 +67,25 @@ const show = () => shell.show();
 const workspace = openEditor(element("blocks"), programChanged);
 const work = openWork({
   show: open,
-  current: () => ({ name: element("title").value, program: programText() }),
+  current: () => ({ name: element("title").value, program: textOf(workspace) }),
   lock(on) {
     workspace.setIsReadOnly(on);
     element("title").disabled = on;
   },
 });
-const tasks = new Tasks({ send, run: () => start(false), world });
+const tasks = new Tasks({ send, run: () => start(false), end, world });
 const { judging } = tasks;
 const overview = new Overview({ send, look: (row) => work.look(row), download, world });
 
 // The cockpit also refuses the next command; this comes first where the program waits.
 function endIfStopped() {
   if (!runs()) return;
-  const { id } = run.robot;
-  const { driver } = world.state(id);
-  if (driver && !world.isMine(id)) end(`${driver.name} drives the robot.`);
-  else if (world.isBlocked(id)) end(world.summarize(id).text);
+  const obstacle = world.obstacle(run.robot.id);
+  if (obstacle) endBecause(obstacle, run.robot);
+}
+
+function endBecause(code, { id, label }) {
+  end(ending({ code, arguments: { robot: label, driver: world.state(id).driver?.name ?? "" }, text: "" }));
 }
 
 function showUnits() {
@@ -90,13 +97,12 @@ function showUnits() {
 
 function start(stepping) {
   const robot = world.robot(world.chosen);
-  if (!shell.link.connected || !robot) return ended(shell.problem || "No robot is running: start one.", null);
   clearPrints();
   end();
-  setOutcome("Running");
+  if (!shell.link.connected || !robot) return refuse(robot ? LOST : NO_ROBOT);
   const delay = () => DELAYS[element("speed").value];
   run = new Run(currentProgram(workspace), robot, stepping, { send, printed, changed: show, ended, delay });
-  showButtons(); // now: Stop may be pressed at once
+  showControls(run, false); // now: Stop may be pressed at once
   show();
 }
 
@@ -115,16 +121,25 @@ function printed(text) {
 }
 
 function ended(sentence, block) {
+  const { limit } = run;
   judging.programEnded(Boolean(sentence));
-  setOutcome(sentence || "The program has ended.", sentence ? "warning" : "");
-  if (block && workspace.getBlockById(block)) Blockly.common.setSelected(workspace.getBlockById(block));
+  setOutcome([sentence || ENDED, limit?.text].filter(Boolean).join(" "), Boolean(sentence || limit));
+  const marked = workspace.getBlockById(block ?? limit?.block ?? "");
+  if (marked) Blockly.common.setSelected(marked);
   show();
+}
+
+// The program does not run at all.
+function refuse(sentence) {
+  judging.programEnded(true);
+  setOutcome(sentence, true);
 }
 
 // Blockly reports each part of a change, also a little later; where a block lies is no change of the program.
 function programChanged() {
   changing ??= setTimeout(() => {
     changing = null;
+    limitProgram(workspace, (text) => notice.show(text));
     const before = python.text;
     writePython();
     if (python.text !== before) end(CHANGED);
@@ -132,7 +147,7 @@ function programChanged() {
 }
 
 function writePython() {
-  python = toPython(workspace, packageName(element("title").value), world.robot(world.chosen) ?? NO_ROBOT);
+  python = toPython(workspace, packageName(element("title").value), world.robot(world.chosen) ?? DEFAULTS);
   showPython(python);
   work.changed();
   show();
@@ -143,7 +158,7 @@ function open(title, text) {
   try {
     showProgram(workspace, parseProgram(text));
   } catch ({ message }) {
-    notice.show(message, () => false);
+    notice.show(message);
     return false;
   }
   end(CHANGED);
@@ -165,31 +180,22 @@ function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
-// Blocks get new ids when they are shown again; a variable keeps its own.
-/** @this {any} */
-function withoutIds(key, value) {
-  return key === "id" && this.type ? undefined : value;
-}
-
-function programText() {
-  return JSON.stringify(currentProgram(workspace), withoutIds);
-}
-
 function saveProgram() {
-  download(`${packageName(element("title").value)}.json`, programText(), "application/json");
+  download(`${packageName(element("title").value)}.json`, textOf(workspace), "application/json");
 }
 
 function savePackage() {
   writePython();
   const name = packageName(element("title").value);
-  download(`${name}.zip`, packageZip(name, python.text, programText()), "application/zip");
+  download(`${name}.txt`, packageText(name, python.text, textOf(workspace)), "text/plain");
 }
 
 // What is shown
 
 function draw() {
-  showButtons();
-  showPlace(workspace, runs() ? run.at : null);
+  const running = runs() ? run : null;
+  showControls(running, judging.isWaiting);
+  showPlace(workspace, running);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
   if (element("map").clientWidth) shell.map.draw();
 }
@@ -199,17 +205,6 @@ function showMap(on) {
   element("show-map").setAttribute("aria-pressed", on);
   setText(element("python-title"), on ? "Map" : "Python");
   [element("view").hidden, element("python").hidden] = [!on, on];
-}
-
-function showButtons() {
-  const [going, held] = [runs(), runs() && run.held];
-  element("run").disabled = going;
-  element("pause").disabled = !going;
-  element("end").disabled = !going && !judging.isWaiting;
-  element("step").disabled = going && !held;
-  element("pause").setAttribute("aria-pressed", held);
-  setText(element("pause"), held ? "Go on" : "Pause");
-  if (going) setText(element("outcome"), held ? "Paused" : "Running");
 }
 
 // What a person does

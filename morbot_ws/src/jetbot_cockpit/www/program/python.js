@@ -12,9 +12,15 @@ const MARK = "#@%1\n"; // a line of its own before a block's first line, with th
 const MARKED = /^\s*#@'(.*)'$/s;
 const ENDS = /[^\n\x20-\x7e\u00a0-\u{10ffff}]/gu; // other ends of lines, and control characters
 
+const OWN = ["async", "await", "rospy", "Twist", "motion", "publisher", "rate", "main"]; // not a person's names
+
 let needed = new Set(); // of HELPERS
 
 const code = (block, name, order, empty = "0") => python.valueToCode(block, name, order) || empty;
+
+const isWhole = (written) => /^-?\d+$/.test(written);
+const body = (block) => python.statementToCode(block, "DO") || python.PASS;
+const variable = (block) => python.getVariableName(block.getFieldValue("VAR"));
 
 // Some of Blockly's blocks, as this page runs them
 const ADAPTED = {
@@ -23,21 +29,42 @@ const ADAPTED = {
     const ticks = flow === "continue" && block.getSurroundLoop()?.type === "robot_loop";
     return `${ticks ? "publisher.publish(motion)\nrate.sleep()\n" : ""}${flow}\n`;
   },
+  controls_for(block, generator) { // Blockly's reads a variable again after it has called a function
+    const [from, to, by] = [["FROM"], ["TO"], ["BY", "1"]].map(([name, empty]) => code(block, name, Order.NONE, empty));
+    if ([from, to, by].every(isWhole)) return BLOCKLY.controls_for(block, generator);
+    needed.add("counting");
+    return `for ${variable(block)} in counting(${from}, ${to}, ${by}):\n${body(block)}`;
+  },
+  controls_repeat_ext(block) { // Blockly's reads 1e-7 as 1
+    const [times, name] = [code(block, "TIMES", Order.NONE), python.nameDB_.getDistinctName("count", "VARIABLE")];
+    return `for ${name} in range(${isWhole(times) ? times : `int(${times})`}):\n${body(block)}`;
+  },
   math_arithmetic(block, generator) {
-    if (block.getFieldValue("OP") !== "POWER") return arithmetic(block, generator);
+    if (block.getFieldValue("OP") !== "POWER") return BLOCKLY.math_arithmetic(block, generator);
     python.definitions_.import_math = "import math"; // ** makes complex numbers
     return [`math.pow(${code(block, "A", Order.NONE)}, ${code(block, "B", Order.NONE)})`, Order.FUNCTION_CALL];
   },
   math_change(block) {
-    const name = python.getVariableName(block.getFieldValue("VAR"));
-    return `${name} = ${name} + ${code(block, "DELTA", Order.ADDITIVE)}\n`;
+    return `${variable(block)} = ${variable(block)} + ${code(block, "DELTA", Order.ADDITIVE)}\n`;
+  },
+  math_number_property(block, generator) { // Blockly's is False for a divisor that is written as 0
+    if (block.getFieldValue("PROPERTY") !== "DIVISIBLE_BY") return BLOCKLY.math_number_property(block, generator);
+    const [number, divisor] = ["NUMBER_TO_CHECK", "DIVISOR"].map((name) => code(block, name, Order.MULTIPLICATIVE));
+    return [`${number} % ${divisor} == 0`, Order.RELATIONAL];
+  },
+  math_random_int(block) { // random.randint takes whole numbers alone, the smaller one first
+    const [from, to] = ["FROM", "TO"].map((name) => code(block, name, Order.NONE));
+    const plain = isWhole(from) && isWhole(to) && Number(from) <= Number(to);
+    if (plain) python.definitions_.import_random = "import random";
+    else needed.add("random_integer");
+    return [`${plain ? "random.randint" : "random_integer"}(${from}, ${to})`, Order.FUNCTION_CALL];
   },
   procedures_callreturn(block) {
     const given = block.getVarModels().map((_, number) => code(block, `ARG${number}`, Order.NONE));
     return [`${python.getProcedureName(block.getFieldValue("NAME"))}(${given.join(", ")})`, Order.FUNCTION_CALL];
   },
 };
-const { math_arithmetic: arithmetic } = python.forBlock;
+const BLOCKLY = { ...python.forBlock };
 
 const READ = {
   input_value: (block, { name, check }) => code(block, name, Order.NONE, check ? "0" : '""'),
@@ -57,7 +84,7 @@ const writer = ({ python: write, args0 = [], needs = [], output }) => (block) =>
 export function prepareGenerator() {
   Object.assign(python.forBlock, ADAPTED, Object.fromEntries(ROBOT.map((row) => [row.type, writer(row)])));
   Object.assign(python, { INDENT, STATEMENT_PREFIX: MARK, addLoopTrap: (body) => body }); // no marks in loops
-  python.addReservedWords(["rospy", "Twist", "motion", "publisher", "rate", "main", ...NAMES].join(","));
+  python.addReservedWords([...OWN, ...NAMES].join(","));
 }
 
 // Returns { text, lines }: the node of this name, and the numbers of the lines by their blocks' ids, from 0.

@@ -7,20 +7,23 @@ const HELP = "x is forward, z to the left. In the workshop's units, 1 is full po
 const PLACE = { X: "here.x", Y: "here.y", HEADING: "math.degrees(here.theta)" };
 const [EYES, WHEELS] = [["LEFT", "MIDDLE", "RIGHT"], ["LEFT", "RIGHT"]];
 const STANDING = [0, 0];
+const SHORTEST = 1e-6; // s: what is shorter is none by a node's clock
 
 const number = (name) => ({ type: "input_value", name, check: "Number" });
 const unit = (name) => ({ type: "field_label", name: `UNIT_${name}`, text: "" });
 const choice = (name, ...options) => ({ type: "field_dropdown", name, options });
 const side = (name, sides) => choice(name, ...sides.map((each) => [each.toLowerCase(), each]));
 const statement = { previousStatement: null, nextStatement: null };
-const drive = (motion, seconds) => [{ motion }, { wait: seconds }, { motion: STANDING }];
+const wait = (seconds) => (seconds >= SHORTEST ? [{ wait: seconds }] : []);
+const drive = (motion, seconds) => [{ motion }, ...wait(seconds), { motion: STANDING }];
 
 // does(): events of interpreter.js; needs: of helpers.js
 export const DRIVE = [
   {
     type: "robot_set", message0: "set x %1 %2 z %3 %4", args0: [number("X"), unit("X"), number("Z"), unit("Z")],
     tooltip: `${HELP} The robot obeys while the program waits.`, numbers: { X: 0.5, Z: 0.1 },
-    python: ({ X, Z }) => `motion.linear.x = ${X}\nmotion.angular.z = ${Z}`,
+    python: ({ X, Z }) => (Z.includes("(") ? `motion.linear.x, motion.angular.z = ${X}, ${Z}` // Z may call what drives
+      : `motion.linear.x = ${X}\nmotion.angular.z = ${Z}`),
     does: ({ X, Z }) => [{ motion: [X, Z] }],
   },
   {
@@ -55,7 +58,7 @@ export const DRIVE = [
     type: "robot_wait", message0: "wait %1 s", args0: [number("SECONDS")], numbers: { SECONDS: 1 },
     tooltip: "Repeats what was set, ten times per second, for so many seconds.",
     python: ({ SECONDS }) => `wait(${SECONDS})`, needs: ["wait"],
-    does: ({ SECONDS }) => [{ wait: SECONDS }],
+    does: ({ SECONDS }) => wait(SECONDS),
   },
 ].map((row) => ({ ...row, ...statement, colour: "#2f66c4", extensions: ["units"], inputsInline: true }));
 

@@ -5,15 +5,17 @@
 
 import { Clock } from "./clock.js";
 import { Interpreter } from "./interpreter.js";
-import { Motion } from "./motion.js";
+import { HOLD, Motion } from "./motion.js";
 import { ProgramError } from "./program_error.js";
+import { excess } from "./remarks.js";
 import { Senses } from "./senses.js";
 
 const SLICE = 8; // ms that a program computes before the page has its turn
 const HEARTBEAT = 50; // ms; no sleep is longer
 const FROZEN = 300; // ms without a heartbeat: the cockpit has stopped the robot meanwhile
 const READY_TIMEOUT = 4000; // ms until a robot's controller is connected, and its sensors report
-const NOT_READY = "The robot is not connected to the cockpit. Start its controller again.";
+const NOT_READY = "The robot did not get ready in time. Try again, or tell your teacher.";
+const NOTHING = "Nothing is below \"when the program starts\": drag blocks there.";
 const INTERRUPTED = "This page was interrupted, so the robot stopped.";
 
 export class Run {
@@ -21,6 +23,10 @@ export class Run {
   over = false;
   held = false; // whether the person has paused it
   at = null; // the id of the block whose statement runs
+  entered = false; // whether that is a loop that has named itself twice: it begins its first round
+  /** @type {{ text: string, block: string | null } | null} */
+  limit = null; // the first command that is more than the wheels can, and the block that gave it
+  drivenAt = Infinity; // when the program waited last, by its clock; Infinity: it waits
   awakeAt = performance.now(); // when the page had its last turn
 
   // robot: as the cockpit describes it; stepping: it pauses before its first statement; send(message); printed(text);
@@ -79,10 +85,13 @@ export class Run {
   }
 
   async execute() {
+    const { start } = this.interpreter;
+    if (!start?.next) throw new ProgramError(NOTHING, start?.id);
     await this.prepare();
     if (this.over) return;
     this.senses.begin();
     this.clock.begin();
+    this.drivenAt = this.clock.now;
     this.motion.begin();
     for (const event of this.interpreter.run()) {
       if ("print" in event) this.printed(event.print);
@@ -104,11 +113,23 @@ export class Run {
     if (!this.senses.answer.ready) throw new ProgramError(NOT_READY);
   }
 
+  // Whether it has computed for so long that the robot stands still.
+  get waitless() {
+    return this.clock.now - this.drivenAt > HOLD;
+  }
+
+  noteLimit() {
+    const text = excess(this.interpreter.motion, this.robot);
+    if (text) this.limit ??= { text, block: this.at };
+  }
+
   // Comes before each statement: shows it, and waits if the program is slow or paused.
   async before(block) {
+    this.noteLimit();
+    this.entered = block === this.at && !this.entered;
     this.at = block;
-    if (this.stepping) this.pause();
-    else if (this.delay()) await this.rest();
+    if (this.stepping && !this.entered) this.pause();
+    else if (this.delay() && !this.entered) await this.rest();
     await this.between();
   }
 
@@ -130,9 +151,12 @@ export class Run {
   }
 
   async drive({ wait, tick }) {
+    this.noteLimit();
     this.publish();
+    this.drivenAt = Infinity;
     if (tick) await this.until(this.clock.nextTick());
     else if (wait > 0) await this.until(this.clock.afterWait(wait));
+    this.drivenAt = this.clock.now;
     if (this.over || !this.senses.used || !this.senses.refresh()) return;
     await this.senses.wait();
     this.wakeUp();

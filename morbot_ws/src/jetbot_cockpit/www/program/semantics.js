@@ -3,11 +3,14 @@
 
 import { ProgramError } from "./program_error.js";
 import { ROBOT } from "./robot.js";
-import { COMPARISONS, CONSTANTS, modulo, OPERATIONS, plain, PROPERTIES, shown } from "./values.js";
+import {
+  comparable, COMPARISONS, CONSTANTS, constrain, modulo, OPERATIONS, plain, PROPERTIES, randomInteger, shown, truth,
+  whole,
+} from "./values.js";
 
 const MAX_TEXT = 10000; // characters
 
-const LOOPS = {
+export const LOOPS = {
   *robot_loop(run, block) {
     for (;;) {
       yield* run.round(block);
@@ -15,16 +18,16 @@ const LOOPS = {
     }
   },
   *controls_repeat_ext(run, block) {
-    for (let left = Math.trunc(yield* run.number(block, "TIMES")); left > 0; left -= 1) yield* run.round(block);
+    for (let left = whole(Math.trunc)(yield* run.number(block, "TIMES")); left > 0; left -= 1) yield* run.round(block);
   },
   *controls_whileUntil(run, block) {
     while ((yield* run.truth(block, "BOOL")) === (block.fields.MODE === "WHILE")) yield* run.round(block);
   },
   *controls_for(run, block) {
-    const [from, to, by] = [...yield* run.numbers(block, ["FROM", "TO"]), yield* run.number(block, "BY", 1)];
-    const step = Math.abs(by) * (from <= to ? 1 : -1);
-    if (step === 0) throw new ProgramError("This loop counts by 0, and never arrives.", block.id);
-    for (let count = from; step > 0 ? count <= to : count >= to; count += step) {
+    const [from, to, by] = yield* run.numbers(block, { FROM: 0, TO: 0, BY: 1 });
+    if (Number(by) === 0) throw new ProgramError("This loop counts by 0, and never arrives.");
+    const sign = from <= to ? 1 : -1;
+    for (let count = from; sign * count <= sign * to; count += sign * Math.abs(by)) {
       run.set(block, count);
       yield* run.round(block);
     }
@@ -33,7 +36,7 @@ const LOOPS = {
 
 const STATEMENTS = {
   *controls_if(run, block) {
-    for (let number = 0; block.inputs?.[`IF${number}`] || block.inputs?.[`DO${number}`]; number += 1) {
+    for (let number = 0; number <= (block.extraState?.elseIfCount ?? 0); number += 1) {
       if (yield* run.truth(block, `IF${number}`)) return yield* run.body(block, `DO${number}`);
     }
     yield* run.body(block, "ELSE");
@@ -46,8 +49,8 @@ const STATEMENTS = {
   },
   *math_change(run, block) {
     const [before, delta] = [plain(run.get(block)), yield* run.number(block, "DELTA")];
-    if (typeof before !== "number") throw new ProgramError(`${shown(before)} is no number to change.`, block.id);
-    run.set(block, finite(before + delta, block));
+    if (typeof before !== "number") throw new ProgramError(`${shown(before)} is no number to change.`);
+    run.set(block, before + delta);
   },
   *procedures_callnoreturn(run, block) {
     yield* run.call(block);
@@ -68,13 +71,14 @@ const VALUES = {
     const and = block.fields.OP === "AND";
     const neutral = and && Boolean(block.inputs?.A ?? block.inputs?.B);
     const first = yield* run.value(block, "A", neutral);
-    return Boolean(first) === and ? yield* run.value(block, "B", neutral) : first;
+    return truth(first) === and ? yield* run.value(block, "B", neutral) : first;
   },
   *logic_compare(run, block) {
-    const [a, b] = [plain(yield* run.value(block, "A")), plain(yield* run.value(block, "B"))];
+    const values = [yield* run.value(block, "A"), yield* run.value(block, "B")];
+    const [a, b] = values.map(comparable);
     const { OP: operator } = block.fields;
-    const comparable = typeof a === typeof b && a !== null || ["EQ", "NEQ"].includes(operator);
-    if (!comparable) throw new ProgramError(`${shown(a)} and ${shown(b)} cannot be compared.`, block.id);
+    const ordered = typeof a === typeof b && a !== null || ["EQ", "NEQ"].includes(operator);
+    if (!ordered) throw new ProgramError(`${values.map(shown).join(" and ")} cannot be compared.`);
     return COMPARISONS[operator](a, b);
   },
   *logic_ternary(run, block) {
@@ -87,7 +91,7 @@ const VALUES = {
     let text = "";
     for (let number = 0; number < (block.extraState?.itemCount ?? 2); number += 1) {
       text += shown(yield* run.value(block, `ADD${number}`, ""));
-      if (text.length > MAX_TEXT) throw new ProgramError(`A text has at most ${MAX_TEXT} characters.`, block.id);
+      if (text.length > MAX_TEXT) throw new ProgramError(`A text has at most ${MAX_TEXT} characters.`);
     }
     return text;
   },
@@ -99,30 +103,32 @@ const VALUES = {
   },
 };
 
-const operation = (...inputs) => [inputs, ({ OP }, ...numbers) => OPERATIONS[OP](...numbers)];
-const CALCULATIONS = { // from numbers: the inputs that these come from, and how
-  math_number: [[], ({ NUM }) => Number(NUM)],
-  math_constant: [[], ({ CONSTANT }) => CONSTANTS[CONSTANT]],
+const operation = (...inputs) => [
+  Object.fromEntries(inputs.map((name) => [name, 0])), ({ OP }, ...numbers) => OPERATIONS[OP](...numbers.map(Number)),
+];
+const CALCULATIONS = { // from numbers: the inputs that these come from, with what they are if empty, and how
+  math_number: [{}, ({ NUM }) => Number(NUM)],
+  math_constant: [{}, ({ CONSTANT }) => CONSTANTS[CONSTANT]],
   math_arithmetic: operation("A", "B"),
   math_single: operation("NUM"),
   math_trig: operation("NUM"),
   math_round: operation("NUM"),
-  math_modulo: [["DIVIDEND", "DIVISOR"], (_, a, b) => modulo(a, b)],
-  math_constrain: [["VALUE", "LOW", "HIGH"], (_, value, low, high) => Math.min(Math.max(value, low), high)],
-  math_number_property: [["NUMBER_TO_CHECK", "DIVISOR"], ({ PROPERTY }, a, b) => PROPERTIES[PROPERTY](a, b)],
-  math_random_int: [["FROM", "TO"], (_, low, high) => Math.floor(low + Math.random() * (high - low + 1))],
-  math_random_float: [[], () => Math.random()],
+  math_modulo: [{ DIVIDEND: 0, DIVISOR: 0 }, (_, a, b) => modulo(a, b)],
+  math_constrain: [{ VALUE: 0, LOW: 0, HIGH: Infinity }, (_, ...numbers) => constrain(...numbers)],
+  math_number_property: [{ NUMBER_TO_CHECK: 0, DIVISOR: 0 }, ({ PROPERTY }, a, b) => PROPERTIES[PROPERTY](a, b)],
+  math_random_int: [{ FROM: 0, TO: 0 }, (_, one, other) => randomInteger(one, other)],
+  math_random_float: [{}, () => Math.random()],
 };
 
 const toLoop = (rounds) => (run, block) => run.leaving("BREAK", rounds(run, block));
 
 const toCalculation = ([inputs, calculate]) => function* calculation(run, block) {
-  return finite(calculate(block.fields, ...yield* run.numbers(block, inputs)), block);
+  return calculate(block.fields, ...yield* run.numbers(block, inputs));
 };
 
 const toReading = ({ read, unknown }) => function* reading(run, block) {
   const value = read(block.fields ?? {}, run.senses()) ?? null;
-  if (value === null) throw new ProgramError(`This robot does not report ${unknown}.`, block.id);
+  if (value === null) throw new ProgramError(`This robot does not report ${unknown}.`);
   return value;
 };
 
@@ -145,8 +151,3 @@ export const BLOCKS = {
 
 // The types of blocks that this page runs.
 export const TYPES = new Set([...Object.keys(BLOCKS), "procedures_defnoreturn", "procedures_defreturn"]);
-
-function finite(result, block) {
-  if (typeof result === "boolean" || Number.isFinite(result)) return result;
-  throw new ProgramError("This calculation has no result.", block.id);
-}

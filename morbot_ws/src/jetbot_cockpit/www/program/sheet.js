@@ -13,6 +13,7 @@ export class Sheet {
     this.button.addEventListener("click", () => this.toggle());
     element(`close-${id}`).addEventListener("click", () => this.toggle(false));
     addEventListener("keydown", ({ key }) => key === "Escape" && this.toggle(false));
+    addEventListener("ask", () => this.toggle(false));
   }
 
   get isOpen() {

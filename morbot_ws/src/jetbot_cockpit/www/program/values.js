@@ -1,16 +1,33 @@
-// Values as Python has them: how they are calculated, compared and printed. None is null; what has no result is NaN.
+// Values as Python has them: how they are calculated, compared and printed. None is null.
+
+import { ProgramError } from "./program_error.js";
 
 const MAX_PRIME = 1e10; // what is larger takes too long
-const degrees = (radians) => radians * 180 / Math.PI;
-const radians = (angle) => angle * Math.PI / 180;
+
+const degrees = (radians) => radians / Math.PI * 180;
+const radians = (angle) => angle / 180 * Math.PI;
+const power = (a, b) => (a === 1 || a === -1 && Math.abs(b) === Infinity ? 1 : Math.pow(a, b));
+
+// Refuses what Python's math refuses: no result, or an infinite one of what is finite.
+const checked = (calculate) => (...given) => {
+  const result = calculate(...given);
+  const fails = Number.isNaN(result) ? !given.some(Number.isNaN)
+    : !Number.isFinite(result) && given.every(Number.isFinite);
+  return fails ? refuse("This calculation has no result.") : result;
+};
+
+// Refuses to round what is not finite, as Python does.
+export const whole = (round) => (number) =>
+  (isFinite(number) ? round(number) : refuse(`${shown(number)} cannot be rounded.`));
 
 export const OPERATIONS = {
-  ADD: (a, b) => a + b, MINUS: (a, b) => a - b, MULTIPLY: (a, b) => a * b, DIVIDE: (a, b) => a / b,
-  POWER: (a, b) => a ** b,
-  ROOT: Math.sqrt, ABS: Math.abs, NEG: (a) => -a, LN: Math.log, LOG10: Math.log10, EXP: Math.exp, POW10: (a) => 10 ** a,
-  SIN: (a) => Math.sin(radians(a)), COS: (a) => Math.cos(radians(a)), TAN: (a) => Math.tan(radians(a)),
-  ASIN: (a) => degrees(Math.asin(a)), ACOS: (a) => degrees(Math.acos(a)), ATAN: (a) => degrees(Math.atan(a)),
-  ROUND: roundToEven, ROUNDUP: Math.ceil, ROUNDDOWN: Math.floor,
+  ADD: (a, b) => a + b, MINUS: (a, b) => a - b, MULTIPLY: (a, b) => a * b, DIVIDE: (a, b) => a / divisor(b),
+  POWER: checked(power), ROOT: checked(Math.sqrt), ABS: Math.abs, NEG: (a) => -a,
+  LN: checked(Math.log), LOG10: checked(Math.log10), EXP: checked(Math.exp), POW10: checked((a) => Math.pow(10, a)),
+  SIN: checked((a) => Math.sin(radians(a))), COS: checked((a) => Math.cos(radians(a))),
+  TAN: checked((a) => Math.tan(radians(a))), ASIN: checked((a) => degrees(Math.asin(a))),
+  ACOS: checked((a) => degrees(Math.acos(a))), ATAN: (a) => degrees(Math.atan(a)),
+  ROUND: whole(roundToEven), ROUNDUP: whole(Math.ceil), ROUNDDOWN: whole(Math.floor),
 };
 export const CONSTANTS = {
   PI: Math.PI, E: Math.E, GOLDEN_RATIO: (1 + Math.sqrt(5)) / 2, SQRT2: Math.SQRT2, SQRT1_2: Math.SQRT1_2,
@@ -18,7 +35,7 @@ export const CONSTANTS = {
 };
 export const PROPERTIES = {
   EVEN: (a) => modulo(a, 2) === 0, ODD: (a) => modulo(a, 2) === 1, WHOLE: (a) => modulo(a, 1) === 0, PRIME: isPrime,
-  POSITIVE: (a) => a > 0, NEGATIVE: (a) => a < 0, DIVISIBLE_BY: (a, b) => (b ? modulo(a, b) === 0 : NaN),
+  POSITIVE: (a) => a > 0, NEGATIVE: (a) => a < 0, DIVISIBLE_BY: (a, b) => modulo(a, b) === 0,
 };
 export const COMPARISONS = {
   EQ: (a, b) => a === b, NEQ: (a, b) => a !== b,
@@ -26,8 +43,24 @@ export const COMPARISONS = {
 };
 
 export function modulo(a, b) {
-  const rest = a % b;
-  return rest * b < 0 ? rest + b : rest;
+  const rest = a % divisor(b);
+  return rest && rest < 0 !== b < 0 ? rest + b : rest;
+}
+
+// Returns a value, or the bound that it exceeds, as Python's max and min do.
+export function constrain(value, low, high) {
+  const raised = low > value ? low : value;
+  return high < raised ? high : raised;
+}
+
+// Returns a whole number from one to the other, whichever is larger.
+export function randomInteger(one, other) {
+  const [low, high] = [one, other].map(OPERATIONS.ROUND).sort((a, b) => a - b);
+  return low + Math.floor(Math.random() * (high - low + 1));
+}
+
+function divisor(number) {
+  return Number(number) === 0 ? refuse("This block divides by 0.") : number;
 }
 
 function roundToEven(number) {
@@ -35,9 +68,10 @@ function roundToEven(number) {
 }
 
 function isPrime(number) {
-  if (number > MAX_PRIME) return NaN;
-  for (let divisor = 2; divisor * divisor <= number; divisor += 1) if (number % divisor === 0) return false;
-  return number > 1 && number % 1 === 0;
+  if (!(number > 1) || modulo(number, 1) !== 0) return false;
+  if (number > MAX_PRIME) refuse(`Whether ${shown(number)} is prime takes too long to find out.`);
+  for (let factor = 2; factor * factor <= number; factor += 1) if (number % factor === 0) return false;
+  return true;
 }
 
 // Returns the value with True as 1, and False as 0.
@@ -45,9 +79,26 @@ export function plain(value) {
   return typeof value === "boolean" ? Number(value) : value;
 }
 
+// Returns what Python compares: of a text, the code points, which JavaScript would compare in halves.
+export function comparable(value) {
+  if (typeof value !== "string") return plain(value);
+  return Array.from(value, (each) => Number(each.codePointAt(0)).toString(16).padStart(6, "0")).join("");
+}
+
+// Returns whether a condition with this value holds.
+export function truth(value) {
+  return Boolean(value) || Number.isNaN(value);
+}
+
 // Returns a value as it is printed.
 export function shown(value) {
   if (value === null) return "None";
   if (typeof value === "boolean") return value ? "True" : "False";
-  return typeof value === "number" ? String(Number(value.toPrecision(Math.abs(value) < 1e5 ? 6 : 15))) : value;
+  if (typeof value !== "number") return value;
+  if (!Number.isFinite(value)) return String(value).replace("Infinity", "inf").replace("NaN", "nan");
+  return String(Number.isInteger(value) ? value : Number(value.toPrecision(Math.abs(value) < 1e5 ? 6 : 15)));
+}
+
+function refuse(sentence) {
+  throw new ProgramError(sentence);
 }

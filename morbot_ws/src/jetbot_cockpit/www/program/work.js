@@ -6,15 +6,18 @@ import { ask } from "./ask.js";
 import { clean, freeName, Kept } from "./kept.js";
 
 const LAST = "last program"; // the key of the one that was shown last
-const LOOKING = "To look at only.";
+const LOOKING = "You can look at this program, but not change it.";
 
 export class Work {
   /** @type {string | null} */
   robot = null; // whose programs these are
+  classId = null; // of the class that the cockpit has, null for one without a name
   changes = undefined; // to the robot's programs, as far as the last list shows them
   /** @type {any} */
   kept = null; // the Kept that is shown
   rows = []; // the last list of the robot's programs
+  /** @type {[string, string]} */
+  empty = ["", ""]; // the program that is shown where there is no other
   begun = []; // before there is a robot: they become the first one's
   // showing: the blocks are being replaced: that is no change of the person's
   // arriving: what is shown gives way to what the robot has, once its first list has come
@@ -30,9 +33,10 @@ export class Work {
     this.view = view;
   }
 
-  // Shows this program, or what this device kept when the page was left.
+  // Shows what this device kept when the page was left, or an empty program: this one.
   restore(name, program) {
-    this.display(name, program, "arriving");
+    this.empty = [name, program];
+    this.display(...this.empty, "arriving");
     const left = load(recall(LAST));
     if (!left) return;
     this.robot = left.robot ?? null;
@@ -96,37 +100,65 @@ export class Work {
     for (const each of this.begun.splice(0)) each.belongTo(robot);
     if (first) return;
     this.begin("arriving");
-    const left = load(keyOf(robot));
-    if (left?.unsaved) this.goOn(left);
+    this.goOnUnsaved();
+  }
+
+  // A connection begins, perhaps to another cockpit.
+  connected() {
+    this.changes = undefined;
   }
 
   async refresh(robot) {
     const answer = await ask({ do: "list", robot }).catch(() => null);
     if (robot !== this.robot) return;
-    if (answer) this.compare(answer.programs);
+    if (answer) this.compare(answer);
     else this.changes = undefined; // asks again with the next state
   }
 
   // Compares what is shown with what the cockpit has.
-  compare(rows) {
+  compare({ programs: rows, class: classId = null }) {
     this.rows = rows;
     this.view.list(rows);
+    if (this.state.name === "looking") return;
+    this.classId = classId;
+    if (this.isGone(rows)) this.leave();
+    if (this.state.name === "arriving" && !this.kept.content) this.goOnUnsaved();
     const { kept, state: { name, baseline } } = this;
-    if (name === "looking") return;
     const arriving = name === "arriving";
     this.state = { name: "editing", baseline };
     const row = rows.find(({ id }) => id === kept.id);
     const newest = rows.find(({ deleted }) => !deleted);
     if (row && arriving && row.version > kept.version) this.openNewer(row);
     else if (row) kept.compare(row);
-    else if (kept.version) this.keep(); // the cockpit was started again
-    else if (arriving && newest) this.openNewer(newest);
+    else if (kept.version && !kept.classId) this.keep(); // a cockpit that keeps no class was started again
+    else if (arriving && newest && !kept.version) this.openNewer(newest);
+  }
+
+  // Returns whether what is shown is another class's, or was deleted while this page was away.
+  isGone(rows) {
+    const { id, classId, state: { unsaved } } = this.kept;
+    const isDeleted = rows.some((row) => row.id === id && row.deleted);
+    return (classId && classId !== this.classId) || (isDeleted && this.state.name === "arriving" && !unsaved);
+  }
+
+  // Shows the empty program instead; this device keeps only what is unsaved, until its class is there again.
+  leave() {
+    const { kept } = this;
+    this.display(...this.empty, "arriving");
+    if (!kept.state.unsaved) remember(keyOf(kept), "");
+    remember(LAST, "");
+  }
+
+  // Shows what this device has of this robot, and the cockpit has not.
+  goOnUnsaved() {
+    const left = load(keyOf(this));
+    if (left?.unsaved) this.goOn(left);
   }
 
   // Shows what this device kept.
-  goOn({ id, version, name, program, unsaved }) {
+  goOn({ id, version, classId, name, program, unsaved }) {
     const content = { name: clean(name), program };
-    if (this.display(content.name, program, "arriving", { id, version, content }) && unsaved) this.keep();
+    if (this.display(content.name, program, "arriving", { id, version, classId, content }) && unsaved) this.keep();
   }
 
   // What cannot be shown changes nothing.
@@ -142,7 +174,7 @@ export class Work {
   // What is shown is another program from now on; a new one is not kept until it is changed.
   begin(state, which = {}) {
     this.kept?.save();
-    this.kept = new Kept(this.robot, which, (kept) => this.report(kept));
+    this.kept = new Kept(this.robot, { classId: this.classId, ...which }, (kept) => this.report(kept));
     if (this.robot === null) this.begun.push(this.kept);
     this.state = { name: state, baseline: JSON.stringify(this.view.current()) };
     this.view.lock(state === "looking");
@@ -155,18 +187,21 @@ export class Work {
     this.kept.change(content);
   }
 
-  // Says what has become of a program, of another one only if it is bad; keeps the shown one on this device.
+  // Says what has become of a program, of another one only while it is bad; keeps the shown one on this device.
   report(kept) {
-    const { robot, id, version, content, state: { name, text, bad, unsaved } } = kept;
-    if (kept !== this.kept) return bad && this.view.say(`${content.name}: ${text}`, true, false);
+    const { robot, id, version, classId, content, state: { name, text, bad, unsaved } } = kept;
+    if (kept !== this.kept && bad) return this.view.say(`${content.name}: ${text}`, true, false);
+    if (kept !== this.kept) return this.report(this.kept);
     this.view.say(this.state.name === "looking" ? LOOKING : text, bad, name === "older");
     if (!content) return;
-    remember(keyOf(robot), JSON.stringify({ robot, id, version, ...content, unsaved }));
-    remember(LAST, keyOf(robot));
+    const [key, last] = [keyOf(kept), recall(LAST)];
+    if (last !== key && load(last)?.id === id) remember(last, ""); // it has found its robot, or its class
+    remember(key, JSON.stringify({ robot, id, version, classId, ...content, unsaved }));
+    remember(LAST, key);
   }
 }
 
-// Returns what is kept under this key, or null.
+// Returns what this device keeps under this key, or null.
 function load(key) {
   try {
     const left = JSON.parse(recall(key));
@@ -176,6 +211,6 @@ function load(key) {
   }
 }
 
-function keyOf(robot) {
-  return `program ${robot}`;
+function keyOf({ classId, robot }) {
+  return `program ${classId ?? ""}${robot}`;
 }

@@ -4,6 +4,7 @@
 CONTROLLER = "jetbot_controller"
 COCKPIT = "jetbot_cockpit"      # what a person drives with: it has priority over programs
 SIMULATOR = "jetbot_simulator"
+CLASS_JUDGE = "class_judge"     # judges robots on request
 
 # Topics and services, below the robot's namespace
 STATE = f"{CONTROLLER}/state"

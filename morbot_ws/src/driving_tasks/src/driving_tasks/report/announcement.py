@@ -23,10 +23,13 @@ COLOR = ColorRGBA(0.1, 0.7, 0.2, 1.0)
 
 
 class Announcement:
-    """Publishes, latched, how a robot does at its task. namespace: the robot's, "" or "/red"."""
+    """Publishes, latched, how a robot does at its task. namespace: the robot's, "" or "/red".
 
-    def __init__(self, namespace: str, task: Task):
-        self._task = task
+    request: a word of whoever asked for it, which each report repeats; "" for none.
+    """
+
+    def __init__(self, namespace: str, task: Task, request: str = ""):
+        self._task, self._request = task, request
         self._state = rospy.Publisher(f"{namespace}/{contract.TASK}", DiagnosticStatus, queue_size=10, latch=True)
         self._course = rospy.Publisher(f"{namespace}/{contract.TASK_COURSE}", MarkerArray, queue_size=10, latch=True)
 
@@ -60,7 +63,7 @@ class Announcement:
 
     def publish(self, state: str, message: str, **values: str) -> None:
         """Publish a state with a sentence for people."""
-        pairs = {"state": state, "title": self._task.title, **values}
+        pairs = {"state": state, "title": self._task.title, "request": self._request, **values}
         self._state.publish(DiagnosticStatus(level=DiagnosticStatus.OK, name=self._task.name, message=message,
                                              values=[KeyValue(*pair) for pair in pairs.items()]))
 

@@ -11,6 +11,7 @@ from .polygon import driven_sides
 from .recorder import Drive
 
 AT_END = " at the end"
+MOVING = 0.01      # m/s; a robot that is slower has stopped
 TOLERANCE = 10.0   # cm or degrees of error that leave 1/e of the points
 SQUARE = 0.25      # m, of the floor
 MAX_POINTS = 1000  # of a resampled path: a longer one has fewer points per metre
@@ -39,7 +40,8 @@ def end(course: Course, drive: Drive) -> List[Error]:
     if abs(turn) > distance:
         sentence = describe_turn(math.degrees(stop.yaw), math.degrees(goal.yaw), AT_END)
     else:
-        sentence = f"stopped {_describe_stop(100 * seen.x, 100 * seen.y)}"
+        action = "was still driving" if abs(drive.path[-1].speed) > MOVING else "stopped"
+        sentence = f"{action} {_describe_stop(100 * seen.x, 100 * seen.y)}"
     return [Error(max(distance, abs(turn)), sentence, stop[:2])]
 
 

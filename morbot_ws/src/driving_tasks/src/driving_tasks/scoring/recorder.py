@@ -1,7 +1,7 @@
 """What a robot did from its first motion to its stop, found among samples of where it was."""
 
 import math
-from typing import List, NamedTuple, Optional, Tuple
+from typing import Callable, List, NamedTuple, Optional, Tuple
 
 from jetbot.kinematics import Pose
 from simulation.world import EMPTY, World
@@ -63,12 +63,12 @@ class Drive(NamedTuple):
 class Recorder:
     """Finds the drive in a robot's samples, which are fed one by one.
 
-    time_limit: s that a drive may take; world: around the robot, in the task's frame; unexplained: m that the robot has
-    moved, or degrees per cm, as its wheels do not explain.
+    time_limit: s that a drive may take; world: around the robot, in the task's frame; is_over: whether a pose in that
+    frame ends the drive; unexplained: m that the robot has moved, or degrees per cm, as its wheels do not explain.
     """
 
-    def __init__(self, time_limit: float, world: World = EMPTY):
-        self._time_limit, self._world, self.unexplained = time_limit, world, 0.0
+    def __init__(self, time_limit: float, world: World = EMPTY, is_over: Callable[[Pose], bool] = lambda pose: False):
+        self._time_limit, self._world, self._is_over, self.unexplained = time_limit, world, is_over, 0.0
         self._samples: List[Sample] = []     # headings not normalized; before the first motion only the last MARGIN
         self._start: Optional[Sample] = None  # where the robot was before its first motion
         self._rest: Optional[Sample] = None   # since when, and where, the robot has been still
@@ -119,7 +119,7 @@ class Recorder:
         distance = math.dist(sample.pose[:2], last.pose[:2])
         turn = math.remainder(sample.pose.yaw - last.pose.yaw, math.tau)
         clock_was_set_back = sample.time < last.time
-        back_at_start = sample.pose == self._start.pose and _excursion(last.pose, sample.pose) > TWITCH
+        back_at_start = sample.pose == self._start.pose and excursion(last.pose, sample.pose) > TWITCH
         too_fast = distance > MAX_SPEED * interval or abs(turn) > MAX_TURN * interval
         return clock_was_set_back or back_at_start or too_fast
 
@@ -134,14 +134,15 @@ class Recorder:
         if slip and self._world.clearance(relative(sample.pose, self._start.pose)) > CONTACT:
             self.unexplained += slip
         self._samples.append(sample)
-        if _excursion(sample.pose, self._rest.pose) > 1:
+        if excursion(sample.pose, self._rest.pose) > 1:
             if self.state == WAITING:
                 self.state, self._departed = DRIVING, _crossing(last, sample, self._start.pose)
             self._rest = sample
         if self.state == WAITING:
             while self._samples[0].time < sample.time - MARGIN:
                 del self._samples[0]
-        elif sample.time - self._rest.time >= STOP_TIME or sample.time - self._departed > self._time_limit:
+        elif (sample.time - self._rest.time >= STOP_TIME or sample.time - self._departed > self._time_limit
+              or self._is_over(relative(sample.pose, self._start.pose))):
             self._end(sample)
 
     def _end(self, sample):
@@ -151,7 +152,7 @@ class Recorder:
             self.state = DONE
 
     def _is_twitch(self):
-        return all(_excursion(sample.pose, self._start.pose) <= TWITCH for sample in self._samples)
+        return all(excursion(sample.pose, self._start.pose) <= TWITCH for sample in self._samples)
 
 
 def _is_measurement(sample):
@@ -175,7 +176,7 @@ def _unexplained(before, after):
     return max(0.0, distance, turned / DEGREE)
 
 
-def _excursion(pose, rest):
+def excursion(pose, rest):
     """Return how far a pose is from another; up to 1, a robot is still there."""
     return max(math.hypot(pose.x - rest.x, pose.y - rest.y) / STILL,
                math.degrees(abs(pose.yaw - rest.yaw)) / STILL_DEGREES)
@@ -183,14 +184,14 @@ def _excursion(pose, rest):
 
 def _crossing(inside, outside, rest):
     """Return when, between two samples, the robot was just still at ``rest``."""
-    near, far = _excursion(inside.pose, rest), _excursion(outside.pose, rest)
+    near, far = excursion(inside.pose, rest), excursion(outside.pose, rest)
     return inside.time + (outside.time - inside.time) * (1 - near) / (far - near)
 
 
 def _cut(samples, frame, departed):
     """Return the Drive that these samples hold, the last of which is where the robot stopped."""
     last = samples[-1]
-    index = next(index for index in reversed(range(len(samples))) if _excursion(samples[index].pose, last.pose) > 1)
+    index = next(index for index in reversed(range(len(samples))) if excursion(samples[index].pose, last.pose) > 1)
     stopped = _crossing(samples[index + 1], samples[index], last.pose)
     kept = [sample for sample in samples if departed - MARGIN <= sample.time < min(last.time, stopped + MARGIN)]
     kept.append(last._replace(time=min(last.time, stopped + MARGIN)))

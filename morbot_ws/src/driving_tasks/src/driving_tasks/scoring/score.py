@@ -36,7 +36,7 @@ class Result(NamedTuple):
 
 def judge(task: Task, samples: Sequence[Sample]) -> Result:
     """Return the result of the first drive in some samples. Raises NoDrive if there is none."""
-    recorder = Recorder(task.time_limit, task.load_world())
+    recorder = Recorder(task.time_limit, task.load_world(), task.is_over)
     for sample in samples:
         if recorder.feed(sample) == DONE:
             break

@@ -9,7 +9,7 @@ from simulation.world_files import dump
 
 from ..report.announcement import CANCELLED, READY, Announcement
 from ..report.marks import Mark
-from ..scoring.recorder import DONE, DRIVING, MOVED, UNEXPLAINED, WAITING, NoDrive, Recorder, Sample
+from ..scoring.recorder import DONE, DRIVING, MOVED, TWITCH, UNEXPLAINED, WAITING, NoDrive, Recorder, Sample, excursion
 from ..scoring.score import rate
 from ..scoring.tasks import Task
 from .judged_robot import JudgedRobot
@@ -18,7 +18,9 @@ INVITATION, NO_MARK = "Drive when you are ready.", "The drive does not count"
 AT_START = 0.001         # m or rad: a pose so close to the start is there
 MAX_GAP = 1.0            # s between two samples of a drive; what happened in a longer one is not known
 ANNOUNCE_INTERVAL = 0.2  # s of the drive
-REPORT_POLLS = 20        # polls of a robot that does not stop, from one report to the next
+REPORT_POLLS = 20        # polls of a robot that does not stop, from one report to the next;
+MAX_POLLS = 100          # and until an attempt that was asked for is given up
+PUT_BACK = "The robot was put back to its start"
 
 
 class Interrupted(Exception):
@@ -28,14 +30,14 @@ class Interrupted(Exception):
 class Attempt:
     """Judges the first drive of a robot that nothing interrupts; after an interruption, the robot starts again.
 
-    show: prints a sentence for the person who drives; once: whether an interruption ends it, without a score. mark: the
-    result, once it is known. ready: whether the robot is at its start, and may drive; start: the last sample before it
-    might.
+    show: prints a sentence for the person who drives; request: as of an Announcement, of an attempt that a page has
+    asked for: an interruption ends that, without a score. mark: the result, once it is known. ready: whether the robot
+    is at its start, and may drive; start: the last sample before it might.
     """
 
-    def __init__(self, task: Task, robot: JudgedRobot, show: Callable[[str], None], once: bool = False):
-        self._task, self.robot, self._show, self._once = task, robot, show, once
-        self._announcement = Announcement(robot.namespace, task)
+    def __init__(self, task: Task, robot: JudgedRobot, show: Callable[[str], None], request: Optional[str] = None):
+        self._task, self.robot, self._show, self._once = task, robot, show, request is not None
+        self._announcement = Announcement(robot.namespace, task, request or "")
         self._world, self._fed_at, self._announced_at = task.load_world(), 0.0, 0.0
         self._recorder = self._new_recorder()
         self._last_report, self._cancelled, self._steps = "", "", self._run()
@@ -59,24 +61,25 @@ class Attempt:
         try:
             result = rate(self._task, self._recorder.finish())
         except NoDrive:
-            self._announcement.publish(CANCELLED, "Cancelled.")
-            self._announcement.clear()
             problem = "The robot did not drive."
+            self._announcement.publish(CANCELLED, problem)
+            self._announcement.clear()
             self.mark = self._without_score(problem)
         else:
             self._announcement.done(result, self._name)
             self.mark = Mark(self._name, self._task.name, result, source=self.robot.source, robot=self.robot.name)
 
     def cancel(self, interruption: str) -> None:
-        """Give this drive no score, for this reason: a sentence."""
+        """Give this drive no score, for this reason, a sentence; or for what is in its way."""
+        advice = self.robot.advice
         if self.robot.obstacle:  # which is over before the invitation
             self._cancelled = f"{NO_MARK}. " if self.has_driven else ""
-            interruption = f"{self._cancelled}{interruption}"
+            interruption = f"{self._cancelled}{self.robot.obstacle}"
         else:
             self._cancelled = f"{interruption} "
         self.ready, self._recorder = False, self._new_recorder()
         self._announcement.publish(CANCELLED, interruption)
-        self._report(interruption)
+        self._report(f"{interruption} {advice}".rstrip())
         self.mark = self._without_score(interruption) if self._once else None
 
     def close(self) -> None:
@@ -97,20 +100,25 @@ class Attempt:
                 self.cancel(str(interruption))
 
     def _new_recorder(self):
-        return Recorder(self._task.time_limit, self._world)
+        return Recorder(self._task.time_limit, self._world, self._task.is_over)
 
     def _until_free(self):
-        """Wait until the robot has stopped and nothing holds it."""
+        """Wait until the robot has stopped and nothing holds it; for a page, not for long."""
         polls = 0
         while self.robot.obstacle or not self.robot.has_stopped:
             polls += 1
+            if self._once and polls > MAX_POLLS:
+                raise Interrupted("The robot does not stop. End the program that drives it.")
             if self.robot.obstacle:
-                self._report(self.robot.obstacle)
+                self._report(f"{self.robot.obstacle} {self.robot.advice}".rstrip())
             elif self.robot.latest and polls % REPORT_POLLS == 0:
-                nodes = self.robot.commanders()
-                end = f" End what drives it: {enumeration(nodes)}" if nodes else ""
-                self._report(f"The robot drives. The judge waits until it has stopped.{end}")
+                self._report_drive()
             yield
+
+    def _report_drive(self):
+        nodes = self.robot.commanders()
+        end = f" End what drives it: {enumeration(nodes)}" if nodes else ""
+        self._report(f"The robot drives. The judge waits until it has stopped.{end}")
 
     def _prepare(self):
         """Put the robot at its start, and the task's world around it."""
@@ -145,7 +153,7 @@ class Attempt:
             self._announce_time()
             yield
         if not self.robot.has_stopped:
-            self._report(f"{self._task.time_limit:.0f} s are over. The robot still drives: end its program.")
+            self._report("The drive is over. The robot still drives: end its program.")
 
     def _feed(self, sample: Sample):
         was_driving, gap = self.has_driven, sample.time - self._fed_at
@@ -153,13 +161,22 @@ class Attempt:
         if was_driving and gap > MAX_GAP:
             raise Interrupted(f"{gap:.1f} s of the drive were not measured, because the simulator or the judge paused.")
         if self._recorder.feed(sample) == WAITING:
-            if not is_near(self._recorder.frame, self.start.pose):
-                raise Interrupted("The robot was put elsewhere, so the drive does not count.")
-            if was_driving:
-                self._report("The robot was put back to its start.")
-                self._invite()
+            self._check_place(was_driving)
         if self._recorder.unexplained > UNEXPLAINED:
             raise Interrupted(MOVED)
+
+    def _check_place(self, was_driving):
+        """Let a drive begin only at the start."""
+        frame = self._recorder.frame
+        if not is_near(frame, self.start.pose):
+            is_twitch = was_driving and excursion(frame, self.start.pose) <= TWITCH
+            raise Interrupted("The robot hardly moved, so the drive does not count." if is_twitch else
+                              "The robot was put elsewhere, so the drive does not count.")
+        if was_driving and self._once:  # its program goes on
+            raise Interrupted(f"{PUT_BACK}, so the drive does not count.")
+        if was_driving:
+            self._report(f"{PUT_BACK}.")
+            self._invite()
 
     def _check_driver(self):
         if self._recorder.state == DRIVING:

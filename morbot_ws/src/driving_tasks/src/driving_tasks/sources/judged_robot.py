@@ -5,7 +5,7 @@ import functools
 import re
 from collections import deque
 from threading import Thread
-from typing import Iterator, List, Optional, Sequence
+from typing import Iterator, List, Optional, Sequence, Tuple
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus
@@ -30,6 +30,7 @@ STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
 MAX_MESSAGE = 200     # characters of what interrupts a drive
+COCKPIT_ENDED = "the cockpit has ended"
 
 
 def choose_robots(names: Sequence[str], running: Sequence[str]) -> List[str]:
@@ -75,7 +76,7 @@ class JudgedRobot:
         self.set_back = 0.0  # s by which its computer's clock was set back; the times of samples go on all the same
         self.driver, self.interruptions = "", []  # the name of who drives by a page; what the last poll has read
         self._arrived, self._silent_polls, self._moved_at, self._time = deque(), 0, 0.0, 0.0
-        self._interruptions = deque()
+        self._interruptions, self._commander, self._has_cockpit = deque(), "", False
         self._readers = Readers(namespace) if by_camera else None
         self._state, self._worlds, self._known_worlds = UNKNOWN, 0, 0
         self.body = "an unknown body"  # until the simulator has said how it differs
@@ -85,12 +86,13 @@ class JudgedRobot:
         self._reset = rospy.ServiceProxy(f"{namespace}/{contract.RESET}", Empty)
         self._controller = rospy.Subscriber(f"{namespace}/{contract.STATE}", DiagnosticStatus, self._on_state)
         rospy.Subscriber(f"{namespace}/{contract.WORLD}", MarkerArray, self._on_world)
-        rospy.Subscriber(f"{namespace}/{contract.DRIVER}", DiagnosticStatus, self._on_driver)
+        self._pages = rospy.Subscriber(f"{namespace}/{contract.DRIVER}", DiagnosticStatus, self._on_driver)
         rospy.Subscriber(self.body_topic, String, self._on_body)
         rospy.Subscriber(self.truth_topic, Odometry, self._arrived.append)
 
     def _on_state(self, message):
         self._state = read(message)
+        self._commander = self._state.commanded_by or self._commander
 
     def _on_driver(self, message):
         names = [printable(pair.value)[:contract.MAX_NAME] for pair in message.values if pair.key == "name"]
@@ -106,6 +108,7 @@ class JudgedRobot:
 
     def poll(self) -> None:
         """Read what has arrived; call it every POLL_INTERVAL."""
+        self._notice_cockpit()
         self.interruptions = [self._interruptions.popleft() for _ in range(len(self._interruptions))]
         self.samples = [self._continued(sample_of(self._arrived.popleft())) for _ in range(len(self._arrived))]
         self._silent_polls = 0 if self.samples else self._silent_polls + 1
@@ -115,6 +118,12 @@ class JudgedRobot:
             self.latest = sample
         if self._readers:
             self._readers.poll(not self.has_stopped)
+
+    def _notice_cockpit(self):
+        """If the cockpit that drives the robot has ended, it could not say so itself."""
+        had_cockpit, self._has_cockpit = self._has_cockpit, self._pages.get_num_connections() > 0
+        if had_cockpit and not self._has_cockpit and self._commander.rpartition("/")[2] == contract.COCKPIT:
+            self._interruptions.append(COCKPIT_ENDED)
 
     def _continued(self, sample):
         """Return the sample with a time that is not before the last one: where its clock is set back, it steps on."""
@@ -139,19 +148,27 @@ class JudgedRobot:
 
     @property
     def obstacle(self) -> str:
-        """Why the robot cannot be judged now, in one sentence with what to do about it; "" if it can be."""
+        """Why the robot cannot be judged now, in one sentence; "" if it can be."""
+        return self._hindrance()[0]
+
+    @property
+    def advice(self) -> str:
+        """What somebody at a terminal does about the obstacle, "" for nothing more."""
+        return self._hindrance()[1]
+
+    def _hindrance(self) -> Tuple[str, str]:
         if self._silent_polls >= SILENT_POLLS:
-            return ("The simulator does not answer. Continue it (after Ctrl-Z: fg), or start it again: "
-                    "roslaunch simulation simulation.launch")
+            return "The simulator does not answer.", ("Continue it (after Ctrl-Z: fg), or start it again: "
+                                                      "roslaunch simulation simulation.launch")
         if self._state is not UNKNOWN and not self.is_controlled:
-            return "The controller has ended. Start it again: rosrun jetbot_control_node jetbot_controller.py"
+            return "The controller has ended.", "Start it again: rosrun jetbot_control_node jetbot_controller.py"
         if self._state.cause in (EMERGENCY_STOP, OWN_EMERGENCY_STOP):
-            return f"The robot is {self._state.sentence}. Release it: ./morbot stop --release"
+            return f"The robot is {self._state.sentence}.", "Release it: ./morbot stop --release"
         if self._state.cause in (*HOLDS, ENDED):
-            return f"The robot is {self._state.sentence}."
+            return f"The robot is {self._state.sentence}.", ""
         if self._readers and self._readers.are_blind and not self.has_stopped:
-            return "No program looks at the camera, with which this task is driven."
-        return self._readers.problem if self._readers else ""
+            return "No program looks at the camera, with which this task is driven.", ""
+        return self._readers.problem if self._readers else "", ""
 
     def commanders(self) -> List[str]:
         """Return the nodes that publish commands for this robot; none if the master does not answer."""

@@ -1,4 +1,7 @@
-"""Judges robots on request: each one that a page asks for, as often as it asks."""
+"""Judges robots on request: each one that a page asks for, as often as it asks.
+
+The page's programs do not see the camera: the tasks that are driven by camera alone are judge.py's.
+"""
 
 import contextlib
 import time
@@ -10,7 +13,7 @@ from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 
 from jetbot import JetbotError
 from jetbot_ros import links, rospy_repairs
-from jetbot_ros.contract import JUDGE_REQUESTS, JUDGE_TASKS
+from jetbot_ros.contract import CLASS_JUDGE, JUDGE_REQUESTS, JUDGE_TASKS
 from jetbot_ros.master import NO_ANSWER, require_master
 
 from ..report.announcement import CANCELLED, Announcement
@@ -20,7 +23,7 @@ from .attempt import NO_MARK, Attempt
 from .judged_robot import JudgedRobot, simulated_robots
 from .live import check_only_judge, close, polls
 
-NAME = "class_judge"
+OFFERED = {task.name: task for task in TASKS.values() if not task.by_camera}
 DRIVE_TIMEOUT = 60.0  # s from a request until the robot must drive
 LINGER = 2.0          # s after a result until it is not published any more, and another judge may judge the robot
 
@@ -29,10 +32,10 @@ def serve() -> None:
     """Judge until Ctrl-C. Raise JetbotError if the master ends."""
     require_master("roslaunch jetbot_class class.launch")
     rospy_repairs.repair()
-    rospy.init_node(NAME, argv=[], disable_signals=True)  # rospy's own handlers would ask the master
+    rospy.init_node(CLASS_JUDGE, argv=[], disable_signals=True)  # rospy's own handlers would ask the master
     links.stay_linked()
     tasks = rospy.Publisher(JUDGE_TASKS, DiagnosticStatus, queue_size=1, latch=True)
-    tasks.publish(name="tasks", values=[KeyValue(task.name, task.title) for task in TASKS.values()])
+    tasks.publish(name="tasks", values=[KeyValue(task.name, task.title) for task in OFFERED.values()])
     judge = ClassJudge()
     try:
         for _ in polls():
@@ -58,8 +61,9 @@ class ClassJudge:
     def step(self, now: float) -> None:
         """Begin what was asked for, and go on with it; call it every POLL_INTERVAL."""
         while self._requests:
-            request = self._requests.popleft()
-            (self._begin if request.value else self._cancel)(request.key.rstrip("/"), request.value, now)
+            message = self._requests.popleft()
+            name, _, request = message.value.partition(" ")
+            (self._begin if name else self._cancel)(message.key.rstrip("/"), name, request, now)
         for namespace, robot in self._robots.items():
             if namespace not in self._attempts:
                 robot.poll()
@@ -73,27 +77,30 @@ class ClassJudge:
             self._closing.remove(due)
             due[1]()
 
-    def _begin(self, namespace, name, now):
+    def _begin(self, namespace, name, request, now):
         """Put a robot to the start of a task. An attempt that it replaces gets no score."""
-        if name not in TASKS or namespace not in self._running():
+        if name not in OFFERED or namespace not in self._running():
             return
         try:
             check_only_judge([namespace])
         except JetbotError as error:
-            self._refuse(namespace, name, str(error), now)
+            self._refuse(Announcement(namespace, OFFERED[name], request), f"{error.reason}.", now)
             return
         if namespace not in self._robots:
             self._robots[namespace] = JudgedRobot(namespace)
         robot = self._robots[namespace]
         before = self._attempts.get(namespace)
-        self._attempts[namespace] = Attempt(TASKS[name], robot, lambda sentence: None, once=True), now
+        self._attempts[namespace] = Attempt(OFFERED[name], robot, lambda sentence: None, request), now
         if before:
             before[0].close()
 
-    def _cancel(self, namespace, _, now):
+    def _cancel(self, namespace, _name, _request, now):
         """End a robot's attempt without a score: the program that drives it was stopped."""
         if namespace in self._attempts:
-            self._attempts[namespace][0].cancel(f"{NO_MARK}: its program was stopped.")
+            attempt, _ = self._attempts[namespace]
+            attempt.step()  # what has interrupted the drive before is the reason
+            if not attempt.mark:
+                attempt.cancel(f"{NO_MARK}: its program was stopped.")
             self._end(namespace, now)
 
     def _running(self):
@@ -101,8 +108,7 @@ class ClassJudge:
             return simulated_robots()
         return []
 
-    def _refuse(self, namespace, name, sentence, now):
-        announcement = Announcement(namespace, TASKS[name])
+    def _refuse(self, announcement, sentence, now):
         announcement.publish(CANCELLED, sentence)
         self._closing.append((now + LINGER, announcement.close))
 
@@ -110,4 +116,5 @@ class ClassJudge:
         attempt, _ = self._attempts.pop(namespace)
         attempt.robot.set_world("")
         self._closing.append((now + LINGER, attempt.close))
-        print(to_csv((), [attempt.mark.row]), end="", flush=True)
+        if attempt.mark.result:
+            print(to_csv((), [attempt.mark.row]), end="", flush=True)

@@ -18,14 +18,14 @@ class DiskBusy(Exception):
 
 
 class Classroom:
-    """programs: those of all robots; problem: why the class is not kept now, or None.
+    """programs: those of all robots; problem: why the class is not kept now, or None; id: see ClassFolder.identify.
 
     folder: a ClassFolder, or Nowhere.
     """
 
     def __init__(self, folder=None):
         self._folder = folder or Nowhere()
-        self.programs, self.problem = Programs(self._folder), self._folder.problem
+        self.id, self.programs, self.problem = self._folder.identify(), Programs(self._folder), self._folder.problem
         self._thread, self._room = ThreadPoolExecutor(1), threading.Semaphore(MAX_WAITING)
         self._waiting: Dict[str, Any] = {}      # what is not kept yet, by its name
         self._attempt: Optional[Future] = None  # to keep it; the last one

@@ -6,6 +6,7 @@ import fcntl
 import json
 import os
 import re
+import secrets
 import shutil
 from pathlib import Path
 from typing import Any, List, Optional
@@ -15,6 +16,7 @@ from jetbot.kinds import Kind
 from jetbot.text import printable
 
 from ..notices import Notice, say
+from .program import is_id
 
 OWNER_ONLY = 0o700   # codes are secrets
 MAX_FILE = 2 << 20   # bytes of a file that is read
@@ -60,6 +62,21 @@ class ClassFolder:
                 raise
             self.problem = say("class_read_only", folder=self._path)
             self.problems.append(str(self.problem))
+
+    def identify(self) -> Optional[str]:
+        """Return the id of this class, which one of the same name that was deleted had not; None if it cannot be kept.
+
+        Raise InvalidValue.
+        """
+        content = self.read("class")
+        if isinstance(content, dict) and is_id(content.get("id")):
+            return content["id"]
+        try:
+            id = secrets.token_hex(8)
+            self.write("class", {"id": id})
+        except OSError:
+            return None
+        return None if self.problem else id
 
     def names(self, prefix: str) -> List[str]:
         """Return the names of the files that begin like this, without their endings."""
@@ -124,6 +141,9 @@ class Nowhere(ClassFolder):
         return ()
 
     names = read = write = remove = _do_nothing
+
+    def identify(self) -> None:
+        """Return None: a later cockpit may have what pages keep of this one."""
 
 
 def unusable(path: Path, error: OSError) -> InvalidValue:

@@ -10,7 +10,6 @@ from ..notices import Notice, say
 
 ID = re.compile(r"[0-9a-f]{16}")
 TOKENS = re.compile(r'"(?:[^"\\]|\\.)*"?|[{}\[\]]|[^{}\[\]"]+', re.DOTALL)  # texts, brackets, what is between them
-JSON = json.JSONDecoder(parse_int=str, parse_float=str)  # numbers stay text: a long one would take long
 MAX_NAME = 40              # characters
 MAX_TEXT = 64 * 1024       # bytes of a program
 
@@ -56,6 +55,15 @@ class Program(NamedTuple):
         """Return it as in a list, with the text of one of its versions; of the newest if that one is not kept."""
         newest, *earlier = self.versions()
         return {**self.row(), **next((each for each in earlier if each.version == version), newest)._asdict()}
+
+
+def refuse(constant: str) -> None:
+    """Raise ValueError for NaN or Infinity, which Python reads, but which are no JSON."""
+    raise ValueError(f"{constant} is no JSON")
+
+
+# Numbers stay text: a long one would take long
+JSON = json.JSONDecoder(parse_int=str, parse_float=str, parse_constant=refuse)
 
 
 def is_id(value: Any) -> bool:

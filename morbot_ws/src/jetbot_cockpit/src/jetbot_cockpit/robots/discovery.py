@@ -61,9 +61,12 @@ class Robots:
         """Return (name, title) of each task that a judge offers now."""
         return self._judge.tasks()
 
-    def judge(self, robot: str, task: str) -> None:
-        """Ask the judge to put a robot at the start of a task, and to judge its next drive; "" ends that."""
-        self._judge.request(robot, task)
+    def judge(self, robot: str, task: str, request: str = "") -> None:
+        """Ask the judge to put a robot at the start of a task, and to judge its next drive; task "" ends that.
+
+        request: a word that the robot's task has from then on.
+        """
+        self._judge.request(robot, task, request)
 
     def report_driver(self, robot: str, name: str, interruption: str) -> None:
         """Publish who drives a robot, "" for nobody or no name, and what has interrupted that, "" for nothing."""

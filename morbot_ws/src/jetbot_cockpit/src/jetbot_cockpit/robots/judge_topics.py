@@ -25,9 +25,12 @@ class Judge:
         """Return (name, title) of each task that a judge offers now."""
         return self._tasks if self._subscriber.get_num_connections() else ()
 
-    def request(self, robot: str, task: str) -> None:
-        """Ask for a robot to be put at the start of a task, and judged; "" ends that."""
-        self._requests.publish(robot, task)
+    def request(self, robot: str, task: str, request: str) -> None:
+        """Ask for a robot to be put at the start of a task, and judged; task "" ends that.
+
+        request: a word that the judge's reports about it repeat.
+        """
+        self._requests.publish(robot, f"{task} {request}".strip())
 
     def _on_tasks(self, message):
         self._tasks = tuple((printable(each.key)[:MAX_TITLE], printable(each.value)[:MAX_TITLE])

@@ -61,7 +61,7 @@ def decode_task(name: str, text: str, values: Mapping[str, str]) -> Optional[Tas
     score = number(values.get("score"), 100.0) if state == DONE else None
     return TaskSnapshot(printable(name)[:MAX_TITLE], printable(values.get("title") or name)[:MAX_TITLE], state,
                 printable(text)[:MAX_TEXT], number(values.get("seconds"), MAX_SECONDS), score,
-                printable(values.get("driver", ""))[:MAX_NAME])
+                printable(values.get("driver", ""))[:MAX_NAME], printable(values.get("request", ""))[:MAX_TITLE])
 
 
 def number(text: Optional[str], largest: float) -> Optional[float]:

@@ -149,7 +149,8 @@ class RobotTopics:
         return RobotSnapshot(
             self.name, color=self._color, geometry=self._geometry, simulated=self.simulated, state=state,
             warning=self._level > 0, answers=answers, stopped=stopped, pose=pose, speed=speed, command=command,
-            wheels=wheels, program=self._program, shapes=shapes, task=task)
+            wheels=wheels, program=self._program, shapes=shapes, task=task,
+            judged_elsewhere=any(name.rpartition("/")[2] != contract.CLASS_JUDGE for name in self._judges()))
 
     def senses(self, now: float) -> dict:
         """Return where the robot is, its line sensor and its wheels, as a program reads them; None: not known."""
@@ -205,6 +206,10 @@ class RobotTopics:
     def _on_task(self, message):
         values = {item.key: item.value for item in message.values}
         self._tracker.update(decode_task(message.name, message.message, values), time.monotonic())
+
+    def _judges(self):
+        """Return the nodes that publish how it does at a task."""
+        return [connection.callerid_pub for connection in self._task_subscriber.impl.connections]
 
     def _pose_and_speed(self, now):
         odom = self._odom

@@ -4,6 +4,8 @@ import math
 from functools import partial
 from typing import Callable, Dict, List, Optional
 
+from jetbot_ros.state import MANUAL_PRIORITY
+
 from ..classroom.classroom import Classroom
 from ..notices import Notice
 from .collecting import Collecting
@@ -16,6 +18,8 @@ from .pupils import Pupils
 from .rights import Client, Request, refuse_role
 from .snapshot import RobotSnapshot, Snapshot
 from .stops import Stops
+
+QUIET = 0.5  # s without a command until the countdown begins: a program that is paused in a page repeats its zeros
 
 
 class Control:
@@ -52,6 +56,8 @@ class Control:
             self.snapshot = self._robots.snapshot()
         if refusal and message.type in ("drive", "program"):
             return {"type": "lift", "robot": message.robot, **refusal.fields()}
+        if message.type == "judge":
+            return self._judging.answer(message.robot, refusal)
         if message.type == "program":
             ready = self._drivers.hold(message.robot)
             return {"type": "program", "robot": message.robot, "ready": ready, **self._robots.senses(message.robot)}
@@ -59,10 +65,8 @@ class Control:
 
     def leave(self, client: int) -> None:
         """The client's socket is closed: its robot stops at once, and is free."""
-        robot = self._leases.leave(client)
+        self._leases.leave(client)
         self._pupils.leave(client)
-        if robot:
-            self._judging.end(robot)
 
     def check(self, now: float) -> List[dict]:
         """Let all look at the robots as they are now; call it for each frame.
@@ -99,4 +103,5 @@ class Control:
     def _seconds_until_programs(self, robot: RobotSnapshot) -> Optional[int]:
         """Return when programs that wait drive on, or None if none do, or not by themselves."""
         left = self._drivers.resumes_in(robot.id, self._leases.checked_at)
-        return math.ceil(left) if robot.programs_wait and not self._holds[robot.id] and left > 0 else None
+        counts = robot.programs_wait and not self._holds[robot.id] and 0 < left <= MANUAL_PRIORITY - QUIET
+        return math.ceil(left) if counts else None

@@ -1,7 +1,8 @@
 """The driving tasks: who drives which one for a judge, and what is kept of that and of the map."""
 
+import secrets
 from functools import partial
-from typing import List, Optional
+from typing import Dict, List, NamedTuple, Optional
 
 from jetbot.text import enumeration
 
@@ -10,8 +11,17 @@ from ..notices import Notice, say
 from .history import History, Scores
 from .leases import Leases
 from .offered_tasks import OfferedTasks
-from .rights import Request
+from .rights import Client, Request
 from .snapshot import RobotSnapshot, Snapshot, TaskSnapshot
+
+AGAIN = {"driven": "judge_driven", "interrupted": "judge_interrupted"}  # how Judge me words why nobody may drive
+
+
+class Asked(NamedTuple):
+    """Who has asked for a robot to be judged. request: a word for it, which is new each time."""
+
+    client: Client
+    request: str
 
 
 class Judging:
@@ -20,24 +30,34 @@ class Judging:
     def __init__(self, robots, leases: Leases, classroom: Classroom):
         self._robots, self._leases = robots, leases
         self._history = History(Scores(classroom.read("scores", list), partial(classroom.keep, "scores")))
+        self._asked: Dict[str, Asked] = {}  # by robot
         self._tasks = OfferedTasks(classroom.read("tasks", list), partial(classroom.keep, "tasks"))
 
     # What a client asks for; each returns why that is refused, or None.
 
     def judge(self, request: Request) -> Optional[Notice]:
-        """Let a simulated robot drive a task; "" ends that."""
-        client, robot, task, snapshot = request.client, request.robot, request.message.task, request.snapshot
+        """Let a simulated robot drive a task; "" ends what the client has asked for."""
+        client, robot, task = request.client, request.robot, request.message.task
         if not task:
-            if robot in snapshot.robots and client.may_drive(robot) and not self._leases.has_other(client, robot):
+            if robot in self._asked and self._asked[robot].client == client:
                 self.end(robot)
             return None
-        refusal = self._leases.refusal(request) or self._tasks.refusal(client, task)
-        if refusal or not snapshot.robots[robot].simulated:
-            return refusal or say("real_not_judged")
-        self._leases.halt(request)
-        self._history.forget_task(snapshot.robots[robot])
-        self._robots.judge(robot, task)
-        return None
+        refusal = self._refusal(request)
+        if not refusal:
+            self._leases.seize(request)
+            self._history.forget_task(request.snapshot.robots[robot])
+            self._asked[robot] = Asked(client, secrets.token_hex(4))
+            self._robots.judge(robot, task, self._asked[robot].request)
+        return refusal
+
+    def _refusal(self, request):
+        refusal = self._leases.refusal(request) or self._tasks.refusal(request.client, request.message.task)
+        if refusal:
+            return say(AGAIN.get(refusal.code, refusal.code), **refusal.arguments)
+        robot = request.snapshot.robots[request.robot]
+        if not robot.simulated:
+            return say("real_not_judged")
+        return say("judged_elsewhere", robot=robot.label) if robot.judged_elsewhere else None
 
     def offer(self, request: Request) -> None:
         """Let pupils choose a task, or not."""
@@ -58,9 +78,15 @@ class Judging:
 
     # What the pages show
 
+    def answer(self, robot: str, refusal: Optional[Notice]) -> dict:
+        """Return the message "judge"."""
+        request = self._asked[robot].request if robot in self._asked and not refusal else ""
+        return {"type": "judge", "robot": robot, "request": request, "refusal": refusal and refusal.fields()}
+
     def end(self, robot: str) -> None:
-        """End the task of a robot, without a score."""
-        self._robots.judge(robot, "")
+        """End the task of a robot that was asked for here, without a score."""
+        if self._asked.pop(robot, None):
+            self._robots.judge(robot, "")
 
     def task(self, robot: RobotSnapshot) -> Optional[TaskSnapshot]:
         """Return the task of the robot that is shown."""
@@ -68,6 +94,9 @@ class Judging:
 
     def check(self, snapshot: Snapshot, now: float) -> List[dict]:
         """Return messages of the socket with what has changed."""
+        for robot, (client, _) in list(self._asked.items()):
+            if not self._leases.is_driver(client, robot):  # somebody else would be judged
+                self.end(robot)
         return self._history.update(snapshot.robots, now) + self._tasks.update(self._robots.tasks())
 
     def messages(self) -> List[dict]:

@@ -120,20 +120,23 @@ class Leases:
         self._drivers.let_go(request.robot)
         self._give(request, driving=False)
 
+    def seize(self, request: Request) -> None:
+        """Stop the robot, which is the client's from now on, also if a program commands it: that waits."""
+        self.halt(request)
+        self._drivers.hold(request.robot)
+
     def keep(self, request: Request) -> None:
         """Keep a robot that is free or the client's for LEASE_TIMEOUT; while it is driven, only commands do that."""
         if not (self.is_driver(request.client, request.robot) and self._leases[request.robot].driving):
             self._give(request, driving=False)
 
-    def leave(self, client: int) -> Optional[str]:
-        """The client's socket is closed: its robot stops at once, and is free. Return it, or None if it was driven."""
+    def leave(self, client: int) -> None:
+        """The client's socket is closed: its robot stops at once, and is free."""
         robot = self._robot_of(client)
-        driven = robot is not None and self._leases[robot].driving
-        if driven:
+        if robot is not None and self._leases[robot].driving:
             self._report(robot, LEFT)
         self._free(robot)
         self._must_lift.pop(client, None)
-        return None if driven else robot
 
     def check(self, snapshot: Snapshot, now: float) -> List[dict]:
         """End the leases of silent clients and of robots that cannot be driven; return messages for all pages."""

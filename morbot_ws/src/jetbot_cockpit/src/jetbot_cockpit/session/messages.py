@@ -102,7 +102,7 @@ SAID = {"code": TEXT, "arguments": ARGUMENTS, "text": TEXT}  # a Notice
 NOTICE = part("Said", **SAID)
 DRIVER = part("Driver", id=COUNT, name=TEXT)
 JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "driving", "done", "cancelled"), text=TEXT,
-              seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT)
+              seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT, request=TEXT)
 PICTURES = part("Pictures", **dict.fromkeys(LABELS, COUNT), problem=or_null(NOTICE))
 ROBOT_STATE = part(
     "RobotState", status=TEXT, state=one_of("", "driving", "stopped", "ended"), cause=TEXT, holds=list_of(TEXT),
@@ -169,8 +169,10 @@ FROM_COCKPIT = {
                      "wheels": or_null(numbers(2))},
                     "the answer to `program`; `ready`: whether its controller is connected"),
     "lift": Form({"robot": ROBOT, **SAID},
-                 "why a `drive` or `program` was refused, or a `reset` ended it, and the robot stopped; the next one "
-                 "counts after letting go"),
+                  "why a `drive` or `program` was refused, or a `reset` ended it, and the robot stopped; the next one "
+                  "counts after letting go"),
+    "judge": Form({"robot": ROBOT, "request": TEXT, "refusal": or_null(NOTICE)},
+                  "the answer to `judge`: the `request` of the robot's `task` from then on, or why it is refused"),
     "pong": Form({"sent": NUMBER}, "the answer to `ping`"),
     "codes": Form({"codes": list_of(CODE)},
                   "the answer to `codes` and `new_code`; `rows` are the modules of the QR code"),
@@ -180,8 +182,8 @@ REQUESTS = {  # to /work, by what they "do"
     "list": Form({"robot": ROBOT_OR_ALL}, "`programs`, those first that were changed last; of all robots: teacher"),
     "open": Form({"robot": ROBOT, "id": ID, "version": or_null(VERSION)},
                 "the program, with the `program` of this version; without `version`, of the newest"),
-    "save": Form({"robot": ROBOT, "id": ID, "version": VERSION, "name": PROGRAM_NAME, "program": TEXT},
-                "what is kept now"),
+    "save": Form({"robot": ROBOT, "id": ID, "version": VERSION, "name": PROGRAM_NAME, "program": TEXT,
+                 "class": or_null(ID)}, "what is kept now"),
     "delete": Form({"robot": ROBOT, "id": ID}, "the same"),
     "restore": Form({"robot": ROBOT, "id": ID}, "the same: undoes `delete`"),
 }

@@ -14,7 +14,7 @@ MAX_LABEL = 40  # characters
 
 class TaskSnapshot(NamedTuple):
     """A driving task. text: a sentence for the person; seconds: of the drive; score: 0 to 100, once done, with driver:
-    the name of who drove, "" if it is not known.
+    the name of who drove, "" if it is not known; request: which one its judge answers, "" for none.
     """
 
     name: str
@@ -24,6 +24,7 @@ class TaskSnapshot(NamedTuple):
     seconds: Optional[float] = None
     score: Optional[float] = None
     driver: str = ""
+    request: str = ""
 
 
 class Shape(NamedTuple):
@@ -41,7 +42,7 @@ class RobotSnapshot(NamedTuple):
     be put back to its start; state: its controller's; stopped: by its own emergency stop;
     pose: (x, y in m, yaw in rad) on the map; speed: the measured one, and command: the driven one, each in m/s and
     rad/s; wheels: the duties (left, right) in [-1, 1]; program: whose command it drives, "" if that is the cockpit's;
-    shapes: what is drawn around it; task: which one it drives.
+    shapes: what is drawn around it; task: which one it drives; judged_elsewhere: whether judge.py judges it.
     """
 
     id: str
@@ -59,6 +60,7 @@ class RobotSnapshot(NamedTuple):
     program: str = ""
     shapes: Tuple[Shape, ...] = ()
     task: Optional[TaskSnapshot] = None
+    judged_elsewhere: bool = False
 
     @property
     def label(self) -> str:

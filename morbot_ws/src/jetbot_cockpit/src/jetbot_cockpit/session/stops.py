@@ -36,12 +36,13 @@ class Stops:
         client, robot = request.client, request.robot
         if not client.may_stop(robot):
             return say("teacher_releases_one")
+        stopped = request.snapshot.is_stopped(robot)
         if client.role != TEACHER and robot not in self._by_pupils:
-            return say("teacher_releases")
+            return say("teacher_releases" if stopped else "not_stopped")
         self._robots.set_emergency_stop(robot, False)
         if robot is None:
             self._holds.update(False, ())  # though the robots may still say that they are stopped
-        return None
+        return None if stopped else say("not_stopped")
 
     @property
     def pupils_release(self) -> bool:

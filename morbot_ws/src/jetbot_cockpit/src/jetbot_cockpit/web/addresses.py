@@ -51,6 +51,7 @@ def refusal(port: int, error: OSError) -> InvalidValue:
 
 def lan_addresses() -> List[str]:
     """Return this computer's addresses that are not loopback ones, the one that reaches other networks first."""
+    rosgraph.network._local_addrs = None  # its cache: a network may have come up
     found = [address for address in rosgraph.network.get_local_addresses() if not is_loopback(address)]
     return list(dict.fromkeys([*_routed_addresses(), *found]))
 

@@ -5,32 +5,48 @@ from typing import Dict, List, Optional
 from ..classroom.classroom import Classroom
 from ..session.rights import PUPIL
 from .access import Grant, make_grant, make_grants
+from .addresses import lan_addresses
 from .handout import Card
 
 
 class Codes:
-    """robots: how many have a code each, 0: one for all pupils, None: there are no codes; host, port: of the page.
+    """robots: how many have a code each, 0: one for all pupils, None: there are no codes.
 
-    grants: what the codes give; a new one takes the place of the old one. rows: of the message "codes".
+    name: by which others reach this computer, "" for its own address; port: the page's. grants: what the codes give; a
+    new one takes the place of the old one. cards: to hand out, empty as long as others have no address to come to.
     """
 
-    def __init__(self, classroom: Classroom, robots: Optional[int], host: str, port: int):
-        self._classroom, self._host, self._port = classroom, host, port
+    def __init__(self, classroom: Classroom, robots: Optional[int], name: str, port: int):
+        self._classroom, self._host, self._port = classroom, name, port
         self._kept: Dict[str, object] = classroom.read("codes", dict)
         self.grants: List[Grant] = [] if robots is None else make_grants(robots, self._kept)
-        self.cards = [Card(grant, host, port) for grant in self.grants]
-        self.rows = [card.message() for card in self.cards]
+        self.cards: List[Card] = []
         self._keep()
+        self.make_cards()
+
+    def make_cards(self) -> None:
+        """Make the cards unless they are made, as soon as this computer has an address for others."""
+        if not self.cards and self.grants:
+            self._host = self._host or next(iter(lan_addresses()), "")
+            self.cards = [self._card(grant) for grant in self.grants if self._host]
+
+    @property
+    def rows(self) -> List[Dict[str, object]]:
+        """The rows of the message "codes"."""
+        return [card.message() for card in self.cards]
 
     def renew(self, robot: Optional[str]) -> Optional[str]:
         """Replace the code for a robot, or for all pupils (None); return its label, or None if there is none."""
         for index, old in enumerate(self.grants):
             if (old.role, old.robot) == (PUPIL, robot):
                 self.grants[index] = make_grant(*old[:3])
-                self.rows[index] = Card(self.grants[index], self._host, self._port).message()
+                self.cards[index:index + 1] = [self._card(self.grants[index])] if self.cards else []
                 self._keep()
                 return old.label
         return None
+
+    def _card(self, grant: Grant) -> Card:
+        return Card(grant, self._host, self._port)
 
     def _keep(self):
         codes = {**self._kept, **{each.label: [each.code, each.cookie] for each in self.grants}}

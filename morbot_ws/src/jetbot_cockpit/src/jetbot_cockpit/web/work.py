@@ -52,6 +52,11 @@ class Work(Handler):
 
     async def _answer(self, do: str, robot: str = None, **fields: Any) -> dict:
         self._check(robot)
+        if fields.pop("class", None) not in (None, self._classroom.id):
+            raise Refused(say("other_class"))
+        return {"class": self._classroom.id, **await self._result(do, robot, fields)}
+
+    async def _result(self, do, robot, fields):
         programs = self._classroom.programs
         if do == "list":
             return {"programs": programs.rows(robot)}
