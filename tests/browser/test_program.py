@@ -179,7 +179,7 @@ def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blo
                               *[block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1))] * 20)}}, variables="x"))
     run(page, world)
     world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, 3.0, "the command to be too old")
-    page.wait_for_text("outcome", "This loop runs without a wait")
+    page.wait_for_text("outcome", "A loop runs without a wait")
     assert page.has(".controls_whileUntil.blocklyHighlighted")
     page.click("#end")
     page.wait_for_text("outcome", "Stopped.")

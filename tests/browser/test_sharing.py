@@ -183,7 +183,8 @@ def test_one_code_is_shown_large_until_escape_which_stops_nothing_then(codes):
         assert ROBOT in codes.text("codes-list") and OTHER_ROBOT not in codes.text("codes-list")
         assert codes.fits("stop", "new-code", "close-codes") and not codes.outside("#codes-list .code", "#codes")
         codes.tap("Escape")
-        assert OTHER_ROBOT in codes.text("codes-list")
+        assert OTHER_ROBOT in codes.text("codes-list") and codes.fits("show-codes")
+        assert codes.run("return document.activeElement.dataset.label") == ROBOT, "the keyboard's focus is where it was"
     assert not asked(codes, "stop")
     codes.tap("Escape")
     assert asked(codes, "stop")

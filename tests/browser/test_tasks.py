@@ -76,6 +76,10 @@ def test_a_score_stays_without_its_judge_until_the_robot_is_put_back(page, pupil
     page.lift()
     world.wait_for_stop(ROBOT)
     assert page.text("task")
+    pupil.run("window.told = []; const notice = document.getElementById('notice');"
+              "new MutationObserver(() => told.push(notice.textContent)).observe(notice, {childList: true})")
     page.click("#reset")
-    page.wait_for(lambda: not page.text("task"), "the score to be gone")
+    for each in page, pupil:
+        each.wait_for(lambda each=each: not each.text("task"), "the score to be gone")
+    assert not pupil.run("return told"), "who did not drive it is not told"
     assert page.element("show-scores").is_displayed(), "the best stay"

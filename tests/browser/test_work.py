@@ -115,6 +115,25 @@ def test_every_block_of_the_toolbox_is_kept_and_opened_again_as_it_was(page):
     assert page.text("kept") == "", "what is only opened is no change"
 
 
+DEEPER = """const workspace = Blockly.getMainWorkspace(), innermost = workspace.getBlocksByType("logic_negate").at(-1);
+Blockly.Events.setGroup(true);
+const more = Blockly.serialization.blocks.append({type: "logic_negate"}, workspace, {recordUndo: true});
+innermost.getInput("BOOL").connection.connect(more.outputConnection);
+Blockly.Events.setGroup(false);"""
+
+
+def test_a_block_that_nests_too_deep_is_taken_back_so_that_the_program_can_be_opened_again(page, tmp_path):
+    deep = {"block": {"type": "logic_negate"}}
+    for _ in range(59):
+        deep = plug("logic_negate", BOOL=deep)
+    page.element("file").send_keys(as_file(tmp_path, programs.program(show(deep))))
+    page.wait_for(lambda: page.run("return Blockly.getMainWorkspace().getAllBlocks().length") == 62, "the program")
+    saved = page.driver.execute_async_script(SAVED)
+    page.run(DEEPER)
+    page.wait_for_text("notice", "nests more than 60 blocks in each other. It was undone.")
+    assert page.driver.execute_async_script(SAVED) == saved
+
+
 YES = plug("logic_boolean", {"BOOL": "TRUE"})
 RETURNS = programs.program(
     show(plug("math_number_property", {"PROPERTY": "DIVISIBLE_BY"}, NUMBER_TO_CHECK=num(8), DIVISOR=num(3))),

@@ -63,10 +63,17 @@ def act(page: WebSocket, action: str, robots: Sequence[str]) -> None:
               if action == "judge" else {"type": action})
     for robot in robots if action == "go_on" else ():
         page.send({"type": "go_on", "robot": robot})
-    message = page.receive_until(lambda message: message["type"] == "notice" or message["type"] == "state" and all(
-        robot in message["robots"] and is_as_wanted(message["robots"][robot], action) for robot in robots))
-    if message["type"] == "notice":
-        sys.exit(message["text"])
+    message = page.receive_until(lambda message: problem_of(message) or message["type"] == "state" and all(
+        robot in message["robots"] and is_as_wanted(message["robots"][robot], action)
+        or action == "judge" and page.send({"type": "program", "robot": robot}) for robot in robots))
+    if problem_of(message):
+        sys.exit(problem_of(message))
+
+
+def problem_of(message: dict) -> str:
+    """Return why the cockpit refuses something, or "" if this message is about something else."""
+    refusal = message if message["type"] == "notice" else message.get("refusal")
+    return refusal["text"] if refusal else ""
 
 
 def main(address: str, port: str, cookie: str, action: str, *arguments: str) -> None:

@@ -88,9 +88,16 @@ test("two thousand blocks below each other are opened, more are refused", () => 
   assert.equal(problem(chained(2001)), "This program has more than 2000 blocks.");
 });
 
+test("two thousand variables are opened, more are refused", () => {
+  const named = (count) => JSON.stringify({ blocks: { blocks: [START] }, variables: Array.from({ length: count },
+    (_, id) => ({ name: "x", id: `${id}` })) });
+  assert.equal(parseProgram(named(2000)).variables.length, 2000);
+  assert.equal(problemOf(named(2001)), "This program has more than 2000 variables.");
+});
+
 test("a block with very many branches, parts or parameters is refused", () => {
   for (const extraState of [{ elseIfCount: 51 }, { itemCount: 1e9 }, { params: Array(51).fill({}) }]) {
-    assert.equal(problem({ type: "controls_if", extraState }), "This file is no program of this page.");
+    assert.equal(problem({ type: "controls_if", extraState }), "This program has a block with more than 50 parts.");
   }
 });
 

@@ -182,8 +182,9 @@ test("what another judge reports starts no program, and is not read, nor what th
 test("a refusal is shown as it is, once, and nothing is asked for", (t) => {
   const page = press(t);
   page.take();
-  page.refuse("pupil 2 drives red. Press Judge me again when red is free.");
   page.state({ driver: { id: 2, name: "pupil 2" } });
+  page.refuse("pupil 2 drives red. Press Judge me again when red is free.");
+  page.state();
   assert.deepEqual(page.read.slice(1), ["pupil 2 drives red. Press Judge me again when red is free."]);
   assert.deepEqual([page.name, page.take()], ["idle", []]);
 });

@@ -69,7 +69,7 @@ for (const [code, [begin, end = () => report({})]] of Object.entries(REFUSALS)) 
 
 test("the advice to let go goes once this page drives again", (t) => {
   new Clock(t);
-  for (const code of ["let_go", "no_command", "interrupted"]) {
+  for (const code of ["let_go", "no_command", "interrupted", "put_back"]) {
     let drives = false;
     const notice = new Notice();
     notice.show("Let go, then drive again.", () => holds(code, world, "/red", drives));

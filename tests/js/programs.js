@@ -47,9 +47,9 @@ class Watched extends Interpreter {
   }
 }
 
-// Runs a program without a robot, by a clock that its waits turn, for 10 s or so many events, as long as its numbers
-// are exact. Returns what it prints, and [ms, x, z] of each command, in their order, and by themselves; whether it is
-// cut short; whether its numbers are exact; why it failed, and at which block; and how many events it had.
+// Runs a program without a robot, by a clock that its waits turn, for 10 s or so many events, while its numbers are
+// exact. Returns what it prints, and [ms, x, z] of each command: in their order, and by themselves; whether it is cut
+// short; whether its numbers are exact; why it failed, and at which block; and how many events it had.
 export function interpret(json, senses = {}, most = 20000) {
   const done = { trace: [], cut: false, error: "", events: 0 };
   const clock = new Clock();

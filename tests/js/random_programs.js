@@ -50,7 +50,7 @@ const KINDS = {
     robot_wheel: [0.5, (make) => make.block("robot_wheel", { WHAT: make.one(SIDES) })],
     robot_time: [1, (make) => make.block("robot_time")],
     logic_ternary: [1, (make) => make.ternary("number")],
-    procedures_callreturn: [3, (make) => make.call(true) ?? make.get("number")],
+    procedures_callreturn: [3, (make) => make.value("call")],
   },
   truth: {
     logic_boolean: [2, (make) => make.block("logic_boolean", { BOOL: make.one(["TRUE", "FALSE"]) })],
@@ -67,6 +67,9 @@ const KINDS = {
     text_join: [2, (make) => make.join()],
     variables_get: [1, (make) => make.get("text")],
   },
+  call: {
+    procedures_callreturn: [1, (make) => make.call(true) ?? make.get("number")],
+  },
   any: {
     number: [8, (make) => make.value("number")],
     truth: [3, (make) => make.value("truth")],
@@ -77,7 +80,7 @@ const KINDS = {
 const LEAVES = ["math_number", "variables_get", "logic_boolean", "text"];
 
 const STATEMENTS = {
-  robot_set: [2, (make) => make.block("robot_set", {}, { X: POWERS, Z: POWERS })],
+  robot_set: [2, (make) => make.block("robot_set", {}, { X: POWERS, Z: make.one([POWERS, POWERS, "call"]) })],
   robot_wheels: [1, (make) => make.block("robot_wheels", {}, { LEFT: POWERS, RIGHT: POWERS })],
   robot_drive: [2, (make) => make.block("robot_drive", {}, { X: POWERS, SECONDS })],
   robot_turn: [1, (make) => make.block("robot_turn", { SIDE: make.one(SIDES) }, { Z: POWERS, SECONDS })],
@@ -192,7 +195,8 @@ class Maker {
   }
 
   ternary(kind) {
-    return this.block("logic_ternary", {}, { IF: "truth", THEN: kind, ELSE: kind });
+    const empty = this.chance(0.2);
+    return this.block("logic_ternary", {}, { IF: "truth", ...!empty && { THEN: kind }, ELSE: kind });
   }
 
   compare() {
@@ -230,6 +234,7 @@ class Maker {
     const [elseIfCount, hasElse] = [this.chance(0.4) ? this.up(3) : 0, this.chance(0.4)];
     const inputs = {};
     for (let number = 0; number <= elseIfCount; number += 1) {
+      if (this.chance(0.2)) continue; // an empty branch
       inputs[`IF${number}`] = "truth";
       inputs[`DO${number}`] = this.body();
     }
@@ -281,7 +286,10 @@ class Maker {
     const hasStatements = !returns || this.chance(0.8);
     const state = { ...params.length && { params: params.map((each) => ({ ...each })) },
       ...!hasStatements && { hasStatements } };
-    const inputs = { ...hasStatements && { STACK: this.statements(this.up(4)) }, ...returns && { RETURN: "number" } };
+    const inputs = {
+      ...hasStatements && { STACK: this.statements(this.up(4)) },
+      ...returns && this.chance(0.85) && { RETURN: "number" },
+    };
     const { type, id, ...more } = this.block(returns ? "procedures_defreturn" : "procedures_defnoreturn",
       { NAME: name }, inputs, Object.keys(state).length ? state : null);
     this.inside = null;

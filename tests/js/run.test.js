@@ -209,7 +209,7 @@ const NEWS = [ // a run; what is said of it, and whether that is a warning
   [{ held: true, at: null }, "Paused", false],
   [{ at: "here", limit: { text: "Too fast." } }, "Running. Too fast.", true],
   [{ at: "here", waitless: true },
-    "This loop runs without a wait, so the robot stands still: put a wait into it.", true],
+    "A loop runs without a wait, so the robot stands still: put a wait into it.", true],
 ];
 
 for (const [run, text, warning] of NEWS) {

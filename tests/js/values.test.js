@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { modulo, OPERATIONS, plain, PROPERTIES, shown } from "#www/program/values.js";
+import { comparable, COMPARISONS, modulo, OPERATIONS, plain, PROPERTIES, shown } from "#www/program/values.js";
 
 test("a half is rounded to the even neighbour", () => {
   assert.deepEqual([0.5, 1.5, 2.5, -0.5, -1.5, 2.4].map(OPERATIONS.ROUND), [0, 2, 2, -0, -2, 2]);
@@ -32,6 +32,11 @@ test("what is divided by 0, also for the rest, is refused", () => {
 
 test("a number is printed with six digits, a large one with all", () => {
   assert.deepEqual([1 / 3, 0.1 + 0.2, 123456.789, 2e-7, 4].map(shown), ["0.333333", "0.3", "123456.789", "2e-7", "4"]);
+});
+
+test("texts are compared by their code points", () => {
+  assert.ok(COMPARISONS.LT(...["\ufe0f", "👪"].map(comparable)));
+  assert.ok(COMPARISONS.LT(...["a", "ab"].map(comparable)));
 });
 
 test("True, False and None are printed as such, and calculated as 1 and 0", () => {

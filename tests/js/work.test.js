@@ -235,6 +235,21 @@ test("what the cockpit has refused is shown again for its robot, and named while
   assert.deepEqual(state.programs.map(({ name }) => name), ["Second"]);
 });
 
+test("what is said of a program that is not shown goes once that is kept", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  state.online = false;
+  page.edit("Mine");
+  page.work.add("Other", EMPTY);
+  await settled();
+  assert.equal(page.said, "Mine: The cockpit does not answer. The page tries again.");
+  state.online = true;
+  await clock.pass(3000);
+  assert.deepEqual([state.saves().at(-1).name, page.said], ["Mine", ""]);
+});
+
 test("a program of which the answer comes after another robot was chosen is not shown there", async (t) => {
   new Clock(t);
   const state = cockpit(t, [square()]);

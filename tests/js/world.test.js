@@ -100,6 +100,8 @@ const SUMMARIES = [ // the state of the robot, whether all are stopped; what is 
     "stopped: it is paused at its computer. Tell your teacher.", "warning"],
   [{ status: "stopped: made up", cause: "constructor" }, false, "stopped: made up", "waiting"],
   [{ status: "driving", stopped: true }, false, "stopped: emergency stop", "stopped"],
+  [{ status: "stopped: its own emergency stop", stopped: true, cause: "own_emergency_stop" }, false,
+    "stopped: by your teacher", "stopped"],
   [{ status: "driving" }, true, "Your teacher stopped all robots.", "stopped"],
   [{ status: "driving", held: "robot" }, false, TAKEN, "stopped"],
 ];

@@ -124,6 +124,17 @@ def test_what_interrupts_the_drive_of_a_page_ends_it_in_one_sentence(driving, en
     assert (said(driving), driving.mark.result) == (("cancelled", sentence), None)
 
 
+@pytest.mark.parametrize("polls", [1, 2, 5])
+def test_what_ends_the_page_ends_its_attempt_before_the_drive_too(begin, polls):
+    judged, _ = begin()
+    for _ in range(polls):
+        judged.step()
+    assert judged.mark is None
+    judged.robot.interruptions.append("the cockpit has ended")
+    judged.step()
+    assert said(judged) == ("cancelled", "The drive does not count: the cockpit has ended.") and not judged.mark.result
+
+
 @pytest.mark.parametrize("obstacle, sentence", [("", STOPPED), (EMERGENCY, f"The drive does not count. {EMERGENCY}")])
 def test_a_program_that_is_stopped_is_said_once_also_beside_an_emergency_stop(driving, obstacle, sentence):
     driving.robot.obstacle = obstacle

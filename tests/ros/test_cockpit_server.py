@@ -2,6 +2,7 @@
 
 import gzip
 import logging
+import re
 
 import pytest
 
@@ -40,16 +41,29 @@ def test_only_the_page_for_programs_lets_blockly_insert_styles_and_no_page_other
 def test_a_script_comes_compressed_and_once(cockpit):
     path, headers = "/vendor/blockly/blockly_compressed.js", cockpit.headers()
     plain = request(cockpit.port, "GET", path, headers)
-    packed = request(cockpit.port, "GET", path, {**headers, "Accept-Encoding": "gzip, br"})
+    packed = request(cockpit.port, "GET", path, {**headers, "Accept-Encoding": "gzip, deflate"})
+    smaller = request(cockpit.port, "GET", path, {**headers, "Accept-Encoding": "gzip, br;q=1"})
     assert packed.headers["content-encoding"] == "gzip" and "content-encoding" not in plain.headers
+    assert smaller.headers["content-encoding"] == "br" and len(smaller.body) < len(packed.body)
     assert gzip.decompress(packed.body) == plain.body and len(packed.body) < len(plain.body) / 3
-    again = request(cockpit.port, "GET", path, {**headers, "Accept-Encoding": "gzip, br",
+    again = request(cockpit.port, "GET", path, {**headers, "Accept-Encoding": "gzip, deflate",
                                                 "If-None-Match": packed.headers["etag"]})
     assert (again.status, again.body, packed.headers["cache-control"]) == (304, b"", "no-cache")
 
 
-@pytest.mark.parametrize("path", ["/vendor/blockly/SHA256SUMS", "/program/", "/../package.xml",
-                                  "/%2e%2e/package.xml", "/www/index.html", "//etc/passwd",
+def test_what_a_page_names_is_kept_by_the_browser_for_good(cockpit):
+    page = request(cockpit.port, "GET", "/program", cockpit.headers()).body.decode()
+    path = re.search(r'href="([^"]+/program/page.js)"', page)[1]
+    headers = {**cockpit.headers(), "Accept-Encoding": "gzip"}
+    script = request(cockpit.port, "GET", f"/{path}", headers)
+    assert script.headers["cache-control"] == "max-age=31536000, immutable" and "etag" not in script.headers
+    assert script.headers["x-content-type-options"] == "nosniff"
+    assert script.body == request(cockpit.port, "GET", "/program/page.js", headers).body
+    assert request(cockpit.port, "GET", f"/{'0' * 16}/program/page.js", headers).status == 404
+
+
+@pytest.mark.parametrize("path", ["/vendor/blockly/SHA256SUMS", "/vendor/blockly/msg/en.js.br", "/program/",
+                                  "/../package.xml", "/%2e%2e/package.xml", "/www/index.html", "//etc/passwd",
                                   "/index.html/", "/.", "/main.js%00", "/socket/", "/login/"])
 def test_nothing_but_the_pages_files_is_served(cockpit, path):
     assert request(cockpit.port, "GET", path, cockpit.headers()).status == 404

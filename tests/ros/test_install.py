@@ -9,7 +9,7 @@ import pytest
 
 from jetbot.fake.motors import wheel_speeds
 from jetbot.wait import wait_until
-from jetbot_cockpit.web.handlers import read_files
+from jetbot_cockpit.web.page_files import read_files
 from processes import end, free_port, start
 from project_copy import ROOT, copy_project, finish
 from web_client import WebSocket, request

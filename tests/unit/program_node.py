@@ -82,6 +82,10 @@ class Node:
         self.state = self.state * 16807 % 2147483647
         return self.state / 2147483647
 
+    def randint(self, low, high):
+        """Return a whole number from low to high."""
+        return low + math.floor(self.random() * (high - low + 1))
+
     def modules(self):
         """Return what stands for each module that a node imports."""
         odom = SimpleNamespace(pose=SimpleNamespace(pose=SimpleNamespace(
@@ -92,10 +96,9 @@ class Node:
             Publisher=lambda *_, **__: SimpleNamespace(publish=self.publish, get_num_connections=lambda: 1),
             wait_for_message=lambda topic, *_: messages[topic], Subscriber=lambda *_: None, get_time=lambda: self.now,
             is_shutdown=lambda: False, ROSInterruptException=End)
-        randint = lambda low, high: low + math.floor(self.random() * (high - low + 1))  # noqa: E731
         return {"rospy": rospy, "geometry_msgs.msg": SimpleNamespace(Twist=Twist, Pose2D=SimpleNamespace),
                 "nav_msgs.msg": SimpleNamespace(Odometry=None), "std_msgs.msg": SimpleNamespace(Float32MultiArray=None),
-                "random": SimpleNamespace(random=self.random, randint=randint),
+                "random": SimpleNamespace(random=self.random, randint=self.randint),
                 "math": SimpleNamespace(**{**vars(math), **{name: rounded(vars(math)[name]) for name in ROUNDED}})}
 
     def count(self, frame, event, _):

@@ -139,6 +139,8 @@ PROGRAMS = {
     "a z that drives": program(
         set_motion(0.1, 0.2), wait(0.1), block("robot_set", X=num(0.5), Z=call("f")), wait(0.3),
         functions=(define("f", wait(0.2), set_motion(0.3, 0.3), wait(0.1), RETURN=num(0.4)),)),
+    "rounds": program(*[block("controls_repeat_ext", TIMES=num(times), DO=chain(show(num(times))))
+                        for times in (2, 2.5, 1e-7, -1, 0)]),
     "no time": program(set_motion(0.1, 0), wait(0), wait(-1), drive(0.5, 0), drive(0.5, -1), wait(0.2),
                        set_motion(0.2, 0), wait(1e-9), wait(0.1)),
     "random numbers": program(*[show(dice(num(start), num(end))) for start, end in (

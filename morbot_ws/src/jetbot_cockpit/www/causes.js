@@ -2,9 +2,10 @@
 
 const WAITS = "it waits for a new command";
 const CAUSES = { // codes of the controller's state
+  own_emergency_stop: "by your teacher",
   no_master: "the computer of the robots does not answer. Tell your teacher.",
   suspended: "it is paused at its computer. Tell your teacher.",
-  no_master_released: WAITS, suspended_released: WAITS, old_command: WAITS,
+  own_emergency_stop_released: WAITS, no_master_released: WAITS, suspended_released: WAITS, old_command: WAITS,
   not_finite: "the command was not a number",
   no_command: "no more commands came",
   board: "its motor board cannot be reached. Tell your teacher.",

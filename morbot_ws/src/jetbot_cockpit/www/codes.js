@@ -44,11 +44,14 @@ export class Codes {
     this.show();
   }
 
-  // label: of the code that is shown alone, null: all of them
+  // label: of the code that is shown alone, null: all of them. The keyboard's focus stays at its card.
   enlarge(label) {
+    const pressed = label ?? this.large;
     this.large = label;
     this.askNoMore();
     this.show();
+    const cards = /** @type {HTMLElement[]} */ ([...document.querySelectorAll("#codes-list .enlarge")]);
+    cards.find(({ dataset }) => dataset.label === pressed)?.focus();
   }
 
   // Escape ends the large one, and stops no robot then: it comes before the keys that drive.
@@ -80,6 +83,7 @@ export class Codes {
   // Returns a card that a press on its QR code enlarges, or makes small again.
   pupilsCard(code) {
     const [item, enlarge] = [card(code), create("button", "enlarge")];
+    enlarge.dataset.label = code.label;
     enlarge.title = this.large ? "Show all codes" : "Show this code large";
     enlarge.setAttribute("aria-label", `${enlarge.title}: ${code.label}`);
     enlarge.append(item.querySelector("canvas") ?? "⤢"); // without a QR code

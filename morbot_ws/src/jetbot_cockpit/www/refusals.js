@@ -18,7 +18,7 @@ const untilDriven = (_, __, drives) => !drives;
 
 /** @type {Record<string, IsSo>} */
 const OTHERS = {
-  let_go: untilDriven, no_command: untilDriven, interrupted: untilDriven,
+  let_go: untilDriven, no_command: untilDriven, interrupted: untilDriven, put_back: untilDriven,
   ended: (world, robot) => !world.robot(robot),
   teacher_releases: (world) => world.mustWait,
   not_stopped: (world, robot) => !world.emergency && !world.state(robot).stopped,

@@ -32,7 +32,7 @@ export function parseProgram(file) {
     const { blocks: { blocks }, variables = [] } = JSON.parse(file);
     return {
       blocks: { languageVersion: 0, blocks: checkBlocks(blocks) },
-      variables: variables.slice(0, MAX_BLOCKS).map(({ name, id }) => ({ name: text(name), id: text(id) })),
+      variables: checkVariables(variables),
     };
   } catch (error) { // what is of another form causes a TypeError
     throw error instanceof Refusal ? error : new Refusal(NO_PROGRAM);
@@ -47,6 +47,11 @@ export function problemOf(text) {
     return error.message;
   }
   return "";
+}
+
+function checkVariables(variables) {
+  if (variables.length > MAX_BLOCKS) throw new Refusal(`This program has more than ${MAX_BLOCKS} variables.`);
+  return variables.map(({ name, id }) => ({ name: text(name), id: text(id) }));
 }
 
 // Goes from block to block in a list, not by recursion: what is nested deep ends no page.
@@ -79,7 +84,8 @@ function checkBlock(block) {
   const isXml = typeof known.extraState === "string"; // it says what fields say, except of a return
   if (isXml && type !== "procedures_ifreturn") delete known.extraState;
   const { elseIfCount, itemCount, params } = known.extraState ?? {};
-  for (const parts of [elseIfCount, itemCount, params?.length]) need(!(parts > MAX_PARTS));
+  const isLarge = [elseIfCount, itemCount, params?.length].some((parts) => parts > MAX_PARTS);
+  if (isLarge) throw new Refusal(`This program has a block with more than ${MAX_PARTS} parts.`);
   if ("id" in known) known.id = text(known.id);
   if ("inline" in known) need(typeof known.inline === "boolean");
   for (const key of ["x", "y"]) if (key in known) known[key] = Math.max(-1e5, Math.min(1e5, Number(known[key]) || 0));

@@ -3,6 +3,7 @@
 import { defineBlocks, TOOLBOX } from "./blocks.js";
 import { NO_PROGRAM, Refusal, writeProgram } from "./check.js";
 import { prepareGenerator } from "./python.js";
+import { Room } from "./room.js";
 
 const { Blockly } = globalThis;
 const DARK = matchMedia("(prefers-color-scheme: dark)");
@@ -16,7 +17,7 @@ const SIZES = { // of the fields, and of what has none
   FIELD_BORDER_RECT_HEIGHT: HEIGHT, FIELD_DROPDOWN_BORDER_RECT_HEIGHT: HEIGHT, FIELD_BORDER_RECT_X_PADDING: PADDING,
   EMPTY_INLINE_INPUT_HEIGHT: HEIGHT, DUMMY_INPUT_MIN_HEIGHT: HEIGHT, MIN_BLOCK_HEIGHT: HEIGHT,
 };
-
+const MEDIA = new URL("../vendor/blockly/media/", import.meta.url).href;
 const STYLES = { // of Blockly's own blocks, on which white text stands out
   logic_blocks: "#2a6a8a", loop_blocks: "#3c7a1f", math_blocks: "#4a55b5", text_blocks: "#6a4fb5",
   variable_blocks: "#a03060", procedure_blocks: "#8a4a9a",
@@ -45,7 +46,7 @@ export function openEditor(target, changed) {
   prepareGenerator();
   Blockly.BlockSvg.prototype.bumpNeighbours = bumpDropped;
   const workspace = Blockly.inject(target, {
-    toolbox: TOOLBOX, media: "vendor/blockly/media/", renderer: "thrasos", theme: theme(), sounds: false,
+    toolbox: TOOLBOX, media: MEDIA, renderer: "thrasos", theme: theme(), sounds: false,
     trashcan: true, comments: false, collapse: false, disable: false, maxInstances: { robot_start: 1 },
     rendererOverrides: SIZES,
     zoom: { controls: true, pinch: true, wheel: false, startScale: 0.9, minScale: 0.4, maxScale: 2 },
@@ -86,6 +87,16 @@ export function showProgram(workspace, program) {
   first.setDeletable(false);
   workspace.clearUndo();
   workspace.scroll(0, 0);
+}
+
+const room = new Room();
+
+// Undoes the last change if it makes the program too large to be kept, or to be opened again; says why.
+export function limitProgram(workspace, say) {
+  const problem = room.change(writeProgram(currentProgram(workspace)), workspace.getUndoStack().length > 0);
+  if (!problem) return;
+  workspace.undo(false);
+  say(problem);
 }
 
 export function currentProgram(workspace) {

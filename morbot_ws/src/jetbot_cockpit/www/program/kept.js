@@ -9,6 +9,7 @@ import { limits } from "../limits.js";
 import { toName } from "../storage.js";
 import { ask, newId } from "./ask.js";
 import { problemOf } from "./check.js";
+import { isTooLarge } from "./room.js";
 
 const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
@@ -55,8 +56,7 @@ export class Kept {
   change(content) {
     this.content = content;
     if (this.state.name === "sending") return this.enter("sending"); // what was sent comes first
-    const tooLarge = new TextEncoder().encode(content.program).length > limits.program;
-    const problem = tooLarge ? TOO_LARGE : problemOf(content.program);
+    const problem = isTooLarge(content.program) ? TOO_LARGE : problemOf(content.program);
     if (problem) this.enter("refused", { text: problem });
     else this.enter("waiting", { timer: setTimeout(() => this.save(), SAVE_AFTER) });
   }

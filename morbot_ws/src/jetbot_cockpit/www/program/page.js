@@ -5,7 +5,7 @@ import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
 import { parseProgram } from "./check.js";
 import { showControls } from "./controls.js";
-import { currentProgram, openEditor, showProgram, textOf } from "./editor.js";
+import { currentProgram, limitProgram, openEditor, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
@@ -139,6 +139,7 @@ function refuse(sentence) {
 function programChanged() {
   changing ??= setTimeout(() => {
     changing = null;
+    limitProgram(workspace, (text) => notice.show(text));
     const before = python.text;
     writePython();
     if (python.text !== before) end(CHANGED);

@@ -18,7 +18,9 @@ let needed = new Set(); // of HELPERS
 
 const code = (block, name, order, empty = "0") => python.valueToCode(block, name, order) || empty;
 
-const isWhole = (written) => Number.isInteger(Number(written));
+const isWhole = (written) => /^-?\d+$/.test(written);
+const body = (block) => python.statementToCode(block, "DO") || python.PASS;
+const variable = (block) => python.getVariableName(block.getFieldValue("VAR"));
 
 // Some of Blockly's blocks, as this page runs them
 const ADAPTED = {
@@ -31,8 +33,11 @@ const ADAPTED = {
     const [from, to, by] = [["FROM"], ["TO"], ["BY", "1"]].map(([name, empty]) => code(block, name, Order.NONE, empty));
     if ([from, to, by].every(isWhole)) return BLOCKLY.controls_for(block, generator);
     needed.add("counting");
-    const body = python.statementToCode(block, "DO") || python.PASS;
-    return `for ${python.getVariableName(block.getFieldValue("VAR"))} in counting(${from}, ${to}, ${by}):\n${body}`;
+    return `for ${variable(block)} in counting(${from}, ${to}, ${by}):\n${body(block)}`;
+  },
+  controls_repeat_ext(block) { // Blockly's reads 1e-7 as 1
+    const [times, name] = [code(block, "TIMES", Order.NONE), python.nameDB_.getDistinctName("count", "VARIABLE")];
+    return `for ${name} in range(${isWhole(times) ? times : `int(${times})`}):\n${body(block)}`;
   },
   math_arithmetic(block, generator) {
     if (block.getFieldValue("OP") !== "POWER") return BLOCKLY.math_arithmetic(block, generator);
@@ -40,8 +45,7 @@ const ADAPTED = {
     return [`math.pow(${code(block, "A", Order.NONE)}, ${code(block, "B", Order.NONE)})`, Order.FUNCTION_CALL];
   },
   math_change(block) {
-    const name = python.getVariableName(block.getFieldValue("VAR"));
-    return `${name} = ${name} + ${code(block, "DELTA", Order.ADDITIVE)}\n`;
+    return `${variable(block)} = ${variable(block)} + ${code(block, "DELTA", Order.ADDITIVE)}\n`;
   },
   math_number_property(block, generator) { // Blockly's is False for a divisor that is written as 0
     if (block.getFieldValue("PROPERTY") !== "DIVISIBLE_BY") return BLOCKLY.math_number_property(block, generator);

@@ -4,7 +4,8 @@
 import { ProgramError } from "./program_error.js";
 import { ROBOT } from "./robot.js";
 import {
-  COMPARISONS, CONSTANTS, constrain, modulo, OPERATIONS, plain, PROPERTIES, randomInteger, shown, truth, whole,
+  comparable, COMPARISONS, CONSTANTS, constrain, modulo, OPERATIONS, plain, PROPERTIES, randomInteger, shown, truth,
+  whole,
 } from "./values.js";
 
 const MAX_TEXT = 10000; // characters
@@ -73,10 +74,11 @@ const VALUES = {
     return truth(first) === and ? yield* run.value(block, "B", neutral) : first;
   },
   *logic_compare(run, block) {
-    const [a, b] = [plain(yield* run.value(block, "A")), plain(yield* run.value(block, "B"))];
+    const values = [yield* run.value(block, "A"), yield* run.value(block, "B")];
+    const [a, b] = values.map(comparable);
     const { OP: operator } = block.fields;
-    const comparable = typeof a === typeof b && a !== null || ["EQ", "NEQ"].includes(operator);
-    if (!comparable) throw new ProgramError(`${shown(a)} and ${shown(b)} cannot be compared.`);
+    const ordered = typeof a === typeof b && a !== null || ["EQ", "NEQ"].includes(operator);
+    if (!ordered) throw new ProgramError(`${values.map(shown).join(" and ")} cannot be compared.`);
     return COMPARISONS[operator](a, b);
   },
   *logic_ternary(run, block) {

@@ -11,7 +11,7 @@ export class Shelf {
   // work: opens and deletes them, knows which one is shown
   constructor(work) {
     this.work = work;
-    this.sheet = new Sheet("work", "programs", () => this.show());
+    this.sheet = new Sheet("work", "programs", () => this.act(async () => this.show()));
   }
 
   list(rows) {

@@ -79,6 +79,12 @@ export function plain(value) {
   return typeof value === "boolean" ? Number(value) : value;
 }
 
+// Returns what Python compares: of a text, the code points, which JavaScript would compare in halves.
+export function comparable(value) {
+  if (typeof value !== "string") return plain(value);
+  return Array.from(value, (each) => Number(each.codePointAt(0)).toString(16).padStart(6, "0")).join("");
+}
+
 // Returns whether a condition with this value holds.
 export function truth(value) {
   return Boolean(value) || Number.isNaN(value);

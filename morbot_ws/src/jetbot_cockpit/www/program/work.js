@@ -187,10 +187,11 @@ export class Work {
     this.kept.change(content);
   }
 
-  // Says what has become of a program, of another one only if it is bad; keeps the shown one on this device.
+  // Says what has become of a program, of another one only while it is bad; keeps the shown one on this device.
   report(kept) {
     const { robot, id, version, classId, content, state: { name, text, bad, unsaved } } = kept;
-    if (kept !== this.kept) return bad && this.view.say(`${content.name}: ${text}`, true, false);
+    if (kept !== this.kept && bad) return this.view.say(`${content.name}: ${text}`, true, false);
+    if (kept !== this.kept) return this.report(this.kept);
     this.view.say(this.state.name === "looking" ? LOOKING : text, bad, name === "older");
     if (!content) return;
     const [key, last] = [keyOf(kept), recall(LAST)];

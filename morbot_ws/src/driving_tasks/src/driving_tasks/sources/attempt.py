@@ -54,7 +54,10 @@ class Attempt:
     def step(self) -> None:
         """Do what is due, without waiting: put the robot at its start, then measure; call it every POLL_INTERVAL."""
         self.robot.poll()
-        next(self._steps, None)
+        if self._once and self.robot.interruptions:  # before the drive, too: who has asked for it drives no more
+            self.cancel(f"{NO_MARK}: {self.robot.interruptions[0]}.")
+        else:
+            next(self._steps, None)
 
     def finish(self) -> None:
         """Judge what was driven so far."""

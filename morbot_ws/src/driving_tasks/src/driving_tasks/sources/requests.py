@@ -89,6 +89,7 @@ class ClassJudge:
         if namespace not in self._robots:
             self._robots[namespace] = JudgedRobot(namespace)
         robot = self._robots[namespace]
+        robot.poll()  # what has interrupted the last drive interrupts no other one
         before = self._attempts.get(namespace)
         self._attempts[namespace] = Attempt(OFFERED[name], robot, lambda sentence: None, request), now
         if before:

@@ -1,12 +1,12 @@
 """What a browser asks for: the page's files, a cookie for a code, and a client's socket."""
 
 import contextlib
-import gzip
 import json
+import re
 import secrets
 import time
 from pathlib import Path
-from typing import Dict, NamedTuple, Optional, Union
+from typing import Dict, Optional, Union
 
 from tornado.httputil import HTTPServerRequest
 from tornado.ioloop import IOLoop
@@ -14,18 +14,15 @@ from tornado.iostream import StreamClosedError
 from tornado.web import HTTPError, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-from jetbot import files
-
 from ..session.hub import LOG_IN, NO_CODE, Hub
 from ..session.viewers import PageOwner, Viewer
 from .access import Access, TooManyTries
+from .page_files import FOREVER, TYPES, File
 
-WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit", "www")
-TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
-         ".cur": "image/x-icon"}
 POLICY = "default-src 'self'; frame-ancestors 'none'"
 HEADERS = {"Content-Security-Policy": POLICY, "X-Frame-Options": "DENY",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cache-Control": "no-store"}
+DOCUMENT_HEADERS = ["Content-Security-Policy", "X-Frame-Options", "Referrer-Policy", "Date"]
 PAGES = {"": "index.html", "program": "program.html"}  # by what stands in the address
 STYLED = {"program.html": POLICY + "; style-src 'self' 'unsafe-inline'"}  # Blockly inserts two styles
 CLOSED = WebSocketClosedError, StreamClosedError
@@ -36,20 +33,6 @@ def reached_address(request: HTTPServerRequest) -> str:
     """Return the address of this computer that a request came to."""
     connection = request.connection.stream.socket
     return connection.getsockname()[0] if connection else ""  # it was closed meanwhile
-
-
-class File(NamedTuple):
-    """A file of the page, as it is and compressed."""
-
-    plain: bytes
-    gzip: bytes
-
-
-def read_files(folder: Path = WWW) -> Dict[str, File]:
-    """Return the pages' files by their names below the folder; nothing else is ever served."""
-    contents = {file.relative_to(folder).as_posix(): file.read_bytes() for file in folder.rglob("*")
-                if file.suffix in TYPES}
-    return {name: File(content, gzip.compress(content, mtime=0)) for name, content in contents.items()}
 
 
 class Handler(RequestHandler):
@@ -102,14 +85,27 @@ class Page(Handler):
             self.give_cookie(self.access.visitor_cookie, secrets.token_urlsafe(16))
         if name in STYLED:
             self.set_header("Content-Security-Policy", STYLED[name])
-        if name not in PAGES.values():
-            self.set_header("Cache-Control", "no-cache")  # the browser keeps it, and asks whether it has changed
+        self._send(name, self.files[name])
+
+    def _send(self, name, file):
+        if file.cache == FOREVER:  # a part of a page: what protects pages only makes it longer
+            for header in DOCUMENT_HEADERS:
+                self.clear_header(header)
+        self.set_header("Cache-Control", file.cache)
         self.set_header("Content-Type", f"{TYPES[Path(name).suffix]}; charset=UTF-8")
         self.set_header("Vary", "Accept-Encoding")
-        packed = "gzip" in self.request.headers.get("Accept-Encoding", "")
-        if packed:
-            self.set_header("Content-Encoding", "gzip")
-        self.finish(self.files[name].gzip if packed else self.files[name].plain)
+        accepted = re.findall(r"\w+", self.request.headers.get("Accept-Encoding", ""))
+        for encoding, content in ("br", file.brotli), ("gzip", file.gzip):
+            if content and encoding in accepted:
+                self.set_header("Content-Encoding", encoding)
+                break
+        else:
+            content = file.plain
+        self.finish(content)
+
+    def compute_etag(self) -> Optional[str]:
+        """Return what a browser compares; of what it keeps for good, nothing."""
+        return None if self._headers["Cache-Control"] == FOREVER else super().compute_etag()
 
 
 class Login(Handler):

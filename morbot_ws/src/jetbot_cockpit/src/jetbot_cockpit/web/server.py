@@ -18,7 +18,8 @@ from jetbot.wait import wait_until
 from ..classroom.classroom import Classroom
 from ..session.hub import FRAME_INTERVAL, MAX_FRAME, PICTURE_INTERVAL, Hub
 from .access import Access
-from .handlers import Login, Page, Socket, read_files
+from .handlers import Login, Page, Socket
+from .page_files import read_files
 from .work import Work
 
 MAX_CONNECTIONS = 512      # a process may have 1,024 files, and the ROS side needs some

@@ -1,0 +1,82 @@
+"""The page's files as they are sent: compressed, and by addresses that change with them, so that browsers keep them."""
+
+import gzip
+import hashlib
+import posixpath
+import re
+from pathlib import Path
+from typing import Dict, List, NamedTuple, Optional
+
+from jetbot import files
+
+WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit", "www")
+TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
+         ".cur": "image/x-icon"}
+NEVER, CHECKED, FOREVER = "no-store", "no-cache", "max-age=31536000, immutable"  # how a browser keeps a file
+COMMENT = re.compile(rb"^ *(?://.*|/\*\*.*\*/)$", re.MULTILINE)  # a whole line; the lines keep their numbers
+REFERENCE = re.compile(r'(?<=src="|ref=")[^":]+(?=")')
+IMPORT = re.compile(r'^(?:import|export|\}).* from "(\..+)";$|^import "(\..+)";$', re.MULTILINE)
+MODULE = re.compile(r' *<script type="module" src="([^"]+)"></script>')
+
+
+class File(NamedTuple):
+    """A file, as it is and compressed. cache: one of NEVER, CHECKED, FOREVER."""
+
+    plain: bytes
+    gzip: bytes
+    brotli: Optional[bytes]
+    cache: str
+
+
+def read_files(folder: Path = WWW) -> Dict[str, File]:
+    """Return the pages' files by their names below the folder; nothing else is ever served.
+
+    Each file but the pages is there again as VERSION/NAME, where pages find it. VERSION is of all files together.
+    """
+    names = {file.relative_to(folder).as_posix(): file for file in folder.rglob("*") if file.suffix in TYPES}
+    contents = {name: read(file) for name, file in sorted(names.items())}
+    version = hashlib.sha256(b"".join(name.encode() + content for name, content in contents.items())).hexdigest()[:16]
+    served = {}
+    for name, content in contents.items():
+        if name.endswith(".html"):
+            served[name] = compress(link(contents, content.decode(), version).encode(), NEVER)
+        else:
+            served[name] = compress(content, CHECKED, names[name])
+            served[f"{version}/{name}"] = served[name]._replace(cache=FOREVER)
+    return served
+
+
+def read(file: Path) -> bytes:
+    """Return what is served of a file: scripts without their comments, a tenth of what a tablet waits for."""
+    content = file.read_bytes()
+    return COMMENT.sub(b"", content) if file.suffix == ".js" and "vendor" not in file.parts else content
+
+
+def compress(content: bytes, cache: str, file: Optional[Path] = None) -> File:
+    """Return a File. file: where it lies, perhaps with a compressed one."""
+    brotli = file and file.with_name(f"{file.name}.br")
+    return File(content, gzip.compress(content, mtime=0), brotli.read_bytes() if brotli and brotli.exists() else None,
+                cache)
+
+
+def link(contents: Dict[str, bytes], page: str, version: str) -> str:
+    """Return a page that names the files of this version, all its modules at once."""
+    def preload(module: "re.Match") -> str:
+        lines = [f'  <link rel="modulepreload" href="{name}">' for name in modules(contents, module[1])]
+        return "\n".join([*lines, module[0]])
+    return REFERENCE.sub(lambda found: f"{version}/{found[0]}" if found[0] in contents else found[0],
+                         MODULE.sub(preload, page))
+
+
+def modules(contents: Dict[str, bytes], name: str) -> List[str]:
+    """Return a module, and all that it imports, in the order in which they run."""
+    found: List[str] = []
+
+    def add(name):
+        if name in found:
+            return
+        found.append(name)
+        for path in IMPORT.findall(contents[name].decode()):
+            add(posixpath.normpath(posixpath.join(posixpath.dirname(name), "".join(path))))
+    add(name)
+    return found
