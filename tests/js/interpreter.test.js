@@ -23,9 +23,9 @@ const FAULTS = {
   "Functions call each other more than 998 deep. Does one call itself for ever?":
     program([call("again")], { functions: [define("again", call("again"))] }),
   "This function is not defined.": program([call("gone")]),
-  "Here a number is needed, not a.": program([block("robot_set", { X: "a" })]),
-  "a is no number to change.": program([set("x", "a"), block("math_change", { DELTA: 1 }, X)]),
-  "2 and a cannot be compared.": program([print(compare(2, "LT", "a"))]),
+  "Here a number is needed, not the text “a”.": program([block("robot_set", { X: "a" })]),
+  "Only a number can be changed, not the text “a”.": program([set("x", "a"), block("math_change", { DELTA: 1 }, X)]),
+  "2 and the text “a” cannot be compared.": program([print(compare(2, "LT", "a"))]),
   "This robot does not report where it is.": program([print(plug("robot_here", {}, { WHAT: "X" }))]),
   "This robot does not report what its line sensor sees.": program([print(plug("robot_eye", {}, { WHAT: "LEFT" }))]),
   "This robot does not report its wheels.": program([print(plug("robot_wheel", {}, { WHAT: "LEFT" }))]),

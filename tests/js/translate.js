@@ -27,7 +27,7 @@ const CHOICES = {
 
 // Returns draws from a stream of random numbers in [0, 1) that program_node.py has too: Park and Miller's
 function dice() {
-  let state = 1;
+  let state = 1234567;
   return () => {
     state = state * 16807 % 2147483647;
     return state / 2147483647;

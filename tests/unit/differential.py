@@ -15,7 +15,7 @@ from program_node import Run, run_python, translate
 BATCH = 250  # programs that one Node translates
 BLOCK = "block that failed"
 
-# A part of the page's sentence, and what Python raises there; after others, Python goes on: see docs/blocks.md.
+# A part of the page's sentence, and what Python raises there
 FAILURES = {
     "divides by 0": ZeroDivisionError,
     "has no result": (ValueError, OverflowError),
@@ -25,6 +25,8 @@ FAILURES = {
     "more than 998 deep": RecursionError,
     "loops in each other": SyntaxError,
 }
+# After these, Python may go on: see docs/blocks.md
+STRICTER = ("Here a number is needed", "Only a number can be changed", "A text has at most", "is prime takes too long")
 
 
 def difference(page: dict, python: Run) -> str:
@@ -42,9 +44,11 @@ def difference(page: dict, python: Run) -> str:
 
 def difference_of_ends(page: dict, python: Run, more: int) -> str:
     """Return what differs in how both end. more: what Python does that the page does not"""
+    if any(sentence in page["error"] for sentence in STRICTER):
+        return "" if more >= 0 else "trace"
     expected = next((error for sentence, error in FAILURES.items() if sentence in page["error"]), None)
     if page["error"] and not expected:
-        return "" if more >= 0 else "trace"
+        return "unknown sentence"
     if python.cut or not isinstance(python.error, expected or type(None)):
         return "end"
     if expected is RecursionError:

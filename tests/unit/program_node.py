@@ -58,7 +58,7 @@ class Node:
 
     def __init__(self) -> None:
         self.trace, self.now, self.ticked, self.left, self.cut = [], Time(), Time(), MOST, False
-        self.state = 1
+        self.state = 1234567
 
     def sleep(self, seconds):
         self.now += max(0.0, seconds)

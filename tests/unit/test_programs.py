@@ -167,7 +167,7 @@ FAILING = {  # and what the page says
     "rounded": (program(show(plug("math_round", {"OP": "ROUND"}, NUM=plug("math_constant", {"CONSTANT": "INFINITY"})))),
                 "inf cannot be rounded."),
     "compared": (program(let("x", plug("text", {"TEXT": "a"})), show(compare("LT", num(2), var("x"))), variables="x"),
-                 "2 and a cannot be compared."),
+                 "2 and the text “a” cannot be compared."),
     "count by 0": (program(count(num(1), num(2), num(0))), "This loop counts by 0, and never arrives."),
     "count by a fraction of 0": (program(count(num(0.5), num(2), num(0))), "This loop counts by 0, and never arrives."),
     "recursion": (program(show(call("f")), functions=(define("f", show(num(1)), RETURN=call("f")),)),

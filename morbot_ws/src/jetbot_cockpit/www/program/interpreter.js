@@ -6,7 +6,7 @@
 
 import { ProgramError } from "./program_error.js";
 import { BLOCKS, LOOPS } from "./semantics.js";
-import { shown, truth } from "./values.js";
+import { named, truth } from "./values.js";
 
 const MAX_CALLS = 998; // functions that call functions; Python's
 const MAX_LOOPS = 20; // in each other; Python's
@@ -95,7 +95,7 @@ export class Interpreter {
   *number(block, name, fallback = 0) {
     const value = yield* this.value(block, name, fallback);
     if (["number", "boolean"].includes(typeof value)) return value;
-    throw new ProgramError(`Here a number is needed, not ${shown(value)}.`);
+    throw new ProgramError(`Here a number is needed, not ${named(value)}.`);
   }
 
   *numbers(block, inputs) {

@@ -7,7 +7,7 @@ const HELP = "x is forward, z to the left. In the workshop's units, 1 is full po
 const PLACE = { X: "here.x", Y: "here.y", HEADING: "math.degrees(here.theta)" };
 const [EYES, WHEELS] = [["LEFT", "MIDDLE", "RIGHT"], ["LEFT", "RIGHT"]];
 const STANDING = [0, 0];
-const SHORTEST = 1e-6; // s: what is shorter is none by a node's clock
+const SHORTEST = 5e-7; // s: what is shorter is none by a node's clock
 
 const number = (name) => ({ type: "input_value", name, check: "Number" });
 const unit = (name) => ({ type: "field_label", name: `UNIT_${name}`, text: "" });

@@ -4,8 +4,8 @@
 import { ProgramError } from "./program_error.js";
 import { ROBOT } from "./robot.js";
 import {
-  comparable, COMPARISONS, CONSTANTS, constrain, modulo, OPERATIONS, plain, PROPERTIES, randomInteger, shown, truth,
-  whole,
+  comparable, COMPARISONS, CONSTANTS, constrain, modulo, named, OPERATIONS, plain, PROPERTIES, randomInteger, shown,
+  truth, whole,
 } from "./values.js";
 
 const MAX_TEXT = 10000; // characters
@@ -49,7 +49,7 @@ const STATEMENTS = {
   },
   *math_change(run, block) {
     const [before, delta] = [plain(run.get(block)), yield* run.number(block, "DELTA")];
-    if (typeof before !== "number") throw new ProgramError(`${shown(before)} is no number to change.`);
+    if (typeof before !== "number") throw new ProgramError(`Only a number can be changed, not ${named(before)}.`);
     run.set(block, before + delta);
   },
   *procedures_callnoreturn(run, block) {
@@ -78,7 +78,7 @@ const VALUES = {
     const [a, b] = values.map(comparable);
     const { OP: operator } = block.fields;
     const ordered = typeof a === typeof b && a !== null || ["EQ", "NEQ"].includes(operator);
-    if (!ordered) throw new ProgramError(`${values.map(shown).join(" and ")} cannot be compared.`);
+    if (!ordered) throw new ProgramError(`${values.map(named).join(" and ")} cannot be compared.`);
     return COMPARISONS[operator](a, b);
   },
   *logic_ternary(run, block) {

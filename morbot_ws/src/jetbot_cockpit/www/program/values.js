@@ -3,6 +3,7 @@
 import { ProgramError } from "./program_error.js";
 
 const MAX_PRIME = 1e10; // what is larger takes too long
+const MAX_NAME = 40; // characters of a text in a sentence
 
 const degrees = (radians) => radians / Math.PI * 180;
 const radians = (angle) => angle / 180 * Math.PI;
@@ -97,6 +98,11 @@ export function shown(value) {
   if (typeof value !== "number") return value;
   if (!Number.isFinite(value)) return String(value).replace("Infinity", "inf").replace("NaN", "nan");
   return String(Number.isInteger(value) ? value : Number(value.toPrecision(Math.abs(value) < 1e5 ? 6 : 15)));
+}
+
+// Returns a value as a sentence names it.
+export function named(value) {
+  return typeof value === "string" ? `the text “${value.slice(0, MAX_NAME)}”` : shown(value);
 }
 
 function refuse(sentence) {
