@@ -2,6 +2,7 @@
 
 import { element, setText } from "../dom.js";
 import { EMPTY } from "./examples.js";
+import { clean } from "./kept.js";
 import { Shelf } from "./shelf.js";
 import { Work } from "./work.js";
 
@@ -15,6 +16,7 @@ export function openWork({ show, current, lock }) {
     work.add(...NEW);
     shelf.sheet.toggle(false);
   });
+  element("title").addEventListener("change", ({ target }) => { target.value = clean(target.value); });
   element("newer").addEventListener("click", () => {
     const { id, state: { newer } } = work.kept;
     work.openNewer({ id, version: newer });
