@@ -60,7 +60,8 @@ def press(page, name, button=".name"):
 
 
 def test_of_two_pages_on_one_program_the_older_one_is_told_and_nothing_is_lost(page, pupil):
-    rename(page, "<b>Mine</b>")
+    rename(page, " <b>Mine</b> ")
+    assert page.value("title") == "<b>Mine</b>", "the name is shown as it is kept"
     press(pupil, "<b>Mine</b>")
     pupil.wait_for(lambda: pupil.value("title") == "<b>Mine</b>", "the program to be open")
     rename(pupil, "Theirs")

@@ -392,6 +392,42 @@ test("ten minutes without a network, and a reload, lose nothing", async (t) => {
   assert.deepEqual([again.name, names], ["Offline", ["Offline"]]);
 });
 
+test("without a network, programs that are left for others are all sent after a reload", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()], "a");
+  const page = await openInClassA(clock, state);
+  state.online = false;
+  page.edit("Larger square");
+  for (const name of ["Two", "Three"]) {
+    page.work.add("my program", EMPTY);
+    page.edit(name);
+  }
+  await clock.pass(10000);
+  const [again, names] = await reopen(t, page, [square()], "a");
+  assert.deepEqual([again.name, names.sort()], ["Three", ["Larger square", "Three", "Two"]]);
+  const [, later] = await reopen(t, again, [square({ name: "Theirs", version: 9 })], "a");
+  assert.deepEqual(later, ["Theirs"], "what the cockpit has is not sent again");
+});
+
+test("before there is a robot, programs that are left for others are all kept after a reload", async (t) => {
+  new Clock(t);
+  cockpit(t);
+  const page = openPage();
+  page.edit("One");
+  page.work.add("my program", EMPTY);
+  page.edit("Two");
+  const [again, names] = await reopen(t, page, [], null);
+  assert.deepEqual([again.name, names.sort()], ["Two", ["One", "Two"]]);
+});
+
+test("a program from a file has a name that the cockpit takes", (t) => {
+  new Clock(t);
+  cockpit(t);
+  const page = openPage();
+  page.work.add(`${"x".repeat(39)}🙂`, EMPTY);
+  assert.equal(page.name, "x".repeat(39));
+});
+
 test("what was made in a cockpit without a class goes into the class with which it is started again", async (t) => {
   const clock = new Clock(t);
   const state = cockpit(t, [square()]);
@@ -427,6 +463,7 @@ test("a program that was deleted while the page was away is not shown again", as
 test("whatever lies on the device, the page opens", (t) => {
   new Clock(t);
   cockpit(t);
+  assert.equal(openPage(new Map([["unsaved programs", '[null, 7, {"program": 7}]']])).name, "my program");
   for (const left of ["", "x", "null", "[]", '{"program": 7}', '{"program": "{}", "id": "../x"}']) {
     assert.equal(openPage(new Map([["last program", "program /red"], ["program /red", left]])).name, "my program");
   }

@@ -1,11 +1,10 @@
 // The program that is shown: which one it is, whether the cockpit keeps it, and until then this device.
 // It knows no page.
 
-import { recall, remember } from "../storage.js";
 import { ask } from "./ask.js";
+import * as device from "./device.js";
 import { clean, freeName, Kept } from "./kept.js";
 
-const LAST = "last program"; // the key of the one that was shown last
 const LOOKING = "You can look at this program, but not change it.";
 
 export class Work {
@@ -37,16 +36,23 @@ export class Work {
   restore(name, program) {
     this.empty = [name, program];
     this.display(...this.empty, "arriving");
-    const left = load(recall(LAST));
-    if (!left) return;
-    this.robot = left.robot ?? null;
-    this.goOn(left);
+    const left = device.keptLast();
+    this.robot = left?.robot ?? null;
+    if (left) this.goOn(left);
+    for (const each of device.keptAside()) this.sendAgain(each);
+  }
+
+  // What was not shown last, and is not kept yet.
+  sendAgain({ robot, name, program, ...which }) {
+    const kept = new Kept(robot, which, (each) => this.report(each));
+    if (robot === null) this.begun.push(kept);
+    kept.change({ name, program });
   }
 
   // Shows a new program, by a name of its own; returns whether it can.
   add(name, program) {
     const shown = this.kept?.content ? [this.view.current()] : []; // perhaps not in the list yet
-    return this.display(freeName(name, [...this.rows, ...shown]), program, "editing");
+    return this.display(freeName(clean(name), [...this.rows, ...shown]), program, "editing");
   }
 
   // Shows a version of one of the robot's programs, or what has replaced it. Throws a NotKept.
@@ -145,13 +151,12 @@ export class Work {
   leave() {
     const { kept } = this;
     this.display(...this.empty, "arriving");
-    if (!kept.state.unsaved) remember(keyOf(kept), "");
-    remember(LAST, "");
+    device.leave(kept);
   }
 
   // Shows what this device has of this robot, and the cockpit has not.
   goOnUnsaved() {
-    const left = load(keyOf(this));
+    const left = device.keptFor(this);
     if (left?.unsaved) this.goOn(left);
   }
 
@@ -173,8 +178,10 @@ export class Work {
 
   // What is shown is another program from now on; a new one is not kept until it is changed.
   begin(state, which = {}) {
-    this.kept?.save();
+    const before = this.kept;
+    before?.save();
     this.kept = new Kept(this.robot, { classId: this.classId, ...which }, (kept) => this.report(kept));
+    if (before) device.keepAside(before);
     if (this.robot === null) this.begun.push(this.kept);
     this.state = { name: state, baseline: JSON.stringify(this.view.current()) };
     this.view.lock(state === "looking");
@@ -189,28 +196,12 @@ export class Work {
 
   // Says what has become of a program, of another one only while it is bad; keeps the shown one on this device.
   report(kept) {
-    const { robot, id, version, classId, content, state: { name, text, bad, unsaved } } = kept;
-    if (kept !== this.kept && bad) return this.view.say(`${content.name}: ${text}`, true, false);
-    if (kept !== this.kept) return this.report(this.kept);
+    const { content, state: { name, text, bad } } = kept;
+    if (kept !== this.kept) {
+      device.keepAside(kept);
+      return bad ? this.view.say(`${content.name}: ${text}`, true, false) : this.report(this.kept);
+    }
     this.view.say(this.state.name === "looking" ? LOOKING : text, bad, name === "older");
-    if (!content) return;
-    const [key, last] = [keyOf(kept), recall(LAST)];
-    if (last !== key && load(last)?.id === id) remember(last, ""); // it has found its robot, or its class
-    remember(key, JSON.stringify({ robot, id, version, classId, ...content, unsaved }));
-    remember(LAST, key);
+    if (content) device.keepShown(kept);
   }
-}
-
-// Returns what this device keeps under this key, or null.
-function load(key) {
-  try {
-    const left = JSON.parse(recall(key));
-    return typeof left.program === "string" && /^[0-9a-f]{16}$/.test(left.id) ? left : null;
-  } catch { // nothing, or something else, is there
-    return null;
-  }
-}
-
-function keyOf({ classId, robot }) {
-  return `program ${classId ?? ""}${robot}`;
 }
