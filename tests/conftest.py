@@ -15,7 +15,7 @@ LONGEST = (PAGES, *(f"::test_rostest[{name}" for name in (
     "judge]", "class_judge]", "check_lesson]", "")))
 BROWSER = "tests/browser/"  # each half shares a world and its browsers
 OF_PROGRAMS = tuple(f"{BROWSER}test_{name}" for name in ("program", "tablet", "tasks", "work"))  # one half
-PROCESSES = 6  # of ./morbot test
+PROCESSES = 8  # of ./morbot test
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
 
 
