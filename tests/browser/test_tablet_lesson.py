@@ -49,6 +49,8 @@ def test_the_lesson_for_the_tablet_from_pad_to_blocks_to_python_to_the_judge(pag
     page.wait_for(lambda: page.has(".blocklyToolboxCategory"), "the page for programs")
     page.wait_for_link()
     page.choose(ROBOT)
+    page.click("#programs")
+    page.click("#new")  # the robot may have programs of other tests
     drag(page, "robot_drive", "robot_start")
     drag(page, "robot_stop", "robot_drive")
     type_into(page, ".blocklySvg .robot_drive .math_number ~ .math_number .blocklyEditableField", "3.33")
