@@ -21,3 +21,9 @@ for (const { kind: _, ...block } of BLOCKS) {
     assert.ok(write(alone({ type: "robot_start", next: { block: statement } })).text.length > empty.length);
   });
 }
+
+test("a text that is pasted is as it is kept, and as its Python has it", () => {
+  const block = Blockly.serialization.blocks.append({ type: "text" }, new Blockly.Workspace());
+  block.setFieldValue("one\ttwo\u202e", "TEXT");
+  assert.equal(block.getFieldValue("TEXT"), "onetwo");
+});

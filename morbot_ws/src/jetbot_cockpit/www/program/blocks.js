@@ -1,5 +1,6 @@
 // The blocks as Blockly has them, and the toolbox. Blockly is a script of the page, not a module.
 
+import { toText } from "../storage.js";
 import { DRIVE, ROBOT, SENSE } from "./robot.js";
 
 const { Blockly } = globalThis;
@@ -27,13 +28,22 @@ class NumberField extends Blockly.FieldNumber {
   }
 }
 
+// Takes a text as it is kept: a tab that is pasted would be in the page's program, but not in its Python.
+class TextField extends Blockly.FieldTextInput {
+  doClassValidation_(value) {
+    return super.doClassValidation_(typeof value === "string" ? toText(value) : value);
+  }
+}
+
 // Defines the blocks, once.
 export function defineBlocks() {
   Blockly.Extensions.register("units", /** @this {any} */ function label() {
     showUnits(this);
   });
-  Blockly.fieldRegistry.unregister("field_number");
-  Blockly.fieldRegistry.register("field_number", NumberField);
+  for (const [name, kind] of Object.entries({ field_number: NumberField, field_input: TextField })) {
+    Blockly.fieldRegistry.unregister(name);
+    Blockly.fieldRegistry.register(name, kind);
+  }
   delete Blockly.Blocks.text;
   Blockly.common.defineBlocksWithJsonArray([...ROBOT, TEXT]);
   Object.assign(Blockly.Blocks.procedures_ifreturn, { loadExtraState: loadReturn });
