@@ -51,7 +51,7 @@ def difference_of_ends(page: dict, python: Run, more: int) -> str:
         return "unknown sentence"
     if python.cut or not isinstance(python.error, expected or type(None)):
         return "end"
-    if expected is RecursionError:
+    if expected in (RecursionError, SyntaxError):  # where, depends on the version of Python
         return ""
     if more:
         return "length"

@@ -129,6 +129,8 @@ def run_python(source: str) -> Run:
     finally:
         sys.settrace(None)
         sys.setrecursionlimit(deepest)
+        for name in before:
+            del sys.modules[name]
         sys.modules.update({name: module for name, module in before.items() if module})
     return Run(ros.trace, error, lines_of(error), ros.cut)
 
@@ -136,8 +138,7 @@ def run_python(source: str) -> Run:
 def lines_of(error: Optional[Exception]) -> List[int]:
     """Return the lines of the program that led to this error, from 1, the innermost one last."""
     frames = traceback.walk_tb(error.__traceback__ if error else None)
-    inside = [line for frame, line in frames if frame.f_code.co_filename == "program.py"]
-    return [error.lineno] if isinstance(error, SyntaxError) else inside
+    return [line for frame, line in frames if frame.f_code.co_filename == "program.py"]
 
 
 def printed(value) -> str:

@@ -16,7 +16,7 @@ def classroom():
 
 
 def codes_of(classroom, robots=2):
-    return Codes(classroom, robots, NAME, 8080)
+    return Codes(classroom, robots, lambda: [NAME], 8080)
 
 
 def test_the_old_code_and_its_cookie_end_and_the_new_one_drives_the_same_robot(classroom):

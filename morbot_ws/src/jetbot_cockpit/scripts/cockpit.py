@@ -48,9 +48,10 @@ class Cockpit:
 
         # Who gets in, and what is handed out: other computers need a code
         self.classroom = open_classroom(given["classes"], given["class"])
-        self.codes = Codes(self.classroom, given["robots"] if given["lan"] else None, given["name"], self.port)
-        names = [given["name"], *addresses.host_names()] if given["lan"] else []
-        self.access = Access(self.port, filter(None, names), self.codes.grants)
+        name = [given["name"]] if given["name"] else []
+        self.codes = Codes(self.classroom, given["robots"] if given["lan"] else None,
+                           lambda: name or addresses.lan_addresses(), self.port)
+        self.access = Access(self.port, [*name, *addresses.host_names()] if given["lan"] else [], self.codes.grants)
         self.announcement = Announcement(self.codes, self.port, given["robots"])
 
         # What clients ask for goes into the control, and what the robots report comes out

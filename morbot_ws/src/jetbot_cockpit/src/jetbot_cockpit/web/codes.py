@@ -1,23 +1,22 @@
 """The codes that are handed out: a class keeps them, and each pupil's can be replaced alone."""
 
-from typing import Dict, List, Optional
+from typing import Callable, Dict, List, Optional, Sequence
 
 from ..classroom.classroom import Classroom
 from ..session.rights import PUPIL
 from .access import Grant, make_grant, make_grants
-from .addresses import lan_addresses
 from .handout import Card
 
 
 class Codes:
     """robots: how many have a code each, 0: one for all pupils, None: there are no codes.
 
-    name: by which others reach this computer, "" for its own address; port: the page's. grants: what the codes give; a
-    new one takes the place of the old one. cards: to hand out, empty as long as others have no address to come to.
+    hosts: returns by what others reach this computer now, the best first; port: the page's. grants: what the codes
+    give; a new one takes the place of the old one. cards: to hand out, empty as long as others have nowhere to come to.
     """
 
-    def __init__(self, classroom: Classroom, robots: Optional[int], name: str, port: int):
-        self._classroom, self._host, self._port = classroom, name, port
+    def __init__(self, classroom: Classroom, robots: Optional[int], hosts: Callable[[], Sequence[str]], port: int):
+        self._classroom, self._hosts, self._port = classroom, hosts, port
         self._kept: Dict[str, object] = classroom.read("codes", dict)
         self.grants: List[Grant] = [] if robots is None else make_grants(robots, self._kept)
         self.cards: List[Card] = []
@@ -25,9 +24,9 @@ class Codes:
         self.make_cards()
 
     def make_cards(self) -> None:
-        """Make the cards unless they are made, as soon as this computer has an address for others."""
+        """Make the cards unless they are made, as soon as others can reach this computer."""
         if not self.cards and self.grants:
-            self._host = self._host or next(iter(lan_addresses()), "")
+            self._host = next(iter(self._hosts()), "")
             self.cards = [self._card(grant) for grant in self.grants if self._host]
 
     @property
