@@ -58,7 +58,7 @@ class JudgeMe(SharedRobotTest):
 
     def wait_for_end(self, sentence):
         """Wait until the judge has said why there is no score; fail if it has marked the drive."""
-        self.wait_for(lambda: self.reports[-1] == ("cancelled", sentence), START_TIMEOUT, sentence)
+        self.wait_for(lambda: self.reports[-1:] == [("cancelled", sentence)], START_TIMEOUT, sentence)
         self.wait_for_stop(1.0)
         self.assertEqual(self.rows(), "")
 
@@ -80,7 +80,7 @@ class JudgeMe(SharedRobotTest):
         self.wait_for_report("", "ready")
         for task in "metre", "square":
             self.assertEqual(self.press(task)["refusal"]["code"], "judged_elsewhere")
-        self.assertEqual(self.reports[-1][0], "ready")
+        self.wait_for_report("", "ready")
         self.assertIsNone(judge.poll())
 
     def test_a_cockpit_that_is_killed_while_it_drives_leaves_no_score(self):
