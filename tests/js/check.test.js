@@ -90,9 +90,17 @@ test("two thousand blocks below each other are opened, more are refused", () => 
 
 test("two thousand variables are opened, more are refused", () => {
   const named = (count) => JSON.stringify({ blocks: { blocks: [START] }, variables: Array.from({ length: count },
-    (_, id) => ({ name: "x", id: `${id}` })) });
+    (_, id) => ({ name: `x${id}`, id: `${id}` })) });
   assert.equal(parseProgram(named(2000)).variables.length, 2000);
   assert.equal(problemOf(named(2001)), "This program has more than 2000 variables.");
+});
+
+test("variables and functions of one name, also with other capitals, are refused", () => {
+  const variables = ["x", "X"].map((name) => ({ name, id: name.repeat(2) }));
+  assert.equal(problemOf(JSON.stringify({ blocks: { blocks: [START] }, variables })),
+    "Two variables of this program have the same name.");
+  const blocks = ["side", "Side "].map((NAME) => ({ type: "procedures_defnoreturn", fields: { NAME } }));
+  assert.equal(problemOf(JSON.stringify({ blocks: { blocks } })), "Two functions of this program have the same name.");
 });
 
 test("a block with very many branches, parts or parameters is refused", () => {

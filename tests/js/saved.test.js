@@ -111,3 +111,14 @@ test("what the page itself says of a block is not saved", () => {
 test(`${COUNT} random programs`, () => {
   for (let seed = 1; seed <= COUNT; seed += 1) unchanged(writeProgram(randomProgram(seed)));
 });
+
+test("a call of a function that is called as Blockly calls each at first", () => {
+  const [side, unnamed] = ["side", "unnamed"].map((NAME) => ({ ...FUNCTIONS[0], fields: { NAME } }));
+  const call = { type: "procedures_callnoreturn", extraState: { name: "unnamed" } };
+  const calling = { ...side, inputs: { STACK: { block: call } } };
+  for (const blocks of [[call, side, unnamed], [unnamed, calling], [calling, unnamed]]) {
+    const opened = reopen(JSON.stringify(program(blocks)));
+    assert.equal(opened.match(/"extraState":{"name":"unnamed"}/g)?.length, 1, opened);
+    unchanged(opened);
+  }
+});

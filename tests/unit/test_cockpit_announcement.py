@@ -65,3 +65,15 @@ def test_without_a_network_one_sentence_is_printed_and_the_codes_once_there_is_o
     hosts.append(ADDRESS)
     ways.codes.make_cards()
     assert f"http://{ADDRESS}:8080/#" in take(ways, now=61.0) and take(ways, now=62.0) == ""
+
+
+def test_another_address_of_this_computer_is_printed_and_without_one_the_codes_stay():
+    hosts = [ADDRESS]
+    ways = Ways(hosts=hosts)
+    take(ways)
+    for hosts[:] in [], [ADDRESS]:
+        ways.codes.make_cards()
+        assert take(ways, now=60.0) == "" and ways.cards
+    hosts[:] = ["10.0.0.7"]
+    ways.codes.make_cards()
+    assert "http://10.0.0.7:8080/#" in take(ways, now=61.0)

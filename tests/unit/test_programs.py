@@ -175,7 +175,7 @@ FAILING = {  # and what the page says
     "22 loops": (program(nested(22)), "Python allows 20 loops in each other, not more."),
 }
 
-NAMES = ["async", "await", "print", "motion", "counting", "سلام"]  # of variables
+NAMES = ["__builtins__", "async", "await", "print", "motion", "counting", "سلام"]  # of variables
 
 
 @pytest.fixture(scope="module")

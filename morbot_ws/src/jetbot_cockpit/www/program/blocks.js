@@ -46,8 +46,24 @@ export function defineBlocks() {
   }
   delete Blockly.Blocks.text;
   Blockly.common.defineBlocksWithJsonArray([...ROBOT, TEXT]);
+  for (const type of ["procedures_defnoreturn", "procedures_defreturn"]) {
+    const { init } = Blockly.Blocks[type];
+    Blockly.Blocks[type].init = /** @this {any} */ function named() {
+      init.call(this);
+      nameAtFirst(this.getField("NAME"));
+    };
+  }
   Object.assign(Blockly.Blocks.procedures_ifreturn, { loadExtraState: loadReturn });
   Blockly.libraryBlocks?.loops?.loopTypes.add("robot_loop");
+}
+
+// Lets the name that a new function is given rename no calls: before it is "unnamed", as another one may be.
+function nameAtFirst(field) {
+  const { findLegalName, rename } = Blockly.Procedures;
+  field.setValidator((name) => {
+    field.setValidator(rename);
+    return findLegalName(name.trim(), field.getSourceBlock());
+  });
 }
 
 // Loads whether a return has a value from Blockly's XML, which is not parsed.

@@ -30,6 +30,9 @@ export function parseProgram(file) {
   if (file.length > MAX_SIZE) throw new Refusal(`This file is too large: a program has ${MAX_SIZE / 1024} kB at most.`);
   try {
     const { blocks: { blocks }, variables = [] } = JSON.parse(file);
+    const functions = blocks.filter(({ type }) => type.startsWith("procedures_def"));
+    checkNames("variables", variables.map(({ name }) => name));
+    checkNames("functions", functions.map(({ fields }) => fields.NAME));
     return {
       blocks: { languageVersion: 0, blocks: checkBlocks(blocks) },
       variables: checkVariables(variables),
@@ -47,6 +50,13 @@ export function problemOf(text) {
     return error.message;
   }
   return "";
+}
+
+// Blockly gives no two the same name, and takes capitals for small letters.
+function checkNames(kind, names) {
+  const all = names.map((name) => text(name).trim().toLowerCase());
+  need(!all.includes(""));
+  if (new Set(all).size < all.length) throw new Refusal(`Two ${kind} of this program have the same name.`);
 }
 
 function checkVariables(variables) {

@@ -12,7 +12,8 @@ const MARK = "#@%1\n"; // a line of its own before a block's first line, with th
 const MARKED = /^\s*#@'(.*)'$/s;
 const ENDS = /[^\n\x20-\x7e\u00a0-\u{10ffff}]/gu; // other ends of lines, and control characters
 
-const OWN = ["async", "await", "rospy", "Twist", "motion", "publisher", "rate", "main"]; // not a person's names
+// What is no name for a person's variables and functions
+const OWN = ["__builtins__", "async", "await", "rospy", "Twist", "motion", "publisher", "rate", "main"];
 
 let needed = new Set(); // of HELPERS
 

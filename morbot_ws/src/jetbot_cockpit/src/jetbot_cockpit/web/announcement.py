@@ -17,16 +17,17 @@ class Announcement:
     def __init__(self, codes: Codes, port: int, robots: int):
         self._codes, self._port, self._expected = codes, port, robots
         self._seen, self._due = 0, 0.0
-        self._shown: Optional[int] = None  # how many cards
+        self._shown: Optional[str] = None  # the address on the cards
 
     def take(self, robots: int, now: float, colors: bool) -> str:
         """Return what to print now, or "". robots: how many there are; now: in s, from any start; colors: see Card."""
         if not self._due or robots > self._seen:
             self._seen, self._due = robots, now + LAST_ROBOT_AFTER
         waits = robots < self._expected and now < self._due
-        if waits or self._shown == len(self._codes.cards):
+        address = self._codes.cards[0].url if self._codes.cards else ""
+        if waits or self._shown == address:
             return ""
-        self._shown = len(self._codes.cards)
+        self._shown = address
         here = f"The cockpit, for a browser on this computer: http://localhost:{self._port}/\n"
         return "\n".join([*self._for_others(colors), here])
 

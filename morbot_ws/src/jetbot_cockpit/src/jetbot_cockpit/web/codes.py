@@ -19,15 +19,17 @@ class Codes:
         self._classroom, self._hosts, self._port = classroom, hosts, port
         self._kept: Dict[str, object] = classroom.read("codes", dict)
         self.grants: List[Grant] = [] if robots is None else make_grants(robots, self._kept)
+        self._host = ""
         self.cards: List[Card] = []
         self._keep()
         self.make_cards()
 
     def make_cards(self) -> None:
-        """Make the cards unless they are made, as soon as others can reach this computer."""
-        if not self.cards and self.grants:
-            self._host = next(iter(self._hosts()), "")
-            self.cards = [self._card(grant) for grant in self.grants if self._host]
+        """Make the cards, as soon as others can reach this computer, and again when they reach it as another host."""
+        host = next(iter(self._hosts()), "") if self.grants else ""
+        if host and host != self._host:
+            self._host = host
+            self.cards = [self._card(grant) for grant in self.grants]
 
     @property
     def rows(self) -> List[Dict[str, object]]:
