@@ -6,7 +6,7 @@
 //   unchanged, kept -- another page has saved it --> older
 
 import { limits } from "../limits.js";
-import { toName } from "../storage.js";
+import { beginning, toName } from "../storage.js";
 import { ask, newId } from "./ask.js";
 import { problemOf } from "./check.js";
 import { isTooLarge } from "./room.js";
@@ -100,7 +100,7 @@ export class Kept {
 
 // Returns a name that the cockpit takes.
 export function clean(name) {
-  return toName(String(name).slice(0, limits.program_name)) || "Program";
+  return toName(beginning(String(name), limits.program_name)) || "Program";
 }
 
 // Returns a name for a new program, which none of these rows has: "Square", "Square 2", "Square 3".
@@ -113,6 +113,5 @@ export function freeName(name, rows) {
 }
 
 function numbered(name, number) {
-  const longest = limits.program_name - ` ${number}`.length;
-  return `${name.length > longest ? name.slice(0, longest) : name} ${number}`;
+  return `${beginning(name, limits.program_name - ` ${number}`.length)} ${number}`;
 }
