@@ -27,16 +27,23 @@ function cockpit(t, programs = [], classId = null) {
       return found ? { class: state.classId, ...found } : refuse(409, "This program is gone.");
     },
     save: ({ version, do: _, ...fields }) => {
-      if (![null, state.classId].includes(fields.class)) return refuse(409, "Another class.", "other_class");
+      if (![null, undefined, state.classId].includes(fields.class)) return refuse(409, "Another class.", "other_class");
       const saved = { ...fields, class: state.classId, version: version + 1, deleted: false };
       state.programs = [saved, ...state.programs.filter(({ id }) => id !== fields.id)];
       return saved;
     },
-    delete: ({ id }) => state.programs.find((each) => each.id === id),
+    delete: ({ id }) => change(id, { deleted: true }),
+    restore: ({ id }) => change(id, { deleted: false }),
+  };
+  const change = (id, fields) => {
+    const changed = { ...state.programs.find((each) => each.id === id), ...fields };
+    state.programs = [changed, ...state.programs.filter((each) => each.id !== id)];
+    return changed;
   };
   state.asked = playCockpit(t, (fields) => (!state.online ? LOST : state.refuses ?? answers[fields.do](fields)));
   state.saves = () => state.asked.filter((each) => each.do === "save");
   state.saved = () => state.saves().map(({ id, name }) => [id, name]);
+  state.names = () => state.programs.filter(({ deleted }) => !deleted).map(({ name }) => name).sort();
   return state;
 }
 
@@ -54,7 +61,10 @@ function openPage(storage = new Map(), robot = "/red") {
     },
     current: () => ({ name: page.name, program: page.program }),
     lock: (on) => { page.locked = on; },
-    list: (rows) => { page.rows = rows; },
+    list(rows) {
+      const marked = rows.filter(({ id, version }) => page.work.isShown(id, version)).map(({ name }) => name);
+      Object.assign(page, { rows, marked });
+    },
     say: (said, bad, newer) => Object.assign(page, { said, newer }),
   });
   page.edit = (name) => {
@@ -300,10 +310,70 @@ test("a change comes before the person's Delete, and does not bring the program 
   page.edit("Last change");
   await page.work.remove(square());
   await clock.pass(60000);
-  assert.deepEqual(asked.map((each) => each.do).slice(-2), ["save", "delete"]);
+  assert.deepEqual(asked.map((each) => each.do).filter((each) => each !== "list").slice(-2), ["save", "delete"]);
   page.edit("A new one");
   await clock.pass(1000);
   assert.notEqual(asked.at(-1).id, ID.square);
+});
+
+test("for a program that is deleted the newest other one is shown, and it stays after Undo", async (t) => {
+  const clock = new Clock(t);
+  const { saved, names } = cockpit(t, [square(), square({ id: ID.star, name: "Star", program: text("t") })]);
+  const page = openPage();
+  await page.hear();
+  await page.work.remove(square());
+  await settled();
+  assert.deepEqual([page.name, page.program, page.marked], ["Star", text("t"), ["Star"]]);
+  await page.work.undo(square({ deleted: true }));
+  page.edit("Larger star");
+  await clock.pass(1000);
+  assert.deepEqual([saved(), names()], [[[ID.star, "Larger star"]], ["Larger star", "Square"]]);
+});
+
+test("Undo shows the only program again, and a change of it makes no second one", async (t) => {
+  const clock = new Clock(t);
+  const { names } = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  await page.work.remove(square());
+  assert.deepEqual([page.name, page.program], ["my program", EMPTY]);
+  await page.work.undo(square({ deleted: true }));
+  assert.deepEqual([page.name, page.marked], ["Square", ["Square"]]);
+  page.program = text("larger");
+  page.work.changed();
+  await clock.pass(1000);
+  assert.deepEqual(names(), ["Square"]);
+});
+
+test("what has a deleted program's name keeps it, and Undo brings that one back under a free one", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square({ name: "my program" })]);
+  const page = openPage();
+  await page.hear();
+  await page.work.remove(square());
+  page.program = text("new");
+  page.work.changed();
+  await page.work.undo(square({ name: "my program", deleted: true }));
+  await clock.pass(1000);
+  assert.deepEqual([page.name, page.program], ["my program", text("new")]);
+  assert.deepEqual(state.names(), ["my program", "my program 2"]);
+  assert.equal(state.programs.find(({ id }) => id === ID.square).program, text("s"));
+});
+
+test("a change that the cockpit has refused goes with the program when a person deletes that", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  state.refuses = refuse(409, "There is no room.");
+  page.edit("Larger square");
+  await clock.pass(1000);
+  state.refuses = null;
+  await page.work.remove(square());
+  const reloaded = openPage(page.storage);
+  await reloaded.hear();
+  await clock.pass(60000);
+  assert.deepEqual([page.name, reloaded.name, state.names()], ["my program", "my program", []]);
 });
 
 test("a list that does not come is asked for again, and one of another robot is not shown", async (t) => {

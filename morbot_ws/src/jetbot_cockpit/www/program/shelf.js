@@ -30,9 +30,9 @@ export class Shelf {
   // Returns the newest version of a program, and below it the earlier ones.
   items(row) {
     const { id, name, deleted, earlier } = row;
-    const remove = (text) => button(text, `${text}: ${name}`, () => this.act(() => this.work.remove(row)));
-    const copy = () => button("Copy", `Copy: ${name}`, () => this.act(() => this.copy(row)));
-    const newest = this.item(id, name, row, deleted ? [remove("Undo")] : [copy(), remove("Delete")]);
+    const does = (text, action) => button(text, `${text}: ${name}`, () => this.act(action));
+    const newest = this.item(id, name, row, deleted ? [does("Undo", () => this.work.undo(row))]
+      : [does("Copy", () => this.copy(row)), does("Delete", () => this.work.remove(row))]);
     if (!deleted) return [newest, ...earlier.map((each) => this.earlierItem(id, each))];
     newest.className = "deleted";
     newest.firstChild.disabled = true;
