@@ -16,6 +16,7 @@ const EMPTY = JSON.stringify({ blocks: { blocks: [] } });
 const text = (variable) => JSON.stringify({ blocks: { blocks: [] }, variables: [{ name: variable, id: "x" }] });
 const ID = { square: "5".repeat(16), star: "6".repeat(16) };
 const BAD = "not to be shown";
+const NEW = "Not kept until you change it.";
 
 // A cockpit with these programs: { id, robot, name, program, version }; the newest change first; and with this class.
 function cockpit(t, programs = [], classId = null) {
@@ -113,6 +114,30 @@ test("an example that was opened before the first list comes stays", async (t) =
   page.work.add("Zigzag", EMPTY);
   await page.hear();
   assert.equal(page.name, "Zigzag");
+});
+
+test("a file that is opened is kept, unless it cannot be shown", async (t) => {
+  const clock = new Clock(t);
+  const { saves } = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  page.work.addFile("Square", text("f"));
+  page.work.addFile("Bad", BAD);
+  await clock.pass(1000);
+  assert.deepEqual(saves().map(({ name, program }) => [name, program]), [["Square 2", text("f")]]);
+  assert.equal(page.said, "Kept");
+});
+
+test("of a new program a person reads that it is not kept, and of an opened one nothing", async (t) => {
+  const clock = new Clock(t);
+  const { saved } = cockpit(t, [square()]);
+  const page = openPage();
+  assert.equal(page.said, NEW);
+  await page.hear();
+  assert.equal(page.said, "");
+  page.work.add("Zigzag", EMPTY);
+  await clock.pass(60000);
+  assert.deepEqual([page.said, saved()], [NEW, []]);
 });
 
 test("all that was made before there is a robot is kept for the first one", async (t) => {
@@ -257,7 +282,7 @@ test("what is said of a program that is not shown goes once that is kept", async
   assert.equal(page.said, "Mine: The cockpit does not answer. The page tries again.");
   state.online = true;
   await clock.pass(3000);
-  assert.deepEqual([state.saves().at(-1).name, page.said], ["Mine", ""]);
+  assert.deepEqual([state.saves().at(-1).name, page.said], ["Mine", NEW]);
 });
 
 test("a program of which the answer comes after another robot was chosen is not shown there", async (t) => {
@@ -445,7 +470,7 @@ test("a change that was not sent waits on the device while another class has its
   page.edit("Before the bell");
   await clock.pass(2000);
   const [other, theirs] = await reopen(t, page, [], "b");
-  assert.deepEqual([other.name, other.said, theirs], ["my program", "", []]);
+  assert.deepEqual([other.name, other.said, theirs], ["my program", NEW, []]);
   assert.equal(openPage(other.storage).name, "my program", "also without the cockpit");
   const [own, ours] = await reopen(t, other, [square()], "a");
   assert.deepEqual([own.name, ours], ["Before the bell", ["Before the bell", "Square"]]);

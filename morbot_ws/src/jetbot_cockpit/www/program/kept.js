@@ -15,11 +15,12 @@ const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
 const TOO_LARGE = "Too large to be kept here. Save it as a file.";
 const AGAIN = "The page tries again.";
+const NEW = "Not kept until you change it.";
 const NEWER = "There is a newer version of this program.";
 
 // What a person reads in each state; bad: as a warning; unsaved: the cockpit has another content
 const STATES = {
-  unchanged: { text: "" }, // since it was opened, or begun
+  unchanged: { text: "" }, // since it was opened, or begun; a new one has another text
   waiting: { text: "Not kept yet", unsaved: true }, // timer
   sending: { text: "Not kept yet", unsaved: true }, // perhaps the cockpit has kept it, and its answer was lost
   kept: { text: "Kept" },
@@ -32,9 +33,6 @@ const STATES = {
  */
 
 export class Kept {
-  /** @type {State} */
-  state = { name: "unchanged", ...STATES.unchanged };
-
   // robot: whose program it is, null as long as there is none; version: as the cockpit has it, 0 for a new program;
   // classId: of the class that keeps it, null for one without a name; content: { name, program }, null until there is
   // something to keep; report(kept): it is in another state
@@ -45,6 +43,8 @@ export class Kept {
     this.classId = classId;
     this.content = content;
     this.report = report;
+    /** @type {State} */
+    this.state = { name: "unchanged", text: version ? "" : NEW };
   }
 
   enter(name, data = {}) {

@@ -54,6 +54,11 @@ export class Work {
     return this.display(this.freeName(clean(name)), program, "editing");
   }
 
+  // The same with what a person has made elsewhere: it is kept.
+  addFile(name, program) {
+    if (this.add(name, program)) this.keep();
+  }
+
   freeName(name) {
     const shown = this.kept?.content ? [this.view.current()] : []; // perhaps not in the list yet
     return freeName(name, [...this.rows, ...shown]);
