@@ -6,6 +6,7 @@ from typing import Callable, Dict, List, Optional, Tuple
 
 from selenium.common.exceptions import InvalidArgumentException
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 
 from jetbot.wait import wait_until
 
@@ -154,9 +155,8 @@ class Page(Chromium):
 
     def type(self, name: str, text: str) -> None:
         """Replace what is in a text field, and press Enter."""
-        field = self.element(name)
-        field.clear()
-        field.send_keys(text + "\n")
+        everything = Keys.CONTROL + "a" + Keys.NULL
+        self.element(name).send_keys(everything + Keys.DELETE + text + "\n")
 
     def click(self, selector: str) -> None:
         """Click on an element, as soon as it is shown."""

@@ -60,6 +60,8 @@ def press(page, name, button=".name"):
 
 
 def test_of_two_pages_on_one_program_the_older_one_is_told_and_nothing_is_lost(page, pupil):
+    rename(page, "")
+    assert page.value("title") == "Program", "the name is shown as it is kept"
     rename(page, " <b>Mine</b> ")
     assert page.value("title") == "<b>Mine</b>", "the name is shown as it is kept"
     press(pupil, "<b>Mine</b>")

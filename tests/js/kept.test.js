@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { limits } from "#www/limits.js";
-import { freeName, Kept } from "#www/program/kept.js";
+import { clean, freeName, Kept } from "#www/program/kept.js";
 
 import { Clock } from "./clock.js";
 import { later, LOST, playCockpit, refuse } from "./cockpit.js";
@@ -140,6 +140,22 @@ test("a name is sent as the cockpit takes it", async (t) => {
   }
   assert.deepEqual(asked.map(({ name }) => name), ["ab", "Program", "Program", "👩‍👧 می‌خواهم", "x".repeat(40)]);
 });
+
+const FAMILY = "👩‍👩‍👧‍👦"; // 11 UTF-16 units
+
+for (const [where, Segmenter, cut] of [["a browser", Intl.Segmenter, ""],
+  ["one that knows only code points", undefined, "👩‍👩‍👧"]]) {
+  test(`in ${where}, a long name ends with a whole character`, (t) => {
+    const before = Intl.Segmenter;
+    t.after(() => { Intl.Segmenter = before; });
+    Intl.Segmenter = Segmenter;
+    assert.equal(clean("x".repeat(31) + FAMILY), "x".repeat(31) + cut);
+    assert.equal(clean("x".repeat(29) + FAMILY), `${"x".repeat(29)}${FAMILY}`);
+    assert.equal(clean(`${"x".repeat(39)}\u200d`), "x".repeat(39));
+    const name = "x".repeat(29) + FAMILY;
+    assert.equal(freeName(name, [{ name }]), `${"x".repeat(29)}${cut} 2`);
+  });
+}
 
 test("a newer version of another page is said, and the next change is made of the version that is shown", async (t) => {
   const { kept: program, clock, asked, read } = begin(t, () => ({ version: 9 }), "/red", { version: 3 });

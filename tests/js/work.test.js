@@ -16,6 +16,7 @@ const EMPTY = JSON.stringify({ blocks: { blocks: [] } });
 const text = (variable) => JSON.stringify({ blocks: { blocks: [] }, variables: [{ name: variable, id: "x" }] });
 const ID = { square: "5".repeat(16), star: "6".repeat(16) };
 const BAD = "not to be shown";
+const NEW = "Not kept until you change it.";
 
 // A cockpit with these programs: { id, robot, name, program, version }; the newest change first; and with this class.
 function cockpit(t, programs = [], classId = null) {
@@ -27,16 +28,23 @@ function cockpit(t, programs = [], classId = null) {
       return found ? { class: state.classId, ...found } : refuse(409, "This program is gone.");
     },
     save: ({ version, do: _, ...fields }) => {
-      if (![null, state.classId].includes(fields.class)) return refuse(409, "Another class.", "other_class");
+      if (![null, undefined, state.classId].includes(fields.class)) return refuse(409, "Another class.", "other_class");
       const saved = { ...fields, class: state.classId, version: version + 1, deleted: false };
       state.programs = [saved, ...state.programs.filter(({ id }) => id !== fields.id)];
       return saved;
     },
-    delete: ({ id }) => state.programs.find((each) => each.id === id),
+    delete: ({ id }) => change(id, { deleted: true }),
+    restore: ({ id }) => change(id, { deleted: false }),
+  };
+  const change = (id, fields) => {
+    const changed = { ...state.programs.find((each) => each.id === id), ...fields };
+    state.programs = [changed, ...state.programs.filter((each) => each.id !== id)];
+    return changed;
   };
   state.asked = playCockpit(t, (fields) => (!state.online ? LOST : state.refuses ?? answers[fields.do](fields)));
   state.saves = () => state.asked.filter((each) => each.do === "save");
   state.saved = () => state.saves().map(({ id, name }) => [id, name]);
+  state.names = () => state.programs.filter(({ deleted }) => !deleted).map(({ name }) => name).sort();
   return state;
 }
 
@@ -54,7 +62,10 @@ function openPage(storage = new Map(), robot = "/red") {
     },
     current: () => ({ name: page.name, program: page.program }),
     lock: (on) => { page.locked = on; },
-    list: (rows) => { page.rows = rows; },
+    list(rows) {
+      const marked = rows.filter(({ id, version }) => page.work.isShown(id, version)).map(({ name }) => name);
+      Object.assign(page, { rows, marked });
+    },
     say: (said, bad, newer) => Object.assign(page, { said, newer }),
   });
   page.edit = (name) => {
@@ -103,6 +114,30 @@ test("an example that was opened before the first list comes stays", async (t) =
   page.work.add("Zigzag", EMPTY);
   await page.hear();
   assert.equal(page.name, "Zigzag");
+});
+
+test("a file that is opened is kept, unless it cannot be shown", async (t) => {
+  const clock = new Clock(t);
+  const { saves } = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  page.work.addFile("Square", text("f"));
+  page.work.addFile("Bad", BAD);
+  await clock.pass(1000);
+  assert.deepEqual(saves().map(({ name, program }) => [name, program]), [["Square 2", text("f")]]);
+  assert.equal(page.said, "Kept");
+});
+
+test("of a new program a person reads that it is not kept, and of an opened one nothing", async (t) => {
+  const clock = new Clock(t);
+  const { saved } = cockpit(t, [square()]);
+  const page = openPage();
+  assert.equal(page.said, NEW);
+  await page.hear();
+  assert.equal(page.said, "");
+  page.work.add("Zigzag", EMPTY);
+  await clock.pass(60000);
+  assert.deepEqual([page.said, saved()], [NEW, []]);
 });
 
 test("all that was made before there is a robot is kept for the first one", async (t) => {
@@ -247,7 +282,7 @@ test("what is said of a program that is not shown goes once that is kept", async
   assert.equal(page.said, "Mine: The cockpit does not answer. The page tries again.");
   state.online = true;
   await clock.pass(3000);
-  assert.deepEqual([state.saves().at(-1).name, page.said], ["Mine", ""]);
+  assert.deepEqual([state.saves().at(-1).name, page.said], ["Mine", NEW]);
 });
 
 test("a program of which the answer comes after another robot was chosen is not shown there", async (t) => {
@@ -300,10 +335,70 @@ test("a change comes before the person's Delete, and does not bring the program 
   page.edit("Last change");
   await page.work.remove(square());
   await clock.pass(60000);
-  assert.deepEqual(asked.map((each) => each.do).slice(-2), ["save", "delete"]);
+  assert.deepEqual(asked.map((each) => each.do).filter((each) => each !== "list").slice(-2), ["save", "delete"]);
   page.edit("A new one");
   await clock.pass(1000);
   assert.notEqual(asked.at(-1).id, ID.square);
+});
+
+test("for a program that is deleted the newest other one is shown, and it stays after Undo", async (t) => {
+  const clock = new Clock(t);
+  const { saved, names } = cockpit(t, [square(), square({ id: ID.star, name: "Star", program: text("t") })]);
+  const page = openPage();
+  await page.hear();
+  await page.work.remove(square());
+  await settled();
+  assert.deepEqual([page.name, page.program, page.marked], ["Star", text("t"), ["Star"]]);
+  await page.work.undo(square({ deleted: true }));
+  page.edit("Larger star");
+  await clock.pass(1000);
+  assert.deepEqual([saved(), names()], [[[ID.star, "Larger star"]], ["Larger star", "Square"]]);
+});
+
+test("Undo shows the only program again, and a change of it makes no second one", async (t) => {
+  const clock = new Clock(t);
+  const { names } = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  await page.work.remove(square());
+  assert.deepEqual([page.name, page.program], ["my program", EMPTY]);
+  await page.work.undo(square({ deleted: true }));
+  assert.deepEqual([page.name, page.marked], ["Square", ["Square"]]);
+  page.program = text("larger");
+  page.work.changed();
+  await clock.pass(1000);
+  assert.deepEqual(names(), ["Square"]);
+});
+
+test("what has a deleted program's name keeps it, and Undo brings that one back under a free one", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square({ name: "my program" })]);
+  const page = openPage();
+  await page.hear();
+  await page.work.remove(square());
+  page.program = text("new");
+  page.work.changed();
+  await page.work.undo(square({ name: "my program", deleted: true }));
+  await clock.pass(1000);
+  assert.deepEqual([page.name, page.program], ["my program", text("new")]);
+  assert.deepEqual(state.names(), ["my program", "my program 2"]);
+  assert.equal(state.programs.find(({ id }) => id === ID.square).program, text("s"));
+});
+
+test("a change that the cockpit has refused goes with the program when a person deletes that", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  state.refuses = refuse(409, "There is no room.");
+  page.edit("Larger square");
+  await clock.pass(1000);
+  state.refuses = null;
+  await page.work.remove(square());
+  const reloaded = openPage(page.storage);
+  await reloaded.hear();
+  await clock.pass(60000);
+  assert.deepEqual([page.name, reloaded.name, state.names()], ["my program", "my program", []]);
 });
 
 test("a list that does not come is asked for again, and one of another robot is not shown", async (t) => {
@@ -375,7 +470,7 @@ test("a change that was not sent waits on the device while another class has its
   page.edit("Before the bell");
   await clock.pass(2000);
   const [other, theirs] = await reopen(t, page, [], "b");
-  assert.deepEqual([other.name, other.said, theirs], ["my program", "", []]);
+  assert.deepEqual([other.name, other.said, theirs], ["my program", NEW, []]);
   assert.equal(openPage(other.storage).name, "my program", "also without the cockpit");
   const [own, ours] = await reopen(t, other, [square()], "a");
   assert.deepEqual([own.name, ours], ["Before the bell", ["Before the bell", "Square"]]);

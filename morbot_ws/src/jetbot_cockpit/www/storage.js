@@ -24,6 +24,21 @@ export function toText(text) {
   return text.replace(HARMFUL, "");
 }
 
+// Returns the beginning of a text, of so many UTF-16 units at most, in whole characters: an emoji family is one.
+export function beginning(text, longest) {
+  let end = 0;
+  for (const { length } of characters(text)) {
+    if (end + length > longest) break;
+    end += length;
+  }
+  return text.slice(0, end).replace(/\u200d+$/, ""); // a joiner that joins nothing
+}
+
+function characters(text) {
+  if (!Intl.Segmenter) return text; // Firefox before 125: its iterator yields code points
+  return Array.from(new Intl.Segmenter().segment(text), ({ segment }) => segment);
+}
+
 // Returns a name that the cockpit takes, or "" if there is nothing to see.
 export function toName(text) {
   const name = toText(text).trim();

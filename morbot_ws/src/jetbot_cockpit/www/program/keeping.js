@@ -1,8 +1,8 @@
 // What the page shows of the program that is kept: a line over the blocks, and the sheet with all of the robot.
 
 import { element, setText } from "../dom.js";
-import { toName } from "../storage.js";
 import { EMPTY } from "./examples.js";
+import { clean } from "./kept.js";
 import { Shelf } from "./shelf.js";
 import { Work } from "./work.js";
 
@@ -16,7 +16,7 @@ export function openWork({ show, current, lock }) {
     work.add(...NEW);
     shelf.sheet.toggle(false);
   });
-  element("title").addEventListener("change", ({ target }) => { target.value = toName(target.value); });
+  element("title").addEventListener("change", ({ target }) => { target.value = clean(target.value); });
   element("newer").addEventListener("click", () => {
     const { id, state: { newer } } = work.kept;
     work.openNewer({ id, version: newer });

@@ -6,7 +6,7 @@
 //   unchanged, kept -- another page has saved it --> older
 
 import { limits } from "../limits.js";
-import { toName } from "../storage.js";
+import { beginning, toName } from "../storage.js";
 import { ask, newId } from "./ask.js";
 import { problemOf } from "./check.js";
 import { isTooLarge } from "./room.js";
@@ -15,11 +15,12 @@ const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
 const TOO_LARGE = "Too large to be kept here. Save it as a file.";
 const AGAIN = "The page tries again.";
+const NEW = "Not kept until you change it.";
 const NEWER = "There is a newer version of this program.";
 
 // What a person reads in each state; bad: as a warning; unsaved: the cockpit has another content
 const STATES = {
-  unchanged: { text: "" }, // since it was opened, or begun
+  unchanged: { text: "" }, // since it was opened, or begun; a new one has another text
   waiting: { text: "Not kept yet", unsaved: true }, // timer
   sending: { text: "Not kept yet", unsaved: true }, // perhaps the cockpit has kept it, and its answer was lost
   kept: { text: "Kept" },
@@ -32,9 +33,6 @@ const STATES = {
  */
 
 export class Kept {
-  /** @type {State} */
-  state = { name: "unchanged", ...STATES.unchanged };
-
   // robot: whose program it is, null as long as there is none; version: as the cockpit has it, 0 for a new program;
   // classId: of the class that keeps it, null for one without a name; content: { name, program }, null until there is
   // something to keep; report(kept): it is in another state
@@ -45,6 +43,8 @@ export class Kept {
     this.classId = classId;
     this.content = content;
     this.report = report;
+    /** @type {State} */
+    this.state = { name: "unchanged", text: version ? "" : NEW };
   }
 
   enter(name, data = {}) {
@@ -100,7 +100,7 @@ export class Kept {
 
 // Returns a name that the cockpit takes.
 export function clean(name) {
-  return toName(String(name).slice(0, limits.program_name)) || "Program";
+  return toName(beginning(String(name), limits.program_name)) || "Program";
 }
 
 // Returns a name for a new program, which none of these rows has: "Square", "Square 2", "Square 3".
@@ -113,6 +113,5 @@ export function freeName(name, rows) {
 }
 
 function numbered(name, number) {
-  const longest = limits.program_name - ` ${number}`.length;
-  return `${name.length > longest ? name.slice(0, longest) : name} ${number}`;
+  return `${beginning(name, limits.program_name - ` ${number}`.length)} ${number}`;
 }

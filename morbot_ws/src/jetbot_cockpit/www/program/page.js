@@ -170,7 +170,7 @@ function open(title, text) {
 
 async function openFile({ target }) {
   const [file] = target.files;
-  if (file) work.add(file.name.replace(/\.json$/, ""), await file.slice(0, MAX_FILE).text());
+  if (file) work.addFile(file.name.replace(/\.json$/, ""), await file.slice(0, MAX_FILE).text());
   target.value = "";
 }
 

@@ -6,7 +6,8 @@ import { freeName } from "./kept.js";
 import { Sheet } from "./sheet.js";
 
 export class Shelf {
-  rows = []; // as the cockpit lists them
+  /** @type {any} */
+  rows = null; // as the cockpit lists them
 
   // work: opens and deletes them, knows which one is shown
   constructor(work) {
@@ -22,7 +23,8 @@ export class Shelf {
   show() {
     const focused = /** @type {any} */ (document.activeElement);
     const [row, place] = [focused.closest("#work-list li"), [...focused.parentElement.children].indexOf(focused)];
-    element("work-list").replaceChildren(...this.rows.flatMap((each) => this.items(each)));
+    element("work-list").replaceChildren(...this.rows?.flatMap((each) => this.items(each)) ?? []);
+    element("no-programs").hidden = this.rows?.length !== 0;
     const again = row && element("work-list").querySelector(`[data-id="${row.dataset.id}"]`);
     if (row) (again?.children[place] ?? again?.lastChild ?? element("work")).focus();
   }
@@ -30,9 +32,9 @@ export class Shelf {
   // Returns the newest version of a program, and below it the earlier ones.
   items(row) {
     const { id, name, deleted, earlier } = row;
-    const remove = (text) => button(text, `${text}: ${name}`, () => this.act(() => this.work.remove(row)));
-    const copy = () => button("Copy", `Copy: ${name}`, () => this.act(() => this.copy(row)));
-    const newest = this.item(id, name, row, deleted ? [remove("Undo")] : [copy(), remove("Delete")]);
+    const does = (text, action) => button(text, `${text}: ${name}`, () => this.act(action));
+    const newest = this.item(id, name, row, deleted ? [does("Undo", () => this.work.undo(row))]
+      : [does("Copy", () => this.copy(row)), does("Delete", () => this.work.remove(row))]);
     if (!deleted) return [newest, ...earlier.map((each) => this.earlierItem(id, each))];
     newest.className = "deleted";
     newest.firstChild.disabled = true;

@@ -51,8 +51,17 @@ export class Work {
 
   // Shows a new program, by a name of its own; returns whether it can.
   add(name, program) {
+    return this.display(this.freeName(clean(name)), program, "editing");
+  }
+
+  // The same with what a person has made elsewhere: it is kept.
+  addFile(name, program) {
+    if (this.add(name, program)) this.keep();
+  }
+
+  freeName(name) {
     const shown = this.kept?.content ? [this.view.current()] : []; // perhaps not in the list yet
-    return this.display(freeName(clean(name), [...this.rows, ...shown]), program, "editing");
+    return freeName(name, [...this.rows, ...shown]);
   }
 
   // Shows a version of one of the robot's programs, or what has replaced it. Throws a NotKept.
@@ -61,6 +70,7 @@ export class Work {
     const { name, program, version: opened } = await ask({ do: "open", robot, id, version });
     if (robot !== this.robot) return;
     this.display(name, program, "editing", { id, version: opened, content: { name, program } });
+    this.view.list(this.rows); // of which another one is shown
   }
 
   // The same, for which nobody waits.
@@ -74,11 +84,25 @@ export class Work {
     this.display(name, program, "looking");
   }
 
-  // Deletes a program of the list, or undoes that. Throws a NotKept.
-  async remove({ id, robot, deleted }) {
+  // Deletes a program of the list; if it is shown, the newest other one is shown instead. Throws a NotKept.
+  async remove({ id, robot }) {
     if (this.isShown(id)) await this.kept.save(); // so that it is not brought back, and Undo shows the newest
-    await ask({ do: deleted ? "restore" : "delete", robot, id });
-    if (this.isShown(id)) this.begin("editing");
+    await ask({ do: "delete", robot, id });
+    if (!this.isShown(id)) return;
+    this.kept.enter("unchanged");
+    this.leave();
+    await this.refresh(robot);
+  }
+
+  // Undoes that, under a free name; shows the program again unless there is another. Throws a NotKept.
+  async undo({ id, robot, name, version }) {
+    const free = this.freeName(name);
+    if (free === name) await ask({ do: "restore", robot, id });
+    else {
+      const { program } = await ask({ do: "open", robot, id });
+      await ask({ do: "save", robot, id, version, name: free, program });
+    }
+    if (!this.kept.content) await this.open(id);
   }
 
   isShown(id, version = this.kept.version) {
