@@ -93,6 +93,7 @@ export class Shell {
     state: (message) => {
       this.world.update(message);
       this.stops.update();
+      this.map.update();
     },
     trail: ({ robot, points }) => this.world.trails.set(robot, points),
     scene: (message) => this.world.scene(message) && this.map.showCourse(message.robot),
