@@ -23,6 +23,11 @@ COUNT_MOVING = """return [...document.querySelectorAll('*')].filter(each => {
 }).length"""
 
 
+GAP_ABOVE_PAD = """const bottom = Math.max(...[...document.querySelectorAll('#bar :is(button, a)')]
+    .map(each => each.getBoundingClientRect().bottom));
+return document.getElementById('pad').getBoundingClientRect().top - bottom"""
+
+
 def test_everything_fits_the_screen_and_the_finger(page, pupil):
     page.type("name", "W" * 20)
     for each in page, pupil:
@@ -62,6 +67,17 @@ def test_a_teacher_sees_a_class_on_one_screen_each_status_to_its_end_and_all_rob
         page.receive_class()
         page.click("#fit")
         page.wait_for(lambda: page.under_tools() == [], f"all robots on the map of {screen}")
+
+
+def test_a_teacher_reads_who_drives_to_its_end_and_no_button_touches_the_pad(page):
+    page.receive_class(2, driver={"id": 99, "name": "Maximilian-Alexander"})
+    for screen in (1024, 768), DESKTOP:
+        page.resize(*screen)
+        page.wait_for_text("fleet", "Maximilian-Alexander drives it")
+        assert page.cut("#fleet .who") == [], screen
+    page.resize(844, 390)
+    page.wait_for(lambda: page.element("take").is_displayed(), "Take over")
+    assert page.run(GAP_ABOVE_PAD) >= 4
 
 
 def test_on_an_upright_tablet_the_map_keeps_a_third_and_on_small_screens_the_legend_its_words(page):

@@ -300,9 +300,9 @@ def test_the_map_shows_the_robot_its_trail_and_the_tasks_world_while_the_program
 
 
 @undisturbed
-def test_the_name_that_the_device_knows_is_announced(blocks, world, pupil):
+def test_the_name_that_is_typed_here_is_announced_after_a_reload_too(blocks, world, pupil):
     page = blocks(program())
-    page.run("localStorage.setItem('name', 'Ada')")
+    page.type("name", "Ada")
     page.driver.refresh()
     page.wait_for_link()
     page.run("localStorage.removeItem('name')")

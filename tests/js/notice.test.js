@@ -48,6 +48,7 @@ const REFUSALS = { // the state in which the cockpit refuses it, and one in whic
   ended: [() => report({}, { robots: [] })],
   teacher_releases: [() => report({}, { emergency: true })],
   not_stopped: [() => report({}), () => report({ stopped: true })],
+  others_stopped: [() => report({ stopped: true })],
   driver_collects: [() => report({}), () => report({ driver: { id: 1, name: "Ada" } })],
 };
 

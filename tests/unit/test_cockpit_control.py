@@ -349,8 +349,16 @@ def test_a_pupils_stop_that_a_terminal_has_released_is_forgotten(driven):
 
 def test_who_releases_where_nothing_is_stopped_is_told_so(driven):
     for client, robot in ((ADA, None), (OWN, None), (OWN, "/blue"), (TEACHER, None), (TEACHER, "/red")):
-        assert driven.do(client, Message("release", robot))["code"] == "not_stopped"
+        assert driven.do(client, Message("release", robot))["text"] == "The emergency stop is not engaged."
     assert driven.drives() != STOPPED
+
+
+def test_a_release_of_all_robots_ends_no_robots_own_stop_and_names_it(driven):
+    driven.do(TEACHER, Message("stop", "/blue"))
+    driven.wait(0.05)
+    answer = driven.do(TEACHER, Message("release"))
+    assert answer["text"] == "Release blue in the list of robots. No other robot is stopped."
+    assert driven.robots.now.robots["/blue"].stopped
 
 
 @pytest.mark.parametrize("break_it, repair_it", [

@@ -63,6 +63,14 @@ class ClassJudge(SharedRobotTest):
         self.wait_for(lambda: len(self.rows()) == 1, START_TIMEOUT, "a mark")
         self.ask("quarter")
 
+    def test_a_judge_in_a_terminal_waits_for_the_drive_and_advises_nobody_to_end_the_class(self):
+        self.ask("metre")
+        second = self.start(program("driving_tasks", "judge.py"), "metre")
+        self.assertEqual(second.wait(START_TIMEOUT), 1)
+        self.assertEqual(read(second), "/class_judge judges this robot already. Somebody has pressed Judge me. "
+                                       "Wait until that drive has ended.\n")
+        self.ask("quarter")  # the next test asks for another: this one is latched
+
     def test_an_interruption_ends_it_and_a_new_request_begins_again(self):
         self.ask("metre")
         self.emergency_stop(True)

@@ -1,6 +1,7 @@
 // How a person gets in, by a code that is sent once for a cookie, and what they want to be called.
 
 /** @import { Send } from "./link.js" */
+/** @import { World } from "./world.js" */
 
 import { element } from "./dom.js";
 import { recall, remember, toName } from "./storage.js";
@@ -67,8 +68,9 @@ export class LoginForm {
 
 // The person's name, kept on this device. send(message)
 export class NameField {
-  /** @param {Send} send */
-  constructor(send) {
+  /** @param {World} world @param {Send} send */
+  constructor(world, send) {
+    this.world = world;
     this.send = send;
     element("name").value = storedName();
     element("name").addEventListener("change", () => this.announce());
@@ -80,6 +82,11 @@ export class NameField {
     element("name").value = name;
     remember(STORED_NAME, name);
     if (name) this.send({ type: "name", name });
+  }
+
+  // A teacher's name for the pupil counts.
+  show() {
+    element("name").hidden = Boolean(this.world.robot(this.world.me.robot)?.pupil);
   }
 }
 

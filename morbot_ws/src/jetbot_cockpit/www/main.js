@@ -5,7 +5,6 @@ import { Codes } from "./codes.js";
 import { element, setClass, setText } from "./dom.js";
 import { Driving } from "./driving.js";
 import { Keys, Pad, watchGamepads } from "./inputs.js";
-import { NameField } from "./login.js";
 import { showPanel } from "./panel.js";
 import { Fleet } from "./robots.js";
 import { Shell } from "./shell.js";
@@ -121,7 +120,6 @@ addEventListener("blur", leave);
 addEventListener("pagehide", leave);
 matchMedia("(orientation: portrait)").addEventListener("change", leave); // the pad moves away below the finger
 document.addEventListener("visibilitychange", () => document.hidden && leave());
-new NameField(send);
 setSpeed();
 shell.show();
 shell.start();

@@ -19,8 +19,8 @@ export class RobotMap {
   following = true;
   /** @type {Record<string, string>} */
   colors = {};
-  /** @type {(() => number[][]) | null} */
-  framed = null; // returns the places that are shown, until a person moves the map
+  /** @type {{ places: () => number[][], isOver: () => boolean } | null} */
+  framed = null; // which places are shown, and whether no more, until a person moves the map
 
   // choose(id): a robot was tapped; redraw(): draw() is due
   /** @param {World} world */
@@ -48,7 +48,7 @@ export class RobotMap {
   measure() {
     const height = (id) => element(id).offsetHeight;
     this.viewport.covered = { above: height("tools") + 6, below: height("legend") + 6 + SCALE_HEIGHT };
-    if (this.framed) this.viewport.fit(this.framed());
+    if (this.framed) this.viewport.fit(this.framed.places());
     this.redraw();
   }
 
@@ -70,19 +70,24 @@ export class RobotMap {
       ...this.world.robots.flatMap(({ id }) => this.world.pointsOf(id))]);
   }
 
-  // A robot's course has come: shows all of it instead of following the robot.
+  // A robot's course has come: shows all of it instead of following the robot, until its task is over.
   showCourse(id) {
     const course = this.world.courseOf(id);
     if (id !== this.world.chosen || !this.following || !course.length) return;
     const { pose } = this.world.state(id);
-    this.frame(() => pose ? [pose, ...course] : course);
+    this.frame(() => pose ? [pose, ...course] : course, () => this.world.isTaskOver(id));
   }
 
-  // Shows what places() returns, also when the map's size changes, until a person moves it.
-  frame(places) {
+  // Shows what places() returns, also when the map's size changes, until a person moves it, or isOver().
+  frame(places, isOver = () => false) {
     this.follow(false);
-    this.framed = places;
+    this.framed = { places, isOver };
     this.viewport.fit(places());
+  }
+
+  // A state has arrived.
+  update() {
+    if (this.framed?.isOver()) this.follow(true);
   }
 
   tap(right, down) {

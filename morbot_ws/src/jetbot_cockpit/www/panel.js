@@ -46,7 +46,6 @@ function showTeachersTools(world, robot, { held, fake }) {
   element("fit").hidden = !several && !world.pointsOf(robot?.id).length;
   element("fleet").hidden = element("show-fleet").hidden = !fleet;
   element("show-codes").hidden = !world.me.codes;
-  element("name").hidden = Boolean(world.robot(world.me.robot)?.pupil); // a teacher has said it
   element("take").hidden = !(world.teacher && robot && world.mayTake(robot.id));
   element("go-on").hidden = !(world.teacher && held);
   element("reset").hidden = !(world.teacher && robot?.simulated);

@@ -22,6 +22,7 @@ const OTHERS = {
   ended: (world, robot) => !world.robot(robot),
   teacher_releases: (world) => world.mustWait,
   not_stopped: (world, robot) => !world.emergency && !world.state(robot).stopped,
+  others_stopped: (world) => !world.emergency && world.robots.some(({ id }) => world.state(id).stopped),
   driver_collects: (world, robot) => !world.isMine(robot),
 };
 

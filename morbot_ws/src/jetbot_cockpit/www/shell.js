@@ -2,7 +2,7 @@
 
 import { element, setText } from "./dom.js";
 import { Link } from "./link.js";
-import { LoginForm, logIn, storedName, takeCodeFromAddress } from "./login.js";
+import { LoginForm, logIn, NameField, storedName, takeCodeFromAddress } from "./login.js";
 import { RobotMap } from "./map.js";
 import { Notice } from "./notice.js";
 import { showRoundTrip, showStatus } from "./panel.js";
@@ -43,6 +43,7 @@ export class Shell {
       receive: (message) => this.#receive(message), changed: (sentence) => this.#connectionChanged(sentence),
       refused: () => this.#askForCode(), measured: showRoundTrip,
     });
+    this.name = new NameField(this.world, this.send);
     this.login = new LoginForm(() => this.link.open());
     this.choice = new Choice(this.world, () => this.#robotChanged());
     const lost = () => !this.link.connected;
@@ -75,6 +76,7 @@ export class Shell {
       showStatus(this.world, this.problem);
       this.notice.update();
       this.stops.show();
+      this.name.show();
       this.draw();
     });
   }
@@ -93,6 +95,7 @@ export class Shell {
     state: (message) => {
       this.world.update(message);
       this.stops.update();
+      this.map.update();
     },
     trail: ({ robot, points }) => this.world.trails.set(robot, points),
     scene: (message) => this.world.scene(message) && this.map.showCourse(message.robot),

@@ -108,6 +108,12 @@ export class World {
     return this.pointsOf(id, ({ kind }) => kind === "course" || kind === "goal");
   }
 
+  // Whether the robot's course is gone, or it drives on after its task.
+  isTaskOver(id) {
+    const { task, state } = this.state(id);
+    return !this.courseOf(id).length || (task?.state === "done" && state === "driving");
+  }
+
   // What the names of all robots begin with if only numbers follow, as in a class, else "".
   get commonName() {
     const [first, ...others] = this.robots.map(({ label }) => label.match(/^(.*?)\d+$/)?.[1]);

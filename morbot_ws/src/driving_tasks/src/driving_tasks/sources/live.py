@@ -32,6 +32,9 @@ MAX_MESSAGES = 100_000  # that are recorded; the oldest are dropped
 LOST = JetbotError("the ROS master has ended, hangs or was restarted, or another judge took this one's place",
                    "Start the judge again.")
 
+END_IT = "End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C."
+JUDGE_ME = "Somebody has pressed Judge me. Wait until that drive has ended."
+
 
 def judge_robots(task: Task, names: Sequence[str], record: Optional[str] = None) -> Iterator[Mark]:
     """Yield the mark of each simulated robot of these names, or of the only one there is, as its drive ends.
@@ -80,8 +83,9 @@ def check_only_judge(namespaces: Sequence[str]) -> None:
     except NO_ANSWER:
         raise LOST from None
     for node, namespace in others:
+        serves_all = node.rpartition("/")[2] == contract.CLASS_JUDGE
         raise JetbotError(f"{node} judges {label(namespace) if namespace else 'this robot'} already",
-                          "End it first: Ctrl-C in its terminal; after Ctrl-Z, fg, then Ctrl-C.")
+                          JUDGE_ME if serves_all else END_IT)
 
 
 def init_node(namespaces: Sequence[str]) -> None:

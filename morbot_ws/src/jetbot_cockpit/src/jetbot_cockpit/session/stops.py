@@ -2,6 +2,8 @@
 
 from typing import Optional, Set
 
+from jetbot.text import enumeration
+
 from ..notices import Notice, say
 from .holds import Holds
 from .rights import TEACHER, Client, Request
@@ -42,7 +44,7 @@ class Stops:
         self._robots.set_emergency_stop(robot, False)
         if robot is None:
             self._holds.update(False, ())  # though the robots may still say that they are stopped
-        return None if stopped else say("not_stopped")
+        return None if stopped else nothing_released(request.snapshot)
 
     @property
     def pupils_release(self) -> bool:
@@ -53,3 +55,9 @@ class Stops:
         """Forget the stops that are over, and those that another program has engaged as well. before: the last one."""
         self._holds.update(snapshot.emergency, snapshot.robots.keys() - before.robots.keys())
         self._by_pupils = set(filter(snapshot.is_stopped_here, self._by_pupils))
+
+
+def nothing_released(snapshot: Snapshot) -> Notice:
+    """Return that there was nothing to release, and which robots are stopped by their own emergency stops."""
+    stopped = [robot.label for robot in snapshot.robots.values() if robot.stopped]
+    return say("others_stopped", robots=enumeration(stopped)) if stopped else say("not_stopped")
