@@ -35,9 +35,7 @@ export function showStatus(world, problem) {
 
 function currentStatus(world, id) {
   if (world.robot(id)) return world.summarize(id);
-  const own = world.me.robot ?? id;
-  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running.";
-  return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
+  return { text: `${world.describeAbsence()} This page shows it as soon as it runs.`, level: "waiting" };
 }
 
 function showTeachersTools(world, robot, { held, fake }) {

@@ -173,6 +173,12 @@ export class World {
     return { text: status || "waiting for its status", level };
   }
 
+  // Returns that there is no robot that this page's person may drive: a sentence.
+  describeAbsence(is = "is") {
+    const own = this.me.robot ?? this.chosen;
+    return own ? `${own.slice(1) || "The robot"} ${is} not running.` : `No robot ${is} running.`;
+  }
+
   // Returns who drives the robot, or "" if nobody does.
   nameDriver(id) {
     const { driver, program, state, answers } = this.state(id);
