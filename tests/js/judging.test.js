@@ -234,8 +234,7 @@ const CAUSES = { // why Judge me is refused, until when
   "the robot's own stop": ["stopped", (page, on) => page.be({ stopped: on })],
   "a teacher": ["taken", (page, on) => page.be({ held: on ? "robot" : null })],
   "another driver": ["judge_driven", (page, on) => page.be({ driver: on ? { id: 2, name: "Zoë" } : null })],
-  "a judge in a terminal": ["judged_elsewhere", (page, on) => page.be({ task: on ? { request: "", state: "ready" }
-    : null })],
+  "a judge in a terminal": ["judged_elsewhere", (page, on) => page.be({ task: { state: on ? "ready" : "done" } })],
 };
 for (const [what, [code, be]] of Object.entries(CAUSES)) {
   test(`a refusal is shown until its cause is over, also if its state came a little later: ${what}`, (t) => {

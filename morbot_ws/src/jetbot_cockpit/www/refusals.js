@@ -26,7 +26,7 @@ const OTHERS = {
   judge_driven: OBSTACLES.driven,
   judged_elsewhere: (world, robot) => {
     const { task } = world.state(robot);
-    return task?.request === "" && task.state !== "done";
+    return task !== null && task.state !== "done";
   },
 };
 
@@ -40,7 +40,7 @@ export function holds(code, world, robot, drives) {
 // Returns a function that returns whether this has been so, and is not any more: states come after refusals.
 /** @param {() => boolean} isSo */
 export function hasPassed(isSo) {
-  let wasSo = false;
+  let wasSo = isSo();
   return () => {
     const now = isSo();
     wasSo ||= now;
