@@ -41,6 +41,7 @@ export class Tasks {
 
   say(text) {
     setText(element("score"), text);
+    if (text) element("output").scrollIntoView({ block: "nearest" });
     setText(element("judge"), this.judging.isWaiting ? "Cancel" : "Judge me");
   }
 }
