@@ -15,6 +15,7 @@ from jetbot_lessons import lessons
 
 from .conftest import OTHER_ROBOT, ROBOT
 from .programs import block, chain, drive, let, num, plug, program, set_motion, show, var, wait
+from .test_page import DESKTOP, TOUCH_SCREENS
 
 FORWARD = (0.5, 0.5)
 ENDLESS = block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}))
@@ -428,6 +429,26 @@ def test_the_page_fits_tablets_and_phones_and_what_is_said_of_keeping_moves_noth
     assert page.overlapping() == []
     assert "tablet" in page.text("small")
     assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
+
+
+JUDGED = """scrollTo(0, 0);
+    document.getElementById("outcome").textContent = "The program has ended. A wheel takes 1 at most, not 3.33.";
+    document.getElementById("judge").click();"""
+SCORE = "One metre: 94.5 points, 12.4 s. Largest loss: it ended 4 cm behind the goal, 2.3 points."
+
+
+def test_why_a_program_has_ended_and_its_score_are_in_sight_on_each_screen(blocks):
+    page = blocks(program(drive(0.5, 1)))
+    page.receive(TASKS)
+    page.run(MANY_PRINTS)
+    for screen in [*TOUCH_SCREENS, DESKTOP]:
+        page.resize(*screen)
+        page.run(JUDGED)
+        page.wait_for_text("score", "No judge has this task now")
+        page.run("document.getElementById('score').textContent = arguments[0]", SCORE)
+        page.wait_for(lambda: not page.outside("#outcome, #score", "#result") and page.fits("outcome", "score", "stop"),
+                      f"outcome and score on {screen}")
+        assert page.overlapping() == [], screen
 
 
 def test_on_a_small_or_magnified_screen_all_of_the_page_is_reached_and_stop_stays(blocks):

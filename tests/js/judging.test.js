@@ -34,7 +34,7 @@ class Page {
     this.be({});
     const send = (message) => this.connected && this.sent.push(message) > 0;
     this.judging = new Judging({
-      send, world: this.world, say: (text) => this.read.push(text),
+      send, world: this.world, say: (text) => this.read.push(text), lost: () => !this.connected,
       run: () => {
         this.runs += 1;
         this.going = true;
@@ -72,8 +72,8 @@ class Page {
     this.judging.answered({ request, refusal: null });
   }
 
-  refuse(text) {
-    this.judging.answered({ request: "", refusal: { text } });
+  refuse(text, code = "") {
+    this.judging.answered({ request: "", refusal: { code, text } });
   }
 
   // Takes what was sent but for what keeps the robot.
@@ -215,11 +215,108 @@ test("after a new connection, answers to what was asked before are not waited fo
 
 test("without a robot or a connection it says so, and waits for nothing", (t) => {
   const page = new Page(t);
+  page.world.list({ robots: [{ id: "/blue", label: "blue" }] });
+  page.judging.begin("/red", "metre");
+  assert.deepEqual([page.said, page.name, page.sent], ["red is not running.", "idle", []]);
+  page.world.list({ robots: [] });
+  page.world.chosen = null;
   page.judging.begin(null, "metre");
-  assert.deepEqual([page.said, page.name, page.sent], ["No robot is running: start one.", "idle", []]);
+  assert.equal(page.said, "No robot is running.");
+  page.world.list({ robots: [{ id: "/red", label: "red" }] });
+  page.world.chosen = "/red";
   page.connected = false;
   page.judging.begin("/red", "metre");
   assert.deepEqual([page.said, page.name], ["There is no connection to the cockpit.", "idle"]);
+});
+
+const CAUSES = { // why Judge me is refused, until when
+  "the emergency stop": ["all_stopped", ({ world }, on) => { world.emergency = on; }],
+  "the robot's own stop": ["stopped", (page, on) => page.be({ stopped: on })],
+  "a teacher": ["taken", (page, on) => page.be({ held: on ? "robot" : null })],
+  "another driver": ["judge_driven", (page, on) => page.be({ driver: on ? { id: 2, name: "Zoë" } : null })],
+  "a judge in a terminal": ["judged_elsewhere", (page, on) => page.be({ task: { state: on ? "ready" : "done" } })],
+};
+for (const [what, [code, be]] of Object.entries(CAUSES)) {
+  test(`a refusal is shown until its cause is over, also if its state came a little later: ${what}`, (t) => {
+    const page = press(t);
+    page.refuse("Why", code);
+    for (const on of [false, true, true]) {
+      be(page, on);
+      page.state();
+      assert.equal(page.said, "Why", String(on));
+    }
+    be(page, false);
+    page.state();
+    assert.equal(page.said, "");
+  });
+}
+
+test("that no robot runs, or that there is no connection, is shown until it is back", (t) => {
+  const page = new Page(t);
+  page.world.list({ robots: [] });
+  page.judging.begin("/red", "metre");
+  page.state();
+  assert.equal(page.said, "red is not running.");
+  page.world.list({ robots: [{ id: "/red", label: "red" }] });
+  page.state();
+  assert.equal(page.said, "");
+  page.connected = false;
+  page.judging.begin("/red", "metre");
+  page.connected = true;
+  page.state();
+  assert.equal(page.said, "");
+});
+
+const RESULTS = { // what ends a score
+  "another program is shown or runs": (page) => page.judging.forget(),
+  "the robot is put back": (page) => page.report(null),
+  "the robot gets another task": (page) => page.report({ state: "ready" }, "two"),
+  "another robot is chosen": (page) => {
+    page.world.chosen = "/blue";
+    page.state();
+  },
+};
+for (const [what, act] of Object.entries(RESULTS)) {
+  test(`a score is shown until ${what}`, (t) => {
+    const page = end(t);
+    page.report({ ...RESULT });
+    page.state();
+    assert.equal(page.said, POINTS);
+    act(page);
+    assert.equal(page.said, "");
+  });
+}
+
+test("another program that is shown takes nothing back of what is judged now", (t) => {
+  for (const begin of Object.values(STATES)) {
+    const page = begin(t);
+    const { name, said } = page;
+    page.judging.forget();
+    assert.deepEqual([page.name, page.said], [name, said]);
+    t.mock.restoreAll();
+  }
+});
+
+test("while it waits, a task that is not offered any more cancels it, and it is said who ended it", (t) => {
+  for (const [tasks, role, sentence] of [
+    [[{ name: "metre", on: false }], "pupil", "Judge me was cancelled: your teacher has switched this task off."],
+    [[{ name: "square", on: true }], "pupil", "Judge me was cancelled: nobody judges this task any more."],
+    [[{ name: "metre", on: true }], "pupil", STARTING], [[{ name: "metre", on: false }], "teacher", STARTING]]) {
+    const page = wait(t);
+    page.world.me = { ...ME, role };
+    page.judging.list(tasks);
+    assert.equal(page.said, sentence);
+    t.mock.restoreAll();
+  }
+});
+
+test("a stop is said with what it means for the score", (t) => {
+  for (const [begin, sentence] of [[wait, "Judge me was cancelled."], [end, "The drive does not count."]]) {
+    const page = begin(t);
+    page.judging.stop("All robots were stopped.");
+    assert.equal(page.said, `All robots were stopped. ${sentence}`);
+    t.mock.restoreAll();
+  }
 });
 
 const LOST = {

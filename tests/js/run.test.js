@@ -172,6 +172,22 @@ for (const [first, text, ...others] of FAST) {
   });
 }
 
+const SET = block("robot_set", { X: 0.5, Z: 0 });
+const WAIT = block("robot_wait", { SECONDS: 0.1 });
+const UNUSED = "The robot obeys while the program waits: put a wait below the last block that sets its speed.";
+for (const [what, blocks, text] of [
+  ["has no wait", [SET], UNUSED],
+  ["has no wait after the last speed", [SET, WAIT, SET, print("done")], UNUSED],
+  ["waits", [SET, WAIT, print("done")], undefined],
+  ["ends with a stop", [SET, block("robot_stop")], undefined],
+]) {
+  test(`of a program that sets a speed and ${what}, a person reads ${text}`, async (t) => {
+    const page = await begin(t, program(blocks));
+    await page.clock.pass(500);
+    assert.deepEqual([page.ends, page.run.limit?.text], [[["", null]], text]);
+  });
+}
+
 test("the fastest speed of a robot with SI units has its unit", () => {
   const robot = { wheel_separation: 0.1, max_speed: 0.6, workshop: false };
   assert.equal(excess([2, 0], robot), "A wheel takes 0.6 m/s at most, not 2.");

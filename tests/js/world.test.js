@@ -188,3 +188,20 @@ test("the map shows the robots whose place is known", () => {
   report({ red: { pose: [1, 2, 3] }, blue: {} });
   assert.deepEqual(world.placed.map(({ robot: { label }, state }) => [label, state.pose]), [["red", [1, 2, 3]]]);
 });
+
+for (const [what, own, robots, sentence] of [
+  ["their own, while others run", "/red", ["blue"], "red is not running. This page shows it as soon as it runs."],
+  ["any", null, [], "No robot is running. This page shows it as soon as it runs."],
+]) {
+  test(`a person reads that a robot does not run only once the list has come, after each connection: ${what}`, () => {
+    const world = new World();
+    const hello = { id: 1, name: "Ada", role: "pupil", robot: own, limits: LIMITS };
+    assert.equal(world.status.text, "Connecting");
+    for (let connection = 0; connection < 2; connection += 1) {
+      world.hello(hello);
+      assert.equal(world.status.text, "Connecting");
+      world.list({ robots: robots.map((name) => robot(name)) });
+      assert.equal(world.status.text, sentence);
+    }
+  });
+}

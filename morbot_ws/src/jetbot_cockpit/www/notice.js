@@ -1,17 +1,16 @@
 // The one sentence that a page has for the person: for a while, and no longer than it is true.
 
 import { element } from "./dom.js";
+import { hasPassed } from "./refusals.js";
 
 const NOTICE_TIME = 6000; // ms
 
 export class Notice {
-  isSo = () => true;
-  wasSo = false;
+  isOver = () => false;
 
   // isSo(): whether it is true now; it may become so a little later: states come after refusals
   show(text, isSo = () => true) {
-    this.isSo = isSo;
-    this.wasSo = false;
+    this.isOver = hasPassed(isSo);
     element("notice").textContent = text;
     element("notice").hidden = false;
     clearTimeout(this.timer);
@@ -24,9 +23,7 @@ export class Notice {
 
   // Something has changed.
   update() {
-    const isSo = this.isSo();
-    if (this.wasSo && !isSo) this.hide();
-    this.wasSo ||= isSo;
+    if (this.isOver()) this.hide();
   }
 
   hide() {

@@ -26,18 +26,11 @@ export function showPanel(world, problem) {
 /** @param {World} world */
 export function showStatus(world, problem) {
   const robot = world.robot(world.chosen);
-  const { text, level } = problem ? { text: problem, level: "warning" } : currentStatus(world, world.chosen);
+  const { text, level } = problem ? { text: problem, level: "warning" } : world.status;
   setText(element("sentence"), text);
   element("status").dataset.level = level;
   if (robot) document.documentElement.style.setProperty("--robot", visible(robot.color));
   setClass(document.body, "offline", problem);
-}
-
-function currentStatus(world, id) {
-  if (world.robot(id)) return world.summarize(id);
-  const own = world.me.robot ?? id;
-  const missing = own ? `${own.slice(1) || "The robot"} is not running.` : "No robot is running.";
-  return { text: `${missing} This page shows it as soon as it runs.`, level: "waiting" };
 }
 
 function showTeachersTools(world, robot, { held, fake }) {

@@ -24,6 +24,11 @@ const OTHERS = {
   not_stopped: (world, robot) => !world.emergency && !world.state(robot).stopped,
   others_stopped: (world) => !world.emergency && world.robots.some(({ id }) => world.state(id).stopped),
   driver_collects: (world, robot) => !world.isMine(robot),
+  judge_driven: OBSTACLES.driven,
+  judged_elsewhere: (world, robot) => {
+    const { task } = world.state(robot);
+    return task !== null && task.state !== "done";
+  },
 };
 
 // Returns whether this refusal holds now; most hold whatever the robots do.
@@ -31,4 +36,15 @@ const OTHERS = {
 export function holds(code, world, robot, drives) {
   const isSo = OBSTACLES[code] ?? OTHERS[code];
   return !isSo || isSo(world, robot, drives);
+}
+
+// Returns a function that returns whether this has been so, and is not any more: states come after refusals.
+/** @param {() => boolean} isSo */
+export function hasPassed(isSo) {
+  let wasSo = isSo();
+  return () => {
+    const now = isSo();
+    wasSo ||= now;
+    return wasSo && !now;
+  };
 }

@@ -28,6 +28,7 @@ export class World {
   robots = []; // in the order of the cockpit
   /** @type {Robot[]} */
   missing = []; // those that have gone
+  listed = false; // whether their list has come
   /** @type {Record<string, State>} */
   states = {};
   trails = new Map();
@@ -56,7 +57,7 @@ export class World {
   hello(message) {
     this.me = message;
     Object.assign(limits, message.limits);
-    Object.assign(this, { robots: [], missing: [], trails: new Map(), scenes: new Map() });
+    Object.assign(this, { listed: false, robots: [], missing: [], trails: new Map(), scenes: new Map() });
   }
 
   // Takes the list of robots; returns which have come and gone since the last one, in a sentence, or "".
@@ -71,7 +72,7 @@ export class World {
       this.scenes.delete(id);
     }
     this.missing = [...this.missing, ...gone].filter(isGone);
-    this.robots = robots;
+    Object.assign(this, { robots, listed: true });
     return [sentence(gone, "not running any more"), sentence(come, "running")].filter(Boolean).join(" ");
   }
 
@@ -177,6 +178,19 @@ export class World {
     }
     const level = warning ? "warning" : state === "driving" ? "driving" : "waiting";
     return { text: status || "waiting for its status", level };
+  }
+
+  // Returns that there is no robot that this page's person may drive: a sentence.
+  describeAbsence(is = "is") {
+    const own = this.me.robot ?? this.chosen;
+    return own ? `${own.slice(1) || "The robot"} ${is} not running.` : `No robot ${is} running.`;
+  }
+
+  // Returns the same of the chosen robot, which may not run.
+  get status() {
+    if (this.robot(this.chosen)) return this.summarize(this.chosen);
+    const text = this.listed ? `${this.describeAbsence()} This page shows it as soon as it runs.` : "Connecting";
+    return { text, level: "waiting" };
   }
 
   // Returns who drives the robot, or "" if nobody does.

@@ -11,6 +11,7 @@
 /** @import { World } from "../world.js" */
 
 import { inSeconds } from "../dom.js";
+import { hasPassed, holds } from "../refusals.js";
 
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
 const DRIVE_TIMEOUT = 4000; // ms from the program's end until the judge must have seen a drive
@@ -18,7 +19,6 @@ const KEEP_INTERVAL = 1000; // ms between two messages that keep the robot this 
 const STARTING = "The robot goes to the start of the task.";
 const MEASURING = "The judge measures until the robot has stopped for 3 s, or the time is over.";
 const ENDED = "Judge me ended this program.";
-const NO_ROBOT = "No robot is running: start one.";
 const NOT_CONNECTED = "There is no connection to the cockpit.";
 const NO_ANSWER = "The judge did not put the robot at its start. Try again.";
 const NOT_DRIVEN = "The program has ended, and the robot did not drive: no score.";
@@ -26,6 +26,8 @@ const JUDGE_GONE = "The judge does not answer any more. Try again.";
 const CANCELLED = "Judge me was cancelled";
 const NOT_COUNTED = "The drive does not count";
 const SEEN = "The judge has seen enough.";
+const OFF = "your teacher has switched this task off";
+const NOBODY_JUDGES = "nobody judges this task any more";
 const NOT_JUDGED = "This drive is not judged any more.";
 
 export class Judging {
@@ -35,13 +37,15 @@ export class Judging {
   state = { name: "idle" };
   unanswered = 0; // messages "judge"
   keptAt = -Infinity;
+  isOver = () => false; // whether what is said is not so any more
 
-  // send(message) returns whether there is a connection; run(): runs the program; end(sentence): ends one that runs;
-  // say(text); world
-  /** @param {{ send: Send, run: () => void, end: (sentence: string) => void, say: (text: string) => void,
-   * world: World }} page */
-  constructor({ send, run, end, say, world }) {
+  // send(message) returns whether it was sent; lost(): whether there is no connection; run(): runs the program;
+  // end(sentence): ends one that runs; say(text); world
+  /** @param {{ send: Send, lost: () => boolean, run: () => void, end: (sentence: string) => void,
+   * say: (text: string) => void, world: World }} page */
+  constructor({ send, lost, run, end, say, world }) {
     this.send = send;
+    this.lost = lost;
     this.run = run;
     this.end = end;
     this.say = say;
@@ -61,20 +65,34 @@ export class Judging {
 
   enter(name, text, data = {}) {
     this.state = { name, since: performance.now(), ...data };
+    this.isOver = () => false;
     this.say(text);
+  }
+
+  // Nothing is judged; this is said as long as it is so.
+  rest(text, isSo) {
+    this.enter("idle", text);
+    this.isOver = hasPassed(isSo);
+  }
+
+  // Another program is shown, or one runs: what is said of an earlier one is over.
+  forget() {
+    if (this.state.name === "idle") this.enter("idle", "");
   }
 
   // The program that runs ends, and its drive is not judged; one that commands the robot from elsewhere waits.
   begin(robot, task) {
     this.disarm();
-    if (!this.world.robot(robot)) return this.enter("idle", NO_ROBOT);
+    if (!this.world.robot(robot)) return this.rest(this.world.describeAbsence(), this.isAbsent);
     const { program, state } = this.world.state(robot);
     const waiting = program && state === "driving" ? ` ${program} waits until the end.` : "";
     this.enter("waiting", STARTING + waiting, { robot, task });
     this.end(ENDED);
     this.send({ type: "drive", robot, forward: 0, left: 0 }); // who had to let go, has
-    if (!this.ask(task)) this.enter("idle", NOT_CONNECTED);
+    if (!this.ask(task)) this.rest(NOT_CONNECTED, this.lost);
   }
+
+  isAbsent = () => !this.world.robot(this.world.chosen);
 
   // Asks for a task, or "" for the end of it; the cockpit answers one after the other.
   ask(task) {
@@ -96,14 +114,28 @@ export class Judging {
   answered({ request, refusal }) {
     this.unanswered -= 1;
     if (!this.isWaiting || this.unanswered) return;
-    if (refusal) this.enter("idle", refusal.text);
+    const { world, state: { robot } } = this;
+    if (refusal) this.rest(refusal.text, () => holds(refusal.code, world, robot, false));
     else this.state.request = request;
+  }
+
+  // These are the tasks now.
+  list(tasks) {
+    const task = tasks.find(({ name }) => name === this.state.task);
+    if (this.isWaiting && !(task?.on || task && this.world.teacher)) {
+      this.cancel(`${CANCELLED}: ${task ? OFF : NOBODY_JUDGES}.`);
+    }
   }
 
   cancel(text = `${CANCELLED}.`) {
     if (!["waiting", "ended"].includes(this.state.name)) return;
     this.disarm();
     this.enter("idle", text);
+  }
+
+  // Nothing drives any more, for this reason: a sentence.
+  stop(sentence) {
+    this.cancel(`${sentence} ${this.isWaiting ? CANCELLED : NOT_COUNTED}.`);
   }
 
   // The person pauses the program.
@@ -127,6 +159,7 @@ export class Judging {
   update() {
     if (this.isWaiting) this.wait();
     else if (this.state.name !== "idle") this.follow();
+    else if (this.isOver()) this.forget();
     this.keep();
   }
 
@@ -150,11 +183,18 @@ export class Judging {
     const { report, world, state: { name, robot, since } } = this;
     if (robot !== world.chosen) this.cancel(`${CANCELLED}: another robot was chosen.`);
     else if (!report) this.conclude(JUDGE_GONE, NOT_JUDGED);
-    else if (report.state === "done") this.conclude(result(report), SEEN);
+    else if (report.state === "done") this.score(report);
     else if (report.state === "cancelled") this.conclude(report.text, NOT_JUDGED);
     else if (name === "ended" && report.state === "ready" && performance.now() - since > DRIVE_TIMEOUT) {
       this.cancel(NOT_DRIVEN);
     }
+  }
+
+  // It is shown until the robot gets another task, or is put back.
+  score(report) {
+    const { world, state: { robot } } = this;
+    this.conclude(result(report), SEEN);
+    this.isOver = hasPassed(() => world.chosen === robot && world.state(robot).task?.request === report.request);
   }
 
   // The judge is done: a program that still runs ends, and the robot stops.

@@ -19,7 +19,6 @@ import { Tasks } from "./tasks.js";
 const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
 const HIDDEN = "The page was hidden, so the program was stopped.";
-const NO_ROBOT = "No robot was running.";
 const ENDED = "The program has ended.";
 const CHANGED = "The program was changed. Run it again.";
 const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
@@ -73,7 +72,7 @@ const work = openWork({
     element("title").disabled = on;
   },
 });
-const tasks = new Tasks({ send, run: () => start(false), end, world });
+const tasks = new Tasks({ send, lost: () => !shell.link.connected, run: () => start(false), end, world });
 const { judging } = tasks;
 const overview = new Overview({ send, look: (row) => work.look(row), download, world });
 
@@ -99,7 +98,8 @@ function start(stepping) {
   const robot = world.robot(world.chosen);
   clearPrints();
   end();
-  if (!shell.link.connected || !robot) return refuse(robot ? LOST : NO_ROBOT);
+  judging.forget();
+  if (!shell.link.connected || !robot) return refuse(robot ? LOST : world.describeAbsence("was"));
   const delay = () => DELAYS[element("speed").value];
   run = new Run(currentProgram(workspace), robot, stepping, { send, printed, changed: show, ended, delay });
   showControls(run, false); // now: Stop may be pressed at once
@@ -162,6 +162,7 @@ function open(title, text) {
     return false;
   }
   end(CHANGED);
+  judging.forget();
   element("title").value = title;
   setOutcome("Press Run.");
   showUnits();

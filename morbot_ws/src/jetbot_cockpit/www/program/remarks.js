@@ -4,6 +4,8 @@ const LIMITED = 1.005; // times the fastest speed: more than rounding
 const PAUSED = "Paused. Step runs the marked block.";
 const NO_WAIT = "A loop runs without a wait, so the robot stands still: put a wait into it.";
 
+export const UNUSED = "The robot obeys while the program waits: put a wait below the last block that sets its speed.";
+
 // Returns a sentence if the wheels cannot turn as fast as x, z asks, or "". robot: as the cockpit describes it
 export function excess(/** @type {number[]} */ [x, z], { wheel_separation: separation, max_speed: fastest, workshop }) {
   const asked = Math.abs(x) + Math.abs(z) * separation / 2;

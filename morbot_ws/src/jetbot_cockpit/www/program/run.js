@@ -7,7 +7,7 @@ import { Clock } from "./clock.js";
 import { Interpreter } from "./interpreter.js";
 import { HOLD, Motion } from "./motion.js";
 import { ProgramError } from "./program_error.js";
-import { excess } from "./remarks.js";
+import { excess, UNUSED } from "./remarks.js";
 import { Senses } from "./senses.js";
 
 const SLICE = 8; // ms that a program computes before the page has its turn
@@ -25,7 +25,8 @@ export class Run {
   at = null; // the id of the block whose statement runs
   entered = false; // whether that is a loop that has named itself twice: it begins its first round
   /** @type {{ text: string, block: string | null } | null} */
-  limit = null; // the first command that is more than the wheels can, and the block that gave it
+  limit = null; // of the first command that is more than the wheels can, or of the last one if it was never driven
+  published = [0, 0]; // x, z: what the robot drove last
   drivenAt = Infinity; // when the program waited last, by its clock; Infinity: it waits
   awakeAt = performance.now(); // when the page had its last turn
 
@@ -100,6 +101,7 @@ export class Run {
       else await this.drive(event);
       if (this.over) return;
     }
+    this.noteUnused();
     this.end();
   }
 
@@ -121,6 +123,11 @@ export class Run {
   noteLimit() {
     const text = excess(this.interpreter.motion, this.robot);
     if (text) this.limit ??= { text, block: this.at };
+  }
+
+  noteUnused() {
+    const { motion } = this.interpreter;
+    if (motion !== this.published && motion.some(Boolean)) this.limit ??= { text: UNUSED, block: null };
   }
 
   // Comes before each statement: shows it, and waits if the program is slow or paused.
@@ -171,7 +178,8 @@ export class Run {
   }
 
   publish() {
-    this.motion.publish(this.interpreter.motion, this.robot);
+    this.published = this.interpreter.motion;
+    this.motion.publish(this.published, this.robot);
   }
 
   async sleep(ms = HEARTBEAT) {

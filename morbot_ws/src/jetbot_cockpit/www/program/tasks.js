@@ -3,14 +3,12 @@
 import { element, setText } from "../dom.js";
 import { Judging } from "./judging.js";
 
-const NOT_OFFERED = "Judge me was cancelled: nobody judges this task any more.";
-
 export class Tasks {
-  // send(message); run(): runs the program; end(sentence): ends one that runs; world
-  constructor({ send, run, end, world }) {
-    this.world = world;
-    this.endProgram = end;
-    this.judging = new Judging({ send, run, end, world, say: (text) => this.say(text) });
+  // page: what Judging asks of it, but say
+  constructor(page) {
+    this.world = page.world;
+    this.endProgram = page.end;
+    this.judging = new Judging({ ...page, say: (text) => this.say(text) });
     element("judge").addEventListener("click", () => this.press());
     for (const id of ["end", "run", "step"]) {
       for (const event of ["pointerdown", "click"]) element(id).addEventListener(event, () => this.judging.cancel());
@@ -27,13 +25,12 @@ export class Tasks {
     element("task-choice").replaceChildren(...offered.map(({ name, title }) => new Option(title, name)));
     if (offered.some(({ name }) => name === value)) element("task-choice").value = value;
     for (const id of ["task-choice", "judge"]) element(id).hidden = !offered.length;
-    const { isWaiting, state: { task } } = this.judging;
-    if (isWaiting && !offered.some(({ name }) => name === task)) this.judging.cancel(NOT_OFFERED);
+    this.judging.list(tasks);
   }
 
   // Nothing drives any more, for this reason: a sentence.
   end(sentence) {
-    this.judging.cancel(sentence);
+    this.judging.stop(sentence);
     this.endProgram(sentence);
   }
 
@@ -44,6 +41,7 @@ export class Tasks {
 
   say(text) {
     setText(element("score"), text);
+    if (text) element("output").scrollIntoView({ block: "nearest" });
     setText(element("judge"), this.judging.isWaiting ? "Cancel" : "Judge me");
   }
 }
