@@ -17,6 +17,7 @@ const text = (variable) => JSON.stringify({ blocks: { blocks: [] }, variables: [
 const ID = { square: "5".repeat(16), star: "6".repeat(16) };
 const BAD = "not to be shown";
 const NEW = "Not kept until you change it.";
+const WAITS = "A change waits on this device for its own class.";
 
 // A cockpit with these programs: { id, robot, name, program, version }; the newest change first; and with this class.
 function cockpit(t, programs = [], classId = null) {
@@ -121,8 +122,8 @@ test("a file that is opened is kept, unless it cannot be shown", async (t) => {
   const { saves } = cockpit(t, [square()]);
   const page = openPage();
   await page.hear();
-  page.work.addFile("Square", text("f"));
   page.work.addFile("Bad", BAD);
+  page.work.addFile("Square", text("f"));
   await clock.pass(1000);
   assert.deepEqual(saves().map(({ name, program }) => [name, program]), [["Square 2", text("f")]]);
   assert.equal(page.said, "Kept");
@@ -458,7 +459,7 @@ async function reopen(t, page, programs, classId) {
   const opened = openPage(page.storage);
   await opened.hear();
   await clock.pass(60000);
-  return [opened, state.programs.map(({ name }) => name)];
+  return [opened, state.programs.map(({ name }) => name), state.saves().length];
 }
 
 test("a change that was not sent waits on the device while another class has its lesson", async (t) => {
@@ -470,10 +471,68 @@ test("a change that was not sent waits on the device while another class has its
   page.edit("Before the bell");
   await clock.pass(2000);
   const [other, theirs] = await reopen(t, page, [], "b");
-  assert.deepEqual([other.name, other.said, theirs], ["my program", NEW, []]);
+  assert.deepEqual([other.name, other.said, theirs], ["my program", WAITS, []]);
   assert.equal(openPage(other.storage).name, "my program", "also without the cockpit");
   const [own, ours] = await reopen(t, other, [square()], "a");
   assert.deepEqual([own.name, ours], ["Before the bell", ["Before the bell", "Square"]]);
+});
+
+test("what waits for a class is sent once that is back; what was made meanwhile has a free name there", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square({ name: "Zigzag" })], "a");
+  const page = await openInClassA(clock, state, "Zigzag");
+  const own = state.programs;
+  state.online = false;
+  page.work.add("Zigzag", text("own"));
+  page.program = text("changed");
+  page.work.changed();
+  await clock.pass(2000);
+  Object.assign(state, { programs: [], classId: null, online: true });
+  await clock.pass(3000);
+  await page.hear();
+  assert.deepEqual([page.name, page.said, state.programs], ["my program", WAITS, []]);
+  page.work.add("Zigzag", EMPTY);
+  page.program = text("z");
+  page.work.changed();
+  await clock.pass(1000);
+  Object.assign(state, { programs: own, classId: "a" });
+  await page.hear();
+  await clock.pass(1000);
+  assert.deepEqual(state.programs.map(({ name, program }) => [name, program]).sort(),
+                   [["Zigzag 2", text("changed")], ["Zigzag 3", text("z")], ["Zigzag", text("s")]]);
+  assert.deepEqual([page.name, page.program], ["Zigzag 3", text("z")]);
+  assert.doesNotMatch([...page.storage.values()].join(), /"unsaved":true/, "nothing waits any more");
+});
+
+test("what its class has once that was back is not sent again after a reload", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t, [square()], "a");
+  const page = await openInClassA(clock, state);
+  page.edit("Mine");
+  for (const [classId, programs] of [[null, []], ["a", state.programs]]) {
+    Object.assign(state, { classId, programs });
+    await page.hear();
+    await clock.pass(3000);
+  }
+  assert.deepEqual(state.names(), ["Mine"]);
+  const [again, names] = await reopen(t, page, [square({ name: "Theirs", version: 9 })], "a");
+  assert.deepEqual([again.name, names], ["Theirs", ["Theirs"]]);
+});
+
+test("new programs are numbered, also while none can be sent", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t);
+  const page = openPage();
+  await page.hear();
+  state.online = false;
+  for (const variable of ["a", "b", "c"]) {
+    page.work.add("my program", EMPTY);
+    page.program = text(variable);
+    page.work.changed();
+  }
+  state.online = true;
+  await clock.pass(4000);
+  assert.deepEqual(state.names(), ["my program", "my program 2", "my program 3"]);
 });
 
 test("ten minutes without a network, and a reload, lose nothing", async (t) => {
@@ -498,8 +557,8 @@ test("without a network, programs that are left for others are all sent after a 
     page.edit(name);
   }
   await clock.pass(10000);
-  const [again, names] = await reopen(t, page, [square()], "a");
-  assert.deepEqual([again.name, names.sort()], ["Three", ["Larger square", "Three", "Two"]]);
+  const [again, names, saves] = await reopen(t, page, [square()], "a");
+  assert.deepEqual([again.name, names.sort(), saves], ["Three", ["Larger square", "Three", "Two"], 3]);
   const [, later] = await reopen(t, again, [square({ name: "Theirs", version: 9 })], "a");
   assert.deepEqual(later, ["Theirs"], "what the cockpit has is not sent again");
 });

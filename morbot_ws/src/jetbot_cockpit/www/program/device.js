@@ -29,6 +29,7 @@ export function leave(kept) {
 
 // Keeps a program that is not shown as long as it is unsaved.
 export function keepAside(kept) {
+  if (load(recall(keyOf(kept)))?.id === kept.id) remember(keyOf(kept), JSON.stringify(entry(kept))); // was shown last
   const others = keptAside().filter(({ id }) => id !== kept.id);
   const all = kept.content && kept.state.unsaved ? [...others, entry(kept)] : others;
   if (others.length || all.length || recall(ASIDE)) remember(ASIDE, JSON.stringify(all));

@@ -16,6 +16,7 @@ const RETRY_AFTER = 3000; // ms
 const TOO_LARGE = "Too large to be kept here. Save it as a file.";
 const AGAIN = "The page tries again.";
 const NEW = "Not kept until you change it.";
+const FOREIGN = "A change waits on this device for its own class.";
 const NEWER = "There is a newer version of this program.";
 
 // What a person reads in each state; bad: as a warning; unsaved: the cockpit has another content
@@ -25,7 +26,7 @@ const STATES = {
   sending: { text: "Not kept yet", unsaved: true }, // perhaps the cockpit has kept it, and its answer was lost
   kept: { text: "Kept" },
   refused: { bad: true, unsaved: true }, // text: why it is not kept as it is
-  foreign: { text: "", unsaved: true }, // the cockpit has another class: it waits on this device for its own
+  foreign: { text: FOREIGN, unsaved: true }, // the cockpit has another class
   older: { text: NEWER, bad: true }, // newer: the version that another page has saved
 };
 

@@ -10,7 +10,7 @@ const LOOKING = "You can look at this program, but not change it.";
 export class Work {
   /** @type {string | null} */
   robot = null; // whose programs these are
-  classId = null; // of the class that the cockpit has, null for one without a name
+  classId = undefined; // of the class that the cockpit has, null for one without a name
   changes = undefined; // to the robot's programs, as far as the last list shows them
   /** @type {any} */
   kept = null; // the Kept that is shown
@@ -51,7 +51,7 @@ export class Work {
 
   // Shows a new program, by a name of its own; returns whether it can.
   add(name, program) {
-    return this.display(this.freeName(clean(name)), program, "editing");
+    return this.display(this.freeName(clean(name), this.shown()), program, "editing");
   }
 
   // The same with what a person has made elsewhere: it is kept.
@@ -59,9 +59,14 @@ export class Work {
     if (this.add(name, program)) this.keep();
   }
 
-  freeName(name) {
-    const shown = this.kept?.content ? [this.view.current()] : []; // perhaps not in the list yet
-    return freeName(name, [...this.rows, ...shown]);
+  shown() {
+    return this.kept?.content ? [this.view.current()] : []; // perhaps not in the list yet
+  }
+
+  // Returns a name that no program of the robot has, nor one that this device has yet to send, nor these others.
+  freeName(name, others = []) {
+    const unsent = device.keptAside().filter(({ robot }) => robot === this.robot);
+    return freeName(name, [...this.rows, ...unsent, ...others]);
   }
 
   // Shows a version of one of the robot's programs, or what has replaced it. Throws a NotKept.
@@ -96,7 +101,7 @@ export class Work {
 
   // Undoes that, under a free name; shows the program again unless there is another. Throws a NotKept.
   async undo({ id, robot, name, version }) {
-    const free = this.freeName(name);
+    const free = this.freeName(name, this.shown());
     if (free === name) await ask({ do: "restore", robot, id });
     else {
       const { program } = await ask({ do: "open", robot, id });
@@ -150,7 +155,7 @@ export class Work {
     this.rows = rows;
     this.view.list(rows);
     if (this.state.name === "looking") return;
-    this.classId = classId;
+    this.enterClass(classId);
     if (this.isGone(rows)) this.leave();
     if (this.state.name === "arriving" && !this.kept.content) this.goOnUnsaved();
     const { kept, state: { name, baseline } } = this;
@@ -160,8 +165,24 @@ export class Work {
     const newest = rows.find(({ deleted }) => !deleted);
     if (row && arriving && row.version > kept.version) this.openNewer(row);
     else if (row) kept.compare(row);
-    else if (kept.version && !kept.classId) this.keep(); // a cockpit that keeps no class was started again
+    else if (kept.version && !kept.classId) this.join(); // a cockpit that keeps no class was started again
     else if (arriving && newest && !kept.version) this.openNewer(newest);
+  }
+
+  // The cockpit has this class. What waits for one that was away is sent.
+  enterClass(classId) {
+    const before = this.classId;
+    this.classId = classId;
+    if (before === undefined || before === classId) return;
+    for (const each of device.keptAside()) if (each.classId === classId) this.sendAgain(each);
+  }
+
+  // Keeps what is shown beside the programs that the cockpit has, under a free name.
+  join() {
+    const { name, program } = this.view.current();
+    const free = this.freeName(name);
+    if (free !== name) this.view.show(free, program);
+    this.keep();
   }
 
   // Returns whether what is shown is another class's, or was deleted while this page was away.
@@ -176,6 +197,7 @@ export class Work {
     const { kept } = this;
     this.display(...this.empty, "arriving");
     device.leave(kept);
+    this.report(kept);
   }
 
   // Shows what this device has of this robot, and the cockpit has not.
@@ -218,11 +240,13 @@ export class Work {
     this.kept.change(content);
   }
 
-  // Says what has become of a program, of another one only while it is bad; keeps the shown one on this device.
+  // Says what has become of a program, of another one only what is bad, or that it waits for its class, without its
+  // name; keeps the shown one on this device.
   report(kept) {
     const { content, state: { name, text, bad } } = kept;
     if (kept !== this.kept) {
       device.keepAside(kept);
+      if (name === "foreign") return this.view.say(text, false, false);
       return bad ? this.view.say(`${content.name}: ${text}`, true, false) : this.report(this.kept);
     }
     this.view.say(this.state.name === "looking" ? LOOKING : text, bad, name === "older");

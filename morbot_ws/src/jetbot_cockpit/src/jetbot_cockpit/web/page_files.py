@@ -13,7 +13,8 @@ WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit", "www")
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
          ".cur": "image/x-icon"}
 NEVER, CHECKED, FOREVER = "no-store", "no-cache", "max-age=31536000, immutable"  # how a browser keeps a file
-COMMENT = re.compile(rb"^ *(?://.*|/\*\*.*\*/)$", re.MULTILINE)  # a whole line; the lines keep their numbers
+# A whole line, or its end, which is in no text since it has no quotes; the lines keep their numbers
+COMMENT = re.compile(rb"""^ *(?://.*|/\*\*.*\*/)$|(?<=[;,{}()\[\]]) +// [^"'`\n]*$""", re.MULTILINE)
 REFERENCE = re.compile(r'(?<=src="|ref=")[^":]+(?=")')
 IMPORT = re.compile(r'^(?:import|export|\}).* from "(\..+)";$|^import "(\..+)";$', re.MULTILINE)
 MODULE = re.compile(r' *<script type="module" src="([^"]+)"></script>')
