@@ -75,7 +75,7 @@ def test_a_teacher_reads_who_drives_to_its_end_and_no_button_touches_the_pad(pag
         page.resize(*screen)
         page.wait_for_text("fleet", "Maximilian-Alexander drives it")
         assert page.cut("#fleet .who") == [], screen
-    page.resize(844, 390)
+    page.resize(640, 360)
     page.wait_for(lambda: page.element("take").is_displayed(), "Take over")
     assert page.run(GAP_ABOVE_PAD) >= 4
 
