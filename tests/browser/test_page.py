@@ -80,6 +80,14 @@ def test_a_teacher_reads_who_drives_to_its_end_and_no_button_touches_the_pad(pag
     assert page.run(GAP_ABOVE_PAD) >= 4
 
 
+def test_go_on_is_offered_only_where_something_waits(page):
+    page.resize(*DESKTOP)
+    for held, waiting, offered in (("robot", [], True), ("programs", [], False), ("programs", ["/circle"], True)):
+        page.receive_class(2, state="stopped", held=held, waiting=waiting)
+        page.wait_for(lambda offered=offered: [page.element(each).is_displayed() for each in ("go-on", "all-go-on")]
+                      == [offered, offered], f"Go on while {waiting} wait for {held}: {offered}")
+
+
 def test_on_an_upright_tablet_the_map_keeps_a_third_and_on_small_screens_the_legend_its_words(page):
     task = {"name": "metre", "title": "One metre", "state": "done", "text": LONG, "seconds": 3.9, "score": 87.3}
     for width, height in (768, 960), (360, 640), (640, 360), (320, 568):
