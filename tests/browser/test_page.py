@@ -75,9 +75,17 @@ def test_a_teacher_reads_who_drives_to_its_end_and_no_button_touches_the_pad(pag
         page.resize(*screen)
         page.wait_for_text("fleet", "Maximilian-Alexander drives it")
         assert page.cut("#fleet .who") == [], screen
-    page.resize(844, 390)
+    page.resize(640, 360)
     page.wait_for(lambda: page.element("take").is_displayed(), "Take over")
     assert page.run(GAP_ABOVE_PAD) >= 4
+
+
+def test_go_on_is_offered_only_where_something_waits(page):
+    page.resize(*DESKTOP)
+    for held, waiting, offered in (("robot", [], True), ("programs", [], False), ("programs", ["/circle"], True)):
+        page.receive_class(2, state="stopped", held=held, waiting=waiting)
+        page.wait_for(lambda offered=offered: [page.element(each).is_displayed() for each in ("go-on", "all-go-on")]
+                      == [offered, offered], f"Go on while {waiting} wait for {held}: {offered}")
 
 
 def test_on_an_upright_tablet_the_map_keeps_a_third_and_on_small_screens_the_legend_its_words(page):

@@ -33,14 +33,14 @@ export function showStatus(world, problem) {
   setClass(document.body, "offline", problem);
 }
 
-function showTeachersTools(world, robot, { held, fake }) {
+function showTeachersTools(world, robot, { fake }) {
   const several = world.robots.length > 1;
   const fleet = world.teacher && several;
   element("fit").hidden = !several && !world.pointsOf(robot?.id).length;
   element("fleet").hidden = element("show-fleet").hidden = !fleet;
   element("show-codes").hidden = !world.me.codes;
   element("take").hidden = !(world.teacher && robot && world.mayTake(robot.id));
-  element("go-on").hidden = !(world.teacher && held);
+  element("go-on").hidden = !(world.teacher && robot && world.nameWaiting(robot.id));
   element("reset").hidden = !(world.teacher && robot?.simulated);
   element("robot").title = fake ? SIMULATED : "";
   setClass(document.body, "several", fleet);

@@ -92,7 +92,7 @@ export class Fleet {
     if (element("fleet").hidden) return;
     for (const row of this.rows) this.showRow(row);
     const driving = this.rows.filter(({ item }) => item.dataset.level === "driving").length;
-    element("all-go-on").hidden = !this.rows.some(({ id }) => this.world.state(id).held);
+    element("all-go-on").hidden = !this.rows.some(({ id }) => this.world.nameWaiting(id));
     setText(element("fleet-summary"), `${this.rows.length} robots, ${driving} driving`);
   }
 
