@@ -1,9 +1,8 @@
-// What is shown of the chosen robot: who drives it, why it does not move, its task, what its wheels get and the formula
+// What the pad's page shows of the chosen robot: who drives it, its task, what its wheels get and the formula
 // that leads there, and what a teacher can do with it.
 
 /** @import { World } from "./world.js" */
 
-import { visible } from "./colors.js";
 import { element, inSeconds, setClass, setText, signed } from "./dom.js";
 import { leaveView } from "./views.js";
 
@@ -22,17 +21,6 @@ export function showPanel(world, problem) {
   showTeachersTools(world, robot, state);
 }
 
-// Shows the chosen robot's status, and its colour.
-/** @param {World} world */
-export function showStatus(world, problem) {
-  const robot = world.robot(world.chosen);
-  const { text, level } = problem ? { text: problem, level: "warning" } : world.status;
-  setText(element("sentence"), text);
-  element("status").dataset.level = level;
-  if (robot) document.documentElement.style.setProperty("--robot", visible(robot.color));
-  setClass(document.body, "offline", problem);
-}
-
 function showTeachersTools(world, robot, { fake }) {
   const several = world.robots.length > 1;
   const fleet = world.teacher && several;
@@ -45,13 +33,6 @@ function showTeachersTools(world, robot, { fake }) {
   element("robot").title = fake ? SIMULATED : "";
   setClass(document.body, "several", fleet);
   if (!fleet) leaveView("fleet");
-}
-
-export function showRoundTrip(milliseconds) {
-  const text = `${Math.max(1, Math.round(milliseconds))} ms`;
-  setText(element("link"), text);
-  element("link").dataset.quality = milliseconds < 60 ? "good" : milliseconds < 200 ? "fair" : "poor";
-  element("link").setAttribute("aria-label", `Connection: ${text} to the cockpit and back`);
 }
 
 function showWheels(robot, { command, wheels }) {

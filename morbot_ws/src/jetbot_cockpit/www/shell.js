@@ -5,9 +5,9 @@ import { Link } from "./link.js";
 import { LoginForm, logIn, NameField, storedName, takeCodeFromAddress } from "./login.js";
 import { RobotMap } from "./map.js";
 import { Notice } from "./notice.js";
-import { showRoundTrip, showStatus } from "./panel.js";
 import { holds } from "./refusals.js";
 import { Choice } from "./robots.js";
+import { showRoundTrip, showStatus } from "./status.js";
 import { Stops } from "./stops.js";
 import { World } from "./world.js";
 
