@@ -7,7 +7,6 @@ import pytest
 
 from jetbot_cockpit.web.page_files import CHECKED, COMMENT, FOREVER, NEVER, WWW, read_files
 
-KB = 1024  # bytes
 HEADERS = 240  # bytes of an answer
 VERSIONED = re.compile(r"[0-9a-f]{16}/(.+)")
 
@@ -25,13 +24,13 @@ def loaded(served, page):
 def test_the_page_for_programs_is_first_loaded_with_less_than_250_kb(served):
     files = [served["program.html"], *map(served.__getitem__, loaded(served, "program.html"))]
     assert len(files) > 50
-    assert sum(len(file.brotli or file.gzip) + HEADERS for file in files) < 250 * KB
+    assert sum(len(file.brotli or file.gzip) + HEADERS for file in files) < 250_000
 
 
 @pytest.mark.parametrize("page", ["program.html", "index.html"])
 def test_a_page_is_loaded_again_with_less_than_20_kb_since_the_browser_keeps_all_else(served, page):
     assert {served[name].cache for name in loaded(served, page)} == {FOREVER}
-    assert served[page].cache == NEVER and len(served[page].gzip) + HEADERS < 20 * KB
+    assert served[page].cache == NEVER and len(served[page].gzip) + HEADERS < 20_000
 
 
 @pytest.mark.parametrize("page", ["program.html", "index.html"])
