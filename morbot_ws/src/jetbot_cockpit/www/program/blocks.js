@@ -1,6 +1,7 @@
 // The blocks as Blockly has them, and the toolbox. Blockly is a script of the page, not a module.
 
 import { toText } from "../storage.js";
+import "./words.js";
 import { DRIVE, ROBOT, SENSE } from "./robot.js";
 
 const { Blockly } = globalThis;

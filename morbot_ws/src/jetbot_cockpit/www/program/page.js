@@ -10,11 +10,11 @@ import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
 import { NEW, openWork } from "./keeping.js";
-import { Overview } from "./overview.js";
 import { packageName, packageText } from "./package.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
 import { Tasks } from "./tasks.js";
+import { TeachersSheet } from "./teachers_sheet.js";
 
 const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
@@ -74,7 +74,7 @@ const work = openWork({
 });
 const tasks = new Tasks({ send, lost: () => !shell.link.connected, run: () => start(false), end, world });
 const { judging } = tasks;
-const overview = new Overview({ send, look: (row) => work.look(row), download, world });
+const overview = new TeachersSheet({ send, look: (row) => work.look(row), download, world });
 
 // The cockpit also refuses the next command; this comes first where the program waits.
 function endIfStopped() {
