@@ -5,11 +5,12 @@ import { t } from "../language.js";
 import { ProgramError } from "./program_error.js";
 import { ROBOT } from "./robot.js";
 import {
-  comparable, COMPARISONS, CONSTANTS, constrain, modulo, notChangeable, notComparable, OPERATIONS, plain,
-  PROPERTIES, randomInteger, shown, truth, whole,
+  comparable, COMPARISONS, CONSTANTS, constrain, modulo, notChangeable, notComparable, OPERATIONS, plain, PROPERTIES,
+  randomInteger, shown, truth, whole,
 } from "./values.js";
 
 const MAX_TEXT = 10000; // characters
+const TOO_LONG = t("A text has at most {most} characters.", { most: MAX_TEXT });
 
 export const LOOPS = {
   *robot_loop(run, block) {
@@ -92,7 +93,7 @@ const VALUES = {
     let text = "";
     for (let number = 0; number < (block.extraState?.itemCount ?? 2); number += 1) {
       text += shown(yield* run.value(block, `ADD${number}`, ""));
-      if (text.length > MAX_TEXT) throw new ProgramError(t("A text has at most {most} characters.", { most: MAX_TEXT }));
+      if (text.length > MAX_TEXT) throw new ProgramError(TOO_LONG);
     }
     return text;
   },
