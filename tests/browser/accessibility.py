@@ -11,11 +11,12 @@ RULES = ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa", "best-practice"]
 AUDIT = """const [rules, done] = arguments;
 axe.run({runOnly: rules, resultTypes: ["violations"]}).then(({violations}) => done(violations.flatMap(
     ({id, help, nodes}) => nodes.map(({target, failureSummary}) => [id, help, target.join(" "), failureSummary]))));"""
+SILENT = "generic", "none", "InlineTextBox"  # roles of which nothing is said
 STATES = ("disabled", "checked", "pressed", "expanded", "selected", "invalid", "focused")
 
 
 class Node(NamedTuple):
-    """What a screen reader says of an element: state has those of STATES that are true, value is a text."""
+    """What a screen reader says of an element or a text; state: those of STATES that it has."""
 
     role: str
     name: str
@@ -37,8 +38,13 @@ def violations(page) -> List[str]:
 
 def tree(page) -> List[Node]:
     """Return what a screen reader finds on a page, from its beginning to its end."""
-    nodes = page.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
-    return [_node(node) for node in nodes if not node["ignored"]]
+    nodes = {node["nodeId"]: node for node in page.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]}
+
+    def within(number):
+        node = nodes[number]
+        own = [] if node["ignored"] or node["role"]["value"] in SILENT else [_node(node)]
+        return own + [each for child in node["childIds"] if child in nodes for each in within(child)]
+    return within(next(iter(nodes)))
 
 
 def _node(node):
@@ -46,4 +52,4 @@ def _node(node):
                                       for key in ("role", "name", "description", "value"))
     properties = {each["name"]: each["value"].get("value") for each in node.get("properties", [])}
     state = [key for key in STATES if properties.get(key) not in (None, False, "false")]
-    return Node(role, name, description, value, state)
+    return Node(role, name, description, properties.get("valuetext") or value, state)
