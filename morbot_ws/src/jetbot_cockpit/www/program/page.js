@@ -1,11 +1,12 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
 import { create, element, onPress, setText } from "../dom.js";
+import { keepFocus } from "../focus.js";
 import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
 import { parseProgram } from "./check.js";
 import { showControls } from "./controls.js";
-import { currentProgram, limitProgram, openEditor, showProgram, textOf } from "./editor.js";
+import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
@@ -124,8 +125,7 @@ function ended(sentence, block) {
   const { limit } = run;
   judging.programEnded(Boolean(sentence));
   setOutcome([sentence || ENDED, limit?.text].filter(Boolean).join(" "), Boolean(sentence || limit));
-  const marked = workspace.getBlockById(block ?? limit?.block ?? "");
-  if (marked) Blockly.common.setSelected(marked);
+  selectBlock(workspace, block ?? limit?.block ?? "");
   show();
 }
 
@@ -199,6 +199,7 @@ function draw() {
   showPlace(workspace, running);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
   if (element("map").clientWidth) shell.map.draw();
+  keepFocus();
 }
 
 // Shows the map in place of the Python, or that again.
@@ -210,7 +211,7 @@ function showMap(on) {
 
 // What a person does
 
-onPress(element("run"), () => element("run").disabled || start(false), () => false);
+onPress(element("run"), () => start(false), () => false);
 onPress(element("end"), () => end("Stopped."));
 element("pause").addEventListener("click", () => (run.held ? run.resume() : run.pause()));
 element("step").addEventListener("click", () => (runs() ? run.step() : start(true)));
