@@ -1,6 +1,7 @@
 // The buttons that run a program, and what is said of it while it runs.
 
 import { element, setText } from "../dom.js";
+import { t } from "../language.js";
 import { setOutcome } from "./output.js";
 import { newsOf } from "./remarks.js";
 
@@ -23,6 +24,6 @@ export function showControls(run, waiting) {
   enable("end", run || waiting);
   enable("step", !run || held);
   element("pause").setAttribute("aria-pressed", String(held));
-  setText(element("pause"), held ? "Go on" : "Pause");
+  setText(element("pause"), held ? t("Go on") : t("Pause"));
   if (run) setOutcome(...newsOf(run));
 }
