@@ -36,7 +36,7 @@ export type Incoming =
   | { type: "hello"; id: number; name: string; role: "pupil" | "teacher"; robot: string | null; codes: boolean; limits: Limits; }
   | { type: "robots"; robots: Robot[]; }
   | { type: "state"; emergency: boolean; pupils_release: boolean; robots: Record<string, RobotState>; }
-  | { type: "trail"; robot: string; points: [number, number][]; }
+  | { type: "trail"; robot: string; start: [number, number, number] | null; points: [number, number][]; }
   | { type: "scene"; robot: string; shapes: Shape[]; }
   | { type: "scores"; scores: Score[]; }
   | { type: "picture"; robot: string; number: number; stamp: number; bytes: number; }
