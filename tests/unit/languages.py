@@ -17,7 +17,7 @@ MESSAGE = re.compile(rf'Blockly\.Msg\["(\w+)"\] = ({LITERAL});')
 SPOKEN = re.compile(  # Blockly's names of what it says to screen readers, and of the keys that it names
     "(?:ANNOUNCE|ARIA|BLOCK_LABEL|BUBBLE|CLOSE$|FIELD_LABEL|ICON|INPUT_LABEL|KEYBOARD_NAV|OPEN_TRASH|RESET|SCREENREADER"
     r"|WORKSPACE|ZOOM|\w*(?:_ANNOUNCEMENT|_ARIA|ALT_KEY|COMMAND_KEY|CONTROL_KEY|DELETE_KEY|ENTER_KEY|SHIFT_KEY)$)")
-ABSENT = re.compile("COLLAPSED|COMMENT|CHECKBOX|IMAGE|LIST|ATAN2|SCREENREADER_HINT"  # which our blocks do not have
+ABSENT = re.compile("COLLAPSED|COMMENT|CHECKBOX|IMAGE|LIST|ATAN2"  # which our blocks do not have
                     "|TEXT_(?!JOIN|INPUT)")
 
 
