@@ -148,16 +148,7 @@ function drawArrowhead(context, /** @type {number[]} */ [fromX, fromY], /** @typ
     y + size * Math.sin(angle + turn)]));
 }
 
-// Takes the shapes of a message: walls, lines on the floor, a task's course and goal; returns those that this page can
-// draw, each with its path.
-export function prepareShapes(shapes) {
-  return shapes.filter(({ kind }) => Object.hasOwn(STYLES, kind)).map((shape) => {
-    const path = new Path2D();
-    for (const [x, y] of shape.points) path.lineTo(x, y);
-    return { ...shape, path };
-  });
-}
-
+// Draws walls, lines on the floor, a task's course and goal; each keeps its path.
 // chosen: whether they belong to the chosen robot
 export function drawScene(context, shapes, chosen, colors, pixel) {
   for (const shape of shapes) {
@@ -168,10 +159,16 @@ export function drawScene(context, shapes, chosen, colors, pixel) {
       strokeStyle: colors[color], fillStyle: colors[color], lineJoin: "round", lineCap: task ? "round" : "butt",
       lineWidth: task ? width : Math.max(shape.width, width), globalAlpha: chosen ? opacity : FAINT,
     });
-    if (shape.kind !== "goal") context.stroke(shape.path);
+    if (shape.kind !== "goal") context.stroke(shape.path ??= pathOf(shape.points));
     else if (chosen) drawGoal(context, shape.points, pixel);
   }
   Object.assign(context, { globalAlpha: 1, lineCap: "butt" });
+}
+
+function pathOf(points) {
+  const path = new Path2D();
+  for (const [x, y] of points) path.lineTo(x, y);
+  return path;
 }
 
 function drawGoal(context, [from, to], pixel) {

@@ -6,6 +6,7 @@ import { element, setClass, setText } from "./dom.js";
 import { Driving } from "./driving.js";
 import { Keys, Pad, watchGamepads } from "./inputs.js";
 import { t } from "./language.js";
+import { RobotMap } from "./map.js";
 import { showPanel } from "./panel.js";
 import { Fleet } from "./robots.js";
 import { Shell } from "./shell.js";
@@ -48,9 +49,9 @@ const shell = new Shell({
   drives: () => driving.active && world.isMine(driven),
   changed: () => driving.interrupt(),
   draw,
-  tap: choose,
 });
 const { world, notice, send } = shell;
+shell.openMap(RobotMap, choose);
 const fleet = new Fleet(world, choose, send);
 const camera = new Camera(world, send);
 const codes = new Codes(world, send); // before the keys: see there
@@ -70,7 +71,7 @@ function command(forward, left) {
 function fitOnce() {
   if (fitted || !world.teacher || world.robots.length < 2 || !world.placed.length) return;
   fitted = true;
-  shell.map.fit();
+  shell.map?.fit();
 }
 
 function noticeLostLease() {
@@ -93,7 +94,7 @@ function draw() {
   pad.point(...driving.command);
   fleet.show();
   camera.show();
-  shell.map.draw();
+  shell.map?.draw();
 }
 
 function showTasks(tasks) {

@@ -4,11 +4,11 @@
 /** @typedef {Omit<RobotState, "programs"> & { programs?: number }} State without programs: nothing is known yet */
 
 import { forPupils, inWords } from "./causes.js";
-import { prepareShapes } from "./drawing.js";
 import { t } from "./language.js";
 import { limits } from "./limits.js";
 import { OBSTACLES } from "./refusals.js";
 
+const SHAPES = ["wall", "line", "course", "goal"]; // that the map draws
 const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // causes: it has heard of a stop, or cannot
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
 const WAITS = { // while a teacher holds this
@@ -106,7 +106,7 @@ export class World {
   /** @param {Extract<Incoming, { type: "scene" }>} message */
   scene({ robot, shapes }) {
     const before = String(this.courseOf(robot));
-    this.scenes.set(robot, prepareShapes(shapes));
+    this.scenes.set(robot, shapes.filter(({ kind }) => SHAPES.includes(kind)));
     return String(this.courseOf(robot)) !== before;
   }
 
