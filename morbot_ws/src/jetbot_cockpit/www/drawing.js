@@ -1,6 +1,7 @@
 // Draws the map: the grid in pixels; robots, trails, arrows and what is around a robot in metres, x ahead, y to the
 // left. pixel: size of a pixel in metres.
 
+import { number } from "./language.js";
 import { limits } from "./limits.js";
 
 const MIN_CELL = 48; // pixels
@@ -54,7 +55,7 @@ function drawScale(context, viewport, cell, colors) {
   Object.assign(context, { lineWidth: 1.5, fillStyle: colors.text, font, textAlign });
   const corners = [[left, down - 5], [left, down], [left + length, down], [left + length, down - 5]];
   drawLine(context, corners, colors.text);
-  context.fillText(`${Number(cell.toPrecision(1))} m`, left + length / 2, down - 5);
+  context.fillText(`${number(Number(cell.toPrecision(1)))} m`, left + length / 2, down - 5);
 }
 
 function drawLine(context, points, color) {

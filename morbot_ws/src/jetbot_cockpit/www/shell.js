@@ -1,6 +1,7 @@
 // What the pad and the programs share: the connection, the login, the robots, the stops, and when all is shown.
 
 import { element, setText } from "./dom.js";
+import { said, t } from "./language.js";
 import { Link } from "./link.js";
 import { LoginForm, logIn, NameField, storedName, takeCodeFromAddress } from "./login.js";
 import { Notice } from "./notice.js";
@@ -10,10 +11,10 @@ import { showRoundTrip, showStatus } from "./status.js";
 import { Stops } from "./stops.js";
 import { World } from "./world.js";
 
-export const LOST = "The connection to the cockpit was lost.";
-const NEW_CODES = "Your code is not valid any more. Enter the new one.";
-const STOPPED = "All robots were stopped.";
-const ASKED = "The cockpit asked for the code.";
+export const LOST = t("The connection to the cockpit was lost.");
+const NEW_CODES = t("Your code is not valid any more. Enter the new one.");
+const STOPPED = t("All robots were stopped.");
+const ASKED = t("The cockpit asked for the code.");
 
 /** @import { Message } from "./link.js" */
 /** @import { RobotMap } from "./map.js" */
@@ -21,7 +22,7 @@ const ASKED = "The cockpit asked for the code.";
 /** @typedef {{ [Type in Message["type"]]?: (message: Extract<Message, { type: Type }>) => void }} Receivers */
 
 export class Shell {
-  problem = "Connecting"; // why there is no connection
+  problem = t("Connecting"); // why there is no connection
   world = new World();
   notice = new Notice();
   /** @type {RobotMap | null} */
@@ -64,8 +65,8 @@ export class Shell {
   }
 
   // Shows why the cockpit refuses something, as long as it does.
-  refuse({ code, text }, robot) {
-    this.notice.show(text, () => holds(code, this.world, robot, this.drives()));
+  refuse(message, robot) {
+    this.notice.show(said(message), () => holds(message.code, this.world, robot, this.drives()));
   }
 
   // Shows the robots on a map from now on. tap(id): one of them was tapped
