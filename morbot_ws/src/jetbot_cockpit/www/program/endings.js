@@ -1,6 +1,6 @@
 // Why a program has ended, by the codes of what the cockpit refuses. It stays on the page, so it says what was.
 
-import { t } from "../language.js";
+import { said, t } from "../language.js";
 
 /** @import { Said } from "../messages.js" */
 
@@ -18,7 +18,7 @@ const ENDINGS = {
 };
 
 // Returns the sentence.
-/** @param {Said} said */
-export function ending({ code, arguments: given, text }) {
-  return ENDINGS[code]?.(given) ?? text;
+/** @param {Said} refusal */
+export function ending(refusal) {
+  return ENDINGS[refusal.code]?.(refusal.arguments) ?? said(refusal);
 }
