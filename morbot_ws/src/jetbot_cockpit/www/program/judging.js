@@ -11,7 +11,7 @@
 /** @import { World } from "../world.js" */
 
 import { inSeconds } from "../dom.js";
-import { t } from "../language.js";
+import { said, t } from "../language.js";
 import { hasPassed, holds } from "../refusals.js";
 
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
@@ -118,7 +118,7 @@ export class Judging {
     this.unanswered -= 1;
     if (!this.isWaiting || this.unanswered) return;
     const { world, state: { robot } } = this;
-    if (refusal) this.rest(refusal.text, () => holds(refusal.code, world, robot, false));
+    if (refusal) this.rest(said(refusal), () => holds(refusal.code, world, robot, false));
     else this.state.request = request;
   }
 
