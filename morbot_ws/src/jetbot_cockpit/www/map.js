@@ -187,8 +187,6 @@ export class RobotMap {
     setText(element("commanded"), command ? `x ${signed(command[0])}, z ${signed(command[1])}` : "–");
     const unknown = this.world.robot(this.world.chosen) && !pose ? "no odometry: not on the map" : "–";
     setText(element("actual"), speed ? `${signed(speed[0])} m/s, ${signed(speed[1])} rad/s` : unknown);
-    const place = pose ? `the robot is at x ${signed(pose[0])} m, y ${signed(pose[1])} m` : "its place is not known";
-    this.canvas.setAttribute("aria-label", `Map from above: ${place}`);
   }
 }
 

@@ -7,7 +7,7 @@ import { RobotMap } from "./map.js";
 import { Notice } from "./notice.js";
 import { holds } from "./refusals.js";
 import { Choice } from "./robots.js";
-import { showRoundTrip, showStatus } from "./status.js";
+import { showPlace, showRoundTrip, showStatus } from "./status.js";
 import { Stops } from "./stops.js";
 import { World } from "./world.js";
 
@@ -74,6 +74,7 @@ export class Shell {
     this.#frame = requestAnimationFrame(() => {
       this.#frame = 0;
       showStatus(this.world, this.problem);
+      showPlace(this.world, this.problem);
       this.notice.update();
       this.stops.show();
       this.name.show();
@@ -97,7 +98,7 @@ export class Shell {
       this.stops.update();
       this.map.update();
     },
-    trail: ({ robot, points }) => this.world.trails.set(robot, points),
+    trail: (message) => this.world.trail(message),
     scene: (message) => this.world.scene(message) && this.map.showCourse(message.robot),
     notice: (message) => this.refuse(message, this.world.chosen),
   };
