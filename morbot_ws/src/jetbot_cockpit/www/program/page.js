@@ -1,11 +1,13 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
 import { create, element, onPress, setText } from "../dom.js";
+import { keepFocus } from "../focus.js";
+import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
 import { parseProgram } from "./check.js";
 import { showControls } from "./controls.js";
-import { currentProgram, limitProgram, openEditor, showProgram, textOf } from "./editor.js";
+import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
@@ -18,9 +20,10 @@ import { TeachersSheet } from "./teachers_sheet.js";
 
 const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
-const HIDDEN = "The page was hidden, so the program was stopped.";
-const ENDED = "The program has ended.";
-const CHANGED = "The program was changed. Run it again.";
+const HIDDEN = t("The page was hidden, so the program was stopped.");
+const ENDED = t("The program has ended.");
+const CHANGED = t("The program was changed. Run it again.");
+const STOPPED = t("Stopped.");
 const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
 let run = null; // of a program, the last one
@@ -55,7 +58,7 @@ const shell = new Shell({
   end: (sentence) => tasks.end(sentence),
   drives: runs,
   changed() {
-    end("Another robot was chosen.");
+    end(t("Another robot was chosen."));
     showUnits();
   },
   draw,
@@ -123,9 +126,9 @@ function printed(text) {
 function ended(sentence, block) {
   const { limit } = run;
   judging.programEnded(Boolean(sentence));
-  setOutcome([sentence || ENDED, limit?.text].filter(Boolean).join(" "), Boolean(sentence || limit));
-  const marked = workspace.getBlockById(block ?? limit?.block ?? "");
-  if (marked) Blockly.common.setSelected(marked);
+  const why = sentence || ENDED;
+  setOutcome(limit ? t("{sentence} {limit}", { sentence: why, limit: limit.text }) : why, Boolean(sentence || limit));
+  selectBlock(workspace, block ?? limit?.block ?? "");
   show();
 }
 
@@ -164,7 +167,7 @@ function open(title, text) {
   end(CHANGED);
   judging.forget();
   element("title").value = title;
-  setOutcome("Press Run.");
+  setOutcome(t("Press Run."));
   showUnits();
   return true;
 }
@@ -199,19 +202,20 @@ function draw() {
   showPlace(workspace, running);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
   if (element("map").clientWidth) shell.map.draw();
+  keepFocus();
 }
 
 // Shows the map in place of the Python, or that again.
 function showMap(on) {
   element("show-map").setAttribute("aria-pressed", on);
-  setText(element("python-title"), on ? "Map" : "Python");
+  setText(element("python-title"), on ? t("Map") : t("Python"));
   [element("view").hidden, element("python").hidden] = [!on, on];
 }
 
 // What a person does
 
-onPress(element("run"), () => element("run").disabled || start(false), () => false);
-onPress(element("end"), () => end("Stopped."));
+onPress(element("run"), () => start(false), () => false);
+onPress(element("end"), () => end(STOPPED));
 element("pause").addEventListener("click", () => (run.held ? run.resume() : run.pause()));
 element("step").addEventListener("click", () => (runs() ? run.step() : start(true)));
 element("title").addEventListener("change", writePython);
@@ -226,7 +230,7 @@ element("examples").addEventListener("change", ({ target }) => {
   if (target.value) work.add(target.value, EXAMPLES[target.value]);
   target.value = "";
 });
-addEventListener("keydown", (event) => event.key === "Escape" && end("Stopped."), true);
+addEventListener("keydown", (event) => event.key === "Escape" && end(STOPPED), true);
 for (const event of ["pagehide", "freeze"]) addEventListener(event, () => end(HIDDEN));
 document.addEventListener("visibilitychange", () => document.hidden && end(HIDDEN));
 
