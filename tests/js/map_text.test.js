@@ -6,18 +6,18 @@ import { test } from "node:test";
 import { Clock } from "./clock.js";
 import "./dom.js";
 
-import { showPlace } from "#www/status.js";
+import { MapText } from "#www/map_text.js";
 import { World } from "#www/world.js";
 
 test("the map's text is set at most once a second, only if it has changed, and is not known without a connection",
   async (t) => {
     const [clock, world, texts] = [new Clock(t), new World(), []];
-    Object.assign(document.getElementById("map"), {
-      getAttribute: () => texts.at(-1), setAttribute: (_, text) => texts.push(text),
-    });
-    const show = (x, problem = "") => {
+    let lost = false;
+    const map = new MapText({ getAttribute: () => texts.at(-1), setAttribute: (_, text) => texts.push(text) }, world,
+      () => lost);
+    const show = (x) => {
       world.states = { "/red": { ...world.state(null), programs: 0, pose: [x, 0, 0] } };
-      showPlace(world, problem);
+      map.show();
     };
     Object.assign(world, { chosen: "/red", starts: new Map([["/red", [0, 0, 0]]]) });
     for (const x of [0, 0.1, 0.2]) show(x);
@@ -28,6 +28,7 @@ test("the map's text is set at most once a second, only if it has changed, and i
     }
     assert.deepEqual(texts.slice(1).map((text) => text.match(/[\d.]+ m/)?.[0]), ["0.3 m", "0.4 m"]);
     await clock.pass(1000);
-    show(0.4, "No connection");
+    lost = true;
+    show(0.4);
     assert.equal(texts.at(-1), "Map from above. The robot's place is not known.");
   });
