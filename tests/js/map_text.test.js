@@ -13,8 +13,7 @@ test("the map's text is set at most once a second, only if it has changed, and i
   async (t) => {
     const [clock, world, texts] = [new Clock(t), new World(), []];
     let lost = false;
-    const map = new MapText({ getAttribute: () => texts.at(-1), setAttribute: (_, text) => texts.push(text) }, world,
-      () => lost);
+    const map = new MapText({ setAttribute: (_, text) => texts.push(text) }, world, () => lost);
     const show = (x) => {
       world.states = { "/red": { ...world.state(null), programs: 0, pose: [x, 0, 0] } };
       map.show();

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { describePlace } from "#www/place.js";
+import { describePlace, describeSteering } from "#www/place.js";
 
 const START = [0, 0, 0];
 const QUARTER = Math.PI / 2;
@@ -58,4 +58,13 @@ test("a robot without odometry, or none at all, has no place that is known", () 
   for (const place of [{ pose: null }, { pose: START, start: null }, { pose: START, start: undefined }]) {
     assert.equal(describePlace({ start: START, others: 2, ...place }), "The robot's place is not known.");
   }
+});
+
+test("where the pad is, as a person would say it, and nothing when it is released", () => {
+  const steers = {
+    ahead: [1, 0], "ahead and left": [0.5, 0.5], left: [0.1, 1], "back and left": [-1, 1], back: [-0.2, 0.01],
+    "back and right": [-1, -1], right: [0, -1], "ahead and right": [1, -1],
+  };
+  for (const [way, command] of Object.entries(steers)) assert.equal(describeSteering(command), `You steer ${way}.`);
+  assert.equal(describeSteering([0, 0]), "");
 });

@@ -1,10 +1,16 @@
-// Where a robot is, in words, for those who do not see the map: from its start, ahead and left as it faced there.
+// Where a robot is and where it is steered, for those who do not see it. Its place is seen from its start, ahead and to
+// the left as it faced there.
 
 import { t } from "./language.js";
 
-const HEADINGS = [ // counterclockwise, an eighth of a turn each
+// counterclockwise, an eighth of a turn each
+const HEADINGS = [
   t("It faces ahead."), t("It faces ahead and left."), t("It faces left."), t("It faces back and left."),
   t("It faces back."), t("It faces back and right."), t("It faces right."), t("It faces ahead and right."),
+];
+const STEERING = [
+  t("You steer ahead."), t("You steer ahead and left."), t("You steer left."), t("You steer back and left."),
+  t("You steer back."), t("You steer back and right."), t("You steer right."), t("You steer ahead and right."),
 ];
 const PLACES = { // by the signs of the ways ahead and to the left
   "0,0": () => t("The robot is at its start."),
@@ -26,7 +32,7 @@ export function describePlace({ pose, start, goal, others }) {
   if (!pose || !start) return t("The robot's place is not known.");
   return [
     describeWay(pose, start),
-    HEADINGS[(Math.round((pose[2] - start[2]) / EIGHTH) % 8 + 8) % 8],
+    HEADINGS[eighth(pose[2] - start[2])],
     goal && t("The goal is {distance} m away.", { distance: metres(Math.hypot(goal[0] - pose[0], goal[1] - pose[1])) }),
     others && t("{count} other robot is on the map.|{count} other robots are on the map.", { count: others }),
   ].filter(Boolean).join(" ");
@@ -38,6 +44,15 @@ function describeWay(/** @type {number[]} */ [x, y], /** @type {number[]} */ [st
     east * Math.cos(yaw) + north * Math.sin(yaw), north * Math.cos(yaw) - east * Math.sin(yaw),
   ].map((way) => Math.round(10 * way) / 10);
   return PLACES[String([ahead, left].map(Math.sign))]({ ahead: metres(ahead), left: metres(left) });
+}
+
+// Returns where the pad is, in a sentence, or "" if it is released.
+export function describeSteering(/** @type {number[]} */ [forward, left]) {
+  return forward || left ? STEERING[eighth(Math.atan2(left, forward))] : "";
+}
+
+function eighth(angle) {
+  return (Math.round(angle / EIGHTH) % 8 + 8) % 8;
 }
 
 function metres(way) {
