@@ -1,6 +1,7 @@
 // What the pad and the programs share: the connection, the login, the robots, the stops, and when all is shown.
 
 import { element, setText } from "./dom.js";
+import { keepFocus } from "./focus.js";
 import { Link } from "./link.js";
 import { LoginForm, logIn, NameField, storedName, takeCodeFromAddress } from "./login.js";
 import { RobotMap } from "./map.js";
@@ -78,6 +79,7 @@ export class Shell {
       this.stops.show();
       this.name.show();
       this.draw();
+      keepFocus();
     });
   }
 

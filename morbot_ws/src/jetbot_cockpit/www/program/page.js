@@ -1,7 +1,6 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
 import { create, element, onPress, setText } from "../dom.js";
-import { keepFocus } from "../focus.js";
 import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
@@ -202,7 +201,6 @@ function draw() {
   showPlace(workspace, running);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
   if (element("map").clientWidth) shell.map.draw();
-  keepFocus();
 }
 
 // Shows the map in place of the Python, or that again.
