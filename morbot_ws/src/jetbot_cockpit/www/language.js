@@ -36,7 +36,19 @@ async function load() {
 export function t(english, values = {}) {
   const [one, other = one] = (sentences[english] ?? english).split("|");
   const form = plurals.select(Number(values.count ?? 1)) === "one" ? one : other;
-  return form.replace(/\{(\w+)\}/g, (name, key) => (key in values ? number(values[key]) : name));
+  return fill(form, values, number);
+}
+
+// Returns a text with values in place of its {names}. written(value): how it is written
+/** @param {string} text @param {Record<string, unknown>} values @param {(value: unknown) => string} written */
+export function fill(text, values, written = String) {
+  return text.replace(/\{(\w+)\}/g, (name, key) => (key in values ? written(values[key]) : name));
+}
+
+// Returns what a message says: that of the cockpit has its English as a template, too.
+/** @param {{ text: string, template?: string, arguments?: Record<string, string> }} message */
+export function said({ text, template, arguments: values }) {
+  return template ? t(template, values) : text;
 }
 
 // Returns a number with the language's decimal mark, and another text as it is.

@@ -3,7 +3,7 @@
 import { element, setText } from "../dom.js";
 import { t } from "../language.js";
 import { EMPTY } from "./examples.js";
-import { clean } from "./kept.js";
+import { clean } from "./names.js";
 import { Shelf } from "./shelf.js";
 import { Work } from "./work.js";
 

@@ -6,10 +6,9 @@
 //   unchanged, kept -- another page has saved it --> older
 
 import { t } from "../language.js";
-import { limits } from "../limits.js";
-import { beginning, toName } from "../storage.js";
 import { ask, newId } from "./ask.js";
 import { problemOf } from "./check.js";
+import { clean } from "./names.js";
 import { isTooLarge } from "./room.js";
 
 const SAVE_AFTER = 1000; // ms after the last change
@@ -97,22 +96,4 @@ export class Kept {
   compare({ version }) {
     if (version > this.version && !this.state.unsaved) this.enter("older", { newer: version });
   }
-}
-
-// Returns a name that the cockpit takes.
-export function clean(name) {
-  return toName(beginning(String(name), limits.program_name)) || t("Program");
-}
-
-// Returns a name for a new program, which none of these rows has: "Square", "Square 2", "Square 3".
-/** @param {string} name @param {{ name: string, deleted?: boolean }[]} rows */
-export function freeName(name, rows) {
-  const isTaken = (each) => rows.some((row) => !row.deleted && row.name === each);
-  const [, base, last] = /** @type {string[]} */ (name.match(/^([^]*?)(?: (\d{1,4}))?$/));
-  for (let number = Number(last ?? 1); isTaken(name); name = numbered(base, number)) number += 1;
-  return name;
-}
-
-function numbered(name, number) {
-  return `${beginning(name, limits.program_name - ` ${number}`.length)} ${number}`;
 }

@@ -1,6 +1,6 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
-import { create, element, onPress, setText } from "../dom.js";
+import { create, element, onPress } from "../dom.js";
 import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
@@ -11,9 +11,10 @@ import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
 import { NEW, openWork } from "./keeping.js";
-import { packageName, packageText } from "./package.js";
+import { packageName } from "./names.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
+import { Side } from "./side.js";
 import { Tasks } from "./tasks.js";
 import { TeachersSheet } from "./teachers_sheet.js";
 
@@ -22,6 +23,7 @@ const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fa
 const HIDDEN = t("The page was hidden, so the program was stopped.");
 const ENDED = t("The program has ended.");
 const CHANGED = t("The program was changed. Run it again.");
+const NOT_LOADED = t("This could not be loaded. Try again. If that does not help, reload the page.");
 const STOPPED = t("Stopped.");
 const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
@@ -61,10 +63,11 @@ const shell = new Shell({
     showUnits();
   },
   draw,
-  tap() {}, // it ends no program
 });
 const { world, notice, send } = shell;
 const show = () => shell.show();
+const notLoaded = () => notice.show(NOT_LOADED);
+const side = new Side(shell, notLoaded);
 const workspace = openEditor(element("blocks"), programChanged);
 const work = openWork({
   show: open,
@@ -190,7 +193,9 @@ function saveProgram() {
 function savePackage() {
   writePython();
   const name = packageName(element("title").value);
-  download(`${name}.txt`, packageText(name, python.text, textOf(workspace)), "text/plain");
+  import("./package.js").then(({ packageText }) => {
+    download(`${name}.txt`, packageText(name, python.text, textOf(workspace)), "text/plain");
+  }, notLoaded);
 }
 
 // What is shown
@@ -200,14 +205,7 @@ function draw() {
   showControls(running, judging.isWaiting);
   showPlace(workspace, running);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
-  if (element("map").clientWidth) shell.map.draw();
-}
-
-// Shows the map in place of the Python, or that again.
-function showMap(on) {
-  element("show-map").setAttribute("aria-pressed", on);
-  setText(element("python-title"), on ? t("Map") : t("Python"));
-  [element("view").hidden, element("python").hidden] = [!on, on];
+  side.draw();
 }
 
 // What a person does
@@ -219,8 +217,6 @@ element("step").addEventListener("click", () => (runs() ? run.step() : start(tru
 element("title").addEventListener("change", writePython);
 element("open").addEventListener("click", () => element("file").click());
 element("file").addEventListener("change", openFile);
-element("show-map").addEventListener("click", () => showMap(element("view").hidden));
-element("judge").addEventListener("click", () => showMap(true));
 element("save").addEventListener("click", saveProgram);
 element("package").addEventListener("click", savePackage);
 element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));

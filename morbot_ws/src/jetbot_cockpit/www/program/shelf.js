@@ -3,7 +3,7 @@
 import { create, element, setText } from "../dom.js";
 import { t } from "../language.js";
 import { ask, newId } from "./ask.js";
-import { freeName } from "./kept.js";
+import { freeName } from "./names.js";
 import { Sheet } from "./sheet.js";
 
 export class Shelf {

@@ -4,7 +4,8 @@
 import { t } from "../language.js";
 import { ask } from "./ask.js";
 import * as device from "./device.js";
-import { clean, freeName, Kept } from "./kept.js";
+import { Kept } from "./kept.js";
+import { clean, freeName } from "./names.js";
 
 const LOOKING = t("You can look at this program, but not change it.");
 
