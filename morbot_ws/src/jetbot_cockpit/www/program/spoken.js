@@ -16,15 +16,28 @@ export const named = (Field) => class extends Field {
   }
 };
 
-// Lets each block be described by its tooltip, once, but no number that is part of another one; a block that changes
-// its place names its fields again.
+// Does this, once: each block is described by its tooltip, but no number that is part of another one, and a block that
+// changes its place names its fields again; a list of choices is named as its field is; no command is "not selected".
 export function describeBlocks() {
-  const block = Blockly.BlockSvg.prototype;
-  const { recomputeAriaContext } = block;
-  block.recomputeAriaContext = /** @this {any} */ function describe() {
-    recomputeAriaContext.call(this);
-    for (const field of this.getFields()) if (field.EDITABLE) field.recomputeAriaContext();
-    const tooltip = this.isShadow() ? "" : Blockly.Tooltip.getTooltipOfObject(this);
-    this.getFocusableElement().setAttribute("aria-description", tooltip);
+  extend(Blockly.BlockSvg, "recomputeAriaContext", (block) => {
+    for (const field of block.getFields()) if (field.EDITABLE) field.recomputeAriaContext();
+    const tooltip = block.isShadow() ? "" : Blockly.Tooltip.getTooltipOfObject(block);
+    block.getFocusableElement().setAttribute("aria-description", tooltip);
+  });
+  extend(Blockly.FieldDropdown, "showEditor_", (field) => {
+    field.menu_.getElement().setAttribute("aria-label", field.getAriaTypeName());
+  });
+  extend(Blockly.MenuItem, "createDom", (item) => {
+    if (item.getElement().getAttribute("role") === "menuitem") item.getElement().removeAttribute("aria-selected");
+  });
+}
+
+// Lets a method of Blockly's do this afterwards.
+function extend({ prototype }, method, afterwards) {
+  const { [method]: original } = prototype;
+  prototype[method] = /** @this {any} */ function extended(...given) {
+    const result = original.apply(this, given);
+    afterwards(this);
+    return result;
   };
 }
