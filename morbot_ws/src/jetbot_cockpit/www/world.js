@@ -24,7 +24,8 @@ const ABSENT = {
 
 /** @type {State} */
 const UNKNOWN = {
-  status: "", state: "", cause: "", holds: [], waiting: [], fake: false, warning: false, answers: true, stopped: false,
+  status: "", state: "", cause: "", template: "", arguments: {}, holds: [], waiting: [],
+  fake: false, warning: false, answers: true, stopped: false,
   pose: null, speed: null, command: null, wheels: null, program: "",
   driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null,
 };

@@ -90,7 +90,7 @@ function endIfStopped() {
 }
 
 function endBecause(code, { id, label }) {
-  end(ending({ code, arguments: { robot: label, driver: world.state(id).driver?.name ?? "" }, text: "" }));
+  end(ending({ code, arguments: { robot: label, driver: world.state(id).driver?.name ?? "" } }));
 }
 
 function showUnits() {
