@@ -9,7 +9,8 @@ import { showControls } from "./controls.js";
 import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
-import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
+import { setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
+import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
 import { packageName } from "./names.js";
 import { toPython } from "./python.js";
@@ -122,7 +123,7 @@ function end(sentence) {
 }
 
 function printed(text) {
-  print(text);
+  showPrint(text);
   show();
 }
 
