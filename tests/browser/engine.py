@@ -47,7 +47,7 @@ class Engine(CockpitPage):
         """Open the page, wait until it is connected, and choose a robot."""
         self.load(url)
         self.wait_for_link()
-        self.wait_for(lambda: self.run("return window.socket !== undefined"), "the page to send")
+        self.set("name", "Somebody")  # is sent: from then on, the page's socket is known
         if robot:
             self.choose(robot)
 

@@ -11,7 +11,8 @@ from processes import end
 
 from .conftest import OTHER_ROBOT, ROBOT, need, opened, started
 from .test_driving import KEYS, forward, hold
-from .test_stop import release, wait_for_stop
+from .test_program import release
+from .test_stop import wait_for_stop
 from .test_work import judge
 from .world import moving
 
@@ -144,6 +145,7 @@ def test_a_wrong_code_is_refused_and_the_right_one_lets_a_pupil_drive(page, worl
     page.load(f"http://127.0.0.2:{world.port}/#WRONG2")  # not by a name of this computer
     page.wait_for_text("login-error", "wrong")
     assert ROBOT not in str(page.robots())
+    page.errors()  # the refusal
     page.type("code", code.lower())
     page.wait_for_link()
     page.choose(ROBOT)
