@@ -45,7 +45,7 @@ class Page(Chromium, CockpitPage):
         color: of all, else each has its own; state: of each robot, beside its place.
         """
         self.run("const receive = socket.onmessage; socket.onmessage = (event) =>"
-                 " event.isTrusted && !event.data.includes('pong') || receive(event);")
+                 " event.isTrusted && !String(event.data).includes('pong') || receive(event);")
         ids = [f"/jetbot_{number:02d}" for number in range(1, robots + 1)]
         self.receive({"type": "robots", "robots": [
             {"id": robot, "label": robot[1:], "color": color or f"#{96 + 8 * number:02x}4040", "workshop": True,

@@ -8,7 +8,8 @@ import { join } from "node:path";
 import { afterEach, beforeEach, test } from "node:test";
 
 import { archive } from "#www/program/archive.js";
-import { packageName, packageText } from "#www/program/package.js";
+import { packageName } from "#www/program/names.js";
+import { packageText } from "#www/program/package.js";
 
 const FILES = [
   { name: "a.txt", text: "1\n\n  2\n" },

@@ -4,7 +4,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { limits } from "#www/limits.js";
-import { clean, freeName, Kept } from "#www/program/kept.js";
+import { Kept } from "#www/program/kept.js";
+import { clean, freeName } from "#www/program/names.js";
 
 import { Clock } from "./clock.js";
 import { later, LOST, playCockpit, refuse } from "./cockpit.js";

@@ -23,13 +23,13 @@ function build(opened, ...changed) {
 }
 
 for (const [what, least, more, sentence] of [
-  ["deep", text(nested(60)), text(nested(61)), "this program nests more than 60 blocks in each other"],
-  ["large", text(long(65000)), text(long(65536)), "this program has more than 64 kB"],
-  ["long", text(...many(2000)), text(...many(2001)), "this program has more than 2000 blocks"],
+  ["deep", text(nested(60)), text(nested(61)), "This program nests more than 60 blocks in each other"],
+  ["large", text(long(65000)), text(long(65536)), "This program has more than 64 kB"],
+  ["long", text(...many(2000)), text(...many(2001)), "This program has more than 2000 blocks"],
 ]) {
   test(`a change that makes the program too ${what} is undone`, () => {
     assert.equal(problemOf(least), "");
-    assert.deepEqual(build(text(), least, more), ["", `With the last change, ${sentence}. It was undone.`]);
+    assert.deepEqual(build(text(), least, more), ["", `With the last change: ${sentence}. It was undone.`]);
   });
 }
 

@@ -49,7 +49,7 @@ def test_release_stops_the_robot_and_keeps_it_for_five_seconds(driven):
 def test_of_two_who_want_to_drive_the_second_must_lift_and_wait(driven):
     reply = driven.push(BOB, forward=-1.0)
     assert reply == {"type": "lift", "robot": "/red", "code": "driven", "text": "pupil 1 drives red.",
-                     "arguments": {"driver": "pupil 1", "robot": "red"}}
+                     "arguments": {"driver": "pupil 1", "robot": "red"}, "template": "{driver} drives {robot}."}
     driven.lift(BOB)
     assert driven.drives() == (0.5, 0)
     assert driven.push(ADA) is None

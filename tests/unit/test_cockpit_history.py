@@ -7,7 +7,7 @@ from jetbot_cockpit.session.snapshot import RobotSnapshot, Shape, TaskSnapshot
 
 COURSE = Shape("course", 0.01, ((0.0, 0.0), (1.0, 0.0)))
 SCENE = {"type": "scene", "robot": "/red", "shapes": [{"kind": "course", "width": 0.01, "points": COURSE.points}]}
-NEW_TRAIL = {"type": "trail", "robot": "/red", "points": []}
+NEW_TRAIL = {"type": "trail", "robot": "/red", "start": [0.0, 0.0, 0.0], "points": []}
 DONE = TaskSnapshot("metre", "One metre", "done", "went well", 4.0, 80.0)
 
 
@@ -68,6 +68,18 @@ def test_a_robot_that_is_put_back_near_its_start_starts_again_once_it_is_there(h
     assert update(history, at(0.0), now=0.1 + RESET_TIME) == [NEW_TRAIL]
     assert points(history) == {"/red": [[0, 0]]}
     assert update(history, at(0.1), now=1.0) == []
+
+
+def test_a_page_that_opens_later_learns_where_a_robot_started_or_was_put_however_far_it_has_driven(history):
+    def start():
+        return of_type("trail", history)[0]["start"]
+    update(history, RobotSnapshot("/red"))
+    assert start() is None
+    for number in range(1000):
+        update(history, at(7.0 + 0.05 * number), now=0.05 * number)
+    assert start() == [7.0, 0.0, 0.0]
+    update(history, at(0.0), now=50.0)
+    assert start() == [0.0, 0.0, 0.0]
 
 
 def test_a_robot_that_drives_on_while_nobody_looks_keeps_its_trail(history):

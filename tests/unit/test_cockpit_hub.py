@@ -19,7 +19,7 @@ DRIVE = '{"type": "drive", "robot": "/", "forward": 1, "left": 0}'
 PING = '{"type": "ping", "sent": 7}'
 CODES = [{"code": "ABC234"}]
 NO_CODES = SimpleNamespace(rows=[])
-TRAIL = {"type": "trail", "robot": "/", "points": [[0, 0]]}
+TRAIL = {"type": "trail", "robot": "/", "start": [0, 0, 0], "points": [[0, 0]]}
 
 
 class Page:

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from jetbot_ros.state import CAUSES, HOLDS, UNKNOWN, RobotState, because, read
+from jetbot_ros.state import CAUSES, HOLDS, MAX_LENGTH, UNKNOWN, RobotState, because, read, sentence
 
 
 def message(sentence, values):
@@ -29,4 +29,19 @@ def test_what_any_program_publishes_is_printable_and_short():
 @pytest.mark.parametrize("code", CAUSES)
 def test_each_cause_has_a_sentence(code):
     cause = because(code, program="/circle", problem="no answer", seconds="1.0")
-    assert str(cause).startswith("stopped: ") and "{" not in str(cause)
+    assert sentence(cause).startswith("stopped: ") and "{" not in sentence(cause)
+
+
+def test_a_page_gets_what_it_translates_a_cause_with():
+    values = {"state": "stopped", "cause": "no_command", "seconds": "1.0\33" + 1000 * "0", "more": "x"}
+    state = read(message("", values))
+    assert state.template == "no command for {seconds} s (repeat it: rostopic pub -r 10)"
+    assert list(state.arguments) == ["seconds"] and state.arguments["seconds"][:8] == r"1.0\x1b0"
+    assert len(state.arguments["seconds"]) == MAX_LENGTH
+
+
+@pytest.mark.parametrize("values", [{"state": "driving"}, {"cause": "no_command"}, {"cause": "new", "seconds": "1"}],
+                         ids=str)
+def test_a_state_whose_cause_cannot_be_translated_has_its_sentence_alone(values):
+    state = read(message("stopped: all the same", values))
+    assert (state.template, state.arguments, state.sentence) == ("", {}, "stopped: all the same")

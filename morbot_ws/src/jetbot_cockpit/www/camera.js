@@ -4,10 +4,13 @@
 /** @import { World } from "./world.js" */
 
 import { element, onPress, onSurePress, setClass, setText } from "./dom.js";
+import { said, t } from "./language.js";
 
 const TIMEOUT = 2000; // ms without a picture
-const NO_PICTURE = "No picture. Is the robot's camera on? (camera:=true) Pictures above 1 MB are not shown.";
-const LABELS = { free: "Free", blocked: "Blocked" };
+const NO_PICTURE = t("No picture. Is the robot's camera on? (camera:=true) Pictures above 1 MB are not shown.");
+const LABELS = {
+  free: (number) => t("Free {number}", { number }), blocked: (number) => t("Blocked {number}", { number }),
+};
 
 export class Camera {
   /** @type {string | null} */
@@ -25,7 +28,7 @@ export class Camera {
       onPress(element(`save-${label}`), () => send({ type: "save", robot: world.chosen, label }), () => false);
     }
     const remove = () => send({ type: "delete", robot: world.chosen });
-    this.askNoMore = onSurePress(element("delete"), "Delete all?", remove);
+    this.askNoMore = onSurePress(element("delete"), t("Delete all?"), remove);
   }
 
   open(on) {
@@ -38,10 +41,10 @@ export class Camera {
   show() {
     const { pictures } = this.world.state(this.world.chosen);
     element("collect").hidden = !pictures;
-    for (const [label, text] of Object.entries(LABELS)) {
-      setText(element(`save-${label}`), `${text} ${pictures?.[label]}`);
+    for (const [label, words] of Object.entries(LABELS)) {
+      setText(element(`save-${label}`), words(pictures?.[label]));
     }
-    setText(element("collect-text"), pictures?.problem?.text ?? "");
+    setText(element("collect-text"), pictures?.problem ? said(pictures.problem) : "");
     this.look();
   }
 
@@ -54,7 +57,7 @@ export class Camera {
     this.robot = wanted;
     this.askNoMore();
     this.clear("");
-    element("camera").setAttribute("aria-label", `What ${this.world.robot(wanted)?.label} sees`);
+    element("camera").setAttribute("aria-label", t("What {robot} sees", { robot: this.world.robot(wanted)?.label }));
   }
 
   // A connection begins: the cockpit does not know what was asked for.

@@ -1,18 +1,33 @@
-// Why a robot is stopped, for pupils: where its own status is for a person at its terminal.
+// Why a robot is stopped: for pupils where its own status is for a person at its terminal, in the page's language.
 
-const WAITS = "it waits for a new command";
+/** @typedef {{ status: string, state: string, cause: string,
+ * template?: string, arguments?: Record<string, string> }} Status */
+
+import { fill, t } from "./language.js";
+
+const WAITS = t("it waits for a new command");
 const CAUSES = { // codes of the controller's state
-  own_emergency_stop: "by your teacher",
-  no_master: "the computer of the robots does not answer. Tell your teacher.",
-  suspended: "it is paused at its computer. Tell your teacher.",
+  own_emergency_stop: t("by your teacher"),
+  no_master: t("the computer of the robots does not answer. Tell your teacher."),
+  suspended: t("it is paused at its computer. Tell your teacher."),
   own_emergency_stop_released: WAITS, no_master_released: WAITS, suspended_released: WAITS, old_command: WAITS,
-  not_finite: "the command was not a number",
-  no_command: "no more commands came",
-  board: "its motor board cannot be reached. Tell your teacher.",
-  guard: "its safety program does not run. Tell your teacher.",
+  not_finite: t("the command was not a number"),
+  no_command: t("no more commands came"),
+  board: t("its motor board cannot be reached. Tell your teacher."),
+  guard: t("its safety program does not run. Tell your teacher."),
 };
 
 // Returns the status of a robot in words for pupils.
-export function forPupils({ status, cause }) {
-  return Object.hasOwn(CAUSES, cause) ? `stopped: ${CAUSES[cause]}` : status;
+/** @param {Status} robot */
+export function forPupils(robot) {
+  return Object.hasOwn(CAUSES, robot.cause) ? t("stopped: {cause}", { cause: CAUSES[robot.cause] }) : inWords(robot);
+}
+
+// Returns the status of a robot as its controller words it. What it remarks besides the cause stays in English.
+/** @param {Status} robot */
+export function inWords({ status, state, template = "", arguments: values = {} }) {
+  const [english, translated] = template
+    ? [`stopped: ${fill(template, values)}`, t("stopped: {cause}", { cause: t(template, values) })]
+    : [state, state === "driving" ? t("driving") : state];
+  return status.startsWith(english) ? translated + status.slice(english.length) : status;
 }

@@ -5,13 +5,15 @@
 /** @import { World } from "./world.js" */
 
 import { create, element, onSurePress, setClass, setText } from "./dom.js";
+import { t } from "./language.js";
 import { limits } from "./limits.js";
 import { toName } from "./storage.js";
 import { showView } from "./views.js";
 
 const QUIET_ZONE = 2; // modules around the 2 that a QR code has already
-const NO_CODES = "Only this computer can open this page now. Start the cockpit with lan:=true to get codes for others.";
-const HOW = "Scan a code, or open the address and type the code.";
+const NO_CODES = t("Only this computer can open this page now. "
+  + "Start the cockpit with lan:=true to get codes for others.");
+const HOW = t("Scan a code, or open the address and type the code.");
 
 export class Codes {
   /** @type {Code[]} */
@@ -28,7 +30,7 @@ export class Codes {
     element("print-codes").addEventListener("click", () => print());
     element("show-teacher").addEventListener("click", () => this.showTeachers(element("teacher-codes").hidden));
     const renew = () => send({ type: "new_code", robot: this.codes.find(({ label }) => label === this.large)?.robot });
-    this.askNoMore = onSurePress(element("new-code"), "End the old code?", renew);
+    this.askNoMore = onSurePress(element("new-code"), t("End the old code?"), renew);
     addEventListener("keydown", (event) => this.escape(event), true);
   }
 
@@ -77,14 +79,14 @@ export class Codes {
 
   showTeachers(shown) {
     element("teacher-codes").hidden = !shown;
-    setText(element("show-teacher"), shown ? "Hide the teacher's code" : "Show the teacher's code");
+    setText(element("show-teacher"), shown ? t("Hide the teacher's code") : t("Show the teacher's code"));
   }
 
   // Returns a card that a press on its QR code enlarges, or makes small again.
   pupilsCard(code) {
     const [item, enlarge] = [card(code), create("button", "enlarge")];
     enlarge.dataset.label = code.label;
-    enlarge.title = this.large ? "Show all codes" : "Show this code large";
+    enlarge.title = this.large ? t("Show all codes") : t("Show this code large");
     enlarge.setAttribute("aria-label", `${enlarge.title}: ${code.label}`);
     enlarge.append(item.querySelector("canvas") ?? "⤢"); // without a QR code
     enlarge.addEventListener("click", () => this.enlarge(this.large ? null : code.label));
@@ -95,11 +97,11 @@ export class Codes {
 
   // Returns the line for the pupil's name: to type in where there is a robot to which it belongs, else to write on.
   nameLine({ robot, label }) {
-    const [line, field] = [create("label", robot ? "own-name" : "own-name blank", "Name:"), create("input")];
+    const [line, field] = [create("label", robot ? "own-name" : "own-name blank", t("Name:")), create("input")];
     if (!robot) return line;
     Object.assign(field, { maxLength: limits.name, autocomplete: "off", spellcheck: false });
     field.dataset.robot = robot;
-    field.setAttribute("aria-label", `Name of the pupil of ${label}`);
+    field.setAttribute("aria-label", t("Name of the pupil of {robot}", { robot: label }));
     field.addEventListener("change", () => this.send({ type: "pupil", robot, name: toName(field.value) }));
     field.addEventListener("keydown", (event) => event.key === "Enter" && focusNext(event));
     line.append(field);
@@ -130,7 +132,7 @@ function focusNext(event) {
 
 function card({ label, url, code, rows }) {
   const item = create("li");
-  if (rows?.length) item.append(drawQr(rows, `QR code for ${label}`));
+  if (rows?.length) item.append(drawQr(rows, t("QR code for {robot}", { robot: label })));
   item.append(create("h3", "", label), create("p", "address", url.split("#")[0]), create("p", "code", code));
   return item;
 }

@@ -1,5 +1,7 @@
 // Short forms for the elements of the page. Text from outside reaches it as textContent alone.
 
+import { number } from "./language.js";
+
 const CLICK_WITHIN = 1000; // ms after a touch: a click then belongs to that touch
 const SURE_WITHIN = 3000; // ms between the two presses that something needs
 
@@ -24,12 +26,12 @@ export function create(tag, className = "", text = "") {
 // Returns the number with two places, with a real minus, and without "-0.00".
 export function signed(value) {
   const text = value.toFixed(2);
-  return Number(text) === 0 ? "0.00" : text.replace("-", "−");
+  return number(Number(text) === 0 ? "0.00" : text.replace("-", "−"));
 }
 
 // Returns a time with its unit, or "" where it is not known.
 export function inSeconds(seconds) {
-  return seconds === null ? "" : `${seconds.toFixed(1)} s`;
+  return seconds === null ? "" : `${number(seconds.toFixed(1))} s`;
 }
 
 // Calls action() once per press: as a finger touches if urgent() is true then, else as it lifts from the button.

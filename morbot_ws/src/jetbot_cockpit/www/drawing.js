@@ -1,6 +1,7 @@
 // Draws the map: the grid in pixels; robots, trails, arrows and what is around a robot in metres, x ahead, y to the
 // left. pixel: size of a pixel in metres.
 
+import { number } from "./language.js";
 import { limits } from "./limits.js";
 
 const MIN_CELL = 48; // pixels
@@ -54,7 +55,7 @@ function drawScale(context, viewport, cell, colors) {
   Object.assign(context, { lineWidth: 1.5, fillStyle: colors.text, font, textAlign });
   const corners = [[left, down - 5], [left, down], [left + length, down], [left + length, down - 5]];
   drawLine(context, corners, colors.text);
-  context.fillText(`${Number(cell.toPrecision(1))} m`, left + length / 2, down - 5);
+  context.fillText(`${number(Number(cell.toPrecision(1)))} m`, left + length / 2, down - 5);
 }
 
 function drawLine(context, points, color) {
@@ -147,16 +148,7 @@ function drawArrowhead(context, /** @type {number[]} */ [fromX, fromY], /** @typ
     y + size * Math.sin(angle + turn)]));
 }
 
-// Takes the shapes of a message: walls, lines on the floor, a task's course and goal; returns those that this page can
-// draw, each with its path.
-export function prepareShapes(shapes) {
-  return shapes.filter(({ kind }) => Object.hasOwn(STYLES, kind)).map((shape) => {
-    const path = new Path2D();
-    for (const [x, y] of shape.points) path.lineTo(x, y);
-    return { ...shape, path };
-  });
-}
-
+// Draws walls, lines on the floor, a task's course and goal; each keeps its path.
 // chosen: whether they belong to the chosen robot
 export function drawScene(context, shapes, chosen, colors, pixel) {
   for (const shape of shapes) {
@@ -167,10 +159,16 @@ export function drawScene(context, shapes, chosen, colors, pixel) {
       strokeStyle: colors[color], fillStyle: colors[color], lineJoin: "round", lineCap: task ? "round" : "butt",
       lineWidth: task ? width : Math.max(shape.width, width), globalAlpha: chosen ? opacity : FAINT,
     });
-    if (shape.kind !== "goal") context.stroke(shape.path);
+    if (shape.kind !== "goal") context.stroke(shape.path ??= pathOf(shape.points));
     else if (chosen) drawGoal(context, shape.points, pixel);
   }
   Object.assign(context, { globalAlpha: 1, lineCap: "butt" });
+}
+
+function pathOf(points) {
+  const path = new Path2D();
+  for (const [x, y] of points) path.lineTo(x, y);
+  return path;
 }
 
 function drawGoal(context, [from, to], pixel) {

@@ -4,6 +4,8 @@
 /** @typedef {(message: Outgoing) => boolean} Send whether there is a connection */
 /** @typedef {Incoming | { type: "part", bytes: ArrayBuffer }} Message of the cockpit; "part" is a binary one */
 
+import { t } from "./language.js";
+
 const RETRY_INTERVAL = 1500; // ms, on average: not all pages at once
 const PING_INTERVAL = 1000; // ms
 const SILENCE_TIMEOUT = 3000; // ms; the cockpit sends its state at least once per second
@@ -12,13 +14,15 @@ const BACKLOG = 300; // bytes that have not left this device: newer commands do 
 const NO_COOKIE = 4001;
 const FULL = 4002;
 const GOING_AWAY = 1001;
+const AGAIN = t("This page tries again by itself.");
 
 // Returns the sentence for a connection that has ended.
 function explain(code, reason) {
-  if (code === FULL) return "The cockpit is full: close a page that nobody needs.";
-  if (code === GOING_AWAY) return "The cockpit has ended: somebody must start it again.";
-  if (code >= 4000) return `The cockpit closed the connection: ${reason || "no reason given"}.`;
-  return "No connection to the cockpit: check the network, and that the cockpit runs.";
+  if (code === FULL) return t("The cockpit is full: close a page that nobody needs.");
+  if (code === GOING_AWAY) return t("The cockpit has ended: somebody must start it again.");
+  if (code >= 4000 && reason) return t("The cockpit closed the connection: {reason}.", { reason: t(reason) });
+  if (code >= 4000) return t("The cockpit closed the connection: no reason given.");
+  return t("No connection to the cockpit: check the network, and that the cockpit runs.");
 }
 
 export class Link {
@@ -88,7 +92,7 @@ export class Link {
     this.socket = null;
     if (code === NO_COOKIE) return this.refused();
     this.retry = setTimeout(() => this.open(), RETRY_INTERVAL * (0.5 + Math.random()));
-    this.changed(`${explain(code, reason)} This page tries again by itself.`);
+    this.changed(`${explain(code, reason)} ${AGAIN}`);
   }
 
   check() {

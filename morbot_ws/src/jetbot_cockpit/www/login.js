@@ -4,11 +4,12 @@
 /** @import { World } from "./world.js" */
 
 import { element } from "./dom.js";
+import { t } from "./language.js";
 import { recall, remember, toName } from "./storage.js";
 
-const WRONG = "This code is wrong, or not valid any more. Ask for the new one.";
-const TOO_MANY = "Too many wrong codes. Wait a minute, and try again.";
-const NO_ANSWER = "The cockpit did not answer: check the network, and try again.";
+const WRONG = t("This code is wrong, or not valid any more. Ask for the new one.");
+const TOO_MANY = t("Too many wrong codes. Wait a minute, and try again.");
+const NO_ANSWER = t("The cockpit did not answer: check the network, and try again.");
 const STORED_NAME = "name";
 
 // Returns the code after the # of the address and takes it out of there, or "".

@@ -5,6 +5,8 @@ import { Codes } from "./codes.js";
 import { element, setClass, setText } from "./dom.js";
 import { Driving } from "./driving.js";
 import { Keys, Pad, watchGamepads } from "./inputs.js";
+import { t } from "./language.js";
+import { RobotMap } from "./map.js";
 import { showPanel } from "./panel.js";
 import { Fleet } from "./robots.js";
 import { Shell } from "./shell.js";
@@ -47,9 +49,9 @@ const shell = new Shell({
   drives: () => driving.active && world.isMine(driven),
   changed: () => driving.interrupt(),
   draw,
-  tap: choose,
 });
 const { world, notice, send } = shell;
+shell.openMap(RobotMap, choose);
 const fleet = new Fleet(world, choose, send);
 const camera = new Camera(world, send);
 const codes = new Codes(world, send); // before the keys: see there
@@ -69,7 +71,7 @@ function command(forward, left) {
 function fitOnce() {
   if (fitted || !world.teacher || world.robots.length < 2 || !world.placed.length) return;
   fitted = true;
-  shell.map.fit();
+  shell.map?.fit();
 }
 
 function noticeLostLease() {
@@ -77,9 +79,13 @@ function noticeLostLease() {
     driving.lift();
     const [robot, { driver }] = [driven, world.state(driven)];
     const drives = () => driver?.id === world.state(robot).driver?.id;
-    if (driver) notice.show(`${driver.name} has taken ${world.robot(robot)?.label ?? "the robot"}.`, drives);
+    if (driver) notice.show(taken(driver.name, world.robot(robot)?.label), drives);
   }
   wasDriver = world.isMine(driven);
+}
+
+function taken(name, robot) {
+  return robot ? t("{name} has taken {robot}.", { name, robot }) : t("{name} has taken the robot.", { name });
 }
 
 function draw() {
@@ -88,7 +94,7 @@ function draw() {
   pad.point(...driving.command);
   fleet.show();
   camera.show();
-  shell.map.draw();
+  shell.map?.draw();
 }
 
 function showTasks(tasks) {
@@ -106,11 +112,11 @@ function setSpeed() {
   const percent = Number(element("speed").value);
   driving.speed = percent / 100;
   setText(element("speed-value"), `${percent} %`);
-  element("speed").setAttribute("aria-valuetext", `${percent} % of full speed`);
+  element("speed").setAttribute("aria-valuetext", t("{percent} % of full speed", { percent }));
 }
 
 watchGamepads(deflect("gamepad"), () => driving.pause("gamepad")
-  && notice.show("Move the stick a little to go on", () => !driving.active));
+  && notice.show(t("Move the stick a little to go on"), () => !driving.active));
 prepareViews();
 element("speed").addEventListener("input", setSpeed);
 element("take").addEventListener("click", () => send({ type: "take", robot: world.chosen }));

@@ -7,6 +7,7 @@ import { element, setText, signed } from "./dom.js";
 import {
   drawArrow, drawGrid, drawRing, drawRobot, drawScene, drawTrail, SCALE_HEIGHT,
 } from "./drawing.js";
+import { t } from "./language.js";
 import { limits } from "./limits.js";
 import { Viewport } from "./viewport.js";
 
@@ -185,11 +186,16 @@ export class RobotMap {
   showSpeeds() {
     const { command, speed, pose } = this.world.state(this.world.chosen);
     setText(element("commanded"), command ? `x ${signed(command[0])}, z ${signed(command[1])}` : "–");
-    const unknown = this.world.robot(this.world.chosen) && !pose ? "no odometry: not on the map" : "–";
+    const unknown = this.world.robot(this.world.chosen) && !pose ? t("no odometry: not on the map") : "–";
     setText(element("actual"), speed ? `${signed(speed[0])} m/s, ${signed(speed[1])} rad/s` : unknown);
-    const place = pose ? `the robot is at x ${signed(pose[0])} m, y ${signed(pose[1])} m` : "its place is not known";
-    this.canvas.setAttribute("aria-label", `Map from above: ${place}`);
+    this.canvas.setAttribute("aria-label", describePlace(pose));
   }
+}
+
+function describePlace(pose) {
+  if (!pose) return t("Map from above: its place is not known");
+  const [x, y] = pose.map(signed);
+  return t("Map from above: the robot is at x {x} m, y {y} m", { x, y });
 }
 
 // Returns the radius in metres of what is drawn of a robot. pixel: size of a pixel in metres.

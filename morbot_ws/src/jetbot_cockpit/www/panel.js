@@ -4,10 +4,14 @@
 /** @import { World } from "./world.js" */
 
 import { element, inSeconds, setClass, setText, signed } from "./dom.js";
+import { number, said, t } from "./language.js";
 import { leaveView } from "./views.js";
 
-const SIMULATED = "Simulated: no real robot moves.";
-const SIDES = [["left", "−", -1], ["right", "+", 1]];
+const SIMULATED = t("Simulated: no real robot moves.");
+const SIDES = [
+  { side: "left", name: t("left"), operator: "−", sign: -1 },
+  { side: "right", name: t("right"), operator: "+", sign: 1 },
+];
 
 // problem: why there is no connection, or ""
 /** @param {World} world */
@@ -38,10 +42,10 @@ function showTeachersTools(world, robot, { fake }) {
 function showWheels(robot, { command, wheels }) {
   const known = robot && command && robot.workshop !== null; // null: its units are not known yet
   const shown = known && command.map((value) => Number(value.toFixed(2)));
-  SIDES.forEach(([name, operator, sign], index) => {
+  SIDES.forEach(({ side, name, operator, sign }, index) => {
     const value = known ? wheelSpeed(sign, shown, robot) : undefined;
-    showBar(name, wheels?.[index], value);
-    setText(element(`${name}-formula`), known ? formula(name, operator, shown, value, robot) : "");
+    showBar(side, wheels?.[index], value);
+    setText(element(`${side}-formula`), known ? `${name} = ${formula(operator, shown, value, robot)}` : "");
   });
 }
 
@@ -51,24 +55,29 @@ function wheelSpeed(sign, [x, z], { wheel_separation: separation, max_speed: max
 }
 
 // Returns one side's formula with its numbers: value is its result.
-function formula(name, operator, [x, z], value, { wheel_separation: separation, max_speed: maxSpeed, workshop }) {
-  const limited = Math.abs(value) > 1.005 ? `, limited to ${signed(Math.sign(value))}` : "";
+function formula(operator, [x, z], value, { wheel_separation: separation, max_speed: maxSpeed, workshop }) {
   const operand = signed(z).startsWith("−") ? `(${signed(z)})` : signed(z);
   const sum = `${signed(x)} ${operator} ${operand}`;
-  if (workshop) return `${name} = x ${operator} z = ${sum} = ${signed(value)}${limited}`;
-  const words = `(x ${operator} z · separation / 2) / max. speed`;
-  return `${name} = ${words} = (${sum} · ${separation} / 2) / ${maxSpeed} = ${signed(value)}${limited}`;
+  if (workshop) return `x ${operator} z = ${sum} = ${limited(value)}`;
+  const words = t("(x {operator} z · separation / 2) / max. speed", { operator });
+  return `${words} = (${sum} · ${number(separation)} / 2) / ${number(maxSpeed)} = ${limited(value)}`;
+}
+
+// A wheel has no more than full power.
+function limited(value) {
+  const [speed, limit] = [signed(value), signed(Math.sign(value))];
+  return Math.abs(value) > 1.005 ? t("{speed}, limited to {limit}", { speed, limit }) : speed;
 }
 
 // expected: the formula's result; where the two differ by rounding alone, the number is the formula's
-function showBar(name, value, expected) {
-  const meter = element(`${name}-wheel`);
+function showBar(side, value, expected) {
+  const meter = element(`${side}-wheel`);
   const bar = meter.nextElementSibling.firstElementChild;
   meter.value = value ?? 0;
-  meter.setAttribute("aria-valuetext", value === undefined ? "not known" : `${Math.round(value * 100)} %`);
+  meter.setAttribute("aria-valuetext", value === undefined ? t("not known") : `${Math.round(value * 100)} %`);
   bar.style.transform = `scaleX(${Math.max(-1, Math.min(1, value ?? 0))})`;
   const shown = Math.abs(value - expected) < 0.011 ? expected : value;
-  setText(element(`${name}-value`), value === undefined ? "–" : signed(shown));
+  setText(element(`${side}-value`), value === undefined ? "–" : signed(shown));
 }
 
 // The robot's task: its title, what its judge says, the time, and the score at the end.
@@ -78,16 +87,17 @@ function showTask(task) {
   setText(element("task-news"), task && task.state !== "driving" ? spoken(task) : ""); // the seconds are not read
   if (!task) return;
   element("task").dataset.state = task.state;
-  setText(element("task-title"), task.title);
+  setText(element("task-title"), t(task.title));
   setText(element("task-result"), result(task));
-  setText(element("task-text"), task.state === "driving" ? "" : task.text);
+  setText(element("task-text"), task.state === "driving" ? "" : said(task));
 }
 
 function result({ state, score, seconds }) {
-  if (score !== null) return [`${score.toFixed(1)} points`, inSeconds(seconds)].filter(Boolean).join(", ");
-  return state === "driving" ? inSeconds(seconds) : "";
+  if (score === null) return state === "driving" ? inSeconds(seconds) : "";
+  const points = t("{points} points", { points: score.toFixed(1) });
+  return [points, inSeconds(seconds)].filter(Boolean).join(", ");
 }
 
 function spoken(task) {
-  return [`${task.title}:`, result(task) && `${result(task)}.`, task.text].filter(Boolean).join(" ");
+  return [`${t(task.title)}:`, result(task) && `${result(task)}.`, said(task)].filter(Boolean).join(" ");
 }

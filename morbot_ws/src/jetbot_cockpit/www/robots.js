@@ -5,6 +5,7 @@
 
 import { visible } from "./colors.js";
 import { create, element, onPress, onSurePress, setText } from "./dom.js";
+import { t } from "./language.js";
 import { titleOf } from "./world.js";
 
 const MANY_STALLS = 2; // per minute: one alone may be a tablet that was switched off
@@ -41,11 +42,15 @@ export class Choice {
     const { allowed, chosen } = this.world;
     const gone = chosen !== null && !this.world.robot(chosen);
     const options = allowed.map((robot) => new Option(titleOf(robot), robot.id, false, robot.id === chosen));
-    if (gone) options.unshift(new Option(`${chosen.slice(1) || "robot"} (gone)`, chosen, true, true));
-    if (!options.length) options.push(new Option("no robot", ""));
+    if (gone) options.unshift(new Option(goneTitle(chosen.slice(1)), chosen, true, true));
+    if (!options.length) options.push(new Option(t("no robot"), ""));
     element("robot").replaceChildren(...options);
     element("robot").disabled = options.length < 2;
   }
+}
+
+function goneTitle(robot) {
+  return robot ? t("{robot} (gone)", { robot }) : t("robot (gone)");
 }
 
 // The teacher's list: every robot with its status, and a button that stops it.
@@ -57,7 +62,7 @@ export class Fleet {
     this.choose = choose;
     this.send = send;
     this.rows = [];
-    onSurePress(element("reset-all"), "End all programs?", () => send({ type: "reset", robot: null }));
+    onSurePress(element("reset-all"), t("End all programs?"), () => send({ type: "reset", robot: null }));
     element("all-go-on").addEventListener("click", () => send({ type: "go_on", robot: null }));
   }
 
@@ -73,12 +78,12 @@ export class Fleet {
     const item = create("li");
     item.dataset.robot = id;
     const [driver, status] = [create("span", "who"), create("span", "why")];
-    const stalls = create("span", "stalls", "network stalls");
+    const stalls = create("span", "stalls", t("network stalls"));
     const [pick, words] = [create("button", "choose"), create("span", "words")];
     words.append(create("span", "label", titleOf(robot)), driver, status, stalls);
     pick.append(create("span", "swatch"), words);
     pick.addEventListener("click", () => this.choose(id));
-    const stop = create("button", "stop-one", "Stop");
+    const stop = create("button", "stop-one");
     onPress(stop, () => this.toggleStop(id), () => !this.world.state(id).stopped);
     item.append(pick, stop);
     return { id, item, pick, driver, status, stalls, stop, label, color };
@@ -93,7 +98,7 @@ export class Fleet {
     for (const row of this.rows) this.showRow(row);
     const driving = this.rows.filter(({ item }) => item.dataset.level === "driving").length;
     element("all-go-on").hidden = !this.rows.some(({ id }) => this.world.nameWaiting(id));
-    setText(element("fleet-summary"), `${this.rows.length} robots, ${driving} driving`);
+    setText(element("fleet-summary"), t("{all} robots, {driving} driving", { all: this.rows.length, driving }));
   }
 
   showRow({ id, item, pick, driver, status, stalls, stop, label, color }) {
@@ -106,13 +111,14 @@ export class Fleet {
     item.style.setProperty("--robot", visible(color));
     pick.setAttribute("aria-pressed", id === this.world.chosen);
     stop.dataset.action = stopped ? "release" : "stop";
-    setText(stop, stopped ? "Release" : "Stop");
-    stop.setAttribute("aria-label", `${stopped ? "Release" : "Stop"} ${label}`);
+    setText(stop, stopped ? t("Release") : t("Stop"));
+    const named = stopped ? t("Release {robot}", { robot: label }) : t("Stop {robot}", { robot: label });
+    stop.setAttribute("aria-label", named);
   }
 }
 
 function missingRow({ label }) {
   const item = create("li", "missing");
-  item.append(create("span", "label", label), create("span", "why", "not running any more"));
+  item.append(create("span", "label", label), create("span", "why", t("not running any more")));
   return item;
 }

@@ -1,9 +1,9 @@
 // What the pad and the programs share: the connection, the login, the robots, the stops, and when all is shown.
 
 import { element, setText } from "./dom.js";
+import { said, t } from "./language.js";
 import { Link } from "./link.js";
 import { LoginForm, logIn, NameField, storedName, takeCodeFromAddress } from "./login.js";
-import { RobotMap } from "./map.js";
 import { Notice } from "./notice.js";
 import { holds } from "./refusals.js";
 import { Choice } from "./robots.js";
@@ -11,34 +11,35 @@ import { showRoundTrip, showStatus } from "./status.js";
 import { Stops } from "./stops.js";
 import { World } from "./world.js";
 
-export const LOST = "The connection to the cockpit was lost.";
-const NEW_CODES = "Your code is not valid any more. Enter the new one.";
-const STOPPED = "All robots were stopped.";
-const ASKED = "The cockpit asked for the code.";
+export const LOST = t("The connection to the cockpit was lost.");
+const NEW_CODES = t("Your code is not valid any more. Enter the new one.");
+const STOPPED = t("All robots were stopped.");
+const ASKED = t("The cockpit asked for the code.");
 
 /** @import { Message } from "./link.js" */
+/** @import { RobotMap } from "./map.js" */
 /** @import { Outgoing } from "./messages.js" */
 /** @typedef {{ [Type in Message["type"]]?: (message: Extract<Message, { type: Type }>) => void }} Receivers */
 
 export class Shell {
-  problem = "Connecting"; // why there is no connection
+  problem = t("Connecting"); // why there is no connection
   world = new World();
   notice = new Notice();
+  /** @type {RobotMap | null} */
+  map = null; // until it is shown first
   #codeError = ""; // why the code in the address was refused
   #frame = 0; // the next one, which shows what has changed; 0 for none
 
   // receivers: what else the page does with a message, by its type; end(sentence): nothing drives any more, and why;
-  // drives(): whether this page drives its robot; changed(): another robot was chosen; draw(): shows what has changed;
-  // tap(id): a robot on the map was tapped
+  // drives(): whether this page drives its robot; changed(): another robot was chosen; draw(): shows what has changed
   /** @param {{ receivers: Receivers, end: (sentence: string) => void, drives: () => boolean, changed: () => void,
-   * draw: () => void, tap: (id: string) => void }} page */
-  constructor({ receivers, end, drives, changed, draw, tap }) {
+   * draw: () => void }} page */
+  constructor({ receivers, end, drives, changed, draw }) {
     this.receivers = receivers;
     this.end = end;
     this.drives = drives;
     this.changed = changed;
     this.draw = draw;
-    const redraw = () => this.show();
     this.link = new Link({
       receive: (message) => this.#receive(message), changed: (sentence) => this.#connectionChanged(sentence),
       refused: () => this.#askForCode(), measured: showRoundTrip,
@@ -48,7 +49,6 @@ export class Shell {
     this.choice = new Choice(this.world, () => this.#robotChanged());
     const lost = () => !this.link.connected;
     this.stops = new Stops(this.world, { send: this.send, lost, notice: this.notice, stopped: () => end(STOPPED) });
-    this.map = new RobotMap(element("map"), this.world, { choose: tap, redraw });
     addEventListener("hashchange", () => location.hash && this.start());
   }
 
@@ -65,8 +65,15 @@ export class Shell {
   }
 
   // Shows why the cockpit refuses something, as long as it does.
-  refuse({ code, text }, robot) {
-    this.notice.show(text, () => holds(code, this.world, robot, this.drives()));
+  refuse(message, robot) {
+    this.notice.show(said(message), () => holds(message.code, this.world, robot, this.drives()));
+  }
+
+  // Shows the robots on a map from now on. tap(id): one of them was tapped
+  /** @param {typeof RobotMap} Kind @param {(id: string) => void} tap */
+  openMap(Kind, tap) {
+    this.map ??= new Kind(element("map"), this.world, { choose: tap, redraw: () => this.show() });
+    this.map.showCourse(this.world.chosen);
   }
 
   show() {
@@ -95,10 +102,10 @@ export class Shell {
     state: (message) => {
       this.world.update(message);
       this.stops.update();
-      this.map.update();
+      this.map?.update();
     },
     trail: ({ robot, points }) => this.world.trails.set(robot, points),
-    scene: (message) => this.world.scene(message) && this.map.showCourse(message.robot),
+    scene: (message) => this.world.scene(message) && this.map?.showCourse(message.robot),
     notice: (message) => this.refuse(message, this.world.chosen),
   };
 
@@ -127,8 +134,8 @@ export class Shell {
 
   #robotChanged() {
     this.changed();
-    this.map.follow(true);
-    this.map.showCourse(this.world.chosen);
+    this.map?.follow(true);
+    this.map?.showCourse(this.world.chosen);
     this.show();
   }
 }

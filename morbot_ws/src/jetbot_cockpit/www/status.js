@@ -4,6 +4,7 @@
 
 import { visible } from "./colors.js";
 import { element, setClass, setText } from "./dom.js";
+import { t } from "./language.js";
 
 // Shows the chosen robot's status, and its colour. problem: why there is no connection, or ""
 /** @param {World} world */
@@ -20,5 +21,5 @@ export function showRoundTrip(milliseconds) {
   const text = `${Math.max(1, Math.round(milliseconds))} ms`;
   setText(element("link"), text);
   element("link").dataset.quality = milliseconds < 60 ? "good" : milliseconds < 200 ? "fair" : "poor";
-  element("link").setAttribute("aria-label", `Connection: ${text} to the cockpit and back`);
+  element("link").setAttribute("aria-label", t("Connection: {time} to the cockpit and back", { time: text }));
 }

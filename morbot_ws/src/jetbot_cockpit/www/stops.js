@@ -5,14 +5,15 @@
 /** @import { World } from "./world.js" */
 
 import { element, onPress, setClass, setText } from "./dom.js";
+import { t } from "./language.js";
 
 const RESEND_FOR = 60000; // ms
 const CONFIRM_TIMEOUT = 1000; // ms
 const MAX_NAME = 16; // characters that fit on the button
-const NOT_CONNECTED = "No connection: this stop reached no robot. Use the robot's own switch."
-  + " It is sent if the connection is back within a minute.";
-const NOT_RELEASED = "No connection: nothing was released.";
-const NOT_CONFIRMED = "The stop is not confirmed yet. Press again, or use the robot's own switch.";
+const NOT_CONNECTED = t("No connection: this stop reached no robot. Use the robot's own switch."
+  + " It is sent if the connection is back within a minute.");
+const NOT_RELEASED = t("No connection: nothing was released.");
+const NOT_CONFIRMED = t("The stop is not confirmed yet. Press again, or use the robot's own switch.");
 
 // A stop that the cockpit does not confirm is reported.
 export class Stops {
@@ -66,9 +67,10 @@ export class Stops {
 
   show() {
     const alone = this.stoppedAlone();
-    const label = this.world.robot(alone)?.label ?? "";
-    const shortName = label && label.length <= MAX_NAME ? label : "it";
-    setText(element("release"), alone ? `Release ${shortName}` : "Release");
+    const robot = this.world.robot(alone)?.label ?? "";
+    const isShort = robot && robot.length <= MAX_NAME;
+    const ofOne = isShort ? t("Release {robot}", { robot }) : t("Release it");
+    setText(element("release"), alone ? ofOne : t("Release"));
     setClass(element("release"), "needed", alone || this.world.emergency);
     element("release").disabled = this.world.mustWait;
     setClass(document.body, "emergency", this.world.emergency);

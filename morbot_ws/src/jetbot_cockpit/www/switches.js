@@ -4,6 +4,7 @@
 /** @import { Task } from "./messages.js" */
 
 import { create } from "./dom.js";
+import { t } from "./language.js";
 
 // Shows a switch for each task. The same ones stay, with the keyboard's focus.
 /** @param {HTMLElement} target @param {Task[]} tasks @param {Send} send */
@@ -15,7 +16,7 @@ export function showSwitches(target, tasks, send) {
 }
 
 function toSwitch({ name, title }, send) {
-  const [label, box] = [create("label", "", title), create("input")];
+  const [label, box] = [create("label", "", t(title)), create("input")];
   box.type = "checkbox";
   box.addEventListener("change", () => send({ type: "offer", task: name, on: box.checked }));
   label.prepend(box);

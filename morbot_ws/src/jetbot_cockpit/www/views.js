@@ -2,6 +2,7 @@
 // scores. STOP is part of each.
 
 import { create, element, inSeconds, setClass } from "./dom.js";
+import { number, t } from "./language.js";
 
 const VIEWS = { "show-fleet": "fleet", "show-codes": "codes", "show-scores": "scores" };
 
@@ -34,9 +35,9 @@ export function showScores(scores) {
 
 function scoreRow({ task, robot, score, seconds, name }, before) {
   const row = create("tr", task === before ? "" : "best");
-  const heading = create("th", "", task);
+  const heading = create("th", "", t(task));
   heading.scope = "row";
   const driver = name ? `${name} (${robot})` : robot;
-  row.append(heading, ...[driver, score.toFixed(1), inSeconds(seconds)].map((text) => create("td", "", text)));
+  row.append(heading, ...[driver, number(score.toFixed(1)), inSeconds(seconds)].map((text) => create("td", "", text)));
   return row;
 }

@@ -3,14 +3,24 @@
 /** @import { Incoming, Robot, RobotState } from "./messages.js" */
 /** @typedef {Omit<RobotState, "programs"> & { programs?: number }} State without programs: nothing is known yet */
 
-import { forPupils } from "./causes.js";
-import { prepareShapes } from "./drawing.js";
+import { forPupils, inWords } from "./causes.js";
+import { t } from "./language.js";
 import { limits } from "./limits.js";
 import { OBSTACLES } from "./refusals.js";
 
+const SHAPES = ["wall", "line", "course", "goal"]; // that the map draws
 const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // causes: it has heard of a stop, or cannot
-const ASK = "Tell your teacher.";
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
+const WAITS = { // while a teacher holds this
+  robot: {
+    now: t("Pupils and programs wait"), until: t("Pupils and programs wait until a teacher presses Go on"),
+  },
+  programs: { now: t("The program waits"), until: t("The program waits until a teacher presses Go on") },
+};
+const ABSENT = {
+  is: (robot) => (robot ? t("{robot} is not running.", { robot }) : t("No robot is running.")),
+  was: (robot) => (robot ? t("{robot} was not running.", { robot }) : t("No robot was running.")),
+};
 
 /** @type {State} */
 const UNKNOWN = {
@@ -73,7 +83,7 @@ export class World {
     }
     this.missing = [...this.missing, ...gone].filter(isGone);
     Object.assign(this, { robots, listed: true });
-    return [sentence(gone, "not running any more"), sentence(come, "running")].filter(Boolean).join(" ");
+    return [describeGone(gone), describeCome(come)].filter(Boolean).join(" ");
   }
 
   /** @param {Extract<Incoming, { type: "state" }>} message */
@@ -96,7 +106,7 @@ export class World {
   /** @param {Extract<Incoming, { type: "scene" }>} message */
   scene({ robot, shapes }) {
     const before = String(this.courseOf(robot));
-    this.scenes.set(robot, prepareShapes(shapes));
+    this.scenes.set(robot, shapes.filter(({ kind }) => SHAPES.includes(kind)));
     return String(this.courseOf(robot)) !== before;
   }
 
@@ -166,56 +176,61 @@ export class World {
   // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
   summarize(id) {
     const { state, cause, warning, answers, stopped } = this.state(id);
-    const status = this.teacher ? this.state(id).status : forPupils(this.state(id));
-    const label = this.robot(id)?.label ?? "The robot";
-    if (!answers) return { text: this.teacher ? status : `${label} does not answer. ${ASK}`, level: "warning" };
-    if (this.emergency && this.mustWait) return { text: "Your teacher stopped all robots.", level: "stopped" };
-    if (this.emergency || stopped) {
-      return { text: STOPS.includes(cause) ? status : "stopped: emergency stop", level: "stopped" };
+    const status = (this.teacher ? inWords : forPupils)(this.state(id));
+    const robot = this.robot(id)?.label ?? t("The robot");
+    const as = (level, text) => ({ text, level });
+    if (!answers) {
+      return as("warning", this.teacher ? status : t("{robot} does not answer. Tell your teacher.", { robot }));
     }
+    if (this.emergency && this.mustWait) return as("stopped", t("Your teacher stopped all robots."));
+    if (this.emergency || stopped) return as("stopped", STOPS.includes(cause) ? status : t("stopped: emergency stop"));
     if (this.isTaken(id)) {
-      return { text: `Your teacher has taken ${label}. Wait until a teacher presses Go on.`, level: "stopped" };
+      return as("stopped", t("Your teacher has taken {robot}. Wait until a teacher presses Go on.", { robot }));
     }
     const level = warning ? "warning" : state === "driving" ? "driving" : "waiting";
-    return { text: status || "waiting for its status", level };
+    return as(level, status || t("waiting for its status"));
   }
 
   // Returns that there is no robot that this page's person may drive: a sentence.
-  describeAbsence(is = "is") {
+  /** @param {"is" | "was"} tense */
+  describeAbsence(tense = "is") {
     const own = this.me.robot ?? this.chosen;
-    return own ? `${own.slice(1) || "The robot"} ${is} not running.` : `No robot ${is} running.`;
+    return ABSENT[tense](own && (own.slice(1) || t("The robot")));
   }
 
   // Returns the same of the chosen robot, which may not run.
   get status() {
     if (this.robot(this.chosen)) return this.summarize(this.chosen);
-    const text = this.listed ? `${this.describeAbsence()} This page shows it as soon as it runs.` : "Connecting";
-    return { text, level: "waiting" };
+    const text = `${this.describeAbsence()} ${t("This page shows it as soon as it runs.")}`;
+    return { text: this.listed ? text : t("Connecting"), level: "waiting" };
   }
 
   // Returns who drives the robot, or "" if nobody does.
   nameDriver(id) {
     const { driver, program, state, answers } = this.state(id);
-    if (driver) return this.isMine(id) ? "You drive it" : `${driver.name} drives it`;
-    return answers && state === "driving" ? `${program || "A program"} drives` : "";
+    if (driver) return this.isMine(id) ? t("You drive it") : t("{name} drives it", { name: driver.name });
+    return answers && state === "driving" ? t("{program} drives", { program: program || t("A program") }) : "";
   }
 
   // Returns what waits until a teacher presses Go on, or "".
   nameWaiting(id) {
+    return this.waits(id)?.now ?? "";
+  }
+
+  waits(id) {
     const { held, waiting } = this.state(id);
-    if (held === TAKEN) return "Pupils and programs wait";
-    return held && waiting.length ? "The program waits" : "";
+    return held === TAKEN || waiting.length ? WAITS[held ?? ""] : undefined;
   }
 
   // Returns who drives the robot or will do so by itself, and what this page's person can do.
   describeDriver(id) {
-    const [{ resumes }, waiting] = [this.state(id), this.nameWaiting(id)];
-    if (waiting) return `${waiting} until a teacher presses Go on`;
-    if (resumes) return `The program drives on in ${resumes} s`;
-    const name = this.nameDriver(id);
-    if (this.isBlocked(id)) return name || "Nobody drives it";
-    if (!name) return "Free to drive: drag the pad";
-    return this.isMine(id) ? name : `${name}. Take the pad to drive.`;
+    const [{ resumes }, waits] = [this.state(id), this.waits(id)];
+    if (waits) return waits.until;
+    if (resumes) return t("The program drives on in {seconds} s", { seconds: resumes });
+    const driver = this.nameDriver(id);
+    if (this.isBlocked(id)) return driver || t("Nobody drives it");
+    if (!driver) return t("Free to drive: drag the pad");
+    return this.isMine(id) ? driver : t("{driver}. Take the pad to drive.", { driver });
   }
 }
 
@@ -225,7 +240,16 @@ export function titleOf({ label, pupil }) {
   return pupil ? `${label}, ${pupil}` : label;
 }
 
-function sentence(robots, what) {
-  if (!robots.length) return "";
-  return robots.length === 1 ? `${robots[0].label} is ${what}.` : `${robots.length} robots are ${what}.`;
+/** @param {Robot[]} robots */
+function describeGone(robots) {
+  const [robot, count] = [robots[0]?.label, robots.length];
+  if (count > 1) return t("{count} robots are not running any more.", { count });
+  return count ? t("{robot} is not running any more.", { robot }) : "";
+}
+
+/** @param {Robot[]} robots */
+function describeCome(robots) {
+  const [robot, count] = [robots[0]?.label, robots.length];
+  if (count > 1) return t("{count} robots are running.", { count });
+  return count ? t("{robot} is running.", { robot }) : "";
 }

@@ -1,6 +1,6 @@
 """What the cockpit says to a person, most often why it refuses something: a code with arguments, and a sentence."""
 
-from typing import Dict, NamedTuple
+from jetbot.sentence import Sentence, row
 
 NOTICES = {
     # Driving
@@ -61,21 +61,9 @@ NOTICES = {
     "no_code": "There is no such code.",
 }
 
-
-class Notice(NamedTuple):
-    """code: one of NOTICES; arguments: what its sentence names, by their names. See ``say``."""
-
-    code: str
-    arguments: Dict[str, str]
-
-    def __str__(self) -> str:
-        return NOTICES[self.code].format(**self.arguments)
-
-    def fields(self) -> dict:
-        """Return it as a part of a message."""
-        return {"code": self.code, "arguments": self.arguments, "text": str(self)}
+Notice = Sentence  # of NOTICES
 
 
 def say(code: str, **arguments: object) -> Notice:
     """Return a Notice."""
-    return Notice(code, {name: str(value) for name, value in arguments.items()})
+    return row(NOTICES, code, **arguments)

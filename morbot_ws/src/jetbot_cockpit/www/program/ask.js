@@ -1,8 +1,10 @@
 // Asks the cockpit for what it keeps; docs/protocol.md explains it.
 
+import { t } from "../language.js";
+
 const AGAIN = [403, 503, 507]; // once the code is entered, the disk is idle, or has room
-const NO_ANSWER = "The cockpit does not answer.";
-const REFUSED = "The cockpit has refused this.";
+const NO_ANSWER = t("The cockpit does not answer.");
+const REFUSED = t("The cockpit has refused this.");
 
 // A sentence why not, the cockpit's own if it has one, with its code; again: whether the same may be asked again.
 export class NotKept extends Error {

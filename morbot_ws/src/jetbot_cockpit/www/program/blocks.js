@@ -1,15 +1,17 @@
 // The blocks as Blockly has them, and the toolbox. Blockly is a script of the page, not a module.
 
+import { t } from "../language.js";
 import { toText } from "../storage.js";
+import "./words.js";
 import { DRIVE, ROBOT, SENSE } from "./robot.js";
 
 const { Blockly } = globalThis;
 
-const WORKSHOP = { X: "power", Z: "power" };
+const WORKSHOP = { X: t("power"), Z: t("power") };
 const SI = { X: "m/s", Z: "rad/s" };
 const TEXT = { // Blockly's own has pictures of quotes, which the page's Content-Security-Policy forbids
   type: "text", message0: "“%1”", args0: [{ type: "field_input", name: "TEXT", text: "" }], output: "String",
-  colour: "#6a4fb5", tooltip: "A text.",
+  colour: "#6a4fb5", tooltip: t("A text."),
 };
 
 // Takes a number as a person types it: 0,7 is 0.7, while Blockly drops the comma, and makes it 7.
@@ -104,19 +106,19 @@ const dynamic = (name, colour, custom) => ({ kind: "category", name, colour, cus
 export const TOOLBOX = {
   kind: "categoryToolbox",
   contents: [
-    category("Drive", "#2f66c4", ...DRIVE.map(({ type, numbers }) => [type, numbers])),
-    category("Sense", "#0d7264", ...SENSE.map(({ type }) => [type])),
-    category("Loops", "#3c7a1f", ["robot_loop"], ["controls_repeat_ext", { TIMES: 4 }], ["controls_whileUntil"],
+    category(t("Drive"), "#2f66c4", ...DRIVE.map(({ type, numbers }) => [type, numbers])),
+    category(t("Sense"), "#0d7264", ...SENSE.map(({ type }) => [type])),
+    category(t("Loops"), "#3c7a1f", ["robot_loop"], ["controls_repeat_ext", { TIMES: 4 }], ["controls_whileUntil"],
       ["controls_for", { FROM: 1, TO: 10, BY: 1 }], ["controls_flow_statements"]),
-    category("Logic", "#2a6a8a", ["controls_if"], ["controls_if", {}, { extraState: { hasElse: true } }],
+    category(t("Logic"), "#2a6a8a", ["controls_if"], ["controls_if", {}, { extraState: { hasElse: true } }],
       ["logic_compare"], ["logic_operation"], ["logic_negate"], ["logic_boolean"], ["logic_ternary"]),
-    category("Maths", "#4a55b5", ["math_number", {}, { fields: { NUM: 1 } }], ["math_arithmetic", { A: 1, B: 1 }],
+    category(t("Maths"), "#4a55b5", ["math_number", {}, { fields: { NUM: 1 } }], ["math_arithmetic", { A: 1, B: 1 }],
       ["math_single", { NUM: 9 }], ["math_trig", { NUM: 45 }], ["math_constant"],
       ["math_number_property", { NUMBER_TO_CHECK: 2 }], ["math_round", { NUM: 3.1 }],
       ["math_modulo", { DIVIDEND: 64, DIVISOR: 10 }], ["math_constrain", { VALUE: 2, LOW: -1, HIGH: 1 }],
       ["math_random_int", { FROM: 1, TO: 6 }], ["math_random_float"]),
-    category("Print", "#6a4fb5", ["robot_print", { VALUE: "hello" }], ["text"], ["text_join"]),
-    dynamic("Variables", "#a03060", "VARIABLE"),
-    dynamic("Functions", "#8a4a9a", "PROCEDURE"),
+    category(t("Print"), "#6a4fb5", ["robot_print", { VALUE: t("hello") }], ["text"], ["text_join"]),
+    dynamic(t("Variables"), "#a03060", "VARIABLE"),
+    dynamic(t("Functions"), "#8a4a9a", "PROCEDURE"),
   ],
 };

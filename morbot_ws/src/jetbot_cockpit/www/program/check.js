@@ -1,5 +1,6 @@
 // The text of a program: written as it is saved, and checked when it comes from elsewhere, before Blockly sees it.
 
+import { t } from "../language.js";
 import { toText } from "../storage.js";
 import { TYPES } from "./semantics.js";
 
@@ -8,7 +9,9 @@ const MAX_BLOCKS = 2000;
 const MAX_NESTING = 60; // blocks in blocks; those below each other do not count
 const MAX_PARTS = 50; // branches of an if, parts of a text
 const MAX_TYPE = 40; // characters of a block's type that are shown
-export const NO_PROGRAM = "This file is no program of this page.";
+export const NO_PROGRAM = t("This file is no program of this page.");
+const TWO_VARIABLES = t("Two variables of this program have the same name.");
+const TWO_FUNCTIONS = t("Two functions of this program have the same name.");
 const BLOCK_KEYS = ["type", "id", "x", "y", "inline", "fields", "inputs", "next", "extraState"];
 const MADE_ANEW = ["id", "deletable", "disabledReasons"]; // of each block, whenever it is shown
 
@@ -27,12 +30,14 @@ function leaveOut(key, value) { // a variable keeps its id
 
 // Returns the program, with what this page knows of it alone; throws a Refusal.
 export function parseProgram(file) {
-  if (file.length > MAX_SIZE) throw new Refusal(`This file is too large: a program has ${MAX_SIZE / 1024} kB at most.`);
+  if (file.length > MAX_SIZE) {
+    throw new Refusal(t("This file is too large: a program has {most} kB at most.", { most: MAX_SIZE / 1024 }));
+  }
   try {
     const { blocks: { blocks }, variables = [] } = JSON.parse(file);
     const functions = blocks.filter(({ type }) => type.startsWith("procedures_def"));
-    checkNames("variables", variables.map(({ name }) => name));
-    checkNames("functions", functions.map(({ fields }) => fields.NAME));
+    checkNames(TWO_VARIABLES, variables.map(({ name }) => name));
+    checkNames(TWO_FUNCTIONS, functions.map(({ fields }) => fields.NAME));
     return {
       blocks: { languageVersion: 0, blocks: checkBlocks(blocks) },
       variables: checkVariables(variables),
@@ -53,14 +58,16 @@ export function problemOf(text) {
 }
 
 // Blockly gives no two the same name, and takes capitals for small letters.
-function checkNames(kind, names) {
+function checkNames(problem, names) {
   const all = names.map((name) => text(name).trim().toLowerCase());
   need(!all.includes(""));
-  if (new Set(all).size < all.length) throw new Refusal(`Two ${kind} of this program have the same name.`);
+  if (new Set(all).size < all.length) throw new Refusal(problem);
 }
 
 function checkVariables(variables) {
-  if (variables.length > MAX_BLOCKS) throw new Refusal(`This program has more than ${MAX_BLOCKS} variables.`);
+  if (variables.length > MAX_BLOCKS) {
+    throw new Refusal(t("This program has more than {most} variables.", { most: MAX_BLOCKS }));
+  }
   return variables.map(({ name, id }) => ({ name: text(name), id: text(id) }));
 }
 
@@ -69,9 +76,11 @@ function checkBlocks(tops) {
   const checked = [];
   const todo = tops.map((block, index) => ({ block, depth: 0, put: (copy) => { checked[index] = copy; } }));
   for (let count = 0; todo.length; count += 1) {
-    if (count >= MAX_BLOCKS) throw new Refusal(`This program has more than ${MAX_BLOCKS} blocks.`);
+    if (count >= MAX_BLOCKS) throw new Refusal(t("This program has more than {most} blocks.", { most: MAX_BLOCKS }));
     const { block, depth, put } = todo.pop();
-    if (depth > MAX_NESTING) throw new Refusal(`This program nests more than ${MAX_NESTING} blocks in each other.`);
+    if (depth > MAX_NESTING) {
+      throw new Refusal(t("This program nests more than {most} blocks in each other.", { most: MAX_NESTING }));
+    }
     const { inputs, next, ...own } = checkBlock(block);
     put(own);
     if (next) todo.push({ block: next.block, depth, put: (copy) => { own.next = { block: copy }; } });
@@ -88,14 +97,16 @@ function checkBlocks(tops) {
 
 function checkBlock(block) {
   const { type } = block;
-  if (!TYPES.has(type)) throw new Refusal(`This page does not know the block ${text(type).slice(0, MAX_TYPE)}.`);
+  if (!TYPES.has(type)) {
+    throw new Refusal(t("This page does not know the block {type}.", { type: text(type).slice(0, MAX_TYPE) }));
+  }
   const known = Object.fromEntries(BLOCK_KEYS.filter((key) => key in block).map((key) => [key, block[key]]));
   for (const key of ["fields", "extraState"].filter((each) => each in known)) known[key] = copy(known[key]);
   const isXml = typeof known.extraState === "string"; // it says what fields say, except of a return
   if (isXml && type !== "procedures_ifreturn") delete known.extraState;
   const { elseIfCount, itemCount, params } = known.extraState ?? {};
   const isLarge = [elseIfCount, itemCount, params?.length].some((parts) => parts > MAX_PARTS);
-  if (isLarge) throw new Refusal(`This program has a block with more than ${MAX_PARTS} parts.`);
+  if (isLarge) throw new Refusal(t("This program has a block with more than {most} parts.", { most: MAX_PARTS }));
   if ("id" in known) known.id = text(known.id);
   if ("inline" in known) need(typeof known.inline === "boolean");
   for (const key of ["x", "y"]) if (key in known) known[key] = Math.max(-1e5, Math.min(1e5, Number(known[key]) || 0));

@@ -1,6 +1,7 @@
 // The buttons that run a program, and what is said of it while it runs.
 
 import { element, setText } from "../dom.js";
+import { t } from "../language.js";
 import { setOutcome } from "./output.js";
 import { newsOf } from "./remarks.js";
 
@@ -12,6 +13,6 @@ export function showControls(run, waiting) {
   element("end").disabled = !run && !waiting;
   element("step").disabled = Boolean(run) && !held;
   element("pause").setAttribute("aria-pressed", String(held));
-  setText(element("pause"), held ? "Go on" : "Pause");
+  setText(element("pause"), held ? t("Go on") : t("Pause"));
   if (run) setOutcome(...newsOf(run));
 }

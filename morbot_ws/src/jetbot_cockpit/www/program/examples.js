@@ -1,5 +1,6 @@
 // Programs to begin with, one for each idea of the lessons.
 
+import { t } from "../language.js";
 import { block } from "./blocks.js";
 
 const plug = (type, inputs, fields) => ({ block: block(type, inputs, { fields }) });
@@ -33,24 +34,24 @@ const side = block("procedures_defnoreturn", { STACK: body(drive(0.5, 3.4), turn
 export const EMPTY = program([]);
 
 export const EXAMPLES = {
-  "One metre": program([drive(0.5, 3.33), stop]),
-  "The workshop's loop": program([loop(set(0.5, 0.1))]),
-  "x − z and x + z": program([
+  [t("One metre")]: program([drive(0.5, 3.33), stop]),
+  [t("The workshop's loop")]: program([loop(set(0.5, 0.1))]),
+  [t("x − z and x + z")]: program([
     block("robot_wheels", { LEFT: 0.4, RIGHT: 0.6 }), wait(2), set(0.5, 0.1), wait(2), stop,
   ]),
-  Zigzag: program([
+  [t("Zigzag")]: program([
     assign("z", 0.05),
     repeat(4, set(0.3, get("z")), wait(2),
       assign("z", plug("math_arithmetic", { A: get("z"), B: -1 }, { OP: "MULTIPLY" }))),
     stop,
   ], ["z"]),
-  "A square, with a function": program([repeat(4, call), stop], [], [side]),
-  "Drive until I am there": program([
+  [t("A square, with a function")]: program([repeat(4, call), stop], [], [side]),
+  [t("Drive until I am there")]: program([
     set(0.4, 0),
     block("controls_whileUntil", { BOOL: compare(x, "GTE", 0.96), DO: body(wait(0.1)) }, { fields: { MODE: "UNTIL" } }),
     stop, print(x),
   ]),
-  "Follow the line": program([loop(block("controls_if", {
+  [t("Follow the line")]: program([loop(block("controls_if", {
     IF0: compare(eye("LEFT"), "LT", 0.5), DO0: body(set(0.2, 0.1)),
     IF1: compare(eye("RIGHT"), "LT", 0.5), DO1: body(set(0.2, -0.1)),
     IF2: compare(eye("MIDDLE"), "GT", 0.9), DO2: body(leave),

@@ -4,9 +4,10 @@
 // { tick }: the same until the next tenth of a second; { publish }: drive `motion` from now on; { print }: a text;
 // { breathe }: nothing, it has computed for a while.
 
+import { t } from "../language.js";
 import { ProgramError } from "./program_error.js";
 import { BLOCKS, LOOPS } from "./semantics.js";
-import { named, truth } from "./values.js";
+import { notANumber, truth } from "./values.js";
 
 const MAX_CALLS = 998; // functions that call functions; Python's
 const MAX_LOOPS = 20; // in each other; Python's
@@ -95,7 +96,7 @@ export class Interpreter {
   *number(block, name, fallback = 0) {
     const value = yield* this.value(block, name, fallback);
     if (["number", "boolean"].includes(typeof value)) return value;
-    throw new ProgramError(`Here a number is needed, not ${named(value)}.`);
+    throw new ProgramError(notANumber(value));
   }
 
   *numbers(block, inputs) {
@@ -119,13 +120,14 @@ export class Interpreter {
 
   *call(block) {
     const called = this.functions.get(block.extraState?.name);
-    if (!called) throw new ProgramError("This function is not defined.");
+    if (!called) throw new ProgramError(t("This function is not defined."));
     const locals = new Map();
     for (const [index, { id }] of (called.extraState?.params ?? []).entries()) {
       locals.set(id, yield* this.value(block, `ARG${index}`));
     }
     if (this.running.length > MAX_CALLS) {
-      throw new ProgramError(`Functions call each other more than ${MAX_CALLS} deep. Does one call itself for ever?`);
+      throw new ProgramError(t("Functions call each other more than {most} deep. Does one call itself for ever?",
+        { most: MAX_CALLS }));
     }
     const outer = this.locals;
     this.locals = locals;
@@ -145,7 +147,7 @@ function checkLoops(first, around = 0) {
   for (let block = first; block; block = block.next?.block) {
     const loops = around + Number(block.type in LOOPS);
     if (loops > MAX_LOOPS) {
-      throw new ProgramError(`Python allows ${MAX_LOOPS} loops in each other, not more.`, block.id);
+      throw new ProgramError(t("Python allows {most} loops in each other, not more.", { most: MAX_LOOPS }), block.id);
     }
     for (const { block: inner } of Object.values(block.inputs ?? {})) checkLoops(inner, loops);
   }

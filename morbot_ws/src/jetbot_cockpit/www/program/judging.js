@@ -11,24 +11,27 @@
 /** @import { World } from "../world.js" */
 
 import { inSeconds } from "../dom.js";
+import { t } from "../language.js";
 import { hasPassed, holds } from "../refusals.js";
 
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
 const DRIVE_TIMEOUT = 4000; // ms from the program's end until the judge must have seen a drive
 const KEEP_INTERVAL = 1000; // ms between two messages that keep the robot this page's
-const STARTING = "The robot goes to the start of the task.";
-const MEASURING = "The judge measures until the robot has stopped for 3 s, or the time is over.";
-const ENDED = "Judge me ended this program.";
-const NOT_CONNECTED = "There is no connection to the cockpit.";
-const NO_ANSWER = "The judge did not put the robot at its start. Try again.";
-const NOT_DRIVEN = "The program has ended, and the robot did not drive: no score.";
-const JUDGE_GONE = "The judge does not answer any more. Try again.";
-const CANCELLED = "Judge me was cancelled";
-const NOT_COUNTED = "The drive does not count";
-const SEEN = "The judge has seen enough.";
-const OFF = "your teacher has switched this task off";
-const NOBODY_JUDGES = "nobody judges this task any more";
-const NOT_JUDGED = "This drive is not judged any more.";
+const STARTING = t("The robot goes to the start of the task.");
+const MEASURING = t("The judge measures until the robot has stopped for 3 s, or the time is over.");
+const ENDED = t("Judge me ended this program.");
+const NOT_CONNECTED = t("There is no connection to the cockpit.");
+const NO_ANSWER = t("The judge did not put the robot at its start. Try again.");
+const NOT_DRIVEN = t("The program has ended, and the robot did not drive: no score.");
+const JUDGE_GONE = t("The judge does not answer any more. Try again.");
+const CANCELLED = t("Judge me was cancelled.");
+const SWITCHED_OFF = t("Judge me was cancelled: your teacher has switched this task off.");
+const NOBODY_JUDGES = t("Judge me was cancelled: nobody judges this task any more.");
+const OTHER_ROBOT = t("Judge me was cancelled: another robot was chosen.");
+const NOT_COUNTED = t("The drive does not count.");
+const PAUSED = t("The drive does not count: the program was paused.");
+const SEEN = t("The judge has seen enough.");
+const NOT_JUDGED = t("This drive is not judged any more.");
 
 export class Judging {
   // robot, task: what is judged, in all states but idle; request: what its judge's reports are about, once accepted;
@@ -85,8 +88,8 @@ export class Judging {
     this.disarm();
     if (!this.world.robot(robot)) return this.rest(this.world.describeAbsence(), this.isAbsent);
     const { program, state } = this.world.state(robot);
-    const waiting = program && state === "driving" ? ` ${program} waits until the end.` : "";
-    this.enter("waiting", STARTING + waiting, { robot, task });
+    const waits = t("The robot goes to the start of the task. {program} waits until the end.", { program });
+    this.enter("waiting", program && state === "driving" ? waits : STARTING, { robot, task });
     this.end(ENDED);
     this.send({ type: "drive", robot, forward: 0, left: 0 }); // who had to let go, has
     if (!this.ask(task)) this.rest(NOT_CONNECTED, this.lost);
@@ -122,12 +125,10 @@ export class Judging {
   // These are the tasks now.
   list(tasks) {
     const task = tasks.find(({ name }) => name === this.state.task);
-    if (this.isWaiting && !(task?.on || task && this.world.teacher)) {
-      this.cancel(`${CANCELLED}: ${task ? OFF : NOBODY_JUDGES}.`);
-    }
+    if (this.isWaiting && !(task?.on || task && this.world.teacher)) this.cancel(task ? SWITCHED_OFF : NOBODY_JUDGES);
   }
 
-  cancel(text = `${CANCELLED}.`) {
+  cancel(text = CANCELLED) {
     if (!["waiting", "ended"].includes(this.state.name)) return;
     this.disarm();
     this.enter("idle", text);
@@ -135,17 +136,18 @@ export class Judging {
 
   // Nothing drives any more, for this reason: a sentence.
   stop(sentence) {
-    this.cancel(`${sentence} ${this.isWaiting ? CANCELLED : NOT_COUNTED}.`);
+    this.cancel(this.isWaiting ? t("{sentence} Judge me was cancelled.", { sentence })
+      : t("{sentence} The drive does not count.", { sentence }));
   }
 
   // The person pauses the program.
   paused() {
-    this.interrupt(`${NOT_COUNTED}: the program was paused.`);
+    this.interrupt(PAUSED);
   }
 
   // early: before its own end
   programEnded(early) {
-    if (early) this.interrupt(`${NOT_COUNTED}.`);
+    if (early) this.interrupt(NOT_COUNTED);
     else if (this.state.name === "driving") this.state = { ...this.state, name: "ended", since: performance.now() };
   }
 
@@ -165,9 +167,9 @@ export class Judging {
 
   wait() {
     const { report, world, state: { robot, request, since } } = this;
-    const obstacle = request && whyBlocked(world, robot); // before, the cockpit says it
-    if (robot !== world.chosen) this.cancel(`${CANCELLED}: another robot was chosen.`);
-    else if (obstacle) this.cancel(`${CANCELLED}: ${obstacle}.`);
+    const obstacle = request && whyCancelled(world, robot); // before, the cockpit says it
+    if (robot !== world.chosen) this.cancel(OTHER_ROBOT);
+    else if (obstacle) this.cancel(obstacle);
     else if (report?.state === "ready") this.drive();
     else if (report?.state === "cancelled") this.enter("idle", report.text);
     else if (performance.now() - since > READY_TIMEOUT) this.cancel(NO_ANSWER);
@@ -181,7 +183,7 @@ export class Judging {
 
   follow() {
     const { report, world, state: { name, robot, since } } = this;
-    if (robot !== world.chosen) this.cancel(`${CANCELLED}: another robot was chosen.`);
+    if (robot !== world.chosen) this.cancel(OTHER_ROBOT);
     else if (!report) this.conclude(JUDGE_GONE, NOT_JUDGED);
     else if (report.state === "done") this.score(report);
     else if (report.state === "cancelled") this.conclude(report.text, NOT_JUDGED);
@@ -213,15 +215,19 @@ export class Judging {
   }
 }
 
-// Returns why the robot is not this page's any more, or "".
-function whyBlocked(world, id) {
+// Returns that the robot is not this page's any more, and why, or "".
+function whyCancelled(world, id) {
   const { driver, answers } = world.state(id);
   if (!world.isBlocked(id)) return "";
-  if (driver && !world.isMine(id)) return `${driver.name} drives the robot`;
-  if (world.isTaken(id)) return "your teacher has taken the robot";
-  return answers ? "the robot was stopped" : "the robot does not answer";
+  if (driver && !world.isMine(id)) {
+    return t("Judge me was cancelled: {driver} drives the robot.", { driver: driver.name });
+  }
+  if (world.isTaken(id)) return t("Judge me was cancelled: your teacher has taken the robot.");
+  return answers ? t("Judge me was cancelled: the robot was stopped.")
+    : t("Judge me was cancelled: the robot does not answer.");
 }
 
 function result({ title, score, seconds, text }) {
-  return `${title}: ${score.toFixed(1)} points, ${inSeconds(seconds)}. ${text}`;
+  const values = { task: t(title), score: score.toFixed(1), time: inSeconds(seconds), losses: text };
+  return t("{task}: {score} points, {time}. {losses}", values);
 }

@@ -1,12 +1,13 @@
 // What the page shows of the program that is kept: a line over the blocks, and the sheet with all of the robot.
 
 import { element, setText } from "../dom.js";
+import { t } from "../language.js";
 import { EMPTY } from "./examples.js";
-import { clean } from "./kept.js";
+import { clean } from "./names.js";
 import { Shelf } from "./shelf.js";
 import { Work } from "./work.js";
 
-export const NEW = ["my program", EMPTY];
+export const NEW = [t("my program"), EMPTY];
 
 // Returns the Work of the page; for what it shows, current and lock see there.
 export function openWork({ show, current, lock }) {

@@ -5,26 +5,25 @@
 //   waiting -- a second without a change --> sending -- the cockpit's answer --> kept, refused or foreign
 //   unchanged, kept -- another page has saved it --> older
 
-import { limits } from "../limits.js";
-import { beginning, toName } from "../storage.js";
+import { t } from "../language.js";
 import { ask, newId } from "./ask.js";
 import { problemOf } from "./check.js";
+import { clean } from "./names.js";
 import { isTooLarge } from "./room.js";
 
 const SAVE_AFTER = 1000; // ms after the last change
 const RETRY_AFTER = 3000; // ms
-const TOO_LARGE = "Too large to be kept here. Save it as a file.";
-const AGAIN = "The page tries again.";
-const NEW = "Not kept until you change it.";
-const FOREIGN = "A change waits on this device for its own class.";
-const NEWER = "There is a newer version of this program.";
+const TOO_LARGE = t("Too large to be kept here. Save it as a file.");
+const NEW = t("Not kept until you change it.");
+const FOREIGN = t("A change waits on this device for its own class.");
+const NEWER = t("There is a newer version of this program.");
 
 // What a person reads in each state; bad: as a warning; unsaved: the cockpit has another content
 const STATES = {
   unchanged: { text: "" }, // since it was opened, or begun; a new one has another text
-  waiting: { text: "Not kept yet", unsaved: true }, // timer
-  sending: { text: "Not kept yet", unsaved: true }, // perhaps the cockpit has kept it, and its answer was lost
-  kept: { text: "Kept" },
+  waiting: { text: t("Not kept yet"), unsaved: true }, // timer
+  sending: { text: t("Not kept yet"), unsaved: true }, // perhaps the cockpit has kept it, and its answer was lost
+  kept: { text: t("Kept") },
   refused: { bad: true, unsaved: true }, // text: why it is not kept as it is
   foreign: { text: FOREIGN, unsaved: true }, // the cockpit has another class
   older: { text: NEWER, bad: true }, // newer: the version that another page has saved
@@ -87,7 +86,7 @@ export class Kept {
       } catch ({ message, code, again }) {
         if (code === "other_class") return ["foreign"];
         if (!again) return ["refused", { text: message }];
-        this.enter("sending", { text: `${message} ${AGAIN}`, bad: true });
+        this.enter("sending", { text: t("{problem} The page tries again.", { problem: message }), bad: true });
       }
       await new Promise((resolve) => { setTimeout(resolve, RETRY_AFTER); });
     }
@@ -97,22 +96,4 @@ export class Kept {
   compare({ version }) {
     if (version > this.version && !this.state.unsaved) this.enter("older", { newer: version });
   }
-}
-
-// Returns a name that the cockpit takes.
-export function clean(name) {
-  return toName(beginning(String(name), limits.program_name)) || "Program";
-}
-
-// Returns a name for a new program, which none of these rows has: "Square", "Square 2", "Square 3".
-/** @param {string} name @param {{ name: string, deleted?: boolean }[]} rows */
-export function freeName(name, rows) {
-  const isTaken = (each) => rows.some((row) => !row.deleted && row.name === each);
-  const [, base, last] = /** @type {string[]} */ (name.match(/^([^]*?)(?: (\d{1,4}))?$/));
-  for (let number = Number(last ?? 1); isTaken(name); name = numbered(base, number)) number += 1;
-  return name;
-}
-
-function numbered(name, number) {
-  return `${beginning(name, limits.program_name - ` ${number}`.length)} ${number}`;
 }

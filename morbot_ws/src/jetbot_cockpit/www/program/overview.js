@@ -5,6 +5,7 @@
 /** @import { World } from "../world.js" */
 
 import { create, element, setText } from "../dom.js";
+import { number, t } from "../language.js";
 import { showSwitches } from "../switches.js";
 import { titleOf } from "../world.js";
 import { archive } from "./archive.js";
@@ -42,10 +43,10 @@ export class Overview {
   showScores() {
     const titles = [...new Set(this.scores.map(({ task }) => task))];
     const best = (robot, title) => this.scores.find((each) => each.task === title && each.robot === robot);
-    const cell = (robot, title) => best(robot, title)?.score.toFixed(1) ?? "–";
+    const cell = (robot, title) => number(best(robot, title)?.score.toFixed(1) ?? "–");
     const rows = this.world.robots.map((robot) => row("td", titleOf(robot),
       titles.map((title) => cell(robot.label, title))));
-    element("score-table").replaceChildren(row("th", "Robot", titles), ...rows);
+    element("score-table").replaceChildren(row("th", t("Robot"), titles.map((title) => t(title))), ...rows);
   }
 
   open() {
@@ -54,7 +55,7 @@ export class Overview {
     this.act(async () => {
       const rows = await allPrograms();
       element("all-programs").replaceChildren(...rows.map((each) => this.item(each)));
-      return rows.length ? "" : "No robot has a program yet.";
+      return rows.length ? "" : t("No robot has a program yet.");
     });
   }
 
@@ -76,7 +77,7 @@ export class Overview {
 
   // Returns what a robot is called, with its pupil; it may not run now.
   owner(id) {
-    return titleOf(this.world.robot(id) ?? { label: id.slice(1) || "robot" });
+    return titleOf(this.world.robot(id) ?? { label: id.slice(1) || t("robot") });
   }
 
   async downloadAll() {

@@ -4,12 +4,6 @@ import { archive } from "./archive.js";
 
 const SCRIPT = "program.py"; // not the program's name: a script random.py would be imported in place of Python's module
 
-// Returns the name of the package of a program: it clashes with no package of the workspace.
-export function packageName(title) {
-  const name = title.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^_+|_+$/g, "").slice(0, 40);
-  return name.startsWith("my_") ? name : `my_${name || "program"}`;
-}
-
 // Returns it as a text that unpacks itself. python: the script; program: the JSON of the blocks, to be opened again
 export function packageText(name, python, program) {
   return archive(name, [

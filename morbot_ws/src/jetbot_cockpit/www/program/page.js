@@ -1,6 +1,7 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
-import { create, element, onPress, setText } from "../dom.js";
+import { create, element, onPress } from "../dom.js";
+import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
 import { parseProgram } from "./check.js";
@@ -10,17 +11,20 @@ import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
 import { NEW, openWork } from "./keeping.js";
-import { Overview } from "./overview.js";
-import { packageName, packageText } from "./package.js";
+import { packageName } from "./names.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
+import { Side } from "./side.js";
 import { Tasks } from "./tasks.js";
+import { TeachersSheet } from "./teachers_sheet.js";
 
 const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
-const HIDDEN = "The page was hidden, so the program was stopped.";
-const ENDED = "The program has ended.";
-const CHANGED = "The program was changed. Run it again.";
+const HIDDEN = t("The page was hidden, so the program was stopped.");
+const ENDED = t("The program has ended.");
+const CHANGED = t("The program was changed. Run it again.");
+const NOT_LOADED = t("This could not be loaded. Try again. If that does not help, reload the page.");
+const STOPPED = t("Stopped.");
 const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
 let run = null; // of a program, the last one
@@ -55,14 +59,15 @@ const shell = new Shell({
   end: (sentence) => tasks.end(sentence),
   drives: runs,
   changed() {
-    end("Another robot was chosen.");
+    end(t("Another robot was chosen."));
     showUnits();
   },
   draw,
-  tap() {}, // it ends no program
 });
 const { world, notice, send } = shell;
 const show = () => shell.show();
+const notLoaded = () => notice.show(NOT_LOADED);
+const side = new Side(shell, notLoaded);
 const workspace = openEditor(element("blocks"), programChanged);
 const work = openWork({
   show: open,
@@ -74,7 +79,7 @@ const work = openWork({
 });
 const tasks = new Tasks({ send, lost: () => !shell.link.connected, run: () => start(false), end, world });
 const { judging } = tasks;
-const overview = new Overview({ send, look: (row) => work.look(row), download, world });
+const overview = new TeachersSheet({ send, look: (row) => work.look(row), download, world });
 
 // The cockpit also refuses the next command; this comes first where the program waits.
 function endIfStopped() {
@@ -123,7 +128,8 @@ function printed(text) {
 function ended(sentence, block) {
   const { limit } = run;
   judging.programEnded(Boolean(sentence));
-  setOutcome([sentence || ENDED, limit?.text].filter(Boolean).join(" "), Boolean(sentence || limit));
+  const why = sentence || ENDED;
+  setOutcome(limit ? t("{sentence} {limit}", { sentence: why, limit: limit.text }) : why, Boolean(sentence || limit));
   const marked = workspace.getBlockById(block ?? limit?.block ?? "");
   if (marked) Blockly.common.setSelected(marked);
   show();
@@ -164,7 +170,7 @@ function open(title, text) {
   end(CHANGED);
   judging.forget();
   element("title").value = title;
-  setOutcome("Press Run.");
+  setOutcome(t("Press Run."));
   showUnits();
   return true;
 }
@@ -188,7 +194,9 @@ function saveProgram() {
 function savePackage() {
   writePython();
   const name = packageName(element("title").value);
-  download(`${name}.txt`, packageText(name, python.text, textOf(workspace)), "text/plain");
+  import("./package.js").then(({ packageText }) => {
+    download(`${name}.txt`, packageText(name, python.text, textOf(workspace)), "text/plain");
+  }, notLoaded);
 }
 
 // What is shown
@@ -198,27 +206,18 @@ function draw() {
   showControls(running, judging.isWaiting);
   showPlace(workspace, running);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
-  if (element("map").clientWidth) shell.map.draw();
-}
-
-// Shows the map in place of the Python, or that again.
-function showMap(on) {
-  element("show-map").setAttribute("aria-pressed", on);
-  setText(element("python-title"), on ? "Map" : "Python");
-  [element("view").hidden, element("python").hidden] = [!on, on];
+  side.draw();
 }
 
 // What a person does
 
 onPress(element("run"), () => element("run").disabled || start(false), () => false);
-onPress(element("end"), () => end("Stopped."));
+onPress(element("end"), () => end(STOPPED));
 element("pause").addEventListener("click", () => (run.held ? run.resume() : run.pause()));
 element("step").addEventListener("click", () => (runs() ? run.step() : start(true)));
 element("title").addEventListener("change", writePython);
 element("open").addEventListener("click", () => element("file").click());
 element("file").addEventListener("change", openFile);
-element("show-map").addEventListener("click", () => showMap(element("view").hidden));
-element("judge").addEventListener("click", () => showMap(true));
 element("save").addEventListener("click", saveProgram);
 element("package").addEventListener("click", savePackage);
 element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));
@@ -226,7 +225,7 @@ element("examples").addEventListener("change", ({ target }) => {
   if (target.value) work.add(target.value, EXAMPLES[target.value]);
   target.value = "";
 });
-addEventListener("keydown", (event) => event.key === "Escape" && end("Stopped."), true);
+addEventListener("keydown", (event) => event.key === "Escape" && end(STOPPED), true);
 for (const event of ["pagehide", "freeze"]) addEventListener(event, () => end(HIDDEN));
 document.addEventListener("visibilitychange", () => document.hidden && end(HIDDEN));
 

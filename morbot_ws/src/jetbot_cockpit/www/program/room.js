@@ -1,5 +1,6 @@
 // How large a program may become while it is built: it can always be kept, and opened again. It knows no page.
 
+import { t } from "../language.js";
 import { limits } from "../limits.js";
 import { problemOf } from "./check.js";
 
@@ -15,7 +16,7 @@ export class Room {
   change(program, undoable) {
     const problem = problemWith(program);
     if (problem && this.fits && undoable) {
-      return `With the last change, ${problem[0].toLowerCase()}${problem.slice(1)} It was undone.`;
+      return t("With the last change: {problem} It was undone.", { problem });
     }
     this.fits = !problem;
     return "";
@@ -23,5 +24,6 @@ export class Room {
 }
 
 function problemWith(program) {
-  return isTooLarge(program) ? `This program has more than ${limits.program / 1024} kB.` : problemOf(program);
+  return isTooLarge(program) ? t("This program has more than {most} kB.", { most: limits.program / 1024 })
+    : problemOf(program);
 }

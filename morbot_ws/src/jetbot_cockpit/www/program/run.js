@@ -3,6 +3,7 @@
 /** @import { Send } from "../link.js" */
 /** @import { Robot } from "../messages.js" */
 
+import { t } from "../language.js";
 import { Clock } from "./clock.js";
 import { Interpreter } from "./interpreter.js";
 import { HOLD, Motion } from "./motion.js";
@@ -14,9 +15,9 @@ const SLICE = 8; // ms that a program computes before the page has its turn
 const HEARTBEAT = 50; // ms; no sleep is longer
 const FROZEN = 300; // ms without a heartbeat: the cockpit has stopped the robot meanwhile
 const READY_TIMEOUT = 4000; // ms until a robot's controller is connected, and its sensors report
-const NOT_READY = "The robot did not get ready in time. Try again, or tell your teacher.";
-const NOTHING = "Nothing is below \"when the program starts\": drag blocks there.";
-const INTERRUPTED = "This page was interrupted, so the robot stopped.";
+const NOT_READY = t("The robot did not get ready in time. Try again, or tell your teacher.");
+const NOTHING = t("Nothing is below \"when the program starts\": drag blocks there.");
+const INTERRUPTED = t("This page was interrupted, so the robot stopped.");
 
 export class Run {
   clock = new Clock();

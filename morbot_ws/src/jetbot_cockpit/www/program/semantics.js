@@ -1,14 +1,16 @@
 // What each block does: a generator of events, as interpreter.js explains them, that returns the block's value.
 // run: the Interpreter; block: its JSON.
 
+import { t } from "../language.js";
 import { ProgramError } from "./program_error.js";
 import { ROBOT } from "./robot.js";
 import {
-  comparable, COMPARISONS, CONSTANTS, constrain, modulo, named, OPERATIONS, plain, PROPERTIES, randomInteger, shown,
-  truth, whole,
+  comparable, COMPARISONS, CONSTANTS, constrain, modulo, notChangeable, notComparable, OPERATIONS, plain, PROPERTIES,
+  randomInteger, shown, truth, whole,
 } from "./values.js";
 
 const MAX_TEXT = 10000; // characters
+const TOO_LONG = t("A text has at most {most} characters.", { most: MAX_TEXT });
 
 export const LOOPS = {
   *robot_loop(run, block) {
@@ -25,7 +27,7 @@ export const LOOPS = {
   },
   *controls_for(run, block) {
     const [from, to, by] = yield* run.numbers(block, { FROM: 0, TO: 0, BY: 1 });
-    if (Number(by) === 0) throw new ProgramError("This loop counts by 0, and never arrives.");
+    if (Number(by) === 0) throw new ProgramError(t("This loop counts by 0, and never arrives."));
     const sign = from <= to ? 1 : -1;
     for (let count = from; sign * count <= sign * to; count += sign * Math.abs(by)) {
       run.set(block, count);
@@ -49,7 +51,7 @@ const STATEMENTS = {
   },
   *math_change(run, block) {
     const [before, delta] = [plain(run.get(block)), yield* run.number(block, "DELTA")];
-    if (typeof before !== "number") throw new ProgramError(`Only a number can be changed, not ${named(before)}.`);
+    if (typeof before !== "number") throw new ProgramError(notChangeable(before));
     run.set(block, before + delta);
   },
   *procedures_callnoreturn(run, block) {
@@ -78,7 +80,7 @@ const VALUES = {
     const [a, b] = values.map(comparable);
     const { OP: operator } = block.fields;
     const ordered = typeof a === typeof b && a !== null || ["EQ", "NEQ"].includes(operator);
-    if (!ordered) throw new ProgramError(`${values.map(named).join(" and ")} cannot be compared.`);
+    if (!ordered) throw new ProgramError(notComparable(...values));
     return COMPARISONS[operator](a, b);
   },
   *logic_ternary(run, block) {
@@ -91,7 +93,7 @@ const VALUES = {
     let text = "";
     for (let number = 0; number < (block.extraState?.itemCount ?? 2); number += 1) {
       text += shown(yield* run.value(block, `ADD${number}`, ""));
-      if (text.length > MAX_TEXT) throw new ProgramError(`A text has at most ${MAX_TEXT} characters.`);
+      if (text.length > MAX_TEXT) throw new ProgramError(TOO_LONG);
     }
     return text;
   },
@@ -128,7 +130,7 @@ const toCalculation = ([inputs, calculate]) => function* calculation(run, block)
 
 const toReading = ({ read, unknown }) => function* reading(run, block) {
   const value = read(block.fields ?? {}, run.senses()) ?? null;
-  if (value === null) throw new ProgramError(`This robot does not report ${unknown}.`);
+  if (value === null) throw new ProgramError(unknown);
   return value;
 };
 

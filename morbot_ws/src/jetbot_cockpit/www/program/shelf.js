@@ -1,8 +1,9 @@
 // The sheet with the programs of the chosen robot: open, copy, delete, and open an earlier version.
 
 import { create, element, setText } from "../dom.js";
+import { t } from "../language.js";
 import { ask, newId } from "./ask.js";
-import { freeName } from "./kept.js";
+import { freeName } from "./names.js";
 import { Sheet } from "./sheet.js";
 
 export class Shelf {
@@ -32,9 +33,11 @@ export class Shelf {
   // Returns the newest version of a program, and below it the earlier ones.
   items(row) {
     const { id, name, deleted, earlier } = row;
-    const does = (text, action) => button(text, `${text}: ${name}`, () => this.act(action));
-    const newest = this.item(id, name, row, deleted ? [does("Undo", () => this.work.undo(row))]
-      : [does("Copy", () => this.copy(row)), does("Delete", () => this.work.remove(row))]);
+    const does = (text, label, action) => button(text, label, () => this.act(action));
+    const newest = this.item(id, name, row, deleted
+      ? [does(t("Undo"), t("Undo: {name}", { name }), () => this.work.undo(row))]
+      : [does(t("Copy"), t("Copy: {name}", { name }), () => this.copy(row)),
+        does(t("Delete"), t("Delete: {name}", { name }), () => this.work.remove(row))]);
     if (!deleted) return [newest, ...earlier.map((each) => this.earlierItem(id, each))];
     newest.className = "deleted";
     newest.firstChild.disabled = true;
@@ -42,7 +45,7 @@ export class Shelf {
   }
 
   earlierItem(id, { name, version }) {
-    const item = this.item(`${id} ${version}`, `${name}, version ${version}`, { id, version });
+    const item = this.item(`${id} ${version}`, t("{name}, version {version}", { name, version }), { id, version });
     item.className = "earlier";
     return item;
   }

@@ -1,6 +1,7 @@
 // The tasks that a pupil may choose, Judge me, and its score.
 
 import { element, setText } from "../dom.js";
+import { t } from "../language.js";
 import { Judging } from "./judging.js";
 
 export class Tasks {
@@ -22,7 +23,7 @@ export class Tasks {
   list(tasks) {
     const offered = tasks.filter(({ on }) => on || this.world.teacher);
     const { value } = element("task-choice");
-    element("task-choice").replaceChildren(...offered.map(({ name, title }) => new Option(title, name)));
+    element("task-choice").replaceChildren(...offered.map(({ name, title }) => new Option(t(title), name)));
     if (offered.some(({ name }) => name === value)) element("task-choice").value = value;
     for (const id of ["task-choice", "judge"]) element(id).hidden = !offered.length;
     this.judging.list(tasks);
@@ -42,6 +43,6 @@ export class Tasks {
   say(text) {
     setText(element("score"), text);
     if (text) element("output").scrollIntoView({ block: "nearest" });
-    setText(element("judge"), this.judging.isWaiting ? "Cancel" : "Judge me");
+    setText(element("judge"), this.judging.isWaiting ? t("Cancel") : t("Judge me"));
   }
 }

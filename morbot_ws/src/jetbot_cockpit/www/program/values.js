@@ -1,5 +1,6 @@
 // Values as Python has them: how they are calculated, compared and printed. None is null.
 
+import { t } from "../language.js";
 import { ProgramError } from "./program_error.js";
 
 const MAX_PRIME = 1e10; // what is larger takes too long
@@ -14,12 +15,12 @@ const checked = (calculate) => (...given) => {
   const result = calculate(...given);
   const fails = Number.isNaN(result) ? !given.some(Number.isNaN)
     : !Number.isFinite(result) && given.every(Number.isFinite);
-  return fails ? refuse("This calculation has no result.") : result;
+  return fails ? refuse(t("This calculation has no result.")) : result;
 };
 
 // Refuses to round what is not finite, as Python does.
 export const whole = (round) => (number) =>
-  (isFinite(number) ? round(number) : refuse(`${shown(number)} cannot be rounded.`));
+  (isFinite(number) ? round(number) : refuse(t("{value} cannot be rounded.", { value: shown(number) })));
 
 export const OPERATIONS = {
   ADD: (a, b) => a + b, MINUS: (a, b) => a - b, MULTIPLY: (a, b) => a * b, DIVIDE: (a, b) => a / divisor(b),
@@ -61,7 +62,7 @@ export function randomInteger(one, other) {
 }
 
 function divisor(number) {
-  return Number(number) === 0 ? refuse("This block divides by 0.") : number;
+  return Number(number) === 0 ? refuse(t("This block divides by 0.")) : number;
 }
 
 function roundToEven(number) {
@@ -70,7 +71,7 @@ function roundToEven(number) {
 
 function isPrime(number) {
   if (!(number > 1) || modulo(number, 1) !== 0) return false;
-  if (number > MAX_PRIME) refuse(`Whether ${shown(number)} is prime takes too long to find out.`);
+  if (number > MAX_PRIME) refuse(t("Whether {value} is prime takes too long to find out.", { value: shown(number) }));
   for (let factor = 2; factor * factor <= number; factor += 1) if (number % factor === 0) return false;
   return true;
 }
@@ -100,9 +101,31 @@ export function shown(value) {
   return String(Number.isInteger(value) ? value : Number(value.toPrecision(Math.abs(value) < 1e5 ? 6 : 15)));
 }
 
-// Returns a value as a sentence names it.
-export function named(value) {
-  return typeof value === "string" ? `the text “${value.slice(0, MAX_NAME)}”` : shown(value);
+// Returns that this value is no number, where one is needed.
+export function notANumber(value) {
+  return isText(value) ? t("Here a number is needed, not the text “{text}”.", { text: short(value) })
+    : t("Here a number is needed, not {value}.", { value: shown(value) });
+}
+
+// Returns the same of the value of a variable that a block changes.
+export function notChangeable(value) {
+  return isText(value) ? t("Only a number can be changed, not the text “{text}”.", { text: short(value) })
+    : t("Only a number can be changed, not {value}.", { value: shown(value) });
+}
+
+// Returns that these values are of two kinds.
+export function notComparable(a, b) {
+  if (isText(a)) return t("The text “{text}” and {value} cannot be compared.", { text: short(a), value: shown(b) });
+  if (isText(b)) return t("{value} and the text “{text}” cannot be compared.", { text: short(b), value: shown(a) });
+  return t("{one} and {other} cannot be compared.", { one: shown(a), other: shown(b) });
+}
+
+function isText(value) {
+  return typeof value === "string";
+}
+
+function short(text) {
+  return text.slice(0, MAX_NAME);
 }
 
 function refuse(sentence) {

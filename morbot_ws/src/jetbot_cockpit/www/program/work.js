@@ -1,11 +1,13 @@
 // The program that is shown: which one it is, whether the cockpit keeps it, and until then this device.
 // It knows no page.
 
+import { t } from "../language.js";
 import { ask } from "./ask.js";
 import * as device from "./device.js";
-import { clean, freeName, Kept } from "./kept.js";
+import { Kept } from "./kept.js";
+import { clean, freeName } from "./names.js";
 
-const LOOKING = "You can look at this program, but not change it.";
+const LOOKING = t("You can look at this program, but not change it.");
 
 export class Work {
   /** @type {string | null} */

@@ -2,6 +2,7 @@
 
 from typing import Dict, Mapping, NamedTuple, Optional, Tuple
 
+from jetbot.sentence import Sentence, names_in, row
 from jetbot.text import printable
 
 MANUAL_PRIORITY = 5.0  # s after a command of the cockpit in which those of other programs are ignored
@@ -36,19 +37,12 @@ CAUSES = {  # why a robot is stopped: a code for programs, and how its status wo
 }
 
 
-class Cause(NamedTuple):
-    """Why a robot is stopped: a code of CAUSES, and what its sentence names, by their names. See ``because``."""
-
-    code: str
-    arguments: Tuple[Tuple[str, str], ...] = ()
-
-    def __str__(self) -> str:
-        return f"stopped: {CAUSES[self.code].format(**dict(self.arguments))}"
+Cause = Sentence  # of CAUSES
 
 
 def because(code: str, **arguments: str) -> Cause:
     """Return a Cause."""
-    return Cause(code, tuple(arguments.items()))
+    return row(CAUSES, code, **arguments)
 
 
 class RobotState(NamedTuple):
@@ -69,6 +63,12 @@ class RobotState(NamedTuple):
     waiting: Tuple[str, ...] = ()
     bus: str = ""
 
+    @property
+    def template(self) -> str:
+        """The template of its cause; "" while it drives, and where an argument is missing."""
+        template = CAUSES.get(self.cause, "")
+        return template if names_in(template) <= self.arguments.keys() else ""
+
     def values(self) -> Dict[str, str]:
         """Return the values of the message, whose text is the sentence."""
         return {"state": self.state, "cause": self.cause, **self.arguments, "holds": " ".join(self.holds),
@@ -83,10 +83,11 @@ def read(message) -> RobotState:
     values = {item.key: printable(item.value)[:MAX_LENGTH] for item in message.values}
     state, cause, holds, commanded_by, waiting, bus = (
         values.pop(key, "") for key in ("state", "cause", "holds", "commanded_by", "waiting", "bus"))
-    return RobotState(state, printable(message.message)[:MAX_LENGTH], cause, values, tuple(holds.split()),
+    arguments = {name: values[name] for name in names_in(CAUSES.get(cause, "")) if name in values}
+    return RobotState(state, printable(message.message)[:MAX_LENGTH], cause, arguments, tuple(holds.split()),
                       commanded_by, tuple(waiting.split()), bus)
 
 
 def sentence(cause: Optional[Cause]) -> str:
     """Return what a robot does, for people. cause: why it is stopped, or None while it drives."""
-    return str(cause) if cause else DRIVING
+    return f"stopped: {cause}" if cause else DRIVING

@@ -16,9 +16,10 @@ MAX_POINTS = 500  # of a trail; the oldest are dropped
 
 
 class Trail:
-    """Where one robot has driven."""
+    """Where one robot has driven. start: its first (x, y, yaw), in m and rad."""
 
     def __init__(self):
+        self.start: Optional[Tuple[float, float, float]] = None
         self.points: Deque[Tuple[float, float]] = deque(maxlen=MAX_POINTS)
         self._last: Optional[Tuple[float, float]] = None
         self._at, self._reset_at = 0.0, math.inf
@@ -27,12 +28,14 @@ class Trail:
         """The robot is asked to go back to its start: the trail starts again there, however near that is."""
         self._reset_at = now + RESET_TIME
 
-    def update(self, x: float, y: float, now: float) -> bool:
-        """The robot is at this point, in m. Return whether the trail starts again, because it was put there."""
-        point = x, y
+    def update(self, pose: Tuple[float, float, float], now: float) -> bool:
+        """The robot is at this pose, in m and rad. Return whether the trail starts again: it was put there."""
+        point = pose[:2]
         starts_again = now >= self._reset_at or self._has_jumped(point, now)
         if starts_again:
             self.points.clear()
+        if starts_again or self.start is None:
+            self.start = pose
         if now >= self._reset_at:
             self._reset_at = math.inf
         self._last, self._at = point, now
@@ -118,12 +121,12 @@ class History:
         """Take all robots as they are now; return messages with what has changed. now: in monotonic seconds."""
         self._trails = {robot: self._trails.get(robot) or Trail() for robot in robots}
         restarts = [robot for robot in robots.values()
-                    if robot.pose and self._trails[robot.id].update(*robot.pose[:2], now)]
+                    if robot.pose and self._trails[robot.id].update(robot.pose, now)]
         self._forgotten.update((each.id, each.task) for each in restarts if each.task and each.task.state == "done")
         before, self._scenes = self._scenes, {robot.id: self._scene(robot) for robot in robots.values()}
         scenes = [scene(robot, shapes) for robot, shapes in self._scenes.items() if shapes != before.get(robot, ())]
         better = [self._scores.add(robot.id, robot.task) for robot in robots.values()]
-        return [trail(robot.id, []) for robot in restarts] + scenes + (self._scores.messages() if any(better) else [])
+        return [trail(robot.id, robot.pose, []) for robot in restarts] + scenes + (self._scores.messages() if any(better) else [])
 
     def _scene(self, robot: RobotSnapshot) -> Tuple[Shape, ...]:
         """Return what is drawn around the robot: a course only with its task."""
@@ -131,12 +134,12 @@ class History:
 
     def messages(self) -> List[dict]:
         """Return messages with all of it; also of an empty scene: a page may have missed that it is gone."""
-        return ([trail(robot, each.points) for robot, each in self._trails.items()]
+        return ([trail(robot, each.start, each.points) for robot, each in self._trails.items()]
                 + [scene(robot, shapes) for robot, shapes in self._scenes.items()] + self._scores.messages())
 
 
-def trail(robot: str, points) -> dict:
-    return {"type": "trail", "robot": robot, "points": [list(point) for point in points]}
+def trail(robot: str, start, points) -> dict:
+    return {"type": "trail", "robot": robot, "start": start and list(start), "points": [list(point) for point in points]}
 
 
 def scene(robot: str, shapes: Tuple[Shape, ...]) -> dict:

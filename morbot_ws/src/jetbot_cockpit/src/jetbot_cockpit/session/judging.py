@@ -4,8 +4,6 @@ import secrets
 from functools import partial
 from typing import Dict, List, NamedTuple, Optional
 
-from jetbot.text import enumeration
-
 from ..classroom.classroom import Classroom
 from ..notices import Notice, say
 from .history import History, Scores
@@ -73,7 +71,7 @@ class Judging:
             self._history.reset(robot.id, request.now)
         silent = [robot.label for robot in chosen if not self._robots.reset(robot.id)]
         if silent:
-            return say("not_reset", robots=enumeration(silent))
+            return say("not_reset", robots=", ".join(silent))
         return None if chosen else say("real_not_reset")
 
     # What the pages show

@@ -98,18 +98,19 @@ VERSION = Field("number", program.is_version)
 PROGRAM_NAME = Field("string", program.is_program_name, f"{program.MAX_NAME} characters")
 POSE = numbers(3)
 ARGUMENTS = by_robot(TEXT)._replace(type="Record<string, string>")
-SAID = {"code": TEXT, "arguments": ARGUMENTS, "text": TEXT}  # a Notice
+SAID = {"code": TEXT, "arguments": ARGUMENTS, "text": TEXT, "template": TEXT}  # a Notice
 NOTICE = part("Said", **SAID)
 DRIVER = part("Driver", id=COUNT, name=TEXT)
 JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "driving", "done", "cancelled"), text=TEXT,
               seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT, request=TEXT)
 PICTURES = part("Pictures", **dict.fromkeys(LABELS, COUNT), problem=or_null(NOTICE))
 ROBOT_STATE = part(
-    "RobotState", status=TEXT, state=one_of("", "driving", "stopped", "ended"), cause=TEXT, holds=list_of(TEXT),
-    waiting=list_of(TEXT), fake=BOOLEAN, warning=BOOLEAN, answers=BOOLEAN, stopped=BOOLEAN, pose=or_null(POSE),
-    speed=or_null(numbers(2)), command=or_null(numbers(2)), wheels=or_null(numbers(2)), program=TEXT,
-    driver=or_null(DRIVER), resumes=or_null(COUNT), held=or_null(one_of("robot", "programs")), stalls=COUNT,
-    task=or_null(JUDGED), pictures=or_null(PICTURES), programs=COUNT)
+    "RobotState", status=TEXT, state=one_of("", "driving", "stopped", "ended"), cause=TEXT, template=TEXT,
+    arguments=ARGUMENTS, holds=list_of(TEXT), waiting=list_of(TEXT), fake=BOOLEAN, warning=BOOLEAN, answers=BOOLEAN,
+    stopped=BOOLEAN, pose=or_null(POSE), speed=or_null(numbers(2)), command=or_null(numbers(2)),
+    wheels=or_null(numbers(2)), program=TEXT, driver=or_null(DRIVER), resumes=or_null(COUNT),
+    held=or_null(one_of("robot", "programs")), stalls=COUNT, task=or_null(JUDGED), pictures=or_null(PICTURES),
+    programs=COUNT)
 ROBOT_ROW = part("Robot", id=ROBOT, label=TEXT, color=TEXT, workshop=or_null(BOOLEAN), wheel_separation=NUMBER,
                  max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT)
 SHAPE = part("Shape", kind=one_of("wall", "line", "course", "goal"), width=NUMBER, points=list_of(numbers(2)))
@@ -155,8 +156,8 @@ FROM_COCKPIT = {
     "robots": Form({"robots": list_of(ROBOT_ROW)}, "which robots there are: at first, and when that changes"),
     "state": Form({"emergency": BOOLEAN, "pupils_release": BOOLEAN, "robots": by_robot(ROBOT_STATE)},
                   "what each one does: at most 12.5 times a second, at least once"),
-    "trail": Form({"robot": ROBOT, "points": list_of(numbers(2))},
-                  "where it has been: at first, and empty when it was put back"),
+    "trail": Form({"robot": ROBOT, "start": or_null(POSE), "points": list_of(numbers(2))},
+                  "where it started, and has been since: at first, and empty when it was put back"),
     "scene": Form({"robot": ROBOT, "shapes": list_of(SHAPE)},
                   "what is drawn around a robot: at first, and when that changes"),
     "scores": Form({"scores": list_of(SCORE)}, "the class's best: at first, and when it changes"),

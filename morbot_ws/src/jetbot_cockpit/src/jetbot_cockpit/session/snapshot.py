@@ -96,8 +96,9 @@ class RobotSnapshot(NamedTuple):
         """Return its entry of the message "state"; docs/protocol.md explains it."""
         state = self.state
         own = "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
-        return {"status": state.sentence, "state": state.state, "cause": state.cause, "holds": state.holds,
-                "waiting": state.waiting, "fake": bool(folder_of(state.bus)),
+        return {"status": state.sentence, "state": state.state, "cause": state.cause, "template": state.template,
+                "arguments": state.arguments, "holds": state.holds, "waiting": state.waiting,
+                "fake": bool(folder_of(state.bus)),
                 **{name: getattr(self, name) for name in own},
                 "driver": driver, "resumes": resumes, "held": held, "stalls": stalls, "task": task and task._asdict(),
                 "pictures": pictures, "programs": programs}

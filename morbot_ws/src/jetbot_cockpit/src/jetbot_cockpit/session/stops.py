@@ -2,8 +2,6 @@
 
 from typing import Optional, Set
 
-from jetbot.text import enumeration
-
 from ..notices import Notice, say
 from .holds import Holds
 from .rights import TEACHER, Client, Request
@@ -60,4 +58,4 @@ class Stops:
 def nothing_released(snapshot: Snapshot) -> Notice:
     """Return that there was nothing to release, and which robots are stopped by their own emergency stops."""
     stopped = [robot.label for robot in snapshot.robots.values() if robot.stopped]
-    return say("others_stopped", robots=enumeration(stopped)) if stopped else say("not_stopped")
+    return say("others_stopped", robots=", ".join(stopped)) if stopped else say("not_stopped")

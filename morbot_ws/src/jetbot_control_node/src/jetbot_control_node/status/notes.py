@@ -52,7 +52,7 @@ class Status(NamedTuple):
         """The same for programs, but for the bus."""
         cause, sender = self.cause, self.state.sender
         return RobotState(STOPPED if cause else DRIVING, self.text, cause.code if cause else "",
-                          dict(cause.arguments) if cause else {}, self.state.holds, sender.name if sender else "",
+                          cause.arguments if cause else {}, self.state.holds, sender.name if sender else "",
                           self.waiting)
 
     @property

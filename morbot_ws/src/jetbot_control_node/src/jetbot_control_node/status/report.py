@@ -12,7 +12,7 @@ from diagnostic_updater import Updater
 from std_msgs.msg import String
 
 from jetbot.wait import wait_until
-from jetbot_ros.state import ENDED, RobotState, because
+from jetbot_ros.state import ENDED, RobotState, because, sentence
 
 from ..control.supervisor import Supervisor
 from ..supply.supply_watch import SupplyWatch
@@ -52,7 +52,7 @@ class Report:
     def end(self) -> None:
         """Publish the last status, and end ``spin``."""
         self._ended = True
-        self._publish(RobotState(ENDED, str(because(ENDED)), ENDED), DiagnosticStatus.OK)
+        self._publish(RobotState(ENDED, sentence(because(ENDED)), ENDED), DiagnosticStatus.OK)
         # rospy sends from other threads, and its shutdown, which follows, would drop what they have not sent
         connections = [*self._status_publisher.impl.connections, *self._state_publisher.impl.connections]
         wait_until(lambda: not any(each._queue for each in connections), SEND_TIMEOUT)

@@ -1,0 +1,80 @@
+// The page in the person's language. English is the key: what has no translation is shown in English.
+
+import { recall, remember } from "./storage.js";
+
+export const LANGUAGES = {
+  en: "English", de: "Deutsch", es: "Español", fr: "Français", it: "Italiano", ja: "日本語",
+};
+const ATTRIBUTES = ["title", "aria-label", "aria-roledescription", "placeholder"];
+const WORDS = /\S(?:.*\S)?/s; // of an element, without the space around them
+const DECIMAL = /^([-−]?\d+)\.(\d+)$/;
+
+const page = globalThis.document?.body; // none in a test without a browser
+export const language = page ? choose() : "en";
+const sentences = language === "en" ? {} : await load();
+const plurals = new Intl.PluralRules(language);
+const [, mark] = new Intl.NumberFormat(language).formatToParts(0.5);
+if (page) translate(document.documentElement);
+
+// The one that was chosen here, else the first that the browser asks for.
+function choose() {
+  const wanted = [recall("language"), ...navigator.languages.map((each) => each.split("-")[0])];
+  return wanted.find((each) => Object.hasOwn(LANGUAGES, each)) ?? "en";
+}
+
+async function load() {
+  try {
+    return await (await fetch(new URL(`languages/${language}.json`, import.meta.url))).json();
+  } catch {
+    return {};
+  }
+}
+
+// Returns the sentence in the page's language, with values in place of its {names}. Of "{count} robot|{count} robots",
+// values.count chooses the form.
+/** @param {string} english @param {Record<string, unknown>} values */
+export function t(english, values = {}) {
+  const [one, other = one] = (sentences[english] ?? english).split("|");
+  const form = plurals.select(Number(values.count ?? 1)) === "one" ? one : other;
+  return fill(form, values, number);
+}
+
+// Returns a text with values in place of its {names}. written(value): how it is written
+/** @param {string} text @param {Record<string, unknown>} values @param {(value: unknown) => string} written */
+export function fill(text, values, written = String) {
+  return text.replace(/\{(\w+)\}/g, (name, key) => (key in values ? written(values[key]) : name));
+}
+
+// Returns what a message says: that of the cockpit has its English as a template, too.
+/** @param {{ text: string, template?: string, arguments?: Record<string, string> }} message */
+export function said({ text, template, arguments: values }) {
+  return template ? t(template, values) : text;
+}
+
+// Returns a number with the language's decimal mark, and another text as it is.
+export function number(value) {
+  return String(value).replace(DECIMAL, `$1${mark.value}$2`);
+}
+
+// Translates the texts of the page, once, and offers the other languages.
+function translate(root) {
+  root.lang = language;
+  for (const each of root.querySelectorAll("*")) {
+    for (const name of ATTRIBUTES) if (each.hasAttribute(name)) each.setAttribute(name, t(each.getAttribute(name)));
+    for (const child of each.childNodes) if (child instanceof Text) child.data = child.data.replace(WORDS, inWords);
+  }
+  for (const each of root.querySelectorAll(".language")) offer(each);
+}
+
+function inWords(text) {
+  return t(text.replace(/\s+/g, " "));
+}
+
+function offer(select) {
+  const option = ([code, name]) => new Option(name, code, false, code === language);
+  select.replaceChildren(...Object.entries(LANGUAGES).map(option));
+  select.addEventListener("change", () => {
+    remember("language", select.value);
+    location.reload();
+  });
+}

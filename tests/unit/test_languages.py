@@ -1,0 +1,19 @@
+"""Both pages are in German, Spanish, French, Italian and Japanese: no sentence is forgotten, and no name is lost."""
+
+import re
+
+import pytest
+from languages import CODES, keys, read
+
+NAMES = re.compile(r"\{\w+\}|%\d")
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_there_is_no_translation_of_a_sentence_that_no_page_shows(code):
+    assert not sorted(read(code).keys() - keys())
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_a_translation_names_what_the_english_names_in_each_of_its_forms(code):
+    assert {english: translation for english, translation in read(code).items() for form in translation.split("|")
+            if set(NAMES.findall(form)) != set(NAMES.findall(english.split("|")[-1]))} == {}
