@@ -1,7 +1,9 @@
 """What matters most, in each engine: on iPads is WebKit, on Debian's desktop Firefox. Chromium is the measure."""
 
+import json
 import signal
 from importlib import import_module
+from pathlib import Path
 
 import pytest
 
@@ -22,6 +24,7 @@ ENGINES = {  # the programs that each needs, and the packages that have them
     "firefox": ("firefox-esr", "firefox-esr"),
 }
 ENGLISH, GERMAN = "en-US", "de-DE"
+WORDS = json.loads((Path(__file__).parents[2] / "morbot_ws/src/jetbot_cockpit/www/languages/de.json").read_text())
 
 
 @pytest.fixture(scope="session", params=ENGINES)
@@ -183,3 +186,10 @@ def test_nothing_is_loaded_from_another_address(page, world):
         loaded = page.run("return performance.getEntriesByType('resource').map(({ name }) => name)")
         assert loaded
         assert {url for url in loaded if not url.startswith(world.address)} == set()
+
+
+def test_a_german_browser_shows_both_pages_in_german(engine, world):
+    for path in "", "program":
+        engine(GERMAN).open(f"{world.address}{path}")
+        assert engine(GERMAN).run("return document.documentElement.lang") == "de"
+        assert engine(GERMAN).text("release") == WORDS.get("Release", "Release")
