@@ -35,7 +35,7 @@ def scope_of(nodeid):
     """Return what one process runs: a file, a long test, the pages of one pupil, or half of the tests in a browser."""
     file = nodeid.partition("::")[0]
     if file == f"{BROWSER}test_engines.py":
-        return nodeid[nodeid.index("["):]
+        return BROWSER + nodeid.partition("[")[2].partition("-")[0].rstrip("]")
     if file.startswith(BROWSER):
         return BROWSER + str(file.startswith(OF_PROGRAMS))
     if PAGES in nodeid:

@@ -61,6 +61,7 @@ class Browser(BrowserProcesses, Engine):
         self._call("input.performActions", context=self._tab, actions=[source])
 
     def hide(self):
+        self.run("dispatchEvent(new Event('blur'))")  # a window without a screen has no focus that it could lose
         self._front = self._call("browsingContext.create", type="tab")["context"]
 
     def show(self):
