@@ -73,8 +73,14 @@ function inWords(text) {
 function offer(select) {
   const option = ([code, name]) => new Option(name, code, false, code === language);
   select.replaceChildren(...Object.entries(LANGUAGES).map(option));
-  select.addEventListener("change", () => {
+  let byKeys = false; // each arrow key is a change then: Enter or leaving the list ends it
+  const choose = () => {
+    if (select.value === language) return;
     remember("language", select.value);
     location.reload();
-  });
+  };
+  for (const type of ["keydown", "pointerdown"]) select.addEventListener(type, () => { byKeys = type === "keydown"; });
+  select.addEventListener("change", () => byKeys || choose());
+  select.addEventListener("blur", choose);
+  select.addEventListener("keydown", ({ key }) => key === "Enter" && choose());
 }
