@@ -12,6 +12,13 @@ CODES = sorted(file.stem for file in WWW.glob("languages/*.json"))
 LITERAL = r'"(?:[^"\\]|\\.)*"'
 CALL = re.compile(rf'\bt\(\s*({LITERAL}(?:\s*\+\s*{LITERAL})*)')
 ATTRIBUTES = ("title", "aria-label", "aria-roledescription", "placeholder")
+BLOCKLY = WWW / "vendor/blockly"
+MESSAGE = re.compile(rf'Blockly\.Msg\["(\w+)"\] = ({LITERAL});')
+SPOKEN = re.compile(  # Blockly's names of what it says to screen readers, and of the keys that it names
+    "(?:ANNOUNCE|ARIA|BLOCK_LABEL|BUBBLE|CLOSE$|FIELD_LABEL|ICON|INPUT_LABEL|KEYBOARD_NAV|OPEN_TRASH|RESET|SCREENREADER"
+    r"|WORKSPACE|ZOOM|\w*(?:_ANNOUNCEMENT|_ARIA|ALT_KEY|COMMAND_KEY|CONTROL_KEY|DELETE_KEY|ENTER_KEY|SHIFT_KEY)$)")
+ABSENT = re.compile("COLLAPSED|COMMENT|CHECKBOX|IMAGE|LIST|ATAN2"  # which our blocks do not have
+                    "|TEXT_(?!JOIN|INPUT)")
 
 
 class Page(HTMLParser):
@@ -41,9 +48,22 @@ def in_pages() -> Set[str]:
     return set().union(*(Page(file.read_text()).keys for file in WWW.glob("*.html")))
 
 
-def keys() -> Set[str]:
-    """Return all sentences that have letters."""
-    return {key for key in {*in_scripts(), *in_pages()} if re.search(r"[^\W\d_]{2}", key)}
+def in_blockly(code: str) -> Set[str]:
+    """Return what Blockly says in English in this language: words.js translates it."""
+    texts = "".join((BLOCKLY / f"{part}_compressed.js").read_text() for part in ("blockly", "blocks"))
+    used, theirs = set(re.findall(r"(?:BKY_)?([A-Z][A-Z0-9_]+)", texts)), messages(code)
+    return {text for name, text in messages("en").items() if theirs[name] == text
+            and name in used and SPOKEN.match(name) and not ABSENT.search(name)}
+
+
+def messages(code: str) -> Dict[str, str]:
+    """Return Blockly's own texts in a language, by their names."""
+    return {name: json.loads(text) for name, text in MESSAGE.findall((BLOCKLY / f"msg/{code}.js").read_text())}
+
+
+def keys(code: str) -> Set[str]:
+    """Return all sentences that have letters, and that this language has to translate."""
+    return {key for key in {*in_scripts(), *in_pages(), *in_blockly(code)} if re.search(r"[^\W\d_]{2}", key)}
 
 
 def read(code: str) -> Dict[str, str]:

@@ -89,6 +89,15 @@ export function showProgram(workspace, program) {
   workspace.scroll(0, 0);
 }
 
+// Selects the block with this id, if it is there. The keyboard's focus stays where it is, unless that is in the blocks.
+export function selectBlock(workspace, id) {
+  const block = workspace.getBlockById(id);
+  const focused = /** @type {any} */ (document.activeElement);
+  if (!block) return;
+  Blockly.common.setSelected(block);
+  if (!focused.closest("#blocks")) focused.focus();
+}
+
 const room = new Room();
 
 // Undoes the last change if it makes the program too large to be kept, or to be opened again; says why.

@@ -17,8 +17,8 @@ const ENDINGS = {
   stopped: (given) => t("{robot} was stopped by an emergency stop.", given),
 };
 
-// Returns the sentence.
-/** @param {Said} refusal */
-export function ending(refusal) {
-  return ENDINGS[refusal.code]?.(refusal.arguments) ?? said(refusal);
+// Returns the sentence; of another code, what the cockpit says.
+/** @param {Pick<Said, "code" | "arguments"> & Partial<Said>} message */
+export function ending(message) {
+  return ENDINGS[message.code]?.(message.arguments) ?? said({ text: "", ...message });
 }

@@ -1,12 +1,13 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
 import { download, element, onPress } from "../dom.js";
+import { keepFocus } from "../focus.js";
 import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
 import { parseProgram } from "./check.js";
 import { showControls } from "./controls.js";
-import { currentProgram, limitProgram, openEditor, showProgram, textOf } from "./editor.js";
+import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
 import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
@@ -90,8 +91,7 @@ function endIfStopped() {
 }
 
 function endBecause(code, { id, label }) {
-  const values = { robot: label, driver: world.state(id).driver?.name ?? "" };
-  end(ending({ code, arguments: values, text: "", template: "" }));
+  end(ending({ code, arguments: { robot: label, driver: world.state(id).driver?.name ?? "" } }));
 }
 
 function showUnits() {
@@ -132,8 +132,7 @@ function ended(sentence, block) {
   judging.programEnded(Boolean(sentence));
   const why = sentence || ENDED;
   setOutcome(limit ? t("{sentence} {limit}", { sentence: why, limit: limit.text }) : why, Boolean(sentence || limit));
-  const marked = workspace.getBlockById(block ?? limit?.block ?? "");
-  if (marked) Blockly.common.setSelected(marked);
+  selectBlock(workspace, block ?? limit?.block ?? "");
   show();
 }
 
@@ -203,11 +202,12 @@ function draw() {
   showPlace(workspace, running);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
   side.draw();
+  keepFocus();
 }
 
 // What a person does
 
-onPress(element("run"), () => element("run").disabled || start(false), () => false);
+onPress(element("run"), () => start(false), () => false);
 onPress(element("end"), () => end(STOPPED));
 element("pause").addEventListener("click", () => (run.held ? run.resume() : run.pause()));
 element("step").addEventListener("click", () => (runs() ? run.step() : start(true)));

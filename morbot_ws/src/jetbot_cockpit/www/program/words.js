@@ -1,8 +1,13 @@
-// Blockly's own words, in the page's language.
+// Blockly's own words, in the page's language: of its file for this language, else of ours.
 
-import { language } from "../language.js";
+import { language, t } from "../language.js";
 
-if (language !== "en") await load(new URL(`../vendor/blockly/msg/${language}.js`, import.meta.url).href);
+if (language !== "en") {
+  const { Msg } = globalThis.Blockly;
+  const english = Object.entries(Msg);
+  await load(new URL(`../vendor/blockly/msg/${language}.js`, import.meta.url).href);
+  for (const [name, text] of english) if (Msg[name] === text) Msg[name] = t(text);
+}
 
 // It is a script, not a module. Without it, Blockly's words are English.
 function load(src) {
