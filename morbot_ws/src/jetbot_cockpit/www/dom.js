@@ -3,6 +3,7 @@
 import { number } from "./language.js";
 
 const CLICK_WITHIN = 1000; // ms after a touch: a click then belongs to that touch
+const CALM = 1000; // ms between two texts for a screen reader
 const SURE_WITHIN = 3000; // ms between the two presses that something needs
 
 /** @returns {any} whose kind the caller knows */
@@ -16,6 +17,17 @@ export function setText(target, text) {
 
 export function setClass(target, name, on) {
   target.classList.toggle(name, Boolean(on));
+}
+
+// Returns a function that sets a text for a screen reader: only one that has changed, and at most once a second.
+export function calmly(set) {
+  let [shown, at] = ["", -Infinity];
+  return (text) => {
+    const now = performance.now();
+    if (text === shown || now - at < CALM) return;
+    [shown, at] = [text, now];
+    set(text);
+  };
 }
 
 // Returns a new element with this class and text.

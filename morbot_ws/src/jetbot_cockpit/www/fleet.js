@@ -22,10 +22,13 @@ export class Fleet {
     element("all-go-on").addEventListener("click", () => send({ type: "go_on", robot: null }));
   }
 
-  // Makes a row for each robot; call it when the list of robots has changed.
+  // Makes a row for each robot; call it when the list of robots has changed. The keyboard's focus stays at its robot.
   list() {
-    this.rows = this.world.robots.map((robot) => this.row(robot));
+    const focused = /** @type {any} */ (document.activeElement);
+    const { robot } = focused.closest("#fleet-list li")?.dataset ?? {};
+    this.rows = this.world.robots.map((each) => this.row(each));
     element("fleet-list").replaceChildren(...this.world.missing.map(missingRow), ...this.rows.map(({ item }) => item));
+    this.rows.find(({ id }) => id === robot)?.[focused.dataset.action ? "stop" : "pick"].focus();
     element("reset-all").hidden = !this.world.robots.some(({ simulated }) => simulated);
   }
 

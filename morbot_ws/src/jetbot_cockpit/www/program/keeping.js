@@ -5,6 +5,7 @@
 import { element, setText } from "../dom.js";
 import { t } from "../language.js";
 import { EMPTY } from "./examples.js";
+import { NOT_YET } from "./kept.js";
 import { clean } from "./names.js";
 import { Work } from "./work.js";
 
@@ -41,7 +42,9 @@ function list(now) {
   shelf?.list(now);
 }
 
+// A screen reader says what a change has led to, not that there is one.
 function say(text, bad, newer) {
+  element("kept").setAttribute("aria-live", text === NOT_YET ? "off" : "polite");
   setText(element("kept"), text);
   element("kept").dataset.level = bad ? "warning" : "";
   element("newer").hidden = !newer;

@@ -1,7 +1,6 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
 import { download, element, onPress } from "../dom.js";
-import { keepFocus } from "../focus.js";
 import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
@@ -10,7 +9,8 @@ import { showControls } from "./controls.js";
 import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
-import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
+import { setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
+import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
 import { packageName } from "./names.js";
 import { toPython } from "./python.js";
@@ -123,7 +123,7 @@ function end(sentence) {
 }
 
 function printed(text) {
-  print(text);
+  showPrint(text);
   show();
 }
 
@@ -202,7 +202,6 @@ function draw() {
   showPlace(workspace, running);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
   side.draw();
-  keepFocus();
 }
 
 // What a person does
