@@ -17,6 +17,14 @@ export function keepFocus() {
   if (last && !isUsable(last) && (activeElement === body || activeElement === last)) successor()?.focus();
 }
 
+// Lets the keyboard reach each text that scrolls, only while it does.
+export function reachScrollers() {
+  for (const each of document.querySelectorAll(".scrolls")) {
+    if (each.scrollHeight > each.clientHeight) each.setAttribute("tabindex", "0");
+    else each.removeAttribute("tabindex");
+  }
+}
+
 function isUsable(each) {
   return each?.isConnected && each.getClientRects().length > 0 && !each.disabled && !each.closest("[inert]");
 }
