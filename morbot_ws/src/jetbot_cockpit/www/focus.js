@@ -10,6 +10,7 @@ addEventListener("focusin", ({ target }) => {
   part = last.closest("section, dialog");
   place = usable(part).indexOf(last);
 });
+addEventListener("click", () => keepFocus()); // by Enter, too: it may have closed what it is in
 
 // Something on the page has changed.
 export function keepFocus() {
