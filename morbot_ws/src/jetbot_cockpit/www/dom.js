@@ -46,6 +46,13 @@ export function inSeconds(seconds) {
   return seconds === null ? "" : `${number(seconds.toFixed(1))} s`;
 }
 
+// Gives the person a file of this name.
+export function download(name, content, type) {
+  const address = URL.createObjectURL(new Blob([content], { type }));
+  Object.assign(create("a"), { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10000);
+}
+
 // Calls action() once per press: as a finger touches if urgent() is true then, else as it lifts from the button.
 // It works while another finger holds the pad: browsers make no click of a second finger. A click without a touch
 // counts as well: the Enter key, assistive technology.

@@ -11,12 +11,10 @@ import { OBSTACLES } from "./refusals.js";
 const SHAPES = ["wall", "line", "course", "goal"]; // that the map draws
 const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // causes: it has heard of a stop, or cannot
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
-const WAITS = { // while a teacher holds this
-  robot: {
-    now: t("Pupils and programs wait"), until: t("Pupils and programs wait until a teacher presses Go on"),
-  },
-  programs: { now: t("The program waits"), until: t("The program waits until a teacher presses Go on") },
+const ALL_WAIT = {
+  now: t("Pupils and programs wait"), until: t("Pupils and programs wait until a teacher presses Go on"),
 };
+const PROGRAM_WAITS = { now: t("The program waits"), until: t("The program waits until a teacher presses Go on") };
 const ABSENT = {
   is: (robot) => (robot ? t("{robot} is not running.", { robot }) : t("No robot is running.")),
   was: (robot) => (robot ? t("{robot} was not running.", { robot }) : t("No robot was running.")),
@@ -24,8 +22,8 @@ const ABSENT = {
 
 /** @type {State} */
 const UNKNOWN = {
-  status: "", state: "", cause: "", holds: [], waiting: [], fake: false, warning: false, answers: true, stopped: false,
-  pose: null, speed: null, command: null, wheels: null, program: "",
+  status: "", state: "", cause: "", template: "", arguments: {}, holds: [], waiting: [], fake: false, warning: false,
+  answers: true, stopped: false, pose: null, speed: null, command: null, wheels: null, program: "",
   driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null,
 };
 
@@ -237,7 +235,8 @@ export class World {
 
   waits(id) {
     const { held, waiting } = this.state(id);
-    return held === TAKEN || waiting.length ? WAITS[held ?? ""] : undefined;
+    if (held === TAKEN) return ALL_WAIT;
+    return held && waiting.length ? PROGRAM_WAITS : undefined;
   }
 
   // Returns who drives the robot or will do so by itself, and what this page's person can do.

@@ -1,6 +1,6 @@
 // Why a program has ended, by the codes of what the cockpit refuses. It stays on the page, so it says what was.
 
-import { t } from "../language.js";
+import { said, t } from "../language.js";
 
 /** @import { Said } from "../messages.js" */
 
@@ -17,8 +17,8 @@ const ENDINGS = {
   stopped: (given) => t("{robot} was stopped by an emergency stop.", given),
 };
 
-// Returns the sentence.
-/** @param {Said} said */
-export function ending({ code, arguments: given, text }) {
-  return ENDINGS[code]?.(given) ?? text;
+// Returns the sentence; of another code, what the cockpit says.
+/** @param {Pick<Said, "code" | "arguments"> & Partial<Said>} message */
+export function ending(message) {
+  return ENDINGS[message.code]?.(message.arguments) ?? said({ text: "", ...message });
 }
