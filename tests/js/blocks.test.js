@@ -29,10 +29,11 @@ test("a text that is pasted is as it is kept, and as its Python has it", () => {
 });
 
 test("a screen reader names each field of the robot's blocks by what it is for", () => {
-  const blocks = BLOCKS.filter(({ type }) => type.startsWith("robot_"));
-  const names = blocks.flatMap(({ kind: _, ...block }) => Blockly.serialization.blocks
-    .append(block, new Blockly.Workspace()).getDescendants(true)
-    .flatMap((each) => [...each.getFields()].filter(({ EDITABLE }) => EDITABLE).map((field) => field.getAriaTypeName())));
+  const fields = BLOCKS.filter(({ type }) => type.startsWith("robot_")).flatMap(({ kind: _, ...block }) => {
+    const shown = Blockly.serialization.blocks.append(block, new Blockly.Workspace());
+    return shown.getDescendants(true).flatMap((each) => [...each.getFields()]);
+  });
+  const names = fields.filter(({ EDITABLE }) => EDITABLE).map((field) => field.getAriaTypeName());
   assert.deepEqual([...new Set(names)], ["x in power", "z in power", "left wheel in power", "right wheel in power",
     "seconds", "side", "place", "eye", "wheel", "value to print"]);
 });
