@@ -1,6 +1,6 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
-import { create, element, onPress } from "../dom.js";
+import { download, element, onPress } from "../dom.js";
 import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
@@ -77,10 +77,11 @@ const work = openWork({
     workspace.setIsReadOnly(on);
     element("title").disabled = on;
   },
+  notLoaded,
 });
 const tasks = new Tasks({ send, lost: () => !shell.link.connected, run: () => start(false), end, world });
 const { judging } = tasks;
-const overview = new TeachersSheet({ send, look: (row) => work.look(row), download, world });
+const overview = new TeachersSheet({ send, look: (row) => work.look(row), world });
 
 // The cockpit also refuses the next command; this comes first where the program waits.
 function endIfStopped() {
@@ -179,12 +180,6 @@ async function openFile({ target }) {
   const [file] = target.files;
   if (file) work.addFile(file.name.replace(/\.json$/, ""), await file.slice(0, MAX_FILE).text());
   target.value = "";
-}
-
-function download(name, content, type) {
-  const address = URL.createObjectURL(new Blob([content], { type }));
-  Object.assign(create("a"), { href: address, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
 function saveProgram() {
