@@ -12,7 +12,7 @@ from jetbot.fake.motors import STOPPED
 from processes import end
 
 from .conftest import OTHER_ROBOT, ROBOT, need, opened, started
-from .test_driving import KEYS, forward, hold
+from .test_driving import KEYS, hold
 from .test_program import release
 from .test_stop import wait_for_stop
 from .test_work import judge
@@ -60,8 +60,8 @@ def victim(engine, world):
 
 
 def drive(page, world):
-    """Drive straight on by a mouse whose button stays pressed."""
-    world.hold(page, page.hold_mouse, page.let_go_mouse, ROBOT, forward)
+    """Drive by a mouse whose button stays pressed."""
+    world.hold(page, page.hold_mouse, page.let_go_mouse, ROBOT)
 
 
 def test_a_mouse_drives_until_its_button_is_let_go(page, world):
@@ -73,7 +73,7 @@ def test_a_mouse_drives_until_its_button_is_let_go(page, world):
 
 
 def test_a_finger_drives_until_it_is_lifted(page, world):
-    world.drive(page, ROBOT, wanted=forward)
+    world.drive(page, ROBOT)
     with world.stops(ROBOT, what="the finger's release"):
         page.lift()
     assert page.sent()[-1].is_zero
@@ -122,7 +122,7 @@ def test_a_page_that_is_hidden_stops_the_robot_by_its_own_command_at(event, page
 
 def test_a_reload_stops_the_robot_and_comes_back_to_it(page, world):
     page.choose(OTHER_ROBOT)
-    world.hold(page, page.hold_mouse, page.let_go_mouse, OTHER_ROBOT, forward)
+    world.hold(page, page.hold_mouse, page.let_go_mouse, OTHER_ROBOT)
     with world.stops(OTHER_ROBOT, what="a reload"):
         page.reload()
     page.wait_for_link()
