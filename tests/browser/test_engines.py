@@ -65,7 +65,10 @@ def drive(page, world):
 
 
 def test_a_mouse_drives_until_its_button_is_let_go(page, world):
-    drive(page, world)
+    def hold_on():
+        drive(page, world)
+        world.stay(moving, ROBOT, for_seconds=0.6)  # twice as long as one command counts
+    world.undisturbed(page, hold_on)
     with world.stops(ROBOT, what="the mouse's release"):
         page.let_go_mouse()
     assert page.sent()[-1].is_zero
