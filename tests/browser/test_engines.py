@@ -105,15 +105,9 @@ def test_a_killed_browser_stops_the_robot(victim, world):
         victim.signal(signal.SIGKILL)
 
 
-ONLY = """for (const event of ["blur", "pagehide", "pointercancel", "lostpointercapture"]) {
-    if (event !== arguments[0]) addEventListener(event, (each) => each.stopImmediatePropagation(), true);
-}
-if (arguments[0] !== "visibilitychange") Object.defineProperty(document, "hidden", { value: false });"""
-
-
 @pytest.mark.parametrize("event", ["visibilitychange", "blur"])
 def test_a_page_that_is_hidden_stops_the_robot_by_its_own_command_at(event, page, world):
-    page.run(ONLY, event)  # engines send several, not all the same
+    page.notice_only(event)
     drive(page, world)
     with world.stops(ROBOT, what=event):
         page.hide()
