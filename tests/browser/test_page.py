@@ -41,7 +41,7 @@ def test_everything_fits_the_screen_and_the_finger(page, pupil):
 
 RELEASED = "stopped: no command since the emergency stop was released"
 TASK = {"name": "metre", "title": "One metre", "state": "ready", "text": "Drive, and stop.", "seconds": 0.0,
-        "score": None}
+        "score": None, "sentences": [], "lost": None}
 
 
 def test_after_a_release_nothing_covers_the_sums_and_who_drives_is_shown_whole_at_200_percent_too(page):
@@ -89,7 +89,8 @@ def test_go_on_is_offered_only_where_something_waits(page):
 
 
 def test_on_an_upright_tablet_the_map_keeps_a_third_and_on_small_screens_the_legend_its_words(page):
-    task = {"name": "metre", "title": "One metre", "state": "done", "text": LONG, "seconds": 3.9, "score": 87.3}
+    task = {"name": "metre", "title": "One metre", "state": "done", "text": LONG, "seconds": 3.9, "score": 87.3,
+            "sentences": [], "lost": None}
     for width, height in (768, 960), (360, 640), (640, 360), (320, 568):
         page.resize(width, height)
         page.receive_class(status=LONG, state="stopped", task=task if height > 600 else None)

@@ -63,7 +63,7 @@ class Page {
 
   // The judge reports how the robot does, and what was asked for with this word.
   report(fields, request = "one") {
-    this.state({ task: fields && { name: "metre", request, ...fields } });
+    this.state({ task: fields && { name: "metre", request, sentences: [], lost: null, ...fields } });
   }
 
   // The cockpit answers.
@@ -348,7 +348,8 @@ for (const [what, [sentence, lose]] of Object.entries(LOST)) {
 
 test("when the judge cannot begin, its reason is read at once", (t) => {
   const page = wait(t);
-  page.report({ state: "cancelled", text: "The simulator does not answer." });
+  const said = { code: "simulator_silent", template: "The simulator does not answer.", arguments: {} };
+  page.report({ state: "cancelled", text: "", sentences: [said] });
   assert.deepEqual([page.said, page.name, page.runs], ["The simulator does not answer.", "idle", 0]);
 });
 

@@ -2,14 +2,17 @@
 
 import pytest
 
+from driving_tasks.report.announcement import in_english
 from driving_tasks.scoring.recorder import MOVED, Sample
+from driving_tasks.scoring.sentences import say
 from driving_tasks.scoring.tasks import TASKS
 from driving_tasks.sources import attempt
 from driving_tasks.sources.attempt import MAX_POLLS, Attempt
 from jetbot.kinematics import Pose
 
 STOPPED = "The drive does not count: its program was stopped."
-EMERGENCY = "The robot is stopped: emergency stop."
+TAKEN, ENDED = say("not_counted_taken"), say("not_counted_cockpit_ended")
+EMERGENCY = say("robot_emergency_stop")
 RELEASE = "Release it: ./morbot stop --release"
 INTERVAL = 0.1  # s between two samples
 
@@ -21,7 +24,7 @@ class Robot:
 
     def __init__(self):
         self.time, self.x, self.speed, self.yaw = 0.0, 0.0, 0.0, 0.0
-        self.obstacle = self.advice = ""
+        self.obstacle, self.advice = None, ""
         self.interruptions, self.samples, self.has_world, self.has_stopped = [], [], True, True
         self.latest = Sample(0.0, Pose(), 0.0)
 
@@ -48,8 +51,8 @@ class Announcement:
     def __init__(self, namespace, task, request=""):
         self.said, self.is_done = [], False
 
-    def publish(self, state, message, **values):
-        self.said.append((state, message))
+    def publish(self, state, *sentences, **values):
+        self.said.append((state, in_english(sentences)))
 
     def done(self, result, driver):
         self.said.append(("done", result.sentence))
@@ -111,7 +114,7 @@ def test_a_drive_has_a_score_3_s_after_its_stop(driving):
     (lambda robot: setattr(robot, "x", robot.x + 0.05), MOVED),
     (lambda robot: setattr(robot, "time", robot.time + 1.5),
      "1.6 s of the drive were not measured, because the simulator or the judge paused."),
-    (lambda robot: robot.interruptions.append("a teacher took the robot over"),
+    (lambda robot: robot.interruptions.append(TAKEN),
      "The drive does not count: a teacher took the robot over."),
     (lambda robot: setattr(robot, "obstacle", EMERGENCY), f"The drive does not count. {EMERGENCY}")],
     ids=["back", "elsewhere", "moved", "paused", "taken", "stopped"])
@@ -130,15 +133,15 @@ def test_what_ends_the_page_ends_its_attempt_before_the_drive_too(begin, polls):
     for _ in range(polls):
         judged.step()
     assert judged.mark is None
-    judged.robot.interruptions.append("the cockpit has ended")
+    judged.robot.interruptions.append(ENDED)
     judged.step()
     assert said(judged) == ("cancelled", "The drive does not count: the cockpit has ended.") and not judged.mark.result
 
 
-@pytest.mark.parametrize("obstacle, sentence", [("", STOPPED), (EMERGENCY, f"The drive does not count. {EMERGENCY}")])
+@pytest.mark.parametrize("obstacle, sentence", [(None, STOPPED), (EMERGENCY, f"The drive does not count. {EMERGENCY}")])
 def test_a_program_that_is_stopped_is_said_once_also_beside_an_emergency_stop(driving, obstacle, sentence):
     driving.robot.obstacle = obstacle
-    driving.cancel(STOPPED)
+    driving.cancel(say("not_counted_program_stopped"))
     assert said(driving) == ("cancelled", sentence)
 
 
@@ -153,7 +156,7 @@ def test_a_twitch_is_called_one(begin):
 
 
 @pytest.mark.parametrize("obstacle, sentence", [
-    ("", "The robot does not stop. End the program that drives it."), (EMERGENCY, EMERGENCY)])
+    (None, "The robot does not stop. End the program that drives it."), (EMERGENCY, str(EMERGENCY))])
 def test_a_robot_that_cannot_be_put_at_its_start_is_not_waited_for_long(begin, obstacle, sentence):
     judged, _ = begin()
     judged.robot.speed, judged.robot.obstacle = 0.0 if obstacle else 0.3, obstacle
@@ -170,7 +173,7 @@ def test_at_a_terminal_it_waits_and_says_what_to_do_which_no_page_reads(begin):
     for _ in range(2 * MAX_POLLS):
         judged.step()
     assert printed == [f"{EMERGENCY} {RELEASE}"] and judged.mark is None
-    judged.robot.obstacle = judged.robot.advice = ""
+    judged.robot.obstacle, judged.robot.advice = None, ""
     drive(judged)
     judged.robot.obstacle, judged.robot.advice = EMERGENCY, RELEASE
     step(judged)

@@ -17,7 +17,7 @@ def ask(monkeypatch):
         monkeypatch.setattr(readers, "command_of", lambda _: command)
         asked = Readers(namespace)
         asked.poll(moves=False)
-        return asked.problem
+        return str(asked.problem or "")
     monkeypatch.setattr(readers.rospy, "get_name", lambda: "/judge")
     return run
 

@@ -3,9 +3,13 @@
 import json
 import re
 from html.parser import HTMLParser
-from typing import Dict, Iterator, Set
+from typing import Dict, Iterator, List, Set
 
 from conftest import ROOT
+from driving_tasks.scoring.sentences import SENTENCES
+from driving_tasks.scoring.tasks import TASKS
+from jetbot_cockpit.notices import NOTICES
+from jetbot_ros.state import CAUSES
 
 WWW = ROOT / "morbot_ws/src/jetbot_cockpit/www"
 CODES = sorted(file.stem for file in WWW.glob("languages/*.json"))
@@ -48,6 +52,14 @@ def in_pages() -> Set[str]:
     return set().union(*(Page(file.read_text()).keys for file in WWW.glob("*.html")))
 
 
+def templates() -> List[str]:
+    """Return what Python says to a page, each template once."""
+    said = [*NOTICES.values(), *CAUSES.values(), *SENTENCES.values()]
+    for task in TASKS.values():
+        said += [task.title, task.invitation.template]
+    return list(dict.fromkeys(said))
+
+
 def in_blockly(code: str) -> Set[str]:
     """Return what Blockly says in English in this language: words.js translates it."""
     texts = "".join((BLOCKLY / f"{part}_compressed.js").read_text() for part in ("blockly", "blocks"))
@@ -63,7 +75,8 @@ def messages(code: str) -> Dict[str, str]:
 
 def keys(code: str) -> Set[str]:
     """Return all sentences that have letters, and that this language has to translate."""
-    return {key for key in {*in_scripts(), *in_pages(), *in_blockly(code)} if re.search(r"[^\W\d_]{2}", key)}
+    said = {*in_scripts(), *in_pages(), *in_blockly(code), *templates()}
+    return {key for key in said if re.search(r"[^\W\d_]{2}", key)}
 
 
 def read(code: str) -> Dict[str, str]:

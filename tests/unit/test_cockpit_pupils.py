@@ -39,7 +39,7 @@ def test_who_drives_with_the_code_of_a_robot_is_called_as_the_teacher_says_whate
     call(cockpit, "Ada")
     cockpit.do(OWN, Message("name", name="Batman"))
     cockpit.push(OWN, "/blue")
-    assert cockpit.driver("/blue")["name"] == "Ada" and cockpit.robots.reports[-1] == ("/blue", "Ada", "")
+    assert cockpit.driver("/blue")["name"] == "Ada" and cockpit.robots.reports[-1] == ("/blue", "Ada", None)
     call(cockpit, "")
     cockpit.push(OWN, "/blue")
     assert cockpit.driver("/blue")["name"] == "Batman"

@@ -1,5 +1,6 @@
 """What other programs report about a robot: what a page cannot show is left out, and what is over disappears."""
 
+import json
 import math
 from types import SimpleNamespace as Message
 
@@ -66,6 +67,33 @@ def tracker(task):
     tracker = TaskTracker()
     tracker.update(task, 0.0)
     return tracker
+
+
+SENTENCE = {"code": "wall", "template": "touched a wall {count} times", "arguments": {"count": "3"}}
+
+
+def sentences_of(text):
+    """Return what a page can translate of a report whose ``sentences`` are this text."""
+    task = decode_task("metre", "in English", {**VALUES, "sentences": text, "lost": "60.0"})
+    assert (task.text, task.lost) == ("in English", 60.0)
+    return task.sentences
+
+
+def test_a_judges_sentences_are_data_that_a_page_translates():
+    assert sentences_of(json.dumps([SENTENCE] * 2)) == (SENTENCE, SENTENCE)
+
+
+@pytest.mark.parametrize("text", [
+    "", "x", "7", "null", "{}", "[" * 4000, "[7]", "[[]]", "[{}]", json.dumps([SENTENCE] * 100),
+    *(json.dumps([{**SENTENCE, **changes}]) for changes in (
+        {"more": ""}, {"code": 7}, {"template": "\u202e"}, {"template": "x" * 501}, {"arguments": []},
+        {"arguments": {"count": 3}}, {"arguments": {"count": "\n"}}))], ids=lambda text: text[:40])
+def test_sentences_that_no_page_can_show_are_left_out_and_its_english_is_shown(text):
+    assert sentences_of(text) == ()
+
+
+def test_a_loss_may_be_larger_than_the_score():
+    assert decode_task("park", "", {"state": "done", "lost": "120.0"}).lost == 120.0
 
 
 def test_a_judges_report():

@@ -62,7 +62,7 @@ MISTAKES = [
     ("smooth", ramp(1.0, 0.05), "took 7.9 s; 4.3 s are enough"),
     ("park", one_after_the_other(PARK, at_once(0.3, 2.0), straight(-0.065)), "touched a wall"),
     ("park", one_after_the_other(PARK, straight(0.2)), "stopped 10 cm short of the goal"),
-    ("follow", straight(1.9566), "stopped 80 cm right of the goal and 46 cm past it"),
+    ("follow", straight(1.9566), "stopped 46 cm past the goal and 80 cm right of it"),
     ("camera", straight(1.36, speed=0.2), "stopped 80 cm right of the goal"),
     ("follow", follow_for_ever, "was still driving 10 cm past the goal"),
     ("camera", follow_for_ever, "was still driving 10 cm past the goal"),

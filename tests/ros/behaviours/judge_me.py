@@ -1,9 +1,12 @@
 """Judge me, from a page's socket to the judge's score, beside whatever else runs."""
 
+import json
+import re
 import signal
 
 from diagnostic_msgs.msg import DiagnosticStatus
 
+from driving_tasks.scoring.tasks import TASKS
 from harness import START_TIMEOUT, SharedRobotTest, program, read
 from jetbot.fake.motors import STOPPED
 from web_client import open_page
@@ -26,7 +29,7 @@ class JudgeMe(SharedRobotTest):
         self.page = open_page(port)
         self.page.receive_until(lambda message: message["type"] == "tasks" and message["tasks"])
         self.page.receive_until(lambda message: "/" in message.get("robots", ()))
-        self.reports = self.record("/task", DiagnosticStatus, lambda status: (status.values[0].value, status.message))
+        self.reports = self.record("/task", DiagnosticStatus, lambda status: status)
 
     def rows(self):
         """Return what the judge has printed in this test."""
@@ -56,9 +59,12 @@ class JudgeMe(SharedRobotTest):
         self.wait_for_report(request, "driving", speed=SPEED)
         return request
 
-    def wait_for_end(self, sentence):
+    def wait_for_end(self, code, sentence):
         """Wait until the judge has said why there is no score; fail if it has marked the drive."""
-        self.wait_for(lambda: self.reports[-1:] == [("cancelled", sentence)], START_TIMEOUT, sentence)
+        self.wait_for(lambda: self.reports[-1:] and self.reports[-1].message == sentence, START_TIMEOUT, sentence)
+        values = {pair.key: pair.value for pair in self.reports[-1].values}
+        self.assertEqual((values["state"], json.loads(values["sentences"])), (
+            "cancelled", [{"code": code, "template": sentence, "arguments": {}}]))
         self.wait_for_stop(1.0)
         self.assertEqual(self.rows(), "")
 
@@ -66,11 +72,13 @@ class JudgeMe(SharedRobotTest):
         self.publisher()
         self.wait_for_wheels(0.5, 0.5, START_TIMEOUT)
         request = self.press()["request"]
-        self.wait_for_report(request, "ready")
-        self.assertEqual(self.wheels(), STOPPED)
+        (invitation,) = self.wait_for_report(request, "ready")["sentences"]
+        self.assertEqual((invitation["template"], self.wheels()), (TASKS["metre"].invitation.template, STOPPED))
         self.wait_for_report(request, "driving", speed=SPEED)
         task = self.wait_for_report(request, "done", speed=0.0)
-        self.assertRegex(task["text"], "^Largest loss: ")
+        (loss,) = task["sentences"]
+        self.assertEqual(loss["template"].format(**loss["arguments"]), re.fullmatch(
+            rf"Largest loss: (.*) \({task['lost']} points\)\.", task["text"])[1])
         self.wait_for(lambda: self.rows().count("\n") == 1, START_TIMEOUT, "a mark")
         self.page.close()
         self.wait_for_wheels(0.5, 0.5, START_TIMEOUT)
@@ -86,9 +94,10 @@ class JudgeMe(SharedRobotTest):
     def test_a_cockpit_that_is_killed_while_it_drives_leaves_no_score(self):
         self.begin()
         self.cockpit_process.send_signal(signal.SIGKILL)
-        self.wait_for_end("The drive does not count: the cockpit has ended.")
+        self.wait_for_end("not_counted_cockpit_ended", "The drive does not count: the cockpit has ended.")
 
     def test_a_page_that_is_closed_leaves_no_score(self):
         self.begin()
         self.page.close()
-        self.wait_for_end("The drive does not count: the driver's page was closed, or lost its connection.")
+        self.wait_for_end("not_counted_left",
+                          "The drive does not count: the driver's page was closed, or lost its connection.")

@@ -4,7 +4,8 @@
 /** @import { World } from "./world.js" */
 
 import { element, inSeconds, setClass, setText, signed } from "./dom.js";
-import { number, said, t } from "./language.js";
+import { number, t } from "./language.js";
+import { saidOf } from "./task.js";
 import { leaveView } from "./views.js";
 
 const SIMULATED = t("Simulated: no real robot moves.");
@@ -89,7 +90,7 @@ function showTask(task) {
   element("task").dataset.state = task.state;
   setText(element("task-title"), t(task.title));
   setText(element("task-result"), result(task));
-  setText(element("task-text"), task.state === "driving" ? "" : said(task));
+  setText(element("task-text"), task.state === "driving" ? "" : saidOf(task));
 }
 
 function result({ state, score, seconds }) {
@@ -99,5 +100,5 @@ function result({ state, score, seconds }) {
 }
 
 function spoken(task) {
-  return [`${t(task.title)}:`, result(task) && `${result(task)}.`, said(task)].filter(Boolean).join(" ");
+  return [`${t(task.title)}:`, result(task) && `${result(task)}.`, saidOf(task)].filter(Boolean).join(" ");
 }

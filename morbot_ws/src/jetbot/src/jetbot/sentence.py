@@ -1,7 +1,7 @@
 """A sentence for people as data: a code for programs, and a template with arguments that a page can translate."""
 
 from string import Formatter
-from typing import Dict, Mapping, NamedTuple, Set
+from typing import Dict, Mapping, NamedTuple, Optional, Set
 
 
 class Sentence(NamedTuple):
@@ -26,6 +26,13 @@ class Sentence(NamedTuple):
 def row(table: Mapping[str, str], code: str, **arguments: object) -> Sentence:
     """Return the sentence with this code of a table of templates."""
     return Sentence(code, table[code], {name: str(value) for name, value in arguments.items()})
+
+
+def read_row(table: Mapping[str, str], code: str, values: Mapping[str, str]) -> Optional[Sentence]:
+    """Return the sentence with this code, and with its arguments among some values; None if there is none."""
+    names = names_in(table.get(code, ""))
+    known = code in table and names <= values.keys()
+    return Sentence(code, table[code], {name: values[name] for name in names}) if known else None
 
 
 def names_in(template: str) -> Set[str]:

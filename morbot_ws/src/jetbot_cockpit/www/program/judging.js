@@ -11,8 +11,9 @@
 /** @import { World } from "../world.js" */
 
 import { inSeconds } from "../dom.js";
-import { t } from "../language.js";
+import { said, t } from "../language.js";
 import { hasPassed, holds } from "../refusals.js";
+import { saidOf } from "../task.js";
 
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
 const DRIVE_TIMEOUT = 4000; // ms from the program's end until the judge must have seen a drive
@@ -118,7 +119,7 @@ export class Judging {
     this.unanswered -= 1;
     if (!this.isWaiting || this.unanswered) return;
     const { world, state: { robot } } = this;
-    if (refusal) this.rest(refusal.text, () => holds(refusal.code, world, robot, false));
+    if (refusal) this.rest(said(refusal), () => holds(refusal.code, world, robot, false));
     else this.state.request = request;
   }
 
@@ -171,7 +172,7 @@ export class Judging {
     if (robot !== world.chosen) this.cancel(OTHER_ROBOT);
     else if (obstacle) this.cancel(obstacle);
     else if (report?.state === "ready") this.drive();
-    else if (report?.state === "cancelled") this.enter("idle", report.text);
+    else if (report?.state === "cancelled") this.enter("idle", saidOf(report));
     else if (performance.now() - since > READY_TIMEOUT) this.cancel(NO_ANSWER);
   }
 
@@ -186,7 +187,7 @@ export class Judging {
     if (robot !== world.chosen) this.cancel(OTHER_ROBOT);
     else if (!report) this.conclude(JUDGE_GONE, NOT_JUDGED);
     else if (report.state === "done") this.score(report);
-    else if (report.state === "cancelled") this.conclude(report.text, NOT_JUDGED);
+    else if (report.state === "cancelled") this.conclude(saidOf(report), NOT_JUDGED);
     else if (name === "ended" && report.state === "ready" && performance.now() - since > DRIVE_TIMEOUT) {
       this.cancel(NOT_DRIVEN);
     }
@@ -227,7 +228,8 @@ function whyCancelled(world, id) {
     : t("Judge me was cancelled: the robot does not answer.");
 }
 
-function result({ title, score, seconds, text }) {
-  const values = { task: t(title), score: score.toFixed(1), time: inSeconds(seconds), losses: text };
+function result(task) {
+  const { title, score, seconds } = task;
+  const values = { task: t(title), score: score.toFixed(1), time: inSeconds(seconds), losses: saidOf(task) };
   return t("{task}: {score} points, {time}. {losses}", values);
 }

@@ -17,6 +17,13 @@ WORLD = "world"                 # what is around the robot
 TASK, TASK_COURSE = "task", "task_course"  # of a judge
 DRIVER = "driver"               # who drives by the page
 
+INTERRUPTIONS = {               # of a person's drive: a code, and a phrase
+    "taken": "a teacher took the robot over",
+    "put_back": "a teacher put the robot back to its start",
+    "left": "the driver's page was closed, or lost its connection",
+    "silent": "no command came from the driver's page for {seconds} s",
+}
+
 # Topics of all robots
 STOP = "/emergency_stop"
 JUDGE_TASKS, JUDGE_REQUESTS = "/judge_tasks", "/judge_requests"

@@ -2,7 +2,7 @@
 
 from typing import Dict, Mapping, NamedTuple, Optional, Tuple
 
-from jetbot.sentence import Sentence, names_in, row
+from jetbot.sentence import Sentence, read_row, row
 from jetbot.text import printable
 
 MANUAL_PRIORITY = 5.0  # s after a command of the cockpit in which those of other programs are ignored
@@ -66,8 +66,8 @@ class RobotState(NamedTuple):
     @property
     def template(self) -> str:
         """The template of its cause; "" while it drives, and where an argument is missing."""
-        template = CAUSES.get(self.cause, "")
-        return template if names_in(template) <= self.arguments.keys() else ""
+        cause = read_row(CAUSES, self.cause, self.arguments)
+        return cause.template if cause else ""
 
     def values(self) -> Dict[str, str]:
         """Return the values of the message, whose text is the sentence."""
@@ -83,9 +83,9 @@ def read(message) -> RobotState:
     values = {item.key: printable(item.value)[:MAX_LENGTH] for item in message.values}
     state, cause, holds, commanded_by, waiting, bus = (
         values.pop(key, "") for key in ("state", "cause", "holds", "commanded_by", "waiting", "bus"))
-    arguments = {name: values[name] for name in names_in(CAUSES.get(cause, "")) if name in values}
-    return RobotState(state, printable(message.message)[:MAX_LENGTH], cause, arguments, tuple(holds.split()),
-                      commanded_by, tuple(waiting.split()), bus)
+    known = read_row(CAUSES, cause, values)
+    return RobotState(state, printable(message.message)[:MAX_LENGTH], cause, known.arguments if known else {},
+                      tuple(holds.split()), commanded_by, tuple(waiting.split()), bus)
 
 
 def sentence(cause: Optional[Cause]) -> str:

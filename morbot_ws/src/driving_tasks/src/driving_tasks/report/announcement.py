@@ -1,5 +1,8 @@
 """The task for those who watch: its state on the topic ``task``, its course and goal on ``task_course``."""
 
+import json
+from typing import Iterable
+
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from geometry_msgs.msg import Point, Pose, Vector3
@@ -8,11 +11,13 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from jetbot import kinematics
 from jetbot.kinematics import from_frame
+from jetbot.sentence import Sentence
 from jetbot_ros import contract
 from jetbot_ros.ros_messages import quaternion
 
 from ..scoring.recorder import DONE, DRIVING
-from ..scoring.score import Result
+from ..scoring.score import NO_LOSS, Result
+from ..scoring.sentences import say
 from ..scoring.tasks import Task
 
 READY, CANCELLED = "ready", "cancelled"  # states, beside DRIVING and DONE
@@ -40,12 +45,13 @@ class Announcement:
 
     def driving(self, seconds: float) -> None:
         """Publish that the robot has been driving for so long."""
-        self.publish(DRIVING, f"{seconds:.0f} s", seconds=f"{seconds:.1f}")
+        self.publish(DRIVING, say("driving", seconds=f"{seconds:.0f}"), seconds=f"{seconds:.1f}")
 
     def done(self, result: Result, driver: str) -> None:
         """Publish the robot's score. driver: the name of who drove, "" if it is not known."""
-        self.publish(DONE, result.sentence, seconds=f"{result.drive.seconds:.1f}", score=f"{result.score:.1f}",
-                     driver=driver)
+        sentence, lost = (result.loss.sentence, f"{result.loss.points:.1f}") if result.loss else (NO_LOSS, "")
+        self._send(DONE, result.sentence, [sentence], lost=lost, seconds=f"{result.drive.seconds:.1f}",
+                   score=f"{result.score:.1f}", driver=driver)
 
     def draw(self, start: kinematics.Pose) -> None:
         """Show the course and its goal from this start on the map."""
@@ -61,11 +67,20 @@ class Announcement:
         """Show no course."""
         self._course.publish([Marker(action=Marker.DELETEALL)])
 
-    def publish(self, state: str, message: str, **values: str) -> None:
-        """Publish a state with a sentence for people."""
-        pairs = {"state": state, "title": self._task.title, "request": self._request, **values}
+    def publish(self, state: str, *sentences: Sentence, **values: str) -> None:
+        """Publish a state with sentences for people."""
+        self._send(state, in_english(sentences), sentences, **values)
+
+    def _send(self, state, message, sentences, **values):
+        pairs = {"state": state, "title": self._task.title, "request": self._request,
+                 "sentences": json.dumps([each._asdict() for each in sentences]), **values}
         self._state.publish(DiagnosticStatus(level=DiagnosticStatus.OK, name=self._task.name, message=message,
                                              values=[KeyValue(*pair) for pair in pairs.items()]))
+
+
+def in_english(sentences: Iterable[Sentence]) -> str:
+    """Return sentences one after the other."""
+    return " ".join(map(str, sentences))
 
 
 def marker(namespace: str, kind: int, scale: Vector3, pose: Pose = None, points: list = ()) -> Marker:

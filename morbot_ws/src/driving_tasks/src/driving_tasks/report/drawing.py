@@ -103,4 +103,4 @@ def list_losses(axes: Axes, losses: Sequence[Loss]) -> None:
         axes.text(0, 1 - (number - 1) / len(losses), f"{number}  {loss.sentence} ({loss.points:.1f} points)",
                   fontsize=13, va="top", color=RED)
     if not losses:
-        axes.text(0, 1, NO_LOSS, fontsize=13, va="top")
+        axes.text(0, 1, str(NO_LOSS), fontsize=13, va="top")

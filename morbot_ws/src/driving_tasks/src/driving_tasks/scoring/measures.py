@@ -4,13 +4,14 @@ import math
 from statistics import fmean
 from typing import Callable, List, NamedTuple, Sequence
 
+from jetbot.sentence import Sentence
 from simulation.world import distance_to_segment
 
 from .course import SPACING, Course, Point, Straight, Turn, relative
 from .polygon import driven_sides
 from .recorder import Drive
+from .sentences import say, with_average
 
-AT_END = " at the end"
 MOVING = 0.01      # m/s; a robot that is slower has stopped
 TOLERANCE = 10.0   # cm or degrees of error that leave 1/e of the points
 SQUARE = 0.25      # m, of the floor
@@ -20,13 +21,13 @@ MAX_POINTS = 1000  # of a resampled path: a longer one has fewer points per metr
 class Error(NamedTuple):
     """size: in cm or degrees; sentence: what the robot did, without a full stop; place: (x, y) in the task's frame.
 
-    unit: of the mean of several such errors, "" if that has no meaning.
+    has_mean: whether the mean of several such errors has a meaning.
     """
 
     size: float
-    sentence: str
+    sentence: Sentence
     place: Point
-    unit: str = ""
+    has_mean: bool = False
 
 
 Measure = Callable[[Course, Drive], List[Error]]
@@ -38,10 +39,10 @@ def end(course: Course, drive: Drive) -> List[Error]:
     seen = relative(stop, goal)
     distance, turn = 100 * math.hypot(seen.x, seen.y), math.degrees(seen.yaw)
     if abs(turn) > distance:
-        sentence = describe_turn(math.degrees(stop.yaw), math.degrees(goal.yaw), AT_END)
+        sentence = describe_last_turn(math.degrees(stop.yaw), math.degrees(goal.yaw))
     else:
-        action = "was still driving" if abs(drive.path[-1].speed) > MOVING else "stopped"
-        sentence = f"{action} {_describe_stop(100 * seen.x, 100 * seen.y)}"
+        end = "still_driving" if abs(drive.path[-1].speed) > MOVING else "stopped"
+        sentence = _describe_stop(end, 100 * seen.x, 100 * seen.y)
     return [Error(max(distance, abs(turn)), sentence, stop[:2])]
 
 
@@ -56,11 +57,11 @@ def line(course: Course, drive: Drive) -> List[Error]:
     off, missed = fmean(map(abs, offsets)), fmean(gaps)
     if missed > 2 * off:
         largest, place = max(zip(gaps, course.points))
-        return [Error(missed, f"stayed {amount(largest, 'cm')} away from a part of the line", place)]
+        return [Error(missed, say("part_missed", distance=amount(largest)), place)]
     largest, place = max(zip(offsets, path), key=lambda each: abs(each[0]))
     beyond = min(math.dist(place, tip) for tip in (course.points[0], course.points[-1])) <= abs(largest) / 100 + 0.001
-    direction = "" if beyond else f" to the {left_or_right(largest)}"
-    sentence = f"was {amount(off, 'cm')} off the line on average, {amount(largest, 'cm')}{direction} at worst"
+    code = "off_line" if beyond else f"off_line_{left_or_right(largest)}"
+    sentence = say(code, mean=amount(off), worst=amount(largest))
     return [Error(max(off, missed), sentence, place)]
 
 
@@ -70,13 +71,13 @@ def sides(course: Course, drive: Drive) -> List[Error]:
     errors = []
     for number, (length, side) in enumerate(zip(wanted, driven), 1):
         error = 100 * (side.length - length)
-        sentence = f"drove {amount(error, 'cm')} too {'far' if error > 0 else 'little'} on side {number}"
+        sentence = say(f"drove_{extent(error)}", distance=amount(error), side=number)
         errors.append(_missing(abs(error), number, drive) if side is driven[-1] else
-                      Error(abs(error), sentence, side.end, "cm"))
+                      Error(abs(error), sentence, side.end, has_mean=True))
     errors += [_missing(100 * length, len(driven), drive) for length in wanted[len(driven):]]
     beyond = 100 * sum(side.length for side in driven[len(wanted):])
     if beyond > errors[-1].size:  # it belongs to the last side
-        errors[-1] = Error(beyond, f"drove on for {amount(beyond, 'cm')} after corner {len(wanted)}", drive.end[:2])
+        errors[-1] = Error(beyond, say("drove_on", distance=amount(beyond), corner=len(wanted)), drive.end[:2])
     return errors
 
 
@@ -92,8 +93,8 @@ def corners(course: Course, drive: Drive) -> List[Error]:
     errors = []
     for number, (degrees, side, before, after) in enumerate(zip(wanted, driven, headings, headings[1:]), 1):
         turn = after - before
-        sentence = describe_turn(turn, degrees, f" at corner {number}")
-        errors.append(Error(abs(turn - degrees), sentence, side.end, "degree" if turn * degrees > 0 else ""))
+        sentence = describe_turn(turn, degrees, number)
+        errors.append(Error(abs(turn - degrees), sentence, side.end, has_mean=turn * degrees > 0))
     return errors + [_missing(abs(degrees), len(driven), drive) for degrees in wanted[len(errors):]]
 
 
@@ -104,12 +105,12 @@ def squares(_: Course, drive: Drive, wanted: int) -> List[Error]:
     """
     seen = {(round(pose.x / SQUARE), round(pose.y / SQUARE)) for pose in drive.poses} - {(0, 0)}
     size = TOLERANCE * math.log(wanted / min(wanted, len(seen))) if seen else math.inf
-    return [Error(size, f"was in {amount(len(seen), 'square')} of the floor, and {wanted} are wanted", drive.end[:2])]
+    return [Error(size, say("squares", count=len(seen), wanted=wanted), drive.end[:2])]
 
 
 def _missing(size, corner, drive):
     """Return the error for what a drive lacks that ended before a corner, which has this number."""
-    return Error(size, f"stopped before corner {corner}", drive.end[:2])
+    return Error(size, say("stopped_before_corner", corner=corner), drive.end[:2])
 
 
 def resample(points: Sequence[Point]) -> List[Point]:
@@ -138,32 +139,51 @@ def worst(errors: Sequence[Error]) -> Error:
     return next(error for error in errors if error.size >= 0.95 * largest)
 
 
-def describe(error: Error, mean: float, count: int) -> str:
+def describe(error: Error, mean: float, count: int) -> Sentence:
     """Return a sentence about the worst of so many errors, and about their mean unless that one is most of it."""
-    widespread = error.unit and error.size < count * mean / 2
-    return f"{error.sentence}, and {amount(mean, error.unit)} on average" if widespread else error.sentence
+    widespread = error.has_mean and error.size < count * mean / 2
+    return with_average(error.sentence, amount(mean)) if widespread else error.sentence
 
 
-def describe_turn(degrees: float, wanted: float, where: str) -> str:
-    """Return what is wrong with a turn of some degrees, counterclockwise, where another one was wanted.
-
-    where: " at corner 3", for example.
-    """
-    if not wanted:
-        return f"pointed {amount(degrees, 'degree')} too far to the {left_or_right(degrees)}{where}"
-    if degrees * wanted < 0 and abs(degrees) > 10:
-        where = where if where != AT_END else ""  # it did so from its start
-        return f"turned to the {left_or_right(degrees)}{where}, and not to the {left_or_right(wanted)}"
+def describe_turn(degrees: float, wanted: float, corner: int) -> Sentence:
+    """Return what is wrong with the turn at a corner of some degrees, counterclockwise, where others were wanted."""
+    if is_opposite(degrees, wanted):
+        return say(f"turned_{left_or_right(degrees)}_corner", corner=corner)
     error = math.copysign(1, wanted) * (degrees - wanted)
-    return f"turned {amount(error, 'degree')} too {'far' if error > 0 else 'little'}{where}"
+    return say(f"turned_{extent(error)}_corner", count=amount(error), corner=corner)
 
 
-def _describe_stop(ahead, left):
-    """Return where the robot is, in cm, as seen from the goal; the smaller distance only if it is half the larger."""
-    along = amount(ahead, "cm") + (" past" if ahead > 0 else " short of")
-    across = f"{amount(left, 'cm')} {left_or_right(left)} of"
-    first, second = sorted([(abs(ahead), along), (abs(left), across)], reverse=True)
-    return f"{first[1]} the goal" + (f" and {second[1]} it" if 2 * second[0] >= first[0] > 0 else "")
+def describe_last_turn(degrees: float, wanted: float) -> Sentence:
+    """Return what is wrong with the heading at the end; both in degrees from that of the start."""
+    if not wanted:
+        return say(f"pointed_{left_or_right(degrees)}", count=amount(degrees))
+    if is_opposite(degrees, wanted):
+        return say(f"turned_{left_or_right(degrees)}")
+    error = math.copysign(1, wanted) * (degrees - wanted)
+    return say(f"turned_{extent(error)}", count=amount(error))
+
+
+def _describe_stop(end, ahead, left):
+    """Return where the robot is, in cm, as seen from the goal; the smaller distance only if it is half the larger.
+
+    end: a code of ENDS.
+    """
+    way, side = "past" if ahead > 0 else "short", left_or_right(left)
+    smaller, larger = sorted([abs(ahead), abs(left)])
+    if 2 * smaller >= larger > 0:
+        return say(f"{end}_{way}_{side}", ahead=amount(ahead), across=amount(left))
+    return say(f"{end}_{way}", ahead=amount(ahead)) if abs(ahead) >= abs(left) else \
+        say(f"{end}_{side}", across=amount(left))
+
+
+def is_opposite(degrees: float, wanted: float) -> bool:
+    """Return whether a robot turned the other way than it should have."""
+    return degrees * wanted < 0 and abs(degrees) > 10
+
+
+def extent(error: float) -> str:
+    """Return the code of too much or of too little: of EXTENTS."""
+    return "too_far" if error > 0 else "too_little"
 
 
 def left_or_right(value: float) -> str:
@@ -171,8 +191,7 @@ def left_or_right(value: float) -> str:
     return "left" if value > 0 else "right"
 
 
-def amount(value: float, unit: str) -> str:
-    """Return a size for people: 4.8 cm, 12 cm, 1 degree, 8 degrees."""
+def amount(value: float) -> str:
+    """Return a size for people: 4.8, or 12."""
     number = f"{abs(value):.1f}" if abs(value) < 9.95 else f"{abs(value):.0f}"
-    number = number[:-2] if number.endswith(".0") else number
-    return f"{number} {unit}{'s' if unit != 'cm' and number != '1' else ''}"
+    return number[:-2] if number.endswith(".0") else number

@@ -2,11 +2,13 @@
 
 from typing import Callable, List, NamedTuple
 
+from jetbot.sentence import Sentence
 from simulation.diff_drive import SEPARATED
 from simulation.world import World
 
 from .course import Point
 from .recorder import Drive
+from .sentences import say
 
 TOUCHES = 0.001                   # m to the nearest wall, where a contact begins; at SEPARATED it is over
 CONTACT = 20.0                    # points per contact
@@ -19,7 +21,7 @@ class Loss(NamedTuple):
     """points: how many are lost; sentence: what the robot did, without a full stop; place: (x, y), task's frame."""
 
     points: float
-    sentence: str
+    sentence: Sentence
     place: Point
 
 
@@ -36,8 +38,8 @@ def contacts(drive: Drive, world: World) -> List[Loss]:
             touching = True
         elif clearance > SEPARATED:
             touching = False
-    times = {1: "", 2: " twice"}.get(len(places), f" {len(places)} times")
-    return [Loss(CONTACT * len(places), f"touched a wall{times}", places[0])] if places else []
+    code = {1: "touched_wall", 2: "touched_wall_twice"}.get(len(places), "touched_wall_often")
+    return [Loss(CONTACT * len(places), say(code, times=len(places)), places[0])] if places else []
 
 
 def acceleration(drive: Drive, world: World, limit: float) -> List[Loss]:
@@ -48,9 +50,8 @@ def acceleration(drive: Drive, world: World, limit: float) -> List[Loss]:
     if largest <= ALLOWANCE * limit:
         return []
     rate, place = next(each for each in rates if abs(each[0]) >= 0.95 * largest)  # the first of about that size
-    what = "sped up" if rate > 0 else "braked"
-    return [Loss(min(MAX_EXCESS, EXCESS * (largest / limit - 1)),
-                 f"{what} at {largest:.2g} m/s^2, and {limit:g} are allowed", place)]
+    sentence = say("sped_up" if rate > 0 else "braked", acceleration=f"{largest:.2g}", limit=f"{limit:g}")
+    return [Loss(min(MAX_EXCESS, EXCESS * (largest / limit - 1)), sentence, place)]
 
 
 def _speeds_after(path):

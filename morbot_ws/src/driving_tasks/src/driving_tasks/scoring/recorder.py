@@ -7,6 +7,7 @@ from jetbot.kinematics import Pose
 from simulation.world import EMPTY, World
 
 from .course import relative
+from .sentences import SENTENCES
 
 WAITING, DRIVING, DONE = "waiting", "driving", "done"
 
@@ -19,7 +20,7 @@ MAX_SPEED, MAX_TURN = 2.0, 12.0    # m/s, rad/s; what seems faster is a robot th
 FARTHEST, LATEST = 1e4, 1e12       # m, s; what is beyond is no measurement
 DEGREE = math.radians(1) / 0.01    # rad/m: one degree counts as one centimetre
 UNEXPLAINED = 0.01                 # m; what exceeds it was done by no wheel: lost samples explain about half of it
-MOVED = "The robot was moved, and not by its wheels, so the drive does not count."
+MOVED = SENTENCES["moved"]
 CONTACT = 0.001                    # m from a wall that stops the wheels within no time
 
 
@@ -92,7 +93,7 @@ class Recorder:
         if self.state == DONE or not _is_measurement(sample):
             return self.state
         if not self._samples:
-            self._wait("The robot did not drive.", sample)
+            self._wait(SENTENCES["not_driven"], sample)
         elif -1.0 < sample.time - self._samples[-1].time < MIN_INTERVAL:
             return self.state
         elif self._was_put_elsewhere(sample):

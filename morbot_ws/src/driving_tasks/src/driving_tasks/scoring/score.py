@@ -1,16 +1,17 @@
 """The score of a drive, and where it lost points."""
 
 import math
-from typing import NamedTuple, Sequence, Tuple
+from typing import NamedTuple, Optional, Sequence, Tuple
 
 from .measures import TOLERANCE, describe, worst
 from .penalties import Loss
 from .recorder import DONE, Drive, Recorder, Sample
+from .sentences import say
 from .tasks import Task
 
 TIME_SHARE = 0.2    # of the points depend on the time
 NEGLIGIBLE = 0.5    # points that are not worth a sentence
-NO_LOSS = "No loss of more than half a point."
+NO_LOSS = say("no_loss")
 
 
 class Result(NamedTuple):
@@ -22,16 +23,20 @@ class Result(NamedTuple):
     losses: Tuple[Loss, ...]
 
     @property
+    def loss(self) -> Optional[Loss]:
+        """What lost most points; None if nothing lost half a point."""
+        return next((loss for loss in self.losses[:1] if loss.points >= NEGLIGIBLE), None)
+
+    @property
     def largest_loss(self) -> str:
         """What lost most points, without a full stop; "" if nothing lost half a point."""
-        return self.losses[0].sentence if self.losses and self.losses[0].points >= NEGLIGIBLE else ""
+        return str(self.loss.sentence) if self.loss else ""
 
     @property
     def sentence(self) -> str:
         """The largest loss as a sentence."""
-        if not self.largest_loss:
-            return NO_LOSS
-        return f"Largest loss: {self.largest_loss} ({self.losses[0].points:.1f} points)."
+        said = say("largest_loss", loss=self.largest_loss, points=f"{self.loss.points:.1f}") if self.loss else NO_LOSS
+        return str(said)
 
 
 def judge(task: Task, samples: Sequence[Sample]) -> Result:
@@ -66,5 +71,5 @@ def _loss(mean, errors):
 
 
 def _time_loss(task, drive, time_ratio):
-    sentence = f"took {drive.seconds:.1f} s; {task.ideal_seconds:.1f} s are enough"
+    sentence = say("slow", seconds=f"{drive.seconds:.1f}", ideal=f"{task.ideal_seconds:.1f}")
     return Loss(100 * TIME_SHARE * (1 - time_ratio), sentence, drive.end[:2])

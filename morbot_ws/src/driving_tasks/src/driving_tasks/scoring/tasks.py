@@ -5,6 +5,7 @@ from functools import partial
 from typing import NamedTuple, Tuple
 
 from jetbot.kinematics import Pose
+from jetbot.sentence import Sentence
 from simulation.world import EMPTY, World
 from simulation.world_files import load
 
@@ -39,6 +40,11 @@ class Task(NamedTuple):
     seconds: float = 0.0
     by_camera: bool = False
     overrun: float = math.inf
+
+    @property
+    def invitation(self) -> Sentence:
+        """What a page says when the robot is at its start."""
+        return Sentence(f"drive_{self.name}", f"Drive when you are ready: {self.instruction}.")
 
     @property
     def course(self) -> Course:

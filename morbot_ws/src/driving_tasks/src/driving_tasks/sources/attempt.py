@@ -1,30 +1,35 @@
 """One robot at its task, from its start to its score."""
 
 import math
-from typing import Callable, Iterator, Optional
+from typing import Callable, Iterator, List, Optional
 
 from jetbot.kinematics import Pose
+from jetbot.sentence import Sentence
 from jetbot.text import enumeration
 from simulation.world_files import dump
 
-from ..report.announcement import CANCELLED, READY, Announcement
+from ..report.announcement import CANCELLED, READY, Announcement, in_english
 from ..report.marks import Mark
-from ..scoring.recorder import DONE, DRIVING, MOVED, TWITCH, UNEXPLAINED, WAITING, NoDrive, Recorder, Sample, excursion
+from ..scoring.recorder import DONE, DRIVING, TWITCH, UNEXPLAINED, WAITING, NoDrive, Recorder, Sample, excursion
 from ..scoring.score import rate
+from ..scoring.sentences import say
 from ..scoring.tasks import Task
 from .judged_robot import JudgedRobot
 
-INVITATION, NO_MARK = "Drive when you are ready.", "The drive does not count"
+INVITATION = "Drive when you are ready."
 AT_START = 0.001         # m or rad: a pose so close to the start is there
 MAX_GAP = 1.0            # s between two samples of a drive; what happened in a longer one is not known
 ANNOUNCE_INTERVAL = 0.2  # s of the drive
 REPORT_POLLS = 20        # polls of a robot that does not stop, from one report to the next;
 MAX_POLLS = 100          # and until an attempt that was asked for is given up
-PUT_BACK = "The robot was put back to its start"
 
 
 class Interrupted(Exception):
-    """One sentence: why this drive gets no score."""
+    """sentence: why this drive gets no score."""
+
+    def __init__(self, sentence: Sentence):
+        super().__init__(str(sentence))
+        self.sentence = sentence
 
 
 class Attempt:
@@ -40,7 +45,8 @@ class Attempt:
         self._announcement = Announcement(robot.namespace, task, request or "")
         self._world, self._fed_at, self._announced_at = task.load_world(), 0.0, 0.0
         self._recorder = self._new_recorder()
-        self._last_report, self._cancelled, self._steps = "", "", self._run()
+        self._cancelled: List[Sentence] = []  # why the last drive did not count
+        self._last_report, self._steps = "", self._run()
         self._name = ""  # of who drives, if it is known
         self.mark: Optional[Mark] = None
         self.start: Optional[Sample] = None
@@ -55,7 +61,7 @@ class Attempt:
         """Do what is due, without waiting: put the robot at its start, then measure; call it every POLL_INTERVAL."""
         self.robot.poll()
         if self._once and self.robot.interruptions:  # before the drive, too: who has asked for it drives no more
-            self.cancel(f"{NO_MARK}: {self.robot.interruptions[0]}.")
+            self.cancel(self.robot.interruptions[0])
         else:
             next(self._steps, None)
 
@@ -64,26 +70,23 @@ class Attempt:
         try:
             result = rate(self._task, self._recorder.finish())
         except NoDrive:
-            problem = "The robot did not drive."
+            problem = say("not_driven")
             self._announcement.publish(CANCELLED, problem)
             self._announcement.clear()
-            self.mark = self._without_score(problem)
+            self.mark = self._without_score(str(problem))
         else:
             self._announcement.done(result, self._name)
             self.mark = Mark(self._name, self._task.name, result, source=self.robot.source, robot=self.robot.name)
 
-    def cancel(self, interruption: str) -> None:
-        """Give this drive no score, for this reason, a sentence; or for what is in its way."""
-        advice = self.robot.advice
-        if self.robot.obstacle:  # which is over before the invitation
-            self._cancelled = f"{NO_MARK}. " if self.has_driven else ""
-            interruption = f"{self._cancelled}{self.robot.obstacle}"
-        else:
-            self._cancelled = f"{interruption} "
+    def cancel(self, interruption: Sentence) -> None:
+        """Give this drive no score, for this reason, or for what is in its way."""
+        obstacle, advice = self.robot.obstacle, self.robot.advice
+        self._cancelled = [interruption] if not obstacle else [say("not_counted")] if self.has_driven else []
+        sentences = [*self._cancelled, *filter(None, [obstacle])]  # the obstacle is over before the invitation
         self.ready, self._recorder = False, self._new_recorder()
-        self._announcement.publish(CANCELLED, interruption)
-        self._report(f"{interruption} {advice}".rstrip())
-        self.mark = self._without_score(interruption) if self._once else None
+        self._announcement.publish(CANCELLED, *sentences)
+        self._report(f"{in_english(sentences)} {advice}".rstrip())
+        self.mark = self._without_score(in_english(sentences)) if self._once else None
 
     def close(self) -> None:
         """Show the task no longer to those who come now."""
@@ -100,7 +103,7 @@ class Attempt:
                 yield from self._measure()
                 self.finish()
             except Interrupted as interruption:
-                self.cancel(str(interruption))
+                self.cancel(interruption.sentence)
 
     def _new_recorder(self):
         return Recorder(self._task.time_limit, self._world, self._task.is_over)
@@ -111,7 +114,7 @@ class Attempt:
         while self.robot.obstacle or not self.robot.has_stopped:
             polls += 1
             if self._once and polls > MAX_POLLS:
-                raise Interrupted("The robot does not stop. End the program that drives it.")
+                raise Interrupted(say("never_stops"))
             if self.robot.obstacle:
                 self._report(f"{self.robot.obstacle} {self.robot.advice}".rstrip())
             elif self.robot.latest and polls % REPORT_POLLS == 0:
@@ -142,8 +145,8 @@ class Attempt:
 
     def _invite(self):
         self.ready, self._announced_at = True, 0.0
-        self._announcement.publish(READY, f"{self._cancelled}Drive when you are ready: {self._task.instruction}.")
-        self._cancelled = ""
+        self._announcement.publish(READY, *self._cancelled, self._task.invitation)
+        self._cancelled = []
         self._report(INVITATION)
 
     def _measure(self):
@@ -162,30 +165,29 @@ class Attempt:
         was_driving, gap = self.has_driven, sample.time - self._fed_at
         self._fed_at = sample.time
         if was_driving and gap > MAX_GAP:
-            raise Interrupted(f"{gap:.1f} s of the drive were not measured, because the simulator or the judge paused.")
+            raise Interrupted(say("not_measured", seconds=f"{gap:.1f}"))
         if self._recorder.feed(sample) == WAITING:
             self._check_place(was_driving)
         if self._recorder.unexplained > UNEXPLAINED:
-            raise Interrupted(MOVED)
+            raise Interrupted(say("moved"))
 
     def _check_place(self, was_driving):
         """Let a drive begin only at the start."""
         frame = self._recorder.frame
         if not is_near(frame, self.start.pose):
             is_twitch = was_driving and excursion(frame, self.start.pose) <= TWITCH
-            raise Interrupted("The robot hardly moved, so the drive does not count." if is_twitch else
-                              "The robot was put elsewhere, so the drive does not count.")
+            raise Interrupted(say("hardly_moved" if is_twitch else "put_elsewhere"))
         if was_driving and self._once:  # its program goes on
-            raise Interrupted(f"{PUT_BACK}, so the drive does not count.")
+            raise Interrupted(say("put_back"))
         if was_driving:
-            self._report(f"{PUT_BACK}.")
+            self._report("The robot was put back to its start.")
             self._invite()
 
     def _check_driver(self):
         if self._recorder.state == DRIVING:
             self._name = self.robot.driver or self._name
             for interruption in self.robot.interruptions:
-                raise Interrupted(f"{NO_MARK}: {interruption}.")
+                raise Interrupted(interruption)
 
     def _check_obstacle(self):
         if self.robot.obstacle:

@@ -15,6 +15,7 @@ from std_srvs.srv import Empty
 from visualization_msgs.msg import MarkerArray
 
 from jetbot import InvalidValue
+from jetbot.sentence import Sentence
 from jetbot.text import enumeration, printable
 from jetbot_ros import contract
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
@@ -22,6 +23,7 @@ from jetbot_ros.state import EMERGENCY_STOP, ENDED, HOLDS, OWN_EMERGENCY_STOP, U
 
 from ..report.marks import changed
 from ..scoring.recorder import Sample
+from ..scoring.sentences import not_counted, say
 from .bags import sample_of
 from .readers import Readers
 
@@ -30,7 +32,7 @@ STOPPED_AFTER = 0.5   # s without motion
 MOTION = 1e-4         # m or rad; less is none
 SILENT_POLLS = 60     # polls without ground truth, which arrives 10 times per second, until the simulator is silent
 MAX_MESSAGE = 200     # characters of what interrupts a drive
-COCKPIT_ENDED = "the cockpit has ended"
+RELEASE = "Release it: ./morbot stop --release"
 
 
 def choose_robots(names: Sequence[str], running: Sequence[str]) -> List[str]:
@@ -95,10 +97,10 @@ class JudgedRobot:
         self._commander = self._state.commanded_by or self._commander
 
     def _on_driver(self, message):
-        names = [printable(pair.value)[:contract.MAX_NAME] for pair in message.values if pair.key == "name"]
-        self.driver = "".join(names[:1])
+        values = {pair.key: printable(pair.value)[:MAX_MESSAGE] for pair in message.values}
+        self.driver = values.get("name", "")[:contract.MAX_NAME]
         if message.message:
-            self._interruptions.append(printable(message.message)[:MAX_MESSAGE])
+            self._interruptions.append(not_counted(values, printable(message.message)[:MAX_MESSAGE]))
 
     def _on_body(self, message):
         self.body = message.data
@@ -123,7 +125,7 @@ class JudgedRobot:
         """If the cockpit that drives the robot has ended, it could not say so itself."""
         had_cockpit, self._has_cockpit = self._has_cockpit, self._pages.get_num_connections() > 0
         if had_cockpit and not self._has_cockpit and self._commander.rpartition("/")[2] == contract.COCKPIT:
-            self._interruptions.append(COCKPIT_ENDED)
+            self._interruptions.append(say("not_counted_cockpit_ended"))
 
     def _continued(self, sample):
         """Return the sample with a time that is not before the last one: where its clock is set back, it steps on."""
@@ -147,8 +149,8 @@ class JudgedRobot:
         return self._controller.get_num_connections() > 0
 
     @property
-    def obstacle(self) -> str:
-        """Why the robot cannot be judged now, in one sentence; "" if it can be."""
+    def obstacle(self) -> Optional[Sentence]:
+        """Why the robot cannot be judged now, or None."""
         return self._hindrance()[0]
 
     @property
@@ -156,19 +158,18 @@ class JudgedRobot:
         """What somebody at a terminal does about the obstacle, "" for nothing more."""
         return self._hindrance()[1]
 
-    def _hindrance(self) -> Tuple[str, str]:
+    def _hindrance(self) -> Tuple[Optional[Sentence], str]:
         if self._silent_polls >= SILENT_POLLS:
-            return "The simulator does not answer.", ("Continue it (after Ctrl-Z: fg), or start it again: "
-                                                      "roslaunch simulation simulation.launch")
+            return say("simulator_silent"), ("Continue it (after Ctrl-Z: fg), or start it again: "
+                                             "roslaunch simulation simulation.launch")
         if self._state is not UNKNOWN and not self.is_controlled:
-            return "The controller has ended.", "Start it again: rosrun jetbot_control_node jetbot_controller.py"
-        if self._state.cause in (EMERGENCY_STOP, OWN_EMERGENCY_STOP):
-            return f"The robot is {self._state.sentence}.", "Release it: ./morbot stop --release"
+            return say("controller_ended"), "Start it again: rosrun jetbot_control_node jetbot_controller.py"
         if self._state.cause in (*HOLDS, ENDED):
-            return f"The robot is {self._state.sentence}.", ""
+            is_released = self._state.cause in (EMERGENCY_STOP, OWN_EMERGENCY_STOP)
+            return say(f"robot_{self._state.cause}"), RELEASE if is_released else ""
         if self._readers and self._readers.are_blind and not self.has_stopped:
-            return "No program looks at the camera, with which this task is driven.", ""
-        return self._readers.problem if self._readers else "", ""
+            return say("nobody_looks"), ""
+        return self._readers.problem if self._readers else None, ""
 
     def commanders(self) -> List[str]:
         """Return the nodes that publish commands for this robot; none if the master does not answer."""

@@ -6,7 +6,7 @@ import time
 from collections import deque
 from pathlib import Path
 from threading import Thread
-from typing import Callable, Iterator, List, Optional, Sequence
+from typing import Callable, Iterator, List, Optional, Sequence, Tuple
 
 import rosbag
 import rospy
@@ -73,13 +73,18 @@ def find(names: Sequence[str]) -> List[str]:
     return namespaces
 
 
+def other_judges(namespaces: Sequence[str]) -> List[Tuple[str, str]]:
+    """Return each other node that judges one of the robots, with that robot's namespace. Raise NO_ANSWER."""
+    publishers = system_state()[0]
+    return [(node, namespace) for namespace in namespaces
+            for node in publishers.get(f"{namespace}/{contract.TASK}", ())
+            if node != rospy.get_name() and condition_of(node)]
+
+
 def check_only_judge(namespaces: Sequence[str]) -> None:
     """Raise JetbotError if another node judges one of the robots."""
     try:
-        publishers = system_state()[0]
-        others = [(node, namespace) for namespace in namespaces
-                  for node in publishers.get(f"{namespace}/{contract.TASK}", ())
-                  if node != rospy.get_name() and condition_of(node)]
+        others = other_judges(namespaces)
     except NO_ANSWER:
         raise LOST from None
     for node, namespace in others:

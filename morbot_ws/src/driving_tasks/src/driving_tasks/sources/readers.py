@@ -2,14 +2,17 @@
 
 import re
 import time
-from typing import Iterator
+from typing import Iterator, Optional
 
 import rospy
 
+from jetbot.sentence import Sentence
 from jetbot.text import printable
 from jetbot_ros.contract import GROUND_TRUTH
 from jetbot_ros.master import NO_ANSWER, condition_of, system_state
 from jetbot_ros.processes import command_of
+
+from ..scoring.sentences import say
 
 CLOSED = ("line", "odom", "path", "joint_states", GROUND_TRUTH)  # of the robot
 CAMERA = "camera/image_raw/compressed"
@@ -22,14 +25,15 @@ MAX_BLIND = 4       # answers in a row, while the robot moves, in which nobody l
 
 
 class Readers:
-    """problem: a sentence on the first who reads what is closed, "" without; as of the last ``poll``.
+    """problem: a sentence on the first who reads what is closed, or None; as of the last ``poll``.
 
     namespace: the robot's.
     """
 
     def __init__(self, namespace: str):
         self._closed, self._camera = [*(f"{namespace}/{name}" for name in CLOSED), "/tf"], f"{namespace}/{CAMERA}"
-        self._asked_at, self._blind, self.problem = 0.0, 0, ""
+        self._asked_at, self._blind = 0.0, 0
+        self.problem: Optional[Sentence] = None
 
     def start(self) -> None:
         """Forget that nobody has looked."""
@@ -46,8 +50,8 @@ class Readers:
             return
         try:
             subscribers = system_state()[1]
-            self.problem = next((f"{printable(node)} reads {topic}. End it: in this task, programs see with the camera "
-                                 "alone." for topic in self._closed for node in self._programs(subscribers, topic)), "")
+            self.problem = next((say("reads_closed", program=printable(node), topic=topic)
+                                 for topic in self._closed for node in self._programs(subscribers, topic)), None)
             self._blind = 0 if any(self._programs(subscribers, self._camera)) else self._blind + moves
         except NO_ANSWER:  # what drives notices that, too
             pass

@@ -6,22 +6,24 @@ The page's programs do not see the camera: the tasks that are driven by camera a
 import contextlib
 import time
 from collections import deque
-from typing import Callable, Deque, Dict, List, Tuple
+from typing import Callable, Deque, Dict, List, Optional, Tuple
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 
-from jetbot import JetbotError
+from jetbot.sentence import Sentence
+from jetbot.text import printable
 from jetbot_ros import links, rospy_repairs
 from jetbot_ros.contract import CLASS_JUDGE, JUDGE_REQUESTS, JUDGE_TASKS
 from jetbot_ros.master import NO_ANSWER, require_master
 
 from ..report.announcement import CANCELLED, Announcement
 from ..report.marks import to_csv
+from ..scoring.sentences import say
 from ..scoring.tasks import TASKS
-from .attempt import NO_MARK, Attempt
-from .judged_robot import JudgedRobot, simulated_robots
-from .live import check_only_judge, close, polls
+from .attempt import Attempt
+from .judged_robot import JudgedRobot, label, simulated_robots
+from .live import close, other_judges, polls
 
 OFFERED = {task.name: task for task in TASKS.values() if not task.by_camera}
 DRIVE_TIMEOUT = 60.0  # s from a request until the robot must drive
@@ -81,10 +83,11 @@ class ClassJudge:
         """Put a robot to the start of a task. An attempt that it replaces gets no score."""
         if name not in OFFERED or namespace not in self._running():
             return
-        try:
-            check_only_judge([namespace])
-        except JetbotError as error:
-            self._refuse(Announcement(namespace, OFFERED[name], request), f"{error.reason}.", now)
+        refusal = refuse(namespace)
+        if refusal:
+            announcement = Announcement(namespace, OFFERED[name], request)
+            announcement.publish(CANCELLED, refusal)
+            self._closing.append((now + LINGER, announcement.close))
             return
         if namespace not in self._robots:
             self._robots[namespace] = JudgedRobot(namespace)
@@ -101,7 +104,7 @@ class ClassJudge:
             attempt, _ = self._attempts[namespace]
             attempt.step()  # what has interrupted the drive before is the reason
             if not attempt.mark:
-                attempt.cancel(f"{NO_MARK}: its program was stopped.")
+                attempt.cancel(say("not_counted_program_stopped"))
             self._end(namespace, now)
 
     def _running(self):
@@ -109,13 +112,18 @@ class ClassJudge:
             return simulated_robots()
         return []
 
-    def _refuse(self, announcement, sentence, now):
-        announcement.publish(CANCELLED, sentence)
-        self._closing.append((now + LINGER, announcement.close))
-
     def _end(self, namespace, now):
         attempt, _ = self._attempts.pop(namespace)
         attempt.robot.set_world("")
         self._closing.append((now + LINGER, attempt.close))
         if attempt.mark.result:
             print(to_csv((), [attempt.mark.row]), end="", flush=True)
+
+
+def refuse(namespace: str) -> Optional[Sentence]:
+    """Return why this robot cannot be judged here, or None."""
+    try:
+        others = other_judges([namespace])
+    except NO_ANSWER:
+        return say("no_master")
+    return next((say("other_judge", judge=printable(node), robot=label(namespace)) for node, _ in others), None)

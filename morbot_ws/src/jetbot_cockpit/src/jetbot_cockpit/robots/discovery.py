@@ -8,6 +8,7 @@ from typing import Dict, Iterable, Optional, Set, Tuple
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 
+from jetbot.sentence import Sentence
 from jetbot_ros import contract
 from jetbot_ros.links import Links
 from jetbot_ros.master import NO_ANSWER
@@ -68,8 +69,8 @@ class Robots:
         """
         self._judge.request(robot, task, request)
 
-    def report_driver(self, robot: str, name: str, interruption: str) -> None:
-        """Publish who drives a robot, "" for nobody or no name, and what has interrupted that, "" for nothing."""
+    def report_driver(self, robot: str, name: str, interruption: Optional[Sentence]) -> None:
+        """Publish who drives a robot, "" for nobody or no name, and what has interrupted that, or None."""
         if robot in self._robots:
             self._robots[robot].report_driver(name, interruption)
 

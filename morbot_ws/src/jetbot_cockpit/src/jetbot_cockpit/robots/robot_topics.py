@@ -13,6 +13,7 @@ from std_msgs.msg import Bool, Float32MultiArray
 from std_srvs.srv import Empty
 
 from jetbot.kinematics import Pose
+from jetbot.sentence import Sentence
 from jetbot.text import printable
 from jetbot_ros import contract
 from jetbot_ros.announcer import Announcer
@@ -100,7 +101,7 @@ class RobotTopics:
         self._resetting: Optional[threading.Thread] = None
         self._tracker = TaskTracker()
         self._drawings = [Drawing(f"{self._base}/{topic}", frames) for topic in (contract.WORLD, contract.TASK_COURSE)]
-        self._reported = "", ""  # who drives, and what has interrupted that
+        self._reported = "", None  # who drives, and what has interrupted that
         self._driver = rospy.Publisher(f"{self._base}/{contract.DRIVER}", DiagnosticStatus, queue_size=10, latch=True)
         self.emergency_stop = StopTopic(f"{self._base}/{contract.OWN_STOP}", graph)
         self._state_subscriber = rospy.Subscriber(f"{self._base}/{contract.STATE}", DiagnosticStatus, self._on_state)
@@ -167,13 +168,15 @@ class RobotTopics:
             self._line_subscriber.unregister()
             self._line = self._line_subscriber = None
 
-    def report_driver(self, name: str, interruption: str) -> None:
+    def report_driver(self, name: str, interruption: Optional[Sentence]) -> None:
         """Publish what ``driver`` holds, if it has changed."""
         if (name, interruption) != self._reported:
             self._reported = name, interruption
             with contextlib.suppress(rospy.ROSException):  # closed: the robot has ended meanwhile, or this node
-                self._driver.publish(DiagnosticStatus(name="driver", message=interruption,
-                                                      values=[KeyValue("name", name)]))
+                values = {"name": name, **({"interruption": interruption.code, **interruption.arguments}
+                                           if interruption else {})}
+                self._driver.publish(DiagnosticStatus(name="driver", message=str(interruption or ""),
+                                                      values=[KeyValue(*pair) for pair in values.items()]))
 
     def reset(self) -> bool:
         """Put the simulated robot back to its start, in a thread; return False while the last time still hangs."""

@@ -126,7 +126,8 @@ class History:
         before, self._scenes = self._scenes, {robot.id: self._scene(robot) for robot in robots.values()}
         scenes = [scene(robot, shapes) for robot, shapes in self._scenes.items() if shapes != before.get(robot, ())]
         better = [self._scores.add(robot.id, robot.task) for robot in robots.values()]
-        return [trail(robot.id, robot.pose, []) for robot in restarts] + scenes + (self._scores.messages() if any(better) else [])
+        trails = [trail(robot.id, robot.pose, []) for robot in restarts]
+        return trails + scenes + (self._scores.messages() if any(better) else [])
 
     def _scene(self, robot: RobotSnapshot) -> Tuple[Shape, ...]:
         """Return what is drawn around the robot: a course only with its task."""
@@ -139,7 +140,7 @@ class History:
 
 
 def trail(robot: str, start, points) -> dict:
-    return {"type": "trail", "robot": robot, "start": start and list(start), "points": [list(point) for point in points]}
+    return {"type": "trail", "robot": robot, "start": start and list(start), "points": list(map(list, points))}
 
 
 def scene(robot: str, shapes: Tuple[Shape, ...]) -> dict:

@@ -3,6 +3,9 @@
 import math
 from typing import Dict, List, Optional, Set
 
+from jetbot.sentence import row
+from jetbot_ros.contract import INTERRUPTIONS
+
 from ..notices import Notice, say
 from .history import RESET_TIME
 from .holds import Holds
@@ -13,9 +16,8 @@ from .snapshot import Snapshot, label
 
 MINUTE = 60.0  # s, in which stalls are counted
 NO_COMMAND, LET_GO = say("no_command", seconds=COMMAND_TIMEOUT), say("let_go")
-TAKEN, LEFT = "a teacher took the robot over", "the driver's page was closed, or lost its connection"  # interruptions
-PUT_BACK = "a teacher put the robot back to its start"
-SILENT = f"no command came from the driver's page for {COMMAND_TIMEOUT} s"
+TAKEN, LEFT, PUT_BACK = (row(INTERRUPTIONS, code) for code in ("taken", "left", "put_back"))
+SILENT = row(INTERRUPTIONS, "silent", seconds=COMMAND_TIMEOUT)
 
 
 class Leases:
@@ -193,7 +195,7 @@ class Leases:
         self._report(robot)
         return self._leases[robot]
 
-    def _report(self, robot, interruption=""):
+    def _report(self, robot, interruption=None):
         """Tell the robot's judge who drives it, by name, and what interrupted that."""
         name = self._pupils.called(self._leases[robot].client) if robot in self._leases else ""
         self._robots.report_driver(robot, name, interruption)

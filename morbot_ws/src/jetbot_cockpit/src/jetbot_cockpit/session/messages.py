@@ -14,7 +14,8 @@ from ..classroom import program
 from .collection import LABELS
 from .history import MAX_POINTS, STEP
 
-MAX_TASK = 60       # characters of a task's name
+MAX_TASK = 60       # characters of a task's name,
+MAX_SENTENCE = 500  # of a template of its judge, and of an argument
 MAX_MESSAGE = 1000  # bytes of a message of the page
 MAX_RATE = 40       # messages per second of a page,
 MAX_BURST = 50      # and at once: what a pause of the network has held back
@@ -100,9 +101,12 @@ POSE = numbers(3)
 ARGUMENTS = by_robot(TEXT)._replace(type="Record<string, string>")
 SAID = {"code": TEXT, "arguments": ARGUMENTS, "text": TEXT, "template": TEXT}  # a Notice
 NOTICE = part("Said", **SAID)
+SENTENCES = list_of(part("Sentence", code=text(MAX_SENTENCE), template=text(MAX_SENTENCE),
+                         arguments=by_robot(text(MAX_SENTENCE))._replace(type=ARGUMENTS.type)))
 DRIVER = part("Driver", id=COUNT, name=TEXT)
 JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "driving", "done", "cancelled"), text=TEXT,
-              seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT, request=TEXT)
+              seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT, request=TEXT, sentences=SENTENCES,
+              lost=or_null(NUMBER))
 PICTURES = part("Pictures", **dict.fromkeys(LABELS, COUNT), problem=or_null(NOTICE))
 ROBOT_STATE = part(
     "RobotState", status=TEXT, state=one_of("", "driving", "stopped", "ended"), cause=TEXT, template=TEXT,

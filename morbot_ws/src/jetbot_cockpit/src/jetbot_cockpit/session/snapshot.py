@@ -13,8 +13,11 @@ MAX_LABEL = 40  # characters
 
 
 class TaskSnapshot(NamedTuple):
-    """A driving task. text: a sentence for the person; seconds: of the drive; score: 0 to 100, once done, with driver:
-    the name of who drove, "" if it is not known; request: which one its judge answers, "" for none.
+    """A driving task. text: in English; seconds: of the drive; score: 0 to 100, once done, with driver: the name of who
+    drove, "" if it is not known; request: which one its judge answers, "" for none.
+
+    sentences: the text as {code, template, arguments} each, () if it is not known so; once done, what lost most points,
+    with lost: how many, None if it is not worth a sentence.
     """
 
     name: str
@@ -25,6 +28,8 @@ class TaskSnapshot(NamedTuple):
     score: Optional[float] = None
     driver: str = ""
     request: str = ""
+    sentences: Tuple[dict, ...] = ()
+    lost: Optional[float] = None
 
 
 class Shape(NamedTuple):
