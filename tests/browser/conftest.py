@@ -1,7 +1,10 @@
 """Fixtures: one world with two robots, and two browsers, for all tests; each test opens the page again."""
 
+import os
 import shutil
+from contextlib import contextmanager
 from functools import partial
+from typing import Callable, Iterator
 
 import pytest
 
@@ -12,29 +15,45 @@ TABLET = (1024, 768)  # px
 ROBOT, OTHER_ROBOT = "jetbot_01", "jetbot_02"
 
 
+def need(programs: str, packages: str) -> None:
+    """Skip the test if one of these programs is missing; packages: of Debian, which have them."""
+    missing = [program for program in programs.split() if not shutil.which(program)]
+    if not missing:
+        return
+    reason = f"{' and '.join(missing)} not installed: sudo apt install {packages} python3-selenium"
+    (pytest.fail if "ALL_BROWSERS" in os.environ else pytest.skip)(reason)
+
+
+@contextmanager
+def started(start: Callable) -> Iterator[Callable]:
+    """A function that returns start(key), a browser, which is started when first needed, or again if it was killed."""
+    running = {}
+
+    def browser(key):
+        if key in running and not running[key].runs:
+            running.pop(key).close()
+        if key not in running:
+            running[key] = start(key)
+        return running[key]
+    try:
+        yield browser
+    finally:
+        for each in running.values():
+            each.close()
+
+
 @pytest.fixture(scope="session")
 def browsers(tmp_path_factory):
-    """A function that returns a browser by its number, started when first needed, or again if it was killed."""
+    """A function that returns a browser by its number."""
     pytest.importorskip("selenium", reason="selenium is not installed: sudo apt install python3-selenium")
-    for program in "chromium", "chromedriver":
-        if not shutil.which(program):
-            pytest.skip(f"{program} is not installed: sudo apt install chromium chromium-driver")
+    need("chromium chromedriver", "chromium chromium-driver")
     from .page import Page
-    started = {}
-
-    def browser(number):
-        if number in started and not started[number].runs:
-            started.pop(number).close()
-        if number not in started:
-            started[number] = Page(tmp_path_factory.mktemp("profile"))
-        return started[number]
-    yield browser
-    for each in started.values():
-        each.close()
+    with started(lambda _: Page(tmp_path_factory.mktemp("profile"))) as browser:
+        yield browser
 
 
 @pytest.fixture(scope="session")
-def world(browsers, tmp_path_factory):
+def world(tmp_path_factory):
     """Two robots and a cockpit."""
     world = World(tmp_path_factory.mktemp("world"), ROBOT, OTHER_ROBOT)
     yield world
@@ -42,13 +61,13 @@ def world(browsers, tmp_path_factory):
 
 
 @pytest.fixture
-def page(world, browsers):
+def page(browsers, world):
     """A teacher's page on a phone, with ROBOT chosen; nothing drives before and after the test."""
     yield from opened(browsers(1), world, world.address)
 
 
 @pytest.fixture
-def blocks(world, browsers, tmp_path):
+def blocks(browsers, world, tmp_path):
     """A function that opens a program in the teacher's page for programs, on a tablet, and returns the page."""
     def load(content):
         page.element("file").send_keys(as_file(tmp_path, content))
@@ -76,7 +95,7 @@ def opened(page, world, url):
 
 
 @pytest.fixture
-def pupil(world, browsers):
+def pupil(browsers, world):
     """A pupil's page in another browser, with ROBOT chosen."""
     pupil = browsers(2)
     pupil.open(world.codes()["pupil"], ROBOT)
@@ -85,7 +104,7 @@ def pupil(world, browsers):
 
 
 @pytest.fixture
-def victim(world, browsers):
+def victim(browsers, world):
     """That other browser, which may be frozen or killed, with a finger that drives ROBOT."""
     victim = browsers(2)
     victim.open(world.address, ROBOT)

@@ -1,25 +1,21 @@
 """The cockpit's page, as a person with a phone uses it."""
 
-from contextlib import suppress
 from pathlib import Path
-from typing import Callable, Dict, List, Optional, Tuple
+from typing import List, Optional, Tuple
 
-from selenium.common.exceptions import InvalidArgumentException
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-from jetbot.wait import wait_until
-
 from .chromium import Chromium
+from .cockpit_page import CockpitPage
 
 PHONE = (390, 844)  # px
-PAGE_TIMEOUT = 20.0  # s for what a page shows; other tests may run meanwhile
 LOOKS = Path(__file__).with_name("looks.js").read_text()
 CONTROLS = "a[href], button, input, select, [tabindex]:not([tabindex='-1'])"
 
 
-class Page(Chromium):
-    """A browser with the page of a cockpit. A control is named by its id, other elements by a CSS selector."""
+class Page(Chromium, CockpitPage):
+    """Chromium with the page of a cockpit."""
 
     def open(self, url: str, robot: str = "") -> None:
         """Open the page on a phone, wait until it is connected, and choose a robot."""
@@ -35,53 +31,9 @@ class Page(Chromium):
         self.driver.get("about:blank")
         self.lift()
 
-    def wait_for_link(self) -> None:
-        """Wait until the page knows the round trip to the cockpit, and shows a status."""
-        self.wait_for(lambda: "ms" in self.text("link") and self.text("status"), "the page to connect")
-
-    def choose(self, robot: str) -> None:
-        """Choose a robot by its name."""
-        self.wait_for(lambda: f"/{robot}" in self.robots(), f"{robot} in the list")
-        self.set("robot", f"/{robot}")
-
-    def robots(self) -> Dict[str, str]:
-        """Return the robots that can be chosen: {id: label}."""
-        return dict(self.run("return [...document.querySelectorAll('#robot option')]"
-                             ".map(option => [option.value, option.textContent])"))
-
     def element(self, name: str):
         """Return the element with this id."""
         return self.driver.find_element(By.ID, name)
-
-    def value(self, name: str) -> str:
-        """Return the value of a control."""
-        return self.run(f"return document.getElementById('{name}').value")
-
-    def text(self, name: str) -> str:
-        """Return the visible text of the element with this id."""
-        return self.text_of(f"#{name}")
-
-    def text_of(self, selector: str) -> str:
-        """Return the visible text of an element."""
-        return self.run("const found = document.querySelector(arguments[0]);"
-                        "return found?.checkVisibility() ? found.innerText.trim() : ''", selector)
-
-    def has(self, selector: str) -> bool:
-        """Return whether such an element exists."""
-        return self.run("return document.querySelector(arguments[0]) !== null", selector)
-
-    def wait_for(self, condition: Callable[[], object], what: str, within: float = PAGE_TIMEOUT) -> None:
-        """Fail unless the condition becomes true within this many seconds; what: its description."""
-        assert wait_until(condition, within, 0.03), \
-            f"waited {within} s for {what}; the page shows {self.text_of('body')!r}, its console {self.errors()}"
-
-    def wait_for_text(self, name: str, text: str) -> None:
-        """Fail unless the element with this id soon shows this text."""
-        self.wait_for(lambda: text.lower() in self.text(name).lower(), f"{text!r} in #{name}")
-
-    def send(self, message: dict) -> None:
-        """Let the page send this message to the cockpit."""
-        self.run("socket.send(JSON.stringify(arguments[0]))", message)
 
     def receive(self, message: dict) -> None:
         """Let the page receive a message that the cockpit has not sent."""
@@ -107,31 +59,6 @@ class Page(Chromium):
         self.receive({"type": "state", "emergency": False, "pupils_release": False, "robots": {
             robot: {"pose": [-number % 3, -(number // 3), 0], **known} for number, robot in enumerate(ids)}})
 
-    def touch(self, forward: float = 1.0, left: float = 0.0) -> None:
-        """Put a finger on the middle of the pad, and move it; 1 is the edge."""
-        self.lift()
-        self.touch_event("touchStart", self.on_pad(0, 0))
-        self.move(forward, left)
-
-    def move(self, forward: float, left: float) -> None:
-        """Move the finger on the pad."""
-        self.touch_event("touchMove", self.on_pad(forward, left))
-
-    def lift(self) -> None:
-        """Lift all fingers, if any touches."""
-        with suppress(InvalidArgumentException):
-            self.touch_event("touchEnd")
-
-    def on_pad(self, forward: float, left: float) -> Tuple[float, float]:
-        """Return a place on the pad as (x, y) in px."""
-        (x, y), radius = self.place_of("#pad"), self.run("return document.getElementById('pad').clientWidth / 2")
-        return x - left * radius, y - forward * radius
-
-    def place_of(self, selector: str) -> Tuple[float, float]:
-        """Return the middle of an element as (x, y) in px."""
-        return tuple(self.run("const box = document.querySelector(arguments[0]).getBoundingClientRect();"
-                              "return [box.x + box.width / 2, box.y + box.height / 2]", selector))
-
     def gamepad(self, x: float, y: float) -> None:
         """Plug in a gamepad whose left stick is held still here, and wait until the page has looked at it.
 
@@ -147,11 +74,6 @@ class Page(Chromium):
         """Unplug the gamepad, wherever its stick is."""
         self.run("navigator.getGamepads = () => [null, null, null, null];"
                  "window.dispatchEvent(new Event('gamepaddisconnected'))")
-
-    def set(self, name: str, value: str) -> None:
-        """Give a control this value, as a person does, but without giving it the focus."""
-        self.run(f"const control = document.getElementById('{name}'); control.value = '{value}';"
-                 "for (const type of ['input', 'change']) control.dispatchEvent(new Event(type, {bubbles: true}))")
 
     def type(self, name: str, text: str) -> None:
         """Replace what is in a text field, and press Enter."""

@@ -1,6 +1,7 @@
 """Several robots: they come and go while the page is open, a teacher commands each, and the map shows them."""
 
 import math
+import re
 
 from .conftest import OTHER_ROBOT, ROBOT
 
@@ -47,9 +48,9 @@ def test_a_teacher_chooses_a_robot_in_the_list_and_puts_it_or_all_back(page, wor
 
 
 def distance(page):
-    """Return how far the chosen robot is from its start, as the map tells a screen reader."""
-    words = page.element("map").get_attribute("aria-label").replace("−", "-").replace(",", "").split()
-    return math.hypot(*(float(words[words.index(axis) + 1]) for axis in "xy"))
+    """Return how far the chosen robot is from its start in m, as the map tells a screen reader."""
+    words = page.element("map").get_attribute("aria-label")
+    return math.hypot(*map(float, re.findall(r"[\d.]+(?= m (?!away))", words)))
 
 
 def test_the_map_follows_the_robot_or_not_and_zooms(page, world):

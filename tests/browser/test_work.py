@@ -48,6 +48,7 @@ def names(page):
     """Return the names of the programs that the page lists."""
     if not page.element("work").is_displayed():
         page.click("#programs")
+        page.wait_for(page.element("work").is_displayed, "the sheet")
     return page.run("return [...document.querySelectorAll('#work-list li:not(.deleted) .name')]"
                     ".map(name => name.textContent)")
 
@@ -161,7 +162,7 @@ def test_what_is_divisible_and_what_returns_is_the_same_when_it_is_opened_again(
 def test_a_sheet_takes_the_keyboards_focus_and_gives_it_back(button, sheet, first, page):
     page.tab_to(button)
     page.tap("Enter")
-    assert page.run("return document.activeElement.id") == sheet
+    page.wait_for(lambda: page.run("return document.activeElement.id") == sheet, "the focus in the sheet")
     assert page.tab() == first and page.element(sheet).accessible_name
     page.tap("Escape")
     assert not page.element(sheet).is_displayed()

@@ -59,11 +59,25 @@ test("a trail keeps its newest points, and none of a robot that stands", () => {
   assert.deepEqual(world.trails.get("/red"), [[1, 0], [2, 0], [3, 0]]);
 });
 
+test("a robot's start is where it was seen first, or was put, and that of the cockpit where it is known", () => {
+  const goal = { kind: "goal", width: 0.1, points: [[1, 0], [1.1, 0]] };
+  const start = () => world.placeOf("/red").start;
+  assert.equal(start(), undefined);
+  for (const x of [1, 2]) report({ red: { pose: [x, 0, 3] }, blue: { pose: [0, 0, 0] } });
+  assert.deepEqual(start(), [1, 0, 3]);
+  world.trail({ type: "trail", robot: "/red", start: [0, 0, 0.5], points: [] });
+  report({ red: { pose: [9, 0, 0] }, blue: { pose: [0, 0, 0] } });
+  world.scene({ robot: "/red", shapes: [goal] });
+  assert.deepEqual(world.placeOf("/red"), { pose: [9, 0, 0], start: [0, 0, 0.5], goal: [1, 0], others: 1 });
+  login("pupil");
+  assert.equal(start(), undefined, "a new connection tells it again");
+});
+
 test("a robot that has gone leaves no trail and no walls on the map", () => {
   report({ blue: { pose: [1, 1, 0] } });
   world.scene({ robot: "/blue", shapes: [{ kind: "wall", width: 0.01, points: [[0, 0], [1, 0]] }] });
   world.list({ robots: [robot("red")] });
-  assert.deepEqual([world.trails.size, world.pointsOf("/blue")], [0, []]);
+  assert.deepEqual([world.trails.size, world.starts.size, world.pointsOf("/blue")], [0, 0, []]);
 });
 
 test("the page learns when a robot's course is another one, and draws no shape that it does not know", () => {

@@ -6,7 +6,7 @@ import signal
 import socket
 import subprocess
 from pathlib import Path
-from typing import List
+from typing import List, Tuple
 
 SHUTDOWN_TIMEOUT = 45.0  # s, until a process has ended: roslaunch ends its nodes one after the other
 PR_SET_PDEATHSIG = 1     # of prctl(2)
@@ -34,6 +34,15 @@ def start(command: List[str], log: Path, **options) -> subprocess.Popen:
                                    preexec_fn=end_with_parent, **options)
     process.log = log
     return process
+
+
+def start_display(log: Path, *arguments: str) -> Tuple[subprocess.Popen, str]:
+    """Start an X display without a screen; return its process and its name. arguments: of Xvfb."""
+    reading, writing = os.pipe()
+    process = start(["Xvfb", "-displayfd", str(writing), *arguments], log, pass_fds=[writing])
+    os.close(writing)
+    with os.fdopen(reading) as number:
+        return process, f":{number.readline().strip()}"
 
 
 def end(processes: List[subprocess.Popen]) -> None:

@@ -68,12 +68,13 @@ def read_answer(file) -> Answer:
 
 
 class WebSocket:
-    """A page's socket. headers: of its request, such as Host, Origin and Cookie."""
+    """A page's socket, or another one. headers: of its request, such as Host, Origin and Cookie."""
 
-    def __init__(self, port: int, headers: Dict[str, str], phone: str = "127.0.0.1", host: str = "127.0.0.1"):
+    def __init__(self, port: int, headers: Dict[str, str], phone: str = "127.0.0.1", host: str = "127.0.0.1",
+                 path: str = "/socket"):
         self.connection = connect(port, phone, host)
         self._file = self.connection.makefile("rb")
-        self.connection.sendall(head("GET", "/socket", {**UPGRADE, **headers}))
+        self.connection.sendall(head("GET", path, {**UPGRADE, **headers}))
         self.status = read_answer(self._file).status
 
     def send(self, message: object) -> None:

@@ -15,6 +15,7 @@ from tf2_msgs.msg import TFMessage
 
 from harness import START_TIMEOUT, RobotTest, publishers, read, twist
 from jetbot.wait import wait_until
+from processes import start_display
 
 ROBOTS = {"red": (0.5, 0.3, 0.0), "green": (0.0, 0.0, 0.1), "blue": (-0.5, -0.3, -0.5)}  # y in m; m/s, rad/s
 START_RVIZ = 60.0             # seconds, drawing without a graphics card
@@ -102,12 +103,10 @@ class SimulationLaunch(RobotTest):
 
     def display(self):
         """Return the name of a new X display, which keeps its picture in a file."""
-        reading, writing = os.pipe()
-        self.start("Xvfb", "-displayfd", str(writing), "-screen", "0", "{}x{}x24".format(*SCREEN), "-fbdir",
-                   self.folder, pass_fds=[writing])
-        os.close(writing)
-        with os.fdopen(reading) as number:
-            return f":{number.readline().strip()}"
+        process, name = start_display(pathlib.Path(self.folder, "display"), "-screen", "0",
+                                      "{}x{}x24".format(*SCREEN), "-fbdir", self.folder)
+        self.processes.append(process)
+        return name
 
     def green_pixels(self):
         """Return a picture of the 3D view that is white where it shows the robot's board, which is green, else black.

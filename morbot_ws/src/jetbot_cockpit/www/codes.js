@@ -126,8 +126,7 @@ function nameFields() {
 function focusNext(event) {
   event.preventDefault();
   const [fields, field] = [nameFields(), event.target];
-  field.blur();
-  fields[fields.indexOf(field) + 1]?.focus();
+  (fields[fields.indexOf(field) + 1] ?? element("print-codes")).focus();
 }
 
 function card({ label, url, code, rows }) {

@@ -3,6 +3,7 @@
 import { number } from "./language.js";
 
 const CLICK_WITHIN = 1000; // ms after a touch: a click then belongs to that touch
+const CALM = 1000; // ms between two texts for a screen reader
 const SURE_WITHIN = 3000; // ms between the two presses that something needs
 
 /** @returns {any} whose kind the caller knows */
@@ -16,6 +17,17 @@ export function setText(target, text) {
 
 export function setClass(target, name, on) {
   target.classList.toggle(name, Boolean(on));
+}
+
+// Returns a function that sets a text for a screen reader: only one that has changed, and at most once a second.
+export function calmly(set) {
+  let [shown, at] = ["", -Infinity];
+  return (text) => {
+    const now = performance.now();
+    if (text === shown || now - at < CALM) return;
+    [shown, at] = [text, now];
+    set(text);
+  };
 }
 
 // Returns a new element with this class and text.
@@ -32,6 +44,13 @@ export function signed(value) {
 // Returns a time with its unit, or "" where it is not known.
 export function inSeconds(seconds) {
   return seconds === null ? "" : `${number(seconds.toFixed(1))} s`;
+}
+
+// Gives the person a file of this name.
+export function download(name, content, type) {
+  const address = URL.createObjectURL(new Blob([content], { type }));
+  Object.assign(create("a"), { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
 // Calls action() once per press: as a finger touches if urgent() is true then, else as it lifts from the button.

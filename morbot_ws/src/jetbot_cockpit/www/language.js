@@ -11,7 +11,7 @@ const DECIMAL = /^([-−]?\d+)\.(\d+)$/;
 
 const page = globalThis.document?.body; // none in a test without a browser
 export const language = page ? choose() : "en";
-const sentences = language === "en" ? {} : await load();
+const sentences = new Map(Object.entries(language === "en" ? {} : await load()));
 const plurals = new Intl.PluralRules(language);
 const [, mark] = new Intl.NumberFormat(language).formatToParts(0.5);
 if (page) translate(document.documentElement);
@@ -34,7 +34,7 @@ async function load() {
 // values.count chooses the form.
 /** @param {string} english @param {Record<string, unknown>} values */
 export function t(english, values = {}) {
-  const [one, other = one] = (sentences[english] ?? english).split("|");
+  const [one, other = one] = (sentences.get(english) ?? english).split("|");
   const form = plurals.select(Number(values.count ?? 1)) === "one" ? one : other;
   return fill(form, values, number);
 }
@@ -42,7 +42,7 @@ export function t(english, values = {}) {
 // Returns a text with values in place of its {names}. written(value): how it is written
 /** @param {string} text @param {Record<string, unknown>} values @param {(value: unknown) => string} written */
 export function fill(text, values, written = String) {
-  return text.replace(/\{(\w+)\}/g, (name, key) => (key in values ? written(values[key]) : name));
+  return text.replace(/\{(\w+)\}/g, (name, key) => (Object.hasOwn(values, key) ? written(values[key]) : name));
 }
 
 // Returns what a message says: that of the cockpit has its English as a template, too.
@@ -73,8 +73,14 @@ function inWords(text) {
 function offer(select) {
   const option = ([code, name]) => new Option(name, code, false, code === language);
   select.replaceChildren(...Object.entries(LANGUAGES).map(option));
-  select.addEventListener("change", () => {
+  let byKeys = false; // each arrow key is a change then: Enter or leaving the list ends it
+  const choose = () => {
+    if (select.value === language) return;
     remember("language", select.value);
     location.reload();
-  });
+  };
+  for (const type of ["keydown", "pointerdown"]) select.addEventListener(type, () => { byKeys = type === "keydown"; });
+  select.addEventListener("change", () => byKeys || choose());
+  select.addEventListener("blur", choose);
+  select.addEventListener("keydown", ({ key }) => key === "Enter" && choose());
 }

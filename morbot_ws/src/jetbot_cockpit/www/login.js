@@ -75,7 +75,8 @@ export class NameField {
     this.send = send;
     element("name").value = storedName();
     element("name").addEventListener("change", () => this.announce());
-    element("name").addEventListener("keydown", (event) => event.key === "Enter" && event.target.blur());
+    element("name").addEventListener("keydown",
+      ({ key, target }) => key === "Enter" && element(target.dataset.next).focus());
   }
 
   announce() {

@@ -2,13 +2,14 @@
 
 import { Camera } from "./camera.js";
 import { Codes } from "./codes.js";
-import { element, setClass, setText } from "./dom.js";
+import { calmly, element, setClass, setText } from "./dom.js";
 import { Driving } from "./driving.js";
+import { Fleet } from "./fleet.js";
 import { Keys, Pad, watchGamepads } from "./inputs.js";
 import { t } from "./language.js";
 import { RobotMap } from "./map.js";
 import { showPanel } from "./panel.js";
-import { Fleet } from "./robots.js";
+import { describeSteering } from "./place.js";
 import { Shell } from "./shell.js";
 import { showSwitches } from "./switches.js";
 import { prepareViews, showScores } from "./views.js";
@@ -61,6 +62,7 @@ const driving = new Driving({
 const deflect = (source) => (forward, left) => driving.deflect(source, forward, left);
 const pad = new Pad(element("pad"), element("thumb"), deflect("pad"));
 const keys = new Keys(deflect("keys"), () => shell.login.asking || shell.stops.stop());
+const saySteering = calmly((text) => setText(element("pad-news"), text));
 
 function command(forward, left) {
   if (forward || left) driven = world.chosen;
@@ -92,6 +94,7 @@ function draw() {
   showPanel(world, shell.problem);
   setClass(document.body, "driving", driving.active);
   pad.point(...driving.command);
+  saySteering(describeSteering(driving.command));
   fleet.show();
   camera.show();
   shell.map?.draw();

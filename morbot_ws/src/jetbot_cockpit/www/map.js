@@ -3,12 +3,12 @@
 /** @import { World } from "./world.js" */
 
 import { visible } from "./colors.js";
-import { element, setText, signed } from "./dom.js";
+import { element } from "./dom.js";
 import {
   drawArrow, drawGrid, drawRing, drawRobot, drawScene, drawTrail, SCALE_HEIGHT,
 } from "./drawing.js";
-import { t } from "./language.js";
 import { limits } from "./limits.js";
+import { MapText } from "./map_text.js";
 import { Viewport } from "./viewport.js";
 
 const COLORS = ["ground", "grid", "axis", "text", "muted", "tyre", "commanded", "actual", "course"];
@@ -23,13 +23,15 @@ export class RobotMap {
   /** @type {{ places: () => number[][], isOver: () => boolean } | null} */
   framed = null; // which places are shown, and whether no more, until a person moves the map
 
-  // choose(id): a robot was tapped; redraw(): draw() is due
+  // choose(id): a robot was tapped; redraw(): draw() is due; lost(): whether there is no
+  // connection
   /** @param {World} world */
-  constructor(canvas, world, { choose, redraw }) {
+  constructor(canvas, world, { choose, redraw, lost }) {
     this.canvas = canvas;
     this.world = world;
     this.choose = choose;
     this.redraw = redraw;
+    this.text = new MapText(canvas, world, lost);
     this.viewport = new Viewport(canvas, {
       changed: redraw,
       tapped: (right, down) => this.tap(right, down),
@@ -113,7 +115,7 @@ export class RobotMap {
     });
     this.drawLabels(context);
     this.inMetres(context, (pixel) => this.drawRobots(context, pixel));
-    this.showSpeeds();
+    this.text.show();
   }
 
   fitCanvas() {
@@ -182,20 +184,6 @@ export class RobotMap {
       context.fillText(name, x, below);
     }
   }
-
-  showSpeeds() {
-    const { command, speed, pose } = this.world.state(this.world.chosen);
-    setText(element("commanded"), command ? `x ${signed(command[0])}, z ${signed(command[1])}` : "–");
-    const unknown = this.world.robot(this.world.chosen) && !pose ? t("no odometry: not on the map") : "–";
-    setText(element("actual"), speed ? `${signed(speed[0])} m/s, ${signed(speed[1])} rad/s` : unknown);
-    this.canvas.setAttribute("aria-label", describePlace(pose));
-  }
-}
-
-function describePlace(pose) {
-  if (!pose) return t("Map from above: its place is not known");
-  const [x, y] = pose.map(signed);
-  return t("Map from above: the robot is at x {x} m, y {y} m", { x, y });
 }
 
 // Returns the radius in metres of what is drawn of a robot. pixel: size of a pixel in metres.

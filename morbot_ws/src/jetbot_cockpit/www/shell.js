@@ -1,6 +1,7 @@
 // What the pad and the programs share: the connection, the login, the robots, the stops, and when all is shown.
 
 import { element, setText } from "./dom.js";
+import { keepFocus, reachScrollers } from "./focus.js";
 import { said, t } from "./language.js";
 import { Link } from "./link.js";
 import { LoginForm, logIn, NameField, storedName, takeCodeFromAddress } from "./login.js";
@@ -72,7 +73,8 @@ export class Shell {
   // Shows the robots on a map from now on. tap(id): one of them was tapped
   /** @param {typeof RobotMap} Kind @param {(id: string) => void} tap */
   openMap(Kind, tap) {
-    this.map ??= new Kind(element("map"), this.world, { choose: tap, redraw: () => this.show() });
+    const lost = () => !this.link.connected;
+    this.map ??= new Kind(element("map"), this.world, { choose: tap, redraw: () => this.show(), lost });
     this.map.showCourse(this.world.chosen);
   }
 
@@ -85,6 +87,8 @@ export class Shell {
       this.stops.show();
       this.name.show();
       this.draw();
+      reachScrollers();
+      keepFocus();
     });
   }
 
@@ -104,7 +108,7 @@ export class Shell {
       this.stops.update();
       this.map?.update();
     },
-    trail: ({ robot, points }) => this.world.trails.set(robot, points),
+    trail: (message) => this.world.trail(message),
     scene: (message) => this.world.scene(message) && this.map?.showCourse(message.robot),
     notice: (message) => this.refuse(message, this.world.chosen),
   };

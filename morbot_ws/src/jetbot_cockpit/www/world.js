@@ -11,12 +11,10 @@ import { OBSTACLES } from "./refusals.js";
 const SHAPES = ["wall", "line", "course", "goal"]; // that the map draws
 const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // causes: it has heard of a stop, or cannot
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
-const WAITS = { // while a teacher holds this
-  robot: {
-    now: t("Pupils and programs wait"), until: t("Pupils and programs wait until a teacher presses Go on"),
-  },
-  programs: { now: t("The program waits"), until: t("The program waits until a teacher presses Go on") },
+const ALL_WAIT = {
+  now: t("Pupils and programs wait"), until: t("Pupils and programs wait until a teacher presses Go on"),
 };
+const PROGRAM_WAITS = { now: t("The program waits"), until: t("The program waits until a teacher presses Go on") };
 const ABSENT = {
   is: (robot) => (robot ? t("{robot} is not running.", { robot }) : t("No robot is running.")),
   was: (robot) => (robot ? t("{robot} was not running.", { robot }) : t("No robot was running.")),
@@ -24,9 +22,8 @@ const ABSENT = {
 
 /** @type {State} */
 const UNKNOWN = {
-  status: "", state: "", cause: "", template: "", arguments: {}, holds: [], waiting: [],
-  fake: false, warning: false, answers: true, stopped: false,
-  pose: null, speed: null, command: null, wheels: null, program: "",
+  status: "", state: "", cause: "", template: "", arguments: {}, holds: [], waiting: [], fake: false, warning: false,
+  answers: true, stopped: false, pose: null, speed: null, command: null, wheels: null, program: "",
   driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null,
 };
 
@@ -43,6 +40,7 @@ export class World {
   /** @type {Record<string, State>} */
   states = {};
   trails = new Map();
+  starts = new Map(); // [x, y, yaw] of each trail's beginning
   scenes = new Map(); // shapes, by the robot around which they are
   emergency = false;
   pupilsRelease = false; // whether a pupil may end that stop
@@ -68,7 +66,8 @@ export class World {
   hello(message) {
     this.me = message;
     Object.assign(limits, message.limits);
-    Object.assign(this, { listed: false, robots: [], missing: [], trails: new Map(), scenes: new Map() });
+    Object.assign(this, { listed: false, robots: [], missing: [] });
+    Object.assign(this, { trails: new Map(), starts: new Map(), scenes: new Map() });
   }
 
   // Takes the list of robots; returns which have come and gone since the last one, in a sentence, or "".
@@ -80,6 +79,7 @@ export class World {
     const gone = this.robots.filter(isGone);
     for (const { id } of gone) {
       this.trails.delete(id);
+      this.starts.delete(id);
       this.scenes.delete(id);
     }
     this.missing = [...this.missing, ...gone].filter(isGone);
@@ -94,7 +94,15 @@ export class World {
     for (const [id, { pose }] of Object.entries(robots)) if (pose) this.append(id, pose);
   }
 
-  append(id, /** @type {number[]} */ [x, y]) {
+  /** @param {Extract<Incoming, { type: "trail" }>} message */
+  trail({ robot, start, points }) {
+    this.trails.set(robot, points);
+    this.starts.set(robot, start);
+  }
+
+  append(id, /** @type {number[]} */ pose) {
+    const [x, y] = pose;
+    if (!this.starts.get(id)) this.starts.set(id, pose);
     const points = this.trails.get(id) ?? [];
     const [lastX, lastY] = points[points.length - 1] ?? [Infinity, Infinity];
     if (Math.hypot(x - lastX, y - lastY) < limits.trail_step) return;
@@ -118,6 +126,13 @@ export class World {
 
   courseOf(id) {
     return this.pointsOf(id, ({ kind }) => kind === "course" || kind === "goal");
+  }
+
+  // Where the robot is, as place.js takes it.
+  placeOf(id) {
+    const [goal] = this.pointsOf(id, ({ kind }) => kind === "goal");
+    const others = this.placed.filter(({ robot }) => robot.id !== id).length;
+    return { pose: this.state(id).pose, start: this.starts.get(id), goal, others };
   }
 
   // Whether the robot's course is gone, or it drives on after its task.
@@ -220,7 +235,8 @@ export class World {
 
   waits(id) {
     const { held, waiting } = this.state(id);
-    return held === TAKEN || waiting.length ? WAITS[held ?? ""] : undefined;
+    if (held === TAKEN) return ALL_WAIT;
+    return held && waiting.length ? PROGRAM_WAITS : undefined;
   }
 
   // Returns who drives the robot or will do so by itself, and what this page's person can do.

@@ -1,6 +1,6 @@
 // Asks the cockpit for what it keeps; docs/protocol.md explains it.
 
-import { t } from "../language.js";
+import { said, t } from "../language.js";
 
 const AGAIN = [403, 503, 507]; // once the code is entered, the disk is idle, or has room
 const NO_ANSWER = t("The cockpit does not answer.");
@@ -22,7 +22,7 @@ export async function ask(fields) {
   const content = await answer?.json().catch(() => null);
   if (answer?.ok && content) return content;
   const lost = !answer || answer.ok; // perhaps in the middle
-  const text = lost ? NO_ANSWER : content?.text ?? REFUSED;
+  const text = lost ? NO_ANSWER : said(content ?? { text: REFUSED });
   throw new NotKept(text, content?.code ?? "", lost || AGAIN.includes(answer.status));
 }
 

@@ -4,6 +4,7 @@ import { t } from "../language.js";
 import { toText } from "../storage.js";
 import "./words.js";
 import { DRIVE, ROBOT, SENSE } from "./robot.js";
+import { named } from "./spoken.js";
 
 const { Blockly } = globalThis;
 
@@ -15,7 +16,7 @@ const TEXT = { // Blockly's own has pictures of quotes, which the page's Content
 };
 
 // Takes a number as a person types it: 0,7 is 0.7, while Blockly drops the comma, and makes it 7.
-class NumberField extends Blockly.FieldNumber {
+class NumberField extends named(Blockly.FieldNumber) {
   doClassValidation_(value) {
     return super.doClassValidation_(typeof value === "string" ? value.replaceAll(",", ".") : value);
   }
@@ -31,7 +32,7 @@ class NumberField extends Blockly.FieldNumber {
 }
 
 // Takes a text as it is kept: a tab that is pasted would be in the page's program, but not in its Python.
-class TextField extends Blockly.FieldTextInput {
+class TextField extends named(Blockly.FieldTextInput) {
   doClassValidation_(value) {
     return super.doClassValidation_(typeof value === "string" ? toText(value) : value);
   }
@@ -79,7 +80,9 @@ let units = WORKSHOP;
 // Writes the units of this robot's commands on all blocks. workshop: as the cockpit describes the robot
 export function setUnits(workspace, workshop) {
   units = workshop === false ? SI : WORKSHOP;
-  workspace.getAllBlocks(false).forEach(showUnits);
+  const blocks = workspace.getAllBlocks(false);
+  blocks.forEach(showUnits);
+  for (const each of blocks) each.recomputeAriaContext();
 }
 
 function showUnits(block) {

@@ -1,9 +1,12 @@
 // The blocks on the page: Blockly's workspace, in the page's colours.
 
+import { element } from "../dom.js";
+import { t } from "../language.js";
 import { defineBlocks, TOOLBOX } from "./blocks.js";
 import { NO_PROGRAM, Refusal, writeProgram } from "./check.js";
 import { prepareGenerator } from "./python.js";
 import { Room } from "./room.js";
+import { describeBlocks } from "./spoken.js";
 
 const { Blockly } = globalThis;
 const DARK = matchMedia("(prefers-color-scheme: dark)");
@@ -23,6 +26,8 @@ const STYLES = { // of Blockly's own blocks, on which white text stands out
   variable_blocks: "#a03060", procedure_blocks: "#8a4a9a",
 };
 
+const BLOCKLYS = ".injectionDiv, .blocklyWidgetDiv, .blocklyDropDownDiv"; // which take keys themselves
+const { registry } = Blockly.ShortcutRegistry;
 const { bumpNeighbours } = Blockly.BlockSvg.prototype;
 let dropped = false; // whether a person has just dropped a block
 
@@ -44,6 +49,7 @@ function bump(block, group) {
 export function openEditor(target, changed) {
   defineBlocks();
   prepareGenerator();
+  describeBlocks();
   Blockly.BlockSvg.prototype.bumpNeighbours = bumpDropped;
   const workspace = Blockly.inject(target, {
     toolbox: TOOLBOX, media: MEDIA, renderer: "thrasos", theme: theme(), sounds: false,
@@ -53,13 +59,22 @@ export function openEditor(target, changed) {
     move: { scrollbars: true, drag: true, wheel: true }, grid: { spacing: 24, length: 2, colour: "#8884", snap: false },
   });
   Blockly.ShortcutItems.registerNavigationShortcuts();
+  target.querySelector("[role=tree]").setAttribute("aria-label", t("Kinds of blocks"));
+  addEventListener("keydown", (event) => isForBlocks(event) && registry.onKeyDown(workspace, event));
   workspace.addChangeListener(Blockly.Events.disableOrphans);
   workspace.addChangeListener((event) => event.isUiEvent || changed());
+  workspace.addChangeListener(() => workspace.updateAriaLabel()); // how many stacks there are
   workspace.addChangeListener((event) => event.type === Blockly.Events.BLOCK_DRAG && !event.isStart
     && bump(workspace.getBlockById(event.blockId), event.group));
   DARK.addEventListener("change", () => workspace.setTheme(theme()));
   new ResizeObserver(() => Blockly.svgResize(workspace)).observe(target);
   return workspace;
+}
+
+// T and W lead from anywhere to the toolbox and the workspace, except where a key is text or a choice.
+function isForBlocks({ key, ctrlKey, altKey, metaKey, target }) {
+  return /^[tw]$/i.test(key) && !(ctrlKey || altKey || metaKey) && !element("blocks").inert
+    && !target.closest(`input:not([type=range]), select, dialog, ${BLOCKLYS}`);
 }
 
 function theme() {

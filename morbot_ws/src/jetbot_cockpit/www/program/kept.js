@@ -17,12 +17,13 @@ const TOO_LARGE = t("Too large to be kept here. Save it as a file.");
 const NEW = t("Not kept until you change it.");
 const FOREIGN = t("A change waits on this device for its own class.");
 const NEWER = t("There is a newer version of this program.");
+export const NOT_YET = t("Not kept yet");
 
 // What a person reads in each state; bad: as a warning; unsaved: the cockpit has another content
 const STATES = {
   unchanged: { text: "" }, // since it was opened, or begun; a new one has another text
-  waiting: { text: t("Not kept yet"), unsaved: true }, // timer
-  sending: { text: t("Not kept yet"), unsaved: true }, // perhaps the cockpit has kept it, and its answer was lost
+  waiting: { text: NOT_YET, unsaved: true }, // timer
+  sending: { text: NOT_YET, unsaved: true }, // perhaps the cockpit has kept it, and its answer was lost
   kept: { text: t("Kept") },
   refused: { bad: true, unsaved: true }, // text: why it is not kept as it is
   foreign: { text: FOREIGN, unsaved: true }, // the cockpit has another class

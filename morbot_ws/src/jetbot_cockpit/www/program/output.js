@@ -1,9 +1,9 @@
 // What is shown of a program that runs: its Python, the block and the line that run, its variables, what it prints.
 
 import { create, element, setText } from "../dom.js";
+import { print } from "./prints.js";
 import { shown } from "./values.js";
 
-const MAX_PRINTS = 200;
 const MAX_VALUE = 100; // characters
 
 let lines = new Map(); // of the Python, by the ids of the blocks
@@ -50,13 +50,8 @@ function loopAround(workspace, id) {
   return block?.id ?? id;
 }
 
-export function clearPrints() {
-  element("prints").replaceChildren();
-}
-
-export function print(text) {
-  element("prints").append(create("li", "", text || " "));
-  if (element("prints").childElementCount > MAX_PRINTS) element("prints").firstChild.remove();
+export function showPrint(text) {
+  print(text);
   printed = true;
 }
 

@@ -4,7 +4,7 @@
 /** @import { Score, Task } from "../messages.js" */
 /** @import { World } from "../world.js" */
 
-import { create, element, setText } from "../dom.js";
+import { create, download, element, setText } from "../dom.js";
 import { number, t } from "../language.js";
 import { showSwitches } from "../switches.js";
 import { titleOf } from "../world.js";
@@ -15,12 +15,11 @@ import { Sheet } from "./sheet.js";
 export class Overview {
   scores = [];
 
-  // send(message); look(row): shows a program; download(name, content, type); world
-  /** @param {{ send: Send, look: any, download: any, world: World }} page */
-  constructor({ send, look, download, world }) {
+  // send(message); look(row): shows a program; world
+  /** @param {{ send: Send, look: any, world: World }} page */
+  constructor({ send, look, world }) {
     this.send = send;
     this.look = look;
-    this.download = download;
     this.world = world;
     this.sheet = new Sheet("overview", "overview-button", () => this.open());
     element("download-all").addEventListener("click", () => this.act(() => this.downloadAll()));
@@ -87,7 +86,7 @@ export class Overview {
       const path = `${plain(this.owner(robot))}/${index + 1}_${plain(name)}.json`;
       files.push({ name: path, text: program });
     }
-    this.download("programs.txt", archive("programs", files), "text/plain");
+    download("programs.txt", archive("programs", files), "text/plain");
   }
 }
 

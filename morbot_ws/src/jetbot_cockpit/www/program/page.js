@@ -1,7 +1,6 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
-import { create, element, onPress } from "../dom.js";
-import { keepFocus } from "../focus.js";
+import { download, element, onPress } from "../dom.js";
 import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { setUnits } from "./blocks.js";
@@ -10,7 +9,8 @@ import { showControls } from "./controls.js";
 import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
-import { clearPrints, print, setOutcome, showOutput, showPlace, showPython } from "./output.js";
+import { setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
+import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
 import { packageName } from "./names.js";
 import { toPython } from "./python.js";
@@ -77,10 +77,11 @@ const work = openWork({
     workspace.setIsReadOnly(on);
     element("title").disabled = on;
   },
+  notLoaded,
 });
 const tasks = new Tasks({ send, lost: () => !shell.link.connected, run: () => start(false), end, world });
 const { judging } = tasks;
-const overview = new TeachersSheet({ send, look: (row) => work.look(row), download, world });
+const overview = new TeachersSheet({ send, look: (row) => work.look(row), world });
 
 // The cockpit also refuses the next command; this comes first where the program waits.
 function endIfStopped() {
@@ -122,7 +123,7 @@ function end(sentence) {
 }
 
 function printed(text) {
-  print(text);
+  showPrint(text);
   show();
 }
 
@@ -181,12 +182,6 @@ async function openFile({ target }) {
   target.value = "";
 }
 
-function download(name, content, type) {
-  const address = URL.createObjectURL(new Blob([content], { type }));
-  Object.assign(create("a"), { href: address, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 10000);
-}
-
 function saveProgram() {
   download(`${packageName(element("title").value)}.json`, textOf(workspace), "application/json");
 }
@@ -207,7 +202,6 @@ function draw() {
   showPlace(workspace, running);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
   side.draw();
-  keepFocus();
 }
 
 // What a person does

@@ -10,10 +10,14 @@ const SIDES = { LEFT: t("left"), MIDDLE: t("middle"), RIGHT: t("right") };
 const STANDING = [0, 0];
 const SHORTEST = 5e-7; // s: what is shorter is none by a node's clock
 
-const number = (name) => ({ type: "input_value", name, check: "Number" });
+const number = (name, ariaLabelText) => ({ type: "input_value", name, check: "Number", ariaLabelText });
+const unitOf = (input) => ({ unit: input.getSourceBlock().getField(`UNIT_${input.name}`).getText() });
+const X_INPUT = number("X", (input) => t("x in {unit}", unitOf(input)));
+const Z_INPUT = number("Z", (input) => t("z in {unit}", unitOf(input)));
+const SECONDS_INPUT = number("SECONDS", t("seconds"));
 const unit = (name) => ({ type: "field_label", name: `UNIT_${name}`, text: "" });
-const choice = (name, ...options) => ({ type: "field_dropdown", name, options });
-const side = (name, sides) => choice(name, ...sides.map((each) => [SIDES[each], each]));
+const choice = (name, ariaTypeName, ...options) => ({ type: "field_dropdown", name, ariaTypeName, options });
+const side = (name, label, sides) => choice(name, label, ...sides.map((each) => [SIDES[each], each]));
 const statement = { previousStatement: null, nextStatement: null };
 const wait = (seconds) => (seconds >= SHORTEST ? [{ wait: seconds }] : []);
 const drive = (motion, seconds) => [{ motion }, ...wait(seconds), { motion: STANDING }];
@@ -22,7 +26,7 @@ const drive = (motion, seconds) => [{ motion }, ...wait(seconds), { motion: STAN
 export const DRIVE = [
   {
     type: "robot_set", message0: t("set x %1 %2 z %3 %4"),
-    args0: [number("X"), unit("X"), number("Z"), unit("Z")],
+    args0: [X_INPUT, unit("X"), Z_INPUT, unit("Z")],
     tooltip: t("x is forward, z to the left. In the workshop's units, 1 is full power: left = x − z, right = x + z. " +
       "The robot obeys while the program waits."), numbers: { X: 0.5, Z: 0.1 },
     python: ({ X, Z }) => (Z.includes("(") ? `motion.linear.x, motion.angular.z = ${X}, ${Z}` // Z may call what drives
@@ -31,7 +35,8 @@ export const DRIVE = [
   },
   {
     type: "robot_wheels", message0: t("set left wheel %1 power right wheel %2 power"),
-    args0: [number("LEFT"), number("RIGHT")], numbers: { LEFT: 0.4, RIGHT: 0.6 },
+    args0: [number("LEFT", t("left wheel in power")), number("RIGHT", t("right wheel in power"))],
+    numbers: { LEFT: 0.4, RIGHT: 0.6 },
     tooltip: t("1 is full power forward, −1 backward. The robot obeys while the program waits."),
     python: ({ LEFT, RIGHT }) => `set_wheels(${LEFT}, ${RIGHT})`, needs: ["wheels"],
     does: ({ LEFT, RIGHT }, { wheel_separation: separation, max_speed: speed }) => [
@@ -39,14 +44,14 @@ export const DRIVE = [
   },
   {
     type: "robot_drive", message0: t("drive straight at x %1 %2 for %3 s"),
-    args0: [number("X"), unit("X"), number("SECONDS")], numbers: { X: 0.5, SECONDS: 1 },
+    args0: [X_INPUT, unit("X"), SECONDS_INPUT], numbers: { X: 0.5, SECONDS: 1 },
     tooltip: t("Drives forward, or backward if x is below 0, for so many seconds."),
     python: ({ X, SECONDS }) => `drive(${X}, 0, ${SECONDS})`, needs: ["wait", "drive"],
     does: ({ X, SECONDS }) => drive([X, 0], SECONDS),
   },
   {
     type: "robot_turn", message0: t("turn %1 at z %2 %3 for %4 s"),
-    args0: [side("SIDE", WHEELS), number("Z"), unit("Z"), number("SECONDS")], numbers: { Z: 0.2, SECONDS: 1 },
+    args0: [side("SIDE", t("side"), WHEELS), Z_INPUT, unit("Z"), SECONDS_INPUT], numbers: { Z: 0.2, SECONDS: 1 },
     tooltip: t("Turns on the spot for so many seconds."),
     python: ({ SIDE, Z, SECONDS }) => `drive(0, ${SIDE === "RIGHT" ? negative(Z) : Z}, ${SECONDS})`,
     needs: ["wait", "drive"],
@@ -58,7 +63,7 @@ export const DRIVE = [
     does: () => [{ motion: STANDING }, { publish: true }],
   },
   {
-    type: "robot_wait", message0: t("wait %1 s"), args0: [number("SECONDS")], numbers: { SECONDS: 1 },
+    type: "robot_wait", message0: t("wait %1 s"), args0: [SECONDS_INPUT], numbers: { SECONDS: 1 },
     tooltip: t("Repeats what was set, ten times per second, for so many seconds."),
     python: ({ SECONDS }) => `wait(${SECONDS})`, needs: ["wait"],
     does: ({ SECONDS }) => wait(SECONDS),
@@ -70,20 +75,20 @@ export const DRIVE = [
 export const SENSE = [
   {
     type: "robot_here", message0: t("%1 from the start"),
-    args0: [choice("WHAT", [t("x in m"), "X"], [t("y in m"), "Y"], [t("heading in degrees"), "HEADING"])],
+    args0: [choice("WHAT", t("place"), [t("x in m"), "X"], [t("y in m"), "Y"], [t("heading in degrees"), "HEADING"])],
     tooltip: t("Where the robot is, seen from where the program started: x ahead, y and heading to the left."),
     python: ({ WHAT }) => PLACE[WHAT], needs: ["here"],
     read: ({ WHAT }, { here }) => here?.[WHAT], unknown: t("This robot does not report where it is."),
   },
   {
-    type: "robot_eye", message0: t("%1 eye, 0 on a line"), args0: [side("WHAT", EYES)],
+    type: "robot_eye", message0: t("%1 eye, 0 on a line"), args0: [side("WHAT", t("eye"), EYES)],
     tooltip: t("An eye of the line sensor: 0 on a dark line, 1 beside it."),
     python: ({ WHAT }) => `eyes[${EYES.indexOf(WHAT)}]`, needs: ["eyes"],
     read: ({ WHAT }, { line }) => line?.[EYES.indexOf(WHAT)],
     unknown: t("This robot does not report what its line sensor sees."),
   },
   {
-    type: "robot_wheel", message0: t("%1 wheel in power"), args0: [side("WHAT", WHEELS)],
+    type: "robot_wheel", message0: t("%1 wheel in power"), args0: [side("WHAT", t("wheel"), WHEELS)],
     tooltip: t("What the wheel gets: 1 is full power forward."),
     python: ({ WHAT }) => `wheels[${WHEELS.indexOf(WHAT)}]`, needs: ["duties"],
     read: ({ WHAT }, { wheels }) => wheels?.[WHEELS.indexOf(WHAT)],
@@ -109,7 +114,8 @@ const OTHERS = [
     python: ({ DO }) => `while not rospy.is_shutdown():\n${DO}    publisher.publish(motion)\n    rate.sleep()`,
   },
   {
-    type: "robot_print", message0: t("print %1"), args0: [{ type: "input_value", name: "VALUE" }], ...statement,
+    type: "robot_print", message0: t("print %1"),
+    args0: [{ type: "input_value", name: "VALUE", ariaLabelText: t("value to print") }], ...statement,
     colour: "#6a4fb5", tooltip: t("Shows a number or a text."),
     python: ({ VALUE }) => `print(${VALUE})`,
     does: ({ VALUE }) => [{ print: shown(VALUE) }],

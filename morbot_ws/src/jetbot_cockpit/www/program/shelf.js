@@ -7,12 +7,10 @@ import { freeName } from "./names.js";
 import { Sheet } from "./sheet.js";
 
 export class Shelf {
-  /** @type {any} */
-  rows = null; // as the cockpit lists them
-
-  // work: opens and deletes them, knows which one is shown
-  constructor(work) {
+  // work: opens and deletes them, knows which one is shown; rows: as the cockpit lists them, null until it does
+  constructor(work, /** @type {any} */ rows = null) {
     this.work = work;
+    this.rows = rows;
     this.sheet = new Sheet("work", "programs", () => this.act(async () => this.show()));
   }
 

@@ -1,0 +1,194 @@
+"""What matters most, in each engine: on iPads is WebKit, on Debian's desktop Firefox. Chromium is the measure."""
+
+import json
+import signal
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from harness import program
+from jetbot.fake.motors import STOPPED
+from processes import end
+
+from .conftest import OTHER_ROBOT, ROBOT, need, opened, started
+from .test_driving import KEYS, hold
+from .test_program import release
+from .test_stop import wait_for_stop
+from .test_work import judge
+from .world import moving
+
+ENGINES = {  # the programs that each needs, and the packages that have them
+    "chromium": ("chromium chromedriver", "chromium chromium-driver"),
+    "webkit": ("WebKitWebDriver Xvfb", "webkit2gtk-driver xvfb"),
+    "firefox": ("firefox-esr", "firefox-esr"),
+}
+ENGLISH, GERMAN = "en-US", "de-DE"
+WORDS = json.loads((Path(__file__).parents[2] / "morbot_ws/src/jetbot_cockpit/www/languages/de.json").read_text())
+
+
+@pytest.fixture(scope="session", params=ENGINES)
+def engine(request, tmp_path_factory):
+    """A function that returns a browser of this engine by its person's language."""
+    need(*ENGINES[request.param])
+    browser = import_module(f".engine_{request.param}", __package__).Browser
+    with started(lambda language: browser(tmp_path_factory.mktemp("profile"), language)) as get:
+        yield get
+
+
+@pytest.fixture
+def page(engine, world):
+    """A teacher's page, with ROBOT chosen; nothing drives before and after the test."""
+    yield from opened(engine(ENGLISH), world, world.address)
+
+
+@pytest.fixture
+def programs(engine, world):
+    """A teacher's page for programs, with ROBOT chosen."""
+    yield from opened(engine(ENGLISH), world, f"{world.address}program")
+
+
+@pytest.fixture
+def victim(engine, world):
+    """A browser that may be frozen or killed, with a mouse that drives ROBOT."""
+    victim = engine(ENGLISH)
+    victim.open(world.address, ROBOT)
+    drive(victim, world)
+    yield victim
+    if victim.runs:
+        victim.leave()
+
+
+def drive(page, world):
+    """Drive by a mouse whose button stays pressed."""
+    world.hold(page, page.hold_mouse, page.let_go_mouse, ROBOT)
+
+
+def test_a_mouse_drives_until_its_button_is_let_go(page, world):
+    def hold_on():
+        drive(page, world)
+        world.stay(moving, ROBOT, for_seconds=0.6)  # twice as long as one command counts
+    world.undisturbed(page, hold_on)
+    with world.stops(ROBOT, what="the mouse's release"):
+        page.let_go_mouse()
+    assert page.sent()[-1].is_zero
+    assert world.wheels(OTHER_ROBOT) == STOPPED
+
+
+def test_a_finger_drives_until_it_is_lifted(page, world):
+    world.drive(page, ROBOT)
+    with world.stops(ROBOT, what="the finger's release"):
+        page.lift()
+    assert page.sent()[-1].is_zero
+
+
+def test_keys_drive_until_they_are_let_go(page, world):
+    for key in "ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight":
+        hold(key, page, world, KEYS[key])
+        with world.stops(ROBOT, what=f"the release of {key}"):
+            page.let_go(key)
+
+
+def test_a_frozen_browser_stops_the_robot_which_drives_again_only_after_the_mouse_was_let_go(victim, world):
+    try:
+        with world.stops(ROBOT, what="SIGSTOP of the browser"):
+            victim.signal(signal.SIGSTOP)
+    finally:
+        victim.signal(signal.SIGCONT)
+    world.stay_stopped(ROBOT)
+    victim.let_go_mouse()
+    drive(victim, world)
+
+
+def test_a_killed_browser_stops_the_robot(victim, world):
+    with world.stops(ROBOT, what="SIGKILL of the browser"):
+        victim.signal(signal.SIGKILL)
+
+
+@pytest.mark.parametrize("event", ["visibilitychange", "blur"])
+def test_a_page_that_is_hidden_stops_the_robot_by_its_own_command_at(event, page, world):
+    page.notice_only(event)
+    drive(page, world)
+    with world.stops(ROBOT, what=event):
+        page.hide()
+    page.show()
+    assert page.sent()[-1].is_zero
+    page.let_go_mouse()
+    drive(page, world)
+
+
+def test_a_reload_stops_the_robot_and_comes_back_to_it(page, world):
+    page.choose(OTHER_ROBOT)
+    world.hold(page, page.hold_mouse, page.let_go_mouse, OTHER_ROBOT)
+    with world.stops(OTHER_ROBOT, what="a reload"):
+        page.reload()
+    page.wait_for_link()
+    assert page.value("robot") == f"/{OTHER_ROBOT}"
+    page.let_go_mouse()
+
+
+STOPS = {"STOP": lambda page: page.click("#stop"), "Escape": lambda page: page.tap("Escape"),
+         "Space": lambda page: page.tap("Space")}
+
+
+def test_stop_and_its_keys_stop_and_release_lets_nothing_start_by_itself(page, world):
+    for name, stop in STOPS.items():
+        hold("ArrowUp", page, world)
+        with world.stops(ROBOT, what=name):
+            stop(page)
+        wait_for_stop(page)
+        release(page)
+        world.stay_stopped(ROBOT)
+        page.let_go("ArrowUp")
+
+
+def test_a_wrong_code_is_refused_and_the_right_one_lets_a_pupil_drive(page, world):
+    code = world.codes()["pupil"].partition("#")[2]
+    page.load(f"http://127.0.0.2:{world.port}/#WRONG2")  # not by a name of this computer
+    page.wait_for_text("login-error", "wrong")
+    assert ROBOT not in str(page.robots())
+    page.errors()  # the refusal
+    page.type("code", code.lower())
+    page.wait_for_link()
+    page.choose(ROBOT)
+    drive(page, world)
+    page.let_go_mouse()
+    page.open(world.address, ROBOT)
+
+
+def test_a_program_drives_until_stop(programs, world):
+    programs.set("examples", "A square, with a function")
+    programs.wait_for_text("python", "def side():")
+    world.hold(programs, lambda: programs.click("#run"), lambda: programs.click("#end"), ROBOT, moving)
+    with world.stops(ROBOT, what="Stop"):
+        programs.click("#end")
+    programs.wait_for_text("outcome", "Stopped.")
+
+
+@pytest.fixture
+def class_judge(world):
+    """The judge of the driving tasks."""
+    process = world.start(program("driving_tasks", "class_judge.py"))
+    yield
+    end([process])
+
+
+def test_judge_me_gives_a_score(programs, world, class_judge):
+    programs.set("examples", "One metre")
+    judge(programs, world, "points")
+    assert programs.text("score").startswith("One metre: ")
+
+
+def test_nothing_is_loaded_from_another_address(page, world):
+    for path in "", "program":
+        page.open(f"{world.address}{path}", ROBOT)
+        loaded = page.run("return performance.getEntriesByType('resource').map(({ name }) => name)")
+        assert loaded
+        assert {url for url in loaded if not url.startswith(world.address)} == set()
+
+
+def test_a_german_browser_shows_both_pages_in_german(engine, world):
+    for path in "", "program":
+        engine(GERMAN).open(f"{world.address}{path}")
+        assert engine(GERMAN).run("return document.documentElement.lang") == "de"
+        assert engine(GERMAN).text("release") == WORDS.get("Release", "Release")
