@@ -17,7 +17,8 @@ export const named = (Field) => class extends Field {
 };
 
 // Does this, once: each block is described by its tooltip, but no number that is part of another one, and a block that
-// changes its place names its fields again; a list of choices is named as its field is; no command is "not selected".
+// changes its place names its fields again; a list of choices is named as its field is; no command is "not selected";
+// no block of the toolbox owns what does not exist.
 export function describeBlocks() {
   extend(Blockly.BlockSvg, "recomputeAriaContext", (block) => {
     for (const field of block.getFields()) if (field.EDITABLE) field.recomputeAriaContext();
@@ -30,6 +31,15 @@ export function describeBlocks() {
   extend(Blockly.MenuItem, "createDom", (item) => {
     if (item.getElement().getAttribute("role") === "menuitem") item.getElement().removeAttribute("aria-selected");
   });
+  extend(Blockly.Flyout, "show", async (flyout) => {
+    await Blockly.renderManagement.finishQueuedRenders();
+    for (const each of flyout.getWorkspace().getCanvas().querySelectorAll("[aria-owns]")) dropMissing(each);
+  });
+}
+
+function dropMissing(owner) {
+  const owned = owner.getAttribute("aria-owns").split(" ").filter((id) => document.getElementById(id));
+  owner.setAttribute("aria-owns", owned.join(" "));
 }
 
 // Lets a method of Blockly's do this afterwards.
