@@ -52,4 +52,4 @@ def _node(node):
                                       for key in ("role", "name", "description", "value"))
     properties = {each["name"]: each["value"].get("value") for each in node.get("properties", [])}
     state = [key for key in STATES if properties.get(key) not in (None, False, "false")]
-    return Node(role, name, description, properties.get("valuetext") or value, state)
+    return Node(role, name, description, value, state)

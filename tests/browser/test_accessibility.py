@@ -1,31 +1,30 @@
 """Everybody can use the pad's page: by keys alone, with a screen reader, and as axe-core's rules ask for."""
 
-from jetbot.wait import wait_until
-
 from .accessibility import tree, violations
 from .conftest import OTHER_ROBOT, ROBOT
 from .test_access import split
 from .test_page import DESKTOP, LONG, TASK
 from .test_sharing import codes_of
-from .world import moving
 
 BEST = {"type": "scores", "scores": [
     {"task": "One metre", "robot": name, "score": 87.3, "seconds": seconds, "name": "Ada"}
     for name, seconds in ((ROBOT, 3.4), (OTHER_ROBOT, None))]}
 OFFER = {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre", "on": True}]}
-STOPPED = {"state": "stopped", "status": LONG, "warning": True, "stopped": True, "held": "programs",
+BEN = {"id": 99, "name": "Ben"}
+STOPPED = {"state": "stopped", "status": LONG, "cause": "guard", "warning": True, "stopped": True, "held": "programs",
            "waiting": ["roam"], "stalls": 3}
-DRIVING = {"status": "driving", "driver": {"id": 99, "name": "Ben"}, "pictures": {"free": 1, "blocked": 2, "problem": None},
+DRIVING = {"status": "driving", "driver": BEN, "pictures": {"free": 1, "blocked": 2, "problem": None},
            "task": {**TASK, "state": "done", "text": LONG, "score": 87.3, "seconds": 3.9}}
-FOCUSED = "const {activeElement: each} = document; return each.id || each.dataset.robot || each.textContent"
-SAID = """window.said = [];
-const isLive = (element) => /polite|assertive/.test(live(element));
-const live = (element) => element.closest("[aria-live]")?.ariaLive
-    ?? {status: "polite", alert: "assertive"}[element.closest("[role=status], [role=alert]")?.role];
-new MutationObserver((changes) => said.push(...changes.map(({target}) => target)
-    .map((target) => target.nodeType === 3 ? target.parentElement : target)
-    .filter(isLive).map((target) => target.textContent).filter(Boolean)))
-    .observe(document.body, {subtree: true, childList: true, characterData: true});"""
+FOCUSED = """const {activeElement: each} = document;
+return each.id || [each.className, each.closest("[data-robot]")?.dataset.robot].join(" ")"""
+LISTEN = """window.said = [];
+const regions = "[aria-live], [role=status], [role=alert]";
+new MutationObserver((changes) => {
+    for (const {target} of changes) {
+        const region = (target.closest ? target : target.parentElement).closest(regions);
+        if (region && region.ariaLive !== "off" && target.textContent) said.push(target.textContent);
+    }
+}).observe(document.body, {subtree: true, childList: true, characterData: true});"""
 
 
 def drives(page):
@@ -33,36 +32,158 @@ def drives(page):
     page.receive(BEST)
     page.receive({"type": "notice", "code": "driven", "text": "Ben drives it.", "template": "{driver} drives it.",
                   "arguments": {"driver": "Ben"}})
+    page.wait_for_text("notice", "Ben")
 
 
-def stops(page):
+def is_stopped(page):
     page.receive_class(3, **STOPPED)
-
-
-def stops_all(page):
-    page.run("document.body.classList.add('emergency')")
-
-
-def opens(button):
-    return lambda page: page.element(button).is_displayed() and page.click(f"#{button}")
+    page.wait_for(lambda: not page.text("task"), "the stop")
 
 
 def shows_codes(page):
     page.click("#show-codes")
-    page.wait_for(lambda: page.has("#codes-list li"), "the codes")
     page.receive(codes_of(3))
     page.receive(OFFER)
     page.click("#codes-tasks summary")
     page.click("#show-teacher")
 
 
+def loses_the_connection(page):
+    page.run("socket.close()")
+    page.wait_for(lambda: page.has(".offline"), "the end of the connection")
+
+
 def asks_for_the_code(page):
-    page.run("dispatchEvent(new Event('ask')); document.getElementById('login').showModal();"
+    page.run("document.getElementById('login').showModal();"
              "document.getElementById('login-error').textContent = 'This code is wrong.'")
 
 
-STATES = {"connected": lambda page: None, "driving": drives, "stopped": stops, "all stopped": stops_all,
-          "list": opens("show-fleet"), "best": opens("show-scores"), "best closed": opens("close-scores"),
-          "camera": opens("show-camera"), "no robot": lambda page: page.receive({"type": "robots", "robots": []}),
-          "lost": lambda page: page.run("socket.close()"), "login": asks_for_the_code}
-TEACHERS = {**STATES, "best closed": lambda page: shows_codes(page), "camera": opens("show-camera")}
+def press(*buttons):
+    """Return what presses these buttons, one after the other."""
+    return lambda page: [page.click(button) for button in buttons]
+
+
+def check_rules(page, states):
+    found = {}
+    for name, act in states.items():
+        act(page)
+        for scheme in "light", "dark":
+            page.media(prefers_color_scheme=scheme, prefers_reduced_motion="reduce")
+            found[name, scheme] = violations(page)
+    page.media()
+    assert [(*state, each) for state, broken in found.items() for each in broken] == []
+
+
+FIRST = {"connected": lambda page: None, "driving": drives, "stopped": is_stopped}
+LAST = {
+    "all stopped": lambda page: page.run("document.body.classList.add('emergency')"),
+    "the best": press("#show-scores"), "the camera": press("#close-scores", "#show-camera"),
+    "no robot": lambda page: page.receive({"type": "robots", "robots": []}), "lost": loses_the_connection,
+    "login": asks_for_the_code}
+CODES = {"codes": shows_codes, "one code": press("#codes-list .enlarge"),
+         "closed": press("#close-codes", "#close-codes")}
+
+
+def test_a_teachers_page_on_a_desktop_breaks_no_rule_in_any_of_its_states(page):
+    page.resize(*DESKTOP, touch=False)
+    check_rules(page, {**FIRST, **CODES, **LAST})
+
+
+def test_a_teachers_and_a_pupils_page_on_a_phone_break_no_rule_in_any_of_their_states(page, pupil):
+    check_rules(page, {**FIRST, "list": press("#show-fleet"), **CODES})
+    check_rules(pupil, {**FIRST, **LAST})
+
+
+def focus_on(page, selector):
+    page.run("document.querySelector(arguments[0]).focus()", selector)
+    assert page.run("return document.activeElement.matches(arguments[0])", selector), selector
+
+
+def wait_for_focus(page, wanted):
+    page.wait_for(lambda: page.run(FOCUSED) == wanted, f"the focus on {wanted}")
+
+
+def holds_arrow(page, world):
+    world.hold(page, lambda: page.press("ArrowUp"), lambda: page.let_go("ArrowUp"), ROBOT)
+    page.wait_for_text("pad-news", "You steer ahead.")
+    page.let_go("ArrowUp")
+    page.wait_for(lambda: not page.text("pad-news"), "the end of that")
+
+
+def test_keys_alone_lead_from_the_login_to_driving_taking_over_stop_and_release(page, pupil, world):
+    address, code = split(world.codes()["pupil"])
+    pupil.driver.delete_all_cookies()
+    pupil.driver.get(address)
+    wait_for_focus(pupil, "code")
+    for key in [*code, "Enter"]:
+        pupil.tap(key)
+    wait_for_focus(pupil, "pad")
+    pupil.wait_for_text("status", "no command")
+    holds_arrow(pupil, world)
+    page.tab_to("take")
+    page.tap("Enter")
+    wait_for_focus(page, "pad")
+    holds_arrow(page, world)
+    for button, status in ("stop", "emergency stop"), ("release", "was released"):
+        page.tab_to(button)
+        page.tap("Enter")
+        page.wait_for_text("status", status)
+        assert page.run(FOCUSED) == button
+
+
+def test_a_screen_reader_finds_the_pad_and_learns_where_the_robot_is(page, world):
+    page.wait_for(lambda: "faces ahead" in page.element("map").get_attribute("aria-label"), "the robot's place")
+    place = page.element("map").get_attribute("aria-label")
+    found = tree(page)
+    pad = next(each for each in found if each.role == "application")
+    assert pad.name.startswith("Joystick") and "arrow keys" in pad.description and place in pad.description
+    assert any(each.role == "image" and each.name == place for each in found)
+    assert any((each.role, each.name, each.value) == ("slider", "Speed", "50") for each in found)
+    order = [each.name for each in found if each.role in ("region", "button")]
+    assert order.index("Robot and people") < order.index("Map") < order.index("Drive") < order.index("STOP all robots")
+
+
+def of_class(robots=2, **state):
+    return lambda page: page.receive_class(robots, **state)
+
+
+LOSSES = [  # what comes first, what has the focus, what takes that from it, and what has it then
+    (of_class(driver=BEN), "#take", of_class(held="robot"), "pad"),
+    (of_class(held="robot"), "#go-on", of_class(), "pad"),
+    (of_class(), "#robot", of_class(1), "show-codes"),
+    (press("#show-codes"), "#close-codes", lambda page: page.tap("Enter"), "show-codes"),
+    (lambda page: page.receive(BEST), "#show-scores", lambda page: page.receive({**BEST, "scores": []}), "to-program"),
+    (of_class(), "#name", lambda page: page.tap("Enter"), "pad"),
+    (of_class(3), f"[data-robot='/{OTHER_ROBOT}'] .stop-one", of_class(2), f"stop-one /{OTHER_ROBOT}"),
+    (of_class(3), "[data-robot='/jetbot_03'] .stop-one", of_class(2), f"stop-one /{OTHER_ROBOT}"),
+    (of_class(1, pictures={"free": 1, "blocked": 0, "problem": None}), "#save-free", of_class(1), "zoom-in"),
+]
+
+
+def test_the_focus_is_never_lost(page):
+    page.resize(*DESKTOP, touch=False)
+    page.click("#show-camera")
+    for before, control, act, then in LOSSES:
+        before(page)
+        page.wait_for(lambda control=control: page.driver.find_element("css selector", control).is_displayed(), control)
+        focus_on(page, control)
+        act(page)
+        wait_for_focus(page, then)
+
+
+def test_what_changes_all_the_time_is_not_said_and_what_counts_is_said_once(page):
+    page.receive_class(2)
+    page.wait_for_text("status", "waiting for its status")
+    page.run(LISTEN)
+    for number in range(20):
+        task = {**TASK, "state": "driving", "seconds": number / 10}
+        page.receive_class(2, pose=[number / 10, 0, 0], speed=[number / 10, 0], command=[number / 20, 0], task=task,
+                           wheels=[number / 20] * 2, status="driving", driver={**BEN, "name": f"Ben {number}"})
+        page.wait_for_text("driver", f"Ben {number} drives")
+    assert page.run("return said") == ["driving"]
+    page.receive_class(2, status="stopped: its motors", cause="board", state="stopped", stopped=True)
+    page.receive({"type": "notice", "code": "", "text": "Ask Ben.", "template": "Ask {driver}.",
+                  "arguments": {"driver": "Ben"}})
+    page.wait_for_text("status", "its motors")
+    page.wait_for_text("notice", "Ask Ben.")
+    assert sorted(page.run("return said")) == ["Ask Ben.", "driving", "stopped: its motors"]

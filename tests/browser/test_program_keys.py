@@ -1,7 +1,5 @@
 """The page for programs by keys alone: no mouse, no finger, and the focus is never lost."""
 
-from selenium.webdriver.common.keys import Keys
-
 from .conftest import ROBOT
 from .programs import block, drive, plug, program, show, wait
 from .test_program import close, undisturbed
@@ -96,7 +94,7 @@ def test_the_focus_is_not_lost_by_sheets_examples_files_tasks_and_blocks(blocks)
         page.tab_to(button)
         for close_it in (["Escape"], ["Tab", "Tab", "Enter"]):
             page.tap("Enter")
-            assert focus(page) == sheet
+            page.wait_for(lambda: focus(page) == sheet, "the sheet, which is loaded when it is opened first")
             press(page, *close_it)
             assert focus(page) == button
     page.tab_to("examples")
@@ -104,7 +102,7 @@ def test_the_focus_is_not_lost_by_sheets_examples_files_tasks_and_blocks(blocks)
     page.wait_for(lambda: page.value("title") == "One metre", "the example")
     assert focus(page) == "examples"
     page.tab_to("run")
-    press(page, "w", "ArrowDown", "ArrowDown", Keys.DELETE)
+    press(page, "w", "ArrowDown", "ArrowDown", "Delete")
     assert focus(page) == "blocks" and page.run(SPOKEN), "a block beside the deleted one"
     blocks(program(drive(0.5, 1)))
     assert focus(page) == "blocks", "another program is there"

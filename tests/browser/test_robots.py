@@ -49,7 +49,8 @@ def test_a_teacher_chooses_a_robot_in_the_list_and_puts_it_or_all_back(page, wor
 
 def distance(page):
     """Return how far the chosen robot is from its start in m, as the map tells a screen reader."""
-    return math.hypot(*map(float, re.findall(r"[\d.]+(?= m (?!away))", page.element("map").get_attribute("aria-label"))))
+    words = page.element("map").get_attribute("aria-label")
+    return math.hypot(*map(float, re.findall(r"[\d.]+(?= m (?!away))", words)))
 
 
 def test_the_map_follows_the_robot_or_not_and_zooms(page, world):

@@ -10,11 +10,20 @@ addEventListener("focusin", ({ target }) => {
   part = last.closest("section, dialog");
   place = usable(part).indexOf(last);
 });
+addEventListener("click", () => keepFocus()); // by Enter, too: it may have closed what it is in
 
 // Something on the page has changed.
 export function keepFocus() {
   const { activeElement, body } = document;
   if (last && !isUsable(last) && (activeElement === body || activeElement === last)) successor()?.focus();
+}
+
+// Lets the keyboard reach each text that scrolls, only while it does.
+export function reachScrollers() {
+  for (const each of document.querySelectorAll(".scrolls")) {
+    if (each.scrollHeight > each.clientHeight) each.setAttribute("tabindex", "0");
+    else each.removeAttribute("tabindex");
+  }
 }
 
 function isUsable(each) {

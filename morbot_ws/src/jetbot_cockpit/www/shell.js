@@ -1,7 +1,7 @@
 // What the pad and the programs share: the connection, the login, the robots, the stops, and when all is shown.
 
 import { element, setText } from "./dom.js";
-import { keepFocus } from "./focus.js";
+import { keepFocus, reachScrollers } from "./focus.js";
 import { said, t } from "./language.js";
 import { Link } from "./link.js";
 import { LoginForm, logIn, NameField, storedName, takeCodeFromAddress } from "./login.js";
@@ -87,6 +87,7 @@ export class Shell {
       this.stops.show();
       this.name.show();
       this.draw();
+      reachScrollers();
       keepFocus();
     });
   }
