@@ -16,7 +16,12 @@ addEventListener("error", ({message, target}) => errors.push(message ?? `not loa
 addEventListener("unhandledrejection", ({reason}) => errors.push(String(reason)));
 addEventListener("securitypolicyviolation", ({blockedURI}) => errors.push(`refused: ${blockedURI}`));
 """
-WATCH = KEEP_SENT + KEEP_ERRORS
+HOLD_BACK = """for (const event of ["blur", "pagehide", "pointercancel", "lostpointercapture"]) {
+    addEventListener(event, (each) => window.only && event !== only && each.stopImmediatePropagation(), true);
+}"""
+NOTICE_ONLY = """window.only = arguments[0];
+if (only !== "visibilitychange") Object.defineProperty(document, "hidden", { value: false });"""
+WATCH = KEEP_SENT + KEEP_ERRORS + HOLD_BACK
 SCREEN = (1024, 768)  # px
 
 
@@ -56,6 +61,10 @@ class Engine(CockpitPage):
         self.let_go_mouse()
         self.lift()
         self.load("about:blank")
+
+    def notice_only(self, event: str) -> None:
+        """Let the page notice by this event alone that it is left: engines send several, not all the same."""
+        self.run(NOTICE_ONLY, event)
 
     def errors(self) -> List[str]:
         """Return what the console has logged since the last call: errors and warnings, violations of the CSP too."""

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from .chromium import Chromium
-from .engine import SCREEN, Engine
+from .engine import HOLD_BACK, SCREEN, Engine
 
 
 class Browser(Chromium, Engine):
@@ -12,6 +12,7 @@ class Browser(Chromium, Engine):
     def __init__(self, folder: Path, language: str):
         super().__init__(folder, language)
         self.screen(*SCREEN)
+        self._devtools("Page.addScriptToEvaluateOnNewDocument", source=HOLD_BACK)
 
     def hide(self):
         self.new_tab()

@@ -48,8 +48,13 @@ def test_without_a_cookie_the_page_asks_for_the_code_on_each_screen_and_nothing_
     assert not pupil.has(".emergency"), "Escape in the form stops no robot"
 
 
+def show_programs(page):
+    page.click("#programs")
+    page.wait_for(page.element("work").is_displayed, "the sheet")
+
+
 NUMBER_BOX = "Blockly.getMainWorkspace().getBlocksByType('math_number')[0].getField('NUM').showEditor()"
-OPENED = {"the programs": lambda page: page.click("#programs"), "a number": lambda page: page.run(NUMBER_BOX)}
+OPENED = {"the programs": show_programs, "a number": lambda page: page.run(NUMBER_BOX)}
 
 
 def test_codes_that_change_cost_no_work_and_no_reload_whatever_is_open(pupil, world):

@@ -39,6 +39,14 @@ def test_everything_fits_the_screen_and_the_finger(page, pupil):
             assert each.fits(), f"with long texts on {screen}"
 
 
+def test_the_choice_of_the_language_is_in_the_bar_which_stays_one_row_on_a_pupils_phone(page, pupil):
+    for screen in [SMALL_PHONE, *TOUCH_SCREENS, DESKTOP]:
+        for each in page, pupil:
+            each.resize(*screen)
+            each.wait_for(lambda each=each: each.outside("#bar .language", "#bar") == [], f"the choice on {screen}")
+        assert pupil.element("bar").size["height"] < 50 or screen == SMALL_PHONE, screen
+
+
 RELEASED = "stopped: no command since the emergency stop was released"
 TASK = {"name": "metre", "title": "One metre", "state": "ready", "text": "Drive, and stop.", "seconds": 0.0,
         "score": None, "sentences": [], "lost": None}

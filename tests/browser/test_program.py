@@ -360,24 +360,6 @@ def test_a_robot_in_si_units_has_them_on_its_blocks_and_in_its_python(blocks):
     assert {command.forward for command in page.sent() if command.time > start and command.forward} == {0.5}
 
 
-@undisturbed
-def test_the_keyboard_alone_builds_runs_and_stops_a_program(blocks, world):
-    page = blocks(program())
-    assert {"run", "step", "stop", "title", "examples", "speed"} <= set(page.controls())
-    page.tab_to("speed")
-    for key in ("Tab", "w", "ArrowDown", "t", "ArrowRight", "Enter"):  # the toolbox, the program's start, a block
-        page.tap(key)
-        page.wait_for(lambda: page.run("return document.activeElement.closest('#blocks') !== null"), "the blocks")
-    page.tap("Enter")
-    page.wait_for_text("python", "motion.linear.x = 0.5")
-    page.tab_to("run")
-    page.tap("Enter")
-    page.wait_for_text("outcome", "The program has ended.")
-    for name in page.controls():
-        if page.run("return !document.getElementById(arguments[0]).closest('#blocks')", name):
-            assert page.element(name).accessible_name, f"#{name} has no label"
-
-
 IN_SIGHT = """const { top, bottom } = document.getElementById("python").getBoundingClientRect();
     return [...document.querySelectorAll("#python div")].filter((line) => {
         const box = line.getBoundingClientRect();

@@ -27,3 +27,13 @@ test("a text that is pasted is as it is kept, and as its Python has it", () => {
   block.setFieldValue("one\ttwo\u202e", "TEXT");
   assert.equal(block.getFieldValue("TEXT"), "onetwo");
 });
+
+test("a screen reader names each field of the robot's blocks by what it is for", () => {
+  const fields = BLOCKS.filter(({ type }) => type.startsWith("robot_")).flatMap(({ kind: _, ...block }) => {
+    const shown = Blockly.serialization.blocks.append(block, new Blockly.Workspace());
+    return shown.getDescendants(true).flatMap((each) => [...each.getFields()]);
+  });
+  const names = fields.filter(({ EDITABLE }) => EDITABLE).map((field) => field.getAriaTypeName());
+  assert.deepEqual([...new Set(names)], ["x in power", "z in power", "left wheel in power", "right wheel in power",
+    "seconds", "side", "place", "eye", "wheel", "value to print"]);
+});

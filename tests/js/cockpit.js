@@ -18,8 +18,9 @@ export function playCockpit({ mock }, answer) {
   return asked;
 }
 
-export function refuse(status, text, code = "") {
-  return { status, code, text };
+// text: in English; a page shows the template, in its own language
+export function refuse(status, template, code = "") {
+  return { status, code, template, arguments: {}, text: "in English" };
 }
 
 // Returns a promise, and what fulfils it.

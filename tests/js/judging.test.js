@@ -72,8 +72,8 @@ class Page {
     this.judging.answered({ request, refusal: null });
   }
 
-  refuse(text, code = "") {
-    this.judging.answered({ request: "", refusal: { code, text } });
+  refuse(template, code = "") {
+    this.judging.answered({ request: "", refusal: { code, template, arguments: {}, text: "in English" } });
   }
 
   // Takes what was sent but for what keeps the robot.

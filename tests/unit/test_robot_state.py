@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from jetbot_cockpit.session.snapshot import RobotSnapshot
 from jetbot_ros.state import CAUSES, HOLDS, MAX_LENGTH, UNKNOWN, RobotState, because, read, sentence
 
 
@@ -38,6 +39,8 @@ def test_a_page_gets_what_it_translates_a_cause_with():
     assert state.template == "no command for {seconds} s (repeat it: rostopic pub -r 10)"
     assert list(state.arguments) == ["seconds"] and state.arguments["seconds"][:8] == r"1.0\x1b0"
     assert len(state.arguments["seconds"]) == MAX_LENGTH
+    sent = RobotSnapshot("/", state=state).message(None, None, None, None, 0, None, 0)
+    assert (sent["template"], sent["arguments"]) == (state.template, state.arguments)
 
 
 @pytest.mark.parametrize("values", [{"state": "driving"}, {"cause": "no_command"}, {"cause": "new", "seconds": "1"}],

@@ -1,0 +1,133 @@
+"""The page for programs by keys alone: no mouse, no finger, and the focus is never lost."""
+
+from .conftest import ROBOT
+from .programs import block, drive, plug, program, show, wait
+from .test_program import close, undisturbed
+
+FOCUS = """const { activeElement: focused } = document;
+    return focused.closest("#blocks, .blocklyWidgetDiv") ? "blocks" : focused.id"""
+SPOKEN = "return document.activeElement.getAttribute('aria-label')"
+TASKS = {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]}
+ENDLESS = program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}),
+                        DO={"block": wait(1)}))
+
+
+def press(page, *keys):
+    """Press keys, one after the other."""
+    for key in keys:
+        page.tap(key)
+
+
+def focus(page):
+    """Return the id of what has the focus; "blocks": something in Blockly."""
+    return page.run(FOCUS)
+
+
+@undisturbed
+def test_keys_alone_attach_a_block_to_the_start_change_its_number_and_run_it(blocks, world):
+    page = blocks(program())
+    page.tab_to("python")
+    press(page, "w", "ArrowDown")
+    assert "when the program starts" in page.run(SPOKEN)
+    press(page, "t", "ArrowRight", "ArrowDown", "ArrowDown")
+    assert "drive straight at x, 0.5, power" in page.run(SPOKEN)
+    press(page, "Enter", "Enter")  # takes it, puts it below the block that was looked at
+    page.wait_for_text("python", "drive(0.5, 0, 1)")
+    press(page, "ArrowRight", "ArrowRight")
+    assert page.run(SPOKEN) == "Edit x in power: 0.5"
+    press(page, "Enter", *"0.4", "Enter")
+    page.wait_for_text("python", "drive(0.4, 0, 1)")
+    page.tab_to("run")
+    world.hold(page, lambda: press(page, "Enter"), lambda: press(page, "Escape"), ROBOT,
+               lambda *wheels: close(wheels, (0.4, 0.4)))
+    page.wait_for_text("outcome", "The program has ended.")
+
+
+def test_t_and_w_lead_to_the_blocks_from_anywhere_but_are_letters_in_a_text(blocks):
+    page = blocks(program())
+    page.type("title", "two")
+    assert page.value("title") == "two"
+    for name in "run", "speed", "output", "stop":
+        for key, spoken in (("t", None), ("w", "1 stack of blocks")):
+            page.tab_to(name)
+            page.tap(key)
+            assert focus(page) == "blocks" and page.run(SPOKEN) == spoken, f"{key} at #{name}"
+    press(page, "Escape", "t", "ArrowRight", "w")
+    assert page.run(SPOKEN) == "1 stack of blocks", "from a list of blocks"
+    page.tab_to("programs")
+    press(page, "Enter", "t")
+    assert focus(page) == "work", "a sheet is over the blocks"
+    press(page, "Escape")
+
+
+@undisturbed
+def test_the_focus_stays_while_a_program_runs_pauses_stops_and_ends(blocks):
+    page = blocks(ENDLESS)
+    for name, sentence in (("run", "Running"), ("pause", "Paused"), ("step", "Paused"), ("pause", "Running"),
+                           ("end", "Stopped."), ("run", "Running")):
+        page.tab_to(name)
+        page.tap("Enter")
+        page.wait_for_text("outcome", sentence)
+        assert focus(page) == name, sentence
+    press(page, "Escape")
+    page.wait_for_text("outcome", "Stopped.")
+    assert focus(page) == "run"
+    page = blocks(program(show(plug("logic_boolean", {"BOOL": "TRUE"})), block("robot_wait")))
+    page.tab_to("run")
+    page.tap("Enter")
+    page.wait_for_text("outcome", "ended")
+    assert focus(page) == "run"
+
+
+def test_a_button_that_can_do_nothing_does_nothing(blocks):
+    page = blocks(program(drive(0.5, 1)))
+    for name in "pause", "end":
+        page.tab_to(name)
+        page.tap("Enter")
+        page.click(f"#{name}")
+    assert page.text("outcome") == "Press Run." and page.text("pause") == "Pause"
+
+
+def test_the_focus_is_not_lost_by_sheets_examples_files_tasks_and_blocks(blocks):
+    page = blocks(program(drive(0.5, 1), wait(1)))
+    for button, sheet in (("programs", "work"), ("overview-button", "overview")):
+        page.tab_to(button)
+        for close_it in (["Escape"], ["Tab", "Tab", "Enter"]):
+            page.tap("Enter")
+            page.wait_for(lambda: focus(page) == sheet, "the sheet, which is loaded when it is opened first")
+            press(page, *close_it)
+            assert focus(page) == button
+    page.tab_to("examples")
+    page.tap("ArrowDown")
+    page.wait_for(lambda: page.value("title") == "One metre", "the example")
+    assert focus(page) == "examples"
+    page.tab_to("run")
+    press(page, "w", "ArrowDown", "ArrowDown", "Delete")
+    assert focus(page) == "blocks" and page.run(SPOKEN), "a block beside the deleted one"
+    blocks(program(drive(0.5, 1)))
+    assert focus(page) == "blocks", "another program is there"
+    page.receive(TASKS)
+    page.tab_to("judge")
+    page.tap("Enter")
+    page.wait_for_text("score", "No judge has this task")
+    assert focus(page) == "judge"
+    page.receive({**TASKS, "tasks": []})
+    page.wait_for(lambda: focus(page) == "speed", "what is in its place to have the focus")
+
+
+def test_the_focus_is_back_after_the_login_and_goes_on_when_the_other_robot_goes(pupil, world):
+    address, code = world.codes()["pupil"].split("#")
+    pupil.resize(1024, 768)
+    pupil.driver.get(f"{address}program")
+    pupil.wait_for_link()
+    pupil.tab_to("save")
+    pupil.driver.delete_all_cookies()
+    pupil.run("socket.close()")
+    pupil.wait_for_text("login-error", "Enter the new one")
+    assert focus(pupil) == "code"
+    press(pupil, *code, "Enter")
+    pupil.wait_for(lambda: focus(pupil) == "save", "the focus to be back")
+    pupil.wait_for_link()
+    pupil.tab_to("robot")
+    pupil.receive_class(robots=1)
+    pupil.wait_for(lambda: focus(pupil) == "to-pad", "what is next to have the focus")
