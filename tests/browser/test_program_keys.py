@@ -112,7 +112,7 @@ def test_the_focus_is_not_lost_by_sheets_examples_files_tasks_and_blocks(blocks)
     page.wait_for_text("score", "No judge has this task")
     assert focus(page) == "judge"
     page.receive({**TASKS, "tasks": []})
-    page.wait_for(lambda: focus(page) == "show-map", "the next button to have the focus")
+    page.wait_for(lambda: focus(page) == "speed", "what is in its place to have the focus")
 
 
 def test_the_focus_is_back_after_the_login_and_goes_on_when_the_other_robot_goes(pupil, world):
