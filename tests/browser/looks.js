@@ -125,3 +125,31 @@ function contrastOfRobot() {
     return (light + 0.05) / (dark + 0.05);
   });
 }
+
+const NO_LANGUAGE = "[translate=no], .language, #python, #prints, #variables, script";
+const WORDS_IN = ["title", "aria-label", "aria-roledescription", "aria-valuetext", "placeholder"];
+
+// Returns what a person sees or hears of the page that is not in brackets, nor one of these words.
+function untranslated(known) {
+  const shown = [...document.querySelectorAll("body *")].filter((element) => !element.closest(NO_LANGUAGE)
+    && (visible(element) || element.tagName === "OPTION" && visible(element.closest("select"))));
+  const texts = shown.flatMap((element) => [
+    ...[...element.childNodes].filter((child) => child instanceof Text).map(({ data }) => data),
+    ...WORDS_IN.map((name) => element.getAttribute(name) ?? "")]);
+  return [...new Set(texts.filter((text) => (unbracketed(text).match(/\p{L}{2,}/gu) ?? [])
+    .some((word) => !known.includes(word))))];
+}
+
+// Returns the text without what is in brackets, also in brackets of brackets.
+function unbracketed(text) {
+  const inner = text.replace(/\[[^[\]]*\]/g, "");
+  return inner === text ? text : unbracketed(inner);
+}
+
+// Returns the buttons, headings and labels whose text is not shown to its end.
+function cutWords() {
+  const isCut = (element) => element.scrollWidth > element.clientWidth + 1 || element.scrollHeight > element.clientHeight + 2;
+  return [...document.querySelectorAll("button, h1, h2, h3, label, legend, summary, th")]
+    .filter((element) => visible(element) && !element.closest(".unseen") && element.clientWidth && isCut(element))
+    .map((element) => `${nameOf(element)}: ${element.textContent.trim()}`);
+}

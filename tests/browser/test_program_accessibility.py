@@ -4,11 +4,10 @@ from selenium.webdriver.common.keys import Keys
 
 from .accessibility import tree, violations
 from .conftest import ROBOT
-from .programs import as_file, block, drive, num, plug, program, show, wait
-from .test_program_keys import ENDLESS, TASKS, press
+from .programs import as_file, block, drive, num, program
+from .test_program_keys import ENDLESS, FAILS, TASKS, press
 
 TURN = program(drive(0.5, 1), block("robot_turn", {"SIDE": "LEFT"}, Z=num(0.2), SECONDS=num(1)))
-FAILS = program(show(plug("math_arithmetic", {"OP": "DIVIDE"}, A=num(1), B=num(0))), wait(0.1))
 SCORES = {"type": "scores", "scores": [{"task": "One metre", "robot": ROBOT, "score": 87.3, "seconds": 3.4,
                                         "name": "Ada"}]}
 
@@ -66,7 +65,7 @@ STATES = {  # what leads to it from the one before
     "a number": in_blocks("ArrowRight", "ArrowRight", "ArrowRight", "Enter"),
     "a menu": menu,
     "a move": in_blocks("m"),
-    "ended by an error": runs(FAILS, "divi"),
+    "ended by an error": runs(FAILS, "divides by 0"),
     "running": runs(ENDLESS, "Running"),
     "stopped": lambda page, _: press(page, "Escape"),
     "judged": judged,
