@@ -32,10 +32,15 @@ function isWhole(element) {
   return shown.right - shown.left > width - 1 && shown.bottom - shown.top > height - 1;
 }
 
+// Returns whether the page scrolls below an element.
+function isFixed(element) {
+  return getComputedStyle(element.closest("section") ?? element).position === "fixed";
+}
+
 // Returns the controls and texts that lie over each other, in pairs.
 function overlapping() {
   const parts = [...document.querySelectorAll("#cockpit :is(button, input, select, a[href], p, h2, dl, #pad, .wheel > *)")]
-    .filter((element) => visible(element) && !element.closest(".unseen, meter, svg"));
+    .filter((element) => visible(element) && !element.closest(".unseen, meter, svg") && !isFixed(element));
   const boxes = parts.map(shownBox);
   const length = (one, other, start, end) => Math.min(one[end], other[end]) - Math.max(one[start], other[start]);
   const overlap = (one, other) => length(one, other, "left", "right") > 1 && length(one, other, "top", "bottom") > 1;
@@ -133,8 +138,9 @@ const WORDS_IN = ["title", "aria-label", "aria-roledescription", "aria-valuetext
 function untranslated(known) {
   const shown = [...document.querySelectorAll("body *")].filter((element) => !element.closest(NO_LANGUAGE)
     && (visible(element) || element.tagName === "OPTION" && visible(element.closest("select"))));
-  const texts = shown.flatMap((element) => [
-    ...[...element.childNodes].filter((child) => child instanceof Text).map(({ data }) => data),
+  const words = ({ childNodes }) => [...childNodes].filter((child) => child instanceof Text).map(({ data }) => data);
+  const texts = shown.flatMap((element) => [ // a block's sentence is in several elements
+    ...(element.matches(".blocklyBlockCanvas") ? [element.textContent] : element.closest("svg") ? [] : words(element)),
     ...WORDS_IN.map((name) => element.getAttribute(name) ?? "")]);
   return [...new Set(texts.filter((text) => (unbracketed(text).match(/\p{L}{2,}/gu) ?? [])
     .some((word) => !known.includes(word))))];

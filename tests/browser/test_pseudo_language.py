@@ -17,7 +17,8 @@ from .test_accessibility import BEN, BEST, OFFER, press
 from .test_sharing import codes_of
 
 SCREENS = [(360, 640), (820, 1180), (1024, 768), (1280, 800)]  # px
-KNOWN = ["jetbot", "ms", "cm", "Ben", "Ada", "STOP", "SD", "http", "KQ", "MX"]
+SHEETS = "codes", "one code", "best", "programs", "class"  # states in which a sheet covers the page
+KNOWN = ["jetbot", "ms", "rad", "Ben", "Ada", "STOP", "http", "KQ", "MX"]
 SPEAK = """if (location.protocol === "http:") {
     const pseudo = %s, fetch = window.fetch;
     localStorage.setItem("language", "de");
@@ -37,7 +38,7 @@ def stretch(english):
 @pytest.fixture
 def pseudo(page):
     """A function that opens a page in the pseudo-language."""
-    said = {key: stretch(key) for key in {*keys("de"), *messages("en").values()}}
+    said = {key: stretch(key) for key in {*keys("de"), *messages("en").values()} - {"STOP"}}
     devtools = page.driver.execute_cdp_cmd
     devtools("Network.enable", {})
     devtools("Network.setBlockedURLs", {"urls": ["*/msg/de.js"]})
@@ -62,7 +63,7 @@ def check(page, states):
         for screen in SCREENS:
             page.resize(*screen, touch=screen[0] < 1280)
             found += [f"{name} on {screen}: {text} is cut off" for text in page.cut_words()]
-            found += [f"{name} on {screen}: {pair} overlap" for pair in page.overlapping()]
+            found += [f"{name} on {screen}: {pair} overlap" for pair in page.overlapping() if name not in SHEETS]
             found += [f"{name} on {screen}: it scrolls sideways"] * (not page.fits())
     assert not found, "\n".join(found)
 
