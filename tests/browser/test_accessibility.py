@@ -118,7 +118,7 @@ def test_keys_alone_lead_from_the_login_to_driving_taking_over_stop_and_release(
     for key in [*code, "Enter"]:
         pupil.tap(key)
     wait_for_focus(pupil, "pad")
-    pupil.wait_for_text("status", "no command")
+    pupil.wait_for_text("driver", "Free to drive")
     holds_arrow(pupil, world)
     page.tab_to("take")
     page.tap("Enter")
