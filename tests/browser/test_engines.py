@@ -18,9 +18,9 @@ from .test_stop import wait_for_stop
 from .test_work import judge
 from .world import moving
 
-ENGINES = {  # the programs that each needs, and the packages that have them
-    "chromium": ("chromium chromedriver", "chromium chromium-driver"),
-    "webkit": ("WebKitWebDriver Xvfb", "webkit2gtk-driver xvfb"),
+ENGINES = {  # the programs and modules that each needs, and the packages that have them
+    "chromium": ("chromium chromedriver selenium", "chromium chromium-driver python3-selenium"),
+    "webkit": ("WebKitWebDriver Xvfb selenium", "webkit2gtk-driver xvfb python3-selenium"),
     "firefox": ("firefox-esr", "firefox-esr"),
 }
 ENGLISH, GERMAN = "en-US", "de-DE"
