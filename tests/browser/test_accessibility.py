@@ -159,7 +159,8 @@ LOSSES = [  # what comes first, what has the focus, what takes that from it, and
     (shows_codes, "#codes-list li:last-child input", press_enter, "print-codes"),
     (press("#close-codes"), "#robot", of_class(1), "show-codes"),
     (lambda page: page.receive(BEST), "#show-scores", lambda page: page.receive({**BEST, "scores": []}), "to-program"),
-    (of_class(3), f"[data-robot='/{OTHER_ROBOT}'] .stop-one", of_class(2), f"stop-one /{OTHER_ROBOT}"),
+    (of_class(3), f"[data-robot='/{OTHER_ROBOT}'] .stop-one", of_class(2, held="programs", waiting=["/roam"]),
+     f"stop-one /{OTHER_ROBOT}"),
     (of_class(3), "[data-robot='/jetbot_03'] .stop-one", of_class(2), f"stop-one /{OTHER_ROBOT}"),
     (of_class(1, pictures={"free": 1, "blocked": 0, "problem": None}), "#save-free", of_class(1), "zoom-in"),
 ]
