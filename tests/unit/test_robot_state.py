@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from jetbot.sentence import MAX_SENTENCES, Sentence, dump
 from jetbot_ros.state import CAUSES, HOLDS, MAX_LENGTH, UNKNOWN, RobotState, because, read, sentence
 
 
@@ -14,9 +15,9 @@ def message(sentence, values):
 
 @pytest.mark.parametrize("state", [
     UNKNOWN,
-    RobotState("driving", "driving", commanded_by="/circle", bus="fake:/tmp/a b"),
+    RobotState("driving", "driving", commanded_by="/circle", remarks=(), bus="fake:/tmp/a b"),
     RobotState("stopped", "stopped: no command for 1.0 s", "no_command", {"seconds": "1.0"}, HOLDS[:2], "/circle",
-               ("/circle", "/line"), "1")])
+               ("/circle", "/line"), (Sentence("empty", "{voltage} V", {"voltage": "7.1"}),), "1")])
 def test_what_is_written_is_read(state):
     assert read(message(state.sentence, state.values())) == state
 
@@ -45,3 +46,10 @@ def test_a_page_gets_what_it_translates_a_cause_with():
 def test_a_state_whose_cause_cannot_be_translated_has_its_sentence_alone(values):
     state = read(message("stopped: all the same", values))
     assert (state.template, state.arguments, state.sentence) == ("", {}, "stopped: all the same")
+
+
+@pytest.mark.parametrize("values", [{}, {"remarks": ""}, {"remarks": "[" * 4000}, {"remarks": '["its battery"]'},
+                                    {"remarks": dump([Sentence("", "x")] * (MAX_SENTENCES + 1))}], ids=str)
+def test_remarks_that_cannot_be_translated_are_in_its_sentence_alone(values):
+    state = read(message("driving, its battery is empty", {"state": "driving", **values}))
+    assert (state.remarks, state.sentence) == (None, "driving, its battery is empty")
