@@ -1,5 +1,7 @@
 """A driving task: its course on the map, what its judge says, the score, and the class's best."""
 
+import json
+
 import pytest
 
 from .conftest import ROBOT
@@ -13,7 +15,8 @@ COURSE = """markers:
 - {header: {frame_id: map}, ns: goal, scale: {x: 0.1}, pose: {position: {x: 0.5}, orientation: {w: 1.0}}}"""
 TASK = """{{name: stand_in, message: "{message}", values: [{{key: title, value: "One <b>metre</b>"}},
   {{key: state, value: {state}}}, {{key: seconds, value: "3.4"}}, {{key: score, value: "87.3"}},
-  {{key: driver, value: "<b>Ada</b>"}}]}}"""
+  {{key: driver, value: "<b>Ada</b>"}}, {{key: sentences, value: '{sentences}'}}, {{key: lost, value: "12.5"}}]}}"""
+LATE = [{"code": "slow", "template": "took {seconds} s", "arguments": {"seconds": "<b>9</b>"}}]
 
 
 @pytest.fixture
@@ -25,11 +28,11 @@ def judge(world):
         while processes:
             world.kill(processes.pop())
 
-    def start(state, message):
+    def start(state, message, sentences=()):
         kill()
         processes.append(world.publish(f"/{ROBOT}/task_course", "visualization_msgs/MarkerArray", COURSE))
         processes.append(world.publish(f"/{ROBOT}/task", "diagnostic_msgs/DiagnosticStatus",
-                                       TASK.format(state=state, message=message)))
+                                       TASK.format(state=state, message=message, sentences=json.dumps(sentences))))
     start.kill = kill
     yield start
     kill()
@@ -62,11 +65,11 @@ def test_a_long_task_leaves_room_on_every_screen(page, pupil, judge, world):
 
 
 def test_a_score_stays_without_its_judge_until_the_robot_is_put_back(page, pupil, judge, world):
-    judge("done", "Largest loss: too late.")
+    judge("done", "in English", LATE)
     page.wait_for_text("task-result", "87.3 points, 3.4 s")
-    page.wait_for_text("task-text", "Largest loss: too late.")
-    assert page.element("task-news").get_attribute("textContent") == \
-        "One <b>metre</b>: 87.3 points, 3.4 s. Largest loss: too late.", "what a screen reader says, once"
+    page.wait_for_text("task-text", "Largest loss: took <b>9</b> s (12.5 points).")
+    spoken = page.element("task-news").get_attribute("textContent")
+    assert spoken == "One <b>metre</b>: 87.3 points, 3.4 s. Largest loss: took <b>9</b> s (12.5 points)."
     judge.kill()
     pupil.click("#show-scores")
     pupil.wait_for_text("scores", "87.3")

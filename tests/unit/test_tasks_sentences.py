@@ -1,10 +1,12 @@
 """What the judge says is data: each sentence is a row of a table, with the numbers as its arguments."""
 
+from types import SimpleNamespace
+
 import pytest
 
 from driving_tasks.scoring.course import Course, Straight
 from driving_tasks.scoring.measures import Error, describe, describe_last_turn, describe_turn, end
-from driving_tasks.scoring.penalties import Loss
+from driving_tasks.scoring.penalties import Loss, contacts
 from driving_tasks.scoring.recorder import Drive, Sample
 from driving_tasks.scoring.score import NO_LOSS, Result
 from driving_tasks.scoring.sentences import SENTENCES, not_counted, say
@@ -53,6 +55,13 @@ def test_a_heading_that_should_not_have_changed():
 def test_a_mean_has_its_own_plural(mean, text):
     error = Error(mean, describe_turn(91, 90, 1), (0, 0), has_mean=True)
     assert str(describe(error, mean, 8)) == f"turned 1 degree too far at corner 1, and {text} on average"
+
+
+@pytest.mark.parametrize("times, text", [(1, ""), (2, " twice"), (3, " 3 times")])
+def test_how_often_a_wall_was_touched(times, text):
+    path = [Sample(float(time), Pose(clearance, 0.0, 0.0), 0.3) for time, clearance in enumerate((1.0, 0.0) * times)]
+    (loss,) = contacts(Drive(tuple(path), 1.0, Pose()), SimpleNamespace(clearance=lambda pose: pose.x))
+    assert str(loss.sentence) == f"touched a wall{text}"
 
 
 def test_no_two_rows_say_the_same():

@@ -28,6 +28,7 @@ const STYLES = { // of Blockly's own blocks, on which white text stands out
 
 const BLOCKLYS = ".injectionDiv, .blocklyWidgetDiv, .blocklyDropDownDiv"; // which take keys themselves
 const { registry } = Blockly.ShortcutRegistry;
+const { mover } = Blockly.KeyboardMover;
 const { bumpNeighbours } = Blockly.BlockSvg.prototype;
 let dropped = false; // whether a person has just dropped a block
 
@@ -90,6 +91,7 @@ function theme() {
 
 // Shows this program, or the one before and throws a Refusal; its first block is always there.
 export function showProgram(workspace, program) {
+  if (mover.isMoving()) mover.abortMove(); // by keys
   const before = currentProgram(workspace);
   try {
     Blockly.serialization.workspaces.load(program, workspace);

@@ -16,13 +16,14 @@ export const named = (Field) => class extends Field {
   }
 };
 
-// Does this, once: each block is described by its tooltip, but no number that is part of another one, and a block that
-// changes its place names its fields again; a list of choices is named as its field is; no command is "not selected".
+// Does this, once: each block is described by its tooltip, unless that is the one of the block around it, and a block
+// that changes its place names its fields again; a list of choices is named as its field is; no command is
+// "not selected"; no block of the toolbox owns what does not exist.
 export function describeBlocks() {
   extend(Blockly.BlockSvg, "recomputeAriaContext", (block) => {
     for (const field of block.getFields()) if (field.EDITABLE) field.recomputeAriaContext();
-    const tooltip = block.isShadow() ? "" : Blockly.Tooltip.getTooltipOfObject(block);
-    block.getFocusableElement().setAttribute("aria-description", tooltip);
+    const [own, around] = [block, block.outputConnection?.targetBlock()].map(tooltipOf);
+    block.getFocusableElement().setAttribute("aria-description", own === around ? "" : own);
   });
   extend(Blockly.FieldDropdown, "showEditor_", (field) => {
     field.menu_.getElement().setAttribute("aria-label", field.getAriaTypeName());
@@ -30,6 +31,19 @@ export function describeBlocks() {
   extend(Blockly.MenuItem, "createDom", (item) => {
     if (item.getElement().getAttribute("role") === "menuitem") item.getElement().removeAttribute("aria-selected");
   });
+  extend(Blockly.Flyout, "show", async (flyout) => {
+    await Blockly.renderManagement.finishQueuedRenders();
+    for (const each of flyout.getWorkspace().getCanvas().querySelectorAll("[aria-owns]")) dropMissing(each);
+  });
+}
+
+function tooltipOf(block) {
+  return block ? Blockly.Tooltip.getTooltipOfObject(block) : null;
+}
+
+function dropMissing(owner) {
+  const owned = owner.getAttribute("aria-owns").split(" ").filter((id) => document.getElementById(id));
+  owner.setAttribute("aria-owns", owned.join(" "));
 }
 
 // Lets a method of Blockly's do this afterwards.
