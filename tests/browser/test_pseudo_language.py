@@ -7,10 +7,10 @@ import json
 import re
 
 import pytest
+from languages import keys, messages
 
 from jetbot_cockpit.notices import say
 from jetbot_ros.state import CAUSES
-from languages import keys, messages
 
 from .conftest import ROBOT
 from .programs import block, drive, num, plug, program, show, wait
