@@ -14,7 +14,7 @@ LISTEN = """window.said = [];
 TASKS = {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]}
 ENDLESS = program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}),
                         DO={"block": wait(1)}))
-FAILS = program(wait(0.2), show(calculate("DIVIDE", num(1), num(0))))
+FAILS = program(drive(0.4, 0.4), show(calculate("DIVIDE", num(1), num(0))))
 
 
 def press(page, *keys):
@@ -143,7 +143,7 @@ def test_a_screen_reader_hears_once_what_has_come_of_a_change_and_of_a_program(b
     page = blocks(FAILS)
     page.wait_for_text("kept", "Kept")
     page.run(LISTEN)
-    page.run(CHANGE.replace("2", "0.3"))
+    page.run(CHANGE.replace("2", "0.5"))
     page.wait_for_text("kept", "Not kept yet")
     page.wait_for(lambda: page.text("kept") == "Kept", "the change to be kept")
     page.click("#run")

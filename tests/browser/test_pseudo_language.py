@@ -4,6 +4,7 @@ Texts without brackets are English that is not translated; and what is longer mu
 """
 
 import json
+import re
 
 import pytest
 
@@ -30,9 +31,11 @@ TURN = program(drive(0.5, 1), block("robot_turn", {"SIDE": "LEFT"}, Z=num(0.2), 
 
 
 def stretch(english):
-    """Return a sentence in the pseudo-language, in each of its forms."""
-    return "|".join(f"[{form} {('nalo ' * len(form))[:max(1, len(form) * 2 // 5 - 2)].strip()}]"
-                    for form in english.split("|"))
+    """Return a sentence in the pseudo-language, in each of its forms: with its own letters again, backwards."""
+    def longer(form):
+        letters = re.sub(r"\{\w+\}|%\d|[^a-z ]", "", form.lower())[::-1]
+        return f"[{form} {letters[:max(1, len(form) * 2 // 5 - 2)].strip()}]"
+    return "|".join(map(longer, english.split("|")))
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from jetbot_ros.state import UNKNOWN
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
 
-SECOND_TEACHER = Client(5, "teacher 5", "teacher")
+SECOND_TEACHER = Client(5, "teacher")
 DONE = TaskSnapshot("metre", "One metre", "done", "went well", 4.0, 80.0)
 
 
