@@ -32,10 +32,15 @@ function isWhole(element) {
   return shown.right - shown.left > width - 1 && shown.bottom - shown.top > height - 1;
 }
 
+// Returns whether the page scrolls below an element.
+function isFixed(element) {
+  return getComputedStyle(element.closest("section") ?? element).position === "fixed";
+}
+
 // Returns the controls and texts that lie over each other, in pairs.
 function overlapping() {
   const parts = [...document.querySelectorAll("#cockpit :is(button, input, select, a[href], p, h2, dl, #pad, .wheel > *)")]
-    .filter((element) => visible(element) && !element.closest(".unseen, meter, svg"));
+    .filter((element) => visible(element) && !element.closest(".unseen, meter, svg") && !isFixed(element));
   const boxes = parts.map(shownBox);
   const length = (one, other, start, end) => Math.min(one[end], other[end]) - Math.max(one[start], other[start]);
   const overlap = (one, other) => length(one, other, "left", "right") > 1 && length(one, other, "top", "bottom") > 1;
@@ -153,4 +158,33 @@ function faintBlocks() {
 function blend({ fill, fillOpacity }, below) {
   const [top, bottom] = [fill, below].map((color) => color.match(/[\d.]+/g).map(Number));
   return `rgb(${top.slice(0, 3).map((part, index) => Math.round(part * fillOpacity + bottom[index] * (1 - fillOpacity)))})`;
+}
+
+const NO_LANGUAGE = "[translate=no], .language, #python, #prints, #variables, script";
+const WORDS_IN = ["title", "aria-label", "aria-roledescription", "aria-valuetext", "placeholder"];
+
+// Returns what a person sees or hears of the page that is not in brackets, nor one of these words.
+function untranslated(known) {
+  const shown = [...document.querySelectorAll("body *")].filter((element) => !element.closest(NO_LANGUAGE)
+    && (visible(element) || element.tagName === "OPTION" && visible(element.closest("select"))));
+  const words = ({ childNodes }) => [...childNodes].filter((child) => child instanceof Text).map(({ data }) => data);
+  const texts = shown.flatMap((element) => [ // a block's sentence is in several elements
+    ...(element.matches(".blocklyBlockCanvas") ? [element.textContent] : element.closest("svg") ? [] : words(element)),
+    ...WORDS_IN.map((name) => element.getAttribute(name) ?? "")]);
+  return [...new Set(texts.filter((text) => (unbracketed(text).match(/\p{L}{2,}/gu) ?? [])
+    .some((word) => !known.includes(word))))];
+}
+
+// Returns the text without what is in brackets, also in brackets of brackets.
+function unbracketed(text) {
+  const inner = text.replace(/\[[^[\]]*\]/g, "");
+  return inner === text ? text : unbracketed(inner);
+}
+
+// Returns the buttons, headings and labels whose text is not shown to its end.
+function cutWords() {
+  const isCut = (element) => element.scrollWidth > element.clientWidth + 1 || element.scrollHeight > element.clientHeight + 2;
+  return [...document.querySelectorAll("button, h1, h2, h3, label, legend, summary, th")]
+    .filter((element) => visible(element) && !element.closest(".unseen") && element.clientWidth && isCut(element))
+    .map((element) => `${nameOf(element)}: ${element.textContent.trim()}`);
 }

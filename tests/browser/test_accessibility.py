@@ -118,7 +118,7 @@ def test_keys_alone_lead_from_the_login_to_driving_taking_over_stop_and_release(
     for key in [*code, "Enter"]:
         pupil.tap(key)
     wait_for_focus(pupil, "pad")
-    pupil.wait_for_text("status", "no command")
+    pupil.wait_for_text("driver", "Free to drive")
     holds_arrow(pupil, world)
     page.tab_to("take")
     page.tap("Enter")
@@ -143,18 +143,30 @@ def test_a_screen_reader_finds_the_pad_and_learns_where_the_robot_is(page, world
     assert order.index("Robot and people") < order.index("Map") < order.index("Drive") < order.index("STOP all robots")
 
 
+def press_enter(page):
+    page.tap("Enter")
+
+
 def of_class(robots=2, **state):
     return lambda page: page.receive_class(robots, **state)
+
+
+def a_robot_comes(page):
+    page.receive({"type": "robots", "robots": [
+        {"id": f"/{name}", "label": name, "color": "#804040", "workshop": True, "wheel_separation": 2.0, "max_speed": 1.0,
+         "simulated": True} for name in ("ada", ROBOT, OTHER_ROBOT)]})
+    page.wait_for_text("fleet-list", "ada")
 
 
 LOSSES = [  # what comes first, what has the focus, what takes that from it, and what has it then
     (of_class(driver=BEN), "#take", of_class(held="robot"), "pad"),
     (of_class(held="robot"), "#go-on", of_class(), "pad"),
-    (of_class(), "#robot", of_class(1), "show-codes"),
-    (press("#show-codes"), "#close-codes", lambda page: page.tap("Enter"), "show-codes"),
+    (shows_codes, "#close-codes", press_enter, "show-codes"),
+    (of_class(3), "#name", press_enter, "pad"),
+    (shows_codes, "#codes-list li:last-child input", press_enter, "print-codes"),
+    (press("#close-codes"), "#robot", of_class(1), "show-codes"),
     (lambda page: page.receive(BEST), "#show-scores", lambda page: page.receive({**BEST, "scores": []}), "to-program"),
-    (of_class(), "#name", lambda page: page.tap("Enter"), "pad"),
-    (of_class(3), f"[data-robot='/{OTHER_ROBOT}'] .stop-one", of_class(2), f"stop-one /{OTHER_ROBOT}"),
+    (of_class(2), f"[data-robot='/{OTHER_ROBOT}'] .stop-one", a_robot_comes, f"stop-one /{OTHER_ROBOT}"),
     (of_class(3), "[data-robot='/jetbot_03'] .stop-one", of_class(2), f"stop-one /{OTHER_ROBOT}"),
     (of_class(1, pictures={"free": 1, "blocked": 0, "problem": None}), "#save-free", of_class(1), "zoom-in"),
 ]
@@ -187,3 +199,15 @@ def test_what_changes_all_the_time_is_not_said_and_what_counts_is_said_once(page
     page.wait_for_text("status", "its motors")
     page.wait_for_text("notice", "Ask Ben.")
     assert sorted(page.run("return said")) == ["Ask Ben.", "driving", "stopped: its motors"]
+
+
+def test_arrow_keys_look_through_the_languages_and_enter_chooses_one(page):
+    focus_on(page, "#bar .language")
+    page.run("window.stays = true")
+    page.tap("ArrowDown")
+    assert page.run("return stays")
+    page.tap("Enter")
+    try:
+        page.wait_for(lambda: page.run("return document.documentElement.lang") == "de", "German")
+    finally:
+        page.run("localStorage.removeItem('language')")

@@ -1,7 +1,5 @@
 """Everybody can use the page for programs: what a screen reader gets of it, and what axe-core's rules ask for."""
 
-from selenium.webdriver.common.keys import Keys
-
 from .accessibility import tree, violations
 from .conftest import ROBOT
 from .programs import as_file, block, drive, num, program
@@ -33,9 +31,9 @@ def in_blocks(*keys):
 
 def menu(page, load):
     in_blocks()(page, load)
-    page.press(Keys.CONTROL)
+    page.press("Control")
     page.tap("Enter")
-    page.let_go(Keys.CONTROL)
+    page.let_go("Control")
     page.wait_for(lambda: page.has(".blocklyContextMenu"), "the menu")
 
 

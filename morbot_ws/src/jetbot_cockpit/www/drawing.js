@@ -20,7 +20,7 @@ const FAINT = 0.3; // opacity of what belongs to another robot
 const STYLES = { // color: its name in the page's style; thinnest: width in pixels; opacity: of the chosen robot's
   wall: { color: "tyre", thinnest: 3, opacity: 1 },
   line: { color: "muted", thinnest: 2, opacity: 1 },
-  course: { color: "course", thinnest: 7, opacity: 0.4 },
+  course: { color: "course", thinnest: 7, opacity: 0.7 },
   goal: { color: "course", thinnest: 2.5, opacity: 1 },
 };
 
