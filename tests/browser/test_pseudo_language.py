@@ -10,6 +10,7 @@ import pytest
 from languages import keys, messages
 
 from jetbot_cockpit.notices import say
+from jetbot_control_node.status.remarks import remark
 from jetbot_ros.state import CAUSES
 
 from .conftest import ROBOT
@@ -72,11 +73,12 @@ def check(page, states):
 
 
 def drives(page):
-    page.receive_class(3, driver=BEN, stalls=3, pictures={"free": 1, "blocked": 2, "problem": None}, task={
+    low = [remark("empty", voltage="9.0")._asdict()]
+    page.receive_class(3, driver=BEN, stalls=3, remarks=low, pictures={"free": 1, "blocked": 2, "problem": None}, task={
         "name": "metre", "title": "One metre", "state": "done", "text": "", "sentences": [], "lost": None,
         "seconds": 3.9, "score": 87.3})
     page.receive(BEST)
-    page.receive({"type": "notice", **say("driven", driver="Ben", robot=ROBOT).fields()})
+    page.receive({"type": "notice", **say("driven", driver=say("pupil", number=2), robot=ROBOT).fields()})
 
 
 def is_stopped(page):

@@ -20,7 +20,7 @@ from jetbot_control_node.status.notes import (
     waiting_remark,
 )
 from jetbot_control_node.status.remarks import remark
-from jetbot_ros.state import EMERGENCY_STOP, because
+from jetbot_ros.state import EMERGENCY_STOP, because, sentence
 
 NONE = {"resets": 0, "overwritten": 0, "faults": 0}
 COCKPIT = Sender("/jetbot_cockpit", manual=True)
@@ -54,6 +54,14 @@ def test_a_standing_order_counts_until_its_program_ends(supervisor):
 def test_of_many_programs_two_are_named(supervisor):
     command(supervisor, *(f"/pupil_{i:03}" for i in range(200)))
     assert str(rivals_note(supervisor, now=0.1)) == "200 programs command it: /pupil_000, /pupil_001 and 198 more"
+
+
+@pytest.mark.parametrize("names, text", [
+    (["/a"], "/a waits for the cockpit"), (["/a", "/b"], "/a and /b wait for the cockpit"),
+    (["/a", "/b", "/c"], "/a, /b and /c wait for the cockpit"),
+    (["/a", "/b", "/c", "/d"], "/a, /b and 2 more wait for the cockpit")])
+def test_a_remark_lists_the_first_few_of_many_programs(names, text):
+    assert str(waiting_remark(names)) == text
 
 
 def test_who_waits_while_a_person_drives(supervisor):
@@ -114,6 +122,7 @@ NOTED = Status(DRIVING, notes=(remark("full_power"),), waiting=("/circle",))
      True)])
 def test_a_status_has_notes_and_a_remark_where_they_matter(status, text, warning):
     assert (status.text, status.warning) == (text, warning)
+    assert ", ".join([sentence(status.cause), *map(str, status.data.remarks)]) == text, "a page says the same"
 
 
 def test_a_status_is_reported_once_and_looked_at_again_when_something_changes_or_after_a_while(supervisor):

@@ -71,8 +71,9 @@ def load(text: str) -> Optional[Tuple[Sentence, ...]]:
         rows = json.loads(text) if len(text) <= MAX_JSON else None
     except (ValueError, RecursionError):
         return None
-    valid = isinstance(rows, list) and len(rows) <= MAX_SENTENCES and all(map(_is_sentence, rows))
-    return tuple(Sentence(**each) for each in rows) if valid else None
+    if not isinstance(rows, list) or len(rows) > MAX_SENTENCES or not all(map(_is_sentence, rows)):
+        return None
+    return tuple(Sentence(**each) for each in rows)
 
 
 def _is_sentence(value: Any) -> bool:

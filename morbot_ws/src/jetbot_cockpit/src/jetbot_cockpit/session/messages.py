@@ -109,11 +109,11 @@ JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "drivin
 PICTURES = part("Pictures", **dict.fromkeys(LABELS, COUNT), problem=or_null(NOTICE))
 ROBOT_STATE = part(
     "RobotState", status=TEXT, state=one_of("", "driving", "stopped", "ended"), cause=TEXT, template=TEXT,
-    arguments=ARGUMENTS, remarks=or_null(SENTENCES), holds=list_of(TEXT), waiting=list_of(TEXT), fake=BOOLEAN, warning=BOOLEAN, answers=BOOLEAN,
-    stopped=BOOLEAN, pose=or_null(POSE), speed=or_null(numbers(2)), command=or_null(numbers(2)),
-    wheels=or_null(numbers(2)), program=TEXT, driver=or_null(DRIVER), resumes=or_null(COUNT),
-    held=or_null(one_of("robot", "programs")), stalls=COUNT, task=or_null(JUDGED), pictures=or_null(PICTURES),
-    programs=COUNT)
+    arguments=ARGUMENTS, remarks=or_null(SENTENCES), holds=list_of(TEXT), waiting=list_of(TEXT), fake=BOOLEAN,
+    warning=BOOLEAN, answers=BOOLEAN, stopped=BOOLEAN, pose=or_null(POSE), speed=or_null(numbers(2)),
+    command=or_null(numbers(2)), wheels=or_null(numbers(2)), program=TEXT, driver=or_null(DRIVER),
+    resumes=or_null(COUNT), held=or_null(one_of("robot", "programs")), stalls=COUNT, task=or_null(JUDGED),
+    pictures=or_null(PICTURES), programs=COUNT)
 ROBOT_ROW = part("Robot", id=ROBOT, label=TEXT, color=TEXT, workshop=or_null(BOOLEAN), wheel_separation=NUMBER,
                  max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT)
 SHAPE = part("Shape", kind=one_of("wall", "line", "course", "goal"), width=NUMBER, points=list_of(numbers(2)))
