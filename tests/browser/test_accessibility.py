@@ -151,6 +151,13 @@ def of_class(robots=2, **state):
     return lambda page: page.receive_class(robots, **state)
 
 
+def a_robot_comes(page):
+    page.receive({"type": "robots", "robots": [
+        {"id": f"/{name}", "label": name, "color": "#804040", "workshop": True, "wheel_separation": 2.0, "max_speed": 1.0,
+         "simulated": True} for name in ("ada", ROBOT, OTHER_ROBOT)]})
+    page.wait_for_text("fleet-list", "ada")
+
+
 LOSSES = [  # what comes first, what has the focus, what takes that from it, and what has it then
     (of_class(driver=BEN), "#take", of_class(held="robot"), "pad"),
     (of_class(held="robot"), "#go-on", of_class(), "pad"),
@@ -159,7 +166,7 @@ LOSSES = [  # what comes first, what has the focus, what takes that from it, and
     (shows_codes, "#codes-list li:last-child input", press_enter, "print-codes"),
     (press("#close-codes"), "#robot", of_class(1), "show-codes"),
     (lambda page: page.receive(BEST), "#show-scores", lambda page: page.receive({**BEST, "scores": []}), "to-program"),
-    (of_class(3), f"[data-robot='/{OTHER_ROBOT}'] .stop-one", of_class(2), f"stop-one /{OTHER_ROBOT}"),
+    (of_class(2), f"[data-robot='/{OTHER_ROBOT}'] .stop-one", a_robot_comes, f"stop-one /{OTHER_ROBOT}"),
     (of_class(3), "[data-robot='/jetbot_03'] .stop-one", of_class(2), f"stop-one /{OTHER_ROBOT}"),
     (of_class(1, pictures={"free": 1, "blocked": 0, "problem": None}), "#save-free", of_class(1), "zoom-in"),
 ]

@@ -18,9 +18,9 @@ from .test_stop import wait_for_stop
 from .test_work import judge
 from .world import moving
 
-ENGINES = {  # the programs that each needs, and the packages that have them
-    "chromium": ("chromium chromedriver", "chromium chromium-driver"),
-    "webkit": ("WebKitWebDriver Xvfb", "webkit2gtk-driver xvfb"),
+ENGINES = {  # the programs and modules that each needs, and the packages that have them
+    "chromium": ("chromium chromedriver selenium", "chromium chromium-driver python3-selenium"),
+    "webkit": ("WebKitWebDriver Xvfb selenium", "webkit2gtk-driver xvfb python3-selenium"),
     "firefox": ("firefox-esr", "firefox-esr"),
 }
 ENGLISH, GERMAN = "en-US", "de-DE"
@@ -156,13 +156,17 @@ def test_a_wrong_code_is_refused_and_the_right_one_lets_a_pupil_drive(page, worl
     page.open(world.address, ROBOT)
 
 
-def test_a_program_drives_until_stop(programs, world):
+ENDS = {"Stopped.": lambda page: page.click("#end"), "The page was hidden": lambda page: (page.hide(), page.show())}
+
+
+def test_a_program_drives_until_stop_or_until_its_page_is_hidden(programs, world):
     programs.set("examples", "A square, with a function")
     programs.wait_for_text("python", "def side():")
-    world.hold(programs, lambda: programs.click("#run"), lambda: programs.click("#end"), ROBOT, moving)
-    with world.stops(ROBOT, what="Stop"):
-        programs.click("#end")
-    programs.wait_for_text("outcome", "Stopped.")
+    for sentence, end_it in ENDS.items():
+        world.hold(programs, lambda: programs.click("#run"), lambda: programs.click("#end"), ROBOT)
+        with world.stops(ROBOT, what=sentence):
+            end_it(programs)
+        programs.wait_for_text("outcome", sentence)
 
 
 @pytest.fixture
