@@ -155,7 +155,8 @@ def test_a_wrong_code_is_refused_and_the_right_one_lets_a_pupil_drive(page, worl
     page.open(world.address, ROBOT)
 
 
-ENDS = {"Stopped.": lambda page: page.click("#end"), "The page was hidden": lambda page: (page.hide(), page.show())}
+ENDS = {"Stopped.": lambda page: page.click("#end"),
+        "The page was hidden, so the program was stopped.": lambda page: (page.hide(), page.show())}
 
 
 def test_a_program_drives_until_stop_or_until_its_page_is_hidden(programs, world):
@@ -165,7 +166,7 @@ def test_a_program_drives_until_stop_or_until_its_page_is_hidden(programs, world
         world.hold(programs, lambda: programs.click("#run"), lambda: programs.click("#end"), ROBOT)
         with world.stops(ROBOT, what=sentence):
             end_it(programs)
-        programs.wait_for_text("outcome", sentence)
+        programs.wait_for_text("outcome", programs.say(sentence))
 
 
 @pytest.fixture
