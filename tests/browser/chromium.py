@@ -24,7 +24,8 @@ EXCLUDED = ["disable-background-timer-throttling", "disable-renderer-backgroundi
             "disable-backgrounding-occluded-windows"]
 KEYS = {"ArrowUp": Keys.ARROW_UP, "ArrowDown": Keys.ARROW_DOWN, "ArrowLeft": Keys.ARROW_LEFT,
         "ArrowRight": Keys.ARROW_RIGHT, "Space": Keys.SPACE, "Escape": Keys.ESCAPE, "Tab": Keys.TAB,
-        "Enter": Keys.ENTER, "Home": Keys.HOME, "Delete": Keys.DELETE}
+        "Enter": Keys.ENTER, "Home": Keys.HOME, "Delete": Keys.DELETE,
+        "Control": Keys.CONTROL}
 CAUSED_BY_TESTS = ("/favicon.ico", "willReadFrequently",  # a picture in a tab of its own; the map's pixels
                    "insecure connection")                 # a file that is saved from a page without https
 

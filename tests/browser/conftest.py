@@ -4,6 +4,7 @@ import os
 import shutil
 from contextlib import contextmanager
 from functools import partial
+from importlib.util import find_spec
 from typing import Callable, Iterator
 
 import pytest
@@ -16,11 +17,11 @@ ROBOT, OTHER_ROBOT = "jetbot_01", "jetbot_02"
 
 
 def need(programs: str, packages: str) -> None:
-    """Skip the test if one of these programs is missing; packages: of Debian, which have them."""
-    missing = [program for program in programs.split() if not shutil.which(program)]
+    """Skip the test if one of these programs or modules is missing; packages: of Debian, which have them."""
+    missing = [program for program in programs.split() if not (shutil.which(program) or find_spec(program))]
     if not missing:
         return
-    reason = f"{' and '.join(missing)} not installed: sudo apt install {packages} python3-selenium"
+    reason = f"{' and '.join(missing)} not installed: sudo apt install {packages}"
     (pytest.fail if "ALL_BROWSERS" in os.environ else pytest.skip)(reason)
 
 
@@ -45,8 +46,7 @@ def started(start: Callable) -> Iterator[Callable]:
 @pytest.fixture(scope="session")
 def browsers(tmp_path_factory):
     """A function that returns a browser by its number."""
-    pytest.importorskip("selenium", reason="selenium is not installed: sudo apt install python3-selenium")
-    need("chromium chromedriver", "chromium chromium-driver")
+    need("chromium chromedriver selenium", "chromium chromium-driver python3-selenium")
     from .page import Page
     with started(lambda _: Page(tmp_path_factory.mktemp("profile"))) as browser:
         yield browser

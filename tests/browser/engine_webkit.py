@@ -60,9 +60,13 @@ class Browser(ByWebDriver, BrowserProcesses, Engine):
 
     def hide(self):
         self.driver.minimize_window()
+        self.wait_for(lambda: self._state() == "hidden", "the page to be hidden")
 
     def show(self):
-        self.driver.set_window_rect(0, 0)
+        self.wait_for(lambda: self.driver.set_window_rect(0, 0) and self._state() == "visible", "the page to be shown")
+
+    def _state(self):
+        return self.run("return document.visibilityState")
 
     def close(self):
         with self.all_killed(), suppress(WebDriverException, OSError):  # it was killed

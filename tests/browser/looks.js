@@ -32,10 +32,15 @@ function isWhole(element) {
   return shown.right - shown.left > width - 1 && shown.bottom - shown.top > height - 1;
 }
 
+// Returns whether the page scrolls below an element.
+function isFixed(element) {
+  return getComputedStyle(element.closest("section") ?? element).position === "fixed";
+}
+
 // Returns the controls and texts that lie over each other, in pairs.
 function overlapping() {
   const parts = [...document.querySelectorAll("#cockpit :is(button, input, select, a[href], p, h2, dl, #pad, .wheel > *)")]
-    .filter((element) => visible(element) && !element.closest(".unseen, meter, svg"));
+    .filter((element) => visible(element) && !element.closest(".unseen, meter, svg") && !isFixed(element));
   const boxes = parts.map(shownBox);
   const length = (one, other, start, end) => Math.min(one[end], other[end]) - Math.max(one[start], other[start]);
   const overlap = (one, other) => length(one, other, "left", "right") > 1 && length(one, other, "top", "bottom") > 1;
@@ -120,8 +125,66 @@ function luminance(color) {
 function contrastOfRobot() {
   const bar = getComputedStyle(document.querySelector(".fill")).backgroundColor;
   const grounds = [".track", "body"].map((selector) => getComputedStyle(document.querySelector(selector)));
-  return grounds.map(({ backgroundColor }) => {
-    const [dark, light] = [luminance(bar), luminance(backgroundColor)].sort((low, high) => low - high);
-    return (light + 0.05) / (dark + 0.05);
-  });
+  return grounds.map(({ backgroundColor }) => contrast(bar, backgroundColor));
+}
+
+function contrast(one, other) {
+  const [dark, light] = [luminance(one), luminance(other)].sort((low, high) => low - high);
+  return (light + 0.05) / (dark + 0.05);
+}
+
+// Returns what of Blockly's blocks is hard to see: texts, and the frame of the one with the focus.
+function faintBlocks() {
+  const faint = [];
+  for (const block of Blockly.getMainWorkspace().getAllBlocks().filter((each) => each.isEnabled())) {
+    const path = block.pathObject.svgPath, fill = getComputedStyle(path).fill;
+    Blockly.getFocusManager().focusNode(block);
+    const around = block.getParent() ?? block;
+    const frame = Math.max(...[block, around].map(({ pathObject: { svgPath } }) =>
+      contrast(getComputedStyle(path).stroke, getComputedStyle(svgPath).fill)));
+    if (frame < 3) faint.push(`${block.type}: frame ${frame}`);
+    for (const field of block.getFields()) {
+      const [text, box] = ["text", ".blocklyFieldRect"].map((part) => field.getSvgRoot()?.querySelector(part));
+      if (!text?.textContent.trim()) continue;
+      const ground = box ? blend(getComputedStyle(box), fill) : fill;
+      const ratio = contrast(getComputedStyle(text).fill, ground);
+      if (ratio < 4.5) faint.push(`${block.type}: ${text.textContent} ${ratio}`);
+    }
+  }
+  return faint;
+}
+
+// Returns the colour of a box over another colour.
+function blend({ fill, fillOpacity }, below) {
+  const [top, bottom] = [fill, below].map((color) => color.match(/[\d.]+/g).map(Number));
+  return `rgb(${top.slice(0, 3).map((part, index) => Math.round(part * fillOpacity + bottom[index] * (1 - fillOpacity)))})`;
+}
+
+const NO_LANGUAGE = "[translate=no], .language, #python, #prints, #variables, script";
+const WORDS_IN = ["title", "aria-label", "aria-roledescription", "aria-valuetext", "placeholder"];
+
+// Returns what a person sees or hears of the page that is not in brackets, nor one of these words.
+function untranslated(known) {
+  const shown = [...document.querySelectorAll("body *")].filter((element) => !element.closest(NO_LANGUAGE)
+    && (visible(element) || element.tagName === "OPTION" && visible(element.closest("select"))));
+  const words = ({ childNodes }) => [...childNodes].filter((child) => child instanceof Text).map(({ data }) => data);
+  const texts = shown.flatMap((element) => [ // a block's sentence is in several elements
+    ...(element.matches(".blocklyBlockCanvas") ? [element.textContent] : element.closest("svg") ? [] : words(element)),
+    ...WORDS_IN.map((name) => element.getAttribute(name) ?? "")]);
+  return [...new Set(texts.filter((text) => (unbracketed(text).match(/\p{L}{2,}/gu) ?? [])
+    .some((word) => !known.includes(word))))];
+}
+
+// Returns the text without what is in brackets, also in brackets of brackets.
+function unbracketed(text) {
+  const inner = text.replace(/\[[^[\]]*\]/g, "");
+  return inner === text ? text : unbracketed(inner);
+}
+
+// Returns the buttons, headings and labels whose text is not shown to its end.
+function cutWords() {
+  const isCut = (element) => element.scrollWidth > element.clientWidth + 1 || element.scrollHeight > element.clientHeight + 2;
+  return [...document.querySelectorAll("button, h1, h2, h3, label, legend, summary, th")]
+    .filter((element) => visible(element) && !element.closest(".unseen") && element.clientWidth && isCut(element))
+    .map((element) => `${nameOf(element)}: ${element.textContent.trim()}`);
 }

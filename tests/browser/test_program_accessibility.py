@@ -1,14 +1,12 @@
 """Everybody can use the page for programs: what a screen reader gets of it, and what axe-core's rules ask for."""
 
-from selenium.webdriver.common.keys import Keys
-
 from .accessibility import tree, violations
 from .conftest import ROBOT
-from .programs import as_file, block, drive, num, plug, program, show, wait
-from .test_program_keys import ENDLESS, TASKS, press
+from .programs import as_file, block, drive, num, program
+from .test_program_keys import ENDLESS, FAILS, TASKS, press
+from .test_work import ALL_BLOCKS
 
 TURN = program(drive(0.5, 1), block("robot_turn", {"SIDE": "LEFT"}, Z=num(0.2), SECONDS=num(1)))
-FAILS = program(show(plug("math_arithmetic", {"OP": "DIVIDE"}, A=num(1), B=num(0))), wait(0.1))
 SCORES = {"type": "scores", "scores": [{"task": "One metre", "robot": ROBOT, "score": 87.3, "seconds": 3.4,
                                         "name": "Ada"}]}
 
@@ -33,9 +31,9 @@ def in_blocks(*keys):
 
 def menu(page, load):
     in_blocks()(page, load)
-    page.press(Keys.CONTROL)
+    page.press("Control")
     page.tap("Enter")
-    page.let_go(Keys.CONTROL)
+    page.let_go("Control")
     page.wait_for(lambda: page.has(".blocklyContextMenu"), "the menu")
 
 
@@ -58,6 +56,8 @@ def asks(page, _):
              "document.getElementById('login-error').textContent = 'This code is wrong.'")
 
 
+ENABLE = """for (const each of Blockly.getMainWorkspace().getAllBlocks())
+    each.setDisabledReason(false, "ORPHANED_BLOCK")"""
 STATES = {  # what leads to it from the one before
     "no blocks": lambda page, load: load(program()),
     "an example": lambda page, _: page.set("examples", "Follow the line"),
@@ -66,7 +66,7 @@ STATES = {  # what leads to it from the one before
     "a number": in_blocks("ArrowRight", "ArrowRight", "ArrowRight", "Enter"),
     "a menu": menu,
     "a move": in_blocks("m"),
-    "ended by an error": runs(FAILS, "divi"),
+    "ended by an error": runs(FAILS, "divides by 0"),
     "running": runs(ENDLESS, "Running"),
     "stopped": lambda page, _: press(page, "Escape"),
     "judged": judged,
@@ -111,6 +111,17 @@ def load(page, file):
     page.wait_for(lambda: not page.value("file"), "the file to be read")
 
 
+def test_texts_and_the_focus_stand_out_on_all_blocks_by_day_and_night(blocks):
+    page = blocks(program())
+    page.run(ALL_BLOCKS)
+    page.run(ENABLE)
+    page.tap("w")
+    for mode in "light", "dark":
+        page.media(prefers_color_scheme=mode)
+        assert page.faint_blocks() == [], mode
+    page.media()
+
+
 def test_a_screen_reader_reads_blocks_their_fields_units_and_what_they_do(blocks):
     page = blocks(TURN)
     nodes = [(node.role, node.name) for node in tree(page)]
@@ -126,9 +137,10 @@ def test_a_screen_reader_reads_blocks_their_fields_units_and_what_they_do(blocks
     page.wait_for(lambda: "Edit z in rad/s: 0.2" in {node.name for node in tree(page)}, "the other units")
 
 
-def test_a_hint_of_blockly_covers_no_stop(blocks):
+def test_a_hint_of_blockly_covers_no_stop_wherever_it_is(blocks):
     page = blocks(TURN)
     page.resize(320, 568)
     in_blocks("m")(page, blocks)
     page.wait_for(lambda: page.has(".blocklyToast"), "the hint")
+    page.run("document.querySelector('.blocklyToast').style = 'position: fixed; inset: 0'")
     assert page.misplaced("stop", "release") == []

@@ -1,15 +1,20 @@
 """The page for programs by keys alone: no mouse, no finger, and the focus is never lost."""
 
 from .conftest import ROBOT
-from .programs import block, drive, plug, program, show, wait
-from .test_program import close, undisturbed
+from .programs import block, calculate, drive, num, plug, program, show, wait
+from .test_program import CHANGE, close, undisturbed
 
 FOCUS = """const { activeElement: focused } = document;
     return focused.closest("#blocks, .blocklyWidgetDiv") ? "blocks" : focused.id"""
 SPOKEN = "return document.activeElement.getAttribute('aria-label')"
+LISTEN = """window.said = [];
+    for (const each of document.querySelectorAll("#outcome, #score, #kept")) new MutationObserver(() => {
+        if (each.ariaLive !== "off") said.push(each.textContent);
+    }).observe(each, {childList: true});"""
 TASKS = {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]}
 ENDLESS = program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}),
                         DO={"block": wait(1)}))
+FAILS = program(drive(0.4, 0.4), show(calculate("DIVIDE", num(1), num(0))))
 
 
 def press(page, *keys):
@@ -72,11 +77,11 @@ def test_the_focus_stays_while_a_program_runs_pauses_stops_and_ends(blocks):
     press(page, "Escape")
     page.wait_for_text("outcome", "Stopped.")
     assert focus(page) == "run"
-    page = blocks(program(show(plug("logic_boolean", {"BOOL": "TRUE"})), block("robot_wait")))
+    page = blocks(FAILS)
     page.tab_to("run")
     page.tap("Enter")
-    page.wait_for_text("outcome", "ended")
-    assert focus(page) == "run"
+    page.wait_for_text("outcome", "divides by 0")
+    assert focus(page) == "run", "the block is marked alone"
 
 
 def test_a_button_that_can_do_nothing_does_nothing(blocks):
@@ -94,7 +99,7 @@ def test_the_focus_is_not_lost_by_sheets_examples_files_tasks_and_blocks(blocks)
         page.tab_to(button)
         for close_it in (["Escape"], ["Tab", "Tab", "Enter"]):
             page.tap("Enter")
-            page.wait_for(lambda: focus(page) == sheet, "the sheet, which is loaded when it is opened first")
+            page.wait_for(lambda sheet=sheet: focus(page) == sheet, "the sheet, loaded when opened first")
             press(page, *close_it)
             assert focus(page) == button
     page.tab_to("examples")
@@ -131,3 +136,16 @@ def test_the_focus_is_back_after_the_login_and_goes_on_when_the_other_robot_goes
     pupil.tab_to("robot")
     pupil.receive_class(robots=1)
     pupil.wait_for(lambda: focus(pupil) == "to-pad", "what is next to have the focus")
+
+
+@undisturbed
+def test_a_screen_reader_hears_once_what_has_come_of_a_change_and_of_a_program(blocks):
+    page = blocks(FAILS)
+    for change in LISTEN, CHANGE.replace("2", "0.5"):
+        page.wait_for(lambda: page.text("kept") == "Kept", "the program to be kept")
+        page.run(change)
+    page.wait_for_text("kept", "Not kept yet")
+    page.wait_for(lambda: page.text("kept") == "Kept", "the change to be kept")
+    page.click("#run")
+    page.wait_for_text("outcome", "divides by 0")
+    assert page.run("return said") == ["Kept", "Starting", "Running", "This block divides by 0."]

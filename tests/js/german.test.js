@@ -5,6 +5,8 @@ import { test } from "node:test";
 
 const GERMAN = {
   "stopped: {cause}": "steht: {cause}", "no command for {seconds} s": "kein Befehl seit {seconds} s", driving: "fährt",
+  "its battery is empty ({voltage} V)": "der Akku ist leer ({voltage} V)", "pupil {number}": "Schüler {number}",
+  "{count} points": "{count} Punkt|{count} Punkte",
   "{driver} drives {robot}.": "{robot} wird von {driver} gefahren.",
   "{count} robots are running.": "{count} Roboter laufen.",
 };
@@ -28,14 +30,36 @@ test("a message is translated by its template, and is English where there is non
   assert.equal(said(message), "Ada drives red.");
 });
 
-test("what is said of a robot besides why it is stopped stays in English", () => {
-  const cause = { template: "no command for {seconds} s", arguments: { seconds: "1.0" } };
-  const robot = { state: "stopped", cause: "no_command", ...cause };
-  const status = "stopped: no command for 1.0 s";
-  assert.equal(inWords({ ...robot, status }), "steht: kein Befehl seit 1,0 s");
-  assert.equal(inWords({ ...robot, status: `${status}, 7.1 V` }), "steht: kein Befehl seit 1,0 s, 7.1 V");
-  assert.equal(inWords({ ...robot, status: "another sentence" }), "another sentence");
-  assert.equal(inWords({ state: "driving", cause: "", status: "driving, 7.1 V" }), "fährt, 7.1 V");
+test("who has typed no name is named in German, and a name that was typed stays", () => {
+  const drives = (driver) => t("{driver} drives {robot}.", { driver, robot: "red" });
+  const named = { code: "pupil", text: "pupil 7", template: "pupil {number}", arguments: { number: "7" } };
+  assert.equal(drives(named), "red wird von Schüler 7 gefahren.");
+  assert.equal(drives("pupil 7"), "red wird von pupil 7 gefahren.");
+});
+
+const EMPTY = { code: "empty", template: "its battery is empty ({voltage} V)", arguments: { voltage: "7.1" } };
+const NEW = { code: "new", template: "it {does} this", arguments: { does: "hears" } };
+const DRIVING = { status: "in English", state: "driving", cause: "", template: "", arguments: {}, remarks: [] };
+const NO_COMMAND = { cause: "no_command", template: "no command for {seconds} s", arguments: { seconds: "1.0" } };
+const STOPPED = { ...DRIVING, state: "stopped", ...NO_COMMAND };
+const STATUSES = [
+  [DRIVING, "fährt"], [{ ...DRIVING, remarks: [EMPTY, NEW] }, "fährt, der Akku ist leer (7,1 V), it hears this"],
+  [STOPPED, "steht: kein Befehl seit 1,0 s"],
+  [{ ...STOPPED, remarks: [EMPTY] }, "steht: kein Befehl seit 1,0 s, der Akku ist leer (7,1 V)"],
+  [{ ...STOPPED, remarks: null }, "in English"], [{ ...DRIVING, remarks: null }, "in English"],
+  [{ ...STOPPED, template: "", arguments: {} }, "in English"], [{ ...DRIVING, state: "" }, "in English"],
+];
+
+for (const [robot, text] of STATUSES) {
+  const { state, cause, template, remarks } = robot;
+  test(`a robot ${JSON.stringify({ state, cause, template, remarks })} is described as: ${text}`, () => {
+    assert.equal(inWords(robot), text);
+  });
+}
+
+test("how many points there are chooses the form", () => {
+  const points = ["1", "1.0", "0.5", "87.3"].map((count) => t("{count} points", { count }));
+  assert.deepEqual(points, ["1 Punkt", "1,0 Punkte", "0,5 Punkte", "87,3 Punkte"]);
 });
 
 test("numbers have a comma", () => {

@@ -144,15 +144,17 @@ test("without a code the page asks for one, and does not try again", async (t) =
 });
 
 const ENDS = {
-  4002: "The cockpit is full: close a page that nobody needs.",
   1001: "The cockpit has ended: somebody must start it again.",
-  4003: "The cockpit closed the connection: too slow.",
+  4000: "The cockpit does not understand this page: reload the page.",
+  4002: "The cockpit is full: close a page that nobody needs.",
+  4003: "The cockpit got too many messages from here.",
+  4004: "The cockpit heard nothing from this page for too long.",
 };
 
 for (const [code, sentence] of Object.entries(ENDS)) {
   test(`an end with code ${code} says: ${sentence}`, (t) => {
     const { socket, problems } = connect(t);
-    socket.close(Number(code), "too slow");
+    socket.close(Number(code), "in English");
     assert.equal(problems.at(-1), `${sentence} This page tries again by itself.`);
   });
 }

@@ -129,10 +129,11 @@ for (const [state, emergency, text, level] of SUMMARIES) {
 
 test("a teacher reads the status itself, which helps at a terminal", () => {
   login("teacher");
-  for (const state of [{ cause: "suspended" }, { answers: false }]) {
-    report({ red: { status: "fg resumes it", ...state } });
-    assert.equal(world.summarize("/red").text, "fg resumes it");
-  }
+  world.list({ robots: [robot("red")] });
+  report({ red: { status: "fg resumes it", cause: "suspended" } });
+  assert.equal(world.summarize("/red").text, "fg resumes it");
+  report({ red: { answers: false } });
+  assert.equal(world.summarize("/red").text, "red does not answer. Restart it, or resume it with fg.");
 });
 
 test("a robot that is not known yet has a status, too", () => {

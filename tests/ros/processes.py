@@ -1,7 +1,9 @@
 """Processes that end with the program that starts them, also if that one is killed. Without ROS."""
 
+import contextlib
 import ctypes
 import os
+import secrets
 import signal
 import socket
 import subprocess
@@ -60,7 +62,8 @@ def end(processes: List[subprocess.Popen]) -> None:
 
 
 def free_port() -> int:
-    """Return a TCP port of this computer that no program uses."""
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
+    """Return a TCP port of this computer that no program uses, nor is given to one that asks for any (32768 and up)."""
+    while True:
+        with contextlib.suppress(OSError), socket.socket() as probe:
+            probe.bind(("", 10000 + secrets.randbelow(22768)))
+            return probe.getsockname()[1]

@@ -19,7 +19,7 @@ TIMEOUT = 5.0  # s
 
 def commanded(ago=0.0):
     """Return the lease of a command that came so many seconds ago."""
-    return Lease(Client(1, "Ada", "pupil"), time.monotonic() - ago, driving=True)
+    return Lease(Client(1, "pupil"), time.monotonic() - ago, driving=True)
 
 
 class Publisher:

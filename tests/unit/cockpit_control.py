@@ -15,8 +15,8 @@ from jetbot_cockpit.session.rights import Client
 from jetbot_cockpit.session.snapshot import RobotSnapshot, Snapshot
 from jetbot_ros.state import RobotState
 
-ADA, BOB, TEACHER = Client(1, "pupil 1", "pupil"), Client(2, "pupil 2", "pupil"), Client(3, "teacher", "teacher")
-OWN = Client(4, "pupil 4", "pupil", "/blue")
+ADA, BOB, TEACHER = Client(1, "pupil"), Client(2, "pupil"), Client(3, "teacher")
+OWN = Client(4, "pupil", "/blue")
 STOPPED = (0, 0)
 WORKSHOP = (2.0, 1.0)
 DRIVES = RobotState("driving", "driving")

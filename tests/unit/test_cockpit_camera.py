@@ -160,7 +160,7 @@ def test_acknowledgements_leave_the_limit_of_messages_to_the_commands(scene):
     assert page.closed is None
     for _ in range(60):
         scene.hub.receive(page.viewer, '{"type": "seen", "number": 1}', scene.time)
-    assert page.closed[0] == 4000
+    assert page.closed[0] == 4003
 
 
 def test_after_a_stop_of_all_the_pictures_pause_as_the_frames_do(scene):

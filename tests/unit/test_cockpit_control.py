@@ -12,7 +12,7 @@ from jetbot_ros.state import UNKNOWN
 
 pytest_plugins = ["cockpit_control"]  # its fixtures
 
-SECOND_TEACHER = Client(5, "teacher 5", "teacher")
+SECOND_TEACHER = Client(5, "teacher")
 DONE = TaskSnapshot("metre", "One metre", "done", "went well", 4.0, 80.0)
 
 
@@ -30,8 +30,11 @@ def test_full_deflection_is_full_power_in_the_units_of_each_robot(cockpit):
         assert cockpit.drives() == pytest.approx((0, turn))
 
 
+PUPIL_1 = {"code": "pupil", "arguments": {"number": "1"}, "text": "pupil 1", "template": "pupil {number}"}
+
+
 def test_the_driver_is_shown_with_the_name_it_gives_itself(driven):
-    assert driven.driver() == {"id": 1, "name": "pupil 1"}
+    assert driven.driver() == {"id": 1, "name": PUPIL_1}
     driven.do(ADA, Message("name", name=" Ada "))
     assert driven.driver() == {"id": 1, "name": "Ada"}
     assert driven.driver("/blue") is None
@@ -49,7 +52,7 @@ def test_release_stops_the_robot_and_keeps_it_for_five_seconds(driven):
 def test_of_two_who_want_to_drive_the_second_must_lift_and_wait(driven):
     reply = driven.push(BOB, forward=-1.0)
     assert reply == {"type": "lift", "robot": "/red", "code": "driven", "text": "pupil 1 drives red.",
-                     "arguments": {"driver": "pupil 1", "robot": "red"}, "template": "{driver} drives {robot}."}
+                     "arguments": {"driver": PUPIL_1, "robot": "red"}, "template": "{driver} drives {robot}."}
     driven.lift(BOB)
     assert driven.drives() == (0.5, 0)
     assert driven.push(ADA) is None

@@ -161,7 +161,7 @@ def test_a_page_that_says_nothing_is_sent_nothing_that_would_be_old_when_it_arri
 def test_a_page_that_says_nothing_for_long_is_disconnected(hub, control):
     (gone, _), (here, viewer) = join(hub), join(hub)
     run(hub, [viewer], 0, hubs.GONE_AFTER + 1)
-    assert gone.closed == (4000, "no sign of life") and here.closed is None
+    assert gone.closed == (4004, "no sign of life") and here.closed is None
     assert control.left == [1]
 
 
@@ -244,7 +244,7 @@ def test_a_stop_counts_before_the_limit_and_the_parser_also_after_a_flood_has_en
     for count in 1, 2, 2:  # within the flood, and once more until the page knows that it is disconnected
         hub.receive(viewer, text, 0.0)
         assert control.asked == [(1, protocol.Message("stop", robot))] * count
-        assert page.closed == (4000, "more than 40 messages per second") and control.left[0] == 1
+        assert page.closed == (4003, "more than 40 messages per second") and control.left[0] == 1
 
 
 def test_a_stop_waits_for_no_page_not_for_its_own_either(hub, control, monkeypatch):
@@ -276,13 +276,13 @@ def test_what_is_almost_a_stop_ends_the_socket(hub, control, text):
 def flood(hub, page, viewer, now):
     for _ in range(MAX_BURST + 1):
         hub.receive(viewer, PING, now)
-    assert page.closed == (4000, hubs.TOO_MANY)
+    assert page.closed == (4003, hubs.TOO_MANY)
 
 
 def test_who_floods_may_come_back_after_a_moment_and_others_at_any_time(hub):
     flood(hub, *join(hub, PUPIL), 0.0)
     page, viewer = join(hub, PUPIL, hubs.FLOOD_PAUSE - 0.1)
-    assert viewer is None and page.closed == (4000, hubs.TOO_MANY)
+    assert viewer is None and page.closed == (4003, hubs.TOO_MANY)
     assert join(hub, PUPIL, 0.1, address="10.0.0.2")[1] and join(hub, PUPIL, 0.1, code="jetbot_02")[1]
     assert join(hub, PUPIL, hubs.FLOOD_PAUSE)[1]
 

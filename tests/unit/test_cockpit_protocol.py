@@ -99,7 +99,7 @@ def test_the_tables_and_types_are_those_of_the_messages():
 def test_why_a_socket_is_closed_is_documented_with_its_limits():
     closings = [row for row in rows(FROM_COCKPIT) if row[0].isdigit()]
     assert {int(code) for code, *_ in closings} == {
-        hub.REFUSED, hub.LOG_IN, hub.FULL, hub.ENDED, 1009}
+        hub.INVALID, hub.LOG_IN, hub.FULL, hub.FLOODED, hub.SILENT, hub.ENDED, 1009}
     assert [int(limit) for _, *texts in closings for limit in re.findall(r"\d{2,}", " ".join(texts))] == [
-        messages.MAX_MESSAGE, messages.MAX_RATE, messages.MAX_BURST, hub.GONE_AFTER, hub.MAX_CLIENTS, hub.MAX_FRAME]
+        messages.MAX_MESSAGE, hub.MAX_CLIENTS, messages.MAX_RATE, messages.MAX_BURST, hub.GONE_AFTER, hub.MAX_FRAME]
     assert {hub.NO_ROOM, hub.TOO_MANY} <= {reason.strip("`") for _, reason, _ in closings}

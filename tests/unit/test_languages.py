@@ -9,6 +9,11 @@ NAMES = re.compile(r"\{\w+\}|%\d")
 
 
 @pytest.mark.parametrize("code", CODES)
+def test_each_sentence_of_the_pages_is_translated(code):
+    assert not sorted(keys(code) - read(code).keys())
+
+
+@pytest.mark.parametrize("code", CODES)
 def test_there_is_no_translation_of_a_sentence_that_no_page_shows(code):
     assert not sorted(read(code).keys() - keys(code))
 

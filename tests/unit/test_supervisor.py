@@ -17,7 +17,8 @@ from jetbot.wait import wait_until
 from jetbot_control_node.control import supervisor as supervisors
 from jetbot_control_node.control.state_machine import Sender
 from jetbot_control_node.control.supervisor import Supervisor
-from jetbot_control_node.status.notes import TOO_SLOW, StatusWatch, disturbances
+from jetbot_control_node.status.notes import StatusWatch, disturbances
+from jetbot_control_node.status.remarks import REMARKS
 from jetbot_ros.state import EMERGENCY_STOP
 
 PUPIL = Sender("/pupil")
@@ -305,7 +306,7 @@ def test_a_command_below_the_steps_of_the_board_is_reported_unless_it_passes(sup
     assert statuses == ["driving"]
     steps(supervisor, 0.4, 0.4)
     assert wheel_speeds(folder) == STOPPED
-    assert statuses[-1] == f"driving, {TOO_SLOW}raise min_duty"
+    assert statuses[-1] == f"driving, {REMARKS['too_slow']}"
     supervisor.state = supervisor.state.command(0.01, 0.01, PUPIL, 0.8)
     steps(supervisor, 0.8, 0.3)
     supervisor.state = supervisor.state.command(0.0, 0.0, PUPIL, 1.1)

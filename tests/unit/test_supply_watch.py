@@ -11,6 +11,7 @@ from jetbot import JetbotError
 from jetbot.supply import EMPTY_BATTERY, Reading, Supply, percentage
 from jetbot.wait import wait_until
 from jetbot_control_node.status.notes import NOTE_FOR
+from jetbot_control_node.status.remarks import remark
 from jetbot_control_node.supply import supply_watch
 from jetbot_control_node.supply.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
 
@@ -63,7 +64,7 @@ def stop(watch, sensor, now):
 
 def test_a_dip_is_reported_once_with_advice(watch, sensor):
     note = start(watch, sensor, volts(11.1), now=1.0)
-    assert note == "its supply dips from 12.0 to 11.1 V as the motors start: set acceleration_limit:=1"
+    assert str(note) == "its supply dips from 12.0 to 11.1 V as the motors start: set acceleration_limit:=1"
     assert watch.note(1.0 + NOTE_FOR - 0.1)
     assert watch.note(1.1 + NOTE_FOR) is None
     stop(watch, sensor, now=9.0)
@@ -75,11 +76,12 @@ def test_a_limit_that_is_too_high_for_the_supply_is_named(sensor):
     watch = SupplyWatch(Supply("INA219", sensor.read), acceleration_limit=2.5)
     watch.read(now=0.0)
     note = start(watch, sensor, volts(11.1), now=1.0)
-    assert note.endswith("as the motors start: lower acceleration_limit (now 2.5)")
+    assert str(note).endswith("as the motors start: lower acceleration_limit (now 2.5)")
 
 
 def test_an_empty_battery_is_reported_once_and_diagnosed_until_it_is_charged(watch, sensor):
-    sentence = "its battery is empty (9.0 V): charge it"
+    sentence = remark("empty", voltage="9.0")
+    assert str(sentence) == "its battery is empty (9.0 V): charge it"
     for begin in (1.0, 10.0):
         sensor.reading = volts(9.0)
         watch.read(now=begin)
@@ -120,7 +122,7 @@ def test_a_raspberry_pi_reports_an_undervoltage_some_seconds_later(watch, sensor
     sensor.reading = Reading(undervoltage=False)
     watch.read(now=0.5)
     note = start(watch, sensor, Reading(undervoltage=True), now=1.0, after=ALARM_WITHIN - 0.5)
-    assert note == "its supply dips as the motors start: set acceleration_limit:=1"
+    assert str(note) == "its supply dips as the motors start: set acceleration_limit:=1"
     assert str(watch) == "undervoltage, by the INA219"
 
 

@@ -10,7 +10,6 @@ from jetbot_control_node.status.notes import (
     LASTING,
     LOOK_INTERVAL,
     NOTE_FOR,
-    TOO_SLOW,
     Disturbances,
     Lasting,
     Status,
@@ -20,7 +19,8 @@ from jetbot_control_node.status.notes import (
     waiting_programs,
     waiting_remark,
 )
-from jetbot_ros.state import EMERGENCY_STOP, because
+from jetbot_control_node.status.remarks import remark
+from jetbot_ros.state import EMERGENCY_STOP, because, sentence
 
 NONE = {"resets": 0, "overwritten": 0, "faults": 0}
 COCKPIT = Sender("/jetbot_cockpit", manual=True)
@@ -38,7 +38,7 @@ def command(supervisor, *names, now=0.0):
 
 def test_two_programs_are_both_named_while_both_send(supervisor):
     command(supervisor, "/teleop", "/circle")
-    assert rivals_note(supervisor, now=0.1) == "2 programs command it: /circle and /teleop"
+    assert str(rivals_note(supervisor, now=0.1)) == "2 programs command it: /circle and /teleop"
     command(supervisor, "/circle", now=1.0)
     assert rivals_note(supervisor, now=RECENT) is None
 
@@ -46,14 +46,22 @@ def test_two_programs_are_both_named_while_both_send(supervisor):
 def test_a_standing_order_counts_until_its_program_ends(supervisor):
     supervisor.commands.record(Sender("/order", latched=True), now=0.0)
     command(supervisor, "/teleop", now=60.0)
-    assert rivals_note(supervisor, now=60.1) == "2 programs command it: /order and /teleop"
+    assert str(rivals_note(supervisor, now=60.1)) == "2 programs command it: /order and /teleop"
     supervisor.commands.forget("/order")
     assert rivals_note(supervisor, now=60.2) is None
 
 
 def test_of_many_programs_two_are_named(supervisor):
     command(supervisor, *(f"/pupil_{i:03}" for i in range(200)))
-    assert rivals_note(supervisor, now=0.1) == "200 programs command it: /pupil_000, /pupil_001 and 198 more"
+    assert str(rivals_note(supervisor, now=0.1)) == "200 programs command it: /pupil_000, /pupil_001 and 198 more"
+
+
+@pytest.mark.parametrize("names, text", [
+    (["/a"], "/a waits for the cockpit"), (["/a", "/b"], "/a and /b wait for the cockpit"),
+    (["/a", "/b", "/c"], "/a, /b and /c wait for the cockpit"),
+    (["/a", "/b", "/c", "/d"], "/a, /b and 2 more wait for the cockpit")])
+def test_a_remark_lists_the_first_few_of_many_programs(names, text):
+    assert str(waiting_remark(names)) == text
 
 
 def test_who_waits_while_a_person_drives(supervisor):
@@ -61,10 +69,10 @@ def test_who_waits_while_a_person_drives(supervisor):
     assert waiting_programs(supervisor, now=0.0) == []
     supervisor.commands.record(COCKPIT, now=0.0)
     supervisor.state = supervisor.state.command(0.0, 0.0, COCKPIT, now=0.0)
-    assert waiting_remark(waiting_programs(supervisor, now=0.1)) == "/circle waits for the cockpit"
+    assert str(waiting_remark(waiting_programs(supervisor, now=0.1))) == "/circle waits for the cockpit"
     assert rivals_note(supervisor, now=0.1) is None
     command(supervisor, "/square", now=0.1)
-    assert waiting_remark(waiting_programs(supervisor, now=0.2)) == "/circle and /square wait for the cockpit"
+    assert str(waiting_remark(waiting_programs(supervisor, now=0.2))) == "/circle and /square wait for the cockpit"
     assert waiting_programs(supervisor, now=RECENT + 0.1) == []
 
 
@@ -75,14 +83,15 @@ def test_who_waits_while_a_person_drives(supervisor):
 def test_what_costs_motion_is_reported_for_a_while(counts, note):
     disturbances = Disturbances()
     assert disturbances.notes({**NONE, "faults": 1}, now=0.0) == []  # one fault has a status of its own
-    assert disturbances.notes({**NONE, **counts}, now=9.0) == [note]
+    assert list(map(str, disturbances.notes({**NONE, **counts}, now=9.0))) == [note]
     assert disturbances.notes({**NONE, **counts}, now=9.0 + NOTE_FOR) == []
 
 
 @pytest.mark.parametrize("closed_loop, advice", [(False, "raise min_duty"), (True, "command more")])
 def test_wheels_that_get_less_than_a_step_of_the_board_are_reported_with_advice(closed_loop, advice):
     robot = Mock(**{"left_motor.value": -0.0001, "driver.closed_loop": closed_loop, "driver.resolution": 0.0002})
-    assert too_slow_note(robot, (-0.0001, 0.0)) == TOO_SLOW + advice
+    assert str(too_slow_note(robot, (-0.0001, 0.0))) == (
+        f"the wheels get less than one step of the board, so they do not turn: {advice}")
     assert too_slow_note(robot, (0.0, -0.0002)) is None
 
 
@@ -100,7 +109,7 @@ def test_a_condition_is_reported_while_it_has_lasted():
 
 
 DRIVING = State(1.0, cause=None)
-NOTED = Status(DRIVING, notes=("both wheels at full power",), waiting=("/circle",))
+NOTED = Status(DRIVING, notes=(remark("full_power"),), waiting=("/circle",))
 
 
 @pytest.mark.parametrize("status, text, warning", [
@@ -113,6 +122,7 @@ NOTED = Status(DRIVING, notes=("both wheels at full power",), waiting=("/circle"
      True)])
 def test_a_status_has_notes_and_a_remark_where_they_matter(status, text, warning):
     assert (status.text, status.warning) == (text, warning)
+    assert ", ".join([sentence(status.cause), *map(str, status.data.remarks)]) == text, "a page says the same"
 
 
 def test_a_status_is_reported_once_and_looked_at_again_when_something_changes_or_after_a_while(supervisor):

@@ -21,7 +21,7 @@ from jetbot_cockpit.session.messages import problem_of
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.rights import Client
 
-ADA, TEACHER = Client(1, "Ada", "pupil"), Client(2, "teacher", "teacher")
+ADA, TEACHER = Client(1, "pupil"), Client(2, "teacher")
 LET_GO, NO_ANSWER = "Let go, then drive again.", "robot does not answer."
 RELEASE_FIRST = "Emergency stop: it must be released first."
 RELEASE_OWN_FIRST = "its own emergency stop must be released first."

@@ -1,9 +1,9 @@
 // Why a robot is stopped: for pupils where its own status is for a person at its terminal, in the page's language.
 
-/** @typedef {{ status: string, state: string, cause: string,
- * template?: string, arguments?: Record<string, string> }} Status */
+/** @import { RobotState } from "./messages.js" */
+/** @typedef {Pick<RobotState, "status" | "state" | "cause" | "template" | "arguments" | "remarks">} Status */
 
-import { fill, t } from "./language.js";
+import { t } from "./language.js";
 
 const WAITS = t("it waits for a new command");
 const CAUSES = { // codes of the controller's state
@@ -23,11 +23,10 @@ export function forPupils(robot) {
   return Object.hasOwn(CAUSES, robot.cause) ? t("stopped: {cause}", { cause: CAUSES[robot.cause] }) : inWords(robot);
 }
 
-// Returns the status of a robot as its controller words it. What it remarks besides the cause stays in English.
+// Returns the status of a robot as its controller words it; in English if that does not send it as data.
 /** @param {Status} robot */
-export function inWords({ status, state, template = "", arguments: values = {} }) {
-  const [english, translated] = template
-    ? [`stopped: ${fill(template, values)}`, t("stopped: {cause}", { cause: t(template, values) })]
-    : [state, state === "driving" ? t("driving") : state];
-  return status.startsWith(english) ? translated + status.slice(english.length) : status;
+export function inWords({ status, state, template, arguments: values, remarks }) {
+  const does = template ? t("stopped: {cause}", { cause: t(template, values) }) : state === "driving" && t("driving");
+  if (!does || !remarks) return status;
+  return [does, ...remarks.map((remark) => t(remark.template, remark.arguments))].join(", ");
 }

@@ -12,7 +12,7 @@ const DECIMAL = /^([-−]?\d+)\.(\d+)$/;
 const page = globalThis.document?.body; // none in a test without a browser
 export const language = page ? choose() : "en";
 const sentences = new Map(Object.entries(language === "en" ? {} : await load()));
-const plurals = new Intl.PluralRules(language);
+const [whole, decimal] = [0, 1].map((digits) => new Intl.PluralRules(language, { minimumFractionDigits: digits }));
 const [, mark] = new Intl.NumberFormat(language).formatToParts(0.5);
 if (page) translate(document.documentElement);
 
@@ -35,18 +35,22 @@ async function load() {
 /** @param {string} english @param {Record<string, unknown>} values */
 export function t(english, values = {}) {
   const [one, other = one] = (sentences.get(english) ?? english).split("|");
-  const form = plurals.select(Number(values.count ?? 1)) === "one" ? one : other;
-  return fill(form, values, number);
+  const form = isOne(values.count ?? 1) ? one : other;
+  return form.replace(/\{(\w+)\}/g, (name, key) => (Object.hasOwn(values, key) ? written(values[key]) : name));
 }
 
-// Returns a text with values in place of its {names}. written(value): how it is written
-/** @param {string} text @param {Record<string, unknown>} values @param {(value: unknown) => string} written */
-export function fill(text, values, written = String) {
-  return text.replace(/\{(\w+)\}/g, (name, key) => (Object.hasOwn(values, key) ? written(values[key]) : name));
+// Whether this number takes the first of two forms: 1 does, but "1.0" not in each language.
+function isOne(count) {
+  return (String(count).includes(".") ? decimal : whole).select(Number(count)) === "one";
+}
+
+// Returns a value of a sentence, which may itself be one of the cockpit's.
+function written(value) {
+  return value instanceof Object ? said(value) : number(value);
 }
 
 // Returns what a message says: that of the cockpit has its English as a template, too.
-/** @param {{ text: string, template?: string, arguments?: Record<string, string> }} message */
+/** @param {{ text: string, template?: string, arguments?: Record<string, unknown> }} message */
 export function said({ text, template, arguments: values }) {
   return template ? t(template, values) : text;
 }

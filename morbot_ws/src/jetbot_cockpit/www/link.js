@@ -12,18 +12,15 @@ const SILENCE_TIMEOUT = 3000; // ms; the cockpit sends its state at least once p
 const BACKLOG = 300; // bytes that have not left this device: newer commands do not queue behind them
 
 const NO_COOKIE = 4001;
-const FULL = 4002;
-const GOING_AWAY = 1001;
+const ENDS = { // codes with which the cockpit closes the socket
+  1001: t("The cockpit has ended: somebody must start it again."),
+  4000: t("The cockpit does not understand this page: reload the page."),
+  4002: t("The cockpit is full: close a page that nobody needs."),
+  4003: t("The cockpit got too many messages from here."),
+  4004: t("The cockpit heard nothing from this page for too long."),
+};
+const CUT_OFF = t("No connection to the cockpit: check the network, and that the cockpit runs.");
 const AGAIN = t("This page tries again by itself.");
-
-// Returns the sentence for a connection that has ended.
-function explain(code, reason) {
-  if (code === FULL) return t("The cockpit is full: close a page that nobody needs.");
-  if (code === GOING_AWAY) return t("The cockpit has ended: somebody must start it again.");
-  if (code >= 4000 && reason) return t("The cockpit closed the connection: {reason}.", { reason: t(reason) });
-  if (code >= 4000) return t("The cockpit closed the connection: no reason given.");
-  return t("No connection to the cockpit: check the network, and that the cockpit runs.");
-}
 
 export class Link {
   /** @type {WebSocket | null} */
@@ -50,7 +47,7 @@ export class Link {
     socket.binaryType = "arraybuffer";
     socket.onopen = () => this.opened(socket);
     socket.onmessage = (event) => this.received(socket, event.data);
-    socket.onclose = (event) => this.ended(socket, event.code, event.reason);
+    socket.onclose = (event) => this.ended(socket, event.code);
     this.socket = socket;
     this.receivedAt = performance.now();
     previous?.close();
@@ -87,12 +84,12 @@ export class Link {
     else this.receive(message);
   }
 
-  ended(socket, code, reason) {
+  ended(socket, code) {
     if (socket !== this.socket) return;
     this.socket = null;
     if (code === NO_COOKIE) return this.refused();
     this.retry = setTimeout(() => this.open(), RETRY_INTERVAL * (0.5 + Math.random()));
-    this.changed(`${explain(code, reason)} ${AGAIN}`);
+    this.changed(`${ENDS[code] ?? CUT_OFF} ${AGAIN}`);
   }
 
   check() {
@@ -105,7 +102,7 @@ export class Link {
   // A socket whose other end is cut off closes only after a long time: do not wait for it.
   abandon() {
     const { socket } = this;
-    this.ended(socket, 0, "");
+    this.ended(socket, 0);
     socket?.close();
   }
 }

@@ -95,7 +95,7 @@ function showTask(task) {
 
 function result({ state, score, seconds }) {
   if (score === null) return state === "driving" ? inSeconds(seconds) : "";
-  const points = t("{points} points", { points: score.toFixed(1) });
+  const points = t("{count} points", { count: score.toFixed(1) });
   return [points, inSeconds(seconds)].filter(Boolean).join(", ");
 }
 

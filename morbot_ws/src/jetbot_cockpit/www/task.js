@@ -8,5 +8,5 @@ import { t } from "./language.js";
 export function saidOf({ text, sentences, lost }) {
   if (!sentences.length) return text; // of a judge that publishes no data
   const said = sentences.map(({ template, arguments: values }) => t(template, values)).join(" ");
-  return lost === null ? said : t("Largest loss: {loss} ({points} points).", { loss: said, points: lost.toFixed(1) });
+  return lost === null ? said : t("Largest loss: {loss} ({count} points).", { loss: said, count: lost.toFixed(1) });
 }

@@ -22,9 +22,9 @@ const ABSENT = {
 
 /** @type {State} */
 const UNKNOWN = {
-  status: "", state: "", cause: "", template: "", arguments: {}, holds: [], waiting: [], fake: false, warning: false,
-  answers: true, stopped: false, pose: null, speed: null, command: null, wheels: null, program: "",
-  driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null,
+  status: "", state: "", cause: "", template: "", arguments: {}, remarks: null, holds: [], waiting: [],
+  fake: false, warning: false, answers: true, stopped: false, pose: null, speed: null, command: null, wheels: null,
+  program: "", driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null,
 };
 
 export class World {
@@ -196,7 +196,8 @@ export class World {
     const robot = this.robot(id)?.label ?? t("The robot");
     const as = (level, text) => ({ text, level });
     if (!answers) {
-      return as("warning", this.teacher ? status : t("{robot} does not answer. Tell your teacher.", { robot }));
+      return as("warning", this.teacher ? t("{robot} does not answer. Restart it, or resume it with fg.", { robot })
+        : t("{robot} does not answer. Tell your teacher.", { robot }));
     }
     if (this.emergency && this.mustWait) return as("stopped", t("Your teacher stopped all robots."));
     if (this.emergency || stopped) return as("stopped", STOPS.includes(cause) ? status : t("stopped: emergency stop"));

@@ -1,18 +1,26 @@
 """A sentence for people as data: a code for programs, and a template with arguments that a page can translate."""
 
+import json
 from string import Formatter
-from typing import Dict, Mapping, NamedTuple, Optional, Set
+from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Set, Tuple, Union
+
+from .text import is_printable
+
+MAX_TEXT = 500      # characters of a template, and of an argument, of another program
+MAX_SENTENCES = 10  # of another program at once,
+MAX_JSON = 4000     # and characters of them all
 
 
 class Sentence(NamedTuple):
     """code: what programs know it by; template: in English, with {names}; arguments: what these stand for.
 
-    Of two forms, "{count} robot|{count} robots", the argument ``count`` chooses: the first is for "1".
+    An argument may itself be a sentence. Of two forms, "{count} robot|{count} robots", the argument ``count`` chooses:
+    the first is for "1".
     """
 
     code: str
     template: str
-    arguments: Mapping[str, str] = {}
+    arguments: Mapping[str, Union[str, "Sentence"]] = {}
 
     def __str__(self) -> str:
         one, _, many = self.template.partition("|")
@@ -20,12 +28,19 @@ class Sentence(NamedTuple):
 
     def fields(self) -> Dict[str, object]:
         """Return it as a part of a message."""
-        return {"code": self.code, "arguments": self.arguments, "text": str(self), "template": self.template}
+        arguments = {name: part(value) for name, value in self.arguments.items()}
+        return {"code": self.code, "arguments": arguments, "text": str(self), "template": self.template}
+
+
+def part(value: Union[str, Sentence]) -> object:
+    """Return a text, or a sentence, as a part of a message."""
+    return value.fields() if isinstance(value, Sentence) else value
 
 
 def row(table: Mapping[str, str], code: str, **arguments: object) -> Sentence:
     """Return the sentence with this code of a table of templates."""
-    return Sentence(code, table[code], {name: str(value) for name, value in arguments.items()})
+    return Sentence(code, table[code], {name: value if isinstance(value, Sentence) else str(value)
+                                        for name, value in arguments.items()})
 
 
 def read_row(table: Mapping[str, str], code: str, values: Mapping[str, str]) -> Optional[Sentence]:
@@ -38,3 +53,33 @@ def read_row(table: Mapping[str, str], code: str, values: Mapping[str, str]) -> 
 def names_in(template: str) -> Set[str]:
     """Return the names of the arguments of a template."""
     return {name for _, name, _, _ in Formatter().parse(template) if name}
+
+
+def as_data(sentences: Iterable[Sentence]) -> List[Dict[str, Any]]:
+    """Return {code, template, arguments} of each."""
+    return [each._asdict() for each in sentences]
+
+
+def dump(sentences: Iterable[Sentence]) -> str:
+    """Return sentences without sentences in them as JSON."""
+    return json.dumps(as_data(sentences))
+
+
+def load(text: str) -> Optional[Tuple[Sentence, ...]]:
+    """Return what another program has dumped; None if it is something else, or too much."""
+    try:
+        rows = json.loads(text) if len(text) <= MAX_JSON else None
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(rows, list) or len(rows) > MAX_SENTENCES or not all(map(_is_sentence, rows)):
+        return None
+    return tuple(Sentence(**each) for each in rows)
+
+
+def _is_sentence(value: Any) -> bool:
+    """Return whether this is a sentence as data, whose texts a person may see."""
+    if not isinstance(value, dict) or value.keys() != set(Sentence._fields):
+        return False
+    code, template, arguments = (value[name] for name in Sentence._fields)
+    return isinstance(arguments, dict) and all(
+        is_printable(each, MAX_TEXT) for each in (code, template, *arguments, *arguments.values()))

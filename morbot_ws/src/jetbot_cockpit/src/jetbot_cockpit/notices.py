@@ -3,6 +3,9 @@
 from jetbot.sentence import Sentence, row
 
 NOTICES = {
+    # Who has no other name
+    "pupil": "pupil {number}",
+    "teacher": "teacher {number}",
     # Driving
     "own_robot_only": "With your code, you can drive only {robot}.",
     "interrupted": "The cockpit was interrupted. Let go, then drive again.",

@@ -230,6 +230,6 @@ function whyCancelled(world, id) {
 
 function result(task) {
   const { title, score, seconds } = task;
-  const values = { task: t(title), score: score.toFixed(1), time: inSeconds(seconds), losses: saidOf(task) };
-  return t("{task}: {score} points, {time}. {losses}", values);
+  const values = { task: t(title), count: score.toFixed(1), time: inSeconds(seconds), losses: saidOf(task) };
+  return t("{task}: {count} points, {time}. {losses}", values);
 }

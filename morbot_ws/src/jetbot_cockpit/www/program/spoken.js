@@ -17,8 +17,8 @@ export const named = (Field) => class extends Field {
 };
 
 // Does this, once: each block is described by its tooltip, unless that is the one of the block around it, and a block
-// that changes its place names its fields again; a list of choices is named as its field is; no command is "not selected";
-// no block of the toolbox owns what does not exist.
+// that changes its place names its fields again; a list of choices is named as its field is; no command is
+// "not selected"; no block of the toolbox owns what does not exist.
 export function describeBlocks() {
   extend(Blockly.BlockSvg, "recomputeAriaContext", (block) => {
     for (const field of block.getFields()) if (field.EDITABLE) field.recomputeAriaContext();

@@ -2,7 +2,7 @@
 
 from typing import Dict, Mapping, NamedTuple, Optional, Tuple
 
-from jetbot.sentence import Sentence, read_row, row
+from jetbot.sentence import Sentence, dump, load, read_row, row
 from jetbot.text import printable
 
 MANUAL_PRIORITY = 5.0  # s after a command of the cockpit in which those of other programs are ignored
@@ -50,8 +50,8 @@ class RobotState(NamedTuple):
 
     state: DRIVING, STOPPED or ENDED, "" if it is not known; sentence: the same, for people; cause: a code of CAUSES, ""
     while it drives; arguments: what the cause names; holds: those of HOLDS that are engaged; commanded_by: the node
-    whose command counts, or ""; waiting: the nodes whose commands are ignored while a person drives; bus: its board's
-    bus or port.
+    whose command counts, or ""; waiting: the nodes whose commands are ignored while a person drives; remarks: what the
+    sentence says besides the cause, None if it is not known as data; bus: its board's bus or port.
     """
 
     state: str = ""
@@ -61,6 +61,7 @@ class RobotState(NamedTuple):
     holds: Tuple[str, ...] = ()
     commanded_by: str = ""
     waiting: Tuple[str, ...] = ()
+    remarks: Optional[Tuple[Sentence, ...]] = None
     bus: str = ""
 
     @property
@@ -72,7 +73,8 @@ class RobotState(NamedTuple):
     def values(self) -> Dict[str, str]:
         """Return the values of the message, whose text is the sentence."""
         return {"state": self.state, "cause": self.cause, **self.arguments, "holds": " ".join(self.holds),
-                "commanded_by": self.commanded_by, "waiting": " ".join(self.waiting), "bus": self.bus}
+                "commanded_by": self.commanded_by, "waiting": " ".join(self.waiting),
+                "remarks": "" if self.remarks is None else dump(self.remarks), "bus": self.bus}
 
 
 UNKNOWN = RobotState()
@@ -84,8 +86,9 @@ def read(message) -> RobotState:
     state, cause, holds, commanded_by, waiting, bus = (
         values.pop(key, "") for key in ("state", "cause", "holds", "commanded_by", "waiting", "bus"))
     known = read_row(CAUSES, cause, values)
+    remarks = next((item.value for item in message.values if item.key == "remarks"), "")
     return RobotState(state, printable(message.message)[:MAX_LENGTH], cause, known.arguments if known else {},
-                      tuple(holds.split()), commanded_by, tuple(waiting.split()), bus)
+                      tuple(holds.split()), commanded_by, tuple(waiting.split()), load(remarks), bus)
 
 
 def sentence(cause: Optional[Cause]) -> str:

@@ -1,6 +1,5 @@
 """The task for those who watch: its state on the topic ``task``, its course and goal on ``task_course``."""
 
-import json
 from typing import Iterable
 
 import rospy
@@ -11,7 +10,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from jetbot import kinematics
 from jetbot.kinematics import from_frame
-from jetbot.sentence import Sentence
+from jetbot.sentence import Sentence, dump
 from jetbot_ros import contract
 from jetbot_ros.ros_messages import quaternion
 
@@ -73,7 +72,7 @@ class Announcement:
 
     def _send(self, state, message, sentences, **values):
         pairs = {"state": state, "title": self._task.title, "request": self._request,
-                 "sentences": json.dumps([each._asdict() for each in sentences]), **values}
+                 "sentences": dump(sentences), **values}
         self._state.publish(DiagnosticStatus(level=DiagnosticStatus.OK, name=self._task.name, message=message,
                                              values=[KeyValue(*pair) for pair in pairs.items()]))
 

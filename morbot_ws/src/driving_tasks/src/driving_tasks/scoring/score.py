@@ -35,7 +35,7 @@ class Result(NamedTuple):
     @property
     def sentence(self) -> str:
         """The largest loss as a sentence."""
-        said = say("largest_loss", loss=self.largest_loss, points=f"{self.loss.points:.1f}") if self.loss else NO_LOSS
+        said = say("largest_loss", loss=self.largest_loss, count=f"{self.loss.points:.1f}") if self.loss else NO_LOSS
         return str(said)
 
 

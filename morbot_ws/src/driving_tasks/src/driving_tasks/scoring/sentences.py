@@ -73,7 +73,7 @@ SENTENCES: Dict[str, str] = {
     "braked": "braked at {acceleration} m/s^2, and {limit} are allowed",
     "slow": "took {seconds} s; {ideal} s are enough",
     # A result
-    "largest_loss": "Largest loss: {loss} ({points} points).",
+    "largest_loss": "Largest loss: {loss} ({count} points).",
     "no_loss": "No loss of more than half a point.",
     # A drive
     "driving": "{seconds} s",

@@ -1,14 +1,13 @@
 """What other programs report about a robot, made fit for a page: numbers, tasks and drawings. No ROS here."""
 
-import json
 import math
 from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Tuple
 
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, Pose, from_frame
+from jetbot.sentence import load
 from jetbot.text import printable
 from jetbot_ros.contract import MAX_NAME
 
-from ..session.messages import SENTENCES
 from ..session.snapshot import Shape, TaskSnapshot, label
 
 CLOSED_LOOP = WHEEL_SEPARATION, FULL_SPEED  # of a JetBot Pro, which limits its wheels itself
@@ -16,7 +15,6 @@ DRIVING, DONE = "driving", "done"
 STATES = ("ready", DRIVING, DONE, "cancelled")  # of a task
 MAX_TITLE = 60      # characters
 MAX_TEXT = 200      # characters
-MAX_JSON = 4000     # characters of the same as JSON
 MAX_SECONDS = 1e5
 MAX_LOST = 1e4      # points: each contact with a wall costs 20
 GONE_AFTER = 3.0    # s without a publisher until a task without a score is forgotten: its judge was killed
@@ -66,16 +64,7 @@ def decode_task(name: str, text: str, values: Mapping[str, str]) -> Optional[Tas
     return TaskSnapshot(printable(name)[:MAX_TITLE], printable(values.get("title") or name)[:MAX_TITLE], state,
                 printable(text)[:MAX_TEXT], number(values.get("seconds"), MAX_SECONDS), score,
                 printable(values.get("driver", ""))[:MAX_NAME], printable(values.get("request", ""))[:MAX_TITLE],
-                decode_sentences(values.get("sentences", "")), number(values.get("lost"), MAX_LOST))
-
-
-def decode_sentences(text: str) -> Tuple[dict, ...]:
-    """Return what a judge says as {code, template, arguments} each, from JSON; () if a page cannot show it."""
-    try:
-        sentences = json.loads(text[:MAX_JSON])
-    except (ValueError, RecursionError):
-        return ()
-    return tuple(sentences) if SENTENCES.accepts(sentences) else ()
+                load(values.get("sentences", "")) or (), number(values.get("lost"), MAX_LOST))
 
 
 def number(text: Optional[str], largest: float) -> Optional[float]:

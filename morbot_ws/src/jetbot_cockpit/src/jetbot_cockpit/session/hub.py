@@ -17,7 +17,7 @@ from .viewers import STILL_INTERVAL, PageOwner, Viewer, most_crowding
 
 MAX_CLIENTS = MAX_ROBOTS + 1  # a page for each robot, and a teacher's
 MAX_FRAME = 8192  # bytes of a message that is read at all; Tornado closes the socket of a larger one with 1009
-REFUSED, LOG_IN, FULL, ENDED = 4000, 4001, 4002, 1001  # why a socket is closed
+INVALID, LOG_IN, FULL, FLOODED, SILENT, ENDED = 4000, 4001, 4002, 4003, 4004, 1001  # why a socket is closed
 NO_CODE = "log in first"
 NO_ROOM = f"{MAX_CLIENTS} pages are connected already"
 TOO_MANY = f"more than {MAX_RATE} messages per second"
@@ -46,10 +46,10 @@ class Hub:
         robot: the only one that a pupil may drive, None: any.
         """
         if now < self._flooded.get(owner, now):
-            connection.close(REFUSED, TOO_MANY)
+            connection.close(FLOODED, TOO_MANY)
             return None
         number = next(self._numbers)
-        viewer = Viewer(Client(number, f"{role} {number}", role, robot), owner, connection, now)
+        viewer = Viewer(Client(number, role, robot), owner, connection, now)
         viewers = [*self._viewers.values(), viewer]
         leaving = most_crowding(viewers) if len(viewers) > MAX_CLIENTS else None
         if leaving:
@@ -57,7 +57,8 @@ class Hub:
         if leaving is viewer:
             return None
         codes = role == TEACHER and bool(self._codes.rows)
-        connection.send(dumps({"type": "hello", **viewer.client._asdict(), "codes": codes, "limits": LIMITS}))
+        connection.send(dumps({"type": "hello", **viewer.client._asdict(), "name": str(viewer.client.name),
+                               "codes": codes, "limits": LIMITS}))
         self._viewers[number] = viewer
         return viewer
 
@@ -74,7 +75,7 @@ class Hub:
         if viewer.client.id in self._viewers and not viewer.record_activity(now):
             self._flooded = {each: until for each, until in self._flooded.items() if now < until}
             self._flooded[viewer.owner] = now + FLOOD_PAUSE
-            self.end(viewer, REFUSED, TOO_MANY)
+            self.end(viewer, FLOODED, TOO_MANY)
         return viewer.client.id in self._viewers
 
     def leave(self, viewer: Viewer) -> None:
@@ -106,7 +107,7 @@ class Hub:
         state, robots = dumps(self._control.state()), dumps({"type": "robots", "robots": self._control.robots()})
         for viewer in list(self._viewers.values()):
             if now - viewer.active_at > GONE_AFTER:
-                self.end(viewer, REFUSED, "no sign of life")
+                self.end(viewer, SILENT, "no sign of life")
             elif viewer.is_ready(now):
                 viewer.show(robots, changes, state, self._control.history, now)
                 viewer.warn(self._control.problem)
@@ -138,7 +139,7 @@ class Hub:
         try:
             message = protocol.parse(text)
         except protocol.ProtocolError as error:
-            self.end(viewer, REFUSED, str(error))
+            self.end(viewer, INVALID, str(error))
             return
         if now >= self._paused_until or not message.moves:
             viewer.answer(self._reply(viewer, message, now))

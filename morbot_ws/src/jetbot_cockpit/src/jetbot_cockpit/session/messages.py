@@ -14,8 +14,7 @@ from ..classroom import program
 from .collection import LABELS
 from .history import MAX_POINTS, STEP
 
-MAX_TASK = 60       # characters of a task's name,
-MAX_SENTENCE = 500  # of a template of its judge, and of an argument
+MAX_TASK = 60       # characters of a task's name
 MAX_MESSAGE = 1000  # bytes of a message of the page
 MAX_RATE = 40       # messages per second of a page,
 MAX_BURST = 50      # and at once: what a pause of the network has held back
@@ -74,8 +73,8 @@ def part(name: str, /, **fields: Field) -> Field:
     return Field(name, lambda value: isinstance(value, dict) and value.keys() == fields.keys() and fit(value, fields))
 
 
-def by_robot(field: Field) -> Field:
-    """Return the field of an object with a value for each robot."""
+def by_name(field: Field) -> Field:
+    """Return the field of an object with a value for each name."""
     return Field(f"Record<string, {field.type}>",
                  lambda value: isinstance(value, dict) and all(map(field.accepts, value.values())))
 
@@ -98,23 +97,23 @@ ID = Field("string", program.is_id, "16 hexadecimal digits")
 VERSION = Field("number", program.is_version)
 PROGRAM_NAME = Field("string", program.is_program_name, f"{program.MAX_NAME} characters")
 POSE = numbers(3)
-ARGUMENTS = by_robot(TEXT)._replace(type="Record<string, string>")
-SAID = {"code": TEXT, "arguments": ARGUMENTS, "text": TEXT, "template": TEXT}  # a Notice
+ARGUMENTS = by_name(TEXT)
+TEXT_OR_SAID = Field("string | Said", lambda value: TEXT.accepts(value) or NOTICE.accepts(value))
+SAID = {"code": TEXT, "arguments": by_name(TEXT_OR_SAID), "text": TEXT, "template": TEXT}  # a Notice
 NOTICE = part("Said", **SAID)
-SENTENCES = list_of(part("Sentence", code=text(MAX_SENTENCE), template=text(MAX_SENTENCE),
-                         arguments=by_robot(text(MAX_SENTENCE))._replace(type=ARGUMENTS.type)))
-DRIVER = part("Driver", id=COUNT, name=TEXT)
+SENTENCES = list_of(part("Sentence", code=TEXT, template=TEXT, arguments=ARGUMENTS))
+DRIVER = part("Driver", id=COUNT, name=TEXT_OR_SAID)
 JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "driving", "done", "cancelled"), text=TEXT,
               seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT, request=TEXT, sentences=SENTENCES,
               lost=or_null(NUMBER))
 PICTURES = part("Pictures", **dict.fromkeys(LABELS, COUNT), problem=or_null(NOTICE))
 ROBOT_STATE = part(
     "RobotState", status=TEXT, state=one_of("", "driving", "stopped", "ended"), cause=TEXT, template=TEXT,
-    arguments=ARGUMENTS, holds=list_of(TEXT), waiting=list_of(TEXT), fake=BOOLEAN, warning=BOOLEAN, answers=BOOLEAN,
-    stopped=BOOLEAN, pose=or_null(POSE), speed=or_null(numbers(2)), command=or_null(numbers(2)),
-    wheels=or_null(numbers(2)), program=TEXT, driver=or_null(DRIVER), resumes=or_null(COUNT),
-    held=or_null(one_of("robot", "programs")), stalls=COUNT, task=or_null(JUDGED), pictures=or_null(PICTURES),
-    programs=COUNT)
+    arguments=ARGUMENTS, remarks=or_null(SENTENCES), holds=list_of(TEXT), waiting=list_of(TEXT), fake=BOOLEAN,
+    warning=BOOLEAN, answers=BOOLEAN, stopped=BOOLEAN, pose=or_null(POSE), speed=or_null(numbers(2)),
+    command=or_null(numbers(2)), wheels=or_null(numbers(2)), program=TEXT, driver=or_null(DRIVER),
+    resumes=or_null(COUNT), held=or_null(one_of("robot", "programs")), stalls=COUNT, task=or_null(JUDGED),
+    pictures=or_null(PICTURES), programs=COUNT)
 ROBOT_ROW = part("Robot", id=ROBOT, label=TEXT, color=TEXT, workshop=or_null(BOOLEAN), wheel_separation=NUMBER,
                  max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT)
 SHAPE = part("Shape", kind=one_of("wall", "line", "course", "goal"), width=NUMBER, points=list_of(numbers(2)))
@@ -158,7 +157,7 @@ FROM_COCKPIT = {
                   "who you are; `robot`: the only one that you may drive, or null; `codes`: whether you may see codes; "
                   "`limits`: what the cockpit and its pages agree about"),
     "robots": Form({"robots": list_of(ROBOT_ROW)}, "which robots there are: at first, and when that changes"),
-    "state": Form({"emergency": BOOLEAN, "pupils_release": BOOLEAN, "robots": by_robot(ROBOT_STATE)},
+    "state": Form({"emergency": BOOLEAN, "pupils_release": BOOLEAN, "robots": by_name(ROBOT_STATE)},
                   "what each one does: at most 12.5 times a second, at least once"),
     "trail": Form({"robot": ROBOT, "start": or_null(POSE), "points": list_of(numbers(2))},
                   "where it started, and has been since: at first, and empty when it was put back"),

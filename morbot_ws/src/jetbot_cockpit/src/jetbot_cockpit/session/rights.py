@@ -14,9 +14,13 @@ class Client(NamedTuple):
     """Somebody at a page. role: PUPIL or TEACHER; robot: the only one that a pupil may drive, None: any."""
 
     id: int
-    name: str
     role: str
     robot: Optional[str] = None
+
+    @property
+    def name(self) -> Notice:
+        """What a person is called who has no other name."""
+        return say(self.role, number=self.id)
 
     def may_drive(self, robot: str) -> bool:
         """Return whether this person may drive the robot."""

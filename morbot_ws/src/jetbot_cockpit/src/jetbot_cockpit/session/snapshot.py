@@ -3,6 +3,7 @@
 from typing import Dict, FrozenSet, List, NamedTuple, Optional, Tuple
 
 from jetbot.fake import folder_of
+from jetbot.sentence import Sentence, as_data
 from jetbot.text import enumeration
 from jetbot_ros.state import UNKNOWN, RobotState
 
@@ -16,8 +17,8 @@ class TaskSnapshot(NamedTuple):
     """A driving task. text: in English; seconds: of the drive; score: 0 to 100, once done, with driver: the name of who
     drove, "" if it is not known; request: which one its judge answers, "" for none.
 
-    sentences: the text as {code, template, arguments} each, () if it is not known so; once done, what lost most points,
-    with lost: how many, None if it is not worth a sentence.
+    sentences: the text as data, () if it is not known so; once done, what lost most points, with lost: how many, None
+    if it is not worth a sentence.
     """
 
     name: str
@@ -28,8 +29,12 @@ class TaskSnapshot(NamedTuple):
     score: Optional[float] = None
     driver: str = ""
     request: str = ""
-    sentences: Tuple[dict, ...] = ()
+    sentences: Tuple[Sentence, ...] = ()
     lost: Optional[float] = None
+
+    def message(self) -> dict:
+        """Return it as a part of the message "state"."""
+        return {**self._asdict(), "sentences": as_data(self.sentences)}
 
 
 class Shape(NamedTuple):
@@ -102,10 +107,11 @@ class RobotSnapshot(NamedTuple):
         state = self.state
         own = "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
         return {"status": state.sentence, "state": state.state, "cause": state.cause, "template": state.template,
-                "arguments": state.arguments, "holds": state.holds, "waiting": state.waiting,
+                "arguments": state.arguments, "remarks": None if state.remarks is None else as_data(state.remarks),
+                "holds": state.holds, "waiting": state.waiting,
                 "fake": bool(folder_of(state.bus)),
                 **{name: getattr(self, name) for name in own},
-                "driver": driver, "resumes": resumes, "held": held, "stalls": stalls, "task": task and task._asdict(),
+                "driver": driver, "resumes": resumes, "held": held, "stalls": stalls, "task": task and task.message(),
                 "pictures": pictures, "programs": programs}
 
 

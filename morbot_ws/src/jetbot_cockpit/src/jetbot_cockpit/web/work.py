@@ -33,7 +33,7 @@ class Work(Handler):
         if not grant:
             raise HTTPError(403)
         self.check_type()
-        self._client = Client(0, grant.label, grant.role, grant.robot)
+        self._client = Client(0, grant.role, grant.robot)
         self.request.connection.set_max_body_size(MAX_WORK)  # only now: who has no code sends no more than others
 
     def data_received(self, chunk: bytes) -> None:

@@ -5,32 +5,27 @@ from typing import Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from jetbot import BusError, JetbotError
 from jetbot.robot import Robot
-from jetbot.text import enumeration
+from jetbot.sentence import Sentence
 from jetbot_ros.state import DRIVING, STOPPED, Cause, RobotState, because, sentence
 
 from ..control.state_machine import State
 from ..control.supervisor import Step, Supervisor
+from .remarks import of_programs, remark
 
 LOOK_INTERVAL = 0.2  # s between two looks at what there is to note while nothing else changes
 NOTE_FOR = 3.0       # s that a disturbance of the board is reported
 LASTING = 0.5        # s that a condition lasts until it is reported: a ramp passes through some
-MAX_NAMES = 3        # names that a status lists
 
-DISTURBANCES = {  # count: from how many on it is reported, and how
-    "resets": (1, "its board has lost its settings ({} so far): check the battery and the plugs"),
-    "overwritten": (1, "another program writes to its board ({} so far)"),
-    "faults": (2, "its board keeps failing to answer ({} so far): check the wires"),  # each has its status, too
-}
-FULL_POWER, MAX_DUTY = "both wheels at full power", "both wheels at max_duty"
-TOO_SLOW = "the wheels get less than one step of the board, so they do not turn: "
+# From how many on each is reported; each fault has its status, too
+DISTURBANCES = {"resets": 1, "overwritten": 1, "faults": 2}
 
 
 class Status(NamedTuple):
-    """fault: why the robot cannot be driven; notes: sentences, each a warning; waiting: as RobotState's."""
+    """fault: why the robot cannot be driven; notes: each a warning; waiting: as RobotState's."""
 
     state: State
     fault: Optional[JetbotError] = None
-    notes: Tuple[str, ...] = ()
+    notes: Tuple[Sentence, ...] = ()
     waiting: Tuple[str, ...] = ()
 
     @property
@@ -41,11 +36,16 @@ class Status(NamedTuple):
         return because("board" if isinstance(self.fault, BusError) else "guard", problem=self.fault.reason)
 
     @property
+    def remarks(self) -> Tuple[Sentence, ...]:
+        """What there is to say of the robot besides what it does."""
+        notes = () if self.fault or self.state.alarm else self.notes
+        waiting = () if self.fault or self.state.holds or not self.waiting else (waiting_remark(self.waiting),)
+        return (*notes, *waiting)
+
+    @property
     def text(self) -> str:
         """What the robot does, and what there is to say of it."""
-        notes = () if self.fault or self.state.alarm else self.notes
-        remarks = () if self.fault or self.state.holds or not self.waiting else (waiting_remark(self.waiting),)
-        return ", ".join([sentence(self.cause), *notes, *remarks])
+        return ", ".join([sentence(self.cause), *map(str, self.remarks)])
 
     @property
     def data(self) -> RobotState:
@@ -53,7 +53,7 @@ class Status(NamedTuple):
         cause, sender = self.cause, self.state.sender
         return RobotState(STOPPED if cause else DRIVING, self.text, cause.code if cause else "",
                           cause.arguments if cause else {}, self.state.holds, sender.name if sender else "",
-                          self.waiting)
+                          self.waiting, self.remarks)
 
     @property
     def warning(self) -> bool:
@@ -68,7 +68,7 @@ class StatusWatch:
     """
 
     def __init__(self, supervisor: Supervisor, on_change: Callable[[Status], None],
-                 supply_note: Callable[[float], Optional[str]] = lambda now: None):
+                 supply_note: Callable[[float], Optional[Sentence]] = lambda now: None):
         self._supervisor, self._on_change, self._supply_note = supervisor, on_change, supply_note
         self._disturbances, self._too_slow = Disturbances(), Lasting()
         self.status = Status(supervisor.state)
@@ -85,8 +85,8 @@ class StatusWatch:
             self._data = status.data
             self._on_change(status)
 
-    def _notes(self, step) -> List[str]:
-        """Return a sentence for each thing that a person should look at."""
+    def _notes(self, step) -> List[Sentence]:
+        """Return a remark on each thing that a person should look at."""
         now, robot = step.at, self._supervisor.robot
         notes = [rivals_note(self._supervisor, now), self._supply_note(now), full_power_note(robot),
                  self._too_slow.note(too_slow_note(robot, step.duties), now),
@@ -94,12 +94,10 @@ class StatusWatch:
         return [note for note in notes if note]
 
 
-def rivals_note(supervisor: Supervisor, now: float) -> Optional[str]:
-    """Return a sentence if more than one program commands the robot, and all count."""
+def rivals_note(supervisor: Supervisor, now: float) -> Optional[Sentence]:
+    """Return a remark if more than one program commands the robot, and all count."""
     rivals = supervisor.commands.recent(now)
-    if len(rivals) < 2 or supervisor.state.is_manual(now):
-        return None
-    return f"{len(rivals)} programs command it: {listed(rivals)}"
+    return of_programs("rivals", rivals) if len(rivals) > 1 and not supervisor.state.is_manual(now) else None
 
 
 def waiting_programs(supervisor: Supervisor, now: float) -> List[str]:
@@ -107,24 +105,24 @@ def waiting_programs(supervisor: Supervisor, now: float) -> List[str]:
     return supervisor.commands.waiting(now) if supervisor.state.is_manual(now) else []
 
 
-def waiting_remark(names: Sequence[str]) -> str:
+def waiting_remark(names: Sequence[str]) -> Sentence:
     """Return that these programs wait while only manual commands count. Nobody need look at that."""
-    return f"{listed(names)} {'wait' if len(names) > 1 else 'waits'} for the cockpit"
+    return of_programs("waiting", names)
 
 
-def full_power_note(robot: Robot) -> Optional[str]:
-    """Return a sentence if the robot turns or drives less than commanded, because both wheels are at their limit."""
+def full_power_note(robot: Robot) -> Optional[Sentence]:
+    """Return a remark if the robot turns or drives less than commanded, because both wheels are at their limit."""
     if not robot.at_full_power:
         return None
-    return FULL_POWER if robot.left_motor.max_duty == 1 else MAX_DUTY
+    return remark("full_power" if robot.left_motor.max_duty == 1 else "max_duty")
 
 
-def too_slow_note(robot: Robot, duties: Sequence[float]) -> Optional[str]:
-    """Return a sentence if the board rounds to 0 what it is given, although motion is commanded."""
+def too_slow_note(robot: Robot, duties: Sequence[float]) -> Optional[Sentence]:
+    """Return a remark if the board rounds to 0 what it is given, although motion is commanded."""
     commanded = robot.left_motor.value or robot.right_motor.value
     if not commanded or max(map(abs, duties)) > robot.driver.resolution / 2:
         return None
-    return TOO_SLOW + ("command more" if robot.driver.closed_loop else "raise min_duty")
+    return remark("too_slow_closed_loop" if robot.driver.closed_loop else "too_slow")
 
 
 class Lasting:
@@ -133,14 +131,14 @@ class Lasting:
     def __init__(self):
         self._since: Optional[float] = None
 
-    def note(self, sentence: Optional[str], now: float) -> Optional[str]:
-        """Return the sentence that describes the condition, or None while there is none, or it is too recent."""
-        if sentence is None:
+    def note(self, note: Optional[Sentence], now: float) -> Optional[Sentence]:
+        """Return the remark on the condition, or None while there is none, or it is too recent."""
+        if note is None:
             self._since = None
             return None
         if self._since is None:
             self._since = now
-        return sentence if now - self._since >= LASTING else None
+        return note if now - self._since >= LASTING else None
 
 
 def disturbances(supervisor: Supervisor) -> Dict[str, int]:
@@ -156,16 +154,9 @@ class Disturbances:
         self._counts = dict.fromkeys(DISTURBANCES, 0)
         self._seen_at: Dict[str, float] = {}
 
-    def notes(self, counts: Dict[str, int], now: float) -> List[str]:
-        """Return a sentence for each count that has grown within ``NOTE_FOR`` seconds. counts: as DISTURBANCES."""
+    def notes(self, counts: Dict[str, int], now: float) -> List[Sentence]:
+        """Return a remark on each count that has grown within ``NOTE_FOR`` seconds. counts: as DISTURBANCES."""
         self._seen_at.update({name: now for name, count in counts.items() if count > self._counts[name]})
         self._counts = counts
-        return [sentence.format(counts[name]) for name, (threshold, sentence) in DISTURBANCES.items()
+        return [remark(name, count=counts[name]) for name, threshold in DISTURBANCES.items()
                 if counts[name] >= threshold and now - self._seen_at[name] < NOTE_FOR]
-
-
-def listed(names: Sequence[str]) -> str:
-    """Return the names in one phrase, the first few of many."""
-    if len(names) > MAX_NAMES:
-        names = [*names[:MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
-    return enumeration(names)

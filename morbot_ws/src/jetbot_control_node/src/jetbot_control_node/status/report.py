@@ -52,7 +52,7 @@ class Report:
     def end(self) -> None:
         """Publish the last status, and end ``spin``."""
         self._ended = True
-        self._publish(RobotState(ENDED, sentence(because(ENDED)), ENDED), DiagnosticStatus.OK)
+        self._publish(RobotState(ENDED, sentence(because(ENDED)), ENDED, remarks=()), DiagnosticStatus.OK)
         # rospy sends from other threads, and its shutdown, which follows, would drop what they have not sent
         connections = [*self._status_publisher.impl.connections, *self._state_publisher.impl.connections]
         wait_until(lambda: not any(each._queue for each in connections), SEND_TIMEOUT)
@@ -105,7 +105,7 @@ class Report:
         """Return the level and the message of /diagnostics: also of what a status reports only for a while."""
         lasting = self._supply.warning
         level = max(self._level(status), DiagnosticStatus.WARN if lasting else DiagnosticStatus.OK)
-        addition = f", {lasting}" if lasting and lasting not in status.text else ""
+        addition = f", {lasting}" if lasting and str(lasting) not in status.text else ""
         return level, status.text + addition + self._suffix
 
     @staticmethod

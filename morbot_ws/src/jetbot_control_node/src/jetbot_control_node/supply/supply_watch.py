@@ -5,10 +5,12 @@ import time
 from typing import Callable, Optional
 
 from jetbot.errors import BusStuck, FatalError, JetbotError
+from jetbot.sentence import Sentence
 from jetbot.supply import Reading, Supply
 
 from ..control.supervisor import Step
 from ..status.notes import NOTE_FOR
+from ..status.remarks import remark
 
 INTERVAL = 1.0      # s; there is one reading in each
 START_DELAY = 0.05  # s from the start of the motors to its reading: they take their largest current at standstill, and
@@ -24,18 +26,18 @@ class SupplyWatch:
     It watches the Supervisor. A note reports the first dip, and once that the battery is empty. ``run`` is a thread of
     its own, for which no command waits; a supply whose reading has held up the bus is not read again.
     supply: None if nothing measures it; acceleration_limit: as the parameter. dips: how many were seen;
-    warning: a sentence while the battery is empty, else None.
+    warning: a remark while the battery is empty, else None.
     """
 
     def __init__(self, supply: Optional[Supply], acceleration_limit: float = 0.0):
-        self._supply, self._advice = supply, dip_advice(acceleration_limit)
+        self._supply, self._limit = supply, acceleration_limit
         self._reading, self._text = Reading(), "not read yet" if supply else "not measured"
         self._motors_started, self._started_at = threading.Event(), float("-inf")
         self._duties = 0.0, 0.0
         self._note, self._noted_at = None, float("-inf")
         self._noted_empty = False
         self.dips = 0
-        self.warning: Optional[str] = None
+        self.warning: Optional[Sentence] = None
 
     def __str__(self) -> str:
         """The supply at its last reading, or why it is not known."""
@@ -47,8 +49,8 @@ class SupplyWatch:
             self._motors_started.set()
         self._duties = step.duties
 
-    def note(self, now: float) -> Optional[str]:
-        """Return a sentence for ``NOTE_FOR`` seconds after what it reports, else None."""
+    def note(self, now: float) -> Optional[Sentence]:
+        """Return a remark for ``NOTE_FOR`` seconds after what it reports, else None."""
         return self._note if now - self._noted_at < NOTE_FOR else None
 
     def run(self, publish: Callable[[Reading], None], is_over: Callable[[], bool]) -> None:
@@ -87,8 +89,9 @@ class SupplyWatch:
             return
         self.dips += 1
         if self.dips == 1:
-            dip = f" from {before.voltage:.1f} to {after.voltage:.1f} V" if lower else ""
-            self._note, self._noted_at = f"its supply dips{dip} as the motors start: {self._advice}", now
+            code = ("dip" if lower else "undervoltage") + ("_limited" if self._limit else "")
+            self._noted_at, self._note = now, remark(
+                code, before=f"{before.voltage:.1f}", after=f"{after.voltage:.1f}", limit=self._limit)
 
     def _check_empty(self, reading, now):
         if now - self._started_at < DIP_WITHIN:  # a full battery may dip, too
@@ -96,11 +99,6 @@ class SupplyWatch:
         if not reading.empty:
             self.warning = None
         elif not self.warning:
-            self.warning = f"its battery is empty ({reading.voltage:.1f} V): charge it"
+            self.warning = remark("empty", voltage=f"{reading.voltage:.1f}")
             if not self._noted_empty:
                 self._noted_empty, self._note, self._noted_at = True, self.warning, now
-
-
-def dip_advice(acceleration_limit: float) -> str:
-    """Return what to do against a supply that dips as the motors start. acceleration_limit: the parameter."""
-    return f"lower acceleration_limit (now {acceleration_limit})" if acceleration_limit else "set acceleration_limit:=1"

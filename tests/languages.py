@@ -3,15 +3,16 @@
 import json
 import re
 from html.parser import HTMLParser
+from pathlib import Path
 from typing import Dict, Iterator, List, Set
 
-from conftest import ROOT
 from driving_tasks.scoring.sentences import SENTENCES
 from driving_tasks.scoring.tasks import TASKS
 from jetbot_cockpit.notices import NOTICES
+from jetbot_control_node.status.remarks import REMARKS
 from jetbot_ros.state import CAUSES
 
-WWW = ROOT / "morbot_ws/src/jetbot_cockpit/www"
+WWW = Path(__file__).parents[1] / "morbot_ws/src/jetbot_cockpit/www"
 CODES = sorted(file.stem for file in WWW.glob("languages/*.json"))
 LITERAL = r'"(?:[^"\\]|\\.)*"'
 CALL = re.compile(rf'\bt\(\s*({LITERAL}(?:\s*\+\s*{LITERAL})*)')
@@ -54,7 +55,7 @@ def in_pages() -> Set[str]:
 
 def templates() -> List[str]:
     """Return what Python says to a page, each template once."""
-    said = [*NOTICES.values(), *CAUSES.values(), *SENTENCES.values()]
+    said = [*NOTICES.values(), *CAUSES.values(), *REMARKS.values(), *SENTENCES.values()]
     for task in TASKS.values():
         said += [task.title, task.invitation.template]
     return list(dict.fromkeys(said))
