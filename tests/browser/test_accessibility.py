@@ -94,17 +94,30 @@ def test_a_teachers_and_a_pupils_page_on_a_phone_break_no_rule_in_any_of_their_s
     check_rules(pupil, {**FIRST, **LAST})
 
 
+EDGES = """const { borderTopWidth, outlineWidth } = getComputedStyle(document.querySelector(arguments[0]));
+return [borderTopWidth, outlineWidth]"""
 MAGNIFIED = [(640, 400), (320, 256), SMALL_PHONE]  # px: a desktop's page at 200 and at 400 %, a small phone's
-IS_LOW = """return [...document.querySelectorAll(".sheet")]
-    .some((sheet) => sheet.clientWidth && sheet.clientHeight < innerHeight / 3)"""
+IS_LOW = """return [...document.querySelectorAll(".sheet, .sheet > ul:has(li)")]
+    .some((each) => each.clientWidth && each.clientHeight < innerHeight / 3)"""
 
 
 def test_on_a_magnified_page_nothing_is_cut_off_or_covers_something_else(page):
     for screen in MAGNIFIED:
         page.resize(*screen, touch=False)
-        for name, act in {**FIRST, **CODES, "the best": press("#show-scores"), "last": press("#close-scores")}.items():
+        for name, act in {**FIRST, "again": drives, **CODES, "best": press("#show-scores", "#close-scores")}.items():
             act(page)
             assert page.fits() and page.overlapping() == [] and not page.run(IS_LOW), (screen, name)
+
+
+def test_high_contrast_shows_stop_what_is_chosen_and_the_focus(page):
+    page.media(forced_colors="active")
+    try:
+        page.click("#show-codes")
+        assert page.run(EDGES, "#show-codes")[0] == "3px"
+        page.tab_to("stop")
+        assert page.run(EDGES, "#stop") == ["4px", "3px"]
+    finally:
+        page.media()
 
 
 def focus_on(page, selector):
