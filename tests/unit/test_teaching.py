@@ -1,4 +1,7 @@
-"""The teacher's guide agrees with the lessons and with the code: its plans, the sentences it quotes, its marks."""
+"""The teacher's guide agrees with the lessons and with the code: its plans, the sentences it quotes, its marks.
+
+What the lessons in a browser print in bold is on the page, in each language that they are in.
+"""
 
 import ast
 import math
@@ -10,6 +13,7 @@ from conftest import ROOT, SOURCE, TASKS
 from driving_tasks.report.marks import COLUMNS
 from driving_tasks.scoring.score import TOLERANCE
 from driving_tasks.scoring.tasks import TASKS as ROWS
+from languages import keys, messages, read
 
 GUIDE = (ROOT / "docs/teaching.md").read_text()
 PAGES = ["phone.md", "tablet.md", *(page.name for page in (ROOT / "docs/lessons").glob("[0-9]*.md"))]
@@ -17,6 +21,10 @@ TABLES = [[[cell.strip() for cell in line.strip("|").split(" | ")] for line in t
           for table in re.findall(r"(?:^\|.*\|\n)+", GUIDE, re.MULTILINE)]
 SAID = [row[1] for table in TABLES if table[0][1:2] == ["the software says"] for row in table[2:]]
 QUOTES = sorted({quote.strip("`") for quote in SAID if quote.startswith("`")})  # others are ROS's, a shell's ...
+LESSONS = ROOT / "docs/lessons"
+IN_A_BROWSER = {code: LESSONS / code.replace("en", "") for code in ("en", "de", "es")}
+FORM = re.compile(r"^(#+ |\||!\[| *- |\d\. |<details>|</details>|<br>)", re.MULTILINE)
+CODE = re.compile(r"`([^`]+)`|<code>(.*?)</code>")
 FIELD = "\0"
 PLANS = {int(hours): [int(row[column]) for row in table[2:]]
          for table in TABLES for column, (hours, *unit) in enumerate(cell.split() for cell in table[0])
@@ -79,3 +87,45 @@ def test_the_columns_are_those_of_the_judge():
 
 def test_the_options_of_its_commands_exist(texts):
     assert [option for option in sorted(set(re.findall(r"--[a-z]+", GUIDE))) if option not in texts] == []
+
+
+def quotes_of(page):
+    """Return what a lesson quotes of the page: what is in bold and neither a sentence nor one letter."""
+    bold = re.findall(r"\*\*(.*?)\*\*|<b>(.*?)</b>", " ".join(page.read_text().split()))
+    return [quote for quote in map("".join, bold) if not re.search(r"[.?]$|^.$", quote)]
+
+
+def says(text, quote):
+    """Return whether the page says this: a text, or a block with its numbers and choices, or how a block begins."""
+    first, *others = re.split(r"(?: ?%\d)+ ?", text.lstrip("▶ "))
+    begins = bool(others) and f"{first} ".startswith(f"{quote} ")
+    return begins or bool(re.fullmatch(".+".join(map(re.escape, [first, *others])), quote))
+
+
+def said_on(code):
+    """Return the texts of the pages, each as (English, in this language)."""
+    english, theirs = messages("en"), messages(code)
+    ours = {key: key for key in keys("en")} if code == "en" else read(code)
+    return [*ours.items(), *((english[name], theirs[name]) for name in english)]
+
+
+@pytest.mark.parametrize("name", ["phone.md", "tablet.md"])
+@pytest.mark.parametrize("code", IN_A_BROWSER)
+def test_the_page_says_in_its_language_what_the_english_lesson_quotes_and_nothing_else(code, name):
+    def meaning(quote, column):
+        numbers = re.findall(r"\d[\d.,]*", quote)
+        return {(english, *numbers) for english, *theirs in said if says([english, *theirs][column], quote)}
+    said = said_on(code)
+    wanted = {quote: meaning(quote, 0) for quote in quotes_of(LESSONS / name)}
+    quoted = {quote: meaning(quote, 1) for quote in quotes_of(IN_A_BROWSER[code] / name)}
+    assert len(wanted) > 1
+    assert [quote for quote in wanted if not any(wanted[quote] & each for each in quoted.values())] == []
+    assert [quote for quote in quoted if not any(quoted[quote] & each for each in wanted.values())] == []
+
+
+@pytest.mark.parametrize("name", ["phone.md", "tablet.md"])
+@pytest.mark.parametrize("code", ["de", "es"])
+def test_a_translated_lesson_has_the_form_and_the_code_of_the_english_one(code, name):
+    theirs, english = (IN_A_BROWSER[each] / name for each in (code, "en"))
+    assert FORM.findall(theirs.read_text()) == FORM.findall(english.read_text())
+    assert sorted(CODE.findall(theirs.read_text())) == sorted(CODE.findall(english.read_text()))
