@@ -98,8 +98,9 @@ def quotes_of(page):
 def says(text, quote):
     """Return whether the page says this: a text, or a block with its numbers and choices, or how a block begins."""
     first, *others = re.split(r"(?: ?%\d)+ ?", text.lstrip("▶ "))
-    begins = bool(others) and f"{first} ".startswith(f"{quote} ")
-    return begins or bool(re.fullmatch(".+".join(map(re.escape, [first, *others])), quote))
+    if not others:
+        return quote == first
+    return f"{first} ".startswith(f"{quote} ") or re.fullmatch(".+".join(map(re.escape, [first, *others])), quote)
 
 
 def said_on(code):
