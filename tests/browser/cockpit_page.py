@@ -4,6 +4,8 @@ import json
 from abc import ABC, abstractmethod
 from typing import Callable, Dict, List, NamedTuple, Tuple
 
+from languages import read
+
 from jetbot.wait import wait_until
 
 from .world import LONGEST_GAP
@@ -94,6 +96,11 @@ class CockpitPage(ABC):
     def wait_for_text(self, name: str, text: str) -> None:
         """Fail unless the element with this id soon shows this text."""
         self.wait_for(lambda: text.lower() in self.text(name).lower(), f"{text!r} in #{name}")
+
+    def say(self, english: str) -> str:
+        """Return a sentence of the page in the page's language."""
+        language = self.run("return document.documentElement.lang")
+        return english if language == "en" else read(language)[english]
 
     def send(self, message: dict) -> None:
         """Let the page send this message to the cockpit."""

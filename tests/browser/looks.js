@@ -125,10 +125,39 @@ function luminance(color) {
 function contrastOfRobot() {
   const bar = getComputedStyle(document.querySelector(".fill")).backgroundColor;
   const grounds = [".track", "body"].map((selector) => getComputedStyle(document.querySelector(selector)));
-  return grounds.map(({ backgroundColor }) => {
-    const [dark, light] = [luminance(bar), luminance(backgroundColor)].sort((low, high) => low - high);
-    return (light + 0.05) / (dark + 0.05);
-  });
+  return grounds.map(({ backgroundColor }) => contrast(bar, backgroundColor));
+}
+
+function contrast(one, other) {
+  const [dark, light] = [luminance(one), luminance(other)].sort((low, high) => low - high);
+  return (light + 0.05) / (dark + 0.05);
+}
+
+// Returns what of Blockly's blocks is hard to see: texts, and the frame of the one with the focus.
+function faintBlocks() {
+  const faint = [];
+  for (const block of Blockly.getMainWorkspace().getAllBlocks().filter((each) => each.isEnabled())) {
+    const path = block.pathObject.svgPath, fill = getComputedStyle(path).fill;
+    Blockly.getFocusManager().focusNode(block);
+    const around = block.getParent() ?? block;
+    const frame = Math.max(...[block, around].map(({ pathObject: { svgPath } }) =>
+      contrast(getComputedStyle(path).stroke, getComputedStyle(svgPath).fill)));
+    if (frame < 3) faint.push(`${block.type}: frame ${frame}`);
+    for (const field of block.getFields()) {
+      const [text, box] = ["text", ".blocklyFieldRect"].map((part) => field.getSvgRoot()?.querySelector(part));
+      if (!text?.textContent.trim()) continue;
+      const ground = box ? blend(getComputedStyle(box), fill) : fill;
+      const ratio = contrast(getComputedStyle(text).fill, ground);
+      if (ratio < 4.5) faint.push(`${block.type}: ${text.textContent} ${ratio}`);
+    }
+  }
+  return faint;
+}
+
+// Returns the colour of a box over another colour.
+function blend({ fill, fillOpacity }, below) {
+  const [top, bottom] = [fill, below].map((color) => color.match(/[\d.]+/g).map(Number));
+  return `rgb(${top.slice(0, 3).map((part, index) => Math.round(part * fillOpacity + bottom[index] * (1 - fillOpacity)))})`;
 }
 
 const NO_LANGUAGE = "[translate=no], .language, #python, #prints, #variables, script";

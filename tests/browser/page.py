@@ -157,6 +157,10 @@ class Page(Chromium, CockpitPage):
         """Return the contrasts of the chosen robot's colour to the bars' ground and to the map's (WCAG)."""
         return self._looks("contrastOfRobot")
 
+    def faint_blocks(self) -> List[str]:
+        """Return the texts and frames of Blockly's blocks that stand out too little (WCAG)."""
+        return self._looks("faintBlocks")
+
     def untranslated(self, *known: str) -> List[str]:
         """Return the texts that are not in brackets, beside these words."""
         return self._looks("untranslated", list(known))

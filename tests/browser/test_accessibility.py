@@ -3,7 +3,7 @@
 from .accessibility import tree, violations
 from .conftest import OTHER_ROBOT, ROBOT
 from .test_access import split
-from .test_page import DESKTOP, LONG, TASK
+from .test_page import DESKTOP, LONG, SMALL_PHONE, TASK
 from .test_sharing import codes_of
 
 BEST = {"type": "scores", "scores": [
@@ -94,6 +94,32 @@ def test_a_teachers_and_a_pupils_page_on_a_phone_break_no_rule_in_any_of_their_s
     check_rules(pupil, {**FIRST, **LAST})
 
 
+EDGES = """const { borderTopWidth, outlineWidth } = getComputedStyle(document.querySelector(arguments[0]));
+return [borderTopWidth, outlineWidth]"""
+MAGNIFIED = [(640, 400), (320, 256), SMALL_PHONE]  # px: a desktop's page at 200 and at 400 %, a small phone's
+IS_LOW = """return [...document.querySelectorAll(".sheet, .sheet > ul:has(li)")]
+    .some((each) => each.clientWidth && each.clientHeight < innerHeight / 3)"""
+
+
+def test_on_a_magnified_page_nothing_is_cut_off_or_covers_something_else(page):
+    for screen in MAGNIFIED:
+        page.resize(*screen, touch=False)
+        for name, act in {**FIRST, "again": drives, **CODES, "best": press("#show-scores", "#close-scores")}.items():
+            act(page)
+            assert page.fits() and page.overlapping() == [] and not page.run(IS_LOW), (screen, name)
+
+
+def test_high_contrast_shows_stop_what_is_chosen_and_the_focus(page):
+    page.media(forced_colors="active")
+    try:
+        page.click("#show-codes")
+        assert page.run(EDGES, "#show-codes")[0] == "3px"
+        page.tab_to("stop")
+        assert page.run(EDGES, "#stop") == ["4px", "3px"]
+    finally:
+        page.media()
+
+
 def focus_on(page, selector):
     page.run("document.querySelector(arguments[0]).focus()", selector)
     assert page.run("return document.activeElement.matches(arguments[0])", selector), selector
@@ -153,8 +179,8 @@ def of_class(robots=2, **state):
 
 def a_robot_comes(page):
     page.receive({"type": "robots", "robots": [
-        {"id": f"/{name}", "label": name, "color": "#804040", "workshop": True, "wheel_separation": 2.0, "max_speed": 1.0,
-         "simulated": True} for name in ("ada", ROBOT, OTHER_ROBOT)]})
+        {"id": f"/{name}", "label": name, "color": "#804040", "workshop": True, "wheel_separation": 2.0,
+         "max_speed": 1.0, "simulated": True} for name in ("ada", ROBOT, OTHER_ROBOT)]})
     page.wait_for_text("fleet-list", "ada")
 
 

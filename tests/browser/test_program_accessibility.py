@@ -4,6 +4,7 @@ from .accessibility import tree, violations
 from .conftest import ROBOT
 from .programs import as_file, block, drive, num, program
 from .test_program_keys import ENDLESS, FAILS, TASKS, press
+from .test_work import ALL_BLOCKS
 
 TURN = program(drive(0.5, 1), block("robot_turn", {"SIDE": "LEFT"}, Z=num(0.2), SECONDS=num(1)))
 SCORES = {"type": "scores", "scores": [{"task": "One metre", "robot": ROBOT, "score": 87.3, "seconds": 3.4,
@@ -55,6 +56,8 @@ def asks(page, _):
              "document.getElementById('login-error').textContent = 'This code is wrong.'")
 
 
+ENABLE = """for (const each of Blockly.getMainWorkspace().getAllBlocks())
+    each.setDisabledReason(false, "ORPHANED_BLOCK")"""
 STATES = {  # what leads to it from the one before
     "no blocks": lambda page, load: load(program()),
     "an example": lambda page, _: page.set("examples", "Follow the line"),
@@ -108,6 +111,17 @@ def load(page, file):
     page.wait_for(lambda: not page.value("file"), "the file to be read")
 
 
+def test_texts_and_the_focus_stand_out_on_all_blocks_by_day_and_night(blocks):
+    page = blocks(program())
+    page.run(ALL_BLOCKS)
+    page.run(ENABLE)
+    page.tap("w")
+    for mode in "light", "dark":
+        page.media(prefers_color_scheme=mode)
+        assert page.faint_blocks() == [], mode
+    page.media()
+
+
 def test_a_screen_reader_reads_blocks_their_fields_units_and_what_they_do(blocks):
     page = blocks(TURN)
     nodes = [(node.role, node.name) for node in tree(page)]
@@ -123,9 +137,10 @@ def test_a_screen_reader_reads_blocks_their_fields_units_and_what_they_do(blocks
     page.wait_for(lambda: "Edit z in rad/s: 0.2" in {node.name for node in tree(page)}, "the other units")
 
 
-def test_a_hint_of_blockly_covers_no_stop(blocks):
+def test_a_hint_of_blockly_covers_no_stop_wherever_it_is(blocks):
     page = blocks(TURN)
     page.resize(320, 568)
     in_blocks("m")(page, blocks)
     page.wait_for(lambda: page.has(".blocklyToast"), "the hint")
+    page.run("document.querySelector('.blocklyToast').style = 'position: fixed; inset: 0'")
     assert page.misplaced("stop", "release") == []

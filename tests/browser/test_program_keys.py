@@ -141,9 +141,9 @@ def test_the_focus_is_back_after_the_login_and_goes_on_when_the_other_robot_goes
 @undisturbed
 def test_a_screen_reader_hears_once_what_has_come_of_a_change_and_of_a_program(blocks):
     page = blocks(FAILS)
-    page.wait_for_text("kept", "Kept")
-    page.run(LISTEN)
-    page.run(CHANGE.replace("2", "0.5"))
+    for change in LISTEN, CHANGE.replace("2", "0.5"):
+        page.wait_for(lambda: page.text("kept") == "Kept", "the program to be kept")
+        page.run(change)
     page.wait_for_text("kept", "Not kept yet")
     page.wait_for(lambda: page.text("kept") == "Kept", "the change to be kept")
     page.click("#run")

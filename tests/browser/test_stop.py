@@ -18,7 +18,7 @@ def stop(page):
 
 
 def wait_for_stop(page):
-    page.wait_for(lambda: page.has(".emergency") and "emergency stop" in page.text("status"), "the stop")
+    page.wait_for(lambda: page.has(".emergency") and page.say("emergency stop") in page.text("status"), "the stop")
 
 
 def release(page):

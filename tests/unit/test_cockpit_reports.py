@@ -74,6 +74,7 @@ def tracker(task):
 def test_a_judges_sentences_are_data_that_a_page_translates_besides_its_english(text, sentences):
     task = decode_task("metre", "in English", {**VALUES, "sentences": text, "lost": "60.0"})
     assert (task.text, task.lost, task.sentences) == ("in English", 60.0, sentences)
+    assert task.message()["sentences"] == [each._asdict() for each in sentences]
 
 
 def test_a_loss_may_be_larger_than_the_score():

@@ -11,6 +11,7 @@ from std_msgs.msg import Float32MultiArray
 
 from harness import RobotTest, read
 from jetbot.fake.bus import power_on
+from jetbot_ros import state
 
 UNITS = "workshop units: left = x - z, right = x + z"
 
@@ -67,6 +68,7 @@ class Diagnostics(RobotTest):
 
     def test_supply(self):
         batteries, texts = self.record("/battery", BatteryState), self.status()
+        states = self.record("/jetbot_controller/state", DiagnosticStatus, state.read)
         self.controller(cmd_vel_timeout=0)
         self.wait_for(lambda: len(batteries) > 1, 5.0, "two messages of the battery")
         self.assertAlmostEqual(batteries[-1].voltage, 12.1, places=3)
@@ -76,6 +78,8 @@ class Diagnostics(RobotTest):
             chip.seek(4)
             chip.write(b"\x46\x50")  # 9.0 V
         self.wait_for_status(texts, "stopped: no command yet, its battery is empty (9.0 V): charge it")
+        self.wait_for(lambda: [(str(each), each.arguments) for each in states[-1].remarks] == [
+            ("its battery is empty (9.0 V): charge it", {"voltage": "9.0"})], 2.0, "the same as data")
         self.wait_for_level(DiagnosticStatus.WARN, "stopped: no command yet, its battery is empty (9.0 V): charge it")
         os.unlink(os.path.join(self.bus, "0x41"))
         self.wait_for(lambda: math.isnan(batteries[-1].voltage), 5.0, "a battery without a voltage")

@@ -49,8 +49,9 @@ export class RobotMap {
   }
 
   measure() {
-    const height = (id) => element(id).offsetHeight;
-    this.viewport.covered = { above: height("tools") + 6, below: height("legend") + 6 + SCALE_HEIGHT };
+    const isSeen = ({ offsetLeft, offsetWidth }) => offsetLeft + offsetWidth <= this.canvas.clientWidth;
+    const [above, below] = [element("tools"), element("legend")].map((each) => isSeen(each) && each.offsetHeight + 6);
+    this.viewport.covered = { above: Number(above), below: Number(below) + SCALE_HEIGHT };
     if (this.framed) this.viewport.fit(this.framed.places());
     this.redraw();
   }
