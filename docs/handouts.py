@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Writes handouts.html: one page to print per lesson, made from docs/lessons. Usage: docs/handouts.py [FILE]"""
+"""Writes handouts.html: one page to print per lesson, made from docs/lessons."""
 
+import argparse
 import html
 import re
-import sys
 from pathlib import Path
-from typing import Iterator, List, Tuple
+from typing import Iterator, List, NamedTuple, Tuple
 
 LESSONS = Path(__file__).parent / "lessons"
 ANSWER = re.compile(r"<details>.*?</details>\n*", re.DOTALL)
@@ -14,7 +14,7 @@ TYPED = re.compile(r"^Terminals? ([\d, and]+)(?:, (?:leave it running|with inter
 TERM = re.compile(r"(?<![*\w])\*(\w[^*]*)\*(?!\*)")
 ROWS = 4  # lines to write on below each question
 PAGE = """<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"/><title>Handouts: one page per lesson</title>
+<html lang="{language}"><head><meta charset="utf-8"/><title>{title}</title>
 <style>
 @page {{ margin: 14mm 16mm }}
 html {{ background: #fff; color: #000 }}
@@ -36,6 +36,29 @@ hr {{ height: 5.5mm; margin: 0; border: 0; border-bottom: 0.25mm solid }}
 {sections}
 </body></html>
 """
+
+
+class Words(NamedTuple):
+    """The words of all handouts in a language, and those by which a lesson shows what is to be answered."""
+
+    title: str
+    name: str
+    goal: str
+    terms: str
+    term: str
+    meaning: str
+    questions: str
+    guess: str
+
+
+WORDS = {
+    "en": Words("Handouts: one page per lesson", "Name:", "You learn", "Words", "word", "what it means",
+                "Exercise|Question", "your guess"),
+    "de": Words("Arbeitsblätter: eine Seite je Lektion", "Name:", "Du lernst,", "Wörter", "Wort", "was es bedeutet",
+                "Aufgabe|Frage", "deine Vermutung"),
+    "es": Words("Hojas de trabajo: una página por lección", "Nombre:", "Aprendes", "Palabras", "palabra",
+                "qué significa", "Ejercicio|Pregunta", "tu predicción"),
+}
 
 
 def inline(text: str) -> str:
@@ -66,14 +89,15 @@ def block(text: str) -> str:
     return f"<p>{inline(' '.join(lines))}</p>"
 
 
-def tasks(text: str) -> Iterator[Tuple[str, str]]:
+def tasks(text: str, words: Words) -> Iterator[Tuple[str, str]]:
     """Yield the title and the text of each section with a question, and of one with guesses the table to fill in."""
     for section in re.split(r"^## ", text, flags=re.MULTILINE)[1:]:
         title, _, body = section.partition("\n")
-        if re.match(r"Exercise|Question", title) or "your guess" in body:
+        guesses = words.guess in body
+        if guesses or re.match(words.questions, title):
             question = re.split(r"^<details>|^Terminal|^File|^```|^Next:", body, flags=re.MULTILINE)[0].strip()
             lines = question.splitlines()
-            yield title, "\n".join([line for line in lines if line.startswith("|")] if "your guess" in body else lines)
+            yield title, "\n".join([line for line in lines if line.startswith("|")] if guesses else lines)
 
 
 def commands(text: str) -> List[Tuple[str, str]]:
@@ -82,19 +106,21 @@ def commands(text: str) -> List[Tuple[str, str]]:
     return [(terminals, line) for line, terminals in typed.items()]
 
 
-def handout(page: Path, goal: str) -> str:
-    """Return the handout of a lesson. goal: what the reader learns."""
+def handout(page: Path, goal: str, words: Words) -> str:
+    """Return the handout of a lesson. goal: what the reader learns. words: of the lesson's language."""
     text = page.read_text(encoding="utf-8")
     title = text.splitlines()[0].lstrip("# ")
-    parts = [f"<header><h1>{inline(title)}</h1><b>Name:</b></header><p><b>You learn</b> {inline(goal)}.</p>"]
+    parts = [f"<header><h1>{inline(title)}</h1><b>{words.name}</b></header>"
+             f"<p><b>{words.goal}</b> {inline(goal)}.</p>"]
     typed = commands(text)
     if typed:
         parts.append("<h2>You type</h2>" + table([["in", "command"], *(
             [terminals, f"<code>{html.escape(line)}</code>"] for terminals, line in typed)]))
     terms = list(dict.fromkeys(TERM.findall(ANSWER.sub("", re.sub(r"```.*?```", "", text, flags=re.DOTALL)))))
     if terms:
-        parts.append("<h2>Words</h2>" + table([["word", "what it means"], *([inline(term), ""] for term in terms)]))
-    for name, body in tasks(text):
+        parts.append(f"<h2>{words.terms}</h2>" + table([[words.term, words.meaning],
+                                                        *([inline(term), ""] for term in terms)]))
+    for name, body in tasks(text, words):
         parts.append(f"<h2>{inline(name)}</h2>" + "".join(map(block, re.split(r"\n{2,}", body)))
                      + ("" if "|" in body or "1. " in body else "<hr/>" * ROWS))
     return f'<section id="{page.stem}">{"".join(parts)}</section>'
@@ -110,13 +136,20 @@ def score_sheet() -> str:
             + "<h2>My calculations</h2>" + "<hr/>" * 12 + "</section>")
 
 
-def main(file: str = "handouts.html") -> None:
+def main(file: str = "handouts.html", language: str = "en") -> None:
+    """Write the handouts of the lessons that are in this language; in English, with the sheet for the scores."""
+    folder, words = "" if language == "en" else f"{language}/", WORDS[language]
     index = (LESSONS / "README.md").read_text(encoding="utf-8")
-    goals = dict(re.findall(r"^\| \[[^\]]*\]\((\w+)\.md\) \| (.*) \|$", index, re.MULTILINE))
-    sections = [handout(LESSONS / f"{page}.md", goal) for page, goal in goals.items()] + [score_sheet()]
-    Path(file).write_text(PAGE.format(sections="\n".join(sections)), encoding="utf-8")
+    goals = dict(re.findall(rf"^\| \[[^\]]*\]\({folder}(\w+)\.md\) \| (.*) \|$", index, re.MULTILINE))
+    sections = [handout(LESSONS / folder / f"{page}.md", goal, words) for page, goal in goals.items()]
+    sections += [score_sheet()] if language == "en" else []
+    page = PAGE.format(language=language, title=words.title, sections="\n".join(sections))
+    Path(file).write_text(page, encoding="utf-8")
     print(f"{file}: {len(sections)} handouts, one page each. Open it in a browser, and print it.")
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("file", nargs="?", default="handouts.html")
+    parser.add_argument("--language", choices=WORDS, default="en", help="of the lessons: %(choices)s")
+    main(**vars(parser.parse_args()))

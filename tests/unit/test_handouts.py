@@ -1,5 +1,9 @@
-"""The handouts are made from the lessons: one for each, with its title, its commands and its questions."""
+"""The handouts are made from the lessons: one for each, with its title, its commands and its questions.
 
+Those of the lessons that are in another language are in that language, and ask the same.
+"""
+
+import re
 import runpy
 import xml.etree.ElementTree as ET
 
@@ -8,15 +12,24 @@ import pytest
 from conftest import ROOT
 from driving_tasks.scoring.tasks import TASKS
 
-LESSONS = {page.stem: page.read_text() for page in sorted((ROOT / "docs/lessons").glob("[0-9pt]*.md"))}
+FOLDER = ROOT / "docs/lessons"
+LESSONS = {page.stem: page.read_text() for page in sorted(FOLDER.glob("[0-9pt]*.md"))}
 
 
 @pytest.fixture(scope="module")
-def handouts(tmp_path_factory):
-    file = tmp_path_factory.mktemp("handouts") / "handouts.html"
-    runpy.run_path(str(ROOT / "docs/handouts.py"))["main"](str(file))
-    body = file.read_text().partition("<body>")[2].partition("</body>")[0]
-    return {section.get("id"): section for section in ET.fromstring(f"<body>{body}</body>")}
+def written(tmp_path_factory):
+    """A function that writes the handouts in a language, and returns the language of the page and its sections."""
+    def write(language):
+        file = tmp_path_factory.mktemp("handouts") / "handouts.html"
+        runpy.run_path(str(ROOT / "docs/handouts.py"))["main"](str(file), language)
+        page = ET.fromstring(re.sub(r"^<!DOCTYPE html>\n", "", file.read_text()))
+        return page.get("lang"), {section.get("id"): section for section in page.find("body")}
+    return write
+
+
+@pytest.fixture(scope="module")
+def handouts(written):
+    return written("en")[1]
 
 
 def text_of(element):
@@ -39,3 +52,15 @@ def test_it_has_the_lessons_title_and_commands_and_a_question(handouts, lesson):
 
 def test_an_answer_is_on_no_handout(handouts):
     assert "Without a master, nodes cannot find each other" not in text_of(handouts["2_run"])
+
+
+@pytest.mark.parametrize("language", ["de", "es"])
+def test_those_in_another_language_ask_the_same_in_its_words(written, handouts, language):
+    lang, theirs = written(language)
+    assert lang == language
+    assert set(theirs) == {page.stem for page in (FOLDER / language).glob("*.md")} != set()
+    for lesson, section in theirs.items():
+        assert (FOLDER / f"{language}/{lesson}.md").read_text().startswith(f"# {text_of(section.find('.//h1'))}\n")
+        assert [each.tag for each in section.iter()] == [each.tag for each in handouts[lesson].iter()]
+        english = {text_of(each) for each in handouts[lesson].iter() if re.search("[a-z]{4}", text_of(each))}
+        assert not english & {text_of(each) for each in section.iter()}

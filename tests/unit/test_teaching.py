@@ -44,7 +44,7 @@ def texts_of(source):
 def texts():
     """All texts of the programs and pages of which pupils see some."""
     files = [file for folder in ("src", "scripts") for package in (*SOURCE.parent.iterdir(), TASKS)
-             for file in (package / folder).rglob("*.py")]
+             for file in (package / folder).rglob("*.py")] + [*(ROOT / "docs").glob("*.py")]
     pages = [page for each in ("www/*.js", "www/program/*.js") for page in sorted(SOURCE.parent.rglob(each))]
     scripts = "".join(page.read_text() for page in pages)
     return [*(text for file in files for text in texts_of(file.read_text())), *scripts.splitlines()]
@@ -98,8 +98,9 @@ def quotes_of(page):
 def says(text, quote):
     """Return whether the page says this: a text, or a block with its numbers and choices, or how a block begins."""
     first, *others = re.split(r"(?: ?%\d)+ ?", text.lstrip("▶ "))
-    begins = bool(others) and f"{first} ".startswith(f"{quote} ")
-    return begins or bool(re.fullmatch(".+".join(map(re.escape, [first, *others])), quote))
+    if not others:
+        return quote == first
+    return f"{first} ".startswith(f"{quote} ") or re.fullmatch(".+".join(map(re.escape, [first, *others])), quote)
 
 
 def said_on(code):
