@@ -76,7 +76,7 @@ def blocks(browsers, world, tmp_path):
     page = browsers(1)
     for _ in opened(page, world, f"{world.address}program"):
         page.screen(*TABLET)
-        load.undisturbed, load.page = partial(world.undisturbed, page), page
+        load.undisturbed = partial(world.undisturbed, page)
         yield load
 
 

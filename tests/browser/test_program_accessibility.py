@@ -1,23 +1,14 @@
 """Everybody can use the page for programs: what a screen reader gets of it, and what axe-core's rules ask for."""
 
-import pytest
-
 from .accessibility import tree, violations
-from .conftest import OTHER_ROBOT
+from .conftest import OTHER_ROBOT, ROBOT
 from .programs import as_file, block, drive, num, program
 from .test_program_keys import ENDLESS, FAILS, TASKS, press
 from .test_work import ALL_BLOCKS
 
 TURN = program(drive(0.5, 1), block("robot_turn", {"SIDE": "LEFT"}, Z=num(0.2), SECONDS=num(1)))
-SCORES = {"type": "scores", "scores": [{"task": "One metre", "robot": OTHER_ROBOT, "score": 87.3, "seconds": 3.4,
+SCORES = {"type": "scores", "scores": [{"task": "One metre", "robot": ROBOT, "score": 87.3, "seconds": 3.4,
                                         "name": "Ada"}]}
-
-
-@pytest.fixture
-def blocks(blocks):
-    """The same with the other robot, which keeps programs of its own: a cockpit keeps a number of them per robot."""
-    blocks.page.choose(OTHER_ROBOT)
-    return blocks
 
 
 def runs(content, outcome):
@@ -108,7 +99,7 @@ def test_the_page_for_programs_breaks_no_rule_on_a_pupils_tablet_by_night(pupil,
     pupil.resize(768, 1024)
     pupil.driver.get(world.codes()["pupil"].replace("#", "program#"))
     pupil.wait_for_link()
-    pupil.choose(OTHER_ROBOT)
+    pupil.choose(OTHER_ROBOT)  # a cockpit keeps a number of programs per robot
     pupil.media(prefers_color_scheme="dark")
     try:
         assert broken_rules(pupil, lambda content: load(pupil, as_file(tmp_path, content)), "Class") == {}
@@ -142,7 +133,7 @@ def test_a_screen_reader_reads_blocks_their_fields_units_and_what_they_do(blocks
         assert (role, name) in nodes, f"{name} is not among {nodes}"
     assert "Turns on the spot for so many seconds." in {node.description for node in tree(page)}
     page.receive({"type": "robots", "robots": [{
-        "id": f"/{OTHER_ROBOT}", "label": OTHER_ROBOT, "color": "#808080", "workshop": False,
+        "id": f"/{ROBOT}", "label": ROBOT, "color": "#808080", "workshop": False,
         "wheel_separation": 0.1125, "max_speed": 0.6, "simulated": True}]})
     page.wait_for(lambda: "Edit z in rad/s: 0.2" in {node.name for node in tree(page)}, "the other units")
 

@@ -1,8 +1,6 @@
 """The page for programs by keys alone: no mouse, no finger, and the focus is never lost."""
 
-import pytest
-
-from .conftest import OTHER_ROBOT
+from .conftest import ROBOT
 from .programs import block, calculate, drive, num, plug, program, show, wait
 from .test_program import CHANGE, close, undisturbed
 
@@ -17,13 +15,6 @@ TASKS = {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and b
 ENDLESS = program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}),
                         DO={"block": wait(1)}))
 FAILS = program(drive(0.4, 0.4), show(calculate("DIVIDE", num(1), num(0))))
-
-
-@pytest.fixture
-def blocks(blocks):
-    """The same with the other robot, which keeps programs of its own: a cockpit keeps a number of them per robot."""
-    blocks.page.choose(OTHER_ROBOT)
-    return blocks
 
 
 def press(page, *keys):
@@ -52,7 +43,7 @@ def test_keys_alone_attach_a_block_to_the_start_change_its_number_and_run_it(blo
     press(page, "Enter", *"0.4", "Enter")
     page.wait_for_text("python", "drive(0.4, 0, 1)")
     page.tab_to("run")
-    world.hold(page, lambda: press(page, "Enter"), lambda: press(page, "Escape"), OTHER_ROBOT,
+    world.hold(page, lambda: press(page, "Enter"), lambda: press(page, "Escape"), ROBOT,
                lambda *wheels: close(wheels, (0.4, 0.4)))
     page.wait_for_text("outcome", "The program has ended.")
 
