@@ -120,6 +120,15 @@ def test_high_contrast_shows_stop_what_is_chosen_and_the_focus(page):
         page.media()
 
 
+def test_the_focus_goes_down_the_page(page):
+    controls = "robot", "zoom-in", "speed", "stop", "release"
+    for screen in (390, 844), (820, 1180), DESKTOP:
+        page.resize(*screen)
+        heights = [round(page.place_of(f"#{name}")[1]) for name in controls]
+        assert heights == sorted(heights), screen
+    assert [name for name in page.controls() if name in controls] == list(controls)
+
+
 def focus_on(page, selector):
     page.run("document.querySelector(arguments[0]).focus()", selector)
     assert page.run("return document.activeElement.matches(arguments[0])", selector), selector

@@ -194,7 +194,7 @@ def test_a_program_that_asks_for_too_much_or_for_nothing_says_so_at_its_end_and_
         page = blocks(program(*content))
         page.click("#run")
         page.wait_for_text("outcome", sentence)
-        assert page.has(f".robot_{marked}.blocklySelected")
+        assert page.has(f".robot_{marked} > .blocklyPassiveFocus")
 
 
 @undisturbed
