@@ -3,7 +3,7 @@
 from .accessibility import tree, violations
 from .conftest import OTHER_ROBOT, ROBOT
 from .programs import as_file, block, drive, num, program
-from .test_program_keys import ENDLESS, FAILS, TASKS, press
+from .test_keys import ENDLESS, FAILS, TASKS, press
 from .test_work import ALL_BLOCKS
 
 TURN = program(drive(0.5, 1), block("robot_turn", {"SIDE": "LEFT"}, Z=num(0.2), SECONDS=num(1)))
