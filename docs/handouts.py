@@ -16,7 +16,7 @@ ROWS = 4  # lines to write on below each question
 PAGE = """<!DOCTYPE html>
 <html lang="{language}"><head><meta charset="utf-8"/><title>{title}</title>
 <style>
-@page {{ margin: 14mm 16mm }}
+@page {{ margin: 9mm 16mm }}
 html {{ background: #fff; color: #000 }}
 body {{ max-width: 178mm; margin: 0 auto; font: 10.5pt/1.3 sans-serif }}
 section {{ break-after: page; break-inside: avoid }}

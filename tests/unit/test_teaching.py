@@ -8,12 +8,12 @@ import math
 import re
 
 import pytest
+from languages import keys, messages, read
 
 from conftest import ROOT, SOURCE, TASKS
 from driving_tasks.report.marks import COLUMNS
 from driving_tasks.scoring.score import TOLERANCE
 from driving_tasks.scoring.tasks import TASKS as ROWS
-from languages import keys, messages, read
 
 GUIDE = (ROOT / "docs/teaching.md").read_text()
 PAGES = ["phone.md", "tablet.md", *(page.name for page in (ROOT / "docs/lessons").glob("[0-9]*.md"))]

@@ -5,6 +5,7 @@ import { recall, remember } from "./storage.js";
 export const LANGUAGES = {
   en: "English", de: "Deutsch", es: "Español", fr: "Français", it: "Italiano", ja: "日本語",
 };
+export const WORDS_TIMEOUT = 4000; // ms: a page without its words is in English, but stops robots
 const ATTRIBUTES = ["title", "aria-label", "aria-roledescription", "placeholder"];
 const WORDS = /\S(?:.*\S)?/s; // of an element, without the space around them
 const DECIMAL = /^([-−]?\d+)\.(\d+)$/;
@@ -24,7 +25,8 @@ function choose() {
 
 async function load() {
   try {
-    return await (await fetch(new URL(`languages/${language}.json`, import.meta.url))).json();
+    const signal = AbortSignal.timeout?.(WORDS_TIMEOUT);
+    return await (await fetch(new URL(`languages/${language}.json`, import.meta.url), { signal })).json();
   } catch {
     return {};
   }

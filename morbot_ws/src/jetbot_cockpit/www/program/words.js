@@ -1,6 +1,6 @@
 // Blockly's own words, in the page's language: of its file for this language, else of ours.
 
-import { language, t } from "../language.js";
+import { language, t, WORDS_TIMEOUT } from "../language.js";
 
 if (language !== "en") {
   const { Msg } = globalThis.Blockly;
@@ -13,5 +13,8 @@ if (language !== "en") {
 function load(src) {
   const script = Object.assign(document.createElement("script"), { src });
   document.head.append(script);
-  return new Promise((resolve) => { script.onload = script.onerror = resolve; });
+  return new Promise((resolve) => {
+    script.onload = script.onerror = resolve;
+    setTimeout(resolve, WORDS_TIMEOUT);
+  });
 }
