@@ -39,6 +39,8 @@ test("what a person's own hand does is not said at each press", () => {
 test("all else that happens to the robot is said, also while the person drives", () => {
   for (const state of [DRIVES, ZERO]) assert.ok(isSaid({ ...state, driver: BEN }));
   const others = { board: {}, emergency_stop: { stopped: true }, zero: { warning: true }, "": { answers: false } };
-  for (const [cause, more] of Object.entries(others)) assert.ok(isSaid({ ...DRIVES, cause, ...more, driver: ME }), cause);
+  for (const [cause, more] of Object.entries(others)) {
+    assert.ok(isSaid({ ...DRIVES, cause, ...more, driver: ME }), cause);
+  }
   assert.ok(isSaid({ ...DRIVES, driver: ME }, "No connection."));
 });
