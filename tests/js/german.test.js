@@ -37,6 +37,12 @@ test("who has typed no name is named in German, and a name that was typed stays"
   assert.equal(drives("pupil 7"), "red wird von pupil 7 gefahren.");
 });
 
+for (const name of ["driver", "name", "text"]) {
+  test(`the ${name} that a person typed stays as it is, also 7.1`, () => {
+    assert.equal(t(`{${name}} 7.1`, { [name]: "7.1" }), "7.1 7.1");
+  });
+}
+
 const EMPTY = { code: "empty", template: "its battery is empty ({voltage} V)", arguments: { voltage: "7.1" } };
 const NEW = { code: "new", template: "it {does} this", arguments: { does: "hears" } };
 const DRIVING = { status: "in English", state: "driving", cause: "", template: "", arguments: {}, remarks: [] };
