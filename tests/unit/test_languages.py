@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from languages import CODES, in_pages, in_scripts, keys, read
+from languages import CODES, in_pages, in_scripts, keys, messages, read
 
 NAMES = re.compile(r"\{\w+\}|%\d")
 
@@ -22,6 +22,12 @@ def test_there_is_no_translation_of_a_sentence_that_no_page_shows(code):
 def test_a_translation_names_what_the_english_names_in_each_of_its_forms(code):
     assert {english: translation for english, translation in read(code).items() for form in translation.split("|")
             if set(NAMES.findall(form)) != set(NAMES.findall(english.split("|")[-1]))} == {}
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_a_sentence_says_true_and_false_as_the_blocks_do(code):
+    for word in ("true", "false"):
+        assert messages(code)[f"LOGIC_BOOLEAN_{word.upper()}"] in read(code)[f"“{word}”"]
 
 
 def test_printing_on_paper_is_translated_apart_from_the_blocks_that_print():
