@@ -160,7 +160,7 @@ function blend({ fill, fillOpacity }, below) {
   return `rgb(${top.slice(0, 3).map((part, index) => Math.round(part * fillOpacity + bottom[index] * (1 - fillOpacity)))})`;
 }
 
-const NO_LANGUAGE = "[translate=no], .language, #python, #prints, #variables, script";
+const NO_LANGUAGE = "[translate=no], .language, #python, #prints, #variables, #work-list .name, #all-programs, script";
 const WORDS_IN = ["title", "aria-label", "aria-roledescription", "aria-valuetext", "placeholder"];
 
 // Returns what a person sees or hears of the page that is not in brackets, nor one of these words.
