@@ -68,6 +68,7 @@ def check(page, states):
             page.resize(*screen, touch=screen[0] < 1280)
             found += [f"{name} on {screen}: {text} is cut off" for text in page.cut_words()]
             found += [f"{name} on {screen}: {pair} overlap" for pair in page.overlapping() if name not in SHEETS]
+            found += [f"{name} on {screen}: {control} is beside it" for control in page.beside_screen()]
             found += [f"{name} on {screen}: it scrolls sideways"] * (not page.fits())
     assert not found, "\n".join(found)
 

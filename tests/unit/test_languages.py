@@ -1,6 +1,7 @@
 """Both pages are in German, Spanish, French, Italian and Japanese: no sentence is forgotten, and no name is lost."""
 
 import re
+from unicodedata import east_asian_width
 
 import pytest
 from languages import CODES, in_pages, in_scripts, keys, messages, read
@@ -22,6 +23,12 @@ def test_there_is_no_translation_of_a_sentence_that_no_page_shows(code):
 def test_a_translation_names_what_the_english_names_in_each_of_its_forms(code):
     assert {english: translation for english, translation in read(code).items() for form in translation.split("|")
             if set(NAMES.findall(form)) != set(NAMES.findall(english.split("|")[-1]))} == {}
+
+
+@pytest.mark.parametrize("code", CODES)
+@pytest.mark.parametrize("english, width", [("name", 6), ("my program", 10)])  # letters
+def test_what_a_narrow_field_shows_is_short(code, english, width):
+    assert sum(2 if east_asian_width(each) == "W" else 1 for each in read(code)[english]) <= width
 
 
 @pytest.mark.parametrize("code", CODES)
