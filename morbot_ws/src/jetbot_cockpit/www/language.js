@@ -78,17 +78,25 @@ function inWords(text) {
   return t(text.replace(/\s+/g, " "));
 }
 
+async function reachesCockpit() {
+  const signal = AbortSignal.timeout?.(WORDS_TIMEOUT);
+  return fetch(location.href, { cache: "no-store", signal }).then(() => true, () => false);
+}
+
 function offer(select) {
   const option = ([code, name]) => new Option(name, code, false, code === language);
   select.replaceChildren(...Object.entries(LANGUAGES).map(option));
   let byKeys = false; // each arrow key is a change then: Enter or leaving the list ends it
-  const choose = () => {
+  const choose = async (event) => {
     if (select.value === language) return;
-    remember("language", select.value);
+    event.preventDefault(); // Enter opens no list
+    const chosen = select.value;
+    if (!await reachesCockpit()) return void (select.value = language); // a page that cannot come back stays
+    remember("language", chosen);
     location.reload();
   };
   for (const type of ["keydown", "pointerdown"]) select.addEventListener(type, () => { byKeys = type === "keydown"; });
-  select.addEventListener("change", () => byKeys || choose());
+  select.addEventListener("change", (event) => byKeys || choose(event));
   select.addEventListener("blur", choose);
-  select.addEventListener("keydown", ({ key }) => key === "Enter" && choose());
+  select.addEventListener("keydown", (event) => event.key === "Enter" && choose(event));
 }
