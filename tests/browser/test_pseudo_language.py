@@ -89,7 +89,8 @@ def is_stopped(page):
 
 def shows_codes(page):
     page.click("#show-codes")
-    page.receive(codes_of(3))
+    cards = codes_of(3)["codes"]
+    page.receive({"type": "codes", "codes": [*cards, {**cards[0], "label": "pupils", "robot": None}]})
     page.receive(OFFER)
     page.click("#codes-tasks summary")
 

@@ -26,6 +26,11 @@ def test_a_translation_names_what_the_english_names_in_each_of_its_forms(code):
 
 
 @pytest.mark.parametrize("code", CODES)
+def test_no_translation_has_two_forms_where_nothing_is_counted(code):
+    assert not [english for english, translation in read(code).items() if "|" in translation and "{count}" not in english]
+
+
+@pytest.mark.parametrize("code", CODES)
 @pytest.mark.parametrize("english, width", [("name", 6), ("my program", 10)])  # letters
 def test_what_a_narrow_field_shows_is_short(code, english, width):
     assert sum(2 if east_asian_width(each) == "W" else 1 for each in read(code)[english]) <= width
