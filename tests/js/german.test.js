@@ -8,7 +8,7 @@ const GERMAN = {
   "its battery is empty ({voltage} V)": "der Akku ist leer ({voltage} V)", "pupil {number}": "Schüler {number}",
   "{count} points": "{count} Punkt|{count} Punkte",
   "{driver} drives {robot}.": "{robot} wird von {driver} gefahren.",
-  "{count} robots are running.": "{count} Roboter laufen.",
+  "{count} robots are running.": "{count} Roboter laufen.", "{seconds} s": "{seconds} Sek.",
 };
 Object.assign(globalThis, {
   document: { body: {}, documentElement: { querySelectorAll: () => [] } },
@@ -69,7 +69,7 @@ test("how many points there are chooses the form", () => {
 });
 
 test("numbers have a comma", () => {
-  assert.deepEqual([signed(-0.4), inSeconds(12.34)], ["−0,40", "12,3 s"]);
+  assert.deepEqual([signed(-0.4), inSeconds(12.34)], ["−0,40", "12,3 Sek."]);
 });
 
 test("a sentence without translation is English, whatever it is", () => {

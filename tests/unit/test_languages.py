@@ -27,7 +27,8 @@ def test_a_translation_names_what_the_english_names_in_each_of_its_forms(code):
 
 @pytest.mark.parametrize("code", CODES)
 def test_no_translation_has_two_forms_where_nothing_is_counted(code):
-    assert not [english for english, translation in read(code).items() if "|" in translation and "{count}" not in english]
+    assert not [english for english, translation in read(code).items()
+                if "|" in translation and "{count}" not in english]
 
 
 @pytest.mark.parametrize("code", CODES)
