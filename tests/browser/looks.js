@@ -49,6 +49,13 @@ function overlapping() {
     .map((other) => `${nameOf(other)}, ${nameOf(one)}`));
 }
 
+// Returns the controls of which a part is beside the screen.
+function besideScreen() {
+  const controls = [...document.querySelectorAll("#cockpit :is(button, input, select, a[href])")].filter(visible);
+  return controls.map((element) => [nameOf(element), element.getBoundingClientRect()])
+    .filter(([, { left, right }]) => left < 0 || right > innerWidth + 0.5).map(([name]) => name);
+}
+
 function smallControls(least) {
   return [...document.querySelectorAll("button, input, select, a[href]")].filter(visible).filter((element) => {
     const { width, height } = element.getBoundingClientRect();

@@ -125,6 +125,10 @@ class Page(Chromium, CockpitPage):
         """Return the controls and texts that lie over each other, in pairs."""
         return self._looks("overlapping")
 
+    def beside_screen(self) -> List[str]:
+        """Return the controls of which a part is beside the screen."""
+        return self._looks("besideScreen")
+
     def is_whole(self, name: str) -> bool:
         """Return whether the element with this id is shown to its edges."""
         return self.run(f"{LOOKS}\nreturn isWhole(document.getElementById(arguments[0]))", name)

@@ -23,6 +23,7 @@ ENGINES = {  # the programs and modules that each needs, and the packages that h
     "webkit": ("WebKitWebDriver Xvfb selenium", "webkit2gtk-driver xvfb python3-selenium"),
     "firefox": ("firefox-esr", "firefox-esr"),
 }
+WRONG = "This code is wrong, or not valid any more. Ask for the new one."
 LANGUAGES = {"chromium": "fr-FR", "webkit": "es-ES", "firefox": "de-DE"}  # that each asks for: all else is in English
 
 

@@ -162,10 +162,12 @@ def test_pause_step_and_slow(blocks, world):
     page.click("#step")
     page.wait_for_text("variables", "3")
     run(page, world, (-0.5, -0.5), "pause")
+    assert page.has("#bar .language:disabled"), "another language would load the page again"
     page.click("#pause")
     world.wait_for_stop(ROBOT, "Pause")
     run(page, world, (-0.5, -0.5), "pause")
     page.click("#end")
+    page.wait_for(lambda: page.has("#bar .language:enabled"), "languages to choose from")
     page.set("speed", "0")
     start = time.time()
     run(page, world)

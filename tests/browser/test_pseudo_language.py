@@ -68,6 +68,7 @@ def check(page, states):
             page.resize(*screen, touch=screen[0] < 1280)
             found += [f"{name} on {screen}: {text} is cut off" for text in page.cut_words()]
             found += [f"{name} on {screen}: {pair} overlap" for pair in page.overlapping() if name not in SHEETS]
+            found += [f"{name} on {screen}: {control} is beside it" for control in page.beside_screen()]
             found += [f"{name} on {screen}: it scrolls sideways"] * (not page.fits())
     assert not found, "\n".join(found)
 
@@ -88,7 +89,8 @@ def is_stopped(page):
 
 def shows_codes(page):
     page.click("#show-codes")
-    page.receive(codes_of(3))
+    cards = codes_of(3)["codes"]
+    page.receive({"type": "codes", "codes": [*cards, {**cards[0], "label": "pupils", "robot": None}]})
     page.receive(OFFER)
     page.click("#codes-tasks summary")
 

@@ -8,7 +8,7 @@ const GERMAN = {
   "its battery is empty ({voltage} V)": "der Akku ist leer ({voltage} V)", "pupil {number}": "Schüler {number}",
   "{count} points": "{count} Punkt|{count} Punkte",
   "{driver} drives {robot}.": "{robot} wird von {driver} gefahren.",
-  "{count} robots are running.": "{count} Roboter laufen.",
+  "{count} robots are running.": "{count} Roboter laufen.", "{seconds} s": "{seconds} Sek.",
 };
 Object.assign(globalThis, {
   document: { body: {}, documentElement: { querySelectorAll: () => [] } },
@@ -37,6 +37,12 @@ test("who has typed no name is named in German, and a name that was typed stays"
   assert.equal(drives("pupil 7"), "red wird von pupil 7 gefahren.");
 });
 
+for (const name of ["driver", "name", "text"]) {
+  test(`the ${name} that a person typed stays as it is, also 7.1`, () => {
+    assert.equal(t(`{${name}} 7.1`, { [name]: "7.1" }), "7.1 7.1");
+  });
+}
+
 const EMPTY = { code: "empty", template: "its battery is empty ({voltage} V)", arguments: { voltage: "7.1" } };
 const NEW = { code: "new", template: "it {does} this", arguments: { does: "hears" } };
 const DRIVING = { status: "in English", state: "driving", cause: "", template: "", arguments: {}, remarks: [] };
@@ -63,7 +69,7 @@ test("how many points there are chooses the form", () => {
 });
 
 test("numbers have a comma", () => {
-  assert.deepEqual([signed(-0.4), inSeconds(12.34)], ["−0,40", "12,3 s"]);
+  assert.deepEqual([signed(-0.4), inSeconds(12.34)], ["−0,40", "12,3 Sek."]);
 });
 
 test("a sentence without translation is English, whatever it is", () => {

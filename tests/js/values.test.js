@@ -3,7 +3,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { comparable, COMPARISONS, modulo, OPERATIONS, plain, PROPERTIES, shown } from "#www/program/values.js";
+import {
+  comparable, COMPARISONS, modulo, notANumber, OPERATIONS, plain, PROPERTIES, shown,
+} from "#www/program/values.js";
 
 test("a half is rounded to the even neighbour", () => {
   assert.deepEqual([0.5, 1.5, 2.5, -0.5, -1.5, 2.4].map(OPERATIONS.ROUND), [0, 2, 2, -0, -2, 2]);
@@ -43,4 +45,12 @@ test("True, False and None are printed as such, and calculated as 1 and 0", () =
   assert.deepEqual([true, false, null, "<b>"].map(shown), ["True", "False", "None", "<b>"]);
   assert.deepEqual([Infinity, -Infinity, NaN].map(shown), ["inf", "-inf", "nan"]);
   assert.deepEqual([true, false, 3].map(plain), [1, 0, 3]);
+});
+
+test("a sentence names a value as the blocks do", () => {
+  const named = [true, false, null].map((value) => notANumber(value).match(/not (.*)\./)?.[1]);
+  assert.deepEqual(named, ["“true”", "“false”", "“nothing”"]);
+  for (const [value, sign] of [[Infinity, "∞"], [-Infinity, "−∞"], [NaN, "“not a number”"]]) {
+    assert.throws(() => OPERATIONS.ROUND(value), { message: `${sign} cannot be rounded.` });
+  }
 });

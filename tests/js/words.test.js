@@ -8,6 +8,8 @@ import { runInThisContext } from "node:vm";
 const MESSAGES = new URL("../../morbot_ws/src/jetbot_cockpit/www/vendor/blockly/msg/", import.meta.url);
 const read = (name) => runInThisContext(readFileSync(new URL(name, MESSAGES), "utf8"));
 
+const GERMAN = { "Begin stack": "Beginn des Stapels", "repeat %1 times": "nie", Delete: "Löschen", Del: "Entf" };
+
 // A page in German, as far as a language needs it
 Object.defineProperty(globalThis, "navigator", { value: { languages: ["de-AT", "en"] } });
 Object.assign(globalThis, {
@@ -21,7 +23,7 @@ Object.assign(globalThis, {
       },
     },
   },
-  fetch: async () => ({ json: async () => ({ "Begin stack": "Beginn des Stapels", "repeat %1 times": "nie" }) }),
+  fetch: async () => ({ json: async () => GERMAN }),
 });
 read("en.js");
 
@@ -31,4 +33,5 @@ test("a sentence that Blockly's file has is Blockly's, another one ours, and the
   assert.equal(Msg.CONTROLS_REPEAT_TITLE, "wiederhole %1-mal:");
   assert.equal(Msg.BLOCK_LABEL_BEGIN_STACK, "Beginn des Stapels");
   assert.equal(Msg.BLOCK_LABEL_VALUE, "value");
+  assert.equal(Msg.DELETE_KEY, "Entf", "a key is named as it is on the keyboard");
 });

@@ -151,7 +151,7 @@ def test_a_label_has_room_for_so_many(folder, monkeypatch):
     collection = Collection(str(folder))
     for _ in range(3):
         collection.save("/red", "free", b"x")
-    wait_for(collection, free=2, problem=say("pictures_full", count=2, label="free").fields())
+    wait_for(collection, free=2, problem=say("free_full", count=2).fields())
 
 
 def test_a_full_disk_gives_one_sentence_and_loses_nothing(folder, monkeypatch):

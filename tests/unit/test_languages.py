@@ -1,9 +1,10 @@
 """Both pages are in German, Spanish, French, Italian and Japanese: no sentence is forgotten, and no name is lost."""
 
 import re
+from unicodedata import east_asian_width
 
 import pytest
-from languages import CODES, keys, read
+from languages import CODES, in_pages, in_scripts, keys, messages, read
 
 NAMES = re.compile(r"\{\w+\}|%\d")
 LABELS = {"Stop": "Stop {robot}", "Release": "Release {robot}", "Undo": "Undo: {name}", "Copy": "Copy: {name}",
@@ -30,3 +31,25 @@ def test_a_translation_names_what_the_english_names_in_each_of_its_forms(code):
 def test_who_says_what_is_on_a_button_presses_it(code):
     words = read(code)
     assert {name: words[name] for text, name in LABELS.items() if words[text] not in words[name]} == {}
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_no_translation_has_two_forms_where_nothing_is_counted(code):
+    assert not [english for english, translation in read(code).items()
+                if "|" in translation and "{count}" not in english]
+
+
+@pytest.mark.parametrize("code", CODES)
+@pytest.mark.parametrize("english, width", [("name", 6), ("my program", 10)])  # letters
+def test_what_a_narrow_field_shows_is_short(code, english, width):
+    assert sum(2 if east_asian_width(each) == "W" else 1 for each in read(code)[english]) <= width
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_a_sentence_says_true_and_false_as_the_blocks_do(code):
+    for word in ("true", "false"):
+        assert messages(code)[f"LOGIC_BOOLEAN_{word.upper()}"] in read(code)[f"“{word}”"]
+
+
+def test_printing_on_paper_is_translated_apart_from_the_blocks_that_print():
+    assert "Print" in set(in_scripts()) - in_pages()

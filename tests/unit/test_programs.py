@@ -165,7 +165,7 @@ FAILING = {  # and what the page says
     "root": (program(show(single("math_single", "ROOT", -4))), "This calculation has no result."),
     "power": (program(show(calculate("POWER", num(-8), num(0.5)))), "This calculation has no result."),
     "rounded": (program(show(plug("math_round", {"OP": "ROUND"}, NUM=plug("math_constant", {"CONSTANT": "INFINITY"})))),
-                "inf cannot be rounded."),
+                "∞ cannot be rounded."),
     "compared": (program(let("x", plug("text", {"TEXT": "a"})), show(compare("LT", num(2), var("x"))), variables="x"),
                  "2 and the text “a” cannot be compared."),
     "count by 0": (program(count(num(1), num(2), num(0))), "This loop counts by 0, and never arrives."),

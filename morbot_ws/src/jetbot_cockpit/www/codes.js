@@ -13,6 +13,7 @@ import { showView } from "./views.js";
 const QUIET_ZONE = 2; // modules around the 2 that a QR code has already
 const NO_CODES = t("Only this computer can open this page now. "
   + "Start the cockpit with lan:=true to get codes for others.");
+const CARDS = { teacher: t("teacher"), pupils: t("pupils") }; // of no robot
 const HOW = t("Scan a code, or open the address and type the code.");
 
 export class Codes {
@@ -87,7 +88,7 @@ export class Codes {
     const [item, enlarge] = [card(code), create("button", "enlarge")];
     enlarge.dataset.label = code.label;
     enlarge.title = this.large ? t("Show all codes") : t("Show this code large");
-    enlarge.setAttribute("aria-label", `${enlarge.title}: ${code.label}`);
+    enlarge.setAttribute("aria-label", `${enlarge.title}: ${item.querySelector("h3").textContent}`);
     enlarge.append(item.querySelector("canvas") ?? "⤢"); // without a QR code
     enlarge.addEventListener("click", () => this.enlarge(this.large ? null : code.label));
     item.prepend(enlarge);
@@ -130,9 +131,9 @@ function focusNext(event) {
 }
 
 function card({ label, url, code, rows }) {
-  const item = create("li");
-  if (rows?.length) item.append(drawQr(rows, t("QR code for {robot}", { robot: label })));
-  item.append(create("h3", "", label), create("p", "address", url.split("#")[0]), create("p", "code", code));
+  const [item, robot] = [create("li"), CARDS[label] ?? label];
+  if (rows?.length) item.append(drawQr(rows, t("QR code for {robot}", { robot })));
+  item.append(create("h3", "", robot), create("p", "address", url.split("#")[0]), create("p", "code", code));
   return item;
 }
 

@@ -1,6 +1,6 @@
 // Short forms for the elements of the page. Text from outside reaches it as textContent alone.
 
-import { number } from "./language.js";
+import { number, t } from "./language.js";
 
 const CLICK_WITHIN = 1000; // ms after a touch: a click then belongs to that touch
 const CALM = 1000; // ms between two texts for a screen reader
@@ -43,7 +43,7 @@ export function signed(value) {
 
 // Returns a time with its unit, or "" where it is not known.
 export function inSeconds(seconds) {
-  return seconds === null ? "" : `${number(seconds.toFixed(1))} s`;
+  return seconds === null ? "" : t("{seconds} s", { seconds: seconds.toFixed(1) });
 }
 
 // Gives the person a file of this name.

@@ -8,6 +8,7 @@ export const LANGUAGES = {
 export const WORDS_TIMEOUT = 4000; // ms: a page without its words is in English, but stops robots
 const ATTRIBUTES = ["title", "aria-label", "aria-roledescription", "placeholder"];
 const WORDS = /\S(?:.*\S)?/s; // of an element, without the space around them
+const TYPED = ["driver", "name", "text"]; // values that a person may have typed
 const DECIMAL = /^([-−]?\d+)\.(\d+)$/;
 
 const page = globalThis.document?.body; // none in a test without a browser
@@ -38,7 +39,7 @@ async function load() {
 export function t(english, values = {}) {
   const [one, other = one] = (sentences.get(english) ?? english).split("|");
   const form = isOne(values.count ?? 1) ? one : other;
-  return form.replace(/\{(\w+)\}/g, (name, key) => (Object.hasOwn(values, key) ? written(values[key]) : name));
+  return form.replace(/\{(\w+)\}/g, (name, key) => (Object.hasOwn(values, key) ? written(key, values[key]) : name));
 }
 
 // Whether this number takes the first of two forms: 1 does, but "1.0" not in each language.
@@ -46,9 +47,10 @@ function isOne(count) {
   return (String(count).includes(".") ? decimal : whole).select(Number(count)) === "one";
 }
 
-// Returns a value of a sentence, which may itself be one of the cockpit's.
-function written(value) {
-  return value instanceof Object ? said(value) : number(value);
+// Returns a value of a sentence, which may itself be one of the cockpit's. What was typed is quoted as it is.
+function written(name, value) {
+  if (value instanceof Object) return said(value);
+  return TYPED.includes(name) ? value : number(value);
 }
 
 // Returns what a message says: that of the cockpit has its English as a template, too.
@@ -76,17 +78,25 @@ function inWords(text) {
   return t(text.replace(/\s+/g, " "));
 }
 
+async function reachesCockpit() {
+  const signal = AbortSignal.timeout?.(WORDS_TIMEOUT);
+  return fetch(location.href, { cache: "no-store", signal }).then(() => true, () => false);
+}
+
 function offer(select) {
   const option = ([code, name]) => new Option(name, code, false, code === language);
   select.replaceChildren(...Object.entries(LANGUAGES).map(option));
   let byKeys = false; // each arrow key is a change then: Enter or leaving the list ends it
-  const choose = () => {
+  const choose = async (event) => {
     if (select.value === language) return;
-    remember("language", select.value);
+    event.preventDefault(); // Enter opens no list
+    const chosen = select.value;
+    if (!await reachesCockpit()) return void (select.value = language); // a page that cannot come back stays
+    remember("language", chosen);
     location.reload();
   };
   for (const type of ["keydown", "pointerdown"]) select.addEventListener(type, () => { byKeys = type === "keydown"; });
-  select.addEventListener("change", () => byKeys || choose());
+  select.addEventListener("change", (event) => byKeys || choose(event));
   select.addEventListener("blur", choose);
-  select.addEventListener("keydown", ({ key }) => key === "Enter" && choose());
+  select.addEventListener("keydown", (event) => event.key === "Enter" && choose(event));
 }

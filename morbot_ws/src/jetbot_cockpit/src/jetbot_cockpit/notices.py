@@ -47,7 +47,8 @@ NOTICES = {
     "no_picture": "There is no picture.",
     "no_pictures_kept": "This cockpit keeps no pictures.",
     "pictures_busy": "The disk is busy: wait until the number changes.",
-    "pictures_full": "There are {count} pictures of {label} already.",
+    "free_full": "There are {count} pictures of Free already.",
+    "blocked_full": "There are {count} pictures of Blocked already.",
     "picture_not_kept": "The picture was not kept: {problem} ({file})",
     # Programs, and the class
     "gone": "This program is not there any more.",

@@ -199,6 +199,7 @@ function savePackage() {
 function draw() {
   const running = runs() ? run : null;
   showControls(running, judging.isWaiting);
+  element("language").disabled = runs() || judging.state.name !== "idle"; // it loads the page again
   showPlace(workspace, running);
   showOutput(workspace, run?.interpreter.variables ?? new Map());
   side.draw();

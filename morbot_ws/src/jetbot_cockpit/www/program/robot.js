@@ -5,8 +5,9 @@ import { t } from "../language.js";
 import { shown } from "./values.js";
 
 const PLACE = { X: "here.x", Y: "here.y", HEADING: "math.degrees(here.theta)" };
-const [EYES, WHEELS] = [["LEFT", "MIDDLE", "RIGHT"], ["LEFT", "RIGHT"]];
-const SIDES = { LEFT: t("left"), MIDDLE: t("middle"), RIGHT: t("right") };
+const EYES = ["LEFT", "MIDDLE", "RIGHT"];
+const SIDES = [[t("left"), "LEFT"], [t("right"), "RIGHT"]];
+const WHEELS = SIDES.map(([, each]) => each);
 const STANDING = [0, 0];
 const SHORTEST = 5e-7; // s: what is shorter is none by a node's clock
 
@@ -17,7 +18,6 @@ const Z_INPUT = number("Z", (input) => t("z in {unit}", unitOf(input)));
 const SECONDS_INPUT = number("SECONDS", t("seconds"));
 const unit = (name) => ({ type: "field_label", name: `UNIT_${name}`, text: "" });
 const choice = (name, ariaTypeName, ...options) => ({ type: "field_dropdown", name, ariaTypeName, options });
-const side = (name, label, sides) => choice(name, label, ...sides.map((each) => [SIDES[each], each]));
 const statement = { previousStatement: null, nextStatement: null };
 const wait = (seconds) => (seconds >= SHORTEST ? [{ wait: seconds }] : []);
 const drive = (motion, seconds) => [{ motion }, ...wait(seconds), { motion: STANDING }];
@@ -51,7 +51,7 @@ export const DRIVE = [
   },
   {
     type: "robot_turn", message0: t("turn %1 at z %2 %3 for %4 s"),
-    args0: [side("SIDE", t("side"), WHEELS), Z_INPUT, unit("Z"), SECONDS_INPUT], numbers: { Z: 0.2, SECONDS: 1 },
+    args0: [choice("SIDE", t("side"), ...SIDES), Z_INPUT, unit("Z"), SECONDS_INPUT], numbers: { Z: 0.2, SECONDS: 1 },
     tooltip: t("Turns on the spot for so many seconds."),
     python: ({ SIDE, Z, SECONDS }) => `drive(0, ${SIDE === "RIGHT" ? negative(Z) : Z}, ${SECONDS})`,
     needs: ["wait", "drive"],
@@ -81,14 +81,15 @@ export const SENSE = [
     read: ({ WHAT }, { here }) => here?.[WHAT], unknown: t("This robot does not report where it is."),
   },
   {
-    type: "robot_eye", message0: t("%1 eye, 0 on a line"), args0: [side("WHAT", t("eye"), EYES)],
+    type: "robot_eye", message0: t("%1, 0 on a line"),
+    args0: [choice("WHAT", t("eye"), [t("left eye"), "LEFT"], [t("middle eye"), "MIDDLE"], [t("right eye"), "RIGHT"])],
     tooltip: t("An eye of the line sensor: 0 on a dark line, 1 beside it."),
     python: ({ WHAT }) => `eyes[${EYES.indexOf(WHAT)}]`, needs: ["eyes"],
     read: ({ WHAT }, { line }) => line?.[EYES.indexOf(WHAT)],
     unknown: t("This robot does not report what its line sensor sees."),
   },
   {
-    type: "robot_wheel", message0: t("%1 wheel in power"), args0: [side("WHAT", t("wheel"), WHEELS)],
+    type: "robot_wheel", message0: t("%1 wheel in power"), args0: [choice("WHAT", t("wheel"), ...SIDES)],
     tooltip: t("What the wheel gets: 1 is full power forward."),
     python: ({ WHAT }) => `wheels[${WHEELS.indexOf(WHAT)}]`, needs: ["duties"],
     read: ({ WHAT }, { wheels }) => wheels?.[WHEELS.indexOf(WHAT)],

@@ -5,6 +5,9 @@ import { ProgramError } from "./program_error.js";
 
 const MAX_PRIME = 1e10; // what is larger takes too long
 const MAX_NAME = 40; // characters of a text in a sentence
+const WORDS = { // as the blocks have them, for sentences
+  True: t("“true”"), False: t("“false”"), None: t("“nothing”"), inf: "∞", "-inf": "−∞", nan: t("“not a number”"),
+};
 
 const degrees = (radians) => radians / Math.PI * 180;
 const radians = (angle) => angle / 180 * Math.PI;
@@ -20,7 +23,7 @@ const checked = (calculate) => (...given) => {
 
 // Refuses to round what is not finite, as Python does.
 export const whole = (round) => (number) =>
-  (isFinite(number) ? round(number) : refuse(t("{value} cannot be rounded.", { value: shown(number) })));
+  (isFinite(number) ? round(number) : refuse(t("{value} cannot be rounded.", { value: named(number) })));
 
 export const OPERATIONS = {
   ADD: (a, b) => a + b, MINUS: (a, b) => a - b, MULTIPLY: (a, b) => a * b, DIVIDE: (a, b) => a / divisor(b),
@@ -101,23 +104,28 @@ export function shown(value) {
   return String(Number.isInteger(value) ? value : Number(value.toPrecision(Math.abs(value) < 1e5 ? 6 : 15)));
 }
 
+// Returns a value in a sentence, where no text is.
+function named(value) {
+  return WORDS[shown(value)] ?? shown(value);
+}
+
 // Returns that this value is no number, where one is needed.
 export function notANumber(value) {
   return isText(value) ? t("Here a number is needed, not the text “{text}”.", { text: short(value) })
-    : t("Here a number is needed, not {value}.", { value: shown(value) });
+    : t("Here a number is needed, not {value}.", { value: named(value) });
 }
 
 // Returns the same of the value of a variable that a block changes.
 export function notChangeable(value) {
   return isText(value) ? t("Only a number can be changed, not the text “{text}”.", { text: short(value) })
-    : t("Only a number can be changed, not {value}.", { value: shown(value) });
+    : t("Only a number can be changed, not {value}.", { value: named(value) });
 }
 
 // Returns that these values are of two kinds.
 export function notComparable(a, b) {
-  if (isText(a)) return t("The text “{text}” and {value} cannot be compared.", { text: short(a), value: shown(b) });
-  if (isText(b)) return t("{value} and the text “{text}” cannot be compared.", { text: short(b), value: shown(a) });
-  return t("{one} and {other} cannot be compared.", { one: shown(a), other: shown(b) });
+  if (isText(a)) return t("The text “{text}” and {value} cannot be compared.", { text: short(a), value: named(b) });
+  if (isText(b)) return t("{value} and the text “{text}” cannot be compared.", { text: short(b), value: named(a) });
+  return t("{one} and {other} cannot be compared.", { one: named(a), other: named(b) });
 }
 
 function isText(value) {

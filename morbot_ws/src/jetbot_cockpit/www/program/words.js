@@ -6,7 +6,7 @@ if (language !== "en") {
   const { Msg } = globalThis.Blockly;
   const english = Object.entries(Msg);
   await load(new URL(`../vendor/blockly/msg/${language}.js`, import.meta.url).href);
-  for (const [name, text] of english) if (Msg[name] === text) Msg[name] = t(text);
+  for (const [name, text] of english) if (Msg[name] === text) Msg[name] = name === "DELETE_KEY" ? t("Del") : t(text);
 }
 
 // It is a script, not a module. Without it, Blockly's words are English.

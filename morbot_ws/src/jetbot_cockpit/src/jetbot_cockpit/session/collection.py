@@ -67,7 +67,7 @@ class Collection:
         names = (folder / f"{number:04}.jpg" for number in range(1, MAX_PICTURES + 1))
         unused = next((name for name in names if not os.path.lexists(name)), None)
         if unused is None:
-            return say("pictures_full", count=MAX_PICTURES, label=label)
+            return say(f"{label}_full", count=MAX_PICTURES)
         files.replace(unused, jpeg)
         return None
 
