@@ -79,7 +79,7 @@ function isForBlocks({ key, ctrlKey, altKey, metaKey, target }) {
     && !target.closest(`input:not([type=range]), select, dialog, ${BLOCKLYS}`);
 }
 
-// Tab, or a press elsewhere, ends a move. Blockly itself does so once the block has lost the focus, and takes that back.
+// Tab, or a press elsewhere, ends a move. Blockly itself does so once the focus has left the block, and takes it back.
 function endMovesOutside(target) {
   addEventListener("keydown", ({ key }) => key === "Tab" && endMove(), true);
   addEventListener("pointerdown", (event) => event.composedPath().includes(target) || endMove(), true);
