@@ -8,7 +8,7 @@ const GERMAN = {
   "its battery is empty ({voltage} V)": "der Akku ist leer ({voltage} V)", "pupil {number}": "Schüler {number}",
   "{count} points": "{count} Punkt|{count} Punkte",
   "{driver} drives {robot}.": "{robot} wird von {driver} gefahren.",
-  "{count} robots are running.": "{count} Roboter laufen.", "{seconds} s": "{seconds} Sek.",
+  "{count} robots are running.": "{count} Roboter laufen.", Wrong: 7, "{seconds} s": "{seconds} Sek.",
 };
 Object.assign(globalThis, {
   document: { body: {}, documentElement: { querySelectorAll: () => [] } },
@@ -22,6 +22,10 @@ const { language, said, t } = await import("#www/language.js");
 
 test("the language is the first of the browser's that there is", () => {
   assert.equal(language, "de");
+});
+
+test("a row of the file that is no text is as if it were missing", () => {
+  assert.equal(t("Wrong"), "Wrong");
 });
 
 test("a message is translated by its template, and is English where there is none", () => {

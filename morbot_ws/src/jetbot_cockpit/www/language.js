@@ -13,7 +13,7 @@ const DECIMAL = /^([-−]?\d+)\.(\d+)$/;
 
 const page = globalThis.document?.body; // none in a test without a browser
 export const language = page ? choose() : "en";
-const sentences = new Map(Object.entries(language === "en" ? {} : await load()));
+const sentences = new Map(language === "en" ? [] : await load());
 const [whole, decimal] = [0, 1].map((digits) => new Intl.PluralRules(language, { minimumFractionDigits: digits }));
 const [, mark] = new Intl.NumberFormat(language).formatToParts(0.5);
 if (page) translate(document.documentElement);
@@ -24,12 +24,14 @@ function choose() {
   return wanted.find((each) => Object.hasOwn(LANGUAGES, each)) ?? "en";
 }
 
+// A file that somebody has edited wrongly costs its own sentences, and not the page with its STOP.
 async function load() {
   try {
     const signal = AbortSignal.timeout?.(WORDS_TIMEOUT);
-    return await (await fetch(new URL(`languages/${language}.json`, import.meta.url), { signal })).json();
+    const file = await fetch(new URL(`languages/${language}.json`, import.meta.url), { signal });
+    return Object.entries(await file.json()).filter(([, text]) => typeof text === "string");
   } catch {
-    return {};
+    return [];
   }
 }
 
@@ -84,7 +86,7 @@ async function reachesCockpit() {
 }
 
 function offer(select) {
-  const option = ([code, name]) => new Option(name, code, false, code === language);
+  const option = ([code, name]) => Object.assign(new Option(name, code, false, code === language), { lang: code });
   select.replaceChildren(...Object.entries(LANGUAGES).map(option));
   let byKeys = false; // each arrow key is a change then: Enter or leaving the list ends it
   const choose = async (event) => {
@@ -98,5 +100,8 @@ function offer(select) {
   for (const type of ["keydown", "pointerdown"]) select.addEventListener(type, () => { byKeys = type === "keydown"; });
   select.addEventListener("change", (event) => byKeys || choose(event));
   select.addEventListener("blur", choose);
-  select.addEventListener("keydown", (event) => event.key === "Enter" && choose(event));
+  select.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") choose(event);
+    if (event.key === "Escape") select.value = language;
+  });
 }
