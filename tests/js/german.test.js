@@ -8,7 +8,7 @@ const GERMAN = {
   "its battery is empty ({voltage} V)": "der Akku ist leer ({voltage} V)", "pupil {number}": "Schüler {number}",
   "{count} points": "{count} Punkt|{count} Punkte",
   "{driver} drives {robot}.": "{robot} wird von {driver} gefahren.",
-  "{count} robots are running.": "{count} Roboter laufen.", "{seconds} s": "{seconds} Sek.",
+  "{count} robots are running.": "{count} Roboter laufen.", "{seconds} s": "{seconds} Sek.", Speed: ["Tempo"],
 };
 Object.assign(globalThis, {
   document: { body: {}, documentElement: { querySelectorAll: () => [] } },
@@ -73,5 +73,14 @@ test("numbers have a comma", () => {
 });
 
 test("a sentence without translation is English, whatever it is", () => {
-  assert.deepEqual(["No robot", "constructor"].map((english) => t(english)), ["No robot", "constructor"]);
+  assert.deepEqual(["No robot", "constructor", "Speed"].map((english) => t(english)),
+                   ["No robot", "constructor", "Speed"]);
 });
+
+for (const content of [null, "", 7, {}]) {
+  test(`a page whose words are ${JSON.stringify(content)} is in English, and says so`, async () => {
+    globalThis.fetch = async () => ({ json: async () => content });
+    const page = await import(`#www/language.js?${JSON.stringify(content)}`);
+    assert.deepEqual([page.t("driving"), document.documentElement.lang], ["driving", "en"]);
+  });
+}

@@ -13,7 +13,7 @@ const DECIMAL = /^([-−]?\d+)\.(\d+)$/;
 
 const page = globalThis.document?.body; // none in a test without a browser
 export const language = page ? choose() : "en";
-const sentences = new Map(Object.entries(language === "en" ? {} : await load()));
+const sentences = new Map(language === "en" ? [] : await load());
 const [whole, decimal] = [0, 1].map((digits) => new Intl.PluralRules(language, { minimumFractionDigits: digits }));
 const [, mark] = new Intl.NumberFormat(language).formatToParts(0.5);
 if (page) translate(document.documentElement);
@@ -24,12 +24,14 @@ function choose() {
   return wanted.find((each) => Object.hasOwn(LANGUAGES, each)) ?? "en";
 }
 
+// Returns what the file has in order: whoever corrects a sentence may break another one.
 async function load() {
   try {
     const signal = AbortSignal.timeout?.(WORDS_TIMEOUT);
-    return await (await fetch(new URL(`languages/${language}.json`, import.meta.url), { signal })).json();
+    const file = await fetch(new URL(`languages/${language}.json`, import.meta.url), { signal });
+    return Object.entries(await file.json()).filter(([, text]) => typeof text === "string");
   } catch {
-    return {};
+    return [];
   }
 }
 
@@ -66,7 +68,7 @@ export function number(value) {
 
 // Translates the texts of the page, once, and offers the other languages.
 function translate(root) {
-  root.lang = language;
+  root.lang = sentences.size ? language : "en";
   for (const each of root.querySelectorAll("*")) {
     for (const name of ATTRIBUTES) if (each.hasAttribute(name)) each.setAttribute(name, t(each.getAttribute(name)));
     for (const child of each.childNodes) if (child instanceof Text) child.data = child.data.replace(WORDS, inWords);
