@@ -22,8 +22,13 @@ function numbered(name, number) {
   return `${beginning(name, limits.program_name - ` ${number}`.length)} ${number}`;
 }
 
+// Returns a name for a file: "jetbot_07, Ömer" becomes "jetbot_07_Omer".
+export function plain(text) {
+  return text.normalize("NFKD").replace(/\p{M}/gu, "").replaceAll("ß", "ss").replace(/[^A-Za-z0-9]+/g, "_");
+}
+
 // Returns the name of the package of a program: it clashes with no package of the workspace.
 export function packageName(title) {
-  const name = title.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^_+|_+$/g, "").slice(0, 40);
+  const name = plain(title).toLowerCase().replace(/^_+|_+$/g, "").slice(0, 40);
   return name.startsWith("my_") ? name : `my_${name || "program"}`;
 }
