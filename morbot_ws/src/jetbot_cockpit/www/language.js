@@ -95,10 +95,16 @@ function offer(select) {
     const chosen = select.value;
     if (!await reachesCockpit()) return void (select.value = language); // a page that cannot come back stays
     remember("language", chosen);
+    history.replaceState({ ...history.state, byKeys }, "");
     location.reload();
   };
+  if (history.state?.byKeys) select.focus(); // where it was before the page was loaded again
+  history.replaceState({ ...history.state, byKeys: false }, "");
   for (const type of ["keydown", "pointerdown"]) select.addEventListener(type, () => { byKeys = type === "keydown"; });
   select.addEventListener("change", (event) => byKeys || choose(event));
   select.addEventListener("blur", choose);
-  select.addEventListener("keydown", (event) => event.key === "Enter" && choose(event));
+  select.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") choose(event);
+    if (event.key === "Escape") select.value = language;
+  });
 }
