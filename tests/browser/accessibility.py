@@ -7,7 +7,7 @@ from typing import List, NamedTuple
 import pytest
 
 AXE = Path(__file__).parents[2] / ".ci/js/node_modules/axe-core/axe.min.js"
-RULES = ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa", "best-practice"]
+RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
 AUDIT = """const [rules, done] = arguments;
 axe.run({runOnly: rules, resultTypes: ["violations"]}).then(({violations}) => done(violations.flatMap(
     ({id, help, nodes}) => nodes.map(({target, failureSummary}) => [id, help, target.join(" "), failureSummary]))));"""

@@ -83,6 +83,10 @@ class Chromium(ByWebDriver, BrowserProcesses):
         self.press(key)
         self.let_go(key)
 
+    def compose(self, text: str) -> None:
+        """Type a text that an input method has not yet converted."""
+        self._devtools("Input.imeSetComposition", text=text, selectionStart=len(text), selectionEnd=len(text))
+
     def new_tab(self, url: str = "about:blank") -> None:
         """Open a tab in front of the page."""
         self.driver.switch_to.new_window("tab")

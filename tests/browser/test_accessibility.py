@@ -109,13 +109,16 @@ def test_on_a_magnified_page_nothing_is_cut_off_or_covers_something_else(page):
             assert page.fits() and page.overlapping() == [] and not page.run(IS_LOW), (screen, name)
 
 
-def test_high_contrast_shows_stop_what_is_chosen_and_the_focus(page):
+def test_high_contrast_shows_stop_what_is_chosen_and_the_focus(page, world):
     page.media(forced_colors="active")
     try:
-        page.click("#show-codes")
-        assert page.run(EDGES, "#show-codes")[0] == "3px"
-        page.tab_to("stop")
-        assert page.run(EDGES, "#stop") == ["4px", "3px"]
+        for path, chosen in ("program", "show-map"), ("", "show-codes"):
+            page.open(f"{world.address}{path}")
+            page.resize(*DESKTOP, touch=False)
+            page.click(f"#{chosen}")
+            assert page.run(EDGES, f"#{chosen}")[0] == "3px"
+            page.tab_to("stop")
+            assert page.run(EDGES, "#stop") == ["4px", "3px"]
     finally:
         page.media()
 

@@ -23,6 +23,7 @@ ENGINES = {  # the programs and modules that each needs, and the packages that h
     "webkit": ("WebKitWebDriver Xvfb selenium", "webkit2gtk-driver xvfb python3-selenium"),
     "firefox": ("firefox-esr", "firefox-esr"),
 }
+WRONG = "This code is wrong, or not valid any more. Ask for the new one."
 LANGUAGES = {"chromium": "fr-FR", "webkit": "es-ES", "firefox": "de-DE"}  # that each asks for: all else is in English
 
 
@@ -144,7 +145,8 @@ def test_stop_and_its_keys_stop_and_release_lets_nothing_start_by_itself(page, w
 def test_a_wrong_code_is_refused_and_the_right_one_lets_a_pupil_drive(page, world):
     code = world.codes()["pupil"].partition("#")[2]
     page.load(f"http://127.0.0.2:{world.port}/#WRONG2")  # not by a name of this computer
-    page.wait_for_text("login-error", page.say("This code is wrong, or not valid any more. Ask for the new one."))
+    wrong = "This code is wrong, or not valid any more. Ask for the new one."
+    page.wait_for(lambda: page.text("login-error") == page.say(wrong), wrong)  # which begins in English
     assert ROBOT not in str(page.robots())
     page.errors()  # the refusal
     page.type("code", code.lower())

@@ -14,6 +14,7 @@ LISTEN = """window.said = [];
 TASKS = {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]}
 ENDLESS = program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}),
                         DO={"block": wait(1)}))
+TEXT_BOX = "Blockly.getMainWorkspace().getBlocksByType('text')[0].getField('TEXT').showEditor()"
 FAILS = program(drive(0.4, 0.4), show(calculate("DIVIDE", num(1), num(0))))
 
 
@@ -63,6 +64,16 @@ def test_t_and_w_lead_to_the_blocks_from_anywhere_but_are_letters_in_a_text(bloc
     press(page, "Enter", "t")
     assert focus(page) == "work", "a sheet is over the blocks"
     press(page, "Escape")
+
+
+def test_enter_that_ends_a_conversion_ends_neither_a_name_nor_a_text_of_the_blocks(blocks):
+    page = blocks(program(show(plug("text", {"TEXT": ""}))))
+    for opens in "document.getElementById('name').focus()", TEXT_BOX:
+        page.run(opens)
+        field = page.run("return document.activeElement")
+        page.compose("たなか")
+        page.tap("Enter")
+        assert page.run("return document.activeElement") == field, opens
 
 
 @undisturbed

@@ -27,7 +27,7 @@ def release(page):
 
 
 def wait_for_release(page):
-    page.wait_for_text("status", "emergency stop was released")
+    page.wait_for(lambda: not page.has(".emergency, #release.needed"), "the release")
 
 
 def touch_with_second_finger(page, selector):

@@ -48,13 +48,15 @@ function begin(t) {
       told.sockets.push(this);
     }
   };
+  const page = new EventTarget();
+  globalThis.addEventListener = page.addEventListener.bind(page);
   const clock = new Clock(t);
   const link = new Link({
     receive: (message) => told.received.push(message), changed: (sentence) => told.problems.push(sentence),
     refused: () => { told.refused += 1; }, measured: (ms) => told.roundTrips.push(ms),
   });
   link.open();
-  return { ...told, clock, link, told, socket: told.sockets[0] };
+  return { ...told, clock, page, link, told, socket: told.sockets[0] };
 }
 
 function connect(t) {
@@ -114,6 +116,16 @@ test("a connection that is lost is opened again", async (t) => {
   assert.equal(sockets.length, 2);
   sockets[1].open();
   assert.deepEqual([link.connected, problems.at(-1)], [true, ""]);
+});
+
+test("a page that Back brings out of the browser's cache connects at once, and one that is loaded only once", (t) => {
+  const { page, socket, sockets, problems } = connect(t);
+  page.dispatchEvent(Object.assign(new Event("pageshow"), { persisted: false }));
+  assert.equal(sockets.length, 1);
+  page.dispatchEvent(Object.assign(new Event("pageshow"), { persisted: true }));
+  socket.close();
+  assert.equal(sockets.length, 2);
+  assert.deepEqual(problems, [""], "nothing is wrong");
 });
 
 test("a connection that is cut off without an end is given up after three seconds", async (t) => {

@@ -36,6 +36,13 @@ def test_each_element_that_a_script_uses_is_in_the_page(page, scripts):
     assert {name for name in used if f'id="{name}"' not in page} - {"name"} == set()
 
 
+@pytest.mark.parametrize("page, names", [
+    (PAGE, ["messages", "sentence", "notice", "task-text", "teacher-codes", "scores-table"]),
+    (PROGRAM, ["sentence", "notice"])], ids=["pad", "program"])
+def test_the_keyboard_reaches_each_text_that_scrolls(page, names):
+    assert [name for name in names if not re.search(rf'id="{name}" class="scrolls"', page)] == []
+
+
 def test_each_file_that_is_loaded_exists():
     loaded = {WWW / PAGES.get(name.strip("/"), name) for name in re.findall(r'(?:src|href)="([^"]+)"', PAGE + PROGRAM)}
     imported = {script.parent / name for script in SCRIPTS

@@ -7,6 +7,8 @@ import pytest
 from languages import CODES, in_pages, in_scripts, keys, messages, read
 
 NAMES = re.compile(r"\{\w+\}|%\d")
+LABELS = {"Stop": "Stop {robot}", "Release": "Release {robot}", "Undo": "Undo: {name}", "Copy": "Copy: {name}",
+          "Delete": "Delete: {name}"}  # the text of a button, and its name for a screen reader
 
 
 @pytest.mark.parametrize("code", CODES)
@@ -23,6 +25,12 @@ def test_there_is_no_translation_of_a_sentence_that_no_page_shows(code):
 def test_a_translation_names_what_the_english_names_in_each_of_its_forms(code):
     assert {english: translation for english, translation in read(code).items() for form in translation.split("|")
             if set(NAMES.findall(form)) != set(NAMES.findall(english.split("|")[-1]))} == {}
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_who_says_what_is_on_a_button_presses_it(code):
+    words = read(code)
+    assert {name: words[name] for text, name in LABELS.items() if words[text] not in words[name]} == {}
 
 
 @pytest.mark.parametrize("code", CODES)

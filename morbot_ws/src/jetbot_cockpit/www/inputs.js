@@ -63,9 +63,11 @@ export class Pad {
   }
 }
 
-// Arrows and WASD drive while they are held; Escape and Space call stop(), Escape also while typing.
+// Arrows and WASD drive while they are held, if the pad is in sight; Escape and Space call stop(), Escape also while
+// typing.
 export class Keys {
-  constructor(deflect, stop) {
+  constructor(pad, deflect, stop) {
+    this.pad = pad;
     this.deflect = deflect;
     this.stop = stop;
     this.held = new Set();
@@ -77,7 +79,8 @@ export class Keys {
     const typing = isTextField(event.target);
     if (event.key === "Escape" || event.code === "Space" && !typing) return this.pressStop(event);
     const shortcut = event.ctrlKey || event.altKey || event.metaKey;
-    if (!(event.code in DIRECTIONS) || typing || shortcut || belongsToTarget(event)) return;
+    const drives = event.code in DIRECTIONS && this.pad.getClientRects().length > 0;
+    if (!drives || typing || shortcut || belongsToTarget(event)) return;
     event.preventDefault();
     if (event.repeat) return; // a key that was held before a break must be lifted first
     this.held.add(event.code);
@@ -112,10 +115,9 @@ function isTextField(target) {
   return target instanceof HTMLInputElement && target.type !== "range";
 }
 
-// The slider uses the arrow keys itself, a list letters, too.
+// The slider and a text that scrolls use the arrow keys themselves, a list letters, too.
 function belongsToTarget({ target, code }) {
-  const slider = target instanceof HTMLInputElement && code.startsWith("Arrow");
-  return slider || target instanceof HTMLSelectElement;
+  return target.matches("select") || target.matches("input, .scrolls") && code.startsWith("Arrow");
 }
 
 // Reports the left stick of the gamepad that is in use, only while this page has the focus. heldStill(): it is off

@@ -18,9 +18,9 @@ const [whole, decimal] = [0, 1].map((digits) => new Intl.PluralRules(language, {
 const [, mark] = new Intl.NumberFormat(language).formatToParts(0.5);
 if (page) translate(document.documentElement);
 
-// The one that was chosen here, else the first that the browser asks for.
+// The one that was chosen here, else the first that the browser asks for; some ask for none.
 function choose() {
-  const wanted = [recall("language"), ...navigator.languages.map((each) => each.split("-")[0])];
+  const wanted = [recall("language"), ...(navigator.languages ?? []).map((each) => each.split("-")[0])];
   return wanted.find((each) => Object.hasOwn(LANGUAGES, each)) ?? "en";
 }
 

@@ -37,6 +37,7 @@ export class Link {
     this.refused = refused;
     this.measured = measured;
     setInterval(() => this.check(), PING_INTERVAL);
+    addEventListener("pageshow", ({ persisted }) => persisted && this.open()); // by Back: WebKit has closed the socket
   }
 
   open() {

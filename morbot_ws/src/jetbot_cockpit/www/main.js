@@ -61,7 +61,7 @@ const driving = new Driving({
 });
 const deflect = (source) => (forward, left) => driving.deflect(source, forward, left);
 const pad = new Pad(element("pad"), element("thumb"), deflect("pad"));
-const keys = new Keys(deflect("keys"), () => shell.login.asking || shell.stops.stop());
+const keys = new Keys(element("pad"), deflect("keys"), () => shell.login.asking || shell.stops.stop());
 const saySteering = calmly((text) => setText(element("pad-news"), text));
 
 function command(forward, left) {

@@ -1,5 +1,6 @@
 // What the pad and the programs share: the connection, the login, the robots, the stops, and when all is shown.
 
+import "./composing.js";
 import { element, setText } from "./dom.js";
 import { keepFocus, reachScrollers } from "./focus.js";
 import { said, t } from "./language.js";

@@ -6,15 +6,24 @@ import { visible } from "./colors.js";
 import { element, setClass, setText } from "./dom.js";
 import { t } from "./language.js";
 
+const OWN = ["", "zero"]; // causes: what a person's own hand does
+
 // Shows the chosen robot's status, and its colour. problem: why there is no connection, or ""
 /** @param {World} world */
 export function showStatus(world, problem) {
   const robot = world.robot(world.chosen);
   const { text, level } = problem ? { text: problem, level: "warning" } : world.status;
+  element("status").setAttribute("aria-live", isOwn(world, level) ? "off" : "polite");
   setText(element("sentence"), text);
   element("status").dataset.level = level;
   if (robot) document.documentElement.style.setProperty("--robot", visible(robot.color));
   setClass(document.body, "offline", problem);
+}
+
+// Whether the status says only that this person drives, or does not: a screen reader would say that at each press.
+function isOwn(world, level) {
+  const { cause } = world.state(world.chosen);
+  return world.isMine(world.chosen) && ["driving", "waiting"].includes(level) && OWN.includes(cause);
 }
 
 export function showRoundTrip(milliseconds) {
