@@ -4,6 +4,8 @@ import { t } from "../language.js";
 import { limits } from "../limits.js";
 import { beginning, toName } from "../storage.js";
 
+const NOT_LATIN = /(?!\p{Script=Latin})\p{L}/gu;
+
 // Returns a name that the cockpit takes.
 export function clean(name) {
   return toName(beginning(String(name), limits.program_name)) || t("Program");
@@ -29,6 +31,7 @@ export function plain(text) {
 
 // Returns the name of the package of a program: it clashes with no package of the workspace.
 export function packageName(title) {
-  const name = plain(title).toLowerCase().replace(/^_+|_+$/g, "").slice(0, 40);
+  const inCodes = title.replace(NOT_LATIN, (letter) => `_${Number(letter.codePointAt(0)).toString(16)}_`);
+  const name = plain(inCodes).toLowerCase().replace(/^_+|_+$/g, "").slice(0, 40);
   return name.startsWith("my_") ? name : `my_${name || "program"}`;
 }
