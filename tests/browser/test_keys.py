@@ -61,7 +61,9 @@ def test_t_and_w_lead_to_the_blocks_from_anywhere_but_are_letters_in_a_text(bloc
     press(page, "Escape", "t", "ArrowRight", "w")
     assert page.run(SPOKEN) == "1 stack of blocks", "from a list of blocks"
     page.tab_to("programs")
-    press(page, "Enter", "t")
+    page.tap("Enter")
+    page.wait_for(lambda: focus(page) == "work", "the sheet")
+    page.tap("t")
     assert focus(page) == "work", "a sheet is over the blocks"
     press(page, "Escape")
 
