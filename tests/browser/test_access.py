@@ -9,6 +9,9 @@ UNCOVERED = """const width = innerWidth / 9, height = innerHeight / 9;
     return [...Array(64).keys()].map((each) => document.elementFromPoint(
         width * (1 + each % 8), height * (1 + Math.floor(each / 8)))).filter((top) => !top.closest('#login')).length"""
 
+WITHOUT_COOKIES = """window.answers = window.fetch;
+    window.fetch = (url, options) => answers(url, {...options, credentials: "omit"})"""
+
 
 def split(url):
     """Return the address and the code of a pupil's or a teacher's URL."""
@@ -43,6 +46,10 @@ def test_without_a_cookie_the_page_asks_for_the_code_on_each_screen_and_nothing_
         pupil.wait_for(lambda: pupil.fits("code", "login-error") and pupil.run(UNCOVERED) == 0, f"all on {screen}")
     pupil.tap("Escape")
     assert {pupil.tab() for _ in range(5)} <= {"code", ""}, "the keyboard does not leave the form"
+    pupil.run(WITHOUT_COOKIES)
+    pupil.type("code", code)
+    pupil.wait_for_text("login-error", "refuses cookies")
+    pupil.run("window.fetch = answers")
     enter(pupil, code.lower())
     pupil.choose(ROBOT)
     assert not pupil.has(".emergency"), "Escape in the form stops no robot"

@@ -205,7 +205,7 @@ LOSSES = [  # what comes first, what has the focus, what takes that from it, and
     (press("#close-codes"), "#robot", of_class(1), "show-codes"),
     (lambda page: page.receive(BEST), "#show-scores", lambda page: page.receive({**BEST, "scores": []}), "to-program"),
     (of_class(2), f"[data-robot='/{OTHER_ROBOT}'] .stop-one", a_robot_comes, f"stop-one /{OTHER_ROBOT}"),
-    (of_class(3), "[data-robot='/jetbot_03'] .stop-one", of_class(2), f"stop-one /{OTHER_ROBOT}"),
+    (of_class(3), "[data-robot='/jetbot_03'] .stop-one", of_class(2), "robot"),
     (of_class(1, pictures={"free": 1, "blocked": 0, "problem": None}), "#save-free", of_class(1), "zoom-in"),
 ]
 

@@ -79,6 +79,18 @@ def test_enter_that_ends_a_conversion_ends_neither_a_name_nor_a_text_of_the_bloc
 
 
 @undisturbed
+def test_who_leaves_a_move_gets_where_they_go_and_the_keys_of_the_blocks_still_work(blocks):
+    page = blocks(program(wait(1)))
+    for leave in lambda: page.tap("Tab"), lambda: page.click("#output"):
+        page.tab_to("end")
+        press(page, "w", "ArrowDown", "ArrowDown", "m", "ArrowDown")
+        leave()
+        assert page.run("return document.activeElement.closest('.blocklyTrash, #output')")
+        press(page, "w", "ArrowDown")
+        assert "when the program starts" in page.run(SPOKEN)
+
+
+@undisturbed
 def test_the_focus_stays_while_a_program_runs_pauses_stops_and_ends(blocks):
     page = blocks(ENDLESS)
     for name, sentence in (("run", "Running"), ("pause", "Paused"), ("step", "Paused"), ("pause", "Running"),

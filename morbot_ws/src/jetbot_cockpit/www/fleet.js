@@ -43,6 +43,7 @@ export class Fleet {
     pick.append(create("span", "swatch"), words);
     pick.addEventListener("click", () => this.choose(id));
     const stop = create("button", "stop-one");
+    stop.dataset.next = "robot"; // not the button of another robot
     onPress(stop, () => this.toggleStop(id), () => !this.world.state(id).stopped);
     item.append(pick, stop);
     return { id, item, pick, driver, status, stalls, stop, label, color };

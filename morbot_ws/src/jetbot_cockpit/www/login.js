@@ -86,9 +86,10 @@ export class NameField {
     if (name) this.send({ type: "name", name });
   }
 
-  // A teacher's name for the pupil counts.
+  // A teacher's name for the pupil counts. The field does not vanish below somebody's hands: the letters would drive.
   show() {
-    element("name").hidden = Boolean(this.world.robot(this.world.me.robot)?.pupil);
+    const { pupil } = this.world.robot(this.world.me.robot) ?? {};
+    element("name").hidden = Boolean(pupil) && element("name") !== document.activeElement;
   }
 }
 

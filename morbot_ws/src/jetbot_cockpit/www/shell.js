@@ -4,6 +4,7 @@ import "./composing.js";
 import { element, setText } from "./dom.js";
 import { keepFocus, reachScrollers } from "./focus.js";
 import { said, t } from "./language.js";
+import { offerLanguages } from "./language_choice.js";
 import { Link } from "./link.js";
 import { LoginForm, logIn, NameField, storedName, takeCodeFromAddress } from "./login.js";
 import { Notice } from "./notice.js";
@@ -15,6 +16,7 @@ import { World } from "./world.js";
 
 export const LOST = t("The connection to the cockpit was lost.");
 const NEW_CODES = t("Your code is not valid any more. Enter the new one.");
+const NO_COOKIES = t("This browser refuses cookies, so the code does not last. Allow cookies, and reload the page.");
 const STOPPED = t("All robots were stopped.");
 const ASKED = t("The cockpit asked for the code.");
 
@@ -29,7 +31,7 @@ export class Shell {
   notice = new Notice();
   /** @type {RobotMap | null} */
   map = null; // until it is shown first
-  #codeError = ""; // why the code in the address was refused
+  #codeError = ""; // why the cockpit may ask for the code now
   #frame = 0; // the next one, which shows what has changed; 0 for none
 
   // receivers: what else the page does with a message, by its type; end(sentence): nothing drives any more, and why;
@@ -47,10 +49,11 @@ export class Shell {
       refused: () => this.#askForCode(), measured: showRoundTrip,
     });
     this.name = new NameField(this.world, this.send);
-    this.login = new LoginForm(() => this.link.open());
+    this.login = new LoginForm(() => this.#codeAccepted());
     this.choice = new Choice(this.world, () => this.#robotChanged());
     const lost = () => !this.link.connected;
     this.stops = new Stops(this.world, { send: this.send, lost, notice: this.notice, stopped: () => end(STOPPED) });
+    offerLanguages();
     addEventListener("hashchange", () => location.hash && this.start());
   }
 
@@ -61,8 +64,16 @@ export class Shell {
   // Connects, with the code in the address if there is one; after a wrong one, too: an earlier one may still hold.
   async start() {
     const code = takeCodeFromAddress();
-    this.#codeError = code && await logIn(code);
+    const error = code && await logIn(code);
     this.login.close();
+    if (code && !error) return this.#codeAccepted();
+    this.#codeError = error;
+    this.link.open();
+  }
+
+  // If the cockpit asks for it again now, its cookie was refused.
+  #codeAccepted() {
+    this.#codeError = NO_COOKIES;
     this.link.open();
   }
 
@@ -96,6 +107,7 @@ export class Shell {
   /** @type {Receivers} */
   #takes = {
     hello: (message) => {
+      this.#codeError = "";
       this.world.hello(message);
       if (storedName()) this.send({ type: "name", name: storedName() });
     },

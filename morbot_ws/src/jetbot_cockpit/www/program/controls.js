@@ -23,7 +23,6 @@ export function showControls(run, waiting) {
   enable("pause", run);
   enable("end", run || waiting);
   enable("step", !run || held);
-  element("pause").setAttribute("aria-pressed", String(held));
   setText(element("pause"), held ? t("Go on") : t("Pause"));
   if (run) setOutcome(...newsOf(run));
 }

@@ -62,6 +62,7 @@ export function openEditor(target, changed) {
   Blockly.ShortcutItems.registerNavigationShortcuts();
   target.querySelector("[role=tree]").setAttribute("aria-label", t("Kinds of blocks"));
   addEventListener("keydown", (event) => isForBlocks(event) && registry.onKeyDown(workspace, event));
+  endMovesOutside(target);
   workspace.addChangeListener(Blockly.Events.disableOrphans);
   workspace.addChangeListener((event) => event.isUiEvent || changed());
   workspace.addChangeListener(() => workspace.updateAriaLabel()); // how many stacks there are
@@ -78,6 +79,16 @@ function isForBlocks({ key, ctrlKey, altKey, metaKey, target }) {
     && !target.closest(`input:not([type=range]), select, dialog, ${BLOCKLYS}`);
 }
 
+// Tab, or a press elsewhere, ends a move. Blockly itself does so once the focus has left the block, and takes it back.
+function endMovesOutside(target) {
+  addEventListener("keydown", ({ key }) => key === "Tab" && endMove(), true);
+  addEventListener("pointerdown", (event) => event.composedPath().includes(target) || endMove(), true);
+}
+
+function endMove() {
+  if (mover.isMoving()) mover.abortMove(); // by keys
+}
+
 function theme() {
   const style = getComputedStyle(document.documentElement);
   const colors = Object.entries(COLORS).map(([part, name]) => [part, style.getPropertyValue(name).trim()]);
@@ -91,7 +102,7 @@ function theme() {
 
 // Shows this program, or the one before and throws a Refusal; its first block is always there.
 export function showProgram(workspace, program) {
-  if (mover.isMoving()) mover.abortMove(); // by keys
+  endMove();
   const before = currentProgram(workspace);
   try {
     Blockly.serialization.workspaces.load(program, workspace);
