@@ -68,7 +68,8 @@ test("a package depends on what its program imports", () => {
 });
 
 test("a package's name is one that catkin takes, and no package of the workspace has it", () => {
-  const names = ["Two moves!", "my square", "", "Über 100 %", "jetbot", "__"].map(packageName);
-  assert.deepEqual(names, ["my_two_moves", "my_square", "my_program", "my_ber_100", "my_jetbot", "my_program"]);
+  const names = ["Two moves!", "my square", "", "Über 100 % Größe", "jetbot", "__"].map(packageName);
+  assert.deepEqual(names, ["my_two_moves", "my_square", "my_program", "my_uber_100_grosse", "my_jetbot", "my_program"]);
   assert.ok(packageName("x".repeat(200)).length < 50);
+  assert.equal(packageName("日本語 2"), "my_65e5_672c_8a9e_2", "and each program has its own, in any writing");
 });

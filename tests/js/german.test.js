@@ -8,7 +8,7 @@ const GERMAN = {
   "its battery is empty ({voltage} V)": "der Akku ist leer ({voltage} V)", "pupil {number}": "Schüler {number}",
   "{count} points": "{count} Punkt|{count} Punkte",
   "{driver} drives {robot}.": "{robot} wird von {driver} gefahren.",
-  "{count} robots are running.": "{count} Roboter laufen.", Wrong: 7, "{seconds} s": "{seconds} Sek.",
+  "{count} robots are running.": "{count} Roboter laufen.", "{seconds} s": "{seconds} Sek.", Speed: ["Tempo"],
 };
 Object.assign(globalThis, {
   document: { body: {}, documentElement: { querySelectorAll: () => [] } },
@@ -22,10 +22,6 @@ const { language, said, t } = await import("#www/language.js");
 
 test("the language is the first of the browser's that there is", () => {
   assert.equal(language, "de");
-});
-
-test("a row of the file that is no text is as if it were missing", () => {
-  assert.equal(t("Wrong"), "Wrong");
 });
 
 test("a message is translated by its template, and is English where there is none", () => {
@@ -77,5 +73,14 @@ test("numbers have a comma", () => {
 });
 
 test("a sentence without translation is English, whatever it is", () => {
-  assert.deepEqual(["No robot", "constructor"].map((english) => t(english)), ["No robot", "constructor"]);
+  assert.deepEqual(["No robot", "constructor", "Speed"].map((english) => t(english)),
+                   ["No robot", "constructor", "Speed"]);
 });
+
+for (const content of [null, "", 7, {}]) {
+  test(`a page whose words are ${JSON.stringify(content)} is in English, and says so`, async () => {
+    globalThis.fetch = async () => ({ json: async () => content });
+    const page = await import(`#www/language.js?${JSON.stringify(content)}`);
+    assert.deepEqual([page.t("driving"), document.documentElement.lang], ["driving", "en"]);
+  });
+}

@@ -45,6 +45,12 @@ test("only the helpers and imports that a program needs are written", () => {
   assert.doesNotMatch(text, /def drive|import math|nav_msgs/);
 });
 
+test("a variable has the name that the person gave it, in any language, as far as Python takes it", () => {
+  const names = ["größe", "何か", "is it?", "1st", "ﬁ", "👩‍👩"];
+  const { text } = write(program(names.map((name) => set(name, 1)), { variables: names }));
+  assert.match(text, /global größe, 何か, is_it_, my_1st, fi, ___\n/);
+});
+
 test("wheels are set in the robot's own units", () => {
   const wheels = program([block("robot_wheels", { LEFT: 0.5, RIGHT: 0.5 })]);
   assert.match(write(wheels).text, /\(right - left\) \/ 2\n/);

@@ -1,7 +1,7 @@
 // Random programs of blocks, as the page saves them: with all blocks of the toolbox, also used as few people use them.
 
 const SOUP = "!#$%()*+,-./:;=?@[]^_`{|}~AZaz09"; // of ids, as Blockly's
-const NAMES = ["x", "i", "speed", "async", "await", "None", "print", "motion", "rospy", "main", "count", "math", "int",
+const NAMES = ["x", "i", "größe", "async", "await", "None", "print", "motion", "rospy", "main", "count", "math", "int",
   "drive", "سرعت", "👩‍👩‍👧‍👦", "a b", "1st", "class", "match", "self", "x2", "É", "is it?", "start", "random", "_"];
 const TEXTS = ["", "a", "hello", "it's", 'say "x"', "سلام", "👩‍👩‍👧‍👦", "b\\n", "#@'1'", "7", "%s $& ${x}"];
 const NUMBERS = [0, 1, 2, 3, 4, 5, 7, 10, -1, -2, -3, 0.5, 0.1, 2.5, -0.5, 1.5, 0.2, 0.3, 9, 45, 90, 570, 1000];

@@ -1,6 +1,6 @@
 // The page in the person's language. English is the key: what has no translation is shown in English.
 
-import { recall, remember } from "./storage.js";
+import { recall } from "./storage.js";
 
 export const LANGUAGES = {
   en: "English", de: "Deutsch", es: "Español", fr: "Français", it: "Italiano", ja: "日本語",
@@ -24,7 +24,7 @@ function choose() {
   return wanted.find((each) => Object.hasOwn(LANGUAGES, each)) ?? "en";
 }
 
-// A file that somebody has edited wrongly costs its own sentences, and not the page with its STOP.
+// Returns what the file has in order: whoever corrects a sentence may break another one.
 async function load() {
   try {
     const signal = AbortSignal.timeout?.(WORDS_TIMEOUT);
@@ -66,42 +66,15 @@ export function number(value) {
   return String(value).replace(DECIMAL, `$1${mark.value}$2`);
 }
 
-// Translates the texts of the page, once, and offers the other languages.
+// Translates the texts of the page, once.
 function translate(root) {
-  root.lang = language;
+  root.lang = sentences.size ? language : "en";
   for (const each of root.querySelectorAll("*")) {
     for (const name of ATTRIBUTES) if (each.hasAttribute(name)) each.setAttribute(name, t(each.getAttribute(name)));
     for (const child of each.childNodes) if (child instanceof Text) child.data = child.data.replace(WORDS, inWords);
   }
-  for (const each of root.querySelectorAll(".language")) offer(each);
 }
 
 function inWords(text) {
   return t(text.replace(/\s+/g, " "));
-}
-
-async function reachesCockpit() {
-  const signal = AbortSignal.timeout?.(WORDS_TIMEOUT);
-  return fetch(location.href, { cache: "no-store", signal }).then(() => true, () => false);
-}
-
-function offer(select) {
-  const option = ([code, name]) => Object.assign(new Option(name, code, false, code === language), { lang: code });
-  select.replaceChildren(...Object.entries(LANGUAGES).map(option));
-  let byKeys = false; // each arrow key is a change then: Enter or leaving the list ends it
-  const choose = async (event) => {
-    if (select.value === language) return;
-    event.preventDefault(); // Enter opens no list
-    const chosen = select.value;
-    if (!await reachesCockpit()) return void (select.value = language); // a page that cannot come back stays
-    remember("language", chosen);
-    location.reload();
-  };
-  for (const type of ["keydown", "pointerdown"]) select.addEventListener(type, () => { byKeys = type === "keydown"; });
-  select.addEventListener("change", (event) => byKeys || choose(event));
-  select.addEventListener("blur", choose);
-  select.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") choose(event);
-    if (event.key === "Escape") select.value = language;
-  });
 }

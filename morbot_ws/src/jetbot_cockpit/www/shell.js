@@ -4,6 +4,7 @@ import "./composing.js";
 import { element, setText } from "./dom.js";
 import { keepFocus, reachScrollers } from "./focus.js";
 import { said, t } from "./language.js";
+import { offerLanguages } from "./language_choice.js";
 import { Link } from "./link.js";
 import { LoginForm, logIn, NameField, storedName, takeCodeFromAddress } from "./login.js";
 import { Notice } from "./notice.js";
@@ -52,6 +53,7 @@ export class Shell {
     this.choice = new Choice(this.world, () => this.#robotChanged());
     const lost = () => !this.link.connected;
     this.stops = new Stops(this.world, { send: this.send, lost, notice: this.notice, stopped: () => end(STOPPED) });
+    offerLanguages();
     addEventListener("hashchange", () => location.hash && this.start());
   }
 

@@ -4,6 +4,8 @@ import { t } from "../language.js";
 import { limits } from "../limits.js";
 import { beginning, toName } from "../storage.js";
 
+const NOT_LATIN = /(?!\p{Script=Latin})\p{L}/gu;
+
 // Returns a name that the cockpit takes.
 export function clean(name) {
   return toName(beginning(String(name), limits.program_name)) || t("Program");
@@ -22,8 +24,14 @@ function numbered(name, number) {
   return `${beginning(name, limits.program_name - ` ${number}`.length)} ${number}`;
 }
 
+// Returns a name for a file: "jetbot_07, Ömer" becomes "jetbot_07_Omer".
+export function plain(text) {
+  return text.normalize("NFKD").replace(/\p{M}/gu, "").replaceAll("ß", "ss").replace(/[^A-Za-z0-9]+/g, "_");
+}
+
 // Returns the name of the package of a program: it clashes with no package of the workspace.
 export function packageName(title) {
-  const name = title.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^_+|_+$/g, "").slice(0, 40);
+  const inCodes = title.replace(NOT_LATIN, (letter) => `_${Number(letter.codePointAt(0)).toString(16)}_`);
+  const name = plain(inCodes).toLowerCase().replace(/^_+|_+$/g, "").slice(0, 40);
   return name.startsWith("my_") ? name : `my_${name || "program"}`;
 }

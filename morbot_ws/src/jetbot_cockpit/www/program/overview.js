@@ -10,6 +10,7 @@ import { showSwitches } from "../switches.js";
 import { titleOf } from "../world.js";
 import { archive } from "./archive.js";
 import { ask } from "./ask.js";
+import { plain } from "./names.js";
 import { Sheet } from "./sheet.js";
 
 export class Overview {
@@ -99,9 +100,4 @@ function row(kind, heading, texts) {
   const made = create("tr");
   made.append(create("th", "", heading), ...texts.map((text) => create(kind, "", text)));
   return made;
-}
-
-// Returns a name for a file: "jetbot_07, Ömer" becomes "jetbot_07_Omer".
-function plain(text) {
-  return text.normalize("NFD").replace(/\p{M}/gu, "").replace(/[^A-Za-z0-9]+/g, "_");
 }

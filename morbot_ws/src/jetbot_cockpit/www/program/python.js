@@ -85,7 +85,14 @@ const writer = ({ python: write, args0 = [], needs = [], output }) => (block) =>
 export function prepareGenerator() {
   Object.assign(python.forBlock, ADAPTED, Object.fromEntries(ROBOT.map((row) => [row.type, writer(row)])));
   Object.assign(python, { INDENT, STATEMENT_PREFIX: MARK, addLoopTrap: (body) => body }); // no marks in loops
+  Blockly.Names.prototype.safeName = safeName;
   python.addReservedWords([...OWN, ...NAMES].join(","));
+}
+
+// Returns a name as Python reads it, in any language; Blockly's has ASCII alone.
+function safeName(name) {
+  const safe = name.normalize("NFKC").replace(/\P{XID_Continue}|[\u200c\u200d]/gu, "_"); // some browsers' has these two
+  return /^[\p{XID_Start}_]/u.test(safe) ? safe : `my_${safe}`;
 }
 
 // Returns { text, lines }: the node of this name, and the numbers of the lines by their blocks' ids, from 0.
@@ -105,7 +112,7 @@ export function toPython(workspace, name, geometry) {
 function assemble(name, program, variables, definitions, geometry) {
   const helpers = Object.keys(HELPERS).filter((key) => needed.has(key)).map((key) => HELPERS[key]);
   const imports = [...definitions.filter(isImport), ...helpers.flatMap((each) => each.imports ?? [])];
-  const names = variables.match(/^\w+/gm);
+  const names = variables.match(/^\S+/gm);
   const main = [...names ? [`global ${names.join(", ")}`] : [],
     "while publisher.get_num_connections() == 0:", `${INDENT}rate.sleep()`,
     ...helpers.flatMap(({ start }) => start ?? []), program + "publisher.publish(Twist())", "rate.sleep()"];
