@@ -24,6 +24,14 @@ def press(page, *keys):
         page.tap(key)
 
 
+def wait_for_spoken(page, words):
+    page.wait_for(lambda: words in (page.run(SPOKEN) or ""), f"{words!r} to have the focus")
+
+
+def wait_for_focus(page, wanted, why=""):
+    page.wait_for(lambda: focus(page) == wanted, f"the focus on {wanted}: {why}")
+
+
 def focus(page):
     """Return the id of what has the focus; "blocks": something in Blockly."""
     return page.run(FOCUS)
@@ -34,13 +42,13 @@ def test_keys_alone_attach_a_block_to_the_start_change_its_number_and_run_it(blo
     page = blocks(program())
     page.tab_to("python")
     press(page, "w", "ArrowDown")
-    assert "when the program starts" in page.run(SPOKEN)
+    wait_for_spoken(page, "when the program starts")
     press(page, "t", "ArrowRight", "ArrowDown", "ArrowDown")
-    assert "drive straight at x, 0.5, power" in page.run(SPOKEN)
+    wait_for_spoken(page, "drive straight at x, 0.5, power")
     press(page, "Enter", "Enter")  # takes it, puts it below the block that was looked at
     page.wait_for_text("python", "drive(0.5, 0, 1)")
     press(page, "ArrowRight", "ArrowRight")
-    assert page.run(SPOKEN) == "Edit x in power: 0.5"
+    wait_for_spoken(page, "Edit x in power: 0.5")
     press(page, "Enter", *"0.4", "Enter")
     page.wait_for_text("python", "drive(0.4, 0, 1)")
     page.tab_to("run")
@@ -57,14 +65,15 @@ def test_t_and_w_lead_to_the_blocks_from_anywhere_but_are_letters_in_a_text(bloc
         for key, spoken in (("t", None), ("w", "1 stack of blocks")):
             page.tab_to(name)
             page.tap(key)
-            assert focus(page) == "blocks" and page.run(SPOKEN) == spoken, f"{key} at #{name}"
+            page.wait_for(lambda spoken=spoken: focus(page) == "blocks" and page.run(SPOKEN) == spoken,
+                          f"{key} at #{name} to lead to the blocks")
     press(page, "Escape", "t", "ArrowRight", "w")
-    assert page.run(SPOKEN) == "1 stack of blocks", "from a list of blocks"
+    wait_for_spoken(page, "1 stack of blocks")
     page.tab_to("programs")
     page.tap("Enter")
     page.wait_for(lambda: focus(page) == "work", "the sheet")
     page.tap("t")
-    assert focus(page) == "work", "a sheet is over the blocks"
+    wait_for_focus(page, "work", "a sheet is over the blocks")
     press(page, "Escape")
 
 
@@ -87,7 +96,7 @@ def test_who_leaves_a_move_gets_where_they_go_and_the_keys_of_the_blocks_still_w
         leave()
         assert page.run("return document.activeElement.closest('.blocklyTrash, #output')")
         press(page, "w", "ArrowDown")
-        assert "when the program starts" in page.run(SPOKEN)
+        wait_for_spoken(page, "when the program starts")
 
 
 @undisturbed
@@ -98,15 +107,15 @@ def test_the_focus_stays_while_a_program_runs_pauses_stops_and_ends(blocks):
         page.tab_to(name)
         page.tap("Enter")
         page.wait_for_text("outcome", sentence)
-        assert focus(page) == name, sentence
+        wait_for_focus(page, name, sentence)
     press(page, "Escape")
     page.wait_for_text("outcome", "Stopped.")
-    assert focus(page) == "run"
+    wait_for_focus(page, "run")
     page = blocks(FAILS)
     page.tab_to("run")
     page.tap("Enter")
     page.wait_for_text("outcome", "divides by 0")
-    assert focus(page) == "run", "the block is marked alone"
+    wait_for_focus(page, "run", "the block is marked alone")
 
 
 def test_a_button_that_can_do_nothing_does_nothing(blocks):
@@ -126,21 +135,21 @@ def test_the_focus_is_not_lost_by_sheets_examples_files_tasks_and_blocks(blocks)
             page.tap("Enter")
             page.wait_for(lambda sheet=sheet: focus(page) == sheet, "the sheet, loaded when opened first")
             press(page, *close_it)
-            assert focus(page) == button
+            wait_for_focus(page, button)
     page.tab_to("examples")
     page.tap("ArrowDown")
     page.wait_for(lambda: page.value("title") == "One metre", "the example")
-    assert focus(page) == "examples"
+    wait_for_focus(page, "examples")
     page.tab_to("run")
     press(page, "w", "ArrowDown", "ArrowDown", "Delete")
-    assert focus(page) == "blocks" and page.run(SPOKEN), "a block beside the deleted one"
+    page.wait_for(lambda: focus(page) == "blocks" and page.run(SPOKEN), "a block beside the deleted one")
     blocks(program(drive(0.5, 1)))
-    assert focus(page) == "blocks", "another program is there"
+    wait_for_focus(page, "blocks", "another program is there")
     page.receive(TASKS)
     page.tab_to("judge")
     page.tap("Enter")
     page.wait_for_text("score", "No judge has this task")
-    assert focus(page) == "judge"
+    wait_for_focus(page, "judge")
     page.receive({**TASKS, "tasks": []})
     page.wait_for(lambda: focus(page) == "speed", "what is in its place to have the focus")
 
@@ -154,7 +163,7 @@ def test_the_focus_is_back_after_the_login_and_goes_on_when_the_other_robot_goes
     pupil.driver.delete_all_cookies()
     pupil.run("socket.close()")
     pupil.wait_for_text("login-error", "Enter the new one")
-    assert focus(pupil) == "code"
+    wait_for_focus(pupil, "code")
     press(pupil, *code, "Enter")
     pupil.wait_for(lambda: focus(pupil) == "save", "the focus to be back")
     pupil.wait_for_link()

@@ -34,9 +34,9 @@ PUPIL_1 = {"code": "pupil", "arguments": {"number": "1"}, "text": "pupil 1", "te
 
 
 def test_the_driver_is_shown_with_the_name_it_gives_itself(driven):
-    assert driven.driver() == {"id": 1, "name": PUPIL_1}
+    assert driven.driver() == {"id": 1, "name": "pupil 1", "said": PUPIL_1}
     driven.do(ADA, Message("name", name=" Ada "))
-    assert driven.driver() == {"id": 1, "name": "Ada"}
+    assert driven.driver() == {"id": 1, "name": "Ada", "said": None}
     assert driven.driver("/blue") is None
 
 

@@ -48,7 +48,7 @@ def test_who_drives_with_the_code_of_a_robot_is_called_as_the_teacher_says_whate
 def test_a_teacher_who_drives_a_pupils_robot_is_not_called_by_the_pupils_name(cockpit):
     call(cockpit, "Ada")
     cockpit.push(TEACHER, "/blue")
-    assert cockpit.driver("/blue")["name"]["text"] == "teacher 3"
+    assert cockpit.driver("/blue")["name"] == "teacher 3"
 
 
 def test_a_class_keeps_the_names(kept):

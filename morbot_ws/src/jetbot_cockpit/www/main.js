@@ -13,6 +13,7 @@ import { describeSteering } from "./place.js";
 import { Shell } from "./shell.js";
 import { showSwitches } from "./switches.js";
 import { prepareViews, showScores } from "./views.js";
+import { calledOf } from "./world.js";
 
 let driven = null; // the robot that the commands go to
 let wasDriver = false;
@@ -81,7 +82,7 @@ function noticeLostLease() {
     driving.lift();
     const [robot, { driver }] = [driven, world.state(driven)];
     const drives = () => driver?.id === world.state(robot).driver?.id;
-    if (driver) notice.show(taken(driver.name, world.robot(robot)?.label), drives);
+    if (driver) notice.show(taken(calledOf(driver), world.robot(robot)?.label), drives);
   }
   wasDriver = world.isMine(driven);
 }

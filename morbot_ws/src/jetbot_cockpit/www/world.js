@@ -225,7 +225,7 @@ export class World {
   // Returns who drives the robot, or "" if nobody does.
   nameDriver(id) {
     const { driver, program, state, answers } = this.state(id);
-    if (driver) return this.isMine(id) ? t("You drive it") : t("{name} drives it", { name: driver.name });
+    if (driver) return this.isMine(id) ? t("You drive it") : t("{name} drives it", { name: calledOf(driver) });
     return answers && state === "driving" ? t("{program} drives", { program: program || t("A program") }) : "";
   }
 
@@ -250,6 +250,12 @@ export class World {
     if (!driver) return t("Free to drive: drag the pad");
     return this.isMine(id) ? driver : t("{driver}. Take the pad to drive.", { driver });
   }
+}
+
+// Returns what a driver is called, as a value of a sentence: who has typed no name has one that is translated.
+/** @param {import("./messages.js").Driver | null} driver */
+export function calledOf(driver) {
+  return driver?.said ?? driver?.name ?? "";
 }
 
 // Returns what a robot is called, with the name of its pupil.

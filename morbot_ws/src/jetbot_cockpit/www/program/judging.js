@@ -14,6 +14,7 @@ import { inSeconds } from "../dom.js";
 import { said, t } from "../language.js";
 import { hasPassed, holds } from "../refusals.js";
 import { saidOf } from "../task.js";
+import { calledOf } from "../world.js";
 
 const READY_TIMEOUT = 20000; // ms until the robot is at its start
 const DRIVE_TIMEOUT = 4000; // ms from the program's end until the judge must have seen a drive
@@ -221,7 +222,7 @@ function whyCancelled(world, id) {
   const { driver, answers } = world.state(id);
   if (!world.isBlocked(id)) return "";
   if (driver && !world.isMine(id)) {
-    return t("Judge me was cancelled: {driver} drives the robot.", { driver: driver.name });
+    return t("Judge me was cancelled: {driver} drives the robot.", { driver: calledOf(driver) });
   }
   if (world.isTaken(id)) return t("Judge me was cancelled: your teacher has taken the robot.");
   return answers ? t("Judge me was cancelled: the robot was stopped.")

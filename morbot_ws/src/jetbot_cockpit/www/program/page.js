@@ -3,6 +3,7 @@
 import { download, element, onPress } from "../dom.js";
 import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
+import { calledOf } from "../world.js";
 import { setUnits } from "./blocks.js";
 import { parseProgram } from "./check.js";
 import { showControls } from "./controls.js";
@@ -91,7 +92,7 @@ function endIfStopped() {
 }
 
 function endBecause(code, { id, label }) {
-  end(ending({ code, arguments: { robot: label, driver: world.state(id).driver?.name ?? "" } }));
+  end(ending({ code, arguments: { robot: label, driver: calledOf(world.state(id).driver) } }));
 }
 
 function showUnits() {

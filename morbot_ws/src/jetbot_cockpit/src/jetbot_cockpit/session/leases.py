@@ -3,7 +3,7 @@
 import math
 from typing import Dict, List, Optional, Set
 
-from jetbot.sentence import part, row
+from jetbot.sentence import row
 from jetbot_ros.contract import INTERRUPTIONS
 
 from ..notices import Notice, say
@@ -154,7 +154,10 @@ class Leases:
     def driver(self, robot: str) -> Optional[dict]:
         """Return who drives the robot, for the message "state"."""
         lease = self._leases.get(robot)
-        return {"id": lease.client.id, "name": part(self._name(lease))} if lease else None
+        if not lease:
+            return None
+        name = self._name(lease)
+        return {"id": lease.client.id, "name": str(name), "said": None if isinstance(name, str) else name.fields()}
 
     def stalls(self, robot: str) -> int:
         """Return how often the switch has fired within the last minute."""

@@ -102,7 +102,7 @@ TEXT_OR_SAID = Field("string | Said", lambda value: TEXT.accepts(value) or NOTIC
 SAID = {"code": TEXT, "arguments": by_name(TEXT_OR_SAID), "text": TEXT, "template": TEXT}  # a Notice
 NOTICE = part("Said", **SAID)
 SENTENCES = list_of(part("Sentence", code=TEXT, template=TEXT, arguments=ARGUMENTS))
-DRIVER = part("Driver", id=COUNT, name=TEXT_OR_SAID)
+DRIVER = part("Driver", id=COUNT, name=TEXT, said=or_null(NOTICE))
 JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "driving", "done", "cancelled"), text=TEXT,
               seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT, request=TEXT, sentences=SENTENCES,
               lost=or_null(NUMBER))
