@@ -101,7 +101,7 @@ def test_no_guard_listens(folder, monkeypatch):
 
 
 def test_a_listening_guard_that_may_not_use_the_board_is_no_guard(listener, monkeypatch):
-    monkeypatch.setattr(guard, "TIMEOUT", 20.0)
+    monkeypatch.setattr(guard, "TIMEOUT", 5.0)
     listener()
     with pytest.raises(GuardError, match="it may not use /nosuch/i2c. Start the guard that listens"):
         guard.Guard("jetbot", "/nosuch/i2c").wait(lambda: True)

@@ -45,6 +45,7 @@ class Guard:
         self._listener = os.environ.get("JETBOT_GUARD")
         self._process: Optional[subprocess.Popen[bytes]] = None  # the guard's, if this program has started it
         self._missing_since: Optional[float] = None
+        self._reason = "it does not answer"  # why there is none, while another one has not answered yet
         self._start()
         if self._problem:
             raise self._error()
@@ -103,9 +104,10 @@ class Guard:
         self._missing_since = self._missing_since or now
         if now - self._missing_since > TIMEOUT:
             self._missing_since = None
-            self._problem = self._problem or "it does not answer"
+            self._problem = self._problem or self._reason
             raise self._error()
         if self._problem and now - self._started_at >= RESTART_INTERVAL:
+            self._reason = self._problem
             self.dismiss(timeout=0)
             self._start()
         return False
