@@ -38,7 +38,8 @@ export class LoginForm {
   constructor(entered) {
     this.entered = entered;
     this.dialog = element("login");
-    this.dialog.addEventListener("close", () => this.asking && this.dialog.showModal()); // by Escape, or Android's Back
+    this.dialog.addEventListener("cancel", (event) => event.preventDefault()); // by Escape
+    this.dialog.addEventListener("close", () => this.asking && this.dialog.showModal()); // by Android's Back
     this.dialog.addEventListener("submit", (event) => {
       event.preventDefault();
       this.submit();
