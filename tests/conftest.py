@@ -13,8 +13,10 @@ from processes import end_on_sigterm  # noqa: E402
 PAGES = "::test_pages["
 LONGEST = (PAGES, *(f"::test_rostest[{name}" for name in (
     "judge]", "class_judge]", "check_lesson]", "")))
-BROWSER = "tests/browser/"  # each half, and the tests in each engine, share a world and their browsers
-OF_PROGRAMS = tuple(f"{BROWSER}test_{name}" for name in ("program", "tablet", "tasks", "work"))  # one half
+BROWSER = "tests/browser/"  # each part of these tests, and those in each engine, share a world and their browsers
+PARTS = {part: re.compile(f"{BROWSER}test_({names})") for part, names in {
+    "programs": "program|tablet|tasks|work", "everybody": "accessibility|blocks|page",
+    "class": "keys|pseudo|robots|sharing", "pad": ""}.items()}
 PROCESSES = 8  # of ./morbot test
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
 
@@ -32,12 +34,12 @@ def is_long(nodeid):
 
 
 def scope_of(nodeid):
-    """Return what one process runs: a file, a long test, the pages of one pupil, or half of the tests in a browser."""
+    """Return what one process runs: a file, a long test, the pages of one pupil, or a part of those in a browser."""
     file = nodeid.partition("::")[0]
     if file == f"{BROWSER}test_engines.py":
         return BROWSER + nodeid.partition("[")[2].partition("-")[0].rstrip("]")
     if file.startswith(BROWSER):
-        return BROWSER + str(file.startswith(OF_PROGRAMS))
+        return BROWSER + next(part for part, files in PARTS.items() if files.match(file))
     if PAGES in nodeid:
         return nodeid[:nodeid.index("-", nodeid.index(PAGES))]
     return nodeid if is_long(nodeid) else file

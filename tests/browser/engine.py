@@ -52,6 +52,9 @@ class Engine(CockpitPage):
         """Open the page, wait until it is connected, and choose a robot."""
         self.load(url)
         self.wait_for_link()
+        if not self.has("#name"):  # seen in Firefox on a busy computer: another document comes over it
+            self.load(url)
+            self.wait_for_link()
         self.set("name", "Somebody")  # is sent: from then on, the page's socket is known
         if robot:
             self.choose(robot)
