@@ -5,6 +5,7 @@ from .conftest import OTHER_ROBOT, ROBOT
 from .test_access import split
 from .test_page import DESKTOP, LONG, SMALL_PHONE, TASK
 from .test_sharing import codes_of
+from .test_stop import release
 
 BEST = {"type": "scores", "scores": [
     {"task": "One metre", "robot": name, "score": 87.3, "seconds": seconds, "name": "Ada"}
@@ -256,7 +257,6 @@ def test_arrow_keys_look_through_the_languages_and_enter_chooses_one_if_the_page
         page.wait_for(lambda: page.run("return document.documentElement.lang") == "de", "German")
         assert page.run("return document.activeElement.value") == "de"
         page.wait_for_link()
-        page.click("#release")  # Escape stops the robots, too
-        page.wait_for(lambda: not page.has(".emergency"), "the release")
+        release(page)  # Escape stops the robots, too
     finally:
         page.run("localStorage.removeItem('language')")

@@ -12,9 +12,9 @@ from jetbot.fake.motors import STOPPED
 from processes import end
 
 from .conftest import OTHER_ROBOT, ROBOT, need, opened, started
+from .test_dead_man import freeze
 from .test_driving import KEYS, hold
-from .test_program import release
-from .test_stop import wait_for_stop
+from .test_stop import release, wait_for_stop
 from .test_work import judge
 from .world import moving
 
@@ -90,11 +90,7 @@ def test_keys_drive_until_they_are_let_go(page, world):
 
 
 def test_a_frozen_browser_stops_the_robot_which_drives_again_only_after_the_mouse_was_let_go(victim, world):
-    try:
-        with world.stops(ROBOT, what="SIGSTOP of the browser"):
-            victim.signal(signal.SIGSTOP)
-    finally:
-        victim.signal(signal.SIGCONT)
+    freeze(victim, world)
     world.stay_stopped(ROBOT)
     victim.let_go_mouse()
     drive(victim, world)

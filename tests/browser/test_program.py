@@ -16,6 +16,7 @@ from jetbot_lessons import lessons
 from .conftest import OTHER_ROBOT, ROBOT
 from .programs import block, chain, drive, let, num, plug, program, set_motion, show, var, wait
 from .test_page import DESKTOP, TOUCH_SCREENS
+from .test_stop import release
 
 FORWARD = (0.5, 0.5)
 ENDLESS = block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}))
@@ -39,12 +40,6 @@ def run(page, world, speeds=FORWARD, button="run"):
     """Run the program until the wheels turn at these speeds, as far as the chip's steps can tell."""
     world.hold(page, lambda: page.click(f"#{button}"), lambda: page.click("#end"), ROBOT,
                lambda *wheels: close(wheels, speeds))
-
-
-def release(page):
-    """Release what is stopped, if anything is, and wait until the page knows that."""
-    page.click("#release")
-    page.wait_for(lambda: not page.has("#release.needed"), "the release")
 
 
 def close(wheels, speeds):

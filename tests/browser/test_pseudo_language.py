@@ -14,7 +14,6 @@ from jetbot_control_node.status.remarks import remark
 from jetbot_ros.state import CAUSES
 
 from .conftest import ROBOT
-from .programs import block, drive, num, plug, program, show, wait
 from .test_accessibility import BEN, BEST, OFFER, press
 from .test_sharing import codes_of
 
@@ -27,8 +26,6 @@ SPEAK = """if (location.protocol === "http:") {
     window.fetch = (url, ...more) => String(url).endsWith("/languages/de.json")
         ? Promise.resolve(new Response(JSON.stringify(pseudo))) : fetch(url, ...more);
 }"""
-FAILS = program(show(plug("math_arithmetic", {"OP": "DIVIDE"}, A=num(1), B=num(0))), wait(0.1))
-TURN = program(drive(0.5, 1), block("robot_turn", {"SIDE": "LEFT"}, Z=num(0.2), SECONDS=num(1)))
 
 
 def stretch(english):
@@ -101,11 +98,6 @@ def test_the_pads_page_has_no_english_left_and_room_for_longer_words(pseudo, wor
         "one code": press("#codes-list .enlarge"), "best": press("#close-codes", "#close-codes", "#show-scores"),
         "camera": press("#close-scores", "#show-camera"),
         "login": lambda page: page.run("document.getElementById('login').showModal()")})
-
-
-def kinds(page):
-    for category in page.run("return [...document.querySelectorAll('.blocklyToolboxCategory')].map(({ id }) => id)"):
-        page.run("document.getElementById(arguments[0]).click()", category)
 
 
 def test_the_page_for_programs_has_no_english_left_and_room_for_longer_words(pseudo, world):

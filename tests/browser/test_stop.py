@@ -22,6 +22,7 @@ def wait_for_stop(page):
 
 
 def release(page):
+    """Release what is stopped, if anything is, and wait until the page knows that."""
     page.click("#release")
     wait_for_release(page)
 

@@ -1,8 +1,9 @@
 """A sentence for people as data: a code for programs, and a template with arguments that a page can translate."""
 
 import json
+from functools import lru_cache
 from string import Formatter
-from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Set, Tuple, Union
+from typing import Any, Dict, FrozenSet, Iterable, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 from .text import is_printable
 
@@ -28,13 +29,9 @@ class Sentence(NamedTuple):
 
     def fields(self) -> Dict[str, object]:
         """Return it as a part of a message."""
-        arguments = {name: part(value) for name, value in self.arguments.items()}
+        arguments = {name: value.fields() if isinstance(value, Sentence) else value
+                     for name, value in self.arguments.items()}
         return {"code": self.code, "arguments": arguments, "text": str(self), "template": self.template}
-
-
-def part(value: Union[str, Sentence]) -> object:
-    """Return a text, or a sentence, as a part of a message."""
-    return value.fields() if isinstance(value, Sentence) else value
 
 
 def row(table: Mapping[str, str], code: str, **arguments: object) -> Sentence:
@@ -50,9 +47,10 @@ def read_row(table: Mapping[str, str], code: str, values: Mapping[str, str]) -> 
     return Sentence(code, table[code], {name: values[name] for name in names}) if known else None
 
 
-def names_in(template: str) -> Set[str]:
-    """Return the names of the arguments of a template."""
-    return {name for _, name, _, _ in Formatter().parse(template) if name}
+@lru_cache(maxsize=None)  # the pages' state asks for the same few many times a second
+def names_in(template: str) -> FrozenSet[str]:
+    """Return the names of the arguments of a template, which is a row of a table."""
+    return frozenset(name for _, name, _, _ in Formatter().parse(template) if name)
 
 
 def as_data(sentences: Iterable[Sentence]) -> List[Dict[str, Any]]:

@@ -108,8 +108,7 @@ class RobotSnapshot(NamedTuple):
         own = "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
         return {"status": state.sentence, "state": state.state, "cause": state.cause, "template": state.template,
                 "arguments": state.arguments, "remarks": None if state.remarks is None else as_data(state.remarks),
-                "holds": state.holds, "waiting": state.waiting,
-                "fake": bool(folder_of(state.bus)),
+                "holds": state.holds, "waiting": state.waiting, "fake": bool(folder_of(state.bus)),
                 **{name: getattr(self, name) for name in own},
                 "driver": driver, "resumes": resumes, "held": held, "stalls": stalls, "task": task and task.message(),
                 "pictures": pictures, "programs": programs}
