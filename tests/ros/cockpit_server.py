@@ -10,18 +10,19 @@ from types import SimpleNamespace
 import pytest
 
 from jetbot_cockpit.classroom.classroom import Classroom
-from jetbot_cockpit.session.hub import Hub
+from jetbot_cockpit.session.pages import Pages
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.snapshot import RobotSnapshot
-from jetbot_cockpit.web.access import Access, make_grants
+from jetbot_cockpit.web.access import Access, make_grants, numbered
 from jetbot_cockpit.web.addresses import listen
 from jetbot_cockpit.web.handout import Card
 from jetbot_cockpit.web.server import Server
+from jetbot_cockpit.web.work import Work, Works
 from jetbot_ros.state import RobotState
 from web_client import WebSocket, page_headers, request
 
-WITHIN = 10.0  # s, less than hubs.GONE_AFTER
-GRANTS = make_grants(2)
+WITHIN = 10.0  # s, less than session.pages.GONE_AFTER
+GRANTS = make_grants(numbered(2))
 TEACHER, FIRST_PUPIL, _ = GRANTS
 PING = {"type": "ping", "sent": 1}
 STOP = {"type": "stop"}
@@ -76,8 +77,9 @@ class Cockpit:
         self.access = Access(self.port, ["class.test"], GRANTS)
         self.control, self.classroom = StandIn(), Classroom()
         codes = SimpleNamespace(rows=[Card(grant, "class.test", self.port).message() for grant in GRANTS])
-        hub = Hub(self.control, codes, self.control)
-        self.server = Server(sockets, self.access, hub, self.classroom)
+        pages = Pages(self.control, codes, self.control)
+        self.server = Server(sockets, self.access, pages, [
+            (r"/work", Work, {"access": self.access, "works": Works(self.classroom, pages.knows)})])
         self.server.start()
 
     def headers(self, name="localhost", **headers):

@@ -10,7 +10,7 @@ import pytest
 
 from cockpit_server import DRIVE, FIRST_PUPIL, PING, STOP, WITHIN, Cockpit
 from jetbot.wait import wait_until
-from jetbot_cockpit.session import hub as hubs
+from jetbot_cockpit.session import pages as pages_module
 from jetbot_cockpit.web import server as servers
 from web_client import PING as PING_FRAME
 from web_client import TEXT, connect, head, request
@@ -41,12 +41,12 @@ def test_pings_of_the_protocol_are_no_way_around_the_limit(cockpit):
     with contextlib.suppress(ConnectionError):
         for _ in range(500):
             page.send_frame(PING_FRAME)
-    assert page.wait_for_close().reason == hubs.TOO_MANY
+    assert page.wait_for_close().reason == pages_module.TOO_MANY
 
 
 def test_a_frozen_page_delays_nobody_and_is_disconnected(monkeypatch, fresh):
     """Its browser is stopped by SIGSTOP: its socket takes what its buffer holds, and answers no ping."""
-    monkeypatch.setattr(hubs, "GONE_AFTER", 2.0)
+    monkeypatch.setattr(pages_module, "GONE_AFTER", 2.0)
     fresh.control.state_size = 50_000
     frozen, other = fresh.page(), fresh.page()
     number = frozen.receive("hello")["id"]
@@ -104,16 +104,17 @@ def test_a_stop_in_a_flood_counts(cockpit):
     page = cockpit.page(phone="127.0.0.2")
     number = page.receive("hello")["id"]
     page.connection.sendall(frames(*[PING] * 300, STOP, *[PING] * 300))
-    assert page.wait_for_close().reason == hubs.TOO_MANY
+    assert page.wait_for_close().reason == pages_module.TOO_MANY
     assert wait_until(lambda: [message for client, message in cockpit.control.handled
                                if client.id == number and message.type == "stop"], WITHIN)
 
 
 def test_who_comes_back_at_once_after_a_flood_is_not_let_in_and_others_are(monkeypatch, fresh):
-    monkeypatch.setattr(hubs, "FLOOD_PAUSE", 60.0)
+    monkeypatch.setattr(pages_module, "FLOOD_PAUSE", 60.0)
     page = fresh.page(phone="127.0.0.2")
     page.connection.sendall(frames(*[PING] * 100))
-    assert page.wait_for_close().reason == fresh.page(phone="127.0.0.2").wait_for_close().reason == hubs.TOO_MANY
+    reason = pages_module.TOO_MANY
+    assert page.wait_for_close().reason == fresh.page(phone="127.0.0.2").wait_for_close().reason == reason
     cookie = fresh.cookie(FIRST_PUPIL)
     for sender in {"phone": "127.0.0.3"}, {"phone": "127.0.0.2", "name": "class.test", "Cookie": cookie}:
         assert fresh.page(**sender).receive("hello")

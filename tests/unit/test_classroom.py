@@ -20,7 +20,7 @@ from jetbot_cockpit.classroom.classroom import Classroom, open_classroom
 from jetbot_cockpit.classroom.folder import CLASS_NAME, ClassFolder, Nowhere
 from jetbot_cockpit.classroom.program import Program, is_id, is_program_name
 from jetbot_cockpit.classroom.programs import Programs, Refused
-from jetbot_cockpit.web.access import make_grants
+from jetbot_cockpit.web.access import make_grants, numbered
 
 IDS = [f"{number:016x}" for number in range(100)]
 SQUARE, CIRCLE, STAR = (json.dumps({"blocks": {name: 1}}) for name in ("square", "circle", "star"))
@@ -384,12 +384,12 @@ def test_a_class_has_a_plain_name(name, good):
 
 
 def test_printed_codes_hold_at_the_next_lesson_and_damaged_ones_are_new():
-    grants = make_grants(2)
+    grants = make_grants(numbered(2))
     kept = {each.label: [each.code, each.cookie] for each in grants}
-    assert make_grants(2, kept) == grants
-    assert make_grants(3, kept)[:3] == grants, "more robots than last time"
+    assert make_grants(numbered(2), kept) == grants
+    assert make_grants(numbered(3), kept)[:3] == grants, "more robots than last time"
     for damaged in ["", "X"], ["ABC234"], "ABC234", None, ["ABC23!", "x" * 43], ["ABC234", ""], [1, 2]:
-        code, cookie = make_grants(2, {**kept, "jetbot_01": damaged})[1][3:]
+        code, cookie = make_grants(numbered(2), {**kept, "jetbot_01": damaged})[1][3:]
         assert [code, cookie] != damaged and len(code) == 6 and len(cookie) == 43
 
 

@@ -5,9 +5,9 @@ import secrets
 
 import pytest
 
-from jetbot_cockpit.web.access import ALPHABET, MAX_WRONG_AT_ADDRESS, Access, TooManyTries, make_grants
+from jetbot_cockpit.web.access import ALPHABET, MAX_WRONG_AT_ADDRESS, Access, TooManyTries, make_grants, numbered
 
-GRANTS = make_grants(2)
+GRANTS = make_grants(numbered(2))
 WRONG = "", " ", "A", "ABCDEF", "\ud800", "ÄÖÜ", "x" * 900
 PUPILS_ADDRESS, OTHER_ADDRESS, OWN_ADDRESS = "192.168.1.7", "192.168.1.8", "192.168.1.42"
 
@@ -22,13 +22,13 @@ def code_of(label):
 
 
 def test_codes_are_short_for_pupils_of_one_robot_or_of_all_and_new_at_each_start():
-    teacher, *pupils = make_grants(3)
+    teacher, *pupils = make_grants(numbered(3))
     assert (teacher.role, teacher.robot, len(teacher.code)) == ("teacher", None, 10)
     assert [(pupil.role, pupil.robot, len(pupil.code)) for pupil in pupils] == [
         ("pupil", f"/jetbot_0{number}", 6) for number in (1, 2, 3)]
     assert set("".join(pupil.code for pupil in pupils)) <= set(ALPHABET) and not set("0O1IL") & set(ALPHABET)
-    assert [(grant.role, grant.robot) for grant in make_grants(0)] == [("teacher", None), ("pupil", None)]
-    codes = [grant.code for _ in range(20) for grant in make_grants(3)]
+    assert [(grant.role, grant.robot) for grant in make_grants(numbered(0))] == [("teacher", None), ("pupil", None)]
+    codes = [grant.code for _ in range(20) for grant in make_grants(numbered(3))]
     assert len(set(codes)) == len(codes)
 
 

@@ -4,6 +4,7 @@ import pytest
 from cockpit_control import Kept
 
 from jetbot_cockpit.classroom.classroom import Classroom
+from jetbot_cockpit.web.access import numbered
 from jetbot_cockpit.web.announcement import NO_NETWORK, Announcement
 from jetbot_cockpit.web.codes import Codes
 
@@ -15,7 +16,7 @@ class Ways(Announcement):
     """hosts: this computer's addresses for others, which a test may change."""
 
     def __init__(self, robots=0, lan=True, hosts=(ADDRESS,)):
-        self.codes = Codes(Classroom(Kept()), robots if lan else None, lambda: hosts, 8080)
+        self.codes = Codes(Classroom(Kept()), numbered(robots) if lan else None, lambda: hosts, 8080)
         super().__init__(self.codes, 8080, robots)
 
     @property

@@ -4,7 +4,7 @@ import pytest
 from cockpit_control import Kept
 
 from jetbot_cockpit.classroom.classroom import Classroom
-from jetbot_cockpit.web.access import Access
+from jetbot_cockpit.web.access import Access, numbered
 from jetbot_cockpit.web.codes import Codes
 
 PHONE, NAME = "192.168.1.7", "192.168.1.42"
@@ -16,7 +16,7 @@ def classroom():
 
 
 def codes_of(classroom, robots=2):
-    return Codes(classroom, robots, lambda: [NAME], 8080)
+    return Codes(classroom, None if robots is None else numbered(robots), lambda: [NAME], 8080)
 
 
 def test_the_old_code_and_its_cookie_end_and_the_new_one_drives_the_same_robot(classroom):

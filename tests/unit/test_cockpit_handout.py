@@ -9,7 +9,7 @@ import pytest
 
 from conftest import PYTHONPATH
 from jetbot.wait import wait_until
-from jetbot_cockpit.web.access import make_grants
+from jetbot_cockpit.web.access import make_grants, numbered
 from jetbot_cockpit.web.handout import Card, open_browser
 
 URL = "http://localhost:8080/"
@@ -25,7 +25,7 @@ open_browser({URL!r}); print(os.getsid(0))"""
 
 @pytest.fixture
 def cards():
-    return [Card(grant, "192.168.100.200", 8080) for grant in make_grants(3)]
+    return [Card(grant, "192.168.100.200", 8080) for grant in make_grants(numbered(3))]
 
 
 def test_each_code_stands_behind_its_label_in_an_address_that_can_be_opened(cards):
@@ -46,7 +46,7 @@ def test_a_qr_code_is_a_square_on_the_page_and_fits_into_a_terminal(cards):
 
 def test_without_segno_there_are_addresses_only(monkeypatch):
     monkeypatch.setitem(sys.modules, "segno", None)
-    card = Card(make_grants(0)[1], "localhost", 8080)
+    card = Card(make_grants(numbered(0))[1], "localhost", 8080)
     assert card.message()["rows"] == [] and len(card.text(colors=False).splitlines()) == 2
 
 

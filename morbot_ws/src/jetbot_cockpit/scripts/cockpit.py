@@ -4,26 +4,32 @@
 import jetbot_ros.boot
 
 import math
+import secrets
 import sys
 import time
+from typing import List, Optional
 
 import rospy
 
 from jetbot import JetbotError
-from jetbot_cockpit.classroom.classroom import open_classroom
+from jetbot_cockpit.classroom.classroom import Classroom, open_classroom
 from jetbot_cockpit.cockpit_parameters import PARAMETERS, resolve
+from jetbot_cockpit.remote import identity as identities
+from jetbot_cockpit.remote.identity import Identity
 from jetbot_cockpit.robots.camera_topics import Cameras
 from jetbot_cockpit.robots.command_publishers import Drivers
 from jetbot_cockpit.robots.discovery import Robots
 from jetbot_cockpit.session.collection import Collection
 from jetbot_cockpit.session.control import Control
-from jetbot_cockpit.session.hub import Hub
+from jetbot_cockpit.session.pages import Pages
 from jetbot_cockpit.session.snapshot import Snapshot
 from jetbot_cockpit.web import addresses, handout
-from jetbot_cockpit.web.access import Access
+from jetbot_cockpit.web.access import Access, numbered
 from jetbot_cockpit.web.announcement import Announcement
 from jetbot_cockpit.web.codes import Codes
+from jetbot_cockpit.web.hub_socket import HubSocket
 from jetbot_cockpit.web.server import Server
+from jetbot_cockpit.web.work import Work, Works
 from jetbot_ros import contract, lifecycle
 from jetbot_ros.launcher import Launcher
 from jetbot_ros.node_parameters import fake_advice, private_parameters
@@ -32,6 +38,13 @@ POLL_INTERVAL = 0.25    # s
 NO_ROBOT_AFTER = 5.0    # s after the start until the lack of robots is reported
 NO_ROBOT = "No robot is running. Start one: roslaunch jetbot_control_node jetbot_controller.launch"
 SHUTDOWN_TIMEOUT = 2.0  # s for the end of this node
+
+
+def routes(access: Access, pages: Pages, classroom: Classroom, identity: Optional[Identity]) -> List[tuple]:
+    """Return what is served besides the page: its programs, and for the hub of this robot's class a socket."""
+    works = Works(classroom, pages.knows)
+    hub = {"access": access, "pages": pages, "identity": identity, "works": works, "instance": secrets.token_hex(8)}
+    return [(r"/work", Work, {"access": access, "works": works}), *([(r"/hub", HubSocket, hub)] if identity else [])]
 
 
 class Cockpit:
@@ -47,9 +60,11 @@ class Cockpit:
         self.browser = given["browser"]
 
         # Who gets in, and what is handed out: other computers need a code
-        self.classroom = open_classroom(given["classes"], given["class"])
+        identity = identities.read(given["identity"]) if given["identity"] else None
+        self.classroom = open_classroom(given["classes"], identity.class_name if identity else given["class"])
         name = [given["name"]] if given["name"] else []
-        self.codes = Codes(self.classroom, given["robots"] if given["lan"] else None,
+        robots = [identity.robot] if identity else numbered(given["robots"])
+        self.codes = Codes(self.classroom, robots if given["lan"] else None,
                            lambda: name or addresses.lan_addresses(), self.port)
         self.access = Access(self.port, [*name, *addresses.host_names()] if given["lan"] else [], self.codes.grants)
         self.announcement = Announcement(self.codes, self.port, given["robots"])
@@ -58,8 +73,8 @@ class Cockpit:
         self.drivers = Drivers()
         cameras = Cameras()
         self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]), self.classroom)
-        hub = Hub(self.control, self.codes, cameras)
-        self.server = Server(sockets, self.access, hub, self.classroom)
+        pages = Pages(self.control, self.codes, cameras)
+        self.server = Server(sockets, self.access, pages, routes(self.access, pages, self.classroom, identity))
         self.logged, self.no_robot_at = Snapshot(), time.monotonic() + NO_ROBOT_AFTER
 
     def run(self):

@@ -43,6 +43,10 @@ PARAMETERS = {
                        "kept until ./morbot forget; without one, they end with the cockpit"),
     "classes": Parameter(FOLDER, Kind(lambda value: value is not False and is_folder(value),
                          "a folder, such as ~/classes"), "folder on this computer where classes are kept"),
+    "identity": Parameter("", Kind(lambda value: value == "" or value is not False and is_folder(value),
+                          "a file, such as ~/.ros/morbot_robot.json"),
+                          "file with this robot's name, class and key, which ./morbot robot writes: lets in the hub of "
+                          "its class"),
     "browser": Parameter(False, Kind(lambda value: value in (False, "auto"), "false or auto"),
                          "auto: also opens the page, where there is a desktop"),
 }

@@ -63,6 +63,12 @@ NOTICES = {
     "class_not_kept": "The class cannot be kept: {problem}. The cockpit tries again.",
     "class_kept_again": "The class is kept again.",
     "no_code": "There is no such code.",
+    # A class's robots, at its hub
+    "no_link": "No connection to {address}.",
+    "wrong_key": "{robot} has another key than this class's.",
+    "forged": "What answers at {address} pretends to be {robot}.",
+    "other_fleet": "The robot at {address} is of another class.",
+    "twice": "Two robots are called {robot}: {address} and {other}. Give one another name.",
 }
 
 Notice = Sentence  # of NOTICES

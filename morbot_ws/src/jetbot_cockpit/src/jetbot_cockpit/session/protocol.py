@@ -7,6 +7,12 @@ from typing import NamedTuple, Optional, Union
 from ..notices import Notice
 from .messages import FROM_PAGE, MAX_MESSAGE, fit, problem_of
 
+INVALID, LOG_IN, FULL, FLOODED, SILENT, ENDED = 4000, 4001, 4002, 4003, 4004, 1001  # why a socket is closed
+NO_CODE = "log in first"
+MAX_FRAME = 8192         # bytes of a message that is read at all; Tornado closes the socket of a larger one with 1009
+FRAME_INTERVAL = 0.08    # s between two frames: what the pages draw more often delays a stop
+PICTURE_INTERVAL = 0.01  # s between two looks at the cameras, while somebody looks
+
 
 class ProtocolError(Exception):
     """A message is not of the documented form; the socket is closed with this reason."""

@@ -1,4 +1,4 @@
-"""A client at the hub: what its page shows, and how much it may send. Times are monotonic seconds."""
+"""A client at a page: what its page shows, and how much it may send. Times are monotonic seconds."""
 
 from collections import Counter
 from typing import Callable, List, NamedTuple, Optional, Sequence

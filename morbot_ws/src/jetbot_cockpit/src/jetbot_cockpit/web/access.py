@@ -47,12 +47,16 @@ def are_secrets(kept: Any, role: str) -> bool:
             and len(kept[0]) == CODE_LENGTH[role] and set(kept[0]) <= set(ALPHABET) and len(kept[1]) >= COOKIE_LENGTH)
 
 
-def make_grants(robots: int, kept: Mapping[str, Any] = MappingProxyType({})) -> List[Grant]:
-    """Return the teacher's grant, and one for each of jetbot_01, jetbot_02 and so on; with 0, one for all pupils.
+def numbered(robots: int) -> List[str]:
+    """Return jetbot_01, jetbot_02 and so on."""
+    return [f"jetbot_{number:02d}" for number in range(1, robots + 1)]
+
+
+def make_grants(names: Sequence[str], kept: Mapping[str, Any] = MappingProxyType({})) -> List[Grant]:
+    """Return the teacher's grant, and one for each of these robots; without any, one for all pupils.
 
     kept: [code, cookie] of earlier grants, by their labels.
     """
-    names = [f"jetbot_{number:02d}" for number in range(1, robots + 1)]
     pupils = [(name, PUPIL, f"/{name}") for name in names] or [("pupils", PUPIL, None)]
     return [make_grant(*each, kept.get(each[0])) for each in [("teacher", TEACHER, None), *pupils]]
 

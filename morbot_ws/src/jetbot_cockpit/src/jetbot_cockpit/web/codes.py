@@ -9,13 +9,14 @@ from .handout import Card
 
 
 class Codes:
-    """robots: how many have a code each, 0: one for all pupils, None: there are no codes.
+    """robots: the names of those that have a code each; without any, one for all pupils; None: there are no codes.
 
     hosts: returns by what others reach this computer now, the best first; port: the page's. grants: what the codes
     give; a new one takes the place of the old one. cards: to hand out, empty as long as others have nowhere to come to.
     """
 
-    def __init__(self, classroom: Classroom, robots: Optional[int], hosts: Callable[[], Sequence[str]], port: int):
+    def __init__(self, classroom: Classroom, robots: Optional[Sequence[str]], hosts: Callable[[], Sequence[str]],
+                 port: int):
         self._classroom, self._hosts, self._port = classroom, hosts, port
         self._kept: Dict[str, object] = classroom.read("codes", dict)
         self.grants: List[Grant] = [] if robots is None else make_grants(robots, self._kept)

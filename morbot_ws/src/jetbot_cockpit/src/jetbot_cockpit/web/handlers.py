@@ -14,7 +14,7 @@ from tornado.iostream import StreamClosedError
 from tornado.web import HTTPError, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-from ..session.hub import LOG_IN, NO_CODE, Hub
+from ..session.protocol import LOG_IN, NO_CODE
 from ..session.viewers import PageOwner, Viewer
 from .access import Access, TooManyTries
 from .page_files import FOREVER, TYPES, File
@@ -134,14 +134,14 @@ class Login(Handler):
 
 
 class Socket(Handler, WebSocketHandler):
-    """A connection to the hub, for those who have access."""
+    """A page's connection to its session, for those who have access. pages: session.pages.Pages, or remote.hub.Hub."""
 
     acts = True
     viewer: Optional[Viewer] = None
 
-    def initialize(self, access: Access, hub: Hub) -> None:
+    def initialize(self, access: Access, pages) -> None:
         super().initialize(access)
-        self.hub = hub
+        self.pages = pages
 
     def check_origin(self, origin: str) -> bool:
         return True  # Handler.prepare has checked it, also where there is none
@@ -151,7 +151,7 @@ class Socket(Handler, WebSocketHandler):
                                   self.request.headers["Host"])
         if grant:
             owner = PageOwner(grant.label, self.request.remote_ip)
-            self.viewer = self.hub.join(self, grant.role, grant.robot, owner, time.monotonic())
+            self.viewer = self.pages.join(self, grant.role, grant.robot, owner, time.monotonic())
         else:
             self.close(LOG_IN, NO_CODE)
         if self.ws_connection:
@@ -167,17 +167,17 @@ class Socket(Handler, WebSocketHandler):
 
     def on_message(self, message: object) -> None:
         if self.viewer:
-            self.hub.receive(self.viewer, message, time.monotonic())
+            self.pages.receive(self.viewer, message, time.monotonic())
 
     def on_ping(self, data: bytes) -> None:
         if self.viewer:
-            self.hub.record_activity(self.viewer, time.monotonic())
+            self.pages.record_activity(self.viewer, time.monotonic())
 
     on_pong = on_ping
 
     def on_close(self) -> None:
         if self.viewer:
-            self.hub.leave(self.viewer)
+            self.pages.leave(self.viewer)
 
     def send(self, message: Union[str, bytes]) -> None:
         with contextlib.suppress(*CLOSED):

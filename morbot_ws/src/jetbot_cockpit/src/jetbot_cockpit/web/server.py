@@ -7,7 +7,7 @@ import socket
 import threading
 import time
 from collections import Counter
-from typing import List, Optional
+from typing import List, Optional, Sequence
 
 from tornado.httpserver import HTTPServer
 from tornado.iostream import IOStream
@@ -15,12 +15,10 @@ from tornado.web import Application
 
 from jetbot.wait import wait_until
 
-from ..classroom.classroom import Classroom
-from ..session.hub import FRAME_INTERVAL, MAX_FRAME, PICTURE_INTERVAL, Hub
+from ..session.protocol import FRAME_INTERVAL, MAX_FRAME, PICTURE_INTERVAL
 from .access import Access
 from .handlers import Login, Page, Socket
 from .page_files import read_files
-from .work import Work
 
 MAX_CONNECTIONS = 512      # a process may have 1,024 files, and the ROS side needs some
 MAX_BODY = 1000            # bytes of a request's body
@@ -86,14 +84,16 @@ class LimitedServer(HTTPServer):
 
 
 class Server:
-    """Serves the page and its socket on sockets that listen already."""
+    """Serves the page and its socket on sockets that listen already.
 
-    def __init__(self, sockets: List[socket.socket], access: Access, hub: Hub, classroom: Classroom):
-        self._sockets, self._hub = sockets, hub
+    pages: session.pages.Pages, or remote.hub.Hub; others: what else is served, as Tornado's routes.
+    """
+
+    def __init__(self, sockets: List[socket.socket], access: Access, pages, others: Sequence[tuple]):
+        self._sockets, self._pages = sockets, pages
         self._application = Application(
-            [(r"/login", Login, {"access": access}), (r"/socket", Socket, {"access": access, "hub": hub}),
-             (r"/work", Work, {"access": access, "classroom": classroom, "knows": hub.knows}),
-             (r"/(.*)", Page, {"access": access, "files": read_files()})],
+            [(r"/login", Login, {"access": access}), (r"/socket", Socket, {"access": access, "pages": pages}),
+             *others, (r"/(.*)", Page, {"access": access, "files": read_files()})],
             websocket_max_message_size=MAX_FRAME, log_function=lambda handler: None)
         self._thread = threading.Thread(target=lambda: asyncio.run(self._serve()), daemon=True)
         self._started, self._ended = threading.Event(), threading.Event()
@@ -121,16 +121,16 @@ class Server:
         self._started.set()
         pictures = asyncio.ensure_future(self._send_pictures())
         while not self._ended.is_set():
-            self._hub.tick(time.monotonic())
+            self._pages.tick(time.monotonic())
             await asyncio.sleep(FRAME_INTERVAL)  # Tornado's PeriodicCallback halts when the clock is set back
         pictures.cancel()
         server.stop()
-        self._hub.close()
+        self._pages.close()
         await asyncio.sleep(CLOSE_TIMEOUT)
         server.close_streams()
         await asyncio.sleep(0)
 
     async def _send_pictures(self) -> None:
         while True:
-            somebody_looks = self._hub.send_pictures(time.monotonic())
+            somebody_looks = self._pages.send_pictures(time.monotonic())
             await asyncio.sleep(PICTURE_INTERVAL if somebody_looks else FRAME_INTERVAL)

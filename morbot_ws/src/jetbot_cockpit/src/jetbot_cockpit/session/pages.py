@@ -10,25 +10,20 @@ from . import protocol
 from .control import Control
 from .feed import interval
 from .messages import LIMITS, MAX_RATE
-from .protocol import dumps
+from .protocol import ENDED, FLOODED, FULL, INVALID, LOG_IN, NO_CODE, SILENT, dumps
 from .rights import TEACHER, Client, refuse_role
 from .snapshot import label
 from .viewers import STILL_INTERVAL, PageOwner, Viewer, most_crowding
 
 MAX_CLIENTS = MAX_ROBOTS + 1  # a page for each robot, and a teacher's
-MAX_FRAME = 8192  # bytes of a message that is read at all; Tornado closes the socket of a larger one with 1009
-INVALID, LOG_IN, FULL, FLOODED, SILENT, ENDED = 4000, 4001, 4002, 4003, 4004, 1001  # why a socket is closed
-NO_CODE = "log in first"
 NO_ROOM = f"{MAX_CLIENTS} pages are connected already"
 TOO_MANY = f"more than {MAX_RATE} messages per second"
-FRAME_INTERVAL = 0.08   # s between two frames: what the pages draw more often delays a stop
-PICTURE_INTERVAL = 0.01  # s between two looks at the cameras, while somebody looks
 STOP_PAUSE = 0.1        # s without frames and commands after a stop of all: first of all, it has to reach the wheels
 GONE_AFTER = 15.0       # s without a sign of life: the socket is closed
 FLOOD_PAUSE = 2.0       # s until who has sent too much may connect again
 
 
-class Hub:
+class Pages:
     """All clients. codes: what a teacher hands out (web.codes.Codes); cameras: what the robots see
     (robots.camera_topics.Cameras).
     """

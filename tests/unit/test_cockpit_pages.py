@@ -7,10 +7,9 @@ import pytest
 from cockpit_control import FakeCameras
 
 from jetbot_cockpit.notices import say
-from jetbot_cockpit.session import hub as hubs
 from jetbot_cockpit.session import protocol
-from jetbot_cockpit.session.hub import FRAME_INTERVAL, Hub
 from jetbot_cockpit.session.messages import LIMITS, MAX_BURST
+from jetbot_cockpit.session.pages import FLOOD_PAUSE, GONE_AFTER, MAX_CLIENTS, TOO_MANY, Pages
 from jetbot_cockpit.session.rights import PUPIL, TEACHER
 from jetbot_cockpit.session.viewers import ABSENT_AFTER, PageOwner
 
@@ -84,107 +83,107 @@ def control():
 
 
 @pytest.fixture
-def hub(control):
-    return Hub(control, NO_CODES, FakeCameras())
+def pages(control):
+    return Pages(control, NO_CODES, FakeCameras())
 
 
-def join(hub, role=TEACHER, now=0.0, code="", address="10.0.0.1"):
+def join(pages, role=TEACHER, now=0.0, code="", address="10.0.0.1"):
     page = Page()
-    return page, hub.join(page, role, None, PageOwner(code or role, address), now)
+    return page, pages.join(page, role, None, PageOwner(code or role, address), now)
 
 
-def run(hub, viewers, since, until):
+def run(pages, viewers, since, until):
     """Let the time pass; the browsers of these viewers answer pings."""
-    for number in range(int(since / FRAME_INTERVAL) + 1, int(until / FRAME_INTERVAL) + 1):
-        hub.tick(number * FRAME_INTERVAL)
+    for number in range(int(since / protocol.FRAME_INTERVAL) + 1, int(until / protocol.FRAME_INTERVAL) + 1):
+        pages.tick(number * protocol.FRAME_INTERVAL)
         for viewer in viewers if number % 20 == 0 else ():
-            hub.record_activity(viewer, number * FRAME_INTERVAL)
+            pages.record_activity(viewer, number * protocol.FRAME_INTERVAL)
 
 
-def test_a_new_page_is_sent_all_that_it_shows(hub):
-    page, _ = join(hub, PUPIL)
-    hub.tick(0.0)
+def test_a_new_page_is_sent_all_that_it_shows(pages):
+    page, _ = join(pages, PUPIL)
+    pages.tick(0.0)
     assert page.sent[0] == {"type": "hello", "id": 1, "name": "pupil 1", "role": "pupil", "robot": None,
                             "codes": False, "limits": LIMITS}
     assert page.types() == ["hello", "robots", "trail", "state"]
 
 
-def test_frames_are_sent_only_while_something_changes_and_once_a_second(hub, control):
-    page, viewer = join(hub)
-    run(hub, [viewer], 0, 1)
+def test_frames_are_sent_only_while_something_changes_and_once_a_second(pages, control):
+    page, viewer = join(pages)
+    run(pages, [viewer], 0, 1)
     page.types()
-    run(hub, [viewer], 1, 5)
+    run(pages, [viewer], 1, 5)
     assert 3 <= len(page.types()) <= 5
     for number in range(20):
         control.speed += 1
-        hub.tick(5 + number * FRAME_INTERVAL)
+        pages.tick(5 + number * protocol.FRAME_INTERVAL)
     assert page.types() == ["state"] * 20
 
 
-def test_a_robot_that_comes_and_one_that_is_put_back_are_sent_to_all(hub, control):
-    pages = [join(hub)[0] for _ in range(2)]
-    hub.tick(0.0)
-    for page in pages:
+def test_a_robot_that_comes_and_one_that_is_put_back_are_sent_to_all(pages, control):
+    here = [join(pages)[0] for _ in range(2)]
+    pages.tick(0.0)
+    for page in here:
         page.types()
     control.names = ["/", "/jetbot_01"]
-    hub.tick(0.05)
+    pages.tick(0.05)
     control.messages = [{**TRAIL, "points": []}]
-    hub.tick(0.1)
-    assert [page.types() for page in pages] == [["robots", "trail"]] * 2
+    pages.tick(0.1)
+    assert [page.types() for page in here] == [["robots", "trail"]] * 2
 
 
-def test_a_page_that_takes_nothing_is_skipped_and_then_gets_all_again(hub, control):
-    page, _ = join(hub)
-    hub.tick(0.0)
+def test_a_page_that_takes_nothing_is_skipped_and_then_gets_all_again(pages, control):
+    page, _ = join(pages)
+    pages.tick(0.0)
     page.types()
     page.backlogged = True
     control.speed, control.messages = 1, [{**TRAIL, "points": []}]
-    hub.tick(0.05)
+    pages.tick(0.05)
     assert page.types() == []
     page.backlogged = False
-    hub.tick(0.1)
+    pages.tick(0.1)
     assert page.types() == ["robots", "trail", "state"]
 
 
-def test_a_page_that_says_nothing_is_sent_nothing_that_would_be_old_when_it_arrives(hub, control):
-    page, viewer = join(hub)
-    run(hub, [], 0, ABSENT_AFTER)
+def test_a_page_that_says_nothing_is_sent_nothing_that_would_be_old_when_it_arrives(pages, control):
+    page, viewer = join(pages)
+    run(pages, [], 0, ABSENT_AFTER)
     page.types()
     control.speed = 1
-    run(hub, [], ABSENT_AFTER, 10)
+    run(pages, [], ABSENT_AFTER, 10)
     assert page.types() == [] and page.pings >= 5
-    hub.record_activity(viewer, 10.0)
-    hub.tick(10.05)
+    pages.record_activity(viewer, 10.0)
+    pages.tick(10.05)
     assert page.types() == ["state"]
 
 
-def test_a_page_that_says_nothing_for_long_is_disconnected(hub, control):
-    (gone, _), (here, viewer) = join(hub), join(hub)
-    run(hub, [viewer], 0, hubs.GONE_AFTER + 1)
+def test_a_page_that_says_nothing_for_long_is_disconnected(pages, control):
+    (gone, _), (here, viewer) = join(pages), join(pages)
+    run(pages, [viewer], 0, GONE_AFTER + 1)
     assert gone.closed == (4004, "no sign of life") and here.closed is None
     assert control.left == [1]
 
 
-def test_the_controls_reply_goes_to_the_page_that_asked(hub, control):
-    (page, viewer), (other, _) = join(hub), join(hub)
+def test_the_controls_reply_goes_to_the_page_that_asked(pages, control):
+    (page, viewer), (other, _) = join(pages), join(pages)
     control.reply = {"type": "notice", "text": "no"}
-    hub.receive(viewer, STOP, 0.0)
+    pages.receive(viewer, STOP, 0.0)
     assert page.types() == ["hello", "notice"] and other.types() == ["hello"]
 
 
-def test_replies_do_not_pile_up_for_a_page_that_takes_nothing(hub):
-    page, viewer = join(hub)
+def test_replies_do_not_pile_up_for_a_page_that_takes_nothing(pages):
+    page, viewer = join(pages)
     page.backlogged = True
-    hub.receive(viewer, PING, 0.0)
+    pages.receive(viewer, PING, 0.0)
     assert page.types() == ["hello"]
 
 
 @pytest.mark.parametrize("role, codes", [(TEACHER, CODES), (TEACHER, []), (PUPIL, CODES)])
 def test_a_teacher_gets_the_codes_where_there_are_some(control, role, codes):
-    hub = Hub(control, SimpleNamespace(rows=codes), FakeCameras())
-    page, viewer = join(hub, role)
+    pages = Pages(control, SimpleNamespace(rows=codes), FakeCameras())
+    page, viewer = join(pages, role)
     assert page.sent[0]["codes"] is (role == TEACHER and bool(codes))
-    hub.receive(viewer, '{"type": "codes"}', 0.0)
+    pages.receive(viewer, '{"type": "codes"}', 0.0)
     assert page.sent[-1] == ({"type": "codes", "codes": codes} if role == TEACHER else
                              protocol.notice(say("teacher_codes")))
 
@@ -202,30 +201,30 @@ NEW_CODE = '{"type": "new_code", "robot": "/jetbot_07"}'
 
 
 def test_whose_code_is_replaced_is_disconnected_and_nobody_else(control):
-    hub = Hub(control, Renewed(), FakeCameras())
-    (teacher, viewer), (other, _) = join(hub, TEACHER), join(hub, PUPIL, code="jetbot_08")
-    old = [join(hub, PUPIL, code="jetbot_07", address=address) for address in ("10.0.0.2", "10.0.0.3")]
-    hub.receive(viewer, NEW_CODE, 0.0)
+    pages = Pages(control, Renewed(), FakeCameras())
+    (teacher, viewer), (other, _) = join(pages, TEACHER), join(pages, PUPIL, code="jetbot_08")
+    old = [join(pages, PUPIL, code="jetbot_07", address=address) for address in ("10.0.0.2", "10.0.0.3")]
+    pages.receive(viewer, NEW_CODE, 0.0)
     assert teacher.sent[-1] == {"type": "codes", "codes": CODES}
     assert [page.closed[0] for page, _ in old] == [4001] * 2 and control.left == [3, 4], "their robots stop"
     assert teacher.closed is other.closed is None
 
 
 def test_no_pupil_replaces_a_code_and_nobody_one_that_there_is_not(control):
-    hub = Hub(control, Renewed(), FakeCameras())
+    pages = Pages(control, Renewed(), FakeCameras())
     for role, text, code in (PUPIL, NEW_CODE, "teacher_new_code"), (TEACHER, '{"type": "new_code"}', "no_code"):
-        page, viewer = join(hub, role)
-        hub.receive(viewer, text, 0.0)
+        page, viewer = join(pages, role)
+        pages.receive(viewer, text, 0.0)
         assert page.sent[-1] == protocol.notice(say(code)) and page.closed is None
 
 
-def test_after_its_disconnection_nothing_that_a_page_sends_counts_but_stops(hub, control):
-    page, viewer = join(hub)
-    hub.receive(viewer, "x", 0.0)
+def test_after_its_disconnection_nothing_that_a_page_sends_counts_but_stops(pages, control):
+    page, viewer = join(pages)
+    pages.receive(viewer, "x", 0.0)
     assert page.closed[0] == 4000 and control.left == [1]
     for text in DRIVE, STOP, DRIVE:
-        hub.receive(viewer, text, 0.0)
-    hub.leave(viewer)
+        pages.receive(viewer, text, 0.0)
+    pages.leave(viewer)
     assert control.asked == [(1, protocol.Message("stop"))]
     assert control.left == [1]
 
@@ -235,133 +234,133 @@ def test_after_its_disconnection_nothing_that_a_page_sends_counts_but_stops(hub,
     (' { "type" : "stop" , "robot" : "/jetbot_01" } ', "/jetbot_01"), ('{"robot":null,"type":"stop"}', None),
     ('{"type":"s\\u0074op","robot":"\\/red"}', "/red"), (STOP.ljust(1000), None)])
 def test_a_stop_counts_before_the_limit_and_the_parser_also_after_a_flood_has_ended_the_socket(
-        hub, control, monkeypatch, text, robot):
+        pages, control, monkeypatch, text, robot):
     monkeypatch.delattr(protocol, "parse")
-    page, viewer = join(hub)
+    page, viewer = join(pages)
     for _ in range(MAX_BURST):
-        hub.record_activity(viewer, 0.0)
+        pages.record_activity(viewer, 0.0)
     assert page.closed is None
     for count in 1, 2, 2:  # within the flood, and once more until the page knows that it is disconnected
-        hub.receive(viewer, text, 0.0)
+        pages.receive(viewer, text, 0.0)
         assert control.asked == [(1, protocol.Message("stop", robot))] * count
         assert page.closed == (4003, "more than 40 messages per second") and control.left[0] == 1
 
 
-def test_a_stop_waits_for_no_page_not_for_its_own_either(hub, control, monkeypatch):
-    viewers, events = [join(hub)[1] for _ in range(3)], []
+def test_a_stop_waits_for_no_page_not_for_its_own_either(pages, control, monkeypatch):
+    viewers, events = [join(pages)[1] for _ in range(3)], []
     control.speed, control.messages, control.reply = 1, [TRAIL], {"type": "notice", "text": "no"}
     monkeypatch.setattr(Page, "send", lambda page, text: events.append("send"))
     monkeypatch.setattr(Page, "is_backlogged", lambda page: events.append("look at a page"))
     stop = control.stop
     monkeypatch.setattr(control, "stop", lambda *asked: events.append("stop") or stop(*asked))
-    hub.receive(viewers[1], STOP, 0.0)
+    pages.receive(viewers[1], STOP, 0.0)
     assert events == ["stop", "look at a page", "send"]
 
 
 @pytest.mark.parametrize("text", [
     '{"robot": null, "type": "stop"}', '{"type": "stop", "robot": "/\\u0061"}', '{"type": "stop", "robot": "/red"}'])
-def test_a_stop_that_is_written_in_another_way_counts_too(hub, control, text):
-    _, viewer = join(hub)
-    hub.receive(viewer, text, 0.0)
+def test_a_stop_that_is_written_in_another_way_counts_too(pages, control, text):
+    _, viewer = join(pages)
+    pages.receive(viewer, text, 0.0)
     assert control.asked[0][1] == protocol.parse(text)
 
 
 @pytest.mark.parametrize("text", ['{"type": "stop"', '{"type": "stop", "robot": 7}', '{"type": "stop"}}', "stop"])
-def test_what_is_almost_a_stop_ends_the_socket(hub, control, text):
-    page, viewer = join(hub)
-    hub.receive(viewer, text, 0.0)
+def test_what_is_almost_a_stop_ends_the_socket(pages, control, text):
+    page, viewer = join(pages)
+    pages.receive(viewer, text, 0.0)
     assert page.closed[0] == 4000 and not control.asked
 
 
-def flood(hub, page, viewer, now):
+def flood(pages, page, viewer, now):
     for _ in range(MAX_BURST + 1):
-        hub.receive(viewer, PING, now)
-    assert page.closed == (4003, hubs.TOO_MANY)
+        pages.receive(viewer, PING, now)
+    assert page.closed == (4003, TOO_MANY)
 
 
-def test_who_floods_may_come_back_after_a_moment_and_others_at_any_time(hub):
-    flood(hub, *join(hub, PUPIL), 0.0)
-    page, viewer = join(hub, PUPIL, hubs.FLOOD_PAUSE - 0.1)
-    assert viewer is None and page.closed == (4003, hubs.TOO_MANY)
-    assert join(hub, PUPIL, 0.1, address="10.0.0.2")[1] and join(hub, PUPIL, 0.1, code="jetbot_02")[1]
-    assert join(hub, PUPIL, hubs.FLOOD_PAUSE)[1]
+def test_who_floods_may_come_back_after_a_moment_and_others_at_any_time(pages):
+    flood(pages, *join(pages, PUPIL), 0.0)
+    page, viewer = join(pages, PUPIL, FLOOD_PAUSE - 0.1)
+    assert viewer is None and page.closed == (4003, TOO_MANY)
+    assert join(pages, PUPIL, 0.1, address="10.0.0.2")[1] and join(pages, PUPIL, 0.1, code="jetbot_02")[1]
+    assert join(pages, PUPIL, FLOOD_PAUSE)[1]
 
 
-def test_a_flood_disconnects_no_other_page_of_its_sender(hub):
-    other, _ = join(hub, PUPIL)
-    flood(hub, *join(hub, PUPIL), 0.0)
+def test_a_flood_disconnects_no_other_page_of_its_sender(pages):
+    other, _ = join(pages, PUPIL)
+    flood(pages, *join(pages, PUPIL), 0.0)
     assert other.closed is None
 
 
 @pytest.mark.parametrize("rate, start, count, closed", [
     (40, 0.0, 400, False), (50, 0.0, 400, True), (1e9, 60.0, 50, False), (1e9, 60.0, 51, True)])
-def test_forty_messages_a_second_and_what_a_pause_held_back_are_within_the_limit(hub, rate, start, count, closed):
-    page, viewer = join(hub)
+def test_forty_messages_a_second_and_what_a_pause_held_back_are_within_the_limit(pages, rate, start, count, closed):
+    page, viewer = join(pages)
     for number in range(count):
-        hub.receive(viewer, PING, start + number / rate)
+        pages.receive(viewer, PING, start + number / rate)
     assert bool(page.closed) is closed
 
 
-def test_a_stop_is_passed_on_first_and_frames_a_moment_later_however_many_stops_follow(hub, control):
-    page, viewer = join(hub, now=10.0)
-    hub.tick(10.0)
+def test_a_stop_is_passed_on_first_and_frames_a_moment_later_however_many_stops_follow(pages, control):
+    page, viewer = join(pages, now=10.0)
+    pages.tick(10.0)
     page.types()
     control.speed = 1
     for time in 10.0, 10.05:
-        hub.receive(viewer, STOP, time)
-        hub.tick(time + 0.01)
+        pages.receive(viewer, STOP, time)
+        pages.tick(time + 0.01)
     assert len(control.asked) == 2 and page.types() == []
-    hub.tick(10.1)
+    pages.tick(10.1)
     assert page.types() == ["state"]
 
 
 @pytest.mark.parametrize("robot, obeyed", [(None, [0, 0.7]), ("/other", [0.5, 0, 0.7])])
-def test_commands_are_obeyed_a_moment_after_a_stop_of_all_but_a_pad_that_is_let_go_at_once(hub, control, robot, obeyed):
-    _, viewer = join(hub, now=10.0)
-    hub.receive(viewer, json.dumps({"type": "stop", "robot": robot}), 10.0)
+def test_commands_are_obeyed_a_moment_after_a_stop_of_all_but_letting_go_at_once(pages, control, robot, obeyed):
+    _, viewer = join(pages, now=10.0)
+    pages.receive(viewer, json.dumps({"type": "stop", "robot": robot}), 10.0)
     for time, forward in (10.0, 0.5), (10.01, 0), (10.11, 0.7):
-        hub.receive(viewer, json.dumps({"type": "drive", "robot": "/", "forward": forward, "left": 0}), time)
+        pages.receive(viewer, json.dumps({"type": "drive", "robot": "/", "forward": forward, "left": 0}), time)
     assert [message.forward for _, message in control.asked if message.type == "drive"] == obeyed
 
 
-def test_there_is_room_for_100_pages_and_a_teacher_gets_the_place_of_the_newest_pupil(hub, control):
-    pages, viewers = zip(*(join(hub, PUPIL) for _ in range(100)))
-    page, viewer = join(hub, PUPIL)
+def test_there_is_room_for_100_pages_and_a_teacher_gets_the_place_of_the_newest_pupil(pages, control):
+    here, viewers = zip(*(join(pages, PUPIL) for _ in range(100)))
+    page, viewer = join(pages, PUPIL)
     assert viewer is None and page.closed[0] == 4002
-    assert join(hub, TEACHER)[1]
-    assert [number for number, each in enumerate(pages) if each.closed] == [99] and control.left == [100]
-    hub.leave(viewers[0])
-    assert join(hub, PUPIL)[1]
+    assert join(pages, TEACHER)[1]
+    assert [number for number, each in enumerate(here) if each.closed] == [99] and control.left == [100]
+    pages.leave(viewers[0])
+    assert join(pages, PUPIL)[1]
 
 
 @pytest.mark.parametrize("others", [
     [{"code": f"jetbot_{number:02d}"} for number in range(1, 16)],  # a code for each robot, or one for all pupils
     [{"address": f"10.0.0.{number}"} for number in range(1, 16)]])
-def test_one_phone_that_takes_all_places_keeps_out_no_other(hub, others):
-    first, *later = [join(hub, PUPIL, **owner)[0] for owner in others[:-1]]
-    taken = [join(hub, PUPIL, **others[0])[0] for _ in range(hubs.MAX_CLIENTS - len(others) + 1)]
+def test_one_phone_that_takes_all_places_keeps_out_no_other(pages, others):
+    first, *later = [join(pages, PUPIL, **owner)[0] for owner in others[:-1]]
+    taken = [join(pages, PUPIL, **others[0])[0] for _ in range(MAX_CLIENTS - len(others) + 1)]
     for role, owner in (PUPIL, others[-1]), (PUPIL, others[5]), (TEACHER, {"address": "10.0.0.99"}):
-        page, viewer = join(hub, role, **owner)
+        page, viewer = join(pages, role, **owner)
         assert viewer and not page.closed
     assert [page.closed[0] for page in taken if page.closed] == [4002] * 3 == [page.closed[0] for page in taken[-3:]]
-    assert join(hub, PUPIL, **others[0])[1] is None
+    assert join(pages, PUPIL, **others[0])[1] is None
     assert not [page for page in (first, *later) if page.closed]
 
 
-def test_at_the_end_all_pages_are_disconnected_and_their_robots_stop(hub, control):
-    pages = [join(hub)[0] for _ in range(3)]
-    hub.close()
-    assert [page.closed[0] for page in pages] == [1001] * 3 and control.left == [1, 2, 3]
+def test_at_the_end_all_pages_are_disconnected_and_their_robots_stop(pages, control):
+    here = [join(pages)[0] for _ in range(3)]
+    pages.close()
+    assert [page.closed[0] for page in here] == [1001] * 3 and control.left == [1, 2, 3]
 
 
-def test_a_teacher_is_told_once_that_the_class_is_not_kept_and_when_it_is_again(hub, control):
-    teacher, pupil = join(hub)[0], join(hub, PUPIL)[0]
+def test_a_teacher_is_told_once_that_the_class_is_not_kept_and_when_it_is_again(pages, control):
+    teacher, pupil = join(pages)[0], join(pages, PUPIL)[0]
     control.problem = say("class_not_kept", problem="full")
     for now in (0.1, 0.2):
-        hub.tick(now)
-    late = join(hub)[0]
-    hub.tick(0.3)
+        pages.tick(now)
+    late = join(pages)[0]
+    pages.tick(0.3)
     control.problem = None
-    hub.tick(0.4)
+    pages.tick(0.4)
     told = [[each["text"] for each in page.sent if each["type"] == "notice"] for page in (teacher, late, pupil)]
     assert told == [["The class cannot be kept: full. The cockpit tries again.", "The class is kept again."]] * 2 + [[]]

@@ -1,0 +1,73 @@
+"""The socket of a robot's cockpit for the hub of its class: who has the class's key is a teacher here."""
+
+import asyncio
+import json
+import time
+
+from tornado.web import HTTPError
+
+from ..remote.identity import Identity
+from ..remote.key import HUB, NONCE, ROBOT, Nonces, new_nonce, proof, proves
+from ..remote.link import as_object
+from ..session.rights import TEACHER
+from ..session.viewers import PageOwner
+from .handlers import Socket
+from .work import MAX_WORK, is_request
+
+WRONG_KEY = 4005  # why a socket is closed
+HANDSHAKE_TIMEOUT = 3.0  # s
+
+
+class HubSocket(Socket):
+    """Sends a challenge; what answers it, and no browser, is a client. works: web.work.Works; instance: this start."""
+
+    acts = False
+    max_message_size = 2 * MAX_WORK
+
+    def initialize(self, access, pages, identity: Identity, works, instance: str) -> None:
+        super().initialize(access, pages)
+        self._identity, self._works, self._instance = identity, works, instance
+
+    def prepare(self) -> None:
+        if "Origin" in self.request.headers:  # a browser's: no web site gets as far as the challenge
+            raise HTTPError(403)
+
+    def open(self) -> None:
+        self._nonce = new_nonce()
+        robot, class_name, _ = self._identity
+        self.send(json.dumps({"type": "challenge", "robot": robot, "class": class_name, "nonce": self._nonce,
+                              "instance": self._instance}))
+        asyncio.get_event_loop().call_later(HANDSHAKE_TIMEOUT, self._end_unproven)
+
+    def on_message(self, message: object) -> None:
+        if not self.viewer:
+            self._check(as_object(message))
+            return
+        fields = as_object(message) if isinstance(message, str) and message.startswith('{"type": "work"') else None
+        if fields and self.pages.record_activity(self.viewer, time.monotonic()):
+            asyncio.ensure_future(self._work(fields))
+        elif not fields:
+            super().on_message(message)
+
+    def _check(self, fields: dict) -> None:
+        """Let in who proves to have the key, and prove the same."""
+        robot, class_name, key = self._identity
+        nonces = Nonces(self._nonce, str(fields.get("nonce")))
+        if not NONCE.fullmatch(nonces.hub) or not proves(fields.get("proof"), key, HUB, class_name, robot, nonces):
+            self.close(WRONG_KEY, "wrong key")
+            return
+        self.send(json.dumps({"type": "proof", "proof": proof(key, ROBOT, class_name, robot, nonces)}))
+        owner = PageOwner("hub", self.request.remote_ip)
+        self.viewer = self.pages.join(self, TEACHER, None, owner, time.monotonic())
+        if self.ws_connection:
+            self.ws_connection.stream.is_page = True
+
+    def _end_unproven(self) -> None:
+        if not self.viewer:
+            self.close(WRONG_KEY, "no proof")
+
+    async def _work(self, fields: dict) -> None:
+        request, body = fields.get("request"), fields.get("body")
+        status, answer = await self._works.answer(self.viewer.client, body) if is_request(body) else (400, {})
+        self.send(json.dumps({"type": "work", "request": str(request)[:40], "status": status, "body": answer}))
+
