@@ -11,7 +11,7 @@ from jetbot_cockpit.cockpit_parameters import PARAMETERS, resolve
 def test_by_default_only_this_computer_gets_in():
     assert resolve({}) == {"lan": False, "port": 8080, "name": "", "robots": 0,
                            "pictures": "~/jetbot_pictures", "class": "",
-                           "classes": "~/.ros/morbot_classes", "browser": False}
+                           "classes": "~/.ros/morbot_classes", "identity": "", "browser": False}
 
 
 @pytest.mark.parametrize("name", ["", "class.test", "192.168.1.42", "fd00::7", "robot-7.local"])

@@ -102,6 +102,7 @@ TEXT_OR_SAID = Field("string | Said", lambda value: TEXT.accepts(value) or NOTIC
 SAID = {"code": TEXT, "arguments": by_name(TEXT_OR_SAID), "text": TEXT, "template": TEXT}  # a Notice
 NOTICE = part("Said", **SAID)
 SENTENCES = list_of(part("Sentence", code=TEXT, template=TEXT, arguments=ARGUMENTS))
+HEALTH = part("Health", code=TEXT, template=TEXT, arguments=ARGUMENTS, level=one_of("ok", "warning", "bad"))
 DRIVER = part("Driver", id=COUNT, name=TEXT, said=or_null(NOTICE))
 JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "driving", "done", "cancelled"), text=TEXT,
               seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT, request=TEXT, sentences=SENTENCES,
@@ -109,11 +110,11 @@ JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "drivin
 PICTURES = part("Pictures", **dict.fromkeys(LABELS, COUNT), problem=or_null(NOTICE))
 ROBOT_STATE = part(
     "RobotState", status=TEXT, state=one_of("", "driving", "stopped", "ended"), cause=TEXT, template=TEXT,
-    arguments=ARGUMENTS, remarks=or_null(SENTENCES), holds=list_of(TEXT), waiting=list_of(TEXT), fake=BOOLEAN,
-    warning=BOOLEAN, answers=BOOLEAN, stopped=BOOLEAN, pose=or_null(POSE), speed=or_null(numbers(2)),
-    command=or_null(numbers(2)), wheels=or_null(numbers(2)), program=TEXT, driver=or_null(DRIVER),
-    resumes=or_null(COUNT), held=or_null(one_of("robot", "programs")), stalls=COUNT, task=or_null(JUDGED),
-    pictures=or_null(PICTURES), programs=COUNT)
+    arguments=ARGUMENTS, remarks=or_null(SENTENCES), health=or_null(list_of(HEALTH)), holds=list_of(TEXT),
+    waiting=list_of(TEXT), fake=BOOLEAN, warning=BOOLEAN, answers=BOOLEAN, stopped=BOOLEAN, pose=or_null(POSE),
+    speed=or_null(numbers(2)), command=or_null(numbers(2)), wheels=or_null(numbers(2)), program=TEXT,
+    driver=or_null(DRIVER), resumes=or_null(COUNT), held=or_null(one_of("robot", "programs")), stalls=COUNT,
+    task=or_null(JUDGED), pictures=or_null(PICTURES), programs=COUNT)
 ROBOT_ROW = part("Robot", id=ROBOT, label=TEXT, color=TEXT, workshop=or_null(BOOLEAN), wheel_separation=NUMBER,
                  max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT)
 SHAPE = part("Shape", kind=one_of("wall", "line", "course", "goal"), width=NUMBER, points=list_of(numbers(2)))

@@ -3,6 +3,7 @@
 from typing import Dict, FrozenSet, List, NamedTuple, Optional, Tuple
 
 from jetbot.fake import folder_of
+from jetbot.health import Health
 from jetbot.sentence import Sentence, as_data
 from jetbot.text import enumeration
 from jetbot_ros.state import UNKNOWN, RobotState
@@ -52,7 +53,8 @@ class RobotSnapshot(NamedTuple):
     be put back to its start; state: its controller's; stopped: by its own emergency stop;
     pose: (x, y in m, yaw in rad) on the map; speed: the measured one, and command: the driven one, each in m/s and
     rad/s; wheels: the duties (left, right) in [-1, 1]; program: whose command it drives, "" if that is the cockpit's;
-    shapes: what is drawn around it; task: which one it drives; judged_elsewhere: whether judge.py judges it.
+    shapes: what is drawn around it; task: which one it drives; judged_elsewhere: whether judge.py judges it;
+    health: how its battery and its computer are.
     """
 
     id: str
@@ -71,6 +73,7 @@ class RobotSnapshot(NamedTuple):
     shapes: Tuple[Shape, ...] = ()
     task: Optional[TaskSnapshot] = None
     judged_elsewhere: bool = False
+    health: Optional[Tuple[Health, ...]] = None
 
     @property
     def label(self) -> str:
@@ -108,6 +111,7 @@ class RobotSnapshot(NamedTuple):
         own = "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
         return {"status": state.sentence, "state": state.state, "cause": state.cause, "template": state.template,
                 "arguments": state.arguments, "remarks": None if state.remarks is None else as_data(state.remarks),
+                "health": None if self.health is None else [row._asdict() for row in self.health],
                 "holds": state.holds, "waiting": state.waiting, "fake": bool(folder_of(state.bus)),
                 **{name: getattr(self, name) for name in own},
                 "driver": driver, "resumes": resumes, "held": held, "stalls": stalls, "task": task and task.message(),
