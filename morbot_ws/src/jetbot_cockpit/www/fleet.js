@@ -4,7 +4,7 @@
 /** @import { World } from "./world.js" */
 
 import { visible } from "./colors.js";
-import { create, element, onPress, onSurePress, setText } from "./dom.js";
+import { create, element, onPress, onSurePress, setClass, setText } from "./dom.js";
 import { batteryOf, warningsOf } from "./health.js";
 import { t } from "./language.js";
 import { toDo } from "./to_do.js";
@@ -60,6 +60,7 @@ export class Fleet {
     for (const row of this.rows) this.showRow(row);
     const driving = this.rows.filter(({ item }) => item.dataset.level === "driving").length;
     element("all-go-on").hidden = !this.rows.some(({ id }) => this.world.nameWaiting(id));
+    setClass(document.body, "hub", this.world.robots.some(({ address }) => address));
     const lines = toDo(this.world).join("\n");
     setText(element("to-do"), lines);
     element("to-do").hidden = !lines;
