@@ -19,7 +19,7 @@ MAX_FILE = 4096  # bytes: a file of sysfs is one page
 
 # Thermal zones of processors: of Jetson Linux 32 (CPU-therm) and 36 (cpu-thermal, tj-thermal), a Raspberry Pi
 # (cpu-thermal), a PC (x86_pkg_temp). Others mislead: a Jetson Nano's PMIC-Die is always 100 °C.
-PROCESSOR = re.compile("(cpu|gpu|soc|tj).*therm|x86_pkg_temp", re.IGNORECASE)
+PROCESSOR = re.compile("(cpu|gpu|soc|tj).*therm(al)?|x86_pkg_temp", re.IGNORECASE)
 
 # Cooling devices that slow a processor down while their state is above 0 (Documentation/driver-api/thermal/sysfs-api):
 # Linux's own, Jetson Linux 32's cpu-balanced and gpu-balanced, an Orin's cpu-throttle-alert and its like.
