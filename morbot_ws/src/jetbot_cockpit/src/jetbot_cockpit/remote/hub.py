@@ -267,5 +267,6 @@ def with_driver(state: dict, own: Optional[Link], page: int) -> dict:
 
 
 ANSWERS = "lift", "program", "judge", "notice"
-ROUTES = {"ping": Hub._ping, "name": Hub._to_all, "offer": Hub._to_all, "codes": Hub._to_all, "look": Hub._look,
-          "seen": Hub._seen, "release": Hub._release, "go_on": Hub._to_one_or_all, "reset": Hub._to_one_or_all}
+ROUTES = {"ping": Hub._ping, "name": Hub._to_all, "offer": Hub._to_all, "cameras": Hub._to_all, "codes": Hub._to_all,
+          "look": Hub._look, "seen": Hub._seen, "release": Hub._release, "go_on": Hub._to_one_or_all,
+          "reset": Hub._to_one_or_all}

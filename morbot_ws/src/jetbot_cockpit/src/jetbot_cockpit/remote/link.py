@@ -17,7 +17,7 @@ from tornado.websocket import WebSocketClosedError, WebSocketError, websocket_co
 from jetbot.kinds import is_number
 
 from ..notices import Notice, say
-from ..session.messages import problem_of
+from ..session.messages import FROM_COCKPIT, problem_of
 from .fleet import Fleet
 from .key import HUB, ROBOT, ROBOT_NAME, Nonces, new_nonce, proof, proves
 
@@ -32,7 +32,7 @@ REFUSED_INTERVAL = 3.0  # s until a robot is asked again whose answer was refuse
 MAX_TEXT = 40          # characters of what a robot says of itself
 LOST = (OSError, ValueError, HTTPClientError, HTTPTimeoutError, StreamClosedError, WebSocketClosedError,
         WebSocketError, asyncio.TimeoutError)  # ValueError: of an address that is none
-CHECKED = "trail", "scene", "scores", "tasks", "picture", "notice", "program", "lift", "judge", "codes"
+CHECKED = FROM_COCKPIT.keys() - {"state", "robots"}
 UNCHECKED = "state", "robots", "work"  # by the receiver: another version of MorBot may send other fields of a robot
 RESOLVERS = ThreadPoolExecutor(64)  # a name that nobody answers for keeps one of them busy for many seconds
 

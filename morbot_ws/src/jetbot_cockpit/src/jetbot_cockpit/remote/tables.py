@@ -1,4 +1,4 @@
-"""What the robots of a class say besides what they do, as one class says it: trails, scenes, tasks and scores."""
+"""What the robots of a class say besides what they do, as one class says it: trails, scenes, tasks, scores."""
 
 from typing import Dict, List
 
@@ -9,7 +9,7 @@ class Tables:
     """Each robot's messages go in, and come out as those of one cockpit for the class."""
 
     def __init__(self):
-        self._said: Dict[str, Dict[str, dict]] = {"trail": {}, "scene": {}, "tasks": {}, "scores": {}}  # by robot
+        self._said: Dict[str, Dict[str, dict]] = {kind: {} for kind in (*LATEST, *self._unions())}  # by robot
         self._changes: List[dict] = []
 
     def update(self, robot: str, message: dict) -> None:
@@ -21,7 +21,7 @@ class Tables:
         if kind in LATEST:
             self._changes.append(message)
         else:
-            self._changes += self._tasks() if kind == "tasks" else self._scores()
+            self._changes += self._unions()[kind]()
 
     def take_changes(self) -> List[dict]:
         """Return the messages for all pages since the last call."""
@@ -31,7 +31,15 @@ class Tables:
     def messages(self) -> List[dict]:
         """Return the messages that a new page needs."""
         latest = [message for kind in LATEST for message in self._said[kind].values()]
-        return [*latest, *self._tasks(), *self._scores()]
+        return latest + [message for union in self._unions().values() for message in union()]
+
+    def _unions(self):
+        return {"tasks": self._tasks, "scores": self._scores, "cameras": self._cameras}
+
+    def _cameras(self):
+        """Return whether pupils see any robot's camera: one that missed the switch is seen."""
+        said = self._said["cameras"].values()
+        return [{"type": "cameras", "on": any(message["on"] for message in said)}] if said else []
 
     def _tasks(self):
         """Return which tasks any robot offers; one is on if it is on at a robot."""
