@@ -53,16 +53,17 @@ class Control(StandIn):
 
 
 class Robot:
-    """A robot's cockpit. identity: what it says that it is; instance: which start of it this is."""
+    """A robot's cockpit. identity: what it says that it is; instance: which start of it this is; socket: for a hub."""
 
-    def __init__(self, identity, instance="1"):
+    def __init__(self, identity, instance="1", socket=HubSocket):
         sockets = listen(0, lan=False)
-        self.port, self.control, self.classroom = sockets[0].getsockname()[1], Control(f"/{identity.robot}"), Classroom()
+        self.port, self.classroom = sockets[0].getsockname()[1], Classroom()
+        self.control = Control(f"/{identity.robot}")
         access = Access(self.port, [], GRANTS)
         pages = Pages(self.control, SimpleNamespace(rows=[]), self.control)
         hub = {"access": access, "pages": pages, "identity": identity, "instance": instance, "links": {},
                "works": Works(self.classroom, pages.knows)}
-        self.server = Server(sockets, access, pages, [(r"/hub", HubSocket, hub)])
+        self.server = Server(sockets, access, pages, [(r"/hub", socket, hub)])
         self.server.start()
         self.address = f"127.0.0.1:{self.port}"
 
@@ -73,6 +74,9 @@ class Robot:
 
 class Liar(WebSocketHandler):
     """Pretends to be jetbot_01, without its key."""
+
+    def initialize(self, **_):
+        pass
 
     def open(self):
         self.write_message(json.dumps({"type": "challenge", "robot": "jetbot_01", "class": CLASS, "nonce": 32 * "0",

@@ -1,10 +1,8 @@
 """A robot lets in nobody but the hub of its class, and a hub believes no robot that only says its name."""
 
-import threading
 
 import pytest
 from hub_world import Liar, Robot, TeachersHub, answer, identity
-from tornado.web import Application
 
 from jetbot.wait import wait_until
 from jetbot_cockpit.remote.fleet import Fleet
@@ -166,38 +164,18 @@ def test_a_robot_of_another_class_is_named(fleet, make_hub):
     robot.server.end()
 
 
-def test_who_only_repeats_the_hubs_proof_is_named(make_hub):
-    import asyncio
-    started, ports = threading.Event(), []
-
-    def serve():
-        async def run():
-            from tornado.httpserver import HTTPServer
-            from tornado.netutil import bind_sockets
-            sockets = bind_sockets(0, "127.0.0.1")
-            HTTPServer(Application([(r"/hub", Liar)])).add_sockets(sockets)
-            ports.append(sockets[0].getsockname()[1])
-            started.set()
-            while not ended.is_set():
-                await asyncio.sleep(0.05)
-            for socket in sockets:
-                socket.close()
-        asyncio.run(run())
-    ended = threading.Event()
-    thread = threading.Thread(target=serve)
-    thread.start()
-    started.wait(WITHIN)
-    hub = make_hub({"jetbot_01": f"127.0.0.1:{ports[0]}"})
-    text = f"What answers at 127.0.0.1:{ports[0]} pretends to be jetbot_01."
+def test_who_only_repeats_the_hubs_proof_is_named(fleet, make_hub):
+    liar = Robot(identity(fleet), socket=Liar)
+    hub = make_hub({"jetbot_01": liar.address})
+    text = f"What answers at {liar.address} pretends to be jetbot_01."
     assert wait_until(lambda: status(hub) == text, WITHIN), status(hub)
-    ended.set()
-    thread.join()
+    liar.server.end()
 
 
 def test_an_address_that_is_none_and_a_name_that_nobody_has_say_so(make_hub):
     hub = make_hub({"jetbot_01": "no such host:x", "jetbot_02": "nobody.invalid"})
-    for robot, address in ("/jetbot_01", "no such host:x"), ("/jetbot_02", "nobody.invalid:8080"):
-        assert wait_until(lambda: status(hub, robot) == f"No connection to {address}.", WITHIN), status(hub, robot)
+    texts = ["No connection to no such host:x.", "No connection to nobody.invalid:8080."]
+    assert wait_until(lambda: [status(hub), status(hub, "/jetbot_02")] == texts, WITHIN), status(hub)
 
 
 def test_a_clone_is_named_and_the_first_robot_stays(fleet, make_hub):
