@@ -29,7 +29,7 @@ PING_INTERVAL = 0.5    # s
 FRESH = 1.5            # s without a message after which nothing that moves is sent: it would arrive late
 MAX_MESSAGE = 512 * 1024  # bytes
 MAX_RATE = 400         # messages a second: a robot that sends more is disconnected
-REFUSED_INTERVAL = 3.0  # s until a robot is asked again whose answer was refused
+REFUSED_INTERVAL = 1.0  # s until a robot is asked again whose answer was refused
 MAX_TEXT = 40          # characters of what a robot says of itself
 LOST = (OSError, ValueError, HTTPClientError, HTTPTimeoutError, StreamClosedError, WebSocketClosedError,
         WebSocketError, asyncio.TimeoutError)  # ValueError: of an address that is none
