@@ -8,7 +8,6 @@ import pytest
 import yaml
 
 from conftest import ROOT
-
 from jetbot.camera.sources import SOURCES
 
 SERVICES = yaml.safe_load((ROOT / "docker/compose.yaml").read_text())["services"]
@@ -69,7 +68,8 @@ def test_images_have_the_programs_of_the_cameras(source):
 
 def test_image_has_all_that_the_nodes_need():
     assert {debian_name(depend) for package in PACKAGES for depend in package.iterfind("exec_depend")
-            if depend.text not in OURS and "==" not in depend.get("condition", "")} - NOT_IN_THE_IMAGE <= packages_named("run_packages")
+            if depend.text not in OURS and "==" not in depend.get("condition", "")
+            } - NOT_IN_THE_IMAGE <= packages_named("run_packages")
 
 
 def packages_named(name):
