@@ -6,8 +6,8 @@ GOOD = {"volts": 12.1, "percent": 86, "celsius": 52, "megabytes": 8120, "dbm": -
 POOR = {**GOOD, "volts": 10.2, "percent": 33, "dbm": -74, "power_save": 1, "undervoltage": 1}
 LOW, OLD, AWAY = (3, 10), 2, 8  # places in the list: what has a low battery, another version, no connection
 NAMES = "Ada", "Maximilian", "Ben"
-IDLE = {"status": "stopped: no command yet", "state": "stopped", "cause": "no_command_yet", "template": "no command yet",
-        "arguments": {}, "remarks": [], "holds": [], "waiting": [], "fake": False, "warning": False, "answers": True,
+IDLE = {"status": "stopped: no command yet", "state": "stopped", "cause": "no_command_yet",
+        "template": "no command yet", "arguments": {}, "remarks": [], "holds": [], "waiting": [], "fake": False, "warning": False, "answers": True,
         "stopped": False, "pose": None, "speed": None, "command": [0, 0], "wheels": [0, 0], "program": "",
         "driver": None, "resumes": None, "held": None, "stalls": 0, "task": None, "pictures": None, "programs": 0}
 OUT_OF_REACH = {"answers": False, "state": "", "status": "", "template": "", "cause": "", "command": None,
