@@ -21,7 +21,7 @@ FROM_PAGE, FROM_COCKPIT = SOCKET.split("## The page sends")[1].split("## The coc
     {"type": "release", "robot": "/"}, {"type": "reset"}, {"type": "name", "name": "Ada Łovelace"},
     {"type": "name", "name": "<b>Eve</b> + 🙂"}, {"type": "name", "name": "\U0001fadf"},  # newer than Unicode 15
     {"type": "ping", "sent": 12.5}, {"type": "codes"},
-    {"type": "look", "robot": "/"}, {"type": "look"}, {"type": "seen", "number": 7},
+    {"type": "cameras", "on": False}, {"type": "look", "robot": "/"}, {"type": "look"}, {"type": "seen", "number": 7},
     {"type": "save", "robot": "/", "label": "free"}, {"type": "delete", "robot": "/"},
     {"type": "pupil", "robot": "/", "name": "<b>Eve</b>"}, {"type": "new_code"}, {"type": "new_code", "robot": "/"}],
     ids=str)

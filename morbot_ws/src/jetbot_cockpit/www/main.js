@@ -45,6 +45,7 @@ const shell = new Shell({
     },
     codes: (message) => codes.list(message.codes),
     tasks: ({ tasks }) => showTasks(tasks),
+    cameras: ({ on }) => camera.allow(on),
     picture: (message) => camera.begin(message),
     part: ({ bytes }) => camera.take(bytes),
   },

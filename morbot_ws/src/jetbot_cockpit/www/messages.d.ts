@@ -32,7 +32,8 @@ export type Outgoing =
   | { type: "codes"; }
   | { type: "new_code"; robot?: string | null; }
   | { type: "judge"; robot: string; task: string; }
-  | { type: "offer"; task: string; on: boolean; };
+  | { type: "offer"; task: string; on: boolean; }
+  | { type: "cameras"; on: boolean; };
 
 export type Incoming =
   | { type: "hello"; id: number; name: string; role: "pupil" | "teacher"; robot: string | null; codes: boolean; limits: Limits; }
@@ -43,6 +44,7 @@ export type Incoming =
   | { type: "scores"; scores: Score[]; }
   | { type: "picture"; robot: string; number: number; stamp: number; bytes: number; }
   | { type: "tasks"; tasks: Task[]; }
+  | { type: "cameras"; on: boolean; }
   | { type: "notice"; code: string; arguments: Record<string, string | Said>; text: string; template: string; }
   | { type: "program"; robot: string; ready: boolean; pose: [number, number, number] | null; line: [number, number, number] | null; wheels: [number, number] | null; }
   | { type: "lift"; robot: string; code: string; arguments: Record<string, string | Said>; text: string; template: string; }

@@ -150,6 +150,7 @@ FROM_PAGE = {
                   'puts a simulated robot at the start of a task, and judges its next drive; task `""`: ends that, '
                   "without a score"),
     "offer": Form({"task": TASK, "on": BOOLEAN}, "lets pupils choose a task, or not any more", teacher=True),
+    "cameras": Form({"on": BOOLEAN}, "lets pupils see what the cameras see, or not any more", teacher=True),
 }
 
 FROM_COCKPIT = {
@@ -170,6 +171,7 @@ FROM_COCKPIT = {
                     "a picture of the robot that the page looks at; its parts follow"),
     "tasks": Form({"tasks": list_of(OFFERED)},
                   "which tasks a judge offers, and which of them are on: at first, and when that changes"),
+    "cameras": Form({"on": BOOLEAN}, "whether pupils see what the cameras see: at first, and when that changes"),
     "notice": Form(SAID, "one sentence for the person, and its code for programs"),
     "program": Form({"robot": ROBOT, "ready": BOOLEAN, "pose": or_null(POSE), "line": or_null(numbers(3)),
                      "wheels": or_null(numbers(2))},
