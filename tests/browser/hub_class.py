@@ -7,9 +7,10 @@ POOR = {**GOOD, "volts": 10.2, "percent": 33, "dbm": -74, "power_save": 1, "unde
 LOW, OLD, AWAY = (3, 10), 2, 8  # places in the list: what has a low battery, another version, no connection
 NAMES = "Ada", "Maximilian", "Ben"
 IDLE = {"status": "stopped: no command yet", "state": "stopped", "cause": "no_command_yet",
-        "template": "no command yet", "arguments": {}, "remarks": [], "holds": [], "waiting": [], "fake": False, "warning": False, "answers": True,
-        "stopped": False, "pose": None, "speed": None, "command": [0, 0], "wheels": [0, 0], "program": "",
-        "driver": None, "resumes": None, "held": None, "stalls": 0, "task": None, "pictures": None, "programs": 0}
+        "template": "no command yet", "arguments": {}, "remarks": [], "holds": [], "waiting": [], "fake": False,
+        "warning": False, "answers": True, "stopped": False, "pose": None, "speed": None, "command": [0, 0],
+        "wheels": [0, 0], "program": "", "driver": None, "resumes": None, "held": None, "stalls": 0, "task": None,
+        "pictures": None, "programs": 0}
 OUT_OF_REACH = {"answers": False, "state": "", "status": "", "template": "", "cause": "", "command": None,
                 "wheels": None, "health": None, "link": None}
 

@@ -20,7 +20,7 @@ from .test_sharing import codes_of
 
 SCREENS = [(360, 640), (820, 1180), (1024, 768), (1280, 800)]  # px
 SHEETS = "codes", "one code", "best", "programs", "class"  # states in which a sheet covers the page
-KNOWN = ["jetbot", "ms", "rad", "Ben", "Ada", "STOP", "http", "KQ", "MX"]
+KNOWN = ["jetbot", "ms", "rad", "Ben", "Ada", "Maximilian", "STOP", "http", "KQ", "MX"]
 SPEAK = """if (location.protocol === "http:") {
     const pseudo = %s, fetch = window.fetch;
     localStorage.setItem("language", "de");
