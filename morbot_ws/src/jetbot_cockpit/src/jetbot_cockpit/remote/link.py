@@ -59,6 +59,7 @@ class Link:
         self._count = 0  # of messages since the last ping
         self._nonces = Nonces("", "")
         self._ended, self._is_refused = asyncio.Event(), False
+        self._id = new_nonce()
         self._task = asyncio.ensure_future(self._run())
 
     def close(self) -> None:
@@ -193,7 +194,7 @@ class Link:
             self._refuse(say("other_fleet", address=self.address))
             return
         self._claimed, self.problem, self._is_refused = robot, say("wrong_key", robot=robot), True  # until it proves it
-        self.send({"type": "answer", "nonce": self._nonces.hub, "frames": self._frames,
+        self.send({"type": "answer", "nonce": self._nonces.hub, "frames": self._frames, "link": self._id,
                    "proof": proof(self._fleet.key_of(robot), HUB, self._fleet.name, robot, self._nonces)})
 
 

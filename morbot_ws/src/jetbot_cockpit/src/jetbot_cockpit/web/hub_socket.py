@@ -12,6 +12,7 @@ from ..remote.identity import Identity
 from ..remote.key import HUB, NONCE, ROBOT, Nonces, new_nonce, proof, proves
 from ..remote.link import as_object
 from ..remote.version import version_of
+from ..session.protocol import ENDED
 from ..session.rights import TEACHER
 from ..session.viewers import PageOwner
 from .handlers import Socket
@@ -42,13 +43,18 @@ REFUSALS = Refusals()
 
 
 class HubSocket(Socket):
-    """Sends a challenge; what answers it, and no browser, is a client. works: web.work.Works; instance: this start."""
+    """Sends a challenge; what answers it, and no browser, is a client. works: web.work.Works; instance: this start.
+
+    links: the newest socket of each link. A hub that connects again ends the socket from before, which the network may
+    never end: it would keep the robot from its own driver.
+    """
 
     acts = False
     max_message_size = 2 * MAX_WORK
 
-    def initialize(self, access, pages, identity: Identity, works, instance: str) -> None:
+    def initialize(self, access, pages, identity: Identity, works, instance: str, links: Dict[str, "HubSocket"]) -> None:
         super().initialize(access, pages)
+        self._links, self._link = links, ""
         self._identity, self._works, self._instance = identity, works, instance
 
     def prepare(self) -> None:
@@ -82,6 +88,7 @@ class HubSocket(Socket):
             return
         self.send(json.dumps({"type": "proof", "proof": proof(key, ROBOT, class_name, robot, nonces),
                               "version": VERSION}))
+        self._replace(str(fields.get("link")))
         owner = PageOwner("hub", self.request.remote_ip)
         self.viewer = self.pages.join(self, TEACHER, None, owner, time.monotonic())
         if self.viewer:
@@ -89,6 +96,17 @@ class HubSocket(Socket):
         if self.ws_connection:
             self.ws_connection.stream.is_page = True
             self.ws_connection.stream.max_buffer_size = self.max_message_size  # a program is one message
+
+    def _replace(self, link):
+        before, self._link = self._links.get(link), link
+        self._links[link] = self
+        if before and before.viewer:
+            self.pages.end(before.viewer, ENDED, "the hub has connected again")
+
+    def on_close(self) -> None:
+        super().on_close()
+        if self._links.get(self._link) is self:
+            del self._links[self._link]
 
     def _end_unproven(self) -> None:
         if not self.viewer:
