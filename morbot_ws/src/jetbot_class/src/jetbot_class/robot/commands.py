@@ -35,6 +35,7 @@ def parser() -> argparse.ArgumentParser:
     """Return the parser of the command line."""
     made = argparse.ArgumentParser(prog="./morbot robot", description="Makes this computer a robot of a class.",
                                    allow_abbrev=False)
+    made.error = lambda message: refuse(printable(message))  # type: ignore[method-assign]
     made.add_argument("words", nargs="*", metavar="NAME | ARGUMENT:=VALUE",
                       help="the robot's name, such as jetbot_07; arguments of jetbot_controller.launch, which are kept")
     made.add_argument("--class", dest="class_name", metavar="CLASS", help="the class's name, such as 7b")
@@ -46,7 +47,7 @@ def parser() -> argparse.ArgumentParser:
 
 def main(arguments: List[str], computer: Optional[Computer] = None) -> int:
     """Do what was typed; return the exit code. Raise JetbotError, OSError."""
-    given = parser().parse_args(arguments)
+    given = parser().parse_intermixed_args(arguments)
     computer = computer or Computer()
     if given.off:
         return off(computer, given.forget)
@@ -74,11 +75,11 @@ def name(computer: Computer, given: argparse.Namespace) -> int:
     identity = Identity(robot, class_name, key_for(given, robot, before, class_name))
     build()
     groups = groups_missing(getpass.getuser())
-    memory.Memory(kept, remembered.host or computer.name(), (*remembered.groups, *groups)).save()
+    memory.Memory(kept, remembered.host or computer.name(), tuple(dict.fromkeys([*remembered.groups, *groups]))).save()
     for group in groups:
         computer.as_root("usermod", "-aG", group, getpass.getuser())
     identities.write(identity)
-    computer.rename(host_of(robot))
+    computer.rename(host_of(robot), remembered.host)
     service.install(computer, service.files_of(identity, kept))
     return report(computer, identity, service.port_of(kept))
 
@@ -185,8 +186,9 @@ def off(computer: Computer, forget: bool) -> int:
         identity = None
     remembered = memory.load()
     service.uninstall(computer)
-    if remembered.host and (not identity or computer.name() == host_of(identity.robot)):
-        computer.rename(remembered.host)
+    named = host_of(identity.robot) if identity else computer.name()
+    if remembered.host and computer.name() in (named, remembered.host):
+        computer.rename(remembered.host, named)
     for group in remembered.groups:
         computer.as_root("gpasswd", "-d", getpass.getuser(), group, check=False)
     if forget and identity:
