@@ -55,8 +55,9 @@ def test_the_units_are_for_this_user_and_the_folder_that_current_leads_to(named)
 
 
 def test_at_the_end_it_says_what_to_test_on_a_box_and_what_the_doctor_found(computer):
-    code, printed = computer.robot(*NAMED, stdin=KEY)
+    code, printed = computer.robot(*NAMED, "i2c_bus:=7", "camera:=false", stdin=KEY)
     assert code == 0
+    assert computer.calls()[-1] == "morbot doctor i2c_bus:=7"
     assert "1. Open http://jetbot-07.local:8080 or http://192.168.1.17:8080" in printed
     assert printed.endswith("The doctor found a fault, see above: correct it first.\n")
 

@@ -7,7 +7,7 @@ import socket
 import subprocess
 import time
 from pathlib import Path
-from typing import List, Optional
+from typing import Dict, List, Optional
 
 from jetbot.text import printable
 from jetbot_cockpit.classroom import folder as classes
@@ -22,6 +22,7 @@ from .words import check_names, checked_key, known_arguments, read_arguments, ty
 MASTER_PORT = 11311
 READY_TIMEOUT = 90.0  # s until the page answers: a Raspberry Pi 3 needs 40
 POLL_INTERVAL = 0.2   # s
+DOCTORS = "board", "i2c_bus", "i2c_address", "port"  # the arguments that are the doctor's too
 TEST = """{robot} of the class {class_name} runs now, and starts with the computer.
 Test it on a box, wheels in the air:
 1. Open {address} on a phone in the same network; the code is in: sudo journalctl -u jetbot | grep code
@@ -81,7 +82,7 @@ def name(computer: Computer, given: argparse.Namespace) -> int:
     identities.write(identity)
     computer.rename(host_of(robot), remembered.host)
     service.install(computer, service.files_of(identity, kept))
-    return report(computer, identity, service.port_of(kept))
+    return report(computer, identity, kept)
 
 
 def host_of(robot: str) -> str:
@@ -125,16 +126,18 @@ def build() -> None:
         refuse(f"you may not write to {service.ROOT}", "Copy this folder into your home.")
 
 
-def report(computer: Computer, identity: Identity, port: int) -> int:
+def report(computer: Computer, identity: Identity, arguments: Dict[str, str]) -> int:
     """Wait until the page answers, run the doctor, and print what to test. Raise Refused."""
     print("morbot: starting", flush=True)
+    port = service.port_of(arguments)
     end = time.monotonic() + READY_TIMEOUT
     while not answers(port):
         if time.monotonic() > end:
             refuse(f"{identity.robot} is installed, but its page does not answer",
                    "This says why: sudo journalctl -u jetbot -n 20")
         time.sleep(POLL_INTERVAL)
-    doctor = subprocess.run([str(service.ROOT / "morbot"), "doctor"], check=False).returncode
+    options = [f"{key}:={value}" for key, value in arguments.items() if key in DOCTORS]
+    doctor = subprocess.run([str(service.ROOT / "morbot"), "doctor", *options], check=False).returncode
     addresses = [f"http://{host}:{port}" for host in (f"{computer.name()}.local", *ask("hostname", "-I").split())
                  if ":" not in host]
     print(TEST.format(robot=identity.robot, class_name=identity.class_name, address=" or ".join(addresses[:2])))
