@@ -102,6 +102,7 @@ TEXT_OR_SAID = Field("string | Said", lambda value: TEXT.accepts(value) or NOTIC
 SAID = {"code": TEXT, "arguments": by_name(TEXT_OR_SAID), "text": TEXT, "template": TEXT}  # a Notice
 NOTICE = part("Said", **SAID)
 SENTENCES = list_of(part("Sentence", code=TEXT, template=TEXT, arguments=ARGUMENTS))
+HEALTH = part("Health", code=TEXT, template=TEXT, arguments=ARGUMENTS, level=one_of("ok", "warning", "bad"))
 DRIVER = part("Driver", id=COUNT, name=TEXT, said=or_null(NOTICE))
 JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "driving", "done", "cancelled"), text=TEXT,
               seconds=or_null(NUMBER), score=or_null(NUMBER), driver=TEXT, request=TEXT, sentences=SENTENCES,
@@ -109,13 +110,13 @@ JUDGED = part("JudgedTask", name=TEXT, title=TEXT, state=one_of("ready", "drivin
 PICTURES = part("Pictures", **dict.fromkeys(LABELS, COUNT), problem=or_null(NOTICE))
 ROBOT_STATE = part(
     "RobotState", status=TEXT, state=one_of("", "driving", "stopped", "ended"), cause=TEXT, template=TEXT,
-    arguments=ARGUMENTS, remarks=or_null(SENTENCES), holds=list_of(TEXT), waiting=list_of(TEXT), fake=BOOLEAN,
-    warning=BOOLEAN, answers=BOOLEAN, stopped=BOOLEAN, pose=or_null(POSE), speed=or_null(numbers(2)),
-    command=or_null(numbers(2)), wheels=or_null(numbers(2)), program=TEXT, driver=or_null(DRIVER),
-    resumes=or_null(COUNT), held=or_null(one_of("robot", "programs")), stalls=COUNT, task=or_null(JUDGED),
-    pictures=or_null(PICTURES), programs=COUNT)
+    arguments=ARGUMENTS, remarks=or_null(SENTENCES), health=or_null(list_of(HEALTH)), holds=list_of(TEXT),
+    waiting=list_of(TEXT), fake=BOOLEAN, warning=BOOLEAN, answers=BOOLEAN, stopped=BOOLEAN, pose=or_null(POSE),
+    speed=or_null(numbers(2)), command=or_null(numbers(2)), wheels=or_null(numbers(2)), program=TEXT,
+    driver=or_null(DRIVER), resumes=or_null(COUNT), held=or_null(one_of("robot", "programs")), stalls=COUNT,
+    task=or_null(JUDGED), pictures=or_null(PICTURES), programs=COUNT, link=or_null(NUMBER))
 ROBOT_ROW = part("Robot", id=ROBOT, label=TEXT, color=TEXT, workshop=or_null(BOOLEAN), wheel_separation=NUMBER,
-                 max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT)
+                 max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT, version=TEXT, address=TEXT)
 SHAPE = part("Shape", kind=one_of("wall", "line", "course", "goal"), width=NUMBER, points=list_of(numbers(2)))
 SCORE = part("Score", task=TEXT, robot=TEXT, score=NUMBER, seconds=or_null(NUMBER), name=TEXT)
 OFFERED = part("Task", name=TEXT, title=TEXT, on=BOOLEAN)
@@ -149,6 +150,7 @@ FROM_PAGE = {
                   'puts a simulated robot at the start of a task, and judges its next drive; task `""`: ends that, '
                   "without a score"),
     "offer": Form({"task": TASK, "on": BOOLEAN}, "lets pupils choose a task, or not any more", teacher=True),
+    "cameras": Form({"on": BOOLEAN}, "lets pupils see what the cameras see, or not any more", teacher=True),
 }
 
 FROM_COCKPIT = {
@@ -157,7 +159,8 @@ FROM_COCKPIT = {
                   "who you are; `robot`: the only one that you may drive, or null; `codes`: whether you may see codes; "
                   "`limits`: what the cockpit and its pages agree about"),
     "robots": Form({"robots": list_of(ROBOT_ROW)}, "which robots there are: at first, and when that changes"),
-    "state": Form({"emergency": BOOLEAN, "pupils_release": BOOLEAN, "robots": by_name(ROBOT_STATE)},
+    "state": Form({"emergency": BOOLEAN, "pupils_release": BOOLEAN, "unconfirmed": list_of(ROBOT),
+                   "robots": by_name(ROBOT_STATE)},
                   "what each one does: at most 12.5 times a second, at least once"),
     "trail": Form({"robot": ROBOT, "start": or_null(POSE), "points": list_of(numbers(2))},
                   "where it started, and has been since: at first, and empty when it was put back"),
@@ -168,6 +171,7 @@ FROM_COCKPIT = {
                     "a picture of the robot that the page looks at; its parts follow"),
     "tasks": Form({"tasks": list_of(OFFERED)},
                   "which tasks a judge offers, and which of them are on: at first, and when that changes"),
+    "cameras": Form({"on": BOOLEAN}, "whether pupils see what the cameras see: at first, and when that changes"),
     "notice": Form(SAID, "one sentence for the person, and its code for programs"),
     "program": Form({"robot": ROBOT, "ready": BOOLEAN, "pose": or_null(POSE), "line": or_null(numbers(3)),
                      "wheels": or_null(numbers(2))},

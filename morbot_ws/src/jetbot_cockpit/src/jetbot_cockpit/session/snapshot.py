@@ -3,9 +3,10 @@
 from typing import Dict, FrozenSet, List, NamedTuple, Optional, Tuple
 
 from jetbot.fake import folder_of
+from jetbot.health import Health
 from jetbot.sentence import Sentence, as_data
 from jetbot.text import enumeration
-from jetbot_ros.state import UNKNOWN, RobotState
+from jetbot_ros.state import EMERGENCY_STOP, UNKNOWN, RobotState
 
 from ..notices import Notice, say
 
@@ -52,7 +53,8 @@ class RobotSnapshot(NamedTuple):
     be put back to its start; state: its controller's; stopped: by its own emergency stop;
     pose: (x, y in m, yaw in rad) on the map; speed: the measured one, and command: the driven one, each in m/s and
     rad/s; wheels: the duties (left, right) in [-1, 1]; program: whose command it drives, "" if that is the cockpit's;
-    shapes: what is drawn around it; task: which one it drives; judged_elsewhere: whether judge.py judges it.
+    shapes: what is drawn around it; task: which one it drives; judged_elsewhere: whether judge.py judges it;
+    health: how its battery and its computer are.
     """
 
     id: str
@@ -71,6 +73,7 @@ class RobotSnapshot(NamedTuple):
     shapes: Tuple[Shape, ...] = ()
     task: Optional[TaskSnapshot] = None
     judged_elsewhere: bool = False
+    health: Optional[Tuple[Health, ...]] = None
 
     @property
     def label(self) -> str:
@@ -99,7 +102,8 @@ class RobotSnapshot(NamedTuple):
         wheel_separation, max_speed = self.geometry or WORKSHOP
         return {"id": self.id, "label": self.label, "color": self.color,
                 "workshop": self.geometry and self.geometry == WORKSHOP,
-                "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated}
+                "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated,
+                "pupil": "", "version": "", "address": ""}
 
     def message(self, driver: Optional[dict], resumes: Optional[int], held: Optional[str], task: Optional[TaskSnapshot],
               stalls: int, pictures: Optional[dict], programs: int) -> dict:
@@ -108,10 +112,11 @@ class RobotSnapshot(NamedTuple):
         own = "warning", "answers", "stopped", "pose", "speed", "command", "wheels", "program"
         return {"status": state.sentence, "state": state.state, "cause": state.cause, "template": state.template,
                 "arguments": state.arguments, "remarks": None if state.remarks is None else as_data(state.remarks),
+                "health": None if self.health is None else [row._asdict() for row in self.health],
                 "holds": state.holds, "waiting": state.waiting, "fake": bool(folder_of(state.bus)),
                 **{name: getattr(self, name) for name in own},
                 "driver": driver, "resumes": resumes, "held": held, "stalls": stalls, "task": task and task.message(),
-                "pictures": pictures, "programs": programs}
+                "pictures": pictures, "programs": programs, "link": None}
 
 
 class Snapshot(NamedTuple):
@@ -134,6 +139,11 @@ class Snapshot(NamedTuple):
         if not self.master:
             return say("no_master")
         return self.ended(robot) or (say("all_stopped") if self.emergency else self.robots[robot].problem)
+
+    def unconfirmed(self) -> List[str]:
+        """Return which robots have not said that the emergency stop of all robots, which is engaged, holds them."""
+        stopped = {name for name, robot in self.robots.items() if EMERGENCY_STOP in robot.state.holds}
+        return [name for name in self.robots if self.emergency and name not in stopped]
 
     def is_stopped(self, robot: Optional[str]) -> bool:
         """Return whether the emergency stop of this robot, or of all (None), may be engaged."""
