@@ -140,6 +140,7 @@ class School:
     def list_robots(self) -> None:
         """Write the list of robots that a hub reads, by the addresses that they have now."""
         self.fleet.save([Entry(robot.name, robot.host.address) for robot in self.robots])
+        self.fleet.update()
 
     def tablet(self, robot: Robot) -> Page:
         """Return a new page of the robot's pupil, directly at the robot."""
