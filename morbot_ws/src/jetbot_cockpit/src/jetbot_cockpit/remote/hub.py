@@ -34,6 +34,7 @@ class HubPage(Viewer):
         self.changes: List[Union[str, bytes]] = []
         self.looks_at: Optional[str] = None
         self.codes: Dict[str, List[dict]] = {}  # by robot
+        self.cameras: Dict[str, bool] = {}      # whether its pupils see them
 
     def link(self, robot: Optional[str]) -> Optional[Link]:
         """Return the link to the robot, by its id, or None without a connection."""
@@ -212,11 +213,15 @@ class Hub:
             page.answer(message)
         elif kind in ("trail", "scene"):
             page.changes.append(json.dumps(message))
+        elif kind == "cameras":
+            page.cameras[link.robot] = message["on"]
+            page.answer({"type": "cameras", "on": any(page.cameras.values())})  # one that missed the switch is seen
         elif kind == "codes":
             page.codes[link.robot] = [each for each in message["codes"] if each["role"] != TEACHER]
             rows = [row for robot in sorted(page.codes) for row in page.codes[robot]]
             page.answer({"type": "codes", "codes": [*self._codes.rows, *rows]})
 
 
-ROUTES = {"ping": Hub._ping, "name": Hub._to_all, "offer": Hub._to_all, "codes": Hub._to_all, "look": Hub._look,
-          "seen": Hub._seen, "release": Hub._release, "go_on": Hub._to_one_or_all, "reset": Hub._to_one_or_all}
+ROUTES = {"ping": Hub._ping, "name": Hub._to_all, "offer": Hub._to_all, "cameras": Hub._to_all, "codes": Hub._to_all,
+          "look": Hub._look, "seen": Hub._seen, "release": Hub._release, "go_on": Hub._to_one_or_all,
+          "reset": Hub._to_one_or_all}
