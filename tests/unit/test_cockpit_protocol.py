@@ -84,7 +84,8 @@ def test_each_message_of_the_cockpit_has_an_example_that_is_of_its_form():
     ({"type": "pong", "sent": 1, "new": 2}, "pong has the fields sent, new"), ({"type": "new"}, "new has the fields "),
     ({"type": "trail", "robot": "/", "start": None, "points": [[0, 0], [1, float("nan")]]},
      "trail.points is not [number, number][]"),
-    ({"type": "state", "emergency": False, "pupils_release": False, "robots": {"/": {"status": ""}}},
+    ({"type": "state", "emergency": False, "pupils_release": False, "unconfirmed": [],
+      "robots": {"/": {"status": ""}}},
      "state.robots is not Record<string, RobotState>")])
 def test_what_the_cockpit_says_in_another_form_is_named(message, problem):
     assert messages.problem_of(message) == problem

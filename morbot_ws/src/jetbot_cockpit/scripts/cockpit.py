@@ -12,6 +12,7 @@ from typing import List, Optional
 import rospy
 
 from jetbot import JetbotError
+from jetbot_cockpit import version
 from jetbot_cockpit.classroom.classroom import Classroom, open_classroom
 from jetbot_cockpit.cockpit_parameters import PARAMETERS, resolve
 from jetbot_cockpit.remote import identity as identities
@@ -72,7 +73,8 @@ class Cockpit:
         # What clients ask for goes into the control, and what the robots report comes out
         self.drivers = Drivers()
         cameras = Cameras()
-        self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]), self.classroom)
+        self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]), self.classroom,
+                               version.installed())
         pages = Pages(self.control, self.codes, cameras)
         self.server = Server(sockets, self.access, pages, routes(self.access, pages, self.classroom, identity))
         self.logged, self.no_robot_at = Snapshot(), time.monotonic() + NO_ROBOT_AFTER

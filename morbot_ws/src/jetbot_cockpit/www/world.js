@@ -24,7 +24,7 @@ const ABSENT = {
 const UNKNOWN = {
   status: "", state: "", cause: "", template: "", arguments: {}, remarks: null, health: null,
   holds: [], waiting: [], fake: false, warning: false, answers: true, stopped: false, pose: null, speed: null, command: null, wheels: null,
-  program: "", driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null,
+  program: "", driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null, link: null,
 };
 
 export class World {

@@ -71,6 +71,7 @@ NOTICES = {
     "forged": "What answers at {address} pretends to be {robot}.",
     "other_fleet": "The robot at {address} is of another class.",
     "twice": "Two robots are called {robot}: {address} and {other}. Give one another name.",
+    "too_much": "{robot} sends too much: its connection was closed.",
 }
 
 Notice = Sentence  # of NOTICES

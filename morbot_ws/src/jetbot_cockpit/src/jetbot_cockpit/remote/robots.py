@@ -5,6 +5,7 @@ import itertools
 from typing import Any, Callable, Dict, List, Optional, Set
 
 from jetbot_ros.colors import color_of
+from jetbot_ros.state import EMERGENCY_STOP
 
 from ..notices import Notice, say
 from ..session.messages import FROM_COCKPIT, ROBOT_STATE
@@ -88,7 +89,13 @@ class RemoteRobots:
             states[robot] = with_driver(state, own, page.client.id) if state else absent_state(robot)
             if link and self._emergency.get(robot) and not self.engaged:
                 states[robot]["stopped"] = True
-        return {"type": "state", "emergency": self.engaged, "pupils_release": False, "robots": states}
+        return {"type": "state", "emergency": self.engaged, "pupils_release": False, "unconfirmed": self.unconfirmed(),
+                "robots": states}
+
+    def unconfirmed(self) -> List[str]:
+        """Return which robots have not said that the emergency stop of all robots, which is engaged, holds them."""
+        held = {robot for robot, state in self._states.items() if self.link(robot) and EMERGENCY_STOP in state["holds"]}
+        return [row["id"] for row in self.rows() if self.engaged and row["id"] not in held]
 
     async def work(self, fields: Dict[str, Any]) -> tuple:
         """Ask the cockpit of a robot for what it keeps; return an HTTP status and the answer."""
@@ -145,7 +152,7 @@ def with_driver(state: dict, own: Optional[Link], page: int) -> dict:
 def absent_row(name: str) -> dict:
     """Return the row of a robot that was not heard of yet."""
     color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name))
-    return {**RobotSnapshot(f"/{name}", color=color).description(), "pupil": ""}
+    return RobotSnapshot(f"/{name}", color=color).description()
 
 
 def absent_state(robot: str) -> dict:

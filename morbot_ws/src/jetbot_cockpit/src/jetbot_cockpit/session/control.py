@@ -27,10 +27,13 @@ class Control:
     """Does what the clients ask for, in one thread.
 
     robots: what they report (robots.discovery.Robots), which ``check`` reads once for all clients; drivers: what
-    commands them (robots.command_publishers.Drivers); cameras: what they see (robots.camera_topics.Cameras).
+    commands them (robots.command_publishers.Drivers); cameras: what they see (robots.camera_topics.Cameras);
+    version: what runs on this computer.
     """
 
-    def __init__(self, robots, drivers, cameras, collection: Collection, classroom: Classroom):
+    def __init__(self, robots, drivers, cameras, collection: Collection, classroom: Classroom,
+                 version: str = ""):
+        self._version = version
         self._robots, self._drivers, self._collection, self._classroom = robots, drivers, collection, classroom
         self.snapshot: Snapshot = robots.snapshot()  # as of the last check, or stop
         self._holds = Holds(drivers)
@@ -89,7 +92,8 @@ class Control:
 
     def robots(self) -> List[dict]:
         """Return the robots of the message "robots"."""
-        return [{**robot.description(), "pupil": self._pupils[robot.id]} for robot in self.snapshot.robots.values()]
+        return [{**robot.description(), "pupil": self._pupils[robot.id], "version": self._version}
+                for robot in self.snapshot.robots.values()]
 
     def state(self) -> dict:
         """Return the message "state"."""
@@ -98,7 +102,8 @@ class Control:
                                       self._collection.state(name), self._classroom.programs.changed(name))
                   for name, robot in self.snapshot.robots.items()}
         return {"type": "state", "emergency": self.snapshot.emergency,
-                "pupils_release": self._stops.pupils_release, "robots": states}
+                "pupils_release": self._stops.pupils_release,
+                "unconfirmed": self.snapshot.unconfirmed(), "robots": states}
 
     def history(self) -> List[dict]:
         """Return the messages that a new page needs besides "robots" and "state"."""
