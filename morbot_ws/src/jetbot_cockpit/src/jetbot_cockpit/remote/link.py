@@ -31,13 +31,13 @@ class Link:
     """address: HOST:PORT; receive: is called with the link and each message, a dict or bytes, once ``robot`` is proven.
 
     robot: the name that the cockpit has proven, "" without a connection; client: this link's id there;
-    instance: which start of the cockpit this is; problem: why there is no connection, or None; delay: s for a message
-    there and back, or None.
+    instance: which start of the cockpit this is; version: the commit that it runs, or ""; problem: why there is no
+    connection, or None; delay: s for a message there and back, or None.
     """
 
     def __init__(self, address: str, fleet: Fleet, receive: Callable[["Link", Union[dict, bytes]], None]):
         self.address, self._fleet, self._receive = address, fleet, receive
-        self.robot, self.instance, self.client = "", "", 0
+        self.robot, self.instance, self.version, self.client = "", "", "", 0
         self.problem: Optional[Notice] = None
         self.delay: Optional[float] = None
         self.heard_at = -math.inf
@@ -133,7 +133,7 @@ class Link:
             self._answer(message)
         elif kind == "proof" and self._claimed and proves(message.get("proof"), self._fleet.key_of(self._claimed),
                                                           ROBOT, self._fleet.name, self._claimed, self._nonces):
-            self.robot, self.problem = self._claimed, None
+            self.robot, self.problem, self.version = self._claimed, None, str(message.get("version", ""))[:40]
         else:
             self.problem = say("forged", address=self.address, robot=self._claimed)
             self._ended.set()

@@ -9,6 +9,7 @@ from tornado.web import HTTPError
 from ..remote.identity import Identity
 from ..remote.key import HUB, NONCE, ROBOT, Nonces, new_nonce, proof, proves
 from ..remote.link import as_object
+from ..remote.version import version_of
 from ..session.rights import TEACHER
 from ..session.viewers import PageOwner
 from .handlers import Socket
@@ -16,6 +17,7 @@ from .work import MAX_WORK, is_request
 
 WRONG_KEY = 4005  # why a socket is closed
 HANDSHAKE_TIMEOUT = 3.0  # s
+VERSION = version_of()  # as this process started
 
 
 class HubSocket(Socket):
@@ -56,7 +58,8 @@ class HubSocket(Socket):
         if not NONCE.fullmatch(nonces.hub) or not proves(fields.get("proof"), key, HUB, class_name, robot, nonces):
             self.close(WRONG_KEY, "wrong key")
             return
-        self.send(json.dumps({"type": "proof", "proof": proof(key, ROBOT, class_name, robot, nonces)}))
+        self.send(json.dumps({"type": "proof", "proof": proof(key, ROBOT, class_name, robot, nonces),
+                              "version": VERSION}))
         owner = PageOwner("hub", self.request.remote_ip)
         self.viewer = self.pages.join(self, TEACHER, None, owner, time.monotonic())
         if self.ws_connection:
