@@ -71,7 +71,7 @@ def check(page, states):
 
 
 def drives(page):
-    low = [remark("empty", voltage="9.0")._asdict()]
+    low = [remark("too_slow")._asdict()]
     page.receive_class(3, driver=BEN, stalls=3, remarks=low, pictures={"free": 1, "blocked": 2, "problem": None}, task={
         "name": "metre", "title": "One metre", "state": "done", "text": "", "sentences": [], "lost": None,
         "seconds": 3.9, "score": 87.3})
