@@ -51,7 +51,8 @@ def test_the_units_are_for_this_user_and_the_folder_that_current_leads_to(named)
         assert "/home/jetbot/" not in text
         assert "User=kim\n" in text or unit.endswith(".conf")
         assert f"{named.home}/.local/share/morbot/current/morbot_ws/devel/env.sh" in text
-    assert f"ReadWritePaths=-{named.home}/.ros" in named.read("etc/systemd/system/jetbot.service")
+    for unit in "jetbot", "jetbot-guard":  # the guard, too, writes to a fake bus
+        assert f"ReadWritePaths=-{named.home}/.ros\n" in named.read(f"etc/systemd/system/{unit}.service")
 
 
 def test_at_the_end_it_says_what_to_test_on_a_box_and_what_the_doctor_found(computer):
