@@ -1,4 +1,4 @@
-"""A computer on which ./morbot robot runs, with a root, a home and administrator's tools of its own, which note calls."""
+"""A computer on which ./morbot robot runs: with a root, a home and administrator's tools of its own."""
 
 import json
 import os
