@@ -168,6 +168,16 @@ def test_a_page_that_does_not_answer_is_named(computer):
                             "jetbot -n 20\n")
 
 
+def test_what_the_administrator_cannot_do_is_named_and_can_be_done_again(computer):
+    code, printed = computer.robot(*NAMED, stdin=KEY, FAILS="hostnamectl")
+    assert code == 1
+    advice = "When that is corrected, type the same again.\n"
+    assert printed == f"This did not succeed, see above: sudo hostnamectl set-hostname jetbot-07. {advice}"
+    code, printed = computer.robot(*NAMED, stdin=KEY, FAILS="sh")
+    assert printed == f"This did not succeed, see above: sudo sh -ec put {computer.root}/etc/hosts. {advice}"
+    assert computer.robot(*NAMED, stdin=KEY)[0] == 0 and computer.read("etc/hostname") == "jetbot-07\n"
+
+
 def test_without_words_it_says_what_this_robot_is(computer):
     assert computer.robot() == (1, "This computer is no robot of a class. To make it one: ./morbot robot jetbot_07 "
                                    "--class 7b\n")
