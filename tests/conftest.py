@@ -13,6 +13,7 @@ from processes import end_on_sigterm  # noqa: E402
 PAGES = "::test_pages["
 LONGEST = (PAGES, *(f"::test_rostest[{name}" for name in (
     "judge]", "class_judge]", "check_lesson]", "")))
+FLEET = "tests/fleet/"  # all of these share one school
 BROWSER = "tests/browser/"  # each part of these tests, and those in each engine, share a world and their browsers
 PARTS = {part: re.compile(f"{BROWSER}test_({names})") for part, names in {
     "programs": "program|tablet|tasks|work", "everybody": "accessibility|blocks|page",
@@ -40,6 +41,8 @@ def scope_of(nodeid):
         return BROWSER + nodeid.partition("[")[2].partition("-")[0].rstrip("]")
     if file.startswith(BROWSER):
         return BROWSER + next(part for part, files in PARTS.items() if files.match(file))
+    if file.startswith(FLEET):
+        return FLEET
     if PAGES in nodeid:
         return nodeid[:nodeid.index("-", nodeid.index(PAGES))]
     return nodeid if is_long(nodeid) else file

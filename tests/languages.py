@@ -8,6 +8,7 @@ from typing import Dict, Iterator, List, Set
 
 from driving_tasks.scoring.sentences import SENTENCES
 from driving_tasks.scoring.tasks import TASKS
+from jetbot.health import TEMPLATES
 from jetbot_cockpit.notices import NOTICES
 from jetbot_control_node.status.remarks import REMARKS
 from jetbot_ros.state import CAUSES
@@ -55,7 +56,7 @@ def in_pages() -> Set[str]:
 
 def templates() -> List[str]:
     """Return what Python says to a page, each template once."""
-    said = [*NOTICES.values(), *CAUSES.values(), *REMARKS.values(), *SENTENCES.values()]
+    said = [*NOTICES.values(), *CAUSES.values(), *REMARKS.values(), *SENTENCES.values(), *TEMPLATES]
     for task in TASKS.values():
         said += [task.title, task.invitation.template]
     return list(dict.fromkeys(said))

@@ -56,7 +56,7 @@ class Page(Chromium, CockpitPage):
                  "warning": False, "answers": True, "stopped": False, "speed": [-0.24, -0.68],
                  "command": [-0.4, -0.06], "wheels": [-0.46, 0.34], "program": "", "driver": None, "resumes": None,
                  "held": None, "stalls": 0, "task": None, **state}
-        self.receive({"type": "state", "emergency": False, "pupils_release": False, "robots": {
+        self.receive({"type": "state", "emergency": False, "pupils_release": False, "unconfirmed": [], "robots": {
             robot: {"pose": [-number % 3, -(number // 3), 0], **known} for number, robot in enumerate(ids)}})
 
     def gamepad(self, x: float, y: float) -> None:

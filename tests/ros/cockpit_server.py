@@ -51,7 +51,7 @@ class StandIn:
         return []
 
     def robots(self):
-        return [{**RobotSnapshot("/").description(), "pupil": ""}]
+        return [RobotSnapshot("/").description()]
 
     def watch(self, robots):
         pass
@@ -65,7 +65,8 @@ class StandIn:
     def state(self):
         driving = RobotState("driving", f"{time.monotonic()} {'x' * self.state_size}")
         robot = RobotSnapshot("/", state=driving).message(None, None, None, None, 0, None, 0)
-        return {"type": "state", "emergency": False, "pupils_release": False, "robots": {"/": robot}}
+        return {"type": "state", "emergency": False, "pupils_release": False, "unconfirmed": [],
+                "robots": {"/": robot}}
 
 
 class Cockpit:

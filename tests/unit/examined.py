@@ -1,6 +1,6 @@
 """What the tests of the doctor share: a bare computer, and its lines."""
 
-from jetbot import host, i2c, supply
+from jetbot import host, i2c
 from jetbot_tools.doctor import camera_check, checkup, computer, jetbot_module
 
 
@@ -19,7 +19,7 @@ def make_bare(monkeypatch, tmp_path):
     monkeypatch.setattr(computer, "is_free", lambda port: True)
     monkeypatch.setattr(host, "model", lambda: "")
     monkeypatch.setattr(i2c, "kernel_driver", lambda device: "")
-    monkeypatch.setattr(supply, "on_computer", lambda sysfs: [])
+    monkeypatch.setattr(checkup, "check_health", lambda: [])
     monkeypatch.setattr(camera_check, "DEV", tmp_path / "dev")
     monkeypatch.delenv("JETBOT_CAMERA", raising=False)
     monkeypatch.setenv("ROS_HOME", str(tmp_path))

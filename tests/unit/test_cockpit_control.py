@@ -438,3 +438,14 @@ def test_a_result_is_forgotten_when_the_robot_that_was_put_back_is_at_its_start(
     cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
     cockpit.wait(0.05)
     assert cockpit.control.state()["robots"]["/red"]["task"] is None
+
+
+def test_a_stop_of_all_names_the_robots_that_have_not_confirmed_it(cockpit):
+    assert cockpit.control.state()["unconfirmed"] == []
+    cockpit.do(TEACHER, Message("stop"))
+    assert cockpit.control.state()["unconfirmed"] == ["/red", "/blue"]
+    cockpit.robots.change("/red", state=STANDS._replace(holds=("emergency_stop",)))
+    cockpit.wait(0.1)
+    assert cockpit.control.state()["unconfirmed"] == ["/blue"]
+    cockpit.do(TEACHER, Message("release"))
+    assert cockpit.control.state()["unconfirmed"] == []

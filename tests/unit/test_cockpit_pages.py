@@ -73,6 +73,9 @@ class Control:
     def history(self):
         return [TRAIL]
 
+    def camera_refusal(self, client):
+        return None
+
     def state(self):
         return {"type": "state", "speed": self.speed}
 

@@ -24,7 +24,8 @@ def test_a_name_is_a_host(name):
     {"robots": -1}, {"robots": 100}, {"lan": "yes, please"}, {"lan": 1}, {"browser": True},
     *({"lan": True, "name": name} for name in ("a b", "http://a", "a/b", "robot.local:80", "a:80", 7, "ä", "a\n")),
     {"name": "class.test"}, {"prot": 8080}, {"pictures": "here"}, {"pictures": True},
-    {"class": "a b"}, {"class": "../x"}, {"class": 7}, {"classes": "here"}, {"classes": False}], ids=str)
+    {"class": "a b"}, {"class": "../x"}, {"class": 7}, {"classes": "here"}, {"classes": False},
+    {"identity": "here"}, {"identity": False}], ids=str)
 def test_what_cannot_be_used_is_refused(typed):
     with pytest.raises(InvalidValue):
         resolve(typed)

@@ -21,7 +21,7 @@ FROM_PAGE, FROM_COCKPIT = SOCKET.split("## The page sends")[1].split("## The coc
     {"type": "release", "robot": "/"}, {"type": "reset"}, {"type": "name", "name": "Ada Łovelace"},
     {"type": "name", "name": "<b>Eve</b> + 🙂"}, {"type": "name", "name": "\U0001fadf"},  # newer than Unicode 15
     {"type": "ping", "sent": 12.5}, {"type": "codes"},
-    {"type": "look", "robot": "/"}, {"type": "look"}, {"type": "seen", "number": 7},
+    {"type": "cameras", "on": False}, {"type": "look", "robot": "/"}, {"type": "look"}, {"type": "seen", "number": 7},
     {"type": "save", "robot": "/", "label": "free"}, {"type": "delete", "robot": "/"},
     {"type": "pupil", "robot": "/", "name": "<b>Eve</b>"}, {"type": "new_code"}, {"type": "new_code", "robot": "/"}],
     ids=str)
@@ -84,7 +84,8 @@ def test_each_message_of_the_cockpit_has_an_example_that_is_of_its_form():
     ({"type": "pong", "sent": 1, "new": 2}, "pong has the fields sent, new"), ({"type": "new"}, "new has the fields "),
     ({"type": "trail", "robot": "/", "start": None, "points": [[0, 0], [1, float("nan")]]},
      "trail.points is not [number, number][]"),
-    ({"type": "state", "emergency": False, "pupils_release": False, "robots": {"/": {"status": ""}}},
+    ({"type": "state", "emergency": False, "pupils_release": False, "unconfirmed": [],
+      "robots": {"/": {"status": ""}}},
      "state.robots is not Record<string, RobotState>")])
 def test_what_the_cockpit_says_in_another_form_is_named(message, problem):
     assert messages.problem_of(message) == problem

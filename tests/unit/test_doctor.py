@@ -5,13 +5,13 @@ import os
 import signal
 import subprocess
 import sys
-from functools import partial
+from types import SimpleNamespace
 
 import pytest
 from examined import lines, make_bare
 
 from conftest import PYTHONPATH, TOOLS
-from jetbot import host, supply
+from jetbot import host
 from jetbot.fake import chip_file
 from jetbot.fake.bus import power_on
 from jetbot.serial_link import SerialLink
@@ -130,25 +130,30 @@ def test_a_reader_that_ends_early_ends_it_without_a_traceback(folder):
 
 
 @pytest.mark.parametrize("word, line", [
-    ("5E88", "ok  supply: 12.10 V, 86 %, by the INA219 at 0x41 on BUS."),
-    ("4846", "NOT supply: 9.25 V, 7 %, by the INA219 at 0x41 on BUS. Charge the battery."),
-    ("0000", "ok  supply: 0.00 V, by the INA219 at 0x41 on BUS.")])
-def test_the_supply_that_a_chip_beside_the_board_measures(folder, word, line):
+    ("5E88", "ok  Battery: 12.1 V, about 86 %, by the INA219 at 0x41 on BUS."),
+    ("5000", "NOT Battery: 10.2 V, about 34 %, by the INA219 at 0x41 on BUS. Charge it before the lesson."),
+    ("4846", "NOT Battery: 9.2 V, about 7 %, by the INA219 at 0x41 on BUS. It is empty: charge it now."),
+    ("0000", "ok  Battery: 0.00 V, by the INA219 at 0x41 on BUS.")])
+def test_the_battery_that_a_chip_beside_the_board_measures(folder, word, line):
     power_on(folder)
     chip_file(folder, 0x41).write_bytes(bytes.fromhex(f"399F 0000 {word} 0000 0000 0000"))
     assert lines(f"fake:{folder}")[-2] == line.replace("BUS", f"fake:{folder}")
     assert lines(f"fake:{folder}")[-1].startswith("ok  robot: could drive.")
 
 
-@pytest.mark.parametrize("alarm, line", [
-    ("0", "ok  supply: no undervoltage, by the rpi_volt of this computer."),
-    ("1", "NOT supply: undervoltage, by the rpi_volt of this computer. "
-          "Use a supply of 5 V and 3 A, and a short cable.")])
-def test_the_supply_that_the_computer_measures(tmp_path, monkeypatch, alarm, line):
-    (tmp_path / "in0_lcrit_alarm").write_text(alarm)
-    read = partial(supply.read_alarm, tmp_path / "in0_lcrit_alarm")
-    monkeypatch.setattr(supply, "on_computer", lambda sysfs: [supply.Supply("rpi_volt of this computer", read)])
-    assert lines(port="/dev/nowhere")[-2] == line
+@pytest.mark.parametrize("readings, line", [
+    ({"celsius": 48.0}, "ok  Temperature: 48 °C."),
+    ({"celsius": 85.0}, "NOT Temperature: 85 °C. Let air reach the computer, and check its fan."),
+    ({"input_volts": 4.6}, "NOT Supply of the computer: 4.60 V, which is too low. Charge the battery, or use a supply "
+                           "of 5 V and 4 A with a short cable."),
+    ({"undervoltage": 1}, "NOT undervoltage: The supply of the computer is too weak. "
+                          "Charge the battery, or use a stronger supply with a short cable.")])
+def test_what_the_computer_measures_is_checked_but_not_for_a_fake_robot(folder, monkeypatch, readings, line):
+    computer_of_robot = SimpleNamespace(read=lambda: readings)
+    monkeypatch.setattr(checkup, "check_health", lambda: computer.check_health(computer_of_robot))
+    assert line in lines(port="/dev/nowhere")
+    power_on(folder)
+    assert line not in lines(f"fake:{folder}")
 
 
 @pytest.mark.parametrize("cgroup, cmdline, display", [

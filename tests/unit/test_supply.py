@@ -59,6 +59,15 @@ def test_an_ina219_reports_voltage_and_charge_of_three_cells(link, folder, word,
     assert reading.percentage == pytest.approx(percentage, abs=0.001)
 
 
+@pytest.mark.parametrize("word, percentage", [
+    ("41A0", 1.0), ("3840", 0.5), ("2EE0", 0.0), ("5E88", 0.861)])  # 8.4, 7.2, 6.0 and 12.1 V
+def test_an_ups_module_has_two_cells_unless_its_voltage_is_that_of_three(link, folder, word, percentage):
+    (folder / "0x41").rename(folder / "0x42")
+    chip = folder / "0x42"
+    chip.write_bytes(chip.read_bytes()[:4] + bytes.fromhex(word) + chip.read_bytes()[6:])
+    assert find_supply(link).read().percentage == pytest.approx(percentage, abs=0.001)
+
+
 @pytest.mark.parametrize("word, volts", [("0000", 0.0), ("2710", 5.0)])
 def test_a_pack_that_is_switched_off_has_no_charge_that_is_known(link, folder, word, volts):
     set_bus_voltage(folder, word)
@@ -130,6 +139,12 @@ def test_a_raspberry_pi_reports_an_undervoltage(sysfs, text, undervoltage):
     put(sysfs, name="rpi_volt\n", in0_lcrit_alarm=text)
     reading = on_computer(sysfs).read()
     assert reading.undervoltage is undervoltage and math.isnan(reading.voltage)
+
+
+@pytest.mark.parametrize("count, undervoltage", [("0\n", False), ("3\n", True)])
+def test_an_orin_reports_an_undervoltage_since_its_start(sysfs, count, undervoltage):
+    put(sysfs, name="soctherm_oc\n", oc1_event_cnt=count)
+    assert on_computer(sysfs).read().undervoltage is undervoltage
 
 
 def test_another_sensor_with_such_an_alarm_is_no_supply(sysfs):

@@ -1,6 +1,5 @@
 """The supply is read once a second, shortly after the motors start if they do; what is wrong is reported once."""
 
-import math
 import threading
 import time
 
@@ -8,10 +7,9 @@ import pytest
 
 from conftest import step_of
 from jetbot import JetbotError
-from jetbot.supply import EMPTY_BATTERY, Reading, Supply, percentage
+from jetbot.supply import Reading, Supply, percentage
 from jetbot.wait import wait_until
 from jetbot_control_node.status.notes import NOTE_FOR
-from jetbot_control_node.status.remarks import remark
 from jetbot_control_node.supply import supply_watch
 from jetbot_control_node.supply.supply_watch import ALARM_WITHIN, DIP_WITHIN, START_DELAY, SupplyWatch
 
@@ -79,28 +77,20 @@ def test_a_limit_that_is_too_high_for_the_supply_is_named(sensor):
     assert str(note).endswith("as the motors start: lower acceleration_limit (now 2.5)")
 
 
-def test_an_empty_battery_is_reported_once_and_diagnosed_until_it_is_charged(watch, sensor):
-    sentence = remark("empty", voltage="9.0")
-    assert str(sentence) == "its battery is empty (9.0 V): charge it"
-    for begin in (1.0, 10.0):
-        sensor.reading = volts(9.0)
-        watch.read(now=begin)
-        assert (watch.note(begin), watch.warning) == (sentence if begin == 1.0 else None, sentence)
-        watch.read(now=begin + NOTE_FOR)
-        assert (watch.note(begin + NOTE_FOR), watch.warning) == (None, sentence)
-        sensor.reading = volts(12.0)
-        watch.read(now=begin + 5.0)
-        assert watch.warning is None
-
-
-@pytest.mark.parametrize("charge, empty", [(EMPTY_BATTERY, True), (EMPTY_BATTERY + 0.01, False), (math.nan, False)])
-def test_a_battery_is_empty_up_to_this_charge(charge, empty):
-    assert Reading(9.3, charge).empty == empty
-
-
-def test_a_battery_whose_voltage_dips_as_the_motors_start_is_not_empty(watch, sensor):
+def test_what_the_battery_reads_as_the_motors_start_is_not_its_charge(watch, sensor):
+    watch.read(now=0.0)
     start(watch, sensor, volts(9.0), now=1.0)
-    assert (watch.dips, watch.warning) == (1, None)
+    assert (watch.dips, watch.settled) == (1, volts(12.0))
+    watch.read(now=1.0 + DIP_WITHIN)
+    assert watch.settled == volts(9.0)
+
+
+def test_a_battery_that_is_unplugged_has_no_charge_any_more(watch, sensor):
+    watch.read(now=0.0)
+    assert watch.settled.battery == {"volts": 12.0, "percent": pytest.approx(83.3, abs=0.1)}
+    sensor.reading = JetbotError("no answer from 0x41")
+    watch.read(now=1.0)
+    assert watch.settled.battery == {}
 
 
 @pytest.mark.parametrize("reading, after", [(volts(11.5), START_DELAY), (volts(11.1), DIP_WITHIN), (volts(0.0), 5.0)])

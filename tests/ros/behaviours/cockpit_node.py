@@ -100,6 +100,15 @@ class CockpitNode(RobotTest):
         state = page.receive_until(lambda message: message["type"] == "state" and message["robots"]["/"]["task"])
         self.assertEqual(state["robots"]["/"]["task"]["state"], "ready")
 
+    def test_a_page_gets_how_the_robot_is(self):
+        self.controller()
+        page = open_page(self.cockpit()[1])
+        state = page.receive_until(lambda message: message["type"] == "state"
+                                   and message["robots"].get("/", {}).get("health"))
+        self.assertEqual(state["robots"]["/"]["health"], [
+            {"code": "battery", "template": "Battery: {volts} V, about {percent} %.",
+             "arguments": {"volts": "12.1", "percent": "86"}, "level": "ok"}])
+
     def publish(self, topic, message):
         """Publish a message, latched, until the test ends."""
         publisher = rospy.Publisher(topic, type(message), queue_size=1, latch=True)

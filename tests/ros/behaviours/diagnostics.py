@@ -11,7 +11,6 @@ from std_msgs.msg import Float32MultiArray
 
 from harness import RobotTest, read
 from jetbot.fake.bus import power_on
-from jetbot_ros import state
 
 UNITS = "workshop units: left = x - z, right = x + z"
 
@@ -23,6 +22,9 @@ class Diagnostics(RobotTest):
 
     def latest(self):
         return self.arrays[-1].status[0]
+
+    def health(self):
+        return self.arrays[-1].status[1]
 
     def values(self):
         return {pair.key: pair.value for pair in self.latest().values}
@@ -67,9 +69,8 @@ class Diagnostics(RobotTest):
         self.assertLessEqual(len(messages), 10 * (time.monotonic() - start) + 1)
 
     def test_supply(self):
-        batteries, texts = self.record("/battery", BatteryState), self.status()
-        states = self.record("/jetbot_controller/state", DiagnosticStatus, state.read)
-        self.controller(cmd_vel_timeout=0)
+        batteries = self.record("/battery", BatteryState)
+        controller = self.controller(cmd_vel_timeout=0)
         self.wait_for(lambda: len(batteries) > 1, 5.0, "two messages of the battery")
         self.assertAlmostEqual(batteries[-1].voltage, 12.1, places=3)
         self.assertAlmostEqual(batteries[-1].percentage, (12.1 - 9.0) / 3.6, places=3)
@@ -77,12 +78,14 @@ class Diagnostics(RobotTest):
         with open(os.path.join(self.bus, "0x41"), "r+b") as chip:
             chip.seek(4)
             chip.write(b"\x46\x50")  # 9.0 V
-        self.wait_for_status(texts, "stopped: no command yet, its battery is empty (9.0 V): charge it")
-        self.wait_for(lambda: [(str(each), each.arguments) for each in states[-1].remarks] == [
-            ("its battery is empty (9.0 V): charge it", {"voltage": "9.0"})], 2.0, "the same as data")
-        self.wait_for_level(DiagnosticStatus.WARN, "stopped: no command yet, its battery is empty (9.0 V): charge it")
+        empty = "Battery: 9.0 V, about 0 %. It is empty: charge it now."
+        self.wait_for(lambda: (self.health().level, self.health().message) == (DiagnosticStatus.ERROR, empty), 5.0,
+                      "an empty battery in /diagnostics")
+        self.assertIn(empty, read(controller))
+        self.assertEqual({pair.key for pair in self.health().values}, {"volts", "percent"}, "and of no real computer")
         os.unlink(os.path.join(self.bus, "0x41"))
         self.wait_for(lambda: math.isnan(batteries[-1].voltage), 5.0, "a battery without a voltage")
+        self.wait_for(lambda: not self.health().values, 5.0, "no readings of it")
 
 
 def close(values, wanted):

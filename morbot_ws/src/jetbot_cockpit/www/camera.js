@@ -8,6 +8,7 @@ import { said, t } from "./language.js";
 
 const TIMEOUT = 2000; // ms without a picture
 const NO_PICTURE = t("No picture. Is the robot's camera on? (camera:=true) Pictures above 1 MB are not shown.");
+const OFF = t("Your teacher has switched the cameras off.");
 const LABELS = {
   free: (number) => t("Free {number}", { number }), blocked: (number) => t("Blocked {number}", { number }),
 };
@@ -16,6 +17,7 @@ export class Camera {
   /** @type {string | null} */
   robot = null; // whose pictures the cockpit was asked for
   parts = []; // of the picture that comes
+  off = false; // for this person
 
   /** @param {World} world @param {Send} send */
   constructor(world, send) {
@@ -40,7 +42,7 @@ export class Camera {
 
   show() {
     const { pictures } = this.world.state(this.world.chosen);
-    element("collect").hidden = !pictures;
+    element("collect").hidden = !pictures || this.off;
     for (const [label, words] of Object.entries(LABELS)) {
       setText(element(`save-${label}`), words(pictures?.[label]));
     }
@@ -52,12 +54,19 @@ export class Camera {
   look() {
     const { view = "drive" } = document.body.dataset;
     const covered = ["codes", "scores"].includes(view) || !element("sight").clientWidth;
-    const wanted = covered || document.hidden ? null : this.world.robot(this.world.chosen)?.id ?? null;
+    const wanted = covered || document.hidden || this.off ? null : this.world.robot(this.world.chosen)?.id ?? null;
     if (wanted === this.robot || !this.send({ type: "look", robot: wanted })) return;
     this.robot = wanted;
     this.askNoMore();
     this.clear("");
     element("camera").setAttribute("aria-label", t("What {robot} sees", { robot: this.world.robot(wanted)?.label }));
+  }
+
+  // A teacher has switched the cameras of pupils, and sees all.
+  allow(on) {
+    /** @type {HTMLInputElement} */ (element("cameras-switch")).checked = on;
+    this.off = !on && !this.world.teacher;
+    this.clear("");
   }
 
   // A connection begins: the cockpit does not know what was asked for.
@@ -83,7 +92,7 @@ export class Camera {
 
   async draw({ robot }, parts) {
     const picture = await createImageBitmap(new Blob(parts, { type: "image/jpeg" })).catch(() => null);
-    if (picture && robot === this.robot) {
+    if (picture && robot === this.robot && !this.off) {
       this.clear("", false);
       const { width, height } = picture;
       const canvas = element("camera");
@@ -95,7 +104,7 @@ export class Camera {
 
   // Says what is shown instead of a picture; an old one would look as if it were now.
   clear(text, hidden = true) {
-    setText(element("no-picture"), text);
+    setText(element("no-picture"), this.off ? OFF : text);
     element("camera").hidden = hidden;
     clearTimeout(this.timer);
     if (this.robot !== null && !text) this.timer = setTimeout(() => this.clear(NO_PICTURE), TIMEOUT);

@@ -32,6 +32,8 @@ export class Codes {
     element("show-teacher").addEventListener("click", () => this.showTeachers(element("teacher-codes").hidden));
     const renew = () => send({ type: "new_code", robot: this.codes.find(({ label }) => label === this.large)?.robot });
     this.askNoMore = onSurePress(element("new-code"), t("End the old code?"), renew);
+    const cameras = /** @type {HTMLInputElement} */ (element("cameras-switch"));
+    cameras.addEventListener("change", () => send({ type: "cameras", on: cameras.checked }));
     addEventListener("keydown", (event) => this.escape(event), true);
   }
 

@@ -5,6 +5,7 @@ import { Codes } from "./codes.js";
 import { calmly, element, setClass, setText } from "./dom.js";
 import { Driving } from "./driving.js";
 import { Fleet } from "./fleet.js";
+import { prepareHealth, showHealth } from "./health.js";
 import { Keys, Pad, watchGamepads } from "./inputs.js";
 import { t } from "./language.js";
 import { RobotMap } from "./map.js";
@@ -44,6 +45,7 @@ const shell = new Shell({
     },
     codes: (message) => codes.list(message.codes),
     tasks: ({ tasks }) => showTasks(tasks),
+    cameras: ({ on }) => camera.allow(on),
     picture: (message) => camera.begin(message),
     part: ({ bytes }) => camera.take(bytes),
   },
@@ -93,6 +95,7 @@ function taken(name, robot) {
 
 function draw() {
   showPanel(world, shell.problem);
+  showHealth(world);
   setClass(document.body, "driving", driving.active);
   pad.point(...driving.command);
   saySteering(describeSteering(driving.command));
@@ -122,6 +125,7 @@ function setSpeed() {
 watchGamepads(deflect("gamepad"), () => driving.pause("gamepad")
   && notice.show(t("Move the stick a little to go on"), () => !driving.active));
 prepareViews();
+prepareHealth(() => shell.show());
 element("speed").addEventListener("input", setSpeed);
 element("take").addEventListener("click", () => send({ type: "take", robot: world.chosen }));
 element("go-on").addEventListener("click", () => send({ type: "go_on", robot: world.chosen }));

@@ -6,8 +6,8 @@ export interface Health { code: string; template: string; arguments: Record<stri
 export interface Driver { id: number; name: string; said: Said | null; }
 export interface JudgedTask { name: string; title: string; state: "ready" | "driving" | "done" | "cancelled"; text: string; seconds: number | null; score: number | null; driver: string; request: string; sentences: Sentence[]; lost: number | null; }
 export interface Pictures { free: number; blocked: number; problem: Said | null; }
-export interface RobotState { status: string; state: "" | "driving" | "stopped" | "ended"; cause: string; template: string; arguments: Record<string, string>; remarks: Sentence[] | null; health: Health[] | null; holds: string[]; waiting: string[]; fake: boolean; warning: boolean; answers: boolean; stopped: boolean; pose: [number, number, number] | null; speed: [number, number] | null; command: [number, number] | null; wheels: [number, number] | null; program: string; driver: Driver | null; resumes: number | null; held: "robot" | "programs" | null; stalls: number; task: JudgedTask | null; pictures: Pictures | null; programs: number; }
-export interface Robot { id: string; label: string; color: string; workshop: boolean | null; wheel_separation: number; max_speed: number; simulated: boolean; pupil: string; }
+export interface RobotState { status: string; state: "" | "driving" | "stopped" | "ended"; cause: string; template: string; arguments: Record<string, string>; remarks: Sentence[] | null; health: Health[] | null; holds: string[]; waiting: string[]; fake: boolean; warning: boolean; answers: boolean; stopped: boolean; pose: [number, number, number] | null; speed: [number, number] | null; command: [number, number] | null; wheels: [number, number] | null; program: string; driver: Driver | null; resumes: number | null; held: "robot" | "programs" | null; stalls: number; task: JudgedTask | null; pictures: Pictures | null; programs: number; link: number | null; }
+export interface Robot { id: string; label: string; color: string; workshop: boolean | null; wheel_separation: number; max_speed: number; simulated: boolean; pupil: string; version: string; address: string; }
 export interface Shape { kind: "wall" | "line" | "course" | "goal"; width: number; points: [number, number][]; }
 export interface Score { task: string; robot: string; score: number; seconds: number | null; name: string; }
 export interface Task { name: string; title: string; on: boolean; }
@@ -32,17 +32,19 @@ export type Outgoing =
   | { type: "codes"; }
   | { type: "new_code"; robot?: string | null; }
   | { type: "judge"; robot: string; task: string; }
-  | { type: "offer"; task: string; on: boolean; };
+  | { type: "offer"; task: string; on: boolean; }
+  | { type: "cameras"; on: boolean; };
 
 export type Incoming =
   | { type: "hello"; id: number; name: string; role: "pupil" | "teacher"; robot: string | null; codes: boolean; limits: Limits; }
   | { type: "robots"; robots: Robot[]; }
-  | { type: "state"; emergency: boolean; pupils_release: boolean; robots: Record<string, RobotState>; }
+  | { type: "state"; emergency: boolean; pupils_release: boolean; unconfirmed: string[]; robots: Record<string, RobotState>; }
   | { type: "trail"; robot: string; start: [number, number, number] | null; points: [number, number][]; }
   | { type: "scene"; robot: string; shapes: Shape[]; }
   | { type: "scores"; scores: Score[]; }
   | { type: "picture"; robot: string; number: number; stamp: number; bytes: number; }
   | { type: "tasks"; tasks: Task[]; }
+  | { type: "cameras"; on: boolean; }
   | { type: "notice"; code: string; arguments: Record<string, string | Said>; text: string; template: string; }
   | { type: "program"; robot: string; ready: boolean; pose: [number, number, number] | null; line: [number, number, number] | null; wheels: [number, number] | null; }
   | { type: "lift"; robot: string; code: string; arguments: Record<string, string | Said>; text: string; template: string; }

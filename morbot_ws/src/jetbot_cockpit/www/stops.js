@@ -1,4 +1,4 @@
-// The emergency stop and its release.
+// The emergency stop and its release, and who has not confirmed it.
 
 /** @import { Send } from "./link.js" */
 /** @import { Notice } from "./notice.js" */
@@ -15,9 +15,12 @@ const NOT_CONNECTED = t("No connection: this stop reached no robot. Use the robo
 const NOT_RELEASED = t("No connection: nothing was released.");
 const NOT_CONFIRMED = t("The stop is not confirmed yet. Press again, or use the robot's own switch.");
 
-// A stop that the cockpit does not confirm is reported.
+// What does not confirm a stop soon is named for as long as it does not: the cockpit, or robots.
 export class Stops {
-  unconfirmed = 0; // the timer of a stop that is not confirmed yet
+  pressed = false; // here, and the cockpit has not confirmed it
+  engaged = false;
+  late = false; // there was time to confirm it
+  timer = 0;
   unsentAt = -Infinity;
 
   // send(message) returns whether it was sent; lost(): whether there is no connection; stopped(): a stop was sent
@@ -38,9 +41,18 @@ export class Stops {
     this.unsentAt = sent ? -Infinity : performance.now();
     if (!sent) return this.notice.show(NOT_CONNECTED, this.lost);
     this.stopped();
-    clearTimeout(this.unconfirmed);
-    const missing = () => !this.world.emergency;
-    this.unconfirmed = setTimeout(() => this.notice.show(NOT_CONFIRMED, missing), CONFIRM_TIMEOUT);
+    this.pressed = true;
+    this.#expect();
+  }
+
+  // Robots confirm a stop one after the other; who was named already stays named.
+  #expect() {
+    this.late = !element("unconfirmed").hidden;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.late = true;
+      this.show();
+    }, CONFIRM_TIMEOUT);
   }
 
   // The connection is back: a stop that was not sent is sent first.
@@ -50,11 +62,14 @@ export class Stops {
 
   // A state has arrived: it confirms the stop, even if somebody releases it at once.
   update() {
-    if (this.world.emergency) clearTimeout(this.unconfirmed);
+    const { emergency } = this.world;
+    if (emergency && !this.engaged && !this.pressed) this.#expect(); // somebody else's stop
+    if (emergency) this.pressed = false;
+    this.engaged = emergency;
   }
 
   release() {
-    clearTimeout(this.unconfirmed);
+    this.pressed = false;
     const sent = this.send({ type: "release", robot: this.stoppedAlone() });
     if (!sent) this.notice.show(NOT_RELEASED, this.lost);
   }
@@ -65,7 +80,21 @@ export class Stops {
     return !emergency && this.world.state(chosen).stopped ? chosen : null;
   }
 
+  // Returns who has not confirmed the stop: a sentence, or "".
+  get problem() {
+    const { emergency, unconfirmed } = this.world;
+    const missing = emergency ? unconfirmed.length : this.pressed;
+    return this.late && missing ? describeMissing(this.world) : "";
+  }
+
   show() {
+    const { problem } = this;
+    setText(element("unconfirmed"), problem);
+    element("unconfirmed").hidden = !problem;
+    this.showRelease();
+  }
+
+  showRelease() {
     const alone = this.stoppedAlone();
     const robot = this.world.robot(alone)?.label ?? "";
     const isShort = robot && robot.length <= MAX_NAME;
@@ -75,4 +104,14 @@ export class Stops {
     element("release").disabled = this.world.mustWait;
     setClass(document.body, "emergency", this.world.emergency);
   }
+}
+
+/** @param {World} world */
+function describeMissing({ robots, emergency, unconfirmed }) {
+  if (!emergency || robots.length < 2) return NOT_CONFIRMED;
+  const named = new Map(robots.map(({ id, label }) => [id, label]));
+  const missing = unconfirmed.map((id) => named.get(id) ?? id.slice(1));
+  const all = new Set([...named.keys(), ...unconfirmed]).size;
+  return t("Stopped: {stopped} of {all}. Not confirmed: {robots}. Use their own switches.",
+    { stopped: all - missing.length, all, robots: missing.join(", ") });
 }

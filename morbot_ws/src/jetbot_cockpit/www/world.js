@@ -3,13 +3,12 @@
 /** @import { Incoming, Robot, RobotState } from "./messages.js" */
 /** @typedef {Omit<RobotState, "programs"> & { programs?: number }} State without programs: nothing is known yet */
 
-import { forPupils, inWords } from "./causes.js";
+import { summarize } from "./causes.js";
 import { t } from "./language.js";
 import { limits } from "./limits.js";
 import { OBSTACLES } from "./refusals.js";
 
 const SHAPES = ["wall", "line", "course", "goal"]; // that the map draws
-const STOPS = ["emergency_stop", "own_emergency_stop", "board", "guard"]; // causes: it has heard of a stop, or cannot
 const TAKEN = "robot"; // what a teacher holds, not its programs alone
 const ALL_WAIT = {
   now: t("Pupils and programs wait"), until: t("Pupils and programs wait until a teacher presses Go on"),
@@ -22,9 +21,9 @@ const ABSENT = {
 
 /** @type {State} */
 const UNKNOWN = {
-  status: "", state: "", cause: "", template: "", arguments: {}, remarks: null, health: null,
-  holds: [], waiting: [], fake: false, warning: false, answers: true, stopped: false, pose: null, speed: null, command: null, wheels: null,
-  program: "", driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null,
+  status: "", state: "", cause: "", template: "", arguments: {}, remarks: null, health: null, holds: [], waiting: [],
+  fake: false, warning: false, answers: true, stopped: false, pose: null, speed: null, command: null, wheels: null,
+  program: "", driver: null, resumes: null, held: null, stalls: 0, task: null, pictures: null, link: null,
 };
 
 export class World {
@@ -43,6 +42,8 @@ export class World {
   starts = new Map(); // [x, y, yaw] of each trail's beginning
   scenes = new Map(); // shapes, by the robot around which they are
   emergency = false;
+  /** @type {string[]} */
+  unconfirmed = []; // ids of robots that have not confirmed that stop
   pupilsRelease = false; // whether a pupil may end that stop
 
   get teacher() {
@@ -88,8 +89,8 @@ export class World {
   }
 
   /** @param {Extract<Incoming, { type: "state" }>} message */
-  update({ emergency, pupils_release: pupilsRelease, robots }) {
-    Object.assign(this, { emergency, pupilsRelease });
+  update({ emergency, unconfirmed = [], pupils_release: pupilsRelease, robots }) {
+    Object.assign(this, { emergency, unconfirmed, pupilsRelease });
     this.states = robots;
     for (const [id, { pose }] of Object.entries(robots)) if (pose) this.append(id, pose);
   }
@@ -178,6 +179,11 @@ export class World {
     return Object.keys(OBSTACLES).find((code) => OBSTACLES[code](this, id, false)) ?? "";
   }
 
+  // Whether the robot has a computer and a page of its own, and is out of reach.
+  isAway(id) {
+    return Boolean(this.robot(id)?.address) && !this.state(id).answers;
+  }
+
   isBlocked(id) {
     return Boolean(this.obstacle(id));
   }
@@ -191,21 +197,7 @@ export class World {
 
   // Returns what a person needs to know about the robot now: a sentence, and how urgent it is.
   summarize(id) {
-    const { state, cause, warning, answers, stopped } = this.state(id);
-    const status = (this.teacher ? inWords : forPupils)(this.state(id));
-    const robot = this.robot(id)?.label ?? t("The robot");
-    const as = (level, text) => ({ text, level });
-    if (!answers) {
-      return as("warning", this.teacher ? t("{robot} does not answer. Restart it, or resume it with fg.", { robot })
-        : t("{robot} does not answer. Tell your teacher.", { robot }));
-    }
-    if (this.emergency && this.mustWait) return as("stopped", t("Your teacher stopped all robots."));
-    if (this.emergency || stopped) return as("stopped", STOPS.includes(cause) ? status : t("stopped: emergency stop"));
-    if (this.isTaken(id)) {
-      return as("stopped", t("Your teacher has taken {robot}. Wait until a teacher presses Go on.", { robot }));
-    }
-    const level = warning ? "warning" : state === "driving" ? "driving" : "waiting";
-    return as(level, status || t("waiting for its status"));
+    return summarize(this, id);
   }
 
   // Returns that there is no robot that this page's person may drive: a sentence.

@@ -17,16 +17,16 @@ class Health(NamedTuple):
         return self.template.format(**self.arguments)
 
 
-class Step(NamedTuple):
+class Limit(NamedTuple):
     """A level that begins at a value, this one included, and what to say from there on."""
 
     level: str
-    limit: float
+    value: float
     template: str
 
 
 class Fact(NamedTuple):
-    """value: which reading decides; low: whether low values are the bad ones; steps: the worst one first.
+    """value: which reading decides; low: whether low values are the bad ones; limits: the worst one first.
 
     template: what to say of a value beyond no limit, "" for nothing.
     """
@@ -34,10 +34,10 @@ class Fact(NamedTuple):
     value: str
     low: bool
     template: str
-    steps: Tuple[Step, ...]
+    limits: Tuple[Limit, ...]
 
 
-class Reading(NamedTuple):
+class Range(NamedTuple):
     """What a number may be: its range, and its decimals in a sentence. One outside is not believed."""
 
     minimum: float
@@ -46,15 +46,15 @@ class Reading(NamedTuple):
 
 
 READINGS = {
-    "volts": Reading(0, 26, 1),        # of the battery
-    "percent": Reading(0, 100),        # its charge, by a straight line between empty and full
-    "input_volts": Reading(0, 26, 2),  # of a computer that is made for 5 V
-    "undervoltage": Reading(0, 1),     # 1: the computer reports it
-    "celsius": Reading(1, 150),        # the hottest processor; Jetson Linux gives -256 for one that is off
-    "throttled": Reading(0, 1),        # 1: the computer runs slower than it could
-    "megabytes": Reading(0, 1e9),      # that this user may still write to the disk of his home
-    "dbm": Reading(-120, -1),          # the signal of the Wi-Fi; a driver that reports a percentage has it above 0
-    "power_save": Reading(0, 1),       # 1: the Wi-Fi sleeps between packets
+    "volts": Range(0, 26, 1),        # of the battery
+    "percent": Range(0, 100),        # its charge, by a straight line between empty and full
+    "input_volts": Range(0, 26, 2),  # of a computer that is made for 5 V
+    "undervoltage": Range(0, 1),     # 1: the computer reports it
+    "celsius": Range(1, 150),        # the hottest processor; Jetson Linux gives -256 for one that is off
+    "throttled": Range(0, 1),        # 1: the computer runs slower than it could
+    "megabytes": Range(0, 1e9),      # that this user may still write to the disk of his home
+    "dbm": Range(-120, -1),          # the signal of the Wi-Fi; a driver that reports a percentage has it above 0
+    "power_save": Range(0, 1),       # 1: the Wi-Fi sleeps between packets
 }
 
 # Battery: lithium-ion cells hold 3.5 V until a sixth of their charge is left, and then fall fast.
@@ -64,47 +64,52 @@ READINGS = {
 # Wi-Fi: below -70 dBm the rate falls, below -80 dBm packets are lost.
 FACTS = {
     "battery": Fact("percent", True, "Battery: {volts} V, about {percent} %.", (
-        Step(BAD, 10, "Battery: {volts} V, about {percent} %. It is empty: charge it now."),
-        Step(WARNING, 40, "Battery: {volts} V, about {percent} %. Charge it before the lesson."))),
+        Limit(BAD, 10, "Battery: {volts} V, about {percent} %. It is empty: charge it now."),
+        Limit(WARNING, 40, "Battery: {volts} V, about {percent} %. Charge it before the lesson."))),
     "input": Fact("input_volts", True, "Supply of the computer: {input_volts} V.", (
-        Step(WARNING, 4.75, "Supply of the computer: {input_volts} V, which is too low. "
+        Limit(WARNING, 4.75, "Supply of the computer: {input_volts} V, which is too low. "
                             "Charge the battery, or use a supply of 5 V and 4 A with a short cable."),)),
     "undervoltage": Fact("undervoltage", False, "", (
-        Step(WARNING, 1, "The supply of the computer is too weak. "
+        Limit(WARNING, 1, "The supply of the computer is too weak. "
                          "Charge the battery, or use a stronger supply with a short cable."),)),
     "temperature": Fact("celsius", False, "Temperature: {celsius} °C.", (
-        Step(BAD, 95, "Temperature: {celsius} °C. Switch the robot off, and let it cool down."),
-        Step(WARNING, 80, "Temperature: {celsius} °C. Let air reach the computer, and check its fan."))),
+        Limit(BAD, 95, "Temperature: {celsius} °C. Switch the robot off, and let it cool down."),
+        Limit(WARNING, 80, "Temperature: {celsius} °C. Let air reach the computer, and check its fan."))),
     "throttled": Fact("throttled", False, "", (
-        Step(WARNING, 1, "The computer slows itself down, because it is hot or its supply is weak. "
+        Limit(WARNING, 1, "The computer slows itself down, because it is hot or its supply is weak. "
                          "Let it cool down, and charge the battery."),)),
     "disk": Fact("megabytes", True, "Free disk space: {megabytes} MB.", (
-        Step(BAD, 100, "Free disk space: {megabytes} MB. Delete files now: soon nothing can be saved."),
-        Step(WARNING, 500, "Free disk space: {megabytes} MB. Delete files that nobody needs."))),
+        Limit(BAD, 100, "Free disk space: {megabytes} MB. Delete files now: soon nothing can be saved."),
+        Limit(WARNING, 500, "Free disk space: {megabytes} MB. Delete files that nobody needs."))),
     "wifi": Fact("dbm", True, "Wi-Fi signal: {dbm} dBm.", (
-        Step(BAD, -80, "Wi-Fi signal: {dbm} dBm, which is too weak to drive. Move the access point closer."),
-        Step(WARNING, -70, "Wi-Fi signal: {dbm} dBm, which is weak. Move the access point closer."))),
+        Limit(BAD, -80, "Wi-Fi signal: {dbm} dBm, which is too weak to drive. Move the access point closer."),
+        Limit(WARNING, -70, "Wi-Fi signal: {dbm} dBm, which is weak. Move the access point closer."))),
     "power_save": Fact("power_save", False, "", (
-        Step(WARNING, 1, "The Wi-Fi saves power, so commands arrive late. "
+        Limit(WARNING, 1, "The Wi-Fi saves power, so commands arrive late. "
                          "Switch that off on the robot: sudo iw dev wlan0 set power_save off"),)),
 }
 TEMPLATES = [template for fact in FACTS.values()
-             for template in (fact.template, *(step.template for step in fact.steps)) if template]
+             for template in (fact.template, *(limit.template for limit in fact.limits)) if template]
 
 
 def judge(readings: Mapping[str, float]) -> List[Health]:
     """Return what there is to say of these readings, which have names of READINGS. One that cannot be is left out."""
-    known = {name: value for name, value in readings.items()
-             if name in READINGS and READINGS[name].minimum <= value <= READINGS[name].maximum}
+    known = {name: value for name, value in readings.items() if believable(name, value)}
     rows = [_judge(code, fact, known) for code, fact in FACTS.items() if fact.value in known]
     return [row for row in rows if row.template]
 
 
+def believable(name: str, value: float) -> bool:
+    """Return whether there is such a reading, and it may have this value."""
+    return name in READINGS and READINGS[name].minimum <= value <= READINGS[name].maximum
+
+
 def _judge(code: str, fact: Fact, readings: Mapping[str, float]) -> Health:
     value = readings[fact.value]
-    step = next((step for step in fact.steps if (value <= step.limit if fact.low else value >= step.limit)),
-                Step(OK, value, fact.template))
-    return Health(code, step.template, _texts(readings, step.template), step.level)
+    level, _, template = next(
+        (limit for limit in fact.limits if (value <= limit.value if fact.low else value >= limit.value)),
+        Limit(OK, value, fact.template))
+    return Health(code, template, _texts(readings, template), level)
 
 
 def _texts(readings: Mapping[str, float], template: str) -> Dict[str, str]:

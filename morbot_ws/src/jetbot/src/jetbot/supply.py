@@ -4,7 +4,7 @@ import itertools
 import math
 from functools import partial
 from pathlib import Path
-from typing import Callable, Iterator, NamedTuple, Optional, Union
+from typing import Callable, Dict, Iterator, NamedTuple, Optional, Union
 
 from . import fake
 from .errors import JetbotError
@@ -19,17 +19,23 @@ CONFIGURATION_MAX = 0x3FFF  # its two highest bits are 0 in an INA219; in an INA
 BUS_VOLTAGE_LSB = 0.004     # V, from bit 3 on
 VOLTAGE_MAX = 26.0          # V that these chips measure; a PCA9685 read as if it were one gives 29 V
 
+# Files of hwmon that are not 0 after an undervoltage. A Raspberry Pi's: less than 4.63 V within the last 2 s. An
+# Orin's: how often since its start ("Jetson Orin Nano Series" in NVIDIA's Jetson Linux Developer Guide, event OC1).
+ALARMS = {"rpi_volt": "in0_lcrit_alarm", "soctherm_oc": "oc1_event_cnt"}
+
 TRANSFER_TIME_LIMIT = 0.15  # s; a transfer takes less than a millisecond, and holds up the motors' for as long
 
-EMPTY, FULL = 9.0, 12.6  # V, of the pack in Waveshare's JetBot: three lithium-ion cells of 3.0 to 4.2 V
-EMPTY_BATTERY = 0.1      # charge, up to which a battery counts as empty: 9.36 V
-DISCONNECTED = 7.5       # V, below which the protection circuit of such a pack has switched it off
+EMPTY, FULL = 3.0, 4.2  # V, of a lithium-ion cell
+DISCONNECTED = 2.5      # V, below which the protection circuit of a pack has switched it off
+CELLS = 3               # of the pack in Waveshare's JetBot, in series
+UPS_ADDRESS = 0x42      # Waveshare's UPS module has two cells; its demo takes 6.0 V for 0 % and 8.4 V for 100 %
+UPS_MAX = 8.6           # V; another pack there has more
 
 
 class Reading(NamedTuple):
     """What is known of the supply; NaN and None where it is not measured.
 
-    voltage: V; percentage: charge of the battery in [0, 1], by a straight line from 9.0 to 12.6 V: an estimate;
+    voltage: V; percentage: charge of the battery in [0, 1], by a straight line from 3.0 to 4.2 V a cell: an estimate;
     undervoltage: whether the computer reports that its supply is too low.
     """
 
@@ -38,9 +44,9 @@ class Reading(NamedTuple):
     undervoltage: Optional[bool] = None
 
     @property
-    def empty(self) -> bool:
-        """Whether the battery must be charged now."""
-        return self.percentage <= EMPTY_BATTERY
+    def battery(self) -> Dict[str, float]:
+        """The readings of a robot's health that this gives: none without a battery."""
+        return {} if math.isnan(self.percentage) else {"volts": self.voltage, "percent": 100 * self.percentage}
 
     def __str__(self) -> str:
         if self.undervoltage is not None:
@@ -93,7 +99,7 @@ def is_ina219(chip: I2CDevice) -> bool:
 def read_ina219(chip: I2CDevice) -> Reading:
     """Return the voltage and the charge of the pack, by one transfer."""
     volts = voltage((read_word(chip, BUS_VOLTAGE) >> 3) * BUS_VOLTAGE_LSB, chip.name)
-    return Reading(volts, percentage(volts))
+    return Reading(volts, percentage(volts, 2 if chip.address == UPS_ADDRESS and volts < UPS_MAX else CELLS))
 
 
 def read_word(chip: I2CDevice, register: int) -> int:
@@ -101,19 +107,21 @@ def read_word(chip: I2CDevice, register: int) -> int:
     return int.from_bytes(bytes(chip.read_block(register, 2)), "big")
 
 
-def percentage(volts: float) -> float:
-    """Return the charge of a pack of three cells in [0, 1]; NaN if there is no such pack."""
-    return min(max((volts - EMPTY) / (FULL - EMPTY), 0.0), 1.0) if volts >= DISCONNECTED else math.nan
+def percentage(volts: float, cells: int = CELLS) -> float:
+    """Return the charge of a pack of so many cells in [0, 1]; NaN if there is no such pack."""
+    cell = volts / cells
+    return min(max((cell - EMPTY) / (FULL - EMPTY), 0.0), 1.0) if cell >= DISCONNECTED else math.nan
 
 
 def on_computer(sysfs: Path) -> Iterator[Supply]:
-    """Yield what Linux reports of the computer's own supply: a Jetson Nano's input of 5 V, a Raspberry Pi's alarm."""
+    """Yield what Linux reports of the computer's own supply: a Jetson Nano's input of 5 V, other computers' alarm."""
     # NVIDIA's driver numbers the Nano's bus to its INA3221, and the channel of the input, POM_5V_IN, so.
     for file in sysfs.glob("bus/i2c/drivers/ina3221x/6-0040/iio*device*/in_voltage0_input"):
         yield Supply("ina3221x of this computer", partial(read_millivolts, file))
-    for file in sysfs.glob("class/hwmon/hwmon*/in0_lcrit_alarm"):
-        if (file.parent / "name").read_text().strip() == "rpi_volt":
-            yield Supply("rpi_volt of this computer", partial(read_alarm, file))
+    for driver, name in ALARMS.items():
+        for file in sysfs.glob(f"class/hwmon/hwmon*/{name}"):
+            if (file.parent / "name").read_text().strip() == driver:
+                yield Supply(f"{driver} of this computer", partial(read_alarm, file))
 
 
 def read_millivolts(file: Path) -> Reading:
@@ -122,7 +130,7 @@ def read_millivolts(file: Path) -> Reading:
 
 
 def read_alarm(file: Path) -> Reading:
-    """Return whether a Raspberry Pi has had less than 4.63 V within the last 2 s."""
+    """Return whether there was an undervoltage, for as long as the driver of ALARMS says so."""
     return Reading(undervoltage=bool(read_integer(file)))
 
 

@@ -31,6 +31,7 @@ NOTICES = {
     "teacher_codes": "Only a teacher can see the codes.",
     "teacher_new_code": "Only a teacher can replace a code.",
     "teacher_offer": "Only a teacher chooses the tasks.",
+    "teacher_cameras": "Only a teacher switches the cameras.",
     "teacher_pupil": "Only a teacher names the pupils.",
     # Simulated robots and their tasks
     "not_reset": "The simulator does not answer: {robots}.",
@@ -42,6 +43,7 @@ NOTICES = {
     "no_judge": "No judge has this task now. Choose another one.",
     "task_off": "Your teacher has not switched this task on.",
     # Pictures
+    "cameras_off": "Your teacher has switched the cameras off.",
     "own_camera_only": "With your code, you see only through {robot}'s camera.",
     "driver_collects": "Only who drives {robot} collects its pictures. Drive it first.",
     "no_picture": "There is no picture.",
@@ -69,6 +71,7 @@ NOTICES = {
     "forged": "What answers at {address} pretends to be {robot}.",
     "other_fleet": "The robot at {address} is of another class.",
     "twice": "Two robots are called {robot}: {address} and {other}. Give one another name.",
+    "too_much": "{robot} sends too much: its connection was closed.",
 }
 
 Notice = Sentence  # of NOTICES

@@ -11,6 +11,7 @@ import rospy
 from jetbot import JetbotError, fake
 from jetbot.boards import find_board
 from jetbot.connection import locate, lock_board
+from jetbot.health_sensors import Computer
 from jetbot.robot import Robot
 from jetbot.supply import find_supply
 from jetbot.wait import wait_until
@@ -22,6 +23,7 @@ from .control import watch
 from .control.supervisor import Supervisor
 from .odometry.wheels import WheelsPublisher
 from .parameters import PARAMETERS, resolve
+from .status.health_watch import HealthWatch
 from .status.report import Report
 from .supply.supply_watch import SupplyWatch
 
@@ -64,7 +66,17 @@ def start_reporting(supervisor: Supervisor, parameters: Dict[str, object], geome
         from .supply.battery import publish_supply  # here: on many robots nothing measures it
         publish_supply(supply, supply_watch)
     publish_odometry(supervisor, parameters)
-    return Report(parameters, supervisor, supply_watch)
+    return Report(parameters, supervisor, supply_watch, watch_health(supervisor.robot, supply_watch))
+
+
+def watch_health(robot: Robot, supply_watch: SupplyWatch) -> HealthWatch:
+    """Return how the robot is. Its computer is read from now on; a robot on fake hardware has none."""
+    health = HealthWatch(supply_watch)
+    if not fake.folder_of(robot.driver.link.name):
+        ended = threading.Event()
+        rospy.on_shutdown(ended.set)
+        threading.Thread(target=health.run, args=[Computer().read, ended.wait], daemon=True).start()
+    return health
 
 
 def publish_odometry(supervisor: Supervisor, parameters: Dict[str, object]) -> None:

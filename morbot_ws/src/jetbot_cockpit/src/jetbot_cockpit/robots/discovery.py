@@ -114,6 +114,8 @@ class Robots:
         for status in message.status:
             if robot and status.name == f"{name[1:]}: motors":
                 robot.diagnose(status)
+            if robot and status.name == f"{name[1:]}: health":
+                robot.diagnose_health(status)
 
 
 def names_of(topics: Iterable[str]) -> Set[str]:

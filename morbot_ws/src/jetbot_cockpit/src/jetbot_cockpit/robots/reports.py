@@ -1,8 +1,10 @@
 """What other programs report about a robot, made fit for a page: numbers, tasks and drawings. No ROS here."""
 
 import math
+from contextlib import suppress
 from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Tuple
 
+from jetbot.health import READINGS, Health, judge
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, Pose, from_frame
 from jetbot.sentence import load
 from jetbot.text import printable
@@ -53,6 +55,15 @@ def geometry(wheel_separation: Optional[str], max_speed: Optional[str]) -> Optio
     except (TypeError, ValueError):
         return None
     return values if all(math.isfinite(value) and value > 0 for value in values) else None
+
+
+def health(values: Mapping[str, str]) -> Tuple[Health, ...]:
+    """Return what there is to say of a robot's readings, as its controller's diagnostics have them."""
+    readings = {}
+    for name in READINGS.keys() & values.keys():
+        with suppress(ValueError):
+            readings[name] = float(values[name])
+    return tuple(judge(readings))
 
 
 def decode_task(name: str, text: str, values: Mapping[str, str]) -> Optional[TaskSnapshot]:

@@ -23,7 +23,7 @@ from jetbot_ros.state import OWN_EMERGENCY_STOP, UNKNOWN, read
 
 from ..session.snapshot import RobotSnapshot, label
 from .map_topics import Drawing, Frames
-from .reports import TaskTracker, decode_task, geometry, program, rounded, yaw_of
+from .reports import TaskTracker, decode_task, geometry, health, program, rounded, yaw_of
 
 ANSWER_TIMEOUT = 3.0  # s; a controller publishes diagnostics every second
 MOTION_TIMEOUT = 2.0  # s after which a speed that nobody repeats is not shown
@@ -94,7 +94,7 @@ class RobotTopics:
         self._color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name.rpartition("/")[2]))
         self._active_at, self._state, self._level, self._geometry = time.monotonic(), UNKNOWN, 0, None
         self._repeats = False  # whether it publishes something every second; an unknown controller may not
-        self._program = ""
+        self._program, self._health = "", None
         self._wheels = None, None  # command, duties
         self._odom, self._moved_at = None, 0.0
         self._asked_at, self._line, self._line_subscriber = -math.inf, None, None
@@ -135,6 +135,10 @@ class RobotTopics:
         self._geometry = geometry(values.get("wheel_separation"), values.get("max_speed"))
         self._program = program(values.get("commanded by"), rospy.get_name())
 
+    def diagnose_health(self, status: DiagnosticStatus) -> None:
+        """Take the readings that the controller publishes on /diagnostics."""
+        self._health = health({item.key: item.value for item in status.values})
+
     def snapshot(self, now: float, master: bool) -> RobotSnapshot:
         """Return what is known of the robot now. master: whether the ROS master answers; else diagnostics are late."""
         ended = self._state is not UNKNOWN and not self.connected
@@ -151,6 +155,7 @@ class RobotTopics:
             self.name, color=self._color, geometry=self._geometry, simulated=self.simulated, state=state,
             warning=self._level > 0, answers=answers, stopped=stopped, pose=pose, speed=speed, command=command,
             wheels=wheels, program=self._program, shapes=shapes, task=task,
+            health=self._health if answers else None,
             judged_elsewhere=any(name.rpartition("/")[2] != contract.CLASS_JUDGE for name in self._judges()))
 
     def senses(self, now: float) -> dict:

@@ -8,6 +8,7 @@ from jetbot_ros.state import MANUAL_PRIORITY
 
 from ..classroom.classroom import Classroom
 from ..notices import Notice
+from .camera_switch import CameraSwitch
 from .collecting import Collecting
 from .collection import Collection
 from .holds import Holds
@@ -26,21 +27,27 @@ class Control:
     """Does what the clients ask for, in one thread.
 
     robots: what they report (robots.discovery.Robots), which ``check`` reads once for all clients; drivers: what
-    commands them (robots.command_publishers.Drivers); cameras: what they see (robots.camera_topics.Cameras).
+    commands them (robots.command_publishers.Drivers); cameras: what they see (robots.camera_topics.Cameras);
+    version: what runs on this computer.
     """
 
-    def __init__(self, robots, drivers, cameras, collection: Collection, classroom: Classroom):
+    def __init__(self, robots, drivers, cameras, collection: Collection, classroom: Classroom,
+                 version: str = ""):
+        self._version = version
         self._robots, self._drivers, self._collection, self._classroom = robots, drivers, collection, classroom
         self.snapshot: Snapshot = robots.snapshot()  # as of the last check, or stop
         self._holds = Holds(drivers)
         self._pupils = pupils = Pupils(classroom.read("names", dict), partial(classroom.keep, "names"))
         self._stops, self._leases = Stops(robots, self._holds), Leases(robots, drivers, self._holds, pupils)
         self._judging = Judging(robots, self._leases, classroom)
-        leases, judging, collecting = self._leases, self._judging, Collecting(cameras, collection, self._leases)
+        self._camera_switch = switch = CameraSwitch(classroom.read("cameras", dict), partial(classroom.keep, "cameras"))
+        leases, judging = self._leases, self._judging
+        collecting = Collecting(cameras, collection, leases, switch.refusal)
         self._actions: Dict[str, Callable[[Request], Optional[Notice]]] = {
             "drive": leases.drive, "program": leases.program, "take": leases.take, "go_on": leases.go_on,
             "name": pupils.rename, "pupil": pupils.name, "release": self._stops.release, "judge": judging.judge,
-            "offer": judging.offer, "reset": judging.reset, "save": collecting.save, "delete": collecting.delete}
+            "offer": judging.offer, "cameras": switch.switch, "reset": judging.reset, "save": collecting.save,
+            "delete": collecting.delete}
 
     def stop(self, client: Client, robot: Optional[str]) -> Optional[dict]:
         """Engage the emergency stop of a robot, or of all; return None, or a message that says why not."""
@@ -76,7 +83,7 @@ class Control:
         before, self.snapshot = self.snapshot, self._robots.snapshot()
         lifts = self._leases.check(self.snapshot, now)
         self._stops.check(self.snapshot, before)
-        return lifts + self._judging.check(self.snapshot, now)
+        return lifts + self._judging.check(self.snapshot, now) + self._camera_switch.update()
 
     @property
     def problem(self) -> Optional[Notice]:
@@ -85,7 +92,8 @@ class Control:
 
     def robots(self) -> List[dict]:
         """Return the robots of the message "robots"."""
-        return [{**robot.description(), "pupil": self._pupils[robot.id]} for robot in self.snapshot.robots.values()]
+        return [{**robot.description(), "pupil": self._pupils[robot.id], "version": self._version}
+                for robot in self.snapshot.robots.values()]
 
     def state(self) -> dict:
         """Return the message "state"."""
@@ -94,11 +102,16 @@ class Control:
                                       self._collection.state(name), self._classroom.programs.changed(name))
                   for name, robot in self.snapshot.robots.items()}
         return {"type": "state", "emergency": self.snapshot.emergency,
-                "pupils_release": self._stops.pupils_release, "robots": states}
+                "pupils_release": self._stops.pupils_release,
+                "unconfirmed": self.snapshot.unconfirmed(), "robots": states}
 
     def history(self) -> List[dict]:
         """Return the messages that a new page needs besides "robots" and "state"."""
-        return self._judging.messages()
+        return [*self._judging.messages(), self._camera_switch.message()]
+
+    def camera_refusal(self, client: Client) -> Optional[Notice]:
+        """Return why this person does not see what a camera sees, or None."""
+        return self._camera_switch.refusal(client)
 
     def _seconds_until_programs(self, robot: RobotSnapshot) -> Optional[int]:
         """Return when programs that wait drive on, or None if none do, or not by themselves."""

@@ -114,9 +114,9 @@ ROBOT_STATE = part(
     waiting=list_of(TEXT), fake=BOOLEAN, warning=BOOLEAN, answers=BOOLEAN, stopped=BOOLEAN, pose=or_null(POSE),
     speed=or_null(numbers(2)), command=or_null(numbers(2)), wheels=or_null(numbers(2)), program=TEXT,
     driver=or_null(DRIVER), resumes=or_null(COUNT), held=or_null(one_of("robot", "programs")), stalls=COUNT,
-    task=or_null(JUDGED), pictures=or_null(PICTURES), programs=COUNT)
+    task=or_null(JUDGED), pictures=or_null(PICTURES), programs=COUNT, link=or_null(NUMBER))
 ROBOT_ROW = part("Robot", id=ROBOT, label=TEXT, color=TEXT, workshop=or_null(BOOLEAN), wheel_separation=NUMBER,
-                 max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT)
+                 max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT, version=TEXT, address=TEXT)
 SHAPE = part("Shape", kind=one_of("wall", "line", "course", "goal"), width=NUMBER, points=list_of(numbers(2)))
 SCORE = part("Score", task=TEXT, robot=TEXT, score=NUMBER, seconds=or_null(NUMBER), name=TEXT)
 OFFERED = part("Task", name=TEXT, title=TEXT, on=BOOLEAN)
@@ -150,6 +150,7 @@ FROM_PAGE = {
                   'puts a simulated robot at the start of a task, and judges its next drive; task `""`: ends that, '
                   "without a score"),
     "offer": Form({"task": TASK, "on": BOOLEAN}, "lets pupils choose a task, or not any more", teacher=True),
+    "cameras": Form({"on": BOOLEAN}, "lets pupils see what the cameras see, or not any more", teacher=True),
 }
 
 FROM_COCKPIT = {
@@ -158,7 +159,8 @@ FROM_COCKPIT = {
                   "who you are; `robot`: the only one that you may drive, or null; `codes`: whether you may see codes; "
                   "`limits`: what the cockpit and its pages agree about"),
     "robots": Form({"robots": list_of(ROBOT_ROW)}, "which robots there are: at first, and when that changes"),
-    "state": Form({"emergency": BOOLEAN, "pupils_release": BOOLEAN, "robots": by_name(ROBOT_STATE)},
+    "state": Form({"emergency": BOOLEAN, "pupils_release": BOOLEAN, "unconfirmed": list_of(ROBOT),
+                   "robots": by_name(ROBOT_STATE)},
                   "what each one does: at most 12.5 times a second, at least once"),
     "trail": Form({"robot": ROBOT, "start": or_null(POSE), "points": list_of(numbers(2))},
                   "where it started, and has been since: at first, and empty when it was put back"),
@@ -169,6 +171,7 @@ FROM_COCKPIT = {
                     "a picture of the robot that the page looks at; its parts follow"),
     "tasks": Form({"tasks": list_of(OFFERED)},
                   "which tasks a judge offers, and which of them are on: at first, and when that changes"),
+    "cameras": Form({"on": BOOLEAN}, "whether pupils see what the cameras see: at first, and when that changes"),
     "notice": Form(SAID, "one sentence for the person, and its code for programs"),
     "program": Form({"robot": ROBOT, "ready": BOOLEAN, "pose": or_null(POSE), "line": or_null(numbers(3)),
                      "wheels": or_null(numbers(2))},

@@ -114,7 +114,8 @@ class Pages:
 
     def send_pictures(self, now: float) -> bool:
         """Send what is due of the robots' pictures; return whether somebody looks. Call it every PICTURE_INTERVAL."""
-        looking = [viewer for viewer in self._viewers.values() if viewer.feed.is_used(now)]
+        looking = [viewer for viewer in self._viewers.values()
+                   if viewer.feed.is_used(now) and not self._control.camera_refusal(viewer.client)]
         self._cameras.watch({viewer.feed.robot for viewer in looking})
         for viewer in looking if now >= self._paused_until else ():
             viewer.show_picture(self._cameras.newest(viewer.feed.robot, now), interval(len(looking)), now)
@@ -162,8 +163,9 @@ class Pages:
         return None if code else say("no_code")
 
     def _look(self, viewer: Viewer, robot: Optional[str]) -> Optional[dict]:
-        known = self.knows(robot)
-        allowed = known and viewer.client.may_drive(robot)
-        viewer.feed.look(robot if allowed else None)
-        return protocol.notice(say("own_camera_only", robot=label(viewer.client.robot))) \
-            if known and not allowed else None
+        known, client, refusal = self.knows(robot), viewer.client, None
+        if known:
+            refusal = self._control.camera_refusal(client) if client.may_drive(robot) else \
+                say("own_camera_only", robot=label(client.robot))
+        viewer.feed.look(robot if known and not refusal else None)
+        return protocol.notice(refusal) if refusal else None

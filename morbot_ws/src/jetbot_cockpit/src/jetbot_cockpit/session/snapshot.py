@@ -6,7 +6,7 @@ from jetbot.fake import folder_of
 from jetbot.health import Health
 from jetbot.sentence import Sentence, as_data
 from jetbot.text import enumeration
-from jetbot_ros.state import UNKNOWN, RobotState
+from jetbot_ros.state import EMERGENCY_STOP, UNKNOWN, RobotState
 
 from ..notices import Notice, say
 
@@ -102,7 +102,8 @@ class RobotSnapshot(NamedTuple):
         wheel_separation, max_speed = self.geometry or WORKSHOP
         return {"id": self.id, "label": self.label, "color": self.color,
                 "workshop": self.geometry and self.geometry == WORKSHOP,
-                "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated}
+                "wheel_separation": wheel_separation, "max_speed": max_speed, "simulated": self.simulated,
+                "pupil": "", "version": "", "address": ""}
 
     def message(self, driver: Optional[dict], resumes: Optional[int], held: Optional[str], task: Optional[TaskSnapshot],
               stalls: int, pictures: Optional[dict], programs: int) -> dict:
@@ -115,7 +116,7 @@ class RobotSnapshot(NamedTuple):
                 "holds": state.holds, "waiting": state.waiting, "fake": bool(folder_of(state.bus)),
                 **{name: getattr(self, name) for name in own},
                 "driver": driver, "resumes": resumes, "held": held, "stalls": stalls, "task": task and task.message(),
-                "pictures": pictures, "programs": programs}
+                "pictures": pictures, "programs": programs, "link": None}
 
 
 class Snapshot(NamedTuple):
@@ -138,6 +139,11 @@ class Snapshot(NamedTuple):
         if not self.master:
             return say("no_master")
         return self.ended(robot) or (say("all_stopped") if self.emergency else self.robots[robot].problem)
+
+    def unconfirmed(self) -> List[str]:
+        """Return which robots have not said that the emergency stop of all robots, which is engaged, holds them."""
+        stopped = {name for name, robot in self.robots.items() if EMERGENCY_STOP in robot.state.holds}
+        return [name for name in self.robots if self.emergency and name not in stopped]
 
     def is_stopped(self, robot: Optional[str]) -> bool:
         """Return whether the emergency stop of this robot, or of all (None), may be engaged."""

@@ -31,7 +31,6 @@ REMARKS = {
                    "lower acceleration_limit (now {limit})",
     "undervoltage": "its supply dips as the motors start: set acceleration_limit:=1",
     "undervoltage_limited": "its supply dips as the motors start: lower acceleration_limit (now {limit})",
-    "empty": "its battery is empty ({voltage} V): charge it",
 }
 
 

@@ -11,15 +11,18 @@ from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from diagnostic_updater import Updater
 from std_msgs.msg import String
 
+from jetbot.health import BAD, OK, WARNING, judge, worst
 from jetbot.wait import wait_until
 from jetbot_ros.state import ENDED, RobotState, because, sentence
 
 from ..control.supervisor import Supervisor
 from ..supply.supply_watch import SupplyWatch
+from .health_watch import HealthWatch
 from .notes import Status, StatusWatch
 from .summary import start_line, start_warnings, status_suffix, summary
 
 DIAGNOSTICS_INTERVAL = 1.0  # s
+LEVELS = {OK: DiagnosticStatus.OK, WARNING: DiagnosticStatus.WARN, BAD: DiagnosticStatus.ERROR}
 SEND_TIMEOUT = 0.2          # s for the last status to be sent
 REPEAT_LOG = 1.0            # s before the same line is logged again
 
@@ -27,10 +30,12 @@ REPEAT_LOG = 1.0            # s before the same line is logged again
 class Report:
     """Publishes a supervisor's status and state at once; ``spin`` logs it in the main thread, which may wait."""
 
-    def __init__(self, parameters: Dict[str, object], supervisor: Supervisor, supply: SupplyWatch):
+    def __init__(self, parameters: Dict[str, object], supervisor: Supervisor, supply: SupplyWatch,
+                 health: HealthWatch):
         driver = supervisor.robot.driver
         self._summary, self._start_warnings = summary(parameters, driver), start_warnings(parameters, driver)
-        self._supervisor, self._supply, self._suffix = supervisor, supply, status_suffix(driver)
+        self._supervisor, self._supply, self._health = supervisor, supply, health
+        self._suffix = status_suffix(driver)
         self._status_publisher = rospy.Publisher("~status", String, latch=True, queue_size=1)
         self._state_publisher = rospy.Publisher("~state", DiagnosticStatus, latch=True, queue_size=1)
         self._published = ""
@@ -76,6 +81,7 @@ class Report:
         updater = Updater()
         updater.setHardwareID(self._summary["bus"])
         updater.add("motors", self._diagnose)
+        updater.add("health", self._diagnose_health)
         due = 0.0
         while not (self._ended or rospy.is_shutdown()):
             self._log(self._next_change(due - time.monotonic()) or self._watch.status)
@@ -96,17 +102,22 @@ class Report:
             (rospy.logwarn if status.warning else rospy.loginfo)(self._prefix + text + self._suffix)
 
     def _diagnose(self, result):
-        result.summary(*self._diagnosis(self._watch.status))
+        status = self._watch.status
+        result.summary(self._level(status), status.text + self._suffix)
         for name, text in {**self._summary, **self._counts()}.items():
             result.add(name, text)
         return result
 
-    def _diagnosis(self, status):
-        """Return the level and the message of /diagnostics: also of what a status reports only for a while."""
-        lasting = self._supply.warning
-        level = max(self._level(status), DiagnosticStatus.WARN if lasting else DiagnosticStatus.OK)
-        addition = f", {lasting}" if lasting and str(lasting) not in status.text else ""
-        return level, status.text + addition + self._suffix
+    def _diagnose_health(self, result):
+        """Say how the robot is; its terminal reads what is not in order, too."""
+        readings = self._health.readings(time.monotonic())
+        rows = judge(readings)
+        for row in self._health.news(rows):
+            rospy.logwarn(self._prefix + str(row))
+        result.summary(LEVELS[worst(rows)], " ".join(map(str, rows)) or "Nothing is measured.")
+        for name, value in readings.items():
+            result.add(name, f"{value:g}")
+        return result
 
     @staticmethod
     def _level(status):

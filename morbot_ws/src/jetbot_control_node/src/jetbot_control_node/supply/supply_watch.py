@@ -1,4 +1,4 @@
-"""Watches the supply: when it is read, whether it dips as the motors start, and whether it is empty. No ROS here."""
+"""Watches the supply: when it is read, and whether it dips as the motors start. No ROS here."""
 
 import threading
 import time
@@ -23,10 +23,10 @@ ALARM_WITHIN = 4.0  # s from it; Linux asks a Raspberry Pi's firmware every 2 s 
 class SupplyWatch:
     """Reads the supply once in each second: shortly after the motors have started, if they do.
 
-    It watches the Supervisor. A note reports the first dip, and once that the battery is empty. ``run`` is a thread of
-    its own, for which no command waits; a supply whose reading has held up the bus is not read again.
+    It watches the Supervisor. A note reports the first dip. ``run`` is a thread of its own, for which no command waits;
+    a supply whose reading has held up the bus is not read again.
     supply: None if nothing measures it; acceleration_limit: as the parameter. dips: how many were seen;
-    warning: a remark while the battery is empty, else None.
+    settled: the last reading that is not from the start of the motors, in which a full battery may dip, too.
     """
 
     def __init__(self, supply: Optional[Supply], acceleration_limit: float = 0.0):
@@ -35,9 +35,8 @@ class SupplyWatch:
         self._motors_started, self._started_at = threading.Event(), float("-inf")
         self._duties = 0.0, 0.0
         self._note, self._noted_at = None, float("-inf")
-        self._noted_empty = False
         self.dips = 0
-        self.warning: Optional[Sentence] = None
+        self.settled = Reading()
 
     def __str__(self) -> str:
         """The supply at its last reading, or why it is not known."""
@@ -78,7 +77,8 @@ class SupplyWatch:
                 self._supply = None
                 self._text += "; restart the controller to read it again"
         self._check_dip(before, self._reading, now)
-        self._check_empty(self._reading, now)
+        if now - self._started_at >= DIP_WITHIN:
+            self.settled = self._reading
         return self._reading
 
     def _check_dip(self, before, after, now):
@@ -92,13 +92,3 @@ class SupplyWatch:
             code = ("dip" if lower else "undervoltage") + ("_limited" if self._limit else "")
             self._noted_at, self._note = now, remark(
                 code, before=f"{before.voltage:.1f}", after=f"{after.voltage:.1f}", limit=self._limit)
-
-    def _check_empty(self, reading, now):
-        if now - self._started_at < DIP_WITHIN:  # a full battery may dip, too
-            return
-        if not reading.empty:
-            self.warning = None
-        elif not self.warning:
-            self.warning = remark("empty", voltage=f"{reading.voltage:.1f}")
-            if not self._noted_empty:
-                self._noted_empty, self._note, self._noted_at = True, self.warning, now

@@ -15,7 +15,7 @@ from jetbot_control_node.parameters import checked, default_file, load
 from ..options import launch_command
 from . import jetbot_module
 from .camera_check import check_cameras
-from .computer import Check, check_cockpit_port, check_host, check_module, check_supply, check_users
+from .computer import Check, check_battery, check_cockpit_port, check_health, check_host, check_module, check_users
 from .motor_board import JUMPER_ADDRESSES, check_board, check_chips, check_serial
 
 MODULES = ["rospy", "diagnostic_updater", "nav_msgs", "sensor_msgs", "tf2_ros", "yaml", "smbus2", "serial", "tornado"]
@@ -45,9 +45,10 @@ def all_checks(i2c_bus: Union[int, str, None], port: Optional[str], i2c_address:
     yield check_host()
     yield from check_cockpit_port()
     file = default_file()
-    simulated = any(fake.folder_of(fake.expand(str(place))) for place in (i2c_bus, port))
-    if os.path.lexists(file) and not simulated:
-        yield check_file(file)
+    if not any(fake.folder_of(fake.expand(str(place))) for place in (i2c_bus, port)):
+        yield from check_health()
+        if os.path.lexists(file):
+            yield check_file(file)
     on_bus = bool(BOARDS[board].address) if board else i2c_bus is not None or port is None
     found = False
     for check in check_buses(i2c_bus, i2c_address, board) if on_bus else ():
@@ -66,7 +67,7 @@ def check_jetbot() -> Iterator[Check]:
 
 
 def check_buses(i2c_bus: Union[int, str, None], i2c_address: Optional[int], board: str) -> Iterator[Check]:
-    """Yield the checks of the bus, or of every bus of this computer until one has a board; of its supply, too."""
+    """Yield the checks of the bus, or of every bus of this computer until one has a board; of its battery, too."""
     usual = host.robot_bus(host.model()) if i2c_bus is None else i2c_bus
     buses = sorted(host.buses(), key=lambda bus: bus != usual) if i2c_bus is None else [i2c_bus]
     if not buses:
@@ -76,7 +77,7 @@ def check_buses(i2c_bus: Union[int, str, None], i2c_address: Optional[int], boar
         checks = check_bus(bus, i2c_address, board, other_addresses=bus == usual)
         yield from checks
         if any(check.command for check in checks):
-            yield from check_supply(I2CDevice(bus, BOARDS["jetbot"].address))
+            yield from check_battery(I2CDevice(bus, BOARDS["jetbot"].address))
             return
 
 
@@ -84,7 +85,7 @@ def check_port(port: str) -> Iterator[Check]:
     """Yield the checks of a serial port."""
     yield from check_users(port)
     yield check_serial(port)
-    yield from check_supply(SerialLink(port))
+    yield from check_battery(SerialLink(port))
 
 
 def check_file(file: Path) -> Check:

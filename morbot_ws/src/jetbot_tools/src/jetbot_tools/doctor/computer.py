@@ -1,15 +1,17 @@
-"""Checks of the computer: its Python modules, other programs in the way, and the supply that it measures."""
+"""Checks of the computer: its Python modules, other programs in the way, and what it and its robot measure."""
 
 import importlib.util
 import os
 from pathlib import Path
-from typing import List, NamedTuple, Union
+from typing import List, NamedTuple, Optional, Union
 
 from jetbot import host
 from jetbot.errors import JetbotError
+from jetbot.health import OK, Health, judge
+from jetbot.health_sensors import Computer
 from jetbot.i2c import I2CDevice
 from jetbot.serial_link import SerialLink
-from jetbot.supply import find_supply
+from jetbot.supply import on_bus
 from jetbot.text import printable
 from jetbot_ros.contract import COCKPIT_PORT
 from jetbot_ros.ports import is_free, processes_on
@@ -86,15 +88,25 @@ def check_cockpit_port(port: int = COCKPIT_PORT) -> List[Check]:
                   f"The cockpit needs another one: cockpit_port:={port + 1}")]
 
 
-def check_supply(link: Union[I2CDevice, SerialLink]) -> List[Check]:
-    """Check that the robot with this link to its board has the power to drive; [] if nothing measures that."""
-    supply = find_supply(link)
-    if not supply:
-        return []
-    try:
-        reading = supply.read()
-    except JetbotError as error:  # unplugged meanwhile
-        return [Check("supply", False, error.reason, error.advice)]
-    advice = ("Charge the battery." if reading.empty else
-              "Use a supply of 5 V and 3 A, and a short cable." if reading.undervoltage else "")
-    return [Check("supply", not advice, f"{reading}, by the {supply.sensor}", advice)]
+def check_health(computer: Optional[Computer] = None) -> List[Check]:
+    """Check what the computer measures: its supply, temperature, disk and Wi-Fi. computer: None for this one."""
+    return [as_check(row) for row in judge((computer or Computer()).read())]
+
+
+def as_check(row: Health) -> Check:
+    """Return what there is to say of the robot's health as a check."""
+    sentence, _, advice = str(row).partition(". ")
+    name, _, finding = sentence.rstrip(".").rpartition(": ")
+    return Check(name or row.code, row.level == OK, finding, advice)
+
+
+def check_battery(link: Union[I2CDevice, SerialLink]) -> List[Check]:
+    """Check that the battery of the robot with this link to its board is charged; [] if no chip measures that."""
+    for supply in on_bus(link):
+        try:
+            reading = supply.read()
+        except JetbotError:  # another chip
+            continue
+        rows = [as_check(row) for row in judge(reading.battery)] or [Check("Battery", True, str(reading))]
+        return [row._replace(finding=f"{row.finding}, by the {supply.sensor}") for row in rows]
+    return []

@@ -1,0 +1,209 @@
+"""The commands of ./morbot fleet, as a table."""
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+from typing import Any, Callable, Dict, List, NamedTuple, Tuple
+
+from jetbot import JetbotError
+from jetbot.text import enumeration, printable
+from jetbot_cockpit.remote.fleet import Entry, Fleet
+
+from .asking import ask
+from .classes import check_name, delete, enlist, entry_of, open_class, strike, unused_name
+from .install import ROOT, RUNS_WITHIN, set_up, update
+from .ssh import Failed, Ssh, checkout
+from .table import SHORT, table
+
+HUB = ROOT / "morbot_ws/src/jetbot_cockpit/scripts/hub.py"
+ADDRESS = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*(:[0-9]{1,5})?")
+LOGIN = re.compile(r"([A-Za-z0-9_][A-Za-z0-9._-]*@)?[A-Za-z0-9][A-Za-z0-9._-]*")  # nothing that ssh takes as an option
+ON_ROBOT = "there: ./morbot robot --off --forget"
+
+
+def show(fleet: Fleet, given: Any) -> int:
+    """Print the table; return 1 if a robot is missing."""
+    if not fleet.robots:
+        print(f"The class {fleet.name} has no robot yet: ./morbot fleet add HOST")
+        return 1
+    answers = ask(fleet, fleet.robots)
+    print(table(answers))
+    return 0 if all(answer.is_complete() for answer in answers) else 1
+
+
+def add(fleet: Fleet, given: Any) -> int:
+    """Install and name a robot over ssh; with --address, only list it."""
+    if given.address:
+        check_name(given.host)
+        login = next((each.login for each in fleet.robots if each.name == given.host), "")
+        enlist(fleet, Entry(given.host, matching(ADDRESS, given.address, "an address, HOST or HOST:PORT"), login))
+        print(f"{given.host} is listed at {given.address}. Its key: ./morbot fleet --class {fleet.name} key "
+              f"{given.host}")
+        return 0
+    login = matching(LOGIN, given.host, "a computer, HOST or USER@HOST")
+    name = given.name or next((each.name for each in fleet.robots if each.login == login), unused_name(fleet))
+    check_name(name)
+    port = next((each.partition(":=")[2] for each in given.arguments if each.startswith("cockpit_port:=")), "")
+    entry = Entry(name, login.rpartition("@")[2] + (port and f":{port}"), login)
+    set_up(fleet, entry, checkout(ROOT), given.arguments, lambda: enlist(fleet, entry))
+    print(f"{name} is ready, at http://{entry.authority}/")
+    return 0
+
+
+def matching(pattern: "re.Pattern[str]", text: str, meaning: str) -> str:
+    """Return the text. Raise Failed if it is something else."""
+    if not pattern.fullmatch(text):
+        raise Failed(f"{printable(text)} is not {meaning}")
+    return text
+
+
+def update_all(fleet: Fleet, given: Any) -> int:
+    """Update one robot after the other; those that fail stay as they are, and are named."""
+    commit = checkout(ROOT)
+    entries = [entry_of(fleet, name) for name in given.names] or fleet.robots
+    failed = each_of(entries, lambda entry: update(fleet, entry, commit, given.force, given.within),
+                     f"runs {commit[:SHORT]}")
+    if failed:
+        print(table(ask(fleet, entries)))
+    return 1 if failed else 0
+
+
+def each_of(entries: List[Entry], act: Callable[[Entry], object], done: str) -> List[Entry]:
+    """Do something with each robot, and say so; return those with which it failed."""
+    failed = []
+    for entry in entries:
+        print(f"--- {entry.name}", flush=True)
+        try:
+            act(entry)
+            print(f"{entry.name} {done}", flush=True)
+        except (JetbotError, OSError) as error:
+            failed.append(entry)
+            print(f"{entry.name}: {error}", file=sys.stderr, flush=True)
+    return failed
+
+
+def log(fleet: Fleet, given: Any) -> int:
+    """Print what a robot's service has logged."""
+    entry = entry_of(fleet, given.robot)
+    with connected(fleet, entry) as robot:
+        return robot.call("log", *(["--follow"] if given.follow else []), "--lines=200")
+
+
+def connected(fleet: Fleet, entry: Entry) -> Ssh:
+    """Return a connection to a robot. Raise Failed if it is only listed."""
+    if not entry.login:
+        raise Failed(f"{entry.name} is only listed, with no login for ssh")
+    return Ssh(entry.login, fleet.path.parent)
+
+
+def hub(fleet: Fleet, given: Any) -> int:
+    """Serve the class's page."""
+    command = [sys.executable, str(HUB), "--class", fleet.name, *(["--lan"] if given.lan else []),
+               *(["--port", str(given.port)] if given.port else [])]
+    if os.name == "posix":
+        os.execv(sys.executable, command)  # who ends this ends the hub
+    return subprocess.call(command)
+
+
+def key(fleet: Fleet, given: Any) -> int:
+    """Print the keys that are typed on robots."""
+    for name in [given.robot] if given.robot else [entry.name for entry in fleet.robots]:
+        check_name(name)
+        digits = fleet.key_of(name)
+        print(f"{name}  {'-'.join(digits[at:at + 4] for at in range(0, len(digits), 4))}")
+    return 0
+
+
+def remove(fleet: Fleet, given: Any) -> int:
+    """Take a robot from the list."""
+    strike(fleet, entry_of(fleet, given.robot).name)
+    print(f"{given.robot} is no longer listed. It still has its key; to delete that, type {ON_ROBOT}")
+    return 0
+
+
+def forget(fleet: Fleet, given: Any) -> int:
+    """Delete the class on each robot, then here."""
+    def on_robot(entry: Entry) -> None:
+        with connected(fleet, entry) as robot:
+            robot.run("off")
+        strike(fleet, entry.name)
+    failed = each_of(list(fleet.robots), on_robot, "has forgotten the class")
+    if failed:
+        names = enumeration([entry.name for entry in failed])
+        print(f"The class {fleet.name} stays here too, as it is still on {names}. Type this again later; or type "
+              f"{ON_ROBOT}, and here: ./morbot fleet remove NAME", file=sys.stderr)
+        return 1
+    delete(fleet)
+    print(f"Deleted {fleet.path.parent}: the class {fleet.name}, and its key.")
+    return 0
+
+
+class Command(NamedTuple):
+    """does: what to call; meaning: for the help; arguments: of add_argument; makes: whether the class may be new."""
+
+    does: Callable[[Fleet, Any], int]
+    meaning: str
+    arguments: Tuple[Tuple[str, Dict[str, Any]], ...] = ()
+    makes: bool = False
+
+
+ROBOT = ("robot", {"metavar": "NAME"})
+COMMANDS = {
+    "": Command(show, "print the table"),
+    "add": Command(add, "install and name a robot over ssh, and list it", (
+        ("host", {"metavar": "HOST", "help": "[USER@]HOST; with --address, a robot's name"}),
+        ("arguments", {"metavar": "NAME:=VALUE", "nargs": "*", "help": "for the robot, such as board:=sparkfun"}),
+        ("--name", {"help": "of the robot (default: the first that is free, as jetbot_01)"}),
+        ("--address", {"metavar": "HOST[:PORT]", "help": "only list the robot that is there"})), makes=True),
+    "update": Command(update_all, "let robots run this folder's version", (
+        ("names", {"metavar": "NAME", "nargs": "*", "help": "which (default: all)"}),
+        ("--force", {"action": "store_true", "help": "also while somebody drives"}),
+        ("--within", {"type": float, "default": RUNS_WITHIN, "metavar": "SECONDS",
+                      "help": "until a robot has to answer with it (default: %(default)g)"}))),
+    "log": Command(log, "print a robot's log", (
+        ROBOT, ("-f", {"dest": "follow", "action": "store_true", "help": "and go on"}))),
+    "hub": Command(hub, "serve the page of the class, with its cards", (
+        ("--lan", {"action": "store_true", "help": "for other computers in the network too"}),
+        ("--port", {"type": int, "help": "TCP port (default: 8080)"}))),
+    "key": Command(key, "print robots' keys, to be typed at ./morbot robot", (
+        ("robot", {"metavar": "NAME", "nargs": "?"}),), makes=True),
+    "remove": Command(remove, "take a robot from the list", (ROBOT,)),
+    "forget": Command(forget, "delete the class on all robots, and here"),
+}
+
+
+class Parser(argparse.ArgumentParser):
+    """One sentence for what is typed wrong."""
+
+    def error(self, message: str) -> None:
+        self.exit(2, f"morbot: {printable(message)}; see ./morbot fleet --help\n")
+
+
+def parser() -> Parser:
+    """Return the parser of the table."""
+    made = Parser(prog="./morbot fleet", description="A class of real robots, from the teacher's computer.",
+                  allow_abbrev=False)
+    made.add_argument("--class", dest="class_name", default="", metavar="CLASS",
+                      help="may be left out if there is one only")
+    made.set_defaults(command="")
+    commands = made.add_subparsers(metavar="COMMAND", parser_class=Parser)
+    for name, command in COMMANDS.items():
+        if name:
+            each = commands.add_parser(name, help=command.meaning, description=command.meaning, allow_abbrev=False)
+            each.set_defaults(command=name)
+            for argument, options in command.arguments:
+                each.add_argument(argument, **options)
+    return made
+
+
+def main(arguments: List[str]) -> int:
+    """Do what was typed; return the exit code."""
+    given = parser().parse_args(arguments)
+    command = COMMANDS[given.command]
+    try:
+        return command.does(open_class(given.class_name, command.makes), given)
+    except (JetbotError, OSError) as error:
+        print(f"morbot: {error}", file=sys.stderr)
+        return 1

@@ -1,0 +1,1 @@
+"""What ./morbot robot does on a robot: it makes it one of a class, which starts with the computer."""

@@ -1,0 +1,280 @@
+"""A robot that ./morbot fleet reaches: a real sshd, a home of its own, and a service that talks as a cockpit does."""
+
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from conftest import PACKAGES
+from processes import end, free_port, start
+
+CHECKOUT = "jetbot", "jetbot_ros", "jetbot_cockpit", "jetbot_class"  # what ./morbot fleet needs of a version
+COMMANDS = ("git", "tar", "mkdir", "ln", "mv", "touch", "sync", "rm", "readlink", "df", "flock", "cat", "systemctl")
+STATE = {"status": "stopped", "state": "stopped", "answers": True, "driver": None, "program": "", "health": None}
+TIMEOUT = 20.0  # s
+OWN_RUN = [] if os.geteuid() else [  # root's sshd wants a folder in /run, and gets a /run of its own
+    "unshare", "--mount", "sh", "-c", 'mount -t tmpfs run /run && mkdir /run/sshd && exec "$@"', "sh"]
+
+MORBOT = """#!/bin/sh
+# A small version of MorBot, for the tests of ./morbot fleet.
+here=$(cd "$(dirname "$0")" && pwd -P)
+case $1 in
+    setup) [ ! -e "$here/does_not_build" ] ;;
+    doctor) [ ! -e "$here/ill" ] && [ ! -e "$HOME/ill" ] ;;
+    robot)
+        echo "robot $2 $3 $4 $5" >>"$HOME/calls"
+        [ "$2" != --off ] || { rm "$HOME/.local/share/morbot/current"; exit; }
+        cat >"$HOME/key"
+        echo "$2 $4 ${5#*=}" >"$HOME/identity"
+        ln -sfn "$here" "$HOME/.local/share/morbot/current"
+        systemctl restart ;;
+esac
+"""
+SYSTEMCTL = """#!/bin/sh
+echo "systemctl $*" >>"$HOME/calls"
+[ ! -e "$HOME/pid" ] || kill "$(cat "$HOME/pid")" 2>/dev/null
+setsid {python} "$HOME/.local/share/morbot/current/serve.py" >>"$HOME/log" 2>&1 </dev/null &
+echo $! >"$HOME/pid"
+"""
+SERVE = '''"""Answers a hub as the cockpit of a robot does: challenge, proof, state, pong."""
+import json
+import sys
+from pathlib import Path
+
+folder = Path(__file__).resolve().parent
+for source in (folder / "morbot_ws/src").glob("*/src"):
+    sys.path.insert(0, str(source))
+from jetbot_cockpit.remote.key import HUB, ROBOT, Nonces, new_nonce, proof, proves
+from jetbot_cockpit.remote.version import version_of
+from tornado.ioloop import IOLoop
+from tornado.web import Application
+from tornado.websocket import WebSocketHandler
+
+HOME = Path.home()
+if (folder / "does_not_start").exists():
+    sys.exit("this version does not start")
+robot, class_name, port = (HOME / "identity").read_text().split()
+key = (HOME / "key").read_text()
+
+
+class Hub(WebSocketHandler):
+    nonce = ""
+
+    def open(self):
+        self.nonce = new_nonce()
+        self.write_message({"type": "challenge", "robot": robot, "class": class_name, "nonce": self.nonce,
+                            "instance": "1"})
+
+    def on_message(self, text):
+        message = json.loads(text)
+        if message["type"] == "answer":
+            nonces = Nonces(self.nonce, message["nonce"])
+            assert proves(message["proof"], key, HUB, class_name, robot, nonces)
+            self.write_message({"type": "proof", "proof": proof(key, ROBOT, class_name, robot, nonces),
+                                "version": version_of(folder)})
+            self.write_message({"type": "state", "emergency": False,
+                                "robots": {f"/{robot}": json.loads((HOME / "state").read_text())}})
+        elif message["type"] == "ping":
+            self.write_message({"type": "pong", "sent": message["sent"]})
+
+
+Application([("/hub", Hub)]).listen(int(port), "127.0.0.1")
+IOLoop.current().start()
+'''
+# Everything of the robot's side ends here, at the command that "cut" counts down to: its switch was turned off.
+COUNTED = """#!/bin/sh
+if [ -e "$HOME/cut" ]; then
+    left=$(($(/bin/cat "$HOME/cut") - 1))
+    echo $left >"$HOME/cut"
+    if [ $left -le 0 ]; then
+        /bin/rm "$HOME/cut"
+        [ ! -e "$HOME/pid" ] || kill -9 "$(/bin/cat "$HOME/pid")"
+        kill -9 0
+    fi
+fi
+exec {command} "$@"
+"""
+
+
+def write(path, text, mode=0o755):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+    path.chmod(mode)
+    return path
+
+
+class Robot:
+    """Its home, its sshd, its service. commands: first on its PATH."""
+
+    def __init__(self, folder):
+        self.home, self.port, self.ssh_port = folder / "robot", free_port(), free_port()
+        self._folder, self._sshd = folder, None
+        self.home.mkdir()
+        self.says()
+        self.commands = folder / "commands"
+        service = write(folder / "systemctl", SYSTEMCTL.format(python=sys.executable))
+        for name in COMMANDS:
+            real = service if name == "systemctl" else "/bin/true" if name == "sync" else shutil.which(name)
+            write(self.commands / name, COUNTED.format(command=real))
+        write(self.commands / "journalctl", '#!/bin/sh\necho "journalctl $*"\n')
+        write(folder / "login", f'#!/bin/sh\nexport HOME={self.home} PATH={self.commands}:/usr/bin:/bin\ncd\n'
+                                'exec sh -c "$SSH_ORIGINAL_COMMAND"\n')
+        self.new_host_key()
+        self.start_sshd()
+
+    def new_host_key(self):
+        key = self._folder / "host_key"
+        key.unlink(missing_ok=True)
+        subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", str(key)], check=True)
+
+    def start_sshd(self):
+        config = write(self._folder / "sshd_config", f"""
+Port {self.ssh_port}
+ListenAddress 127.0.0.1
+HostKey {self._folder}/host_key
+AuthorizedKeysFile {self._folder}/id.pub
+PermitRootLogin yes
+StrictModes no
+UsePAM no
+PidFile none
+ForceCommand {self._folder}/login
+""")
+        self._sshd = start([*OWN_RUN, "/usr/sbin/sshd", "-D", "-e", "-f", str(config)], self._folder / "sshd.log")
+        wait(lambda: self.accepts(), self._sshd.log.read_text)
+
+    def stop_sshd(self):
+        end([self._sshd])
+
+    def accepts(self):
+        with socket.socket() as probe:
+            return probe.connect_ex(("127.0.0.1", self.ssh_port)) == 0
+
+    def says(self, **state):
+        """Let its next cockpit say this."""
+        (self.home / "state").write_text(json.dumps({**STATE, **state}))
+
+    def cut_at(self, number):
+        """Turn it off at the command with this number from now on."""
+        (self.home / "cut").write_text(str(number))
+
+    def was_cut(self):
+        return not (self.home / "cut").exists()
+
+    def boot(self):
+        """Start it again, as systemd does."""
+        (self.home / "cut").unlink(missing_ok=True)
+        subprocess.run([str(self._folder / "systemctl"), "boot"], check=True,
+                       env={**os.environ, "HOME": str(self.home)})
+
+    @property
+    def morbot(self):
+        return self.home / ".local/share/morbot"
+
+    def current(self):
+        """Return the commit that it starts with, whose folder must be whole."""
+        version = (self.morbot / "current").resolve()
+        assert (version / "whole").exists() and (version / "last_file").exists(), version
+        return version.name
+
+    def versions(self):
+        return {version.name for version in (self.morbot / "versions").iterdir()}
+
+    def calls(self):
+        return (self.home / "calls").read_text().splitlines()
+
+    def close(self):
+        self.stop_sshd()
+        if (self.home / "pid").exists():
+            try:
+                os.kill(int((self.home / "pid").read_text()), signal.SIGKILL)
+            except (OSError, ValueError):
+                pass
+
+
+class Laptop:
+    """A checkout with commits of its own, and ./morbot fleet from there."""
+
+    def __init__(self, folder, robot):
+        self.home, self.checkout, self.robot = folder / "laptop", folder / "checkout", robot
+        self.home.mkdir()
+        subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", str(folder / "id")], check=True)
+        config = write(folder / "ssh_config", f"Port {robot.ssh_port}\nIdentityFile {folder}/id\nIdentitiesOnly yes\n"
+                                              "BatchMode yes\n", 0o600)
+        write(folder / "bin/ssh", f'#!/bin/sh\nexec {shutil.which("ssh")} -F {config} "$@"\n')
+        self.environment = {**os.environ, "HOME": str(self.home), "PATH": f"{folder}/bin:{os.environ['PATH']}"}
+        for package in CHECKOUT:
+            for part in ("src", "scripts"):
+                if (PACKAGES / package / part).exists():
+                    shutil.copytree(PACKAGES / package / part, self.checkout / "morbot_ws/src" / package / part,
+                                    ignore=shutil.ignore_patterns("__pycache__"))
+        write(self.checkout / "morbot", MORBOT)
+        write(self.checkout / "serve.py", SERVE)
+        write(self.checkout / "last_file", "")
+        self.git("init", "-q")
+        self.commit("first")
+
+    def git(self, *arguments):
+        command = ["git", "-C", str(self.checkout), "-c", "user.name=a", "-c", "user.email=a@b", *arguments]
+        return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+
+    def commit(self, message, **files):
+        """Make a version with these files; return its commit."""
+        for name, text in files.items():
+            (self.checkout / name).write_text(text)
+        self.git("add", "-A")
+        self.git("commit", "-q", "--allow-empty", "-m", message)
+        return self.git("rev-parse", "HEAD")
+
+    def without(self, name):
+        """Make a version without a file; return its commit."""
+        (self.checkout / name).unlink()
+        return self.commit(f"without {name}")
+
+    def fleet(self, *arguments, **environment):
+        """Type a command; return (exit code, all that it printed)."""
+        done = subprocess.run([sys.executable, str(self.checkout / "morbot_ws/src/jetbot_class/scripts/fleet.py"),
+                               *arguments], env={**self.environment, **environment}, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120, check=False)
+        return done.returncode, done.stdout
+
+
+def wait(condition, explanation=str):
+    """Wait until something is so."""
+    ends_at = time.monotonic() + TIMEOUT
+    while not condition():
+        assert time.monotonic() < ends_at, explanation()
+        time.sleep(0.02)
+
+
+def make_world(folder: Path):
+    """Return (robot, laptop)."""
+    robot = Robot(folder)
+    try:
+        return robot, Laptop(folder, robot)
+    except BaseException:
+        robot.close()
+        raise
+
+
+def check_cut(robot, laptop, moment):
+    """Turn the robot off at a command of an update; return whether there was one: it starts whole, and can be updated.
+
+    moment: the number of the command.
+    """
+    before = robot.current()
+    new = laptop.commit(f"cut at {moment}", news=str(moment))
+    robot.cut_at(moment)
+    code, said = laptop.fleet("update", "--within", "1")
+    was_cut = robot.was_cut()
+    assert (code == 1) == was_cut, said
+    assert robot.current() in (before, new)
+    robot.boot()
+    code, said = laptop.fleet("update")
+    assert code == 0 and robot.current() == new, said
+    assert robot.versions() == {before, new}
+    return was_cut

@@ -1,0 +1,145 @@
+"""./morbot fleet against a real sshd and real git: what a robot has after an update, whatever happens meanwhile."""
+
+import shutil
+import stat
+
+import pytest
+from fleet_robot import check_cut, make_world
+
+pytestmark = pytest.mark.skipif(not shutil.which("sshd", path="/usr/sbin:/usr/bin"), reason="needs openssh-server")
+
+
+@pytest.fixture
+def world(tmp_path):
+    robot, laptop = make_world(tmp_path)
+    yield robot, laptop
+    robot.close()
+
+
+@pytest.fixture
+def added(world):
+    robot, laptop = world
+    code, said = laptop.fleet("--class", "7b", "add", "127.0.0.1", f"cockpit_port:={robot.port}", "--name", "jetbot_07")
+    assert code == 0, said
+    return robot, laptop
+
+
+def test_a_robot_is_installed_named_and_listed(added):
+    robot, laptop = added
+    first = laptop.git("rev-parse", "HEAD")
+    assert robot.current() == first
+    assert robot.calls()[0] == f"robot jetbot_07 --class 7b cockpit_port:={robot.port}"
+    code, said = laptop.fleet("key", "jetbot_07")
+    assert said.split()[1].replace("-", "") == (robot.home / "key").read_text()
+    assert not (robot.morbot / "key").exists()
+    code, said = laptop.fleet()
+    assert code == 0 and said.splitlines()[1].split()[:3] == ["jetbot_07", f"127.0.0.1:{robot.port}", first[:8]], said
+    hosts = laptop.home / ".ros/morbot_classes/7b/known_hosts"
+    assert hosts.exists() and stat.S_IMODE(hosts.parent.stat().st_mode) == 0o700
+
+
+def test_an_update_is_built_beside_the_old_version_and_two_versions_are_kept(added):
+    robot, laptop = added
+    first = laptop.git("rev-parse", "HEAD")
+    second = laptop.commit("second", news="1")
+    code, said = laptop.fleet("update")
+    assert code == 0 and f"jetbot_07 runs {second[:8]}" in said, said
+    assert robot.current() == second and robot.versions() == {first, second}
+    third = laptop.commit("third", news="2")
+    assert laptop.fleet("update")[0] == 0
+    assert robot.current() == third and robot.versions() == {second, third}
+    restarts = len(robot.calls())
+    assert laptop.fleet("update")[0] == 0 and len(robot.calls()) == restarts  # it runs already
+
+
+@pytest.mark.parametrize("fault, said", [
+    ("does_not_start", "runs the old one again"), ("does_not_build", "cannot be built"), ("ill", "doctor finds")])
+def test_a_version_that_fails_leaves_the_old_one_running(added, fault, said):
+    robot, laptop = added
+    first = laptop.git("rev-parse", "HEAD")
+    bad = laptop.commit("bad", **{fault: ""})
+    code, output = laptop.fleet("update", "--within", "2")
+    assert code == 1 and said in output, output
+    assert robot.current() == first
+    lines = laptop.fleet()[1].splitlines()
+    assert first[:8] in lines[1] and bad[:8] not in lines[1]
+    fixed = laptop.without(fault)
+    assert laptop.fleet("update")[0] == 0 and robot.current() == fixed
+
+
+def test_a_fault_that_the_old_version_finds_too_hinders_no_update(added):
+    robot, laptop = added
+    (robot.home / "ill").touch()
+    second = laptop.commit("second")
+    assert laptop.fleet("update")[0] == 0 and robot.current() == second
+
+
+def test_a_robot_that_is_driven_is_not_updated(added):
+    robot, laptop = added
+    first = laptop.git("rev-parse", "HEAD")
+    robot.says(driver={"id": 1, "name": "Ada", "said": None})
+    second = laptop.commit("second")
+    code, said = laptop.fleet("update")
+    assert code == 1 and "jetbot_07: Ada drives it: update it later, or with --force" in said
+    assert robot.current() == first
+    assert laptop.fleet("update", "--force")[0] == 0 and robot.current() == second
+
+
+def test_a_robot_that_is_turned_off_starts_whole_and_the_next_update_heals(added):
+    for moment in (6, 13, 19):  # more of them: tests/fleet/test_update.py
+        check_cut(*added, moment)
+
+
+def test_a_damaged_repository_is_replaced(added):
+    robot, laptop = added
+    for pack in robot.morbot.glob("repository/objects/pack/*"):
+        pack.unlink()
+    second = laptop.commit("second", news="1")
+    code, said = laptop.fleet("update")
+    assert code == 0 and robot.current() == second, said
+
+
+def test_another_host_key_is_named(added):
+    robot, laptop = added
+    robot.stop_sshd()
+    robot.new_host_key()
+    robot.start_sshd()
+    code, said = laptop.fleet("update")
+    assert code == 1 and "127.0.0.1 has another host key than before" in said, said
+
+
+def test_without_sshd_and_without_a_checkout_one_sentence_says_so(added):
+    robot, laptop = added
+    robot.stop_sshd()
+    code, said = laptop.fleet("log", "jetbot_07")
+    assert code == 1 and said.strip().count("\n") == 0 and "127.0.0.1 has no ssh running" in said, said
+    shutil.rmtree(laptop.checkout / ".git")
+    code, said = laptop.fleet("update", GIT_CEILING_DIRECTORIES=str(laptop.checkout.parent))
+    assert code == 1 and "not a git repository" in said, said
+
+
+def test_the_log_comes_over_ssh(added):
+    robot, laptop = added
+    code, said = laptop.fleet("log", "jetbot_07", "-f")
+    assert code == 0 and "--no-pager --follow --lines=200" in said, said
+
+
+def test_a_class_is_forgotten_on_its_robots_and_stays_where_one_is_out_of_reach(added):
+    robot, laptop = added
+    laptop.fleet("add", "--address", "127.0.0.1:9", "jetbot_08")
+    code, said = laptop.fleet("forget")
+    assert code == 1 and "still on jetbot_08" in said, said
+    assert robot.calls()[-1].startswith("robot --off --forget")
+    assert laptop.fleet("remove", "jetbot_08")[0] == 0
+    assert laptop.fleet("forget")[0] == 0
+    assert not (laptop.home / ".ros/morbot_classes/7b").exists()
+
+
+def test_no_key_is_among_the_arguments_of_a_program(world):
+    robot, laptop = world
+    (robot.commands / "git").unlink()
+    (robot.commands / "git").symlink_to("/bin/false")  # ends the command early
+    laptop.fleet("--class", "7b", "key", "jetbot_07")
+    code, said = laptop.fleet("add", "127.0.0.1", "--name", "jetbot_07")
+    assert code == 1 and "could not do receive" in said, said
+    assert not list(robot.home.rglob("key"))
