@@ -2,7 +2,9 @@
 
 import os
 import signal
+import socket
 import sys
+from contextlib import suppress
 from pathlib import Path
 from subprocess import Popen
 from typing import Dict
@@ -38,11 +40,17 @@ class RealClass:
         self.port = free_port()
         self.hub = start([sys.executable, program("jetbot_cockpit", "hub.py"), "--class", CLASS, "--port",
                           str(self.port), "--classes", str(folder / "classes")], folder / "hub_log", env=self._env())
+        self.wait_for(self._serves, "the hub")
 
     @property
     def address(self) -> str:
         """The hub's, for whoever sits at the teacher's computer."""
         return f"http://localhost:{self.port}/"
+
+    def _serves(self):
+        with suppress(OSError), socket.create_connection(("localhost", self.port), 1.0):
+            return True
+        return False
 
     def _env(self, **more: str):
         return {**os.environ, "HOME": str(self._folder), "ROS_HOSTNAME": "localhost", **more}
@@ -57,12 +65,13 @@ class RealClass:
     def start_robot(self, robot: str) -> None:
         """Switch a robot on."""
         home = self._folder / robot
-        master = f"http://localhost:{self._masters[robot]}"
+        own = {"HOME": str(home), "ROS_HOME": str(home / ".ros"),
+               "ROS_MASTER_URI": f"http://localhost:{self._masters[robot]}"}
         self._launched[robot] = start(
             ["roslaunch", "-p", str(self._masters[robot]), "jetbot_class", "robot.launch", f"robot:={robot}",
              f"identity:={home / 'identity.json'}", f"cockpit_port:={self._ports[robot]}",
              f"classes:={home / 'classes'}", "pictures:=false", "camera:=false"],
-            self._folder / f"{robot}_log", env=self._env(HOME=str(home), ROS_HOME=str(home / ".ros"), ROS_MASTER_URI=master))
+            self._folder / f"{robot}_log", env=self._env(**own))
 
     def kill_robot(self, robot: str) -> None:
         """Switch a robot off: no program of it says goodbye."""
@@ -83,7 +92,8 @@ class RealClass:
 
     def logs(self) -> str:
         """Return what all have printed."""
-        return "".join(f"\n--- {each.log.name}\n{each.log.read_text()}" for each in (self.hub, *self._launched.values()))
+        logs = [each.log for each in (self.hub, *self._launched.values())]
+        return "".join(f"\n--- {log.name}\n{log.read_text()}" for log in logs)
 
     def close(self) -> None:
         """End all."""

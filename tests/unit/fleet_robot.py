@@ -1,5 +1,6 @@
 """A robot that ./morbot fleet reaches: a real sshd, a home of its own, and a service that talks as a cockpit does."""
 
+import contextlib
 import json
 import os
 import shutil
@@ -10,14 +11,15 @@ import sys
 import time
 from pathlib import Path
 
-from conftest import PACKAGES
 from processes import end, free_port, start
 
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGES = ROOT / "morbot_ws/src"
 CHECKOUT = "jetbot", "jetbot_ros", "jetbot_cockpit", "jetbot_class"  # what ./morbot fleet needs of a version
 COMMANDS = ("git", "tar", "mkdir", "ln", "mv", "touch", "sync", "rm", "readlink", "df", "flock", "cat", "systemctl")
 STATE = {"status": "stopped", "state": "stopped", "answers": True, "driver": None, "program": "", "health": None}
 TIMEOUT = 20.0  # s
-OWN_RUN = [] if os.geteuid() else [  # root's sshd wants a folder in /run, which may be missing: it gets a /run of its own
+OWN_RUN = [] if os.geteuid() else [  # root's sshd wants a folder in /run, and gets a /run of its own
     "unshare", "--mount", "sh", "-c", 'mount -t tmpfs run /run && mkdir /run/sshd && exec "$@"', "sh"]
 
 MORBOT = """#!/bin/sh
@@ -111,13 +113,14 @@ def write(path, text, mode=0o755):
 class Robot:
     """Its home, its sshd, its service. commands: first on its PATH."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, systemctl=SYSTEMCTL):
         self.home, self.port, self.ssh_port = folder / "robot", free_port(), free_port()
         self._folder, self._sshd = folder, None
         self.home.mkdir()
         self.says()
         self.commands = folder / "commands"
-        service = write(folder / "systemctl", SYSTEMCTL.format(python=sys.executable))
+        values = {"python": sys.executable, "port": self.port, "master": free_port()}
+        service = write(folder / "systemctl", systemctl.format(**values))
         for name in COMMANDS:
             real = service if name == "systemctl" else "/bin/true" if name == "sync" else shutil.which(name)
             write(self.commands / name, COUNTED.format(command=real))
@@ -168,7 +171,8 @@ ForceCommand {self._folder}/login
     def boot(self):
         """Start it again, as systemd does."""
         (self.home / "cut").unlink(missing_ok=True)
-        subprocess.run([str(self._folder / "systemctl"), "boot"], check=True, env={**os.environ, "HOME": str(self.home)})
+        subprocess.run([str(self._folder / "systemctl"), "boot"], check=True,
+                       env={**os.environ, "HOME": str(self.home)})
 
     @property
     def morbot(self):
@@ -188,17 +192,18 @@ ForceCommand {self._folder}/login
 
     def close(self):
         self.stop_sshd()
-        if (self.home / "pid").exists():
-            try:
-                os.kill(int((self.home / "pid").read_text()), signal.SIGKILL)
-            except (OSError, ValueError):
-                pass
+        if not (self.home / "pid").exists():
+            return
+        group = int((self.home / "pid").read_text())
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(group, signal.SIGTERM)
+            wait(lambda: os.killpg(group, 0))  # until there is none
 
 
 class Laptop:
     """A checkout with commits of its own, and ./morbot fleet from there."""
 
-    def __init__(self, folder, robot):
+    def __init__(self, folder, robot, fill):
         self.home, self.checkout, self.robot = folder / "laptop", folder / "checkout", robot
         self.home.mkdir()
         subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", str(folder / "id")], check=True)
@@ -206,20 +211,13 @@ class Laptop:
                                               "BatchMode yes\n", 0o600)
         write(folder / "bin/ssh", f'#!/bin/sh\nexec {shutil.which("ssh")} -F {config} "$@"\n')
         self.environment = {**os.environ, "HOME": str(self.home), "PATH": f"{folder}/bin:{os.environ['PATH']}"}
-        for package in CHECKOUT:
-            for part in ("src", "scripts"):
-                if (PACKAGES / package / part).exists():
-                    shutil.copytree(PACKAGES / package / part, self.checkout / "morbot_ws/src" / package / part,
-                                    ignore=shutil.ignore_patterns("__pycache__"))
-        write(self.checkout / "morbot", MORBOT)
-        write(self.checkout / "serve.py", SERVE)
-        write(self.checkout / "last_file", "")
+        fill(self.checkout)
         self.git("init", "-q")
         self.commit("first")
 
     def git(self, *arguments):
-        return subprocess.run(["git", "-C", str(self.checkout), "-c", "user.name=a", "-c", "user.email=a@b", *arguments],
-                              check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+        command = ["git", "-C", str(self.checkout), "-c", "user.name=a", "-c", "user.email=a@b", *arguments]
+        return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
 
     def commit(self, message, **files):
         """Make a version with these files; return its commit."""
@@ -238,7 +236,7 @@ class Laptop:
         """Type a command; return (exit code, all that it printed)."""
         done = subprocess.run([sys.executable, str(self.checkout / "morbot_ws/src/jetbot_class/scripts/fleet.py"),
                                *arguments], env={**self.environment, **environment}, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120, check=False)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=400, check=False)
         return done.returncode, done.stdout
 
 
@@ -250,11 +248,42 @@ def wait(condition, explanation=str):
         time.sleep(0.02)
 
 
-def make_world(folder: Path):
-    """Return (robot, laptop)."""
-    robot = Robot(folder)
+def small_version(checkout):
+    """Fill a checkout with what ./morbot fleet needs, and a service that takes no time to build."""
+    for package in CHECKOUT:
+        for part in ("src", "scripts"):
+            if (PACKAGES / package / part).exists():
+                shutil.copytree(PACKAGES / package / part, checkout / "morbot_ws/src" / package / part,
+                                ignore=shutil.ignore_patterns("__pycache__"))
+    write(checkout / "morbot", MORBOT)
+    write(checkout / "serve.py", SERVE)
+    write(checkout / "last_file", "")
+
+
+def make_world(folder: Path, systemctl=SYSTEMCTL, fill=small_version):
+    """Return (robot, laptop). fill: makes the first version in the laptop's checkout."""
+    robot = Robot(folder, systemctl)
     try:
-        return robot, Laptop(folder, robot)
+        return robot, Laptop(folder, robot, fill)
     except BaseException:
         robot.close()
         raise
+
+
+def check_cut(robot, laptop, moment):
+    """Turn the robot off at a command of an update; return whether there was one: it starts whole, and can be updated.
+
+    moment: the number of the command.
+    """
+    before = robot.current()
+    new = laptop.commit(f"cut at {moment}", news=str(moment))
+    robot.cut_at(moment)
+    code, said = laptop.fleet("update", "--within", "1")
+    was_cut = robot.was_cut()
+    assert (code == 1) == was_cut, said
+    assert robot.current() in (before, new)
+    robot.boot()
+    code, said = laptop.fleet("update")
+    assert code == 0 and robot.current() == new, said
+    assert robot.versions() == {before, new}
+    return was_cut

@@ -2,7 +2,9 @@
 
 import asyncio
 import json
+import logging
 import time
+from typing import Dict
 
 from tornado.web import HTTPError
 
@@ -10,6 +12,7 @@ from ..remote.identity import Identity
 from ..remote.key import HUB, NONCE, ROBOT, Nonces, new_nonce, proof, proves
 from ..remote.link import as_object
 from ..remote.version import version_of
+from ..session.protocol import ENDED
 from ..session.rights import TEACHER
 from ..session.viewers import PageOwner
 from .handlers import Socket
@@ -17,17 +20,41 @@ from .work import MAX_WORK, is_request
 
 WRONG_KEY = 4005  # why a socket is closed
 HANDSHAKE_TIMEOUT = 3.0  # s
-VERSION = version_of()  # as this process started
+MINUTE = 60.0            # s
+MAX_ADDRESSES = 100      # that are refused in a minute and logged
+VERSION = version_of()   # as this process started
+
+
+class Refusals:
+    """What the robot's log says of those who have no key: one line for an address and minute."""
+
+    def __init__(self):
+        self._logged_at: Dict[str, float] = {}
+
+    def log(self, address: str, now: float) -> None:
+        """Log that a hub at this address was refused. now: in monotonic seconds."""
+        self._logged_at = {each: at for each, at in self._logged_at.items() if now - at < MINUTE}
+        if address not in self._logged_at and len(self._logged_at) < MAX_ADDRESSES:
+            self._logged_at[address] = now
+            logging.getLogger("rosout").warning("a hub at %s was refused: it has another key", address)
+
+
+REFUSALS = Refusals()
 
 
 class HubSocket(Socket):
-    """Sends a challenge; what answers it, and no browser, is a client. works: web.work.Works; instance: this start."""
+    """Sends a challenge; what answers it, and no browser, is a client. works: web.work.Works; instance: this start.
+
+    links: the newest socket of each link of each hub. A hub names its links: what it has closed, the network may not
+    have closed here, and it would keep the robot from its next driver.
+    """
 
     acts = False
     max_message_size = 2 * MAX_WORK
 
-    def initialize(self, access, pages, identity: Identity, works, instance: str) -> None:
+    def initialize(self, access, pages, identity: Identity, works, instance: str, links: dict) -> None:
         super().initialize(access, pages)
+        self._links, self._link = links, ("", "")
         self._identity, self._works, self._instance = identity, works, instance
 
     def prepare(self) -> None:
@@ -56,14 +83,35 @@ class HubSocket(Socket):
         robot, class_name, key = self._identity
         nonces = Nonces(self._nonce, str(fields.get("nonce")))
         if not NONCE.fullmatch(nonces.hub) or not proves(fields.get("proof"), key, HUB, class_name, robot, nonces):
+            REFUSALS.log(self.request.remote_ip, time.monotonic())
             self.close(WRONG_KEY, "wrong key")
             return
         self.send(json.dumps({"type": "proof", "proof": proof(key, ROBOT, class_name, robot, nonces),
                               "version": VERSION}))
+        hub, link, alive = (fields.get(name) for name in ("hub", "link", "links"))
+        if isinstance(hub, str) and isinstance(link, str) and isinstance(alive, list):
+            self._replace(hub, link, alive)
         owner = PageOwner("hub", self.request.remote_ip)
         self.viewer = self.pages.join(self, TEACHER, None, owner, time.monotonic())
+        if self.viewer:
+            self.viewer.frames = fields.get("frames") is not False
         if self.ws_connection:
             self.ws_connection.stream.is_page = True
+            self.ws_connection.stream.max_buffer_size = self.max_message_size  # a program is one message
+
+    def _replace(self, hub, link, alive):
+        """End the sockets from before: of this link, and of others that this hub has no more."""
+        self._link = hub, link
+        for other in [each for each in self._links if each[0] == hub and (each[1] == link or each[1] not in alive)]:
+            socket = self._links.pop(other)
+            if socket.viewer:
+                self.pages.end(socket.viewer, ENDED, "the hub has connected again")
+        self._links[self._link] = self
+
+    def on_close(self) -> None:
+        super().on_close()
+        if self._links.get(self._link) is self:
+            del self._links[self._link]
 
     def _end_unproven(self) -> None:
         if not self.viewer:
