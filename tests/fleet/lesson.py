@@ -3,7 +3,6 @@
 import time
 from typing import Callable, List
 
-from class_page import Page
 from school import BACK, Robot, School
 from wheels import p95
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Callable, Dict, List
 
 from air import Fate, enter
+
 from processes import end_with_parent, start
 
 SUBNET = "10.77.0"

@@ -9,15 +9,15 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Dict, List
 
-from network import Host, Router
 from class_page import Page
-from processes import end
+from network import Host, Router
 from wheels import Wheels
 
 from jetbot.wait import wait_until
 from jetbot_cockpit.remote import identity
 from jetbot_cockpit.remote.fleet import Entry, Fleet
 from jetbot_cockpit.remote.identity import Identity
+from processes import end
 
 CLASS = "7b"
 HUB = Path(__file__).parents[2] / "morbot_ws/src/jetbot_cockpit/scripts/hub.py"

@@ -4,7 +4,6 @@ import shutil
 import stat
 
 import pytest
-
 from fleet_robot import make_world
 
 pytestmark = pytest.mark.skipif(not shutil.which("sshd", path="/usr/sbin:/usr/bin"), reason="needs openssh-server")

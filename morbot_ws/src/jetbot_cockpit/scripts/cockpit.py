@@ -12,11 +12,11 @@ from typing import List, Optional
 import rospy
 
 from jetbot import JetbotError
-from jetbot_cockpit import version
 from jetbot_cockpit.classroom.classroom import Classroom, open_classroom
 from jetbot_cockpit.cockpit_parameters import PARAMETERS, resolve
 from jetbot_cockpit.remote import identity as identities
 from jetbot_cockpit.remote.identity import Identity
+from jetbot_cockpit.remote.version import version_of
 from jetbot_cockpit.robots.camera_topics import Cameras
 from jetbot_cockpit.robots.command_publishers import Drivers
 from jetbot_cockpit.robots.discovery import Robots
@@ -74,7 +74,7 @@ class Cockpit:
         self.drivers = Drivers()
         cameras = Cameras()
         self.control = Control(Robots(), self.drivers, cameras, Collection(given["pictures"]), self.classroom,
-                               version.installed())
+                               version_of())
         pages = Pages(self.control, self.codes, cameras)
         self.server = Server(sockets, self.access, pages, routes(self.access, pages, self.classroom, identity))
         self.logged, self.no_robot_at = Snapshot(), time.monotonic() + NO_ROBOT_AFTER

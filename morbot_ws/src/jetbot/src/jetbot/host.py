@@ -1,7 +1,6 @@
 """This computer: its model, its I2C buses, the one that a JetBot's motors are on, its addresses, and ROS's home."""
 
 import contextlib
-import grp
 import ipaddress
 import os
 import re
@@ -124,6 +123,7 @@ def permission_advice(device: Union[str, Path], usual_group: str) -> str:
     """Return what to do so that this user may open a device; usual_group: the group that usually owns such devices."""
     try:
         number = os.stat(device).st_gid
+        import grp  # here: Windows has none
         group = grp.getgrgid(number).gr_name
     except OSError:  # unplugged meanwhile
         group = usual_group

@@ -2,7 +2,6 @@
 
 import contextlib
 import errno
-import fcntl
 import json
 import os
 import re
@@ -159,6 +158,7 @@ def path_of(folder: str, name: str) -> Path:
 
 def lock(path: Path) -> int:
     """Lock a folder until this process ends; return its descriptor. Raise Busy, OSError."""
+    import fcntl  # here: a hub, which locks no folder, also runs on Windows
     descriptor = os.open(path, os.O_RDONLY | os.O_DIRECTORY)
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -1,9 +1,11 @@
 """The robots of a class, as the teacher's computer knows them: FOLDER/CLASS/fleet.json."""
 
+import contextlib
+import hashlib
 import json
 import os
 from pathlib import Path
-from typing import Any, List, NamedTuple
+from typing import Any, List, NamedTuple, Tuple
 
 from jetbot import InvalidValue, files
 from jetbot.text import printable
@@ -16,20 +18,32 @@ OWNER_ONLY = 0o700
 
 
 class Entry(NamedTuple):
-    """A robot. name: its own; address: where its page is, HOST or HOST:PORT; login: for ssh, USER@HOST, or ""."""
+    """A robot. name: its own; address: where its page is, HOST or HOST:PORT; login: for ssh, USER@HOST, or "".
+
+    last: HOST:PORT where it has proven its name last, "" if that is the address.
+    """
 
     name: str
     address: str
     login: str = ""
+    last: str = ""
 
     @property
     def authority(self) -> str:
         """HOST:PORT of its page."""
         return self.address if ":" in self.address else f"{self.address}:{COCKPIT_PORT}"
 
+    @property
+    def authorities(self) -> Tuple[str, ...]:
+        """HOST:PORT of each place where it may be."""
+        return tuple(dict.fromkeys([self.authority, *filter(None, [self.last])]))
+
 
 class Fleet:
-    """name: the class's; key: the class's key; robots: all entries. ``changed`` reads the file again."""
+    """name: the class's; key: the class's key; robots: all entries. ``update`` reads the file again.
+
+    For web.codes.Codes it is what a Classroom is for others: it keeps the hub's codes beside it.
+    """
 
     def __init__(self, folder: str, name: str):
         self.name, self.path = name, Path(folder).expanduser() / name / "fleet.json"
@@ -39,6 +53,11 @@ class Fleet:
             self.key = new_key()
             self.save([])
         self.update()
+
+    @property
+    def id(self) -> str:
+        """What pages know this class by: none that has another key."""
+        return hashlib.sha256(f"class {self.key}".encode()).hexdigest()[:16]
 
     def key_of(self, robot: str) -> str:
         """Return the key of a robot."""
@@ -62,9 +81,38 @@ class Fleet:
 
     def save(self, robots: List[Entry]) -> None:
         """Replace the robots, in the file too. Raises OSError."""
-        self.path.parent.mkdir(OWNER_ONLY, parents=True, exist_ok=True)
-        if not self.path.exists():
-            os.close(os.open(self.path, os.O_CREAT | os.O_WRONLY, 0o600))
-        files.replace(self.path, json.dumps({"key": self.key, "robots": [each._asdict() for each in robots]},
-                                            indent=2).encode())
+        write_secret(self.path, {"key": self.key, "robots": [each._asdict() for each in robots]})
         self._read_at = None
+
+    def remember(self, robot: str, address: str) -> None:
+        """A robot has proven its name at this address, HOST:PORT: the next hub finds it there, too."""
+        entries = {each.name: each for each in self.robots}
+        entry = entries.get(robot, Entry(robot, address))
+        entries[robot] = entry._replace(last="" if address == entry.authority else address)
+        if list(entries.values()) != self.robots:
+            with contextlib.suppress(OSError):  # a full disk: this hub knows it anyway
+                self.save(list(entries.values()))
+
+    def read(self, name: str, kind: type) -> Any:
+        """Return what is kept by this name, or an empty one."""
+        try:
+            content = json.loads(files.read(self._kept(name)))
+        except (OSError, ValueError):
+            content = None
+        return content if isinstance(content, kind) else kind()
+
+    def keep(self, name: str, content: Any) -> None:
+        """Keep this, for this user alone."""
+        with contextlib.suppress(OSError):  # a full disk: it ends with this hub
+            write_secret(self._kept(name), content)
+
+    def _kept(self, name):
+        return self.path.with_name(f"hub_{name}.json")
+
+
+def write_secret(path: Path, content: Any) -> None:
+    """Replace a file that only its user reads. Raises OSError."""
+    path.parent.mkdir(OWNER_ONLY, parents=True, exist_ok=True)
+    if not path.exists():
+        os.close(os.open(path, os.O_CREAT | os.O_WRONLY, 0o600))
+    files.replace(path, json.dumps(content, indent=2).encode())

@@ -8,19 +8,23 @@ its own, whose robot stops when the page is gone. Times are monotonic seconds.
 import itertools
 import json
 import math
-from typing import Any, Callable, Dict, List, Optional, Union
+from collections import deque
+from typing import Any, Callable, Deque, Dict, List, Optional, Set, Union
 
 from ..notices import say
 from ..session import protocol
 from ..session.messages import LIMITS
-from ..session.protocol import ENDED, FLOODED, FULL, INVALID, SILENT, dumps, notice
+from ..session.protocol import ENDED, FLOODED, FULL, INVALID, LOG_IN, NO_CODE, SILENT, dumps, notice
 from ..session.rights import TEACHER, Client
 from ..session.viewers import STILL_INTERVAL, PageOwner, Viewer
 from .fleet import Fleet
 from .link import Link
+from .requests import Requests
 from .robots import RemoteRobots, no_answer
+from .tables import Tables
 
 MAX_PAGES = 20
+MAX_LOG = 100
 GONE_AFTER = 15.0   # s without a sign of life: the socket is closed
 STALL = 0.3         # s without a tick: this process was frozen, and commands have waited in the sockets
 
@@ -34,7 +38,6 @@ class HubPage(Viewer):
         self.changes: List[Union[str, bytes]] = []
         self.looks_at: Optional[str] = None
         self.codes: Dict[str, List[dict]] = {}  # by robot
-        self.cameras: Dict[str, bool] = {}      # whether its pupils see them
 
     def link(self, robot: Optional[str]) -> Optional[Link]:
         """Return the link to the robot, by its id, or None without a connection."""
@@ -50,12 +53,14 @@ class HubPage(Viewer):
 class Hub:
     """All pages, and the robots. codes: what a teacher hands out for this hub (web.codes.Codes).
 
-    make_link: makes a Link.
+    make_link: makes a Link; found: see RemoteRobots; log: sentences for the terminal.
     """
 
-    def __init__(self, fleet: Fleet, codes, make_link: Callable[..., Link] = Link):
+    def __init__(self, fleet: Fleet, codes, make_link: Callable[..., Link] = Link, found: Callable[[], Set[str]] = set):
         self._fleet, self._codes, self._make_link = fleet, codes, make_link
-        self._robots = RemoteRobots(fleet, make_link)
+        self._robots = RemoteRobots(fleet, self._on_message, make_link, found)
+        self._requests, self._tables = Requests(self._robots, fleet.id), Tables()
+        self.log: Deque[str] = deque(maxlen=MAX_LOG)
         self._numbers = itertools.count(1)
         self._pages: Dict[int, HubPage] = {}
         self._ticked_at, self._stale_until = math.inf, -math.inf
@@ -63,7 +68,10 @@ class Hub:
     # What web.server and web.handlers call
 
     def join(self, connection, role: str, robot: Optional[str], owner: PageOwner, now: float) -> Optional[HubPage]:
-        """Return the new client, a teacher; None if there is no room."""
+        """Return the new client; None if there is no room, or if it is no teacher: pupils go to their robots."""
+        if role != TEACHER:
+            connection.close(LOG_IN, NO_CODE)
+            return None
         if len(self._pages) >= MAX_PAGES:
             connection.close(FULL, f"{MAX_PAGES} pages are connected already")
             return None
@@ -104,8 +112,13 @@ class Hub:
         self._ticked_at = now
         self._robots.update(now)
         robots = dumps({"type": "robots", "robots": self._robots.rows()})
+        states, changes = self._robots.states(), self._tables.take_changes()
+        for problem in self._robots.take_problems():
+            changes.append(notice(problem))
+            self.log.append(str(problem))
         for page in list(self._pages.values()):
-            self._show(page, robots, now)
+            page.changes.extend(map(dumps, changes if page.robots else ()))
+            self._show(page, robots, states, now)
 
     def send_pictures(self, now: float) -> bool:
         """Return that no robot is looked at here: what cameras see comes by a page's own links."""
@@ -113,7 +126,7 @@ class Hub:
 
     async def answer(self, client: Client, fields: Dict[str, Any]) -> tuple:
         """Answer what is asked of kept programs, as web.work.Works."""
-        return await self._robots.work(fields)
+        return await self._requests.answer(fields)
 
     # How it does that
 
@@ -126,18 +139,31 @@ class Hub:
             self._stale_until = now + STALL
         return now < self._stale_until
 
-    def _show(self, page, robots, now):
+    def _on_message(self, robot, message):
+        """Take what a robot says besides what it does."""
+        if message["type"] == "work":
+            self._requests.take(message)
+        else:
+            self._tables.update(robot, message)
+
+    def _connect(self, page):
+        """Give the page a link to each robot: not before its emergency stop was sent, if one is engaged."""
+        links = {link.address for link in self._robots.connected().values()}
+        for address in page.links.keys() - links:
+            page.links.pop(address).close()
+        for address in links - page.links.keys():
+            page.links[address] = self._make_link(
+                address, self._fleet, lambda link, message: self._receive(page, link, message), frames=False)
+
+    def _show(self, page, robots, states, now):
         if now - page.active_at > GONE_AFTER:
             self._end(page, SILENT, "no sign of life")
             return
         if page.is_ready(now):
-            for address in self._robots.addresses() - page.links.keys():
-                page.links[address] = self._make_link(address, self._fleet,
-                                                      lambda link, message: self._receive(page, link, message))
-            for address in page.links.keys() - self._robots.addresses():
-                page.links.pop(address).close()
+            self._connect(page)
             changes, page.changes = page.changes, []
-            page.show(robots, changes, dumps(self._robots.state(page)), lambda: changes, now)
+            page.show(robots, changes, self._state(page, states),
+                      self._tables.messages, now)
         elif page.links:  # it misses something, and gets all again; what it drives stops
             page.close_links()
             page.changes, page.robots = [], ""
@@ -145,11 +171,17 @@ class Hub:
             page.pinged_at = now
             page.connection.ping()
 
+    def _state(self, page, states):
+        """Return the message "state" for a page, which has an id of its own at each robot."""
+        shown = {robot: with_driver(state, page.link(robot), page.client.id) for robot, state in states.items()}
+        return json.dumps({"type": "state", "emergency": self._robots.emergency, "pupils_release": False,
+                           "unconfirmed": self._robots.unconfirmed(), "robots": shown}, separators=(",", ":"))
+
     def _stop(self, page, robot):
         if robot is None:
             self._robots.stop_all()
-        else:
-            self._robots.send(robot, {"type": "stop", "robot": robot})
+        elif not self._robots.stop(robot):
+            page.answer(notice(no_answer(robot)))
 
     def _obey(self, page, text, now):
         try:
@@ -163,13 +195,23 @@ class Hub:
     def _to_robot(self, page, message, text, now):
         """Pass a message on to its robot."""
         link = page.link(message.robot)
-        if message.moves and (self._is_stale(now) or not link or not link.is_fresh(now) or link.is_backlogged()):
-            refusal = say("interrupted") if self._is_stale(now) else no_answer(message.robot)
+        drives = message.type in ("drive", "program")
+        refusal = self._refusal(message.robot, link, now) if message.moves else None if link else no_answer(
+            message.robot)
+        if refusal and drives and (message.moves or message.type == "program"):
             page.answer({"type": "lift", "robot": message.robot, **refusal.fields()})
+        elif refusal and not drives:
+            page.answer(notice(refusal))
         elif link:
             link.send(text)
-        elif message.type not in ("drive", "program"):
-            page.answer(notice(no_answer(message.robot)))
+
+    def _refusal(self, robot, link, now):
+        """Return why a command is not passed on, or None: it would come late, or move a robot that must stand."""
+        if self._is_stale(now):
+            return say("interrupted")
+        if self._robots.engaged:
+            return say("all_stopped")
+        return None if link and link.is_fresh(now) and not link.is_backlogged() else no_answer(robot)
 
     def _to_all(self, page, message, text, now):
         for link in page.links.values():
@@ -185,8 +227,8 @@ class Hub:
         if message.robot is None:
             self._robots.release_all()
         else:
-            self._robots.send(message.robot, {"type": "release", "robot": message.robot})
-            self._robots.send(message.robot, {"type": "release", "robot": None})
+            if not self._robots.release(message.robot):
+                page.answer(notice(no_answer(message.robot)))
 
     def _ping(self, page, message, text, now):
         page.answer({"type": "pong", "sent": message.sent})
@@ -205,23 +247,26 @@ class Hub:
 
     def _receive(self, page: HubPage, link: Link, message: Union[dict, bytes]) -> None:
         """Take what a robot's cockpit sends to a page."""
+        is_looked_at = f"/{link.robot}" == page.looks_at
         if isinstance(message, bytes):
-            page.connection.send(message)
-            return
-        kind = message.get("type")
-        if kind in ("lift", "program", "judge", "picture", "notice"):
-            page.answer(message)
-        elif kind in ("trail", "scene"):
-            page.changes.append(json.dumps(message))
-        elif kind == "cameras":
-            page.cameras[link.robot] = message["on"]
-            page.answer({"type": "cameras", "on": any(page.cameras.values())})  # one that missed the switch is seen
-        elif kind == "codes":
+            if is_looked_at and not page.connection.is_backlogged():
+                page.connection.send(message)
+        elif message["type"] == "codes":
             page.codes[link.robot] = [each for each in message["codes"] if each["role"] != TEACHER]
-            rows = [row for robot in sorted(page.codes) for row in page.codes[robot]]
+            connected = {each.robot for each in page.links.values()}
+            rows = [row for robot in sorted(page.codes.keys() & connected) for row in page.codes[robot]]
             page.answer({"type": "codes", "codes": [*self._codes.rows, *rows]})
+        elif message["type"] in ANSWERS or message["type"] == "picture" and is_looked_at:
+            page.answer(message)
 
 
+def with_driver(state: dict, own: Optional[Link], page: int) -> dict:
+    """Return a robot's state for a page: who drives from there is that page, by its id here, others are 0."""
+    driver = state["driver"]
+    return {**state, "driver": driver and {**driver, "id": page if own and own.client == driver["id"] else 0}}
+
+
+ANSWERS = "lift", "program", "judge", "notice"
 ROUTES = {"ping": Hub._ping, "name": Hub._to_all, "offer": Hub._to_all, "cameras": Hub._to_all, "codes": Hub._to_all,
           "look": Hub._look, "seen": Hub._seen, "release": Hub._release, "go_on": Hub._to_one_or_all,
           "reset": Hub._to_one_or_all}

@@ -4,7 +4,9 @@ import asyncio
 import contextlib
 import json
 import math
+import socket
 import time
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Callable, Optional, Union
 
 from tornado.httpclient import HTTPClientError, HTTPRequest
@@ -12,7 +14,10 @@ from tornado.iostream import StreamClosedError
 from tornado.simple_httpclient import HTTPTimeoutError
 from tornado.websocket import WebSocketClosedError, WebSocketError, websocket_connect
 
+from jetbot.kinds import is_number
+
 from ..notices import Notice, say
+from ..session.messages import FROM_COCKPIT, problem_of
 from .fleet import Fleet
 from .key import HUB, ROBOT, ROBOT_NAME, Nonces, new_nonce, proof, proves
 
@@ -23,20 +28,28 @@ PING_INTERVAL = 0.5    # s
 FRESH = 1.5            # s without a message after which nothing that moves is sent: it would arrive late
 MAX_MESSAGE = 512 * 1024  # bytes
 MAX_RATE = 400         # messages a second: a robot that sends more is disconnected
-LOST = (OSError, HTTPClientError, HTTPTimeoutError, StreamClosedError, WebSocketClosedError, WebSocketError,
-        asyncio.TimeoutError)
+REFUSED_INTERVAL = 3.0  # s until a robot is asked again whose answer was refused
+MAX_TEXT = 40          # characters of what a robot says of itself
+LOST = (OSError, ValueError, HTTPClientError, HTTPTimeoutError, StreamClosedError, WebSocketClosedError,
+        WebSocketError, asyncio.TimeoutError)  # ValueError: of an address that is none
+CHECKED = FROM_COCKPIT.keys() - {"state", "robots"}
+UNCHECKED = "state", "robots", "work"  # by the receiver: another version of MorBot may send other fields of a robot
+RESOLVERS = ThreadPoolExecutor(64)  # a name that nobody answers for keeps one of them busy for many seconds
 
 
 class Link:
     """address: HOST:PORT; receive: is called with the link and each message, a dict or bytes, once ``robot`` is proven.
 
+    accept: is called with the link when a robot has proven its name; returns whether it is wanted; frames: whether the
+    robot is asked for the messages "robots" and "state".
     robot: the name that the cockpit has proven, "" without a connection; client: this link's id there;
-    instance: which start of the cockpit this is; version: the commit that it runs, or ""; problem: why there is no
-    connection, or None; delay: s for a message there and back, or None.
+    instance: which start of the cockpit this is; version: of MorBot there, or ""; problem: why there is no connection,
+    or None; delay: s for a message there and back, or None.
     """
 
-    def __init__(self, address: str, fleet: Fleet, receive: Callable[["Link", Union[dict, bytes]], None]):
-        self.address, self._fleet, self._receive = address, fleet, receive
+    def __init__(self, address: str, fleet: Fleet, receive: Callable[["Link", Union[dict, bytes]], None],
+                 accept: Callable[["Link"], bool] = lambda link: True, frames: bool = True):
+        self.address, self._fleet, self._receive, self._accept, self._frames = address, fleet, receive, accept, frames
         self.robot, self.instance, self.version, self.client = "", "", "", 0
         self.problem: Optional[Notice] = None
         self.delay: Optional[float] = None
@@ -45,12 +58,18 @@ class Link:
         self._claimed = ""  # a name that is not proven yet
         self._count = 0  # of messages since the last ping
         self._nonces = Nonces("", "")
+        self._ended, self._is_refused = asyncio.Event(), False
         self._task = asyncio.ensure_future(self._run())
 
     def close(self) -> None:
         """End the connection for good."""
         self._task.cancel()
         self._drop()
+
+    def reconnect(self) -> None:
+        """Close the connection, and connect again at once: what waits in it would come late, or never."""
+        self._drop()
+        self._ended.set()
 
     def is_fresh(self, now: float) -> bool:
         """Return whether the robot was heard of a moment ago."""
@@ -73,16 +92,23 @@ class Link:
 
     async def _run(self) -> None:
         while True:
+            self._ended, self._is_refused = asyncio.Event(), False
+            was_connected = False
             try:
+                await self._connect()
+                was_connected = True
                 await self._stay_connected()
             except LOST:
-                self.problem = self.problem or say("no_link", address=self.address)
+                pass
+            if not self._is_refused:
+                self.problem = say("no_link", address=self.address)
+            was_closed_here = was_connected and self._connection is None  # by ``reconnect``
             self._drop()
-            await asyncio.sleep(RETRY_INTERVAL)
+            await asyncio.sleep(REFUSED_INTERVAL if self._is_refused else 0 if was_closed_here else RETRY_INTERVAL)
 
-    async def _stay_connected(self) -> None:
-        request = HTTPRequest(f"ws://{self.address}/hub", connect_timeout=OPEN_TIMEOUT, request_timeout=OPEN_TIMEOUT)
-        self._ended = asyncio.Event()
+    async def _connect(self) -> None:
+        url = f"ws://{await asyncio.wait_for(resolve(self.address), OPEN_TIMEOUT)}/hub"
+        request = HTTPRequest(url, connect_timeout=OPEN_TIMEOUT, request_timeout=OPEN_TIMEOUT)
         early: list = []  # what arrives before this task goes on
 
         def on_message(data):
@@ -92,11 +118,13 @@ class Link:
         self._connection.stream.set_nodelay(True)
         for data in early:
             self._on_message(data)
+
+    async def _stay_connected(self) -> None:
         opened_at = self.heard_at = time.monotonic()
         while not self._ended.is_set():
             now = time.monotonic()
             if now - (self.heard_at if self.robot else opened_at) > SILENCE_TIMEOUT:
-                return
+                return  # a robot that has proven nothing may talk as it likes
             self._count = 0
             if self.robot:
                 self.send({"type": "ping", "sent": now})
@@ -112,19 +140,29 @@ class Link:
 
     def _on_message(self, data: Union[str, bytes, None]) -> None:
         self._count += 1
-        if data is None or self._count > MAX_RATE * PING_INTERVAL:
+        if data is None:
             self._ended.set()
-            return
+        elif self._count > MAX_RATE * PING_INTERVAL:
+            self._refuse(say("too_much", robot=self.robot or self.address))
+        elif not self._ended.is_set():
+            self._take(data)
+
+    def _take(self, data: Union[str, bytes]) -> None:
         self.heard_at = time.monotonic()
         message = data if isinstance(data, bytes) else as_object(data)
         if not self.robot:
             self._shake_hands(message)
-        elif isinstance(message, dict) and message.get("type") == "pong":
-            self.delay = self.heard_at - float(message["sent"])
-        elif isinstance(message, dict) and message.get("type") == "hello":
-            self.client = message.get("id", 0)
-        else:
+        elif isinstance(message, bytes) or self._is_news(message):
             self._receive(self, message)
+
+    def _is_news(self, message):
+        """Return whether this is for the receiver; what is not of the documented form is for nobody."""
+        kind = message.get("type")
+        if kind == "pong" and is_number(message.get("sent")):
+            self.delay = max(0.0, self.heard_at - message["sent"])
+        elif kind == "hello" and type(message.get("id")) is int:
+            self.client = message["id"]
+        return kind in UNCHECKED or kind in CHECKED and not problem_of(message)
 
     def _shake_hands(self, message: Any) -> None:
         """Prove to have the robot's key, and check its proof."""
@@ -133,21 +171,39 @@ class Link:
             self._answer(message)
         elif kind == "proof" and self._claimed and proves(message.get("proof"), self._fleet.key_of(self._claimed),
                                                           ROBOT, self._fleet.name, self._claimed, self._nonces):
-            self.robot, self.problem, self.version = self._claimed, None, str(message.get("version", ""))[:40]
+            self._is_refused = False
+            self.robot, self.version = self._claimed, str(message.get("version", ""))[:MAX_TEXT]
+            if self._accept(self):
+                self.problem = None
+            else:
+                self._refuse(self.problem)
         else:
-            self.problem = say("forged", address=self.address, robot=self._claimed)
-            self._ended.set()
+            self._refuse(say("forged", address=self.address, robot=self._claimed or self.address))
+
+    def _refuse(self, problem: Optional[Notice]) -> None:
+        """Close the connection, and wait a while before the next one."""
+        self.problem, self._is_refused = problem, True
+        self.robot = ""
+        self._ended.set()
 
     def _answer(self, challenge: dict) -> None:
         robot, class_name = str(challenge.get("robot")), challenge.get("class")
         self._nonces, self.instance = Nonces(str(challenge.get("nonce")), new_nonce()), str(challenge.get("instance"))
         if not ROBOT_NAME.fullmatch(robot) or class_name != self._fleet.name:
-            self.problem = say("other_fleet", address=self.address)
-            self._ended.set()
+            self._refuse(say("other_fleet", address=self.address))
             return
-        self._claimed, self.problem = robot, say("wrong_key", robot=robot)  # until it proves the same
-        self.send({"type": "answer", "nonce": self._nonces.hub,
+        self._claimed, self.problem, self._is_refused = robot, say("wrong_key", robot=robot), True  # until it proves it
+        self.send({"type": "answer", "nonce": self._nonces.hub, "frames": self._frames,
                    "proof": proof(self._fleet.key_of(robot), HUB, self._fleet.name, robot, self._nonces)})
+
+
+async def resolve(address: str) -> str:
+    """Return IP:PORT of HOST:PORT. Raises OSError or ValueError."""
+    host, _, port = address.rpartition(":")
+    found = await asyncio.get_event_loop().run_in_executor(
+        RESOLVERS, lambda: socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_STREAM))
+    ip = found[0][4][0]
+    return f"[{ip}]:{int(port)}" if ":" in ip else f"{ip}:{int(port)}"
 
 
 def as_object(text: str) -> dict:

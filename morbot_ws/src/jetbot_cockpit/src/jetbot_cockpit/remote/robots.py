@@ -1,52 +1,56 @@
 """The robots of a class, as a hub sees them by one link to each: which there are, what they do, and their stop."""
 
-import asyncio
-import itertools
+import contextlib
+import math
+import time
 from typing import Any, Callable, Dict, List, Optional, Set
 
+from jetbot import InvalidValue
 from jetbot_ros.colors import color_of
 from jetbot_ros.state import EMERGENCY_STOP
 
 from ..notices import Notice, say
-from ..session.messages import FROM_COCKPIT, ROBOT_STATE
+from ..session.messages import PARTS, ROBOT_ROW, ROBOT_STATE
 from ..session.snapshot import RobotSnapshot, label
 from .fleet import Fleet
 from .link import Link
 
-WORK_TIMEOUT = 5.0  # s
+CONFIRM_TIMEOUT = 0.5  # s in which a robot confirms a stop whose connection works
+REPORTED = "twice", "forged", "wrong_key", "too_much"  # problems that somebody must solve
 
 
 class RemoteRobots:
-    """All robots of a fleet. engaged: whether the emergency stop of all robots is.
+    """All robots of a fleet. engaged: whether the emergency stop of all robots was engaged here.
 
-    A robot that was out of reach when all were stopped is stopped when it comes back.
+    A robot that comes back meanwhile is stopped before all else. found: returns the addresses, HOST:PORT, where robots
+    announce themselves; receive: is called with a robot's id and each message that is not about robots and states.
     """
 
-    def __init__(self, fleet: Fleet, make_link: Callable[..., Link] = Link):
-        self._fleet, self._make_link = fleet, make_link
+    def __init__(self, fleet: Fleet, receive: Callable[[str, dict], None], make_link: Callable[..., Link] = Link,
+                 found: Callable[[], Set[str]] = set):
+        self._fleet, self._pass_on, self._make_link, self._found = fleet, receive, make_link, found
         self._links: Dict[str, Link] = {}  # by address
+        self._owners: Dict[str, Link] = {}  # which link is a robot's, by its id
         self._rows: Dict[str, dict] = {}   # what each robot has said last, by its id
         self._states: Dict[str, dict] = {}
-        self._emergency: Dict[str, bool] = {}  # of those that are connected
-        self._works: Dict[str, asyncio.Future] = {}
-        self._requests = itertools.count(1)
-        self.engaged = False
-
-    def addresses(self) -> Set[str]:
-        """Return where robots are, HOST:PORT."""
-        return set(self._links)
+        self._emergency: Dict[str, bool] = {}  # what each robot says of the stop of all, while it is connected
+        self._reported: Dict[str, Notice] = {}  # by address
+        self.engaged, self._stopped_at = False, -math.inf
 
     def update(self, now: float) -> None:
         """Read the list of robots again, and connect to those that are new."""
-        self._fleet.update()
-        wanted = {entry.authority for entry in self._fleet.robots}
+        with contextlib.suppress(InvalidValue):  # somebody edits the list: the one from before counts
+            self._fleet.update()
+        connected = {robot: {link.address} for robot, link in self.connected().items()}
+        places = [connected.get(f"/{entry.name}") or set(entry.authorities) for entry in self._fleet.robots]
+        wanted = self._found().union(*places, *connected.values())
         for address in self._links.keys() - wanted:
             self._links.pop(address).close()
         for address in wanted - self._links.keys():
-            self._links[address] = self._make_link(address, self._fleet, self._receive)
-        connected = {f"/{link.robot}" for link in self._links.values() if link.robot}
-        for robot in self._emergency.keys() - connected:
-            del self._emergency[robot]
+            self._links[address] = self._make_link(address, self._fleet, self._receive, self._accept)
+        if self.engaged and now - self._stopped_at > CONFIRM_TIMEOUT:
+            self._hurry(now)
+        self._emergency = {robot: value for robot, value in self._emergency.items() if self.link(robot)}
 
     def close(self) -> None:
         """Disconnect all."""
@@ -55,18 +59,29 @@ class RemoteRobots:
 
     def link(self, robot: Optional[str]) -> Optional[Link]:
         """Return the link to the robot, by its id, or None without a connection."""
-        return next((each for each in self._links.values() if each.robot and f"/{each.robot}" == robot), None)
+        link = self._owners.get(robot)
+        return link if link and f"/{link.robot}" == robot else None
+
+    def connected(self) -> Dict[str, Link]:
+        """Return the links to the robots that are connected, by their ids."""
+        return {robot: link for robot, link in self._owners.items() if self.link(robot)}
 
     def send(self, robot: str, message: dict) -> bool:
         """Send a message to a robot; return whether there is a connection."""
         link = self.link(robot)
         return bool(link and link.send(message))
 
+    @property
+    def emergency(self) -> bool:
+        """Whether all robots that are connected are stopped by the stop of all: also by another hub, or before this."""
+        return self.engaged or bool(self._emergency) and all(self._emergency.values())
+
     def stop_all(self) -> None:
         """Stop all robots, each on its own connection, and those that come back."""
-        self.engaged = True
+        self.engaged, self._stopped_at = True, time.monotonic()
         for link in self._links.values():
-            link.send({"type": "stop"})
+            if link.robot:
+                link.send({"type": "stop"})
 
     def release_all(self) -> None:
         """End that."""
@@ -74,66 +89,112 @@ class RemoteRobots:
         for link in self._links.values():
             link.send({"type": "release"})
 
-    def rows(self) -> List[dict]:
-        """Return the robots of the message "robots"."""
-        names = {entry.name for entry in self._fleet.robots} | {row.strip("/") for row in self._rows}
-        return [self._rows.get(f"/{name}") or absent_row(name) for name in sorted(names)]
+    def stop(self, robot: str) -> bool:
+        """Stop one robot; return whether there is a connection."""
+        return self.send(robot, {"type": "stop", "robot": robot})
 
-    def state(self, page) -> dict:
-        """Return the message "state" for a page (hub.HubPage): who drives a robot from there is that page."""
-        states = {}
-        for row in self.rows():
-            robot = row["id"]
-            link, own = self.link(robot), page.link(robot)
-            state = self._states.get(robot) if link else None
-            states[robot] = with_driver(state, own, page.client.id) if state else absent_state(robot)
-            if link and self._emergency.get(robot) and not self.engaged:
-                states[robot]["stopped"] = True
-        return {"type": "state", "emergency": self.engaged, "pupils_release": False, "unconfirmed": self.unconfirmed(),
-                "robots": states}
+    def release(self, robot: str) -> bool:
+        """End that, and the stop of all at this robot alone, but for one from here; return whether it is connected."""
+        if self._emergency.get(robot) and not self.engaged:
+            self.send(robot, {"type": "release"})
+        return self.send(robot, {"type": "release", "robot": robot})
 
     def unconfirmed(self) -> List[str]:
         """Return which robots have not said that the emergency stop of all robots, which is engaged, holds them."""
         held = {robot for robot, state in self._states.items() if self.link(robot) and EMERGENCY_STOP in state["holds"]}
-        return [row["id"] for row in self.rows() if self.engaged and row["id"] not in held]
+        return sorted(self._ids() - held) if self.emergency else []
 
-    async def work(self, fields: Dict[str, Any]) -> tuple:
-        """Ask the cockpit of a robot for what it keeps; return an HTTP status and the answer."""
-        robot = fields.get("robot")
-        request, done = str(next(self._requests)), asyncio.get_event_loop().create_future()
-        self._works[request] = done
-        try:
-            if not self.send(robot, {"type": "work", "request": request, "body": fields}):
-                return 409, no_answer(robot).fields()
-            return await asyncio.wait_for(done, WORK_TIMEOUT)
-        except asyncio.TimeoutError:
-            return 409, no_answer(robot).fields()
-        finally:
-            del self._works[request]
+    def rows(self) -> List[dict]:
+        """Return the robots of the message "robots"."""
+        entries = {f"/{entry.name}": entry for entry in self._fleet.robots}
+        rows = []
+        for robot in sorted(self._ids()):
+            link = self.link(robot)
+            address = link.address if link else entries[robot].authority if robot in entries else ""
+            row = self._rows.get(robot) or absent_row(robot)
+            rows.append({**row, "address": address and f"http://{address}/",
+                         "version": link.version if link else row["version"]})
+        return rows
+
+    def states(self) -> Dict[str, dict]:
+        """Return what each robot does; of one that is out of reach, why."""
+        states = {}
+        for robot in self._ids():
+            link = self.link(robot)
+            state = self._states.get(robot) if link else None
+            delay = link.delay if link else None
+            states[robot] = {**(state or absent_state(robot, self._problem(robot))),
+                             "link": None if delay is None else round(1000 * delay, 1)}
+            if link and self._emergency.get(robot) and not self.emergency:
+                states[robot]["stopped"] = True
+        return states
+
+    def take_problems(self) -> List[Notice]:
+        """Return what somebody has to solve, once each."""
+        problems = {address: link.problem for address, link in self._links.items()
+                    if link.problem and link.problem.code in REPORTED}
+        new = [problem for address, problem in problems.items() if self._reported.get(address) != problem]
+        self._reported = problems
+        return new
+
+    def _hurry(self, now):
+        """Connect again where the stop may wait in a connection that is dead: a new one brings it first of all."""
+        late = self.unconfirmed()
+        for robot, link in self.connected().items():
+            if robot in late and (link.is_backlogged() or not link.is_fresh(now)):
+                link.reconnect()
+
+    def _ids(self) -> Set[str]:
+        return {f"/{entry.name}" for entry in self._fleet.robots} | self._owners.keys()
+
+    def _problem(self, robot) -> Notice:
+        """Return why a robot is out of reach: what happens at an address that the list has for it."""
+        entry = next((each for each in self._fleet.robots if f"/{each.name}" == robot), None)
+        problems = [self._links[address].problem for address in (entry.authorities if entry else ())
+                    if address in self._links]
+        return next(filter(None, problems), no_answer(robot))
+
+    def _accept(self, link: Link) -> bool:
+        """Take a link to a robot that has proven its name, unless another link to this name is alive."""
+        robot = f"/{link.robot}"
+        owner = self.link(robot)
+        if owner and owner is not link and owner.is_fresh(time.monotonic()):
+            link.problem = None if owner.instance == link.instance else say(
+                "twice", robot=link.robot, address=owner.address, other=link.address)
+            return False
+        self._owners[robot] = link
+        if owner and owner is not link:
+            owner.reconnect()
+        self._emergency.pop(robot, None)
+        if self.engaged:
+            link.send({"type": "stop"})
+        self._fleet.remember(link.robot, link.address)
+        return True
 
     def _receive(self, link: Link, message: Any) -> None:
-        if not isinstance(message, dict):
+        robot = f"/{link.robot}"
+        if self._owners.get(robot) is not link or not isinstance(message, dict):
             return
-        kind, robot = message.get("type"), f"/{link.robot}"
-        if kind == "robots" and FROM_COCKPIT["robots"].fields["robots"].accepts(message.get("robots")):
-            self._rows.update((row["id"], row) for row in message["robots"] if row["id"] == robot)
-        elif kind == "state":
-            self._on_state(link, robot, message)
-        elif kind == "work" and message.get("request") in self._works:
-            done = self._works[message["request"]]
-            if not done.done():
-                done.set_result((message["status"], message["body"]))
+        if message["type"] == "robots":
+            row = next((each for each in as_list(message.get("robots")) if each.get("id") == robot), None)
+            self._rows[robot] = completed(row, absent_row(robot), ROBOT_ROW) or self._rows.get(robot)
+        elif message["type"] == "state":
+            self._on_state(robot, message)
+        else:
+            self._pass_on(robot, message)
 
-    def _on_state(self, link, robot, message):
-        state = message["robots"].get(robot)
-        if state is not None and ROBOT_STATE.accepts(state):
-            self._states[robot] = state
-        came_back, before = robot not in self._emergency, self._emergency.get(robot)
-        self._emergency[robot] = message["emergency"] is True
-        if self.engaged and came_back and not self._emergency[robot]:
-            link.send({"type": "stop"})
-        elif self.engaged and before and not self._emergency[robot]:
-            self.engaged = False  # somebody else has released it
+    def _on_state(self, robot, message):
+        robots = message.get("robots")
+        state = robots.get(robot) if isinstance(robots, dict) else None
+        complete = completed(state, absent_state(robot, no_answer(robot)), ROBOT_STATE)
+        if complete:
+            self._states[robot] = complete
+        else:
+            self._states.pop(robot, None)  # its controller has ended
+        before = self._emergency.get(robot)
+        self._emergency[robot] = message.get("emergency") is True
+        if self.engaged and before and not any(self._emergency.values()):
+            self.engaged = False  # another hub has released all
 
 
 def no_answer(robot: Optional[str]) -> Notice:
@@ -141,21 +202,27 @@ def no_answer(robot: Optional[str]) -> Notice:
     return say("no_answer", robot=label(robot or ""))
 
 
-def with_driver(state: dict, own: Optional[Link], page: int) -> dict:
-    """Return a robot's state for a page, which has an id of its own there."""
-    driver = state["driver"]
-    if driver:
-        driver = {**driver, "id": page if own and own.client == driver["id"] else 0}
-    return {**state, "driver": driver}
+def as_list(value: Any) -> List[dict]:
+    """Return the objects in a list that somebody has sent."""
+    return [each for each in value if isinstance(each, dict)] if isinstance(value, list) else []
 
 
-def absent_row(name: str) -> dict:
+def completed(fields: Any, otherwise: Dict[str, Any], part) -> Optional[Dict[str, Any]]:
+    """Return the fields that another version of MorBot has sent, as they are here; None if they cannot be used."""
+    if not isinstance(fields, dict):
+        return None
+    complete = {**otherwise, **{name: value for name, value in fields.items() if name in PARTS[part.type]}}
+    return complete if part.accepts(complete) else None
+
+
+def absent_row(robot: str) -> dict:
     """Return the row of a robot that was not heard of yet."""
-    color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name))
-    return RobotSnapshot(f"/{name}", color=color).description()
+    color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(robot.strip("/")))
+    return RobotSnapshot(robot, color=color).description()
 
 
-def absent_state(robot: str) -> dict:
-    """Return the state of a robot that is out of reach."""
-    snapshot = RobotSnapshot(robot, answers=False)
-    return snapshot.message(None, None, None, None, 0, None, 0)
+def absent_state(robot: str, problem: Notice) -> dict:
+    """Return the state of a robot that is out of reach. problem: why."""
+    state = RobotSnapshot(robot, answers=False).message(None, None, None, None, 0, None, 0)
+    return {**state, "status": str(problem), "cause": problem.code, "template": problem.template,
+            "arguments": {name: str(value) for name, value in problem.arguments.items()}}

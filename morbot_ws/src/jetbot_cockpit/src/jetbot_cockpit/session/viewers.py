@@ -29,6 +29,7 @@ class Viewer:
         self.active_at = self.pinged_at = self.shown_at = now
         self.state = self.robots = ""
         self.problem: Optional[Notice] = None
+        self.frames = True  # whether it wants "robots" and "state"
         self.is_done = False  # it was disconnected, and has stopped since: nothing more of it counts
         self.feed = Feed()
 
@@ -57,10 +58,10 @@ class Viewer:
     def show(self, robots: str, changes: List[str], state: str, history: Callable[[], List[dict]], now: float) -> None:
         """Send what the page does not show yet. history: returns what only a new page needs."""
         texts = changes if self.robots else list(map(dumps, history()))
-        for text in texts if self.robots == robots else [robots, *texts]:
+        for text in texts if self.robots == robots or not self.frames else [robots, *texts]:
             self.connection.send(text)
         self.robots = robots
-        if state != self.state or now - self.shown_at >= STILL_INTERVAL:
+        if self.frames and (state != self.state or now - self.shown_at >= STILL_INTERVAL):
             self.connection.send(state)
             self.state, self.shown_at = state, now
 

@@ -6,7 +6,6 @@ import os
 import socket
 from typing import List
 
-import rosgraph.network
 from tornado.netutil import bind_sockets
 
 from jetbot import InvalidValue
@@ -51,8 +50,7 @@ def refusal(port: int, error: OSError) -> InvalidValue:
 
 def lan_addresses() -> List[str]:
     """Return this computer's addresses that are not loopback ones, the one that reaches other networks first."""
-    rosgraph.network._local_addrs = None  # its cache: a network may have come up
-    found = [address for address in rosgraph.network.get_local_addresses() if not is_loopback(address)]
+    found = [address for address in _interface_addresses() if not is_loopback(address)]
     return list(dict.fromkeys([*_routed_addresses(), *found]))
 
 
@@ -60,6 +58,18 @@ def host_names() -> List[str]:
     """Return this computer's name, and its name in the local network where multicast DNS is at hand."""
     name = socket.gethostname().lower()
     return [name] if "." in name else [name, f"{name}.local"]
+
+
+def _interface_addresses() -> List[str]:
+    """Return the addresses of all interfaces; without ROS, those that this computer's name has."""
+    try:
+        import rosgraph.network
+    except ImportError:
+        with contextlib.suppress(OSError):
+            return [info[4][0] for info in socket.getaddrinfo(socket.gethostname(), None)]
+        return []
+    rosgraph.network._local_addrs = None  # its cache: a network may have come up
+    return list(rosgraph.network.get_local_addresses())
 
 
 def _routed_addresses() -> List[str]:

@@ -2,24 +2,27 @@
 
 from typing import Callable, Dict, List, Optional, Sequence
 
-from ..classroom.classroom import Classroom
 from ..session.rights import PUPIL
 from .access import Grant, make_grant, make_grants
 from .handout import Card
 
 
 class Codes:
-    """robots: the names of those that have a code each; without any, one for all pupils; None: there are no codes.
+    """classroom: what keeps them (classroom.Classroom, or remote.fleet.Fleet).
 
-    hosts: returns by what others reach this computer now, the best first; port: the page's. grants: what the codes
-    give; a new one takes the place of the old one. cards: to hand out, empty as long as others have nowhere to come to.
+    robots: the names of those that have a code each; without any, one for all pupils; None: there are no codes.
+    hosts: returns by what others reach this computer now, the best first; port: the page's; for_pupils: False for a
+    teacher's code alone. grants: what the codes give; a new one takes the place of the old one. cards: to hand out,
+    empty as long as others have nowhere to come to.
     """
 
-    def __init__(self, classroom: Classroom, robots: Optional[Sequence[str]], hosts: Callable[[], Sequence[str]],
-                 port: int):
+    def __init__(self, classroom, robots: Optional[Sequence[str]], hosts: Callable[[], Sequence[str]],
+                 port: int, for_pupils: bool = True):
         self._classroom, self._hosts, self._port = classroom, hosts, port
         self._kept: Dict[str, object] = classroom.read("codes", dict)
         self.grants: List[Grant] = [] if robots is None else make_grants(robots, self._kept)
+        if not for_pupils:
+            del self.grants[1:]
         self._host = ""
         self.cards: List[Card] = []
         self._keep()

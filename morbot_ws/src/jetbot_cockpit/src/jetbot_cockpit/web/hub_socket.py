@@ -2,7 +2,9 @@
 
 import asyncio
 import json
+import logging
 import time
+from typing import Dict
 
 from tornado.web import HTTPError
 
@@ -17,7 +19,26 @@ from .work import MAX_WORK, is_request
 
 WRONG_KEY = 4005  # why a socket is closed
 HANDSHAKE_TIMEOUT = 3.0  # s
-VERSION = version_of()  # as this process started
+MINUTE = 60.0            # s
+MAX_ADDRESSES = 100      # that are refused in a minute and logged
+VERSION = version_of()   # as this process started
+
+
+class Refusals:
+    """What the robot's log says of those who have no key: one line for an address and minute."""
+
+    def __init__(self):
+        self._logged_at: Dict[str, float] = {}
+
+    def log(self, address: str, now: float) -> None:
+        """Log that a hub at this address was refused. now: in monotonic seconds."""
+        self._logged_at = {each: at for each, at in self._logged_at.items() if now - at < MINUTE}
+        if address not in self._logged_at and len(self._logged_at) < MAX_ADDRESSES:
+            self._logged_at[address] = now
+            logging.getLogger("rosout").warning("a hub at %s was refused: it has another key", address)
+
+
+REFUSALS = Refusals()
 
 
 class HubSocket(Socket):
@@ -56,14 +77,18 @@ class HubSocket(Socket):
         robot, class_name, key = self._identity
         nonces = Nonces(self._nonce, str(fields.get("nonce")))
         if not NONCE.fullmatch(nonces.hub) or not proves(fields.get("proof"), key, HUB, class_name, robot, nonces):
+            REFUSALS.log(self.request.remote_ip, time.monotonic())
             self.close(WRONG_KEY, "wrong key")
             return
         self.send(json.dumps({"type": "proof", "proof": proof(key, ROBOT, class_name, robot, nonces),
                               "version": VERSION}))
         owner = PageOwner("hub", self.request.remote_ip)
         self.viewer = self.pages.join(self, TEACHER, None, owner, time.monotonic())
+        if self.viewer:
+            self.viewer.frames = fields.get("frames") is not False
         if self.ws_connection:
             self.ws_connection.stream.is_page = True
+            self.ws_connection.stream.max_buffer_size = self.max_message_size  # a program is one message
 
     def _end_unproven(self) -> None:
         if not self.viewer:
