@@ -6,6 +6,7 @@ import threading
 from typing import List, Optional
 
 from network import Host
+from school import CLASS
 from tornado.httpserver import HTTPServer
 from tornado.netutil import bind_sockets
 from tornado.web import Application
@@ -13,7 +14,6 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from jetbot_cockpit.remote.key import HUB, ROBOT, Nonces, new_nonce, proof
 from jetbot_ros.contract import COCKPIT_PORT
-from school import CLASS
 from web_client import WebSocket
 
 FLOOD = json.dumps({"type": "notice", "code": "x", "arguments": {}, "text": "x" * 200, "template": "x"})

@@ -4,10 +4,10 @@ import shutil
 import time
 
 import pytest
-
 from jetbot_class.robot.service import XML
-from jetbot_ros.contract import COCKPIT_PORT
 from school import CLASS
+
+from jetbot_ros.contract import COCKPIT_PORT
 
 pytest.importorskip("zeroconf", reason="python3-zeroconf is not installed")
 AVAHI = shutil.which("avahi-daemon", path="/usr/sbin:/usr/bin")
@@ -31,6 +31,7 @@ def announced(lesson):
         robot.host.run("/usr/sbin/avahi-daemon", "--kill")
         robot.host.run("umount", "/etc/avahi/services")
         robot.host.move(robot.number)
+    lesson.school.list_robots()
 
 
 @pytest.mark.skipif(not AVAHI, reason="avahi-daemon is not installed")
