@@ -42,10 +42,12 @@ in_container() {  # COMMAND...
     [ ! -t 0 ] || [ ! -t 1 ] || terminal=-it
     exec "$tool" exec $terminal --workdir "$folder" --env TERM --env ROS_MASTER_URI --env ROS_HOSTNAME --env ROS_IP \
         --env ROS_NAMESPACE --env JETBOT_BOARD --env JETBOT_I2C_BUS --env JETBOT_PORT \
+        --env JETBOT_CAMERA \
         "$container" "$here/docker/attend" $$ "$here/morbot" "$@"
 }
 
-# Prints the name of the running container; starts it, and before builds its image, if need be.
+# Prints the name of the running container; starts it, and before builds its image, if need be. Another device gives
+# another name, so a container is added for what was plugged in; but a stop takes any that runs.
 find_container() {
     : "${BASE:=$(base_image)}"
     image=morbot-system:$(cat "$here/docker/Dockerfile" "$here/setup/install.sh" | cksum | cut -d ' ' -f 1)-${BASE##*:}
@@ -53,17 +55,53 @@ find_container() {
     set -- --network host --pid host --security-opt label=disable --stop-timeout 30 \
         --volume "$here:$here" --tmpfs "$HOME:exec,mode=1777" --volume "$HOME/.ros:$HOME/.ros" \
         --env "HOME=$HOME" --env "USER=$(id -un)"
-    for device in /dev/i2c-* /dev/ttyACM* /dev/ttyUSB*; do
-        [ ! -c "$device" ] || set -- "$@" --device "$device"
+    set -- "$@" $(user_options)
+    own=morbot-$(echo "$@" "$image" | cksum | cut -d ' ' -f 1)
+    for device in $(devices); do
+        set -- "$@" --device "$device" $(group_of "$device")
     done
-    set -- "$@" $(user_options) "$image"
-    container=morbot-$(echo "$@" | cksum | cut -d ' ' -f 1)
-    ! "$tool" exec "$container" touch /tmp/last_use >/dev/null 2>&1 || { echo "$container"; return; }
+    camera=$(jetson_camera)
+    running=$([ "$command" != stop ] || "$tool" ps --filter "name=$own" --format '{{.Names}}')
+    for container in $running "$own-$(echo "$@" "$camera" | cksum | cut -d ' ' -f 1)"; do
+        ! "$tool" exec "$container" touch /tmp/last_use >/dev/null 2>&1 || { echo "$container"; return; }
+    done
     "$tool" image inspect "$image" >/dev/null 2>&1 || build_system >&2
-    "$tool" rm "$container" >/dev/null 2>&1 || :  # left by a crash
-    "$tool" run --detach --rm --name "$container" "$@" "$here/docker/attend" >/dev/null 9<&- ||
-        fail "$tool cannot start the container (see above)"
+    start_container $camera "$@" || { [ -n "$camera" ] &&
+        echo "morbot: $tool cannot give the Jetson's camera to the container (see above); trying without it" >&2 &&
+        start_container "$@"; } || fail "$tool cannot start the container (see above)"
     echo "$container"
+}
+
+start_container() {  # OPTION...
+    "$tool" rm "$container" >/dev/null 2>&1 || :  # left by a crash
+    "$tool" run --detach --rm --name "$container" "$@" "$image" "$here/docker/attend" >/dev/null 9<&-
+}
+
+# The devices of motor boards and cameras; HOST_ROOT is for tests.
+devices() {
+    for kind in i2c- ttyACM ttyUSB video; do
+        for device in "${HOST_ROOT:-}/dev/$kind"*; do
+            [ ! -c "$device" ] || echo "$device"
+        done
+    done
+}
+
+# On a desktop, an access list lets a user open a camera, but docker copies only its group.
+group_of() {  # DEVICE
+    [ "$tool" != docker ] || ! [ -r "$1" ] || ! [ -w "$1" ] || echo "--group-add $(stat -L -c %g "$1")"
+}
+
+# The socket of the daemon that owns a Jetson's camera, and NVIDIA's libraries, which its container toolkit adds to any
+# image. A daemon that restarts makes another socket: its inode gives the container another name.
+jetson_camera() {
+    socket=${HOST_ROOT:-}/tmp/argus_socket
+    [ -S "$socket" ] || return 0
+    case $("$tool" info --format '{{.Runtimes}}' 2>/dev/null) in
+        *nvidia*) libraries="--runtime nvidia --env NVIDIA_VISIBLE_DEVICES=all --env NVIDIA_DRIVER_CAPABILITIES=all" ;;
+        *) grep -qs nvidia.com/gpu "${HOST_ROOT:-}"/etc/cdi/* "${HOST_ROOT:-}"/run/cdi/* || return 0
+            libraries="--device nvidia.com/gpu=all" ;;
+    esac
+    echo "$libraries --volume $socket:$socket --label argus=$(stat -c %i "$socket")"
 }
 
 # Gives processes in the container this user's files and groups. Docker's own limit on file descriptors is so high that

@@ -1,6 +1,6 @@
 # Which systems have ROS 1, what MorBot needs there, and how to install it. Sourced by ./morbot.
 
-# Packages to drive a robot, real or simulated; and all packages, to build, test and draw too.
+# Packages to drive a robot, real or simulated; all packages, to build, test and draw too; what a camera needs.
 run_packages="ros-environment rosbash python3-rospy python3-roslaunch python3-rostopic python3-rosnode python3-rosmsg
     python3-rosservice python3-rosparam python3-geometry-msgs python3-std-msgs python3-diagnostic-msgs
     python3-diagnostic-updater python3-nav-msgs python3-sensor-msgs python3-std-srvs python3-tf2-ros python3-tf2-msgs
@@ -10,6 +10,7 @@ run_packages="ros-environment rosbash python3-rospy python3-roslaunch python3-ro
 packages="$run_packages catkin make g++ librostest-dev libgeometry-msgs-dev ros-geometry-msgs ros-std-msgs
     python3-rostest python3-matplotlib python3-setuptools python3-pytest python3-pytest-xdist python3-hypothesis
     python3-pexpect iproute2 git"
+camera_packages="gstreamer1.0-tools gstreamer1.0-plugins-base gstreamer1.0-plugins-good"
 
 # A field of os-release(5); a derivative of Debian or Ubuntu names the release that it descends from.
 os_release() {  # FIELD...
@@ -93,7 +94,7 @@ packages_of() {  # noetic | one
             python3-smbus2 | python3-segno) if [ "$1" = noetic ]; then echo python3-pip; else echo "$package"; fi ;;
             make | g++ | python3-serial | python3-yaml | python3-numpy | python3-pil | python3-tornado | \
                 python3-matplotlib | python3-setuptools | python3-pytest* | python3-hypothesis | python3-pexpect | \
-                iproute2 | git) echo "$package" ;;
+                iproute2 | git | gstreamer*) echo "$package" ;;
             ros-environment) echo "ros-$1-ros-environment" ;;
             *) echo "$package" | sed "s/^python3-//; s/^lib//; s/^ros-//; s/-dev$//; s/^/ros-$1-/" ;;
         esac

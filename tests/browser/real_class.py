@@ -57,12 +57,13 @@ class RealClass:
     def start_robot(self, robot: str) -> None:
         """Switch a robot on."""
         home = self._folder / robot
-        master = f"http://localhost:{self._masters[robot]}"
+        own = {"HOME": str(home), "ROS_HOME": str(home / ".ros"),
+               "ROS_MASTER_URI": f"http://localhost:{self._masters[robot]}"}
         self._launched[robot] = start(
             ["roslaunch", "-p", str(self._masters[robot]), "jetbot_class", "robot.launch", f"robot:={robot}",
              f"identity:={home / 'identity.json'}", f"cockpit_port:={self._ports[robot]}",
              f"classes:={home / 'classes'}", "pictures:=false", "camera:=false"],
-            self._folder / f"{robot}_log", env=self._env(HOME=str(home), ROS_HOME=str(home / ".ros"), ROS_MASTER_URI=master))
+            self._folder / f"{robot}_log", env=self._env(**own))
 
     def kill_robot(self, robot: str) -> None:
         """Switch a robot off: no program of it says goodbye."""
@@ -83,7 +84,8 @@ class RealClass:
 
     def logs(self) -> str:
         """Return what all have printed."""
-        return "".join(f"\n--- {each.log.name}\n{each.log.read_text()}" for each in (self.hub, *self._launched.values()))
+        logs = [each.log for each in (self.hub, *self._launched.values())]
+        return "".join(f"\n--- {log.name}\n{log.read_text()}" for log in logs)
 
     def close(self) -> None:
         """End all."""

@@ -14,12 +14,13 @@ from jetbot_control_node.status.remarks import remark
 from jetbot_ros.state import CAUSES
 
 from .conftest import ROBOT
+from .hub_class import receive_fleet
 from .test_accessibility import BEN, BEST, OFFER, press
 from .test_sharing import codes_of
 
 SCREENS = [(360, 640), (820, 1180), (1024, 768), (1280, 800)]  # px
 SHEETS = "codes", "one code", "best", "programs", "class"  # states in which a sheet covers the page
-KNOWN = ["jetbot", "ms", "rad", "Ben", "Ada", "STOP", "http", "KQ", "MX"]
+KNOWN = ["jetbot", "ms", "rad", "Ben", "Ada", "Maximilian", "STOP", "http", "KQ", "MX"]
 SPEAK = """if (location.protocol === "http:") {
     const pseudo = %s, fetch = window.fetch;
     localStorage.setItem("language", "de");
@@ -84,6 +85,13 @@ def is_stopped(page):
                        stopped=True, held="programs", waiting=["/jetbot_01"])
 
 
+def is_of_a_hub(page):
+    receive_fleet(page, ["jetbot_03", "jetbot_09"])
+    page.choose("jetbot_04")
+    page.click("#show-health")
+    page.wait_for(lambda: page.text("unconfirmed"), "the robots that have not confirmed")
+
+
 def shows_codes(page):
     page.click("#show-codes")
     cards = codes_of(3)["codes"]
@@ -94,7 +102,8 @@ def shows_codes(page):
 
 def test_the_pads_page_has_no_english_left_and_room_for_longer_words(pseudo, world):
     check(pseudo(world.address), {
-        "connected": lambda page: None, "driven": drives, "stopped": is_stopped, "codes": shows_codes,
+        "connected": lambda page: None, "hub": is_of_a_hub, "driven": drives, "stopped": is_stopped,
+        "codes": shows_codes,
         "one code": press("#codes-list .enlarge"), "best": press("#close-codes", "#close-codes", "#show-scores"),
         "camera": press("#close-scores", "#show-camera"),
         "login": lambda page: page.run("document.getElementById('login').showModal()")})

@@ -144,4 +144,4 @@ def test_a_stop_without_a_connection_is_sent_when_it_is_back_and_one_that_is_not
     release(page)
     page.run("WebSocket.prototype.send = () => {}")
     page.click("#stop")
-    page.wait_for_text("notice", "not confirmed")
+    page.wait_for_text("unconfirmed", "not confirmed")

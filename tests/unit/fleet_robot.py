@@ -17,7 +17,7 @@ CHECKOUT = "jetbot", "jetbot_ros", "jetbot_cockpit", "jetbot_class"  # what ./mo
 COMMANDS = ("git", "tar", "mkdir", "ln", "mv", "touch", "sync", "rm", "readlink", "df", "flock", "cat", "systemctl")
 STATE = {"status": "stopped", "state": "stopped", "answers": True, "driver": None, "program": "", "health": None}
 TIMEOUT = 20.0  # s
-OWN_RUN = [] if os.geteuid() else [  # root's sshd wants a folder in /run, which may be missing: it gets a /run of its own
+OWN_RUN = [] if os.geteuid() else [  # root's sshd wants a folder in /run, and gets a /run of its own
     "unshare", "--mount", "sh", "-c", 'mount -t tmpfs run /run && mkdir /run/sshd && exec "$@"', "sh"]
 
 MORBOT = """#!/bin/sh
@@ -168,7 +168,8 @@ ForceCommand {self._folder}/login
     def boot(self):
         """Start it again, as systemd does."""
         (self.home / "cut").unlink(missing_ok=True)
-        subprocess.run([str(self._folder / "systemctl"), "boot"], check=True, env={**os.environ, "HOME": str(self.home)})
+        subprocess.run([str(self._folder / "systemctl"), "boot"], check=True,
+                       env={**os.environ, "HOME": str(self.home)})
 
     @property
     def morbot(self):
@@ -218,8 +219,8 @@ class Laptop:
         self.commit("first")
 
     def git(self, *arguments):
-        return subprocess.run(["git", "-C", str(self.checkout), "-c", "user.name=a", "-c", "user.email=a@b", *arguments],
-                              check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+        command = ["git", "-C", str(self.checkout), "-c", "user.name=a", "-c", "user.email=a@b", *arguments]
+        return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
 
     def commit(self, message, **files):
         """Make a version with these files; return its commit."""
@@ -258,3 +259,22 @@ def make_world(folder: Path):
     except BaseException:
         robot.close()
         raise
+
+
+def check_cut(robot, laptop, moment):
+    """Turn the robot off at a command of an update; return whether there was one: it starts whole, and can be updated.
+
+    moment: the number of the command.
+    """
+    before = robot.current()
+    new = laptop.commit(f"cut at {moment}", news=str(moment))
+    robot.cut_at(moment)
+    code, said = laptop.fleet("update", "--within", "1")
+    was_cut = robot.was_cut()
+    assert (code == 1) == was_cut, said
+    assert robot.current() in (before, new)
+    robot.boot()
+    code, said = laptop.fleet("update")
+    assert code == 0 and robot.current() == new, said
+    assert robot.versions() == {before, new}
+    return was_cut

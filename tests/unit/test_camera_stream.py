@@ -204,7 +204,7 @@ def is_running(group):
 
 
 @pytest.mark.parametrize("printed, sentence", [
-    ('WARNING: erroneous pipeline: no element "nvargus"', "This computer has no CSI camera of a Jetson. Choose"),
+    ('WARNING: erroneous pipeline: no element "nvargus"', "GStreamer has not what a Jetson's CSI camera needs. Choose"),
     ('WARNING: erroneous pipeline: no element "v4l2src"', "GStreamer has no element v4l2src. Install: sudo apt"),
     ("Cannot identify device '/dev/video0'.", "There is no such camera. Is it connected? Without"),
     ("ERROR: *** no cameras available ***", "There is no such camera."),

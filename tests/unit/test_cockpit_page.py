@@ -5,6 +5,7 @@ import re
 import pytest
 
 from conftest import ROOT
+from jetbot.health import FACTS
 
 PAGES = pytest.importorskip("jetbot_cockpit.web.handlers").PAGES  # it needs Tornado
 WWW = ROOT / "morbot_ws/src/jetbot_cockpit/www"
@@ -103,3 +104,8 @@ def test_the_colors_of_all_texts_and_controls_and_their_grounds_are_among_those_
     assert set(re.findall(r"background: var\(--([\w-]+)\)", styles)) - dots - grounds == set()
     for control in r"button, select, input", r"a\[href\]":
         assert re.search(control + r" \{[^}]* border: 1px solid var\(--edge\)", styles), control
+
+
+def test_each_warning_of_a_robots_health_has_a_line_for_the_teacher():
+    lines = re.findall(r"^  (\w+): t\(", (WWW / "to_do.js").read_text(), re.M)
+    assert sorted(lines) == sorted(FACTS)

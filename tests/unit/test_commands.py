@@ -8,7 +8,7 @@ import pytest
 
 from conftest import ROOT
 
-COMMANDS = "run class test setup shell doctor calibrate check stop forget robot help"
+COMMANDS = "run class test setup shell doctor calibrate check stop forget robot fleet help"
 
 
 def morbot(*words, **environment):

@@ -8,6 +8,7 @@ import pytest
 import yaml
 
 from conftest import ROOT
+from jetbot.camera.sources import SOURCES
 
 SERVICES = yaml.safe_load((ROOT / "docker/compose.yaml").read_text())["services"]
 PACKAGES = [ElementTree.parse(file) for file in (ROOT / "morbot_ws/src").rglob("package.xml")]
@@ -20,8 +21,8 @@ def test_service_has_no_privileges(name):
     service = SERVICES[name]
     assert service["cap_drop"] == ["ALL"] and service["security_opt"] == ["no-new-privileges:true"]
     assert not {"privileged", "cap_add", "pid", "ipc", "ports", "user"} & set(service)
-    assert name == "test" or service["read_only"]
-    assert name in ("robot", "guard") or "devices" not in service
+    assert name in ("test", "jetson_camera") or service["read_only"]
+    assert name in ("robot", "guard", "camera") or not service.get("devices")
 
 
 @pytest.mark.parametrize("name", SERVICES)
@@ -48,14 +49,32 @@ def test_the_guard_of_the_robot_is_a_container_of_its_own_that_starts_first():
     assert str(Path(socket).parent) in (ROOT / "docker/Dockerfile").read_text()  # there, it belongs to the image's user
 
 
+def test_a_camera_is_a_service_of_its_own_that_uses_nothing_but_its_device():
+    camera, jetson = SERVICES["camera"], SERVICES["jetson_camera"]
+    assert camera["devices"] == [camera["environment"]["JETBOT_CAMERA"]] == ["${JETBOT_CAMERA:-/dev/video0}"]
+    assert camera["group_add"] == ["${VIDEO_GID:-video}"] and "volumes" not in camera
+    assert jetson["runtime"] == "nvidia" and jetson["environment"]["NVIDIA_DRIVER_CAPABILITIES"] == "all"
+    assert jetson["volumes"] == ["/tmp/argus_socket:/tmp/argus_socket"] and not jetson["devices"]
+    assert jetson["environment"]["JETBOT_CAMERA"] == "csi"
+
+
+@pytest.mark.parametrize("source", ["usb", "csi"])
+def test_images_have_the_programs_of_the_cameras(source):
+    missing = SOURCES[source][-1]
+    assert set(missing.package.split()) <= packages_named("camera_packages")
+    dockerfile = (ROOT / "docker/Dockerfile").read_text()
+    assert "morbot install image &&" in dockerfile and "morbot install image-to-run &&" in dockerfile
+
+
 def test_image_has_all_that_the_nodes_need():
     assert {debian_name(depend) for package in PACKAGES for depend in package.iterfind("exec_depend")
-            if depend.text not in OURS and "==" not in depend.get("condition", "")} - NOT_IN_THE_IMAGE <= installed()
+            if depend.text not in OURS and "==" not in depend.get("condition", "")
+            } - NOT_IN_THE_IMAGE <= packages_named("run_packages")
 
 
-def installed():
-    """Return the packages that ./morbot installs in the image `run`."""
-    return set(re.search(r'^run_packages="(.*?)"', (ROOT / "setup/install.sh").read_text(), re.M | re.S)[1].split())
+def packages_named(name):
+    """Return the packages of a list in setup/install.sh; both images have camera_packages, too."""
+    return set(re.search(f'^{name}="(.*?)"', (ROOT / "setup/install.sh").read_text(), re.M | re.S)[1].split())
 
 
 def debian_name(depend):

@@ -3,6 +3,8 @@
 import re
 
 import pytest
+from jetbot_class.fleet.commands import parser as fleet_parser
+from jetbot_class.robot.commands import parser as robot_parser
 
 from conftest import PACKAGES, ROOT
 from jetbot.boards import BOARDS, scmd
@@ -16,6 +18,7 @@ from jetbot_cockpit.session.lease import COMMAND_TIMEOUT
 from jetbot_cockpit.session.messages import FROM_PAGE
 from jetbot_control_node.parameters import PARAMETERS
 
+PARSERS = {"fleet": fleet_parser, "robot": robot_parser}
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
 BOARDS_PAGE, SAFETY_PAGE = ((ROOT / "docs" / name).read_text() for name in ("boards.md", "safety.md"))
 
@@ -105,6 +108,15 @@ def test_the_sequences_name_what_exists():
     assert all(hasattr(guard, name) for name in re.findall(r"(?:controller|guard)-.*: ([A-Z]+)\b", page))
     assert {guard.HEARTBEAT_TIMEOUT, ANSWER_TIMEOUT, COMMAND_TIMEOUT} == {
         float(seconds) for seconds in re.findall(r"(?:no|No).* for ([\d.]+) s", page)}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_the_commands_for_a_class_of_real_robots_exist_as_they_are_typed(page):
+    text = page.read_text()
+    typed = re.findall(r"`\./morbot\s+(fleet|robot)\b([^`]*)`", text) + \
+        re.findall(r"^ *\./morbot (fleet|robot)\b(.*)$", text, re.MULTILINE)
+    for command, arguments in typed:
+        PARSERS[command]().parse_args(arguments.split("#")[0].split())  # exits if it does not know them
 
 
 @pytest.mark.parametrize("words, seconds", [

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import socket
 import subprocess
 import sys
 
@@ -10,21 +11,24 @@ import pytest
 from conftest import ROOT
 
 MORBOT, ATTEND = ROOT / "morbot", ROOT / "docker/attend"
+WITHOUT_ROS = ["sh", "-c", MORBOT.read_text().replace("is_installed ||", "reason=nothing;"), MORBOT]
 FEDORA = 'ID=fedora\nVERSION_ID=40\nPRETTY_NAME="Fedora Linux 40"\n'
 JETPACK_4 = 'ID=ubuntu\nID_LIKE=debian\nVERSION_CODENAME=bionic\nPRETTY_NAME="Ubuntu 18.04.6 LTS"\n'
 UBUNTU_24 = 'ID=ubuntu\nID_LIKE=debian\nUBUNTU_CODENAME=noble\nPRETTY_NAME="Ubuntu 24.04.1 LTS"\n'
+UBUNTU_26 = 'ID=ubuntu\nID_LIKE=debian\nUBUNTU_CODENAME=resolute\nPRETTY_NAME="Ubuntu 26.04 LTS"\n'
 NO_ROS = "morbot: Fedora Linux 40 has no packages of ROS 1; "
 ENGINE = """#!/bin/sh
 echo "${0##*/} $*" >>"$LOG"
 case "$1 $2 $4" in
     --version*) %(version)s ;;
+    "ps --filter"*) cat "$LOG.running" 2>/dev/null || : ;;
     ps*) %(ps)s ;;
     version*) echo %(server)s ;;
-    info*) echo "[name=seccomp,profile=default]" ;;
+    info*) echo "[name=seccomp,profile=default] $RUNTIMES" ;;
     "image inspect "*) [ -e "$LOG.built" ] ;;
     build*) %(build)s && touch "$LOG.built" ;;
-    run*) touch "$LOG.running" ;;
-    "exec "*" /tmp/last_use") [ -e "$LOG.running" ] ;;
+    run*) case $* in *"${CANNOT:-nothing}"*) exit 125 ;; esac; echo "$5" >>"$LOG.running" ;;
+    "exec "*) [ "$3" != touch ] || grep -qxs "$2" "$LOG.running" ;;
 esac
 """
 MISSING = {"version": "exit 127", "ps": ":", "server": "", "build": ":"}
@@ -40,7 +44,7 @@ def morbot(tmp_path):
     home = tmp_path / "home"
     home.mkdir()
 
-    def run(*arguments, system=FEDORA, docker=MISSING, podman=MISSING, uid=1234):
+    def run(*arguments, system=FEDORA, docker=MISSING, podman=MISSING, uid=1234, **environment):
         for name, engine in ("docker", docker), ("podman", podman):
             write_program(tmp_path / name, ENGINE % engine)
         write_program(tmp_path / "apt-cache", '#!/bin/sh\n[ "$*" = "show podman" ]\n')
@@ -50,10 +54,10 @@ def morbot(tmp_path):
         (tmp_path / "os-release").write_text(system)
         log = tmp_path / "log"
         log.write_text("")
-        process = subprocess.run([MORBOT, *arguments], text=True, cwd=ROOT / "docs", stdin=subprocess.DEVNULL,
+        process = subprocess.run([*WITHOUT_ROS, *arguments], text=True, cwd=ROOT / "docs", stdin=subprocess.DEVNULL,
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={
             **os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "HOME": str(home), "LOG": str(log),
-            "OS_RELEASE": str(tmp_path / "os-release")})
+            "OS_RELEASE": str(tmp_path / "os-release"), "HOST_ROOT": str(tmp_path / "host"), **environment})
         return process.returncode, process.stdout, log.read_text().splitlines()
 
     return run
@@ -82,10 +86,11 @@ def test_the_first_command_builds_the_image_and_starts_the_container_that_later_
     assert f" {container} {ATTEND} " in later[-1]
 
 
-def test_podman_is_installed_where_apt_has_it_and_no_engine_is_there(morbot):
-    code, printed, commands = morbot("run", system=UBUNTU_24, uid=0)
+@pytest.mark.parametrize("system, name", [(UBUNTU_24, "Ubuntu 24.04.1 LTS"), (UBUNTU_26, "Ubuntu 26.04 LTS")])
+def test_podman_is_installed_where_apt_has_it_and_no_engine_is_there(morbot, system, name):
+    code, printed, commands = morbot("run", system=system, uid=0)
     assert code == 0
-    assert "morbot: Ubuntu 24.04.1 LTS has no packages of ROS 1; installing podman, to run in a container\n" in printed
+    assert f"morbot: {name} has no packages of ROS 1; installing podman, to run in a container\n" in printed
     assert commands[-1].startswith("podman exec ")
 
 
@@ -94,6 +99,87 @@ def test_the_container_has_this_folder_the_users_settings_network_and_processes(
     for option in (f"--volume {ROOT}:{ROOT}", f"--volume {tmp_path}/home/.ros:{tmp_path}/home/.ros", "--network host",
                    "--pid host", "--user 1234:1234", f"--env HOME={tmp_path}/home"):
         assert f" {option} " in started
+
+
+@pytest.fixture
+def plug_in(tmp_path):
+    """Return a function that gives this computer a device, which everybody may open."""
+    (tmp_path / "host/dev").mkdir(parents=True)
+
+    def plug(name):
+        device = tmp_path / "host/dev" / name
+        device.symlink_to("/dev/null")
+        return device
+
+    return plug
+
+
+@pytest.fixture
+def jetson(tmp_path):
+    """Make this computer one whose daemon for the camera runs; return the daemon's socket."""
+    path = tmp_path / "host/tmp/argus_socket"
+    path.parent.mkdir(parents=True)
+    with socket.socket(socket.AF_UNIX) as daemon:
+        daemon.bind(os.path.relpath(path))  # a socket's path may have 107 characters
+        yield path
+
+
+def test_the_container_has_motor_boards_and_cameras_with_the_groups_that_may_open_them(morbot, plug_in):
+    devices = [plug_in(name) for name in ("i2c-1", "ttyACM0", "ttyUSB1", "video0", "video10")]
+    started = words_of(morbot("shell", docker=WORKING)[2], "docker run")
+    for device in devices:
+        assert f" --device {device} --group-add {os.stat(device).st_gid} " in started
+
+
+def test_a_camera_that_was_plugged_in_is_in_a_further_container(morbot, plug_in):
+    first = words_of(morbot("shell", docker=WORKING)[2], "docker run")
+    camera = plug_in("video0")
+    later = words_of(morbot("shell", docker=WORKING)[2], "docker run")
+    assert f" --device {camera} " not in first and f" --device {camera} " in later
+
+
+def test_a_stop_waits_for_no_other_container_when_a_device_was_plugged_in(morbot, plug_in):
+    container = words_of(morbot("shell", docker=WORKING)[2], "docker run").partition("--name ")[2].split()[0]
+    plug_in("video0")
+    commands = morbot("stop", docker=WORKING)[2]
+    assert f" {container} {ATTEND} " in commands[-1]
+    assert not [line for line in commands if line.startswith("docker run")]
+
+
+def test_a_jetsons_camera_is_reached_by_its_daemon_and_nvidias_libraries(morbot, jetson):
+    started = words_of(morbot("shell", docker=WORKING, RUNTIMES="nvidia:{} runc:{}")[2], "docker run")
+    assert " --runtime nvidia --env NVIDIA_VISIBLE_DEVICES=all --env NVIDIA_DRIVER_CAPABILITIES=all " in started
+    assert f" --volume {jetson}:{jetson} " in started
+
+
+@pytest.mark.parametrize("folder", ["etc/cdi", "run/cdi"])
+def test_a_jetsons_camera_in_podman(morbot, jetson, tmp_path, folder):
+    specification = tmp_path / "host" / folder / "nvidia.yaml"
+    specification.parent.mkdir(parents=True)
+    specification.write_text("kind: nvidia.com/gpu\n")
+    started = words_of(morbot("shell", podman={**WORKING, "version": "echo podman version 4.9.3"})[2], "podman run")
+    assert f" --device nvidia.com/gpu=all --volume {jetson}:{jetson} " in started
+
+
+def test_without_nvidias_toolkit_a_jetson_drives_without_its_camera(morbot, jetson):
+    code, _, commands = morbot("shell", docker=WORKING, RUNTIMES="runc:{}")
+    assert code == 0 and "argus" not in words_of(commands, "docker run")
+
+
+def test_a_jetson_drives_without_its_camera_where_the_libraries_do_not_start(morbot, jetson):
+    code, printed, commands = morbot("shell", docker=WORKING, RUNTIMES="nvidia:{} runc:{}", CANNOT="--runtime nvidia")
+    assert code == 0
+    assert "morbot: docker cannot give the Jetson's camera to the container (see above); trying without it\n" in printed
+    assert commands[-1].startswith("docker exec ")
+    assert not [line for line in commands if "cannot start the container" in line]
+
+
+def test_a_daemon_of_the_camera_that_was_restarted_is_in_a_further_container(morbot, jetson):
+    morbot("shell", docker=WORKING, RUNTIMES="nvidia:{}")
+    os.rename(jetson, jetson.with_name("old"))  # keeps its inode
+    with socket.socket(socket.AF_UNIX) as daemon:
+        daemon.bind(os.path.relpath(jetson))
+        assert words_of(morbot("shell", docker=WORKING, RUNTIMES="nvidia:{}")[2], "docker run")
 
 
 def test_a_podman_without_root_keeps_the_users_id(morbot):

@@ -94,7 +94,8 @@ def test_packages_that_exclude_ros_1_as_those_of_ros_2_do_are_left_as_they_are(i
 
 @pytest.mark.parametrize("os_release", [
     "ID=kali; ID_LIKE=debian; VERSION_ID=2025.4; VERSION_CODENAME=kali-rolling",
-    "ID=ubuntu; ID_LIKE=debian; VERSION_ID=25.10; VERSION_CODENAME=questing; UBUNTU_CODENAME=questing"])
+    "ID=ubuntu; ID_LIKE=debian; VERSION_ID=25.10; VERSION_CODENAME=questing; UBUNTU_CODENAME=questing",
+    "ID=ubuntu; ID_LIKE=debian; VERSION_ID=26.04; VERSION_CODENAME=resolute; UBUNTU_CODENAME=resolute"])
 def test_another_release_is_set_up_if_apt_knows_the_packages(install, os_release):
     code, _, commands = install(os_release)
     assert code == 0 and " python3-rospy " in commands

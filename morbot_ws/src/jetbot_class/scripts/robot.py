@@ -8,10 +8,9 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import sys
 
-from jetbot_class.robot.commands import main
-
 from jetbot import JetbotError
 from jetbot.text import printable
+from jetbot_class.robot.commands import main
 
 if __name__ == "__main__":
     try:

@@ -44,7 +44,8 @@ SHUTDOWN_TIMEOUT = 2.0  # s for the end of this node
 def routes(access: Access, pages: Pages, classroom: Classroom, identity: Optional[Identity]) -> List[tuple]:
     """Return what is served besides the page: its programs, and for the hub of this robot's class a socket."""
     works = Works(classroom, pages.knows)
-    hub = {"access": access, "pages": pages, "identity": identity, "works": works, "instance": secrets.token_hex(8)}
+    hub = {"access": access, "pages": pages, "identity": identity, "works": works, "instance": secrets.token_hex(8),
+           "links": {}}
     return [(r"/work", Work, {"access": access, "works": works}), *([(r"/hub", HubSocket, hub)] if identity else [])]
 
 

@@ -61,6 +61,7 @@ export class Fleet {
     const driving = this.rows.filter(({ item }) => item.dataset.level === "driving").length;
     element("all-go-on").hidden = !this.rows.some(({ id }) => this.world.nameWaiting(id));
     setClass(document.body, "hub", this.world.robots.some(({ address }) => address));
+    setClass(document.body, "unplaced", !this.world.placed.length);
     const lines = toDo(this.world).join("\n");
     setText(element("to-do"), lines);
     element("to-do").hidden = !lines;

@@ -8,8 +8,14 @@ import json
 import signal
 import sys
 
-from jetbot_tools.doctor.checkup import run_checks
-from jetbot_tools.options import add_options, parse
+from jetbot_tools.doctor.jetbot_module import require_own
+
+try:
+    from jetbot_tools.doctor.checkup import run_checks
+    from jetbot_tools.options import add_options, parse
+except Exception:
+    require_own()
+    raise
 
 
 def main() -> int:

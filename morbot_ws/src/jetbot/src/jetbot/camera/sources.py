@@ -26,7 +26,8 @@ NUMBERS = {"width": whole(4096), "height": whole(4096), "fps": whole(120), "qual
 REPLUG = "Unplug the camera, plug it in again, and try another port."
 NO_CAMERA = "Is it connected? Without a camera, type first: export JETBOT_CAMERA=fake"
 TROUBLES = (  # what a command prints: a pattern, the reason, the advice
-    (r"no element \"nv", "this computer has no CSI camera of a Jetson", "Choose another: export JETBOT_CAMERA=usb"),
+    (r"no element \"nv", "GStreamer has not what a Jetson's CSI camera needs",
+     "Choose another: export JETBOT_CAMERA=usb   In a container, the Jetson needs: nvidia-container-toolkit"),
     (r"no element \"(\w+)\"", r"GStreamer has no element \1",
      "Install: sudo apt install gstreamer1.0-plugins-base gstreamer1.0-plugins-good"),
     (r"(?i)(?:is|resource) busy|failed to acquire camera|in use", "another program uses the camera",

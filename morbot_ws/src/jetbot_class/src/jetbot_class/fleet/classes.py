@@ -26,7 +26,7 @@ def open_class(name: str, new: bool, folder: str = FOLDER) -> Fleet:
         raise InvalidValue(f"the class is missing; this computer {there}", "As in ./morbot fleet --class 7b.")
     name = name or known[0]
     if not CLASS_NAME.fullmatch(name):
-        raise InvalidValue(f"{printable(name)} is no name of a class: letters, digits, _ and -, 20 at most")
+        raise InvalidValue(f"no class can be called {printable(name)}: letters, digits, _ and -, 20 at most")
     if not new and name not in known:
         raise InvalidValue(f"there is no class {name} on this computer",
                            f"This makes it: ./morbot fleet --class {name} add HOST")
@@ -45,7 +45,7 @@ def entry_of(fleet: Fleet, name: str) -> Entry:
 def check_name(name: str) -> None:
     """Raise InvalidValue if no robot can be called so."""
     if not ROBOT_NAME.fullmatch(name):
-        raise InvalidValue(f"{printable(name)} is no name of a robot: a letter, then letters, digits and _, 30 at most")
+        raise InvalidValue(f"no robot can be called {printable(name)}", "A letter, then letters, digits and _, 30 at most.")
 
 
 def unused_name(fleet: Fleet) -> str:

@@ -7,7 +7,7 @@ import socket
 import subprocess
 import time
 from pathlib import Path
-from typing import List, Optional
+from typing import Dict, List, Optional
 
 from jetbot.text import printable
 from jetbot_cockpit.classroom import folder as classes
@@ -22,6 +22,7 @@ from .words import check_names, checked_key, known_arguments, read_arguments, ty
 MASTER_PORT = 11311
 READY_TIMEOUT = 90.0  # s until the page answers: a Raspberry Pi 3 needs 40
 POLL_INTERVAL = 0.2   # s
+DOCTORS = "board", "i2c_bus", "i2c_address", "port"  # the arguments that are the doctor's too
 TEST = """{robot} of the class {class_name} runs now, and starts with the computer.
 Test it on a box, wheels in the air:
 1. Open {address} on a phone in the same network; the code is in: sudo journalctl -u jetbot | grep code
@@ -35,6 +36,7 @@ def parser() -> argparse.ArgumentParser:
     """Return the parser of the command line."""
     made = argparse.ArgumentParser(prog="./morbot robot", description="Makes this computer a robot of a class.",
                                    allow_abbrev=False)
+    made.error = lambda message: refuse(printable(message))  # type: ignore[method-assign]
     made.add_argument("words", nargs="*", metavar="NAME | ARGUMENT:=VALUE",
                       help="the robot's name, such as jetbot_07; arguments of jetbot_controller.launch, which are kept")
     made.add_argument("--class", dest="class_name", metavar="CLASS", help="the class's name, such as 7b")
@@ -46,7 +48,7 @@ def parser() -> argparse.ArgumentParser:
 
 def main(arguments: List[str], computer: Optional[Computer] = None) -> int:
     """Do what was typed; return the exit code. Raise JetbotError, OSError."""
-    given = parser().parse_args(arguments)
+    given = parser().parse_intermixed_args(arguments)
     computer = computer or Computer()
     if given.off:
         return off(computer, given.forget)
@@ -74,13 +76,13 @@ def name(computer: Computer, given: argparse.Namespace) -> int:
     identity = Identity(robot, class_name, key_for(given, robot, before, class_name))
     build()
     groups = groups_missing(getpass.getuser())
-    memory.Memory(kept, remembered.host or computer.name(), (*remembered.groups, *groups)).save()
+    memory.Memory(kept, remembered.host or computer.name(), tuple(dict.fromkeys([*remembered.groups, *groups]))).save()
     for group in groups:
         computer.as_root("usermod", "-aG", group, getpass.getuser())
     identities.write(identity)
-    computer.rename(host_of(robot))
+    computer.rename(host_of(robot), remembered.host)
     service.install(computer, service.files_of(identity, kept))
-    return report(computer, identity, service.port_of(kept))
+    return report(computer, identity, kept)
 
 
 def host_of(robot: str) -> str:
@@ -124,16 +126,18 @@ def build() -> None:
         refuse(f"you may not write to {service.ROOT}", "Copy this folder into your home.")
 
 
-def report(computer: Computer, identity: Identity, port: int) -> int:
+def report(computer: Computer, identity: Identity, arguments: Dict[str, str]) -> int:
     """Wait until the page answers, run the doctor, and print what to test. Raise Refused."""
     print("morbot: starting", flush=True)
+    port = service.port_of(arguments)
     end = time.monotonic() + READY_TIMEOUT
     while not answers(port):
         if time.monotonic() > end:
             refuse(f"{identity.robot} is installed, but its page does not answer",
                    "This says why: sudo journalctl -u jetbot -n 20")
         time.sleep(POLL_INTERVAL)
-    doctor = subprocess.run([str(service.ROOT / "morbot"), "doctor"], check=False).returncode
+    options = [f"{key}:={value}" for key, value in arguments.items() if key in DOCTORS]
+    doctor = subprocess.run([str(service.ROOT / "morbot"), "doctor", *options], check=False).returncode
     addresses = [f"http://{host}:{port}" for host in (f"{computer.name()}.local", *ask("hostname", "-I").split())
                  if ":" not in host]
     print(TEST.format(robot=identity.robot, class_name=identity.class_name, address=" or ".join(addresses[:2])))
@@ -185,8 +189,9 @@ def off(computer: Computer, forget: bool) -> int:
         identity = None
     remembered = memory.load()
     service.uninstall(computer)
-    if remembered.host and (not identity or computer.name() == host_of(identity.robot)):
-        computer.rename(remembered.host)
+    named = host_of(identity.robot) if identity else computer.name()
+    if remembered.host and computer.name() in (named, remembered.host):
+        computer.rename(remembered.host, named)
     for group in remembered.groups:
         computer.as_root("gpasswd", "-d", getpass.getuser(), group, check=False)
     if forget and identity:

@@ -5,7 +5,7 @@ import shutil
 import socket
 import subprocess
 from pathlib import Path
-from typing import List, NoReturn
+from typing import Iterable, List, NoReturn
 
 from jetbot import JetbotError
 from jetbot.text import printable
@@ -76,27 +76,26 @@ class Computer:
         """Return the host's name."""
         return socket.gethostname()
 
-    def rename(self, new: str) -> None:
-        """Give the host a name, by which it also knows itself. Raise Refused."""
+    def rename(self, new: str, *before: str) -> None:
+        """Give the host a name, by which it also knows itself, and no more by those before. Raise Refused."""
         old = self.name()
-        if old == new:
-            return
-        self._put_hosts(new, "")  # both names until it has the new one: sudo looks for its own
-        self.as_root("hostnamectl", "set-hostname", new)
-        self._put_hosts(new, old)
-        self.systemctl("try-restart", "avahi-daemon", check=False)
+        self._put_hosts(new)  # both names until it has the new one: sudo looks for its own
+        if old != new:
+            self.as_root("hostnamectl", "set-hostname", new)
+            self.systemctl("try-restart", "avahi-daemon", check=False)
+        self._put_hosts(new, old, *before)
 
-    def _put_hosts(self, name: str, without: str) -> None:
+    def _put_hosts(self, name: str, *without: str) -> None:
         hosts = self.root / "etc/hosts"
         text = hosts.read_text(errors="replace") if hosts.is_file() else "127.0.0.1 localhost\n"
         self.put("etc/hosts", with_name(text, name, without))
 
 
-def with_name(hosts: str, name: str, without: str) -> str:
-    """Return the text of /etc/hosts in which a name is this computer's, and another one no more."""
+def with_name(hosts: str, name: str, without: Iterable[str]) -> str:
+    """Return the text of /etc/hosts in which a name is this computer's, and others are no more."""
     lines = hosts.splitlines()
     own = [number for number, line in enumerate(lines) if line.split()[:1] == ["127.0.1.1"]] or [len(lines)]
-    others = [each for line in lines[own[0]:own[0] + 1] for each in line.split()[1:] if each not in (name, without)]
+    others = [each for line in lines[own[0]:own[0] + 1] for each in line.split()[1:] if each not in (name, *without)]
     lines[own[0]:own[0] + 1] = [" ".join(["127.0.1.1", name, *others])]
     return "\n".join(lines) + "\n"
 

@@ -45,9 +45,10 @@ def check_names(robot: str, class_name: str) -> None:
     if not ROBOT_NAME.fullmatch(robot):
         refuse(f"{robot} is no name of a robot",
                "It has letters, digits and _, 30 at most, and begins with a letter, such as jetbot_07.")
-    if not class_name or not CLASS_NAME.accepts(class_name):
-        refuse(f"{class_name} is no name of a class, which has {CLASS_NAME.description}" if class_name
-               else f"the class of {robot} is missing", f"Such as: ./morbot robot {robot} --class 7b")
+    if not class_name:
+        refuse(f"the class of {robot} is missing", f"Such as: ./morbot robot {robot} --class 7b")
+    if not CLASS_NAME.accepts(class_name):
+        refuse(f"{class_name} is no name of a class, which has {CLASS_NAME.description}")
 
 
 def typed_key(robot: str) -> str:

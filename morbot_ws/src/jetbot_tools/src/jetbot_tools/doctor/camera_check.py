@@ -1,10 +1,12 @@
 """Checks of the camera: which there is, who uses it, and whether a picture comes. A robot drives without one."""
 
+import fcntl
 import os
 import shlex
+import struct
 import time
 from pathlib import Path
-from typing import Iterator, List
+from typing import Iterator, List, Tuple
 
 from jetbot import host
 from jetbot.camera.sources import find_command
@@ -13,30 +15,50 @@ from jetbot.errors import JetbotError
 
 from .computer import Check
 
-VIDEO = Path("/sys/class/video4linux")
+DEV = Path("/dev")
+# videodev2.h: struct v4l2_capability is driver, card, bus_info, version, capabilities, device_caps, reserved.
+VIDIOC_QUERYCAP, CAPABILITY = 0x80685600, struct.Struct("=16s32s32sIII12x")
+V4L2_CAP_VIDEO_CAPTURE = 0x1
+# The drivers of what a Raspberry Pi and a Jetson have between the camera on the ribbon cable and its program. Their
+# devices deliver raw Bayer data, or only what that program sends them.
+ON_CABLE = ("unicam", "bcm2835-isp", "rp1-cfe", "pispbe", "tegra-video")
 CAMERAS = ("csi", "usb")  # sources that may be any device
 BETWEEN = "nvargus-daemon"  # a Jetson's, between its camera and every program
 NONE = Check("camera", True, "none found")
 
 
 def check_cameras() -> Iterator[Check]:
-    """Yield a check of what JETBOT_CAMERA names; without, of what this computer has: on a ribbon cable, and on USB."""
+    """Yield a check of what JETBOT_CAMERA names; without, of what this computer has: on a ribbon cable, and others."""
     named = os.environ.get("JETBOT_CAMERA")
-    on_usb = [f"/dev/{video.name}" for video in sorted(VIDEO.glob("video*")) if is_on_usb(video)]
-    on_cable = ["csi"] if host.robot_bus(host.model()) is not None else []
-    sources = [named] if named else on_cable + on_usb
-    yield from (check_camera(source, bool(named)) for source in sources)
-    if not sources:
-        yield NONE
+    if named:
+        yield check_camera(named, True)
+        return
+    checks = [check_camera("csi", False)] if host.robot_bus(host.model()) is not None else []
+    videos = sorted(DEV.glob("video[0-9]*"), key=lambda video: (len(video.name), video.name))
+    closed = [video for video in videos if not os.access(video, os.R_OK | os.W_OK)]
+    cameras = filter(takes_pictures, videos)
+    checks += [check_camera(f"/dev/{video.name}", False) for video in cameras]
+    if closed:
+        checks.append(Check("camera", False, f"this user may not open {closed[0]}",
+                            host.permission_advice(closed[0], "video")))
+    yield from checks or [NONE]
 
 
-def is_on_usb(video: Path) -> bool:
-    """Return whether a folder of VIDEO is a USB camera's; its second one has no pictures, but their times and the like.
-    """
+def takes_pictures(video: Path) -> bool:
+    """Return whether a device delivers pictures by itself: not their times, as a USB camera's second one; no codec."""
     try:
-        return (video / "device/driver").resolve().name == "uvcvideo" and (video / "index").read_text().strip() == "0"
-    except OSError:  # unplugged meanwhile
+        driver, capabilities = query(video)
+    except OSError:  # unplugged meanwhile, or no device of Video4Linux
         return False
+    return bool(capabilities & V4L2_CAP_VIDEO_CAPTURE) and driver not in ON_CABLE
+
+
+def query(video: Path) -> Tuple[str, int]:
+    """Return the driver of a device and the capabilities V4L2_CAP_... of it alone. Raise OSError."""
+    with open(video, "rb", buffering=0) as device:
+        answer = fcntl.ioctl(device, VIDIOC_QUERYCAP, bytes(CAPABILITY.size))
+    driver, _, _, _, _, capabilities = CAPABILITY.unpack(answer)
+    return driver.partition(b"\0")[0].decode(errors="replace"), capabilities
 
 
 def check_camera(source: str, named: bool) -> Check:

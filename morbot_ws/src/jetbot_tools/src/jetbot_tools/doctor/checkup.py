@@ -1,6 +1,7 @@
 """All checks in their order, and the verdict: whether a robot could drive, and how."""
 
 import os
+import sys
 from pathlib import Path
 from typing import Iterator, List, Optional, Union
 
@@ -12,6 +13,7 @@ from jetbot.serial_link import SerialLink
 from jetbot_control_node.parameters import checked, default_file, load
 
 from ..options import launch_command
+from . import jetbot_module
 from .camera_check import check_cameras
 from .computer import Check, check_battery, check_cockpit_port, check_health, check_host, check_module, check_users
 from .motor_board import JUMPER_ADDRESSES, check_board, check_chips, check_serial
@@ -39,6 +41,7 @@ def all_checks(i2c_bus: Union[int, str, None], port: Optional[str], i2c_address:
                board: str) -> Iterator[Check]:
     """Yield all checks but the verdict: of the computer, and of what its robot may be connected to."""
     yield from map(check_module, MODULES)
+    yield from check_jetbot()
     yield check_host()
     yield from check_cockpit_port()
     file = default_file()
@@ -54,6 +57,13 @@ def all_checks(i2c_bus: Union[int, str, None], port: Optional[str], i2c_address:
     if not (found or board and on_bus):
         yield from check_port(port or DEFAULT_PORT)
     yield from check_cameras()
+
+
+def check_jetbot() -> Iterator[Check]:
+    """Yield a check that names each module ``jetbot``, if not all are MorBot's."""
+    finding = jetbot_module.finding(sys.path)
+    if finding:
+        yield Check("jetbot", True, finding, "Programs that are started elsewhere import that one: type ./morbot shell")
 
 
 def check_buses(i2c_bus: Union[int, str, None], i2c_address: Optional[int], board: str) -> Iterator[Check]:

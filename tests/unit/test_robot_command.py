@@ -1,0 +1,234 @@
+"""./morbot robot: one command makes a computer a robot of a class, changes it, and undoes all; also after a kill."""
+
+import xml.etree.ElementTree as ET
+
+import pytest
+from robot_computer import KEY, RobotComputer
+
+NAMED = "jetbot_07", "--class", "7b"
+DROP_IN = "etc/systemd/system/jetbot.service.d/morbot.conf"
+AVAHI = "etc/avahi/services/morbot.service"
+GROUPED = " ".join(KEY[at:at + 4] for at in range(0, len(KEY), 4)).lower()
+
+
+@pytest.fixture
+def computer(tmp_path):
+    """A computer that is no robot yet."""
+    return RobotComputer(tmp_path)
+
+
+@pytest.fixture
+def named(computer):
+    """One that is jetbot_07 of the class 7b."""
+    code, printed = computer.robot(*NAMED, "camera:=false", stdin=KEY)
+    assert code == 0, printed
+    return computer
+
+
+def last_command(computer):
+    return computer.read(DROP_IN).splitlines()[-1].split("robot.launch ")[1]
+
+
+def test_a_robot_is_built_named_announced_and_started(named):
+    assert named.identity() == {"robot": "jetbot_07", "class_name": "7b", "key": KEY}
+    assert (named.home / ".ros/morbot_robot.json").stat().st_mode & 0o777 == 0o600
+    assert last_command(named) == '"robot:=jetbot_07" "camera:=false"'
+    assert named.runs() == str(named.folder / "MorBot")
+    assert named.read("etc/hostname") == "jetbot-07\n"
+    assert named.read("etc/hosts") == "127.0.0.1 localhost\n127.0.1.1 jetbot-07 nano.school\n"
+    service = ET.fromstring(named.read(AVAHI)).find("service")
+    assert [each.text for each in service] == ["_morbot._tcp", "8080", "name=jetbot_07", "class=7b"]
+    calls = named.calls()
+    assert calls[:2] == ["morbot install", "morbot setup"]
+    assert "usermod -aG video kim" in calls, "it is in i2c, and there is no dialout"
+    assert calls[-3:] == ["systemctl enable --quiet jetbot-guard.service jetbot.service",
+                          "systemctl restart jetbot-guard.service jetbot.service", "morbot doctor"]
+
+
+def test_the_units_are_for_this_user_and_the_folder_that_current_leads_to(named):
+    for unit in "jetbot.service", "jetbot-guard.service", "jetbot.service.d/morbot.conf":
+        text = named.read(f"etc/systemd/system/{unit}")
+        assert "/home/jetbot/" not in text
+        assert "User=kim\n" in text or unit.endswith(".conf")
+        assert f"{named.home}/.local/share/morbot/current/morbot_ws/devel/env.sh" in text
+    assert f"ReadWritePaths=-{named.home}/.ros" in named.read("etc/systemd/system/jetbot.service")
+
+
+def test_at_the_end_it_says_what_to_test_on_a_box_and_what_the_doctor_found(computer):
+    code, printed = computer.robot(*NAMED, "i2c_bus:=7", "camera:=false", stdin=KEY)
+    assert code == 0
+    assert computer.calls()[-1] == "morbot doctor i2c_bus:=7"
+    assert "1. Open http://jetbot-07.local:8080 or http://192.168.1.17:8080" in printed
+    assert printed.endswith("The doctor found a fault, see above: correct it first.\n")
+
+
+def test_arguments_are_kept_changed_and_taken_back(named):
+    named.robot("board:=sparkfun", "camera_source:=command:a \"$b\" 100%", stdin="")
+    assert last_command(named) == ('"robot:=jetbot_07" "camera:=false" "board:=sparkfun" '
+                                   '"camera_source:=command:a \\"$$b\\" 100%%"')
+    named.robot("camera:=", "camera_source:=", "cockpit_port:=8081", stdin="")
+    assert last_command(named) == '"robot:=jetbot_07" "board:=sparkfun" "cockpit_port:=8081"'
+    assert "<port>8081</port>" in named.read(AVAHI)
+
+
+def test_another_name_needs_its_own_key(named):
+    code, printed = named.robot("red", stdin="")
+    assert (code, printed) == (1, "The key of red is missing. On the teacher's computer: ./morbot fleet key red\n")
+    assert named.identity()["robot"] == "jetbot_07"
+    assert named.robot("red", stdin=KEY[::-1])[0] == 0
+    assert named.identity() == {"robot": "red", "class_name": "7b", "key": KEY[::-1]}
+    assert named.read("etc/hosts") == "127.0.0.1 localhost\n127.0.1.1 red nano.school\n"
+
+
+def test_a_key_is_typed_in_groups_until_it_can_be_one(computer):
+    code, printed = computer.robot(*NAMED, stdin=f"{KEY[:-1]}\n{GROUPED}\n", terminal=True)
+    assert code == 0
+    assert printed.count("Key of jetbot_07 (on the teacher's computer: ./morbot fleet key jetbot_07): ") == 2
+    assert "That is no key: 26 letters and digits" in printed
+    assert computer.identity()["key"] == KEY
+
+
+def test_the_same_robot_is_not_asked_for_its_key_again(named):
+    code, printed = named.robot(*NAMED, terminal=True)
+    assert code == 0 and "Key of" not in printed
+    assert named.identity()["key"] == KEY
+    (named.folder / "key").write_text(KEY[::-1])
+    assert named.robot("--key-file", f"{named.folder}/key", terminal=True)[0] == 0
+    assert named.identity()["key"] == KEY[::-1]
+
+
+def test_typed_in_another_folder_that_one_runs(named):
+    named.checkout("new")
+    named.robot(*NAMED, stdin=KEY, FOLDER="new")
+    assert named.runs() == str(named.folder / "new")
+
+
+@pytest.mark.parametrize("words, sentence", [
+    (["7", "--class", "7b"], "7 is no name of a robot. It has letters, digits and _, 30 at most, and begins with a "
+                             "letter, such as jetbot_07."),
+    (["jetbot_07"], "The class of jetbot_07 is missing. Such as: ./morbot robot jetbot_07 --class 7b"),
+    (["jetbot_07", "--class", "7 b"], "7 b is no name of a class, which has letters, digits, _ and -, 20 at most."),
+    (["a", "b", "--class", "7b"], "A robot has one name. Such as: ./morbot robot jetbot_07 --class 7b"),
+    ([*NAMED, "bord:=sparkfun"], "There is no argument bord of a robot. Did you mean board:=sparkfun?"),
+    ([*NAMED, "lan:=false"], "There is no argument lan of a robot."),
+    ([*NAMED, "config:=none.yaml"], "There is no file none.yaml."),
+    ([*NAMED, "cockpit_port:=x"], "Cockpit_port:= is a number from 1 to 65535, and not x."),
+    ([*NAMED, "--of"], "Unrecognized arguments: --of."),
+    (["--forget"], "--forget goes with --off. It deletes what the class has kept on this robot."),
+])
+def test_what_is_typed_wrong_is_refused_in_one_sentence_and_changes_nothing(computer, words, sentence):
+    before = computer.files()
+    assert computer.robot(*words, stdin=KEY) == (1, f"{sentence}\n")
+    assert computer.files() == before and not computer.calls()
+
+
+@pytest.mark.parametrize("stdin, environment, sentence", [
+    ("no key", {}, "That is no key. A robot's key has 26 letters and digits; on the teacher's computer: ./morbot fleet "
+                   "key jetbot_07"),
+    (KEY, {"SUDO_USER": "kim"}, "Type this without sudo. It asks for the administrator's password itself."),
+    (KEY, {"TAKEN": "8080"}, "Another program has port 8080, which the page needs. End it, or add another port: "
+                             "cockpit_port:=8081"),
+    (KEY, {"TAKEN": "11311"}, "A ROS master runs here already, at port 11311. End what started it, then type this "
+                              "again."),
+    (KEY, {"PATH": "/nonexistent"}, "There is no sudo here. Let an administrator install it: apt install sudo"),
+])
+def test_a_computer_that_cannot_is_refused_in_one_sentence(computer, stdin, environment, sentence):
+    assert computer.robot(*NAMED, stdin=stdin, **environment) == (1, f"{sentence}\n")
+    assert not computer.calls() and not list(computer.home.iterdir())
+
+
+def test_without_systemd_nothing_is_done(computer):
+    (computer.root / "run/systemd/system").rmdir()
+    code, printed = computer.robot(*NAMED, stdin=KEY)
+    assert code == 1 and printed.startswith("Systemd does not run here, so nothing can start with the computer.")
+    assert not computer.calls()
+
+
+def test_a_service_of_ones_own_is_left_alone(computer):
+    unit = computer.root / "etc/systemd/system/jetbot.service"
+    unit.write_text("mine")
+    for words in NAMED, ["--off"]:
+        code, printed = computer.robot(*words, stdin=KEY)
+        assert code == 1 and printed.startswith("This computer starts a robot already, by a service of its own. End")
+    assert unit.read_text() == "mine" and not computer.calls()
+
+
+def test_without_avahi_it_runs_and_says_who_finds_it(computer):
+    (computer.root / "etc/avahi/services").rmdir()
+    code, printed = computer.robot(*NAMED, stdin=KEY)
+    assert code == 0 and "Other computers do not find it by its name: sudo apt install avahi-daemon" in printed
+    assert not (computer.root / AVAHI).exists()
+
+
+def test_a_page_that_does_not_answer_is_named(computer):
+    code, printed = computer.robot(*NAMED, stdin=KEY, ANSWERS="no")
+    assert code == 1
+    assert printed.endswith("Jetbot_07 is installed, but its page does not answer. This says why: sudo journalctl -u "
+                            "jetbot -n 20\n")
+
+
+def test_without_words_it_says_what_this_robot_is(computer):
+    assert computer.robot() == (1, "This computer is no robot of a class. To make it one: ./morbot robot jetbot_07 "
+                                   "--class 7b\n")
+    computer.robot(*NAMED, "camera:=false", stdin=KEY)
+    lines = ["robot:     jetbot_07", "class:     7b", "page:      http://jetbot-07.local:8080",
+             "arguments: camera:=false", f"folder:    {computer.folder / 'MorBot'}", "runs:      yes"]
+    assert computer.robot() == (0, "\n".join(lines) + "\n")
+    (computer.folder / "MorBot").rename(computer.folder / "moved")
+    code, printed = computer.robot(FOLDER="moved")
+    assert code == 1
+    assert printed.endswith("The folder is gone or not built. In the folder that is to run, type: ./morbot robot "
+                            "jetbot_07 --class 7b\n")
+
+
+def test_off_undoes_all_and_keeps_what_the_class_has_kept_unless_told(computer):
+    before = computer.files()
+    for words in ["--off"], ["--off", "--forget"]:
+        computer.robot(*NAMED, stdin=KEY)
+        kept = computer.home / ".ros/morbot_classes/7b/codes.json"
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        kept.write_text("{}")
+        code, printed = computer.robot(*words)
+        assert code == 0 and printed.endswith("This computer is no robot of a class any more, and starts none.\n")
+        assert "gpasswd -d kim video" in computer.calls()
+        assert kept.exists() == (len(words) == 1)
+    after = computer.files()
+    assert after.pop("root/etc/hosts").split() == b"127.0.0.1 localhost 127.0.1.1 nano nano.school".split()
+    assert after == {name: content for name, content in before.items() if name != "root/etc/hosts"}
+    assert computer.robot("--off")[0] == 0, "twice does no harm"
+
+
+def test_killed_at_any_moment_it_leaves_whole_files_and_typed_again_it_heals(tmp_path):
+    whole = RobotComputer(tmp_path / "whole")
+    whole.robot(*NAMED, stdin=KEY)
+    count = len([call for call in whole.calls() if not call.startswith("morbot")])
+    wanted = whole.files()
+    assert count > 8
+    for moment in range(3, count + 3):  # the first two lines are those of the build
+        computer = RobotComputer(tmp_path / str(moment))
+        assert computer.robot(*NAMED, stdin=KEY, kill_at=moment)[0] == -9, moment
+        assert not [name for name, content in computer.files().items() if content == b""], moment
+        assert computer.robot(*NAMED, stdin=KEY)[0] == 0, moment
+        assert {name: without(computer, content) for name, content in computer.files().items()} == {
+            name: without(whole, content) for name, content in wanted.items()}, moment
+
+
+def test_off_killed_at_any_moment_is_completed_when_it_is_typed_again(tmp_path):
+    whole = RobotComputer(tmp_path / "whole")
+    before = whole.files()
+    whole.robot(*NAMED, stdin=KEY)
+    whole.robot("--off")
+    assert len(whole.calls()) > 8
+    for moment in range(1, len(whole.calls()) + 1):
+        computer = RobotComputer(tmp_path / str(moment))
+        computer.robot(*NAMED, stdin=KEY)
+        assert computer.robot("--off", kill_at=moment)[0] == -9, moment
+        assert computer.robot("--off")[0] == 0, moment
+        assert set(computer.files()) == set(before), moment
+        assert computer.read("etc/hostname") == "nano\n"
+
+
+def without(computer, content):
+    """Return a file's content, or where a link leads, without the place of the computer."""
+    return content.replace(str(computer.folder).encode(), b"") if isinstance(content, bytes) else (
+        content.replace(str(computer.folder), ""))
