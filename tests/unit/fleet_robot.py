@@ -10,9 +10,9 @@ import sys
 import time
 from pathlib import Path
 
-from conftest import PACKAGES
 from processes import end, free_port, start
 
+PACKAGES = Path(__file__).parents[2] / "morbot_ws/src"
 CHECKOUT = "jetbot", "jetbot_ros", "jetbot_cockpit", "jetbot_class"  # what ./morbot fleet needs of a version
 COMMANDS = ("git", "tar", "mkdir", "ln", "mv", "touch", "sync", "rm", "readlink", "df", "flock", "cat", "systemctl")
 STATE = {"status": "stopped", "state": "stopped", "answers": True, "driver": None, "program": "", "health": None}
