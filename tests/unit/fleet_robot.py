@@ -1,5 +1,6 @@
 """A robot that ./morbot fleet reaches: a real sshd, a home of its own, and a service that talks as a cockpit does."""
 
+import contextlib
 import json
 import os
 import shutil
@@ -12,7 +13,8 @@ from pathlib import Path
 
 from processes import end, free_port, start
 
-PACKAGES = Path(__file__).parents[2] / "morbot_ws/src"
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGES = ROOT / "morbot_ws/src"
 CHECKOUT = "jetbot", "jetbot_ros", "jetbot_cockpit", "jetbot_class"  # what ./morbot fleet needs of a version
 COMMANDS = ("git", "tar", "mkdir", "ln", "mv", "touch", "sync", "rm", "readlink", "df", "flock", "cat", "systemctl")
 STATE = {"status": "stopped", "state": "stopped", "answers": True, "driver": None, "program": "", "health": None}
@@ -111,13 +113,14 @@ def write(path, text, mode=0o755):
 class Robot:
     """Its home, its sshd, its service. commands: first on its PATH."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, systemctl=SYSTEMCTL):
         self.home, self.port, self.ssh_port = folder / "robot", free_port(), free_port()
         self._folder, self._sshd = folder, None
         self.home.mkdir()
         self.says()
         self.commands = folder / "commands"
-        service = write(folder / "systemctl", SYSTEMCTL.format(python=sys.executable))
+        values = {"python": sys.executable, "port": self.port, "master": free_port()}
+        service = write(folder / "systemctl", systemctl.format(**values))
         for name in COMMANDS:
             real = service if name == "systemctl" else "/bin/true" if name == "sync" else shutil.which(name)
             write(self.commands / name, COUNTED.format(command=real))
@@ -189,17 +192,18 @@ ForceCommand {self._folder}/login
 
     def close(self):
         self.stop_sshd()
-        if (self.home / "pid").exists():
-            try:
-                os.kill(int((self.home / "pid").read_text()), signal.SIGKILL)
-            except (OSError, ValueError):
-                pass
+        if not (self.home / "pid").exists():
+            return
+        group = int((self.home / "pid").read_text())
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(group, signal.SIGTERM)
+            wait(lambda: os.killpg(group, 0))  # until there is none
 
 
 class Laptop:
     """A checkout with commits of its own, and ./morbot fleet from there."""
 
-    def __init__(self, folder, robot):
+    def __init__(self, folder, robot, fill):
         self.home, self.checkout, self.robot = folder / "laptop", folder / "checkout", robot
         self.home.mkdir()
         subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", str(folder / "id")], check=True)
@@ -207,14 +211,7 @@ class Laptop:
                                               "BatchMode yes\n", 0o600)
         write(folder / "bin/ssh", f'#!/bin/sh\nexec {shutil.which("ssh")} -F {config} "$@"\n')
         self.environment = {**os.environ, "HOME": str(self.home), "PATH": f"{folder}/bin:{os.environ['PATH']}"}
-        for package in CHECKOUT:
-            for part in ("src", "scripts"):
-                if (PACKAGES / package / part).exists():
-                    shutil.copytree(PACKAGES / package / part, self.checkout / "morbot_ws/src" / package / part,
-                                    ignore=shutil.ignore_patterns("__pycache__"))
-        write(self.checkout / "morbot", MORBOT)
-        write(self.checkout / "serve.py", SERVE)
-        write(self.checkout / "last_file", "")
+        fill(self.checkout)
         self.git("init", "-q")
         self.commit("first")
 
@@ -239,7 +236,7 @@ class Laptop:
         """Type a command; return (exit code, all that it printed)."""
         done = subprocess.run([sys.executable, str(self.checkout / "morbot_ws/src/jetbot_class/scripts/fleet.py"),
                                *arguments], env={**self.environment, **environment}, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120, check=False)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=400, check=False)
         return done.returncode, done.stdout
 
 
@@ -251,11 +248,23 @@ def wait(condition, explanation=str):
         time.sleep(0.02)
 
 
-def make_world(folder: Path):
-    """Return (robot, laptop)."""
-    robot = Robot(folder)
+def small_version(checkout):
+    """Fill a checkout with what ./morbot fleet needs, and a service that takes no time to build."""
+    for package in CHECKOUT:
+        for part in ("src", "scripts"):
+            if (PACKAGES / package / part).exists():
+                shutil.copytree(PACKAGES / package / part, checkout / "morbot_ws/src" / package / part,
+                                ignore=shutil.ignore_patterns("__pycache__"))
+    write(checkout / "morbot", MORBOT)
+    write(checkout / "serve.py", SERVE)
+    write(checkout / "last_file", "")
+
+
+def make_world(folder: Path, systemctl=SYSTEMCTL, fill=small_version):
+    """Return (robot, laptop). fill: makes the first version in the laptop's checkout."""
+    robot = Robot(folder, systemctl)
     try:
-        return robot, Laptop(folder, robot)
+        return robot, Laptop(folder, robot, fill)
     except BaseException:
         robot.close()
         raise

@@ -3,8 +3,6 @@
 import re
 
 import pytest
-from jetbot_class.fleet.commands import parser as fleet_parser
-from jetbot_class.robot.commands import parser as robot_parser
 
 from conftest import PACKAGES, ROOT
 from jetbot.boards import BOARDS, scmd
@@ -14,6 +12,8 @@ from jetbot.fake.chips import INA219, PCA9685
 from jetbot.guard import ANSWER_TIMEOUT
 from jetbot.guard import process as guard
 from jetbot.host import ROBOT_BUS, robot_bus
+from jetbot_class.fleet.commands import parser as fleet_parser
+from jetbot_class.robot.commands import parser as robot_parser
 from jetbot_cockpit.session.lease import COMMAND_TIMEOUT
 from jetbot_cockpit.session.messages import FROM_PAGE
 from jetbot_control_node.parameters import PARAMETERS

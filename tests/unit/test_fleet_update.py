@@ -90,10 +90,11 @@ def test_a_robot_that_is_turned_off_starts_whole_and_the_next_update_heals(added
         check_cut(*added, moment)
 
 
-def test_a_damaged_repository_is_replaced(added):
+@pytest.mark.parametrize("damaged", ["objects/pack/*", "config"])
+def test_a_damaged_repository_is_replaced(added, damaged):
     robot, laptop = added
-    for pack in robot.morbot.glob("repository/objects/pack/*"):
-        pack.unlink()
+    for file in robot.morbot.glob(f"repository/{damaged}"):
+        file.write_bytes(b"\0" * 10) if file.suffix == "" else file.unlink()
     second = laptop.commit("second", news="1")
     code, said = laptop.fleet("update")
     assert code == 0 and robot.current() == second, said

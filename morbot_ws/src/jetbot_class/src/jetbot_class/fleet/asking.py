@@ -6,6 +6,8 @@ from typing import Any, Callable, Dict, List, NamedTuple, Optional
 
 from jetbot_cockpit.remote.fleet import Entry, Fleet
 from jetbot_cockpit.remote.link import Link
+from jetbot_cockpit.remote.robots import absent_state, completed, no_answer
+from jetbot_cockpit.session.messages import ROBOT_STATE
 
 TIMEOUT = 3.0    # s for each robot
 INTERVAL = 0.05  # s
@@ -21,9 +23,13 @@ class Answer(NamedTuple):
     emergency: bool = False
     problem: str = "no answer"
 
+    def is_well(self) -> bool:
+        """Return whether the robot has said what it does, and its controller answers."""
+        return not self.problem and bool(self.state and self.state["answers"])
+
     def is_complete(self) -> bool:
-        """Return whether the robot has said all, and its controller answers."""
-        return not self.problem and self.delay is not None and bool(self.state and self.state["answers"])
+        """Return whether there is nothing to wait for."""
+        return self.is_well() and self.delay is not None
 
     def driver(self) -> str:
         """Return who drives it, or ""."""
@@ -52,28 +58,31 @@ def ask(fleet: Fleet, entries: List[Entry], timeout: float = TIMEOUT,
 
 
 async def _ask(fleet: Fleet, entry: Entry, timeout: float, until: Callable[[Answer], bool]) -> Answer:
-    said: Dict[str, dict] = {}
+    said: Dict[Link, dict] = {}
 
-    def receive(_: Link, message: Any) -> None:
-        if isinstance(message, dict):
-            said[str(message.get("type"))] = message
-    link, ends_at = Link(entry.authority, fleet, receive), time.monotonic() + timeout
+    def receive(link: Link, message: Any) -> None:
+        if isinstance(message, dict) and message.get("type") == "state":
+            said[link] = message
+    links, ends_at = [Link(address, fleet, receive) for address in entry.authorities], time.monotonic() + timeout
     try:
         while True:
-            answer = _answer(entry, link, said)
+            answers = [_answer(entry, link, said.get(link, {})) for link in links]
+            answer = next((each for each in answers if not each.problem), answers[0])
             if until(answer) or time.monotonic() > ends_at:
                 return answer
             await asyncio.sleep(INTERVAL)
     finally:
-        link.close()
+        for link in links:
+            link.close()
 
 
-def _answer(entry: Entry, link: Link, said: Dict[str, dict]) -> Answer:
+def _answer(entry: Entry, link: Link, message: dict) -> Answer:
+    """Return what a robot has said by a link. message: its last "state"."""
     if not link.robot:
-        said.clear()
-        return Answer(entry, problem=str(link.problem or "") or f"No connection to {entry.authority}.")
+        return Answer(entry, problem=str(link.problem or "") or f"No connection to {link.address}.")
     if link.robot != entry.name:
         return Answer(entry, problem=f"Another robot answers there: {link.robot}.")
-    message = said.get("state", {})
-    return Answer(entry, link.version, link.delay, message.get("robots", {}).get(f"/{entry.name}"),
-                  message.get("emergency") is True, "")
+    robots, robot = message.get("robots"), f"/{entry.name}"
+    state = message and completed(robots.get(robot) if isinstance(robots, dict) else None,
+                      absent_state(robot, no_answer(robot)), ROBOT_STATE)
+    return Answer(entry, link.version, link.delay, state or None, message.get("emergency") is True, "")

@@ -45,7 +45,8 @@ def entry_of(fleet: Fleet, name: str) -> Entry:
 def check_name(name: str) -> None:
     """Raise InvalidValue if no robot can be called so."""
     if not ROBOT_NAME.fullmatch(name):
-        raise InvalidValue(f"no robot can be called {printable(name)}", "A letter, then letters, digits and _, 30 at most.")
+        raise InvalidValue(f"no robot can be called {printable(name)}",
+                           "A letter, then letters, digits and _, 30 at most.")
 
 
 def unused_name(fleet: Fleet) -> str:

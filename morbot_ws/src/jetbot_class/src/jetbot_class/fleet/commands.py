@@ -30,7 +30,7 @@ def show(fleet: Fleet, given: Any) -> int:
         return 1
     answers = ask(fleet, fleet.robots)
     print(table(answers))
-    return 0 if all(answer.is_complete() for answer in answers) else 1
+    return 0 if all(answer.is_well() for answer in answers) else 1
 
 
 def add(fleet: Fleet, given: Any) -> int:

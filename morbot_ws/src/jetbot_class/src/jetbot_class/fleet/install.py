@@ -47,7 +47,7 @@ def update(fleet: Fleet, entry: Entry, commit: str, force: bool = False, within:
 
 def check_free(fleet: Fleet, entry: Entry, force: bool) -> Answer:
     """Return what the robot says. Raise Failed if somebody drives it."""
-    answer = ask(fleet, [entry])[0]
+    answer = ask(fleet, [entry], until=Answer.is_well)[0]
     if answer.driver() and not force:
         raise Failed(f"{answer.driver()} drives it: update it later, or with --force")
     return answer
@@ -56,5 +56,5 @@ def check_free(fleet: Fleet, entry: Entry, force: bool) -> Answer:
 def runs(fleet: Fleet, entry: Entry, commit: str, within: float = RUNS_WITHIN) -> bool:
     """Return whether the robot answers with this version, within so many s."""
     def until(answer: Answer) -> bool:
-        return answer.is_complete() and answer.version == commit
+        return answer.is_well() and answer.version == commit
     return until(ask(fleet, [entry], within, until)[0])

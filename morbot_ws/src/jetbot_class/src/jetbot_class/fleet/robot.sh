@@ -1,7 +1,8 @@
 # What ./morbot fleet does on a robot. It comes over ssh each time, as the robot may have any version.
 # Power may fail, and the connection end, at each line: "current" leads to a whole version, and typing it again heals.
 set -eu
-base=$HOME/.local/share/morbot
+mkdir -p "$HOME/.local/share/morbot"
+base=$(cd "$HOME/.local/share/morbot" && pwd -P)
 repository=$base/repository versions=$base/versions current=$base/current
 units="jetbot-guard.service jetbot.service"
 needed=300  # MB for a version
@@ -26,9 +27,12 @@ receive() {  # [again]
     alone
     command -v git >/dev/null || as_root apt-get install -y -q git || fail "git cannot be installed"
     [ "${1:-}" != again ] || rm -rf "$repository"
-    git init -q --bare "$repository"
-    git --git-dir="$repository" config receive.shallowUpdate true
-    git --git-dir="$repository" config receive.unpackLimit 1  # packs reach the disk, loose objects may not
+    make_repository 2>/dev/null || { rm -rf "$repository" && make_repository; }
+}
+
+make_repository() {
+    git init -q --bare "$repository" && git --git-dir="$repository" config receive.shallowUpdate true &&
+        git --git-dir="$repository" config receive.unpackLimit 1  # packs reach the disk, loose objects may not
 }
 
 # Builds a version in its folder; the file "whole" is written when all else is on the disk.
@@ -90,14 +94,13 @@ back() {
 tidy() {
     alone
     for version in "$versions"/*; do
-        case $version in "$(readlink "$current")" | "$(readlink "$base/previous")") continue ;; esac
+        case $version in "$(readlink -f "$current")" | "$(readlink -f "$base/previous")") continue ;; esac
         rm -f "$version/whole"
         rm -rf "$version"
     done
 }
 
 save_key() {
-    mkdir -p "$base"
     umask 077
     cat >"$base/key"
 }
