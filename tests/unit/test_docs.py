@@ -116,7 +116,8 @@ def test_the_commands_for_a_class_of_real_robots_exist_as_they_are_typed(page):
     typed = re.findall(r"`\./morbot\s+(fleet|robot)\b([^`]*)`", text) + \
         re.findall(r"^ *\./morbot (fleet|robot)\b(.*)$", text, re.MULTILINE)
     for command, arguments in typed:
-        PARSERS[command]().parse_args(arguments.split("#")[0].split())  # exits if it does not know them
+        if "COMMAND" not in arguments:  # which stands for any
+            PARSERS[command]().parse_args(arguments.split("#")[0].split())  # exits if it does not know them
 
 
 @pytest.mark.parametrize("words, seconds", [
