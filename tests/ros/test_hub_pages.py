@@ -61,6 +61,20 @@ def test_a_stop_of_all_is_confirmed_by_each_and_nobody_drives_until_the_release(
     assert ("drive", ADA) not in done(robots["ada"])
 
 
+def test_a_finger_that_was_down_during_a_stop_must_lift(robots, page):
+    drive = {"type": "drive", "robot": ADA, "forward": 1, "left": 0}
+    page.send({"type": "stop"})
+    page.send(drive)
+    assert page.receive("lift")["code"] == "all_stopped"
+    page.send({"type": "release"})
+    page.receive_until(lambda said: said["type"] == "state" and not said["emergency"])
+    page.send(drive)
+    assert page.receive("lift")["code"] == "let_go"
+    page.send({**drive, "forward": 0})
+    page.send(drive)
+    assert wait_until(lambda: robots["ada"].control.handled[-1][1].moves, WITHIN)
+
+
 def test_a_closed_page_leaves_no_socket_at_a_robot(robots, page):
     page.close()
     assert wait_until(lambda: len(robots["ada"].control.left) == 1 and len(robots["bob"].control.left) == 1, WITHIN)

@@ -65,6 +65,16 @@ def test_a_stop_that_is_stuck_in_a_dead_connection_gets_a_new_one(lesson):
     assert lesson.robots["ada"].stopped
 
 
+def test_what_a_robot_said_before_a_stop_does_not_confirm_it(lesson):
+    lesson.connect()
+    lesson.hub.stop_all()
+    lesson.links["ada"].report()
+    lesson.hub.release_all()
+    lesson.links["ada"].frozen = True
+    lesson.hub.stop_all()
+    assert "/ada" in lesson.hub.unconfirmed()
+
+
 def test_another_hubs_release_of_all_ends_the_stop_here_and_one_at_a_robot_does_not(lesson):
     lesson.connect()
     lesson.hub.stop_all()

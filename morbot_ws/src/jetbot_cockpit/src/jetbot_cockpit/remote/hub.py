@@ -37,6 +37,7 @@ class HubPage(Viewer):
         self.links: Dict[str, Link] = {}
         self.changes: List[Union[str, bytes]] = []
         self.looks_at: Optional[str] = None
+        self.must_lift: Set[str] = set()  # robots that were refused: the finger lifts before it drives them again
         self.codes: Dict[str, List[dict]] = {}  # by robot
 
     def link(self, robot: Optional[str]) -> Optional[Link]:
@@ -196,8 +197,11 @@ class Hub:
         """Pass a message on to its robot."""
         link = page.link(message.robot)
         drives = message.type in ("drive", "program")
-        refusal = self._refusal(message.robot, link, now) if message.moves else None if link else no_answer(
-            message.robot)
+        if message.moves:
+            refusal = self._refusal(page, message.robot, link, now)
+        else:
+            refusal = None if link else no_answer(message.robot)
+            page.must_lift -= {message.robot} if message.type == "drive" else set()
         if refusal and drives and (message.moves or message.type == "program"):
             page.answer({"type": "lift", "robot": message.robot, **refusal.fields()})
         elif refusal and not drives:
@@ -205,13 +209,18 @@ class Hub:
         elif link:
             link.send(text)
 
-    def _refusal(self, robot, link, now):
+    def _refusal(self, page, robot, link, now):
         """Return why a command is not passed on, or None: it would come late, or move a robot that must stand."""
+        refusal = say("let_go") if robot in page.must_lift else None
         if self._is_stale(now):
-            return say("interrupted")
-        if self._robots.engaged:
-            return say("all_stopped")
-        return None if link and link.is_fresh(now) and not link.is_backlogged() else no_answer(robot)
+            refusal = say("interrupted")
+        elif self._robots.engaged:
+            refusal = say("all_stopped")
+        elif not link or not link.is_fresh(now) or link.is_backlogged():
+            refusal = no_answer(robot)
+        if refusal:
+            page.must_lift.add(robot)
+        return refusal
 
     def _to_all(self, page, message, text, now):
         for link in page.links.values():
