@@ -121,7 +121,7 @@ user_options() {
 }
 
 build_system() {
-    echo "morbot: building the image $image, once: it takes some minutes, the internet, and 1.4 GB"
+    echo "morbot: building the image $image, once: it takes some minutes, the internet, and 1.5 GB"
     build_image system "$image" || fail "cannot build the image (see above); the first use needs the internet"
 }
 

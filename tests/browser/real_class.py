@@ -2,7 +2,9 @@
 
 import os
 import signal
+import socket
 import sys
+from contextlib import suppress
 from pathlib import Path
 from subprocess import Popen
 from typing import Dict
@@ -38,11 +40,17 @@ class RealClass:
         self.port = free_port()
         self.hub = start([sys.executable, program("jetbot_cockpit", "hub.py"), "--class", CLASS, "--port",
                           str(self.port), "--classes", str(folder / "classes")], folder / "hub_log", env=self._env())
+        self.wait_for(self._serves, "the hub")
 
     @property
     def address(self) -> str:
         """The hub's, for whoever sits at the teacher's computer."""
         return f"http://localhost:{self.port}/"
+
+    def _serves(self):
+        with suppress(OSError), socket.create_connection(("localhost", self.port), 1.0):
+            return True
+        return False
 
     def _env(self, **more: str):
         return {**os.environ, "HOME": str(self._folder), "ROS_HOSTNAME": "localhost", **more}

@@ -95,6 +95,21 @@ def test_pictures_are_kept_and_deleted_by_who_drives(looking, pupil, world):
     assert not world.pictures(ROBOT, "free")
 
 
+def test_a_teacher_switches_the_cameras_of_pupils_off_and_on(looking, pupil):
+    pupil.click("#show-camera")
+    pupil.wait_for(lambda: pupil.run(PICTURE), "a picture")
+    looking.click("#show-codes")
+    looking.click("#cameras-switch")
+    pupil.wait_for_text("no-picture", "Your teacher has switched the cameras off.")
+    assert not pupil.run(PICTURE) and pupil.run("return collect.hidden")
+    looking.click("#close-codes")
+    looking.wait_for(lambda: looking.run(PICTURE), "the teacher's picture")
+    looking.click("#show-codes")
+    looking.click("#cameras-switch")
+    pupil.wait_for(lambda: pupil.run(PICTURE), "a picture again")
+    looking.click("#close-codes")
+
+
 def test_without_a_camera_the_page_says_so_and_shows_no_old_picture(looking, world):
     robot = world.publish_status(BLIND, "blind")
     looking.choose(BLIND)

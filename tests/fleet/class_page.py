@@ -2,6 +2,8 @@
 
 import contextlib
 import itertools
+import random
+import socket
 import threading
 import time
 from typing import List, Optional, Tuple
@@ -13,33 +15,33 @@ from jetbot_ros.contract import COCKPIT_PORT
 from web_client import Closed, WebSocket, page_headers
 
 COMMAND_INTERVAL = 0.05  # s
-PING_INTERVAL = 1.0      # s
+SILENCE_TIMEOUT = 3.0    # s
+RETRY_INTERVAL = (0.75, 2.25)  # s
 SPEEDS = [0.30 + 0.02 * step for step in range(16)]  # one after the other, so that the wheels tell which command it is
 
 
 class Page:
-    """A page on this host. address: where it is served; cookie: of a pupil, or None for this computer's own browser.
+    """A page on this host, which connects again by itself as www/link.js does.
 
-    state: the newest message of this kind; said: all sentences for the person; commands: when which speed was sent.
+    address: where it is served; cookie: of a pupil, or "" for this computer's own browser. state: the newest message of
+    this kind, {} without a connection; said: all sentences for the person; commands: when which speed was sent.
     """
 
     def __init__(self, host: Host, address: str = "", cookie: str = ""):
-        name = address or "localhost"
-        own = {"Cookie": f"jetbot_cockpit_{COCKPIT_PORT}={cookie}"} if cookie else {}
-        self._socket: WebSocket = host.call(WebSocket, COCKPIT_PORT, page_headers(COCKPIT_PORT, name, **own), "",
-                                            address or "127.0.0.1")
-        self.state: dict = {"robots": {}}
+        self._host, self._address, self._cookie = host, address, cookie
+        self._state: dict = {}
         self.said: List[dict] = []
         self.commands: List[Tuple[float, float]] = []
-        self.is_open, self.lets_go = True, True
+        self.lets_go = True
         self._driven: Optional[str] = None
-        self._sending = threading.Lock()
-        for work in self._receive, self._drive:
+        self._socket: Optional[WebSocket] = None
+        self._sending, self._closed = threading.Lock(), threading.Event()
+        for work in self._stay_connected, self._drive:
             threading.Thread(target=work, daemon=True).start()
 
     def send(self, **message: object) -> None:
-        """Send a message; not if the socket is closed."""
-        with self._sending, contextlib.suppress(OSError, ValueError):
+        """Send a message; not without a connection."""
+        with self._sending, contextlib.suppress(OSError, ValueError, AttributeError):
             self._socket.send(message)
 
     def press(self, robot: str, lets_go: bool = True) -> None:
@@ -56,41 +58,56 @@ class Page:
     def presses(self) -> bool:
         return self._driven is not None
 
+    @property
+    def state(self) -> dict:
+        return self._state
+
     def robot(self, name: str) -> dict:
-        """Return the state of a robot."""
-        return self.state["robots"].get(f"/{name}", {})
+        """Return the state of a robot, {} without a connection."""
+        return self._state.get("robots", {}).get(f"/{name}", {})
 
     def wait(self, condition, within: float, what: str) -> float:
         """Wait until the condition is true; return the s that it took. Raise AssertionError."""
         start = time.monotonic()
-        assert wait_until(condition, within), f"waited {within} s for {what}; state {self.state}; {self.said[-3:]}"
+        assert wait_until(condition, within), f"waited {within} s for {what}; {self.said[-3:]}; state {self._state}"
         return time.monotonic() - start
 
     def close(self) -> None:
         """Vanish, as a killed browser does."""
-        self.is_open = False
-        with contextlib.suppress(OSError):
-            self._socket.connection.shutdown(2)
+        self._closed.set()
+        with contextlib.suppress(OSError, AttributeError):
+            self._socket.connection.shutdown(socket.SHUT_RDWR)
 
-    def _receive(self) -> None:
-        with contextlib.suppress(Closed, OSError, ValueError):
-            while True:
-                message = self._socket.receive()
-                if message["type"] == "state":
-                    self.state = message
-                elif message["type"] in ("lift", "notice"):
-                    self.said.append(message)
-                if message["type"] == "lift" and self.lets_go and message["robot"] == f"/{self._driven}":
-                    self.let_go()
-        self.is_open = False
-        self._socket.close()
+    def _stay_connected(self) -> None:
+        while not self._closed.is_set():
+            with contextlib.suppress(Closed, OSError, ValueError, IndexError, RuntimeError):
+                self._socket = self._host.call(self._open)
+                self._receive(self._socket)
+            self._state, self._driven = {}, None
+            if self._socket:
+                self._socket.close()
+            self._closed.wait(random.uniform(*RETRY_INTERVAL))
+
+    def _open(self) -> WebSocket:
+        own = {"Cookie": f"jetbot_cockpit_{COCKPIT_PORT}={self._cookie}"} if self._cookie else {}
+        return WebSocket(COCKPIT_PORT, page_headers(COCKPIT_PORT, self._address or "localhost", **own), "",
+                         self._address or "127.0.0.1", timeout=SILENCE_TIMEOUT)
+
+    def _receive(self, connection: WebSocket) -> None:
+        while not self._closed.is_set():
+            message = connection.receive()
+            if message["type"] == "state":
+                self._state = message
+            elif message["type"] in ("lift", "notice"):
+                self.said.append(message)
+            if message["type"] == "lift" and self.lets_go and message["robot"] == f"/{self._driven}":
+                self.let_go()
 
     def _drive(self) -> None:
         for speed in itertools.cycle(SPEEDS):
-            if not self.is_open:
+            if self._closed.wait(COMMAND_INTERVAL):
                 return
             robot = self._driven
             if robot:
                 self.commands.append((time.monotonic(), speed))
                 self.send(type="drive", robot=f"/{robot}", forward=speed, left=0.0)
-            time.sleep(COMMAND_INTERVAL)

@@ -1,6 +1,6 @@
 """A school's network on this computer: hosts, each in Linux namespaces of its own, and the router that joins them.
 
-A host's first process holds its namespaces, and the kernel ends all others in them when that one ends: by ``power_off``,
+A host's first process holds its namespaces, and the kernel ends all others in them when that one ends: by ``kill``,
 or because these tests were killed. Nothing of a host is left then: no process, device or mount.
 """
 
@@ -18,6 +18,7 @@ from air import Fate, enter
 from processes import end_with_parent, start
 
 SUBNET = "10.77.0"
+PAGES = 20  # that may connect at once
 GOOD, CUT = Fate(), Fate(loss=1.0)
 HOLD = 'mount -t tmpfs tmpfs /run && ip link set lo up && hostname "$0" && echo ready && exec sleep infinity'
 NAMESPACES = ["--net", "--pid", "--mount", "--uts"]
@@ -60,7 +61,7 @@ class Host:
         if not self._holder.stdout.readline():
             raise NotAllowed
         self._pid = int(Path(f"/proc/{self._holder.pid}/task/{self._holder.pid}/children").read_text().split()[0])
-        self._inside = ThreadPoolExecutor(1, initializer=enter, initargs=[self._pid])
+        self._inside = ThreadPoolExecutor(PAGES, initializer=enter, initargs=[self._pid])
         router.order("join", number, self._pid)
         self.move(number)
 
@@ -93,9 +94,12 @@ class Host:
         self.run("sh", "-c", "echo 1 >/proc/sys/net/ipv4/conf/eth0/arp_notify; ip link set eth0 down; ip address flush "
                  f"dev eth0; ip address add {self.address}/24 dev eth0; ip link set eth0 up")
 
-    def power_off(self) -> None:
+    def kill(self) -> None:
         """End all that runs here, at once."""
         os.kill(self._pid, signal.SIGKILL)
+
+    def close(self) -> None:
+        """Remove a host that was killed."""
         self._holder.wait()
         self._holder.stdout.close()
         self._inside.shutdown()

@@ -53,8 +53,9 @@ class Robot:
 
     def switch_off(self) -> None:
         """Take the power from the computer and the wheels."""
-        self.host.power_off()
-        shutil.rmtree(self.bus, ignore_errors=True)
+        self.host.kill()
+        shutil.rmtree(self.bus)
+        self.host.close()
 
     def reboot(self) -> None:
         """Switch on a robot that was switched off."""
@@ -130,10 +131,7 @@ class School:
 
     def is_served(self, robot: Robot) -> bool:
         """Return whether the robot's page can be opened, and its controller answers."""
-        try:
-            page = self.tablet(robot)
-        except OSError:
-            return False
+        page = self.tablet(robot)
         try:
             return wait_until(lambda: page.robot(robot.name).get("answers"), 1.0)
         finally:
@@ -142,14 +140,19 @@ class School:
     def list_robots(self) -> None:
         """Write the list of robots that a hub reads, by the addresses that they have now."""
         self.fleet.save([Entry(robot.name, robot.host.address) for robot in self.robots])
+        self.fleet.update()
 
     def tablet(self, robot: Robot) -> Page:
         """Return a new page of the robot's pupil, directly at the robot."""
         return Page(self.computers["tablet"], robot.host.address, robot.cookie)
 
+    def hosts(self) -> List[Host]:
+        """Return all computers, the robots' first."""
+        return [*(robot.host for robot in self.robots), *self.computers.values()]
+
     def recover(self) -> None:
         """Repair all links; go on once the hub has all robots again, and no stop is engaged."""
-        for host in [robot.host for robot in self.robots] + list(self.computers.values()):
+        for host in self.hosts():
             host.spoil()
             host.set_link("up")
         self.hub.thaw()
@@ -158,6 +161,7 @@ class School:
             page.wait(lambda: self.answer(page), 60.0, "all robots")
             page.send(type="release")
             page.wait(lambda: not self.stopped(page), 10.0, "the release")
+            page.wait(lambda: not any(page.robot(robot.name)["driver"] for robot in self.robots), 10.0, "free robots")
         finally:
             page.close()
         assert wait_until(lambda: not any(self.wheels.turn(robot.name) for robot in self.robots), 5.0), "wheels turn"
@@ -173,6 +177,9 @@ class School:
     def close(self) -> None:
         """Switch all off."""
         self.wheels.end()
-        for host in [*(robot.host for robot in self.robots), *self.computers.values()]:
-            host.power_off()
+        hosts = self.hosts()
+        for host in hosts:
+            host.kill()
+        for host in hosts:
+            host.close()
         self.router.close()

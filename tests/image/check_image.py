@@ -12,6 +12,7 @@ import unittest
 import urllib.request
 from pathlib import Path
 
+from jetbot.camera.sources import find_command
 from jetbot.fake.motors import STOPPED, wheel_speeds
 from jetbot.wait import wait_until
 
@@ -73,6 +74,14 @@ class Image(unittest.TestCase):
                              f"cockpit_port:={port}")
         self.wait_for(lambda: b'id="pad"' in page(port))
         self.assertLessEqual(set(listening([launch.pid, *descendants(launch.pid)])), set(LOOPBACK))
+
+    def test_has_all_that_a_usb_camera_needs(self):
+        line = find_command("/dev/video0").line
+        self.assertEqual(subprocess.run(["gst-inspect-1.0", "--exists", "v4l2src"]).returncode, 0)
+        picture = line.replace("v4l2src device=/dev/video0", "videotestsrc num-buffers=9")
+        self.assertNotEqual(picture, line)
+        made = subprocess.run(["sh", "-c", picture], stdout=subprocess.PIPE, timeout=START_TIMEOUT)
+        self.assertTrue(made.stdout.startswith(b"\xff\xd8") and made.stdout.endswith(b"\xff\xd9"))
 
     def launch(self, package, file, *arguments, **environment):
         """Start roslaunch on a fake bus by the image's entrypoint."""

@@ -29,9 +29,9 @@ class Closed(Exception):
         self.code, self.reason = code, reason
 
 
-def connect(port: int, phone: str = "127.0.0.1", host: str = "127.0.0.1") -> socket.socket:
+def connect(port: int, phone: str = "127.0.0.1", host: str = "127.0.0.1", timeout: float = TIMEOUT) -> socket.socket:
     """Return a TCP connection to this port. phone: the address that it comes from, one that begins with 127, or ""."""
-    return socket.create_connection((host, port), TIMEOUT, (phone, 0))
+    return socket.create_connection((host, port), timeout, (phone, 0))
 
 
 def page_headers(port: int, name: str = "localhost", **headers: Optional[str]) -> Dict[str, str]:
@@ -71,8 +71,8 @@ class WebSocket:
     """A page's socket, or another one. headers: of its request, such as Host, Origin and Cookie."""
 
     def __init__(self, port: int, headers: Dict[str, str], phone: str = "127.0.0.1", host: str = "127.0.0.1",
-                 path: str = "/socket"):
-        self.connection = connect(port, phone, host)
+                 path: str = "/socket", timeout: float = TIMEOUT):
+        self.connection = connect(port, phone, host, timeout)
         self._file = self.connection.makefile("rb")
         self.connection.sendall(head("GET", path, {**UPGRADE, **headers}))
         self.status = read_answer(self._file).status

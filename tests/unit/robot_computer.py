@@ -1,4 +1,4 @@
-"""A computer on which ./morbot robot runs, with a root, a home and administrator's tools of its own, which note calls."""
+"""A computer on which ./morbot robot runs: with a root, a home and administrator's tools of its own."""
 
 import json
 import os
@@ -29,6 +29,7 @@ except JetbotError as error:
 """
 SUDO = """echo "$@" >>"$LOG"
 [ "$(wc -l <"$LOG")" != "$KILL_AT" ] || { kill -9 $PPID; exit 1; }
+[ "$1" != "$FAILS" ] || exit 1
 exec "$@"
 """
 SYSTEMCTL = """case $1 in
@@ -38,7 +39,7 @@ SYSTEMCTL = """case $1 in
 esac"""
 TOOLS = {"sudo": SUDO, "systemctl": SYSTEMCTL, "hostnamectl": 'echo "$2" >"$ROOT/etc/hostname"', "usermod": ":",
          "gpasswd": ":", "id": "echo kim i2c", "getent": '[ "$2" != dialout ] && echo "$2:x:100:"',
-         "hostname": "echo 192.168.1.17"}
+         "sync": '[ -z "$CUT" ] || kill -9 $PPID', "hostname": "echo 192.168.1.17"}
 MORBOT = 'echo "morbot $*" >>"$LOG"; [ "$1" != doctor ]\n'
 
 
@@ -70,7 +71,8 @@ class RobotComputer:
         self.log.write_text("")
         environment = {"HOME": str(self.home), "PATH": f"{self.folder}/bin:/usr/bin:/bin", "PYTHONPATH": PYTHONPATH,
                        "LOG": str(self.log), "ROOT": str(self.root), "KILL_AT": str(kill_at), "FOLDER": "MorBot",
-                       "TAKEN": "", "ANSWERS": "yes", "LOGNAME": "kim", "LANG": "C.UTF-8", **environment}
+                       "TAKEN": "", "FAILS": "", "CUT": "",
+                       "ANSWERS": "yes", "LOGNAME": "kim", "LANG": "C.UTF-8", **environment}
         command = [sys.executable, "-c", PROGRAM, self.root, *words]
         options = {"env": environment, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True,
                    "timeout": 60, "check": False}

@@ -12,10 +12,13 @@ from jetbot.fake.chips import INA219, PCA9685
 from jetbot.guard import ANSWER_TIMEOUT
 from jetbot.guard import process as guard
 from jetbot.host import ROBOT_BUS, robot_bus
+from jetbot_class.fleet.commands import parser as fleet_parser
+from jetbot_class.robot.commands import parser as robot_parser
 from jetbot_cockpit.session.lease import COMMAND_TIMEOUT
 from jetbot_cockpit.session.messages import FROM_PAGE
 from jetbot_control_node.parameters import PARAMETERS
 
+PARSERS = {"fleet": fleet_parser, "robot": robot_parser}
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
 BOARDS_PAGE, SAFETY_PAGE = ((ROOT / "docs" / name).read_text() for name in ("boards.md", "safety.md"))
 
@@ -105,6 +108,16 @@ def test_the_sequences_name_what_exists():
     assert all(hasattr(guard, name) for name in re.findall(r"(?:controller|guard)-.*: ([A-Z]+)\b", page))
     assert {guard.HEARTBEAT_TIMEOUT, ANSWER_TIMEOUT, COMMAND_TIMEOUT} == {
         float(seconds) for seconds in re.findall(r"(?:no|No).* for ([\d.]+) s", page)}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_the_commands_for_a_class_of_real_robots_exist_as_they_are_typed(page):
+    text = page.read_text()
+    typed = re.findall(r"`\./morbot\s+(fleet|robot)\b([^`]*)`", text) + \
+        re.findall(r"^ *\./morbot (fleet|robot)\b(.*)$", text, re.MULTILINE)
+    for command, arguments in typed:
+        if "COMMAND" not in arguments:  # which stands for any
+            PARSERS[command]().parse_args(arguments.split("#")[0].split())  # exits if it does not know them
 
 
 @pytest.mark.parametrize("words, seconds", [

@@ -1,11 +1,13 @@
 """How a robot is: what computers measure whose files a test writes, what is said of it, and how a page gets it."""
 
 import os
+import re
 import threading
 from types import SimpleNamespace
 
 import pytest
 
+from conftest import ROOT
 from jetbot import health_sensors
 from jetbot.health import BAD, FACTS, OK, READINGS, WARNING, judge, worst
 from jetbot.health_sensors import Computer
@@ -161,6 +163,14 @@ def test_each_fact_has_its_readings_and_gets_worse_in_one_direction():
         values = [limit.value for limit in fact.limits]
         assert fact.value in READINGS and values == sorted(values, reverse=not fact.low)
     assert worst([]) == OK and worst(judge({"celsius": 80, "megabytes": 1})) == BAD
+
+
+@pytest.mark.parametrize("code", FACTS)
+def test_the_reference_has_each_fact_and_its_limits(code):
+    section = (ROOT / "docs/reference.md").read_text().partition("### The robot's health")[2]
+    row = re.search(rf"^\| `{code}` \| .*", section, re.M)[0]
+    assert f"`{FACTS[code].value}`" in row
+    assert [limit for limit in FACTS[code].limits if f" {limit.value:g}" not in row.split("` |")[-1]] == []
 
 
 def test_a_page_gets_what_the_controller_reads_and_nothing_that_is_not_believed():

@@ -51,7 +51,8 @@ def test_the_units_are_for_this_user_and_the_folder_that_current_leads_to(named)
         assert "/home/jetbot/" not in text
         assert "User=kim\n" in text or unit.endswith(".conf")
         assert f"{named.home}/.local/share/morbot/current/morbot_ws/devel/env.sh" in text
-    assert f"ReadWritePaths=-{named.home}/.ros" in named.read("etc/systemd/system/jetbot.service")
+    for unit in "jetbot", "jetbot-guard":  # the guard, too, writes to a fake bus
+        assert f"ReadWritePaths=-{named.home}/.ros\n" in named.read(f"etc/systemd/system/{unit}.service")
 
 
 def test_at_the_end_it_says_what_to_test_on_a_box_and_what_the_doctor_found(computer):
@@ -165,6 +166,23 @@ def test_a_page_that_does_not_answer_is_named(computer):
     assert code == 1
     assert printed.endswith("Jetbot_07 is installed, but its page does not answer. This says why: sudo journalctl -u "
                             "jetbot -n 20\n")
+
+
+def test_what_the_administrator_cannot_do_is_named_and_can_be_done_again(computer):
+    code, printed = computer.robot(*NAMED, stdin=KEY, FAILS="hostnamectl")
+    assert code == 1
+    advice = "When that is corrected, type the same again.\n"
+    assert printed == f"This did not succeed, see above: sudo hostnamectl set-hostname jetbot-07. {advice}"
+    code, printed = computer.robot(*NAMED, stdin=KEY, FAILS="sh")
+    assert printed == f"This did not succeed, see above: sudo sh -ec put {computer.root}/etc/hosts. {advice}"
+    assert computer.robot(*NAMED, stdin=KEY)[0] == 0 and computer.read("etc/hostname") == "jetbot-07\n"
+
+
+def test_a_file_whose_writing_is_cut_keeps_its_old_content(named):
+    before = named.read(DROP_IN)
+    assert named.robot("board:=sparkfun", CUT="yes")[0] == 1
+    assert named.read(DROP_IN) == before
+    assert named.robot("board:=sparkfun")[0] == 0 and "board:=sparkfun" in named.read(DROP_IN)
 
 
 def test_without_words_it_says_what_this_robot_is(computer):

@@ -1,4 +1,4 @@
-"""The teacher's guide agrees with the lessons and with the code: its plans, the sentences it quotes, its marks.
+"""The teacher's guides agree with the lessons and with the code: plans, the sentences they quote, marks.
 
 What the lessons in a browser print in bold is on the page, in each language that they are in.
 """
@@ -15,11 +15,19 @@ from driving_tasks.report.marks import COLUMNS
 from driving_tasks.scoring.score import TOLERANCE
 from driving_tasks.scoring.tasks import TASKS as ROWS
 
-GUIDE = (ROOT / "docs/teaching.md").read_text()
+GUIDE, REAL_ROBOTS = ((ROOT / "docs" / name).read_text() for name in ("teaching.md", "fleet.md"))
 PAGES = ["phone.md", "tablet.md", *(page.name for page in (ROOT / "docs/lessons").glob("[0-9]*.md"))]
-TABLES = [[[cell.strip() for cell in line.strip("|").split(" | ")] for line in table.splitlines()]
-          for table in re.findall(r"(?:^\|.*\|\n)+", GUIDE, re.MULTILINE)]
-SAID = [row[1] for table in TABLES if table[0][1:2] == ["the software says"] for row in table[2:]]
+SAYS = ["the software says"], ["it says"]  # the second heads of tables
+
+
+def tables_of(text):
+    """Return the tables of a page, each as rows of cells."""
+    return [[[cell.strip() for cell in line.strip("|").split(" | ")] for line in table.splitlines()]
+            for table in re.findall(r"(?:^\|.*\|\n)+", text, re.MULTILINE)]
+
+
+TABLES = tables_of(GUIDE)
+SAID = [row[1] for table in [*TABLES, *tables_of(REAL_ROBOTS)] if table[0][1:2] in SAYS for row in table[2:]]
 QUOTES = sorted({quote.strip("`") for quote in SAID if quote.startswith("`")})  # others are ROS's, a shell's ...
 LESSONS = ROOT / "docs/lessons"
 IN_A_BROWSER = {code: LESSONS / code.replace("en", "") for code in ("en", "de", "es")}
@@ -45,7 +53,8 @@ def texts():
     """All texts of the programs and pages of which pupils see some."""
     files = [file for folder in ("src", "scripts") for package in (*SOURCE.parent.iterdir(), TASKS)
              for file in (package / folder).rglob("*.py")] + [*(ROOT / "docs").glob("*.py")]
-    pages = [page for each in ("www/*.js", "www/program/*.js") for page in sorted(SOURCE.parent.rglob(each))]
+    pages = [page for each in ("www/*.js", "www/program/*.js", "fleet/*.sh")
+             for page in sorted(SOURCE.parent.rglob(each))]
     scripts = "".join(page.read_text() for page in pages)
     return [*(text for file in files for text in texts_of(file.read_text())), *scripts.splitlines()]
 
@@ -101,6 +110,12 @@ def says(text, quote):
     if not others:
         return quote == first
     return f"{first} ".startswith(f"{quote} ") or re.fullmatch(".+".join(map(re.escape, [first, *others])), quote)
+
+
+@pytest.mark.parametrize("quote", sorted({quote for quote in re.findall(r"\*\*([^*]+)\*\*", REAL_ROBOTS)
+                                          if quote[-1] not in ".,:"}))  # others begin a paragraph
+def test_the_page_says_what_the_guide_for_real_robots_has_in_bold(quote):
+    assert any(says(english, quote) for english, _ in said_on("en"))
 
 
 def said_on(code):

@@ -9,6 +9,7 @@ import threading
 import tty
 
 import rospy
+from diagnostic_msgs.msg import DiagnosticArray
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu
 from std_msgs.msg import Float32MultiArray
@@ -111,6 +112,11 @@ class JetBotProTest(RobotTest):
         self.publisher()
         self.wait_for_velocity((500, 0), within=START_TIMEOUT)
         self.wait_for_status(texts, "driving")
+
+    def test_its_computer_is_read_as_no_port_is_fake(self):
+        arrays = self.record("/diagnostics", DiagnosticArray)
+        self.wait_for(lambda: arrays and "megabytes" in [pair.key for pair in arrays[-1].status[1].values],
+                      START_TIMEOUT, "the free space of its disk in /diagnostics")
 
     def test_odometry_imu_and_tf(self):
         odoms, imus = self.record("odom", Odometry), self.record("imu/data_raw", Imu)

@@ -25,7 +25,7 @@ POLL_INTERVAL = 0.2   # s
 DOCTORS = "board", "i2c_bus", "i2c_address", "port"  # the arguments that are the doctor's too
 TEST = """{robot} of the class {class_name} runs now, and starts with the computer.
 Test it on a box, wheels in the air:
-1. Open {address} on a phone in the same network; the code is in: sudo journalctl -u jetbot | grep code
+1. Open {address} on a phone in the same network; addresses with the code: sudo journalctl -u jetbot | grep '#'
 2. Drive forward on the pad: both wheels turn forward. If not: sudo systemctl stop jetbot; ./morbot calibrate
 3. Lift the finger, then also switch the phone's Wi-Fi off while you drive: both wheels stop.
 4. Drive, and type on the robot: sudo systemctl kill -s KILL jetbot. The wheels stop, and the page comes back.

@@ -46,7 +46,8 @@ class Computer:
         except FileNotFoundError:
             code = 127
         if code and check:
-            refuse(f"this did not succeed, see above: {' '.join(words[:4])}", "Then type the same again.")
+            shown = " ".join(word for word in words if " " not in word)
+            refuse(f"this did not succeed, see above: {shown}", "When that is corrected, type the same again.")
         return code
 
     def put(self, file: str, content: str) -> bool:

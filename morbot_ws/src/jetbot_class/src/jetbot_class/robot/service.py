@@ -108,4 +108,5 @@ def uninstall(computer: Computer) -> None:
             computer.systemctl("disable", "--quiet", "--now", unit)
             computer.remove(f"{UNITS}/{unit}")
     computer.remove(DROP_IN)
+    computer.as_root("rmdir", "--ignore-fail-on-non-empty", str((computer.root / DROP_IN).parent))
     computer.systemctl("daemon-reload")

@@ -86,6 +86,8 @@ class Fleet:
 
     def remember(self, robot: str, address: str) -> None:
         """A robot has proven its name at this address, HOST:PORT: the next hub finds it there, too."""
+        with contextlib.suppress(InvalidValue):
+            self.update()  # somebody may have added robots
         entries = {each.name: each for each in self.robots}
         entry = entries.get(robot, Entry(robot, address))
         entries[robot] = entry._replace(last="" if address == entry.authority else address)

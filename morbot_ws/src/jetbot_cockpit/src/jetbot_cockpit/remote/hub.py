@@ -20,7 +20,7 @@ from ..session.viewers import STILL_INTERVAL, PageOwner, Viewer
 from .fleet import Fleet
 from .link import Link
 from .requests import Requests
-from .robots import RemoteRobots, no_answer
+from .robots import RemoteRobots, absent_state, no_answer
 from .tables import Tables
 
 MAX_PAGES = 20
@@ -173,7 +173,7 @@ class Hub:
 
     def _state(self, page, states):
         """Return the message "state" for a page, which has an id of its own at each robot."""
-        shown = {robot: with_driver(state, page.link(robot), page.client.id) for robot, state in states.items()}
+        shown = {robot: seen_from(page, robot, state) for robot, state in states.items()}
         return json.dumps({"type": "state", "emergency": self._robots.emergency, "pupils_release": False,
                            "unconfirmed": self._robots.unconfirmed(), "robots": shown}, separators=(",", ":"))
 
@@ -260,10 +260,15 @@ class Hub:
             page.answer(message)
 
 
-def with_driver(state: dict, own: Optional[Link], page: int) -> dict:
-    """Return a robot's state for a page: who drives from there is that page, by its id here, others are 0."""
-    driver = state["driver"]
-    return {**state, "driver": driver and {**driver, "id": page if own and own.client == driver["id"] else 0}}
+def seen_from(page: HubPage, robot: str, state: dict) -> dict:
+    """Return a robot's state for a page, which can only drive it once its own link is there.
+
+    Who drives from this page is the page's client, others have the id 0.
+    """
+    own, driver = page.link(robot), state["driver"]
+    if not own:
+        return {**absent_state(robot, no_answer(robot)), "link": state["link"]} if state["answers"] else state
+    return {**state, "driver": driver and {**driver, "id": page.client.id if own.client == driver["id"] else 0}}
 
 
 ANSWERS = "lift", "program", "judge", "notice"

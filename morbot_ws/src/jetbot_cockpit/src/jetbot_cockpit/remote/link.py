@@ -6,8 +6,9 @@ import json
 import math
 import socket
 import time
+from collections import defaultdict
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, Callable, Optional, Union
+from typing import Any, Callable, DefaultDict, Optional, Set, Union
 
 from tornado.httpclient import HTTPClientError, HTTPRequest
 from tornado.iostream import StreamClosedError
@@ -28,12 +29,14 @@ PING_INTERVAL = 0.5    # s
 FRESH = 1.5            # s without a message after which nothing that moves is sent: it would arrive late
 MAX_MESSAGE = 512 * 1024  # bytes
 MAX_RATE = 400         # messages a second: a robot that sends more is disconnected
-REFUSED_INTERVAL = 3.0  # s until a robot is asked again whose answer was refused
+REFUSED_INTERVAL = 1.0  # s until a robot is asked again whose answer was refused
 MAX_TEXT = 40          # characters of what a robot says of itself
 LOST = (OSError, ValueError, HTTPClientError, HTTPTimeoutError, StreamClosedError, WebSocketClosedError,
         WebSocketError, asyncio.TimeoutError)  # ValueError: of an address that is none
 CHECKED = FROM_COCKPIT.keys() - {"state", "robots"}
 UNCHECKED = "state", "robots", "work"  # by the receiver: another version of MorBot may send other fields of a robot
+THIS_HUB = new_nonce()
+LINKS: DefaultDict[str, Set[str]] = defaultdict(set)  # the ids of all links of this hub, by address
 RESOLVERS = ThreadPoolExecutor(64)  # a name that nobody answers for keeps one of them busy for many seconds
 
 
@@ -60,10 +63,12 @@ class Link:
         self._nonces = Nonces("", "")
         self._ended, self._is_refused = asyncio.Event(), False
         self._id = new_nonce()
+        LINKS[address].add(self._id)
         self._task = asyncio.ensure_future(self._run())
 
     def close(self) -> None:
         """End the connection for good."""
+        LINKS[self.address].discard(self._id)
         self._task.cancel()
         self._drop()
 
@@ -194,7 +199,8 @@ class Link:
             self._refuse(say("other_fleet", address=self.address))
             return
         self._claimed, self.problem, self._is_refused = robot, say("wrong_key", robot=robot), True  # until it proves it
-        self.send({"type": "answer", "nonce": self._nonces.hub, "frames": self._frames, "link": self._id,
+        self.send({"type": "answer", "nonce": self._nonces.hub, "frames": self._frames,
+                   "hub": THIS_HUB, "link": self._id, "links": sorted(LINKS[self.address]),
                    "proof": proof(self._fleet.key_of(robot), HUB, self._fleet.name, robot, self._nonces)})
 
 

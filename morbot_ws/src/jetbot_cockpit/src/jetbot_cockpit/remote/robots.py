@@ -36,6 +36,7 @@ class RemoteRobots:
         self._emergency: Dict[str, bool] = {}  # what each robot says of the stop of all, while it is connected
         self._reported: Dict[str, Notice] = {}  # by address
         self.engaged, self._stopped_at = False, -math.inf
+        self._heard_since_stop: Set[str] = set()  # an older state may be that of the last stop
 
     def update(self, now: float) -> None:
         """Read the list of robots again, and connect to those that are new."""
@@ -79,6 +80,7 @@ class RemoteRobots:
     def stop_all(self) -> None:
         """Stop all robots, each on its own connection, and those that come back."""
         self.engaged, self._stopped_at = True, time.monotonic()
+        self._heard_since_stop.clear()
         for link in self._links.values():
             if link.robot:
                 link.send({"type": "stop"})
@@ -101,7 +103,8 @@ class RemoteRobots:
 
     def unconfirmed(self) -> List[str]:
         """Return which robots have not said that the emergency stop of all robots, which is engaged, holds them."""
-        held = {robot for robot, state in self._states.items() if self.link(robot) and EMERGENCY_STOP in state["holds"]}
+        held = {robot for robot in self._heard_since_stop
+                if self.link(robot) and EMERGENCY_STOP in self._states.get(robot, {}).get("holds", ())}
         return sorted(self._ids() - held) if self.emergency else []
 
     def rows(self) -> List[dict]:
@@ -166,6 +169,7 @@ class RemoteRobots:
         if owner and owner is not link:
             owner.reconnect()
         self._emergency.pop(robot, None)
+        self._heard_since_stop.discard(robot)
         if self.engaged:
             link.send({"type": "stop"})
         self._fleet.remember(link.robot, link.address)
@@ -191,6 +195,7 @@ class RemoteRobots:
             self._states[robot] = complete
         else:
             self._states.pop(robot, None)  # its controller has ended
+        self._heard_since_stop.add(robot)
         before = self._emergency.get(robot)
         self._emergency[robot] = message.get("emergency") is True
         if self.engaged and before and not any(self._emergency.values()):

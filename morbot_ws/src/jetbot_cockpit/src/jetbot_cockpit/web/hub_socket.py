@@ -45,16 +45,16 @@ REFUSALS = Refusals()
 class HubSocket(Socket):
     """Sends a challenge; what answers it, and no browser, is a client. works: web.work.Works; instance: this start.
 
-    links: the newest socket of each link. A hub that connects again ends the socket from before, which the network may
-    never end: it would keep the robot from its own driver.
+    links: the newest socket of each link of each hub. A hub names its links: what it has closed, the network may not
+    have closed here, and it would keep the robot from its next driver.
     """
 
     acts = False
     max_message_size = 2 * MAX_WORK
 
-    def initialize(self, access, pages, identity: Identity, works, instance: str, links: Dict[str, "HubSocket"]) -> None:
+    def initialize(self, access, pages, identity: Identity, works, instance: str, links: dict) -> None:
         super().initialize(access, pages)
-        self._links, self._link = links, ""
+        self._links, self._link = links, ("", "")
         self._identity, self._works, self._instance = identity, works, instance
 
     def prepare(self) -> None:
@@ -88,7 +88,9 @@ class HubSocket(Socket):
             return
         self.send(json.dumps({"type": "proof", "proof": proof(key, ROBOT, class_name, robot, nonces),
                               "version": VERSION}))
-        self._replace(str(fields.get("link")))
+        hub, link, alive = (fields.get(name) for name in ("hub", "link", "links"))
+        if isinstance(hub, str) and isinstance(link, str) and isinstance(alive, list):
+            self._replace(hub, link, alive)
         owner = PageOwner("hub", self.request.remote_ip)
         self.viewer = self.pages.join(self, TEACHER, None, owner, time.monotonic())
         if self.viewer:
@@ -97,11 +99,14 @@ class HubSocket(Socket):
             self.ws_connection.stream.is_page = True
             self.ws_connection.stream.max_buffer_size = self.max_message_size  # a program is one message
 
-    def _replace(self, link):
-        before, self._link = self._links.get(link), link
-        self._links[link] = self
-        if before and before.viewer:
-            self.pages.end(before.viewer, ENDED, "the hub has connected again")
+    def _replace(self, hub, link, alive):
+        """End the sockets from before: of this link, and of others that this hub has no more."""
+        self._link = hub, link
+        for other in [each for each in self._links if each[0] == hub and (each[1] == link or each[1] not in alive)]:
+            socket = self._links.pop(other)
+            if socket.viewer:
+                self.pages.end(socket.viewer, ENDED, "the hub has connected again")
+        self._links[self._link] = self
 
     def on_close(self) -> None:
         super().on_close()

@@ -1,0 +1,89 @@
+"""Programs that are no robots and no hubs, by the handshake of jetbot_cockpit.remote, on a host of their own."""
+
+import asyncio
+import json
+import threading
+from typing import List, Optional
+
+from network import Host
+from school import CLASS
+from tornado.httpserver import HTTPServer
+from tornado.netutil import bind_sockets
+from tornado.web import Application
+from tornado.websocket import WebSocketClosedError, WebSocketHandler
+
+from jetbot_cockpit.remote.key import HUB, ROBOT, Nonces, new_nonce, proof
+from jetbot_ros.contract import COCKPIT_PORT
+from web_client import WebSocket
+
+BURST, BURST_INTERVAL = 20, 0.01  # messages, s
+FLOOD = json.dumps({"type": "notice", "code": "x", "arguments": {}, "text": "x" * 200, "template": "x"})
+
+
+class Impostor:
+    """Serves /hub as a robot does. name: the one it claims; key: what it proves with.
+
+    then: what it sends for as long as it is let, once the hub has answered; recorded: a proof that it replays, or "".
+    """
+
+    def __init__(self, host: Host, name: str, key: str, then: Optional[str] = None, recorded: str = ""):
+        self.name, self.key, self.then, self.recorded, self.proofs, self.visits = name, key, then, recorded, [], 0
+        self._ended = threading.Event()
+        self._sockets = host.call(bind_sockets, COCKPIT_PORT, host.address)
+        self._thread = threading.Thread(target=lambda: asyncio.run(self._serve()), daemon=True)
+        self._thread.start()
+
+    async def _serve(self):
+        server = HTTPServer(Application([(r"/hub", Claim, {"impostor": self})]))
+        server.add_sockets(self._sockets)
+        while not self._ended.is_set():
+            await asyncio.sleep(0.02)
+        server.stop()
+        await server.close_all_connections()
+
+    def close(self) -> None:
+        self._ended.set()
+        self._thread.join()
+
+
+class Claim(WebSocketHandler):
+    def initialize(self, impostor):
+        self.impostor, self.nonce = impostor, new_nonce()
+
+    def check_origin(self, origin):
+        return True
+
+    def open(self):
+        self.impostor.visits += 1
+        self.write_message(json.dumps({"type": "challenge", "robot": self.impostor.name, "class": CLASS,
+                                       "nonce": self.nonce, "instance": "impostor"}))
+
+    async def on_message(self, text):
+        impostor, fields = self.impostor, json.loads(text)
+        if fields["type"] != "answer":
+            return
+        own = proof(impostor.key, ROBOT, CLASS, impostor.name, Nonces(self.nonce, fields["nonce"]))
+        impostor.proofs.append(own)
+        try:
+            await self.write_message(json.dumps({"type": "proof", "proof": impostor.recorded or own}))
+            while impostor.then:
+                for _ in range(BURST):
+                    await self.write_message(impostor.then)
+                await asyncio.sleep(BURST_INTERVAL)
+        except WebSocketClosedError:
+            pass
+
+
+def answers(host: Host, address: str, name: str, key: str, recorded: Optional[dict] = None) -> List[dict]:
+    """Answer a robot's challenge as a hub, with this answer if one is given; return that, and what the robot says then.
+
+    Raise Closed if it refuses.
+    """
+    socket = host.call(WebSocket, COCKPIT_PORT, {"Host": f"{address}:{COCKPIT_PORT}"}, "", address, "/hub")
+    try:
+        nonces = Nonces(socket.receive("challenge")["nonce"], new_nonce())
+        answer = recorded or {"type": "answer", "nonce": nonces.hub, "proof": proof(key, HUB, CLASS, name, nonces)}
+        socket.send(answer)
+        return [answer, socket.receive()]
+    finally:
+        socket.close()

@@ -1,0 +1,121 @@
+"""Robots' cockpits with an identity, and a hub, each a server on a free port: no ROS master is needed.
+
+PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
+"""
+
+import json
+from types import SimpleNamespace
+
+from tornado.websocket import WebSocketHandler
+
+from cockpit_server import GRANTS, StandIn
+from jetbot_cockpit.classroom.classroom import Classroom
+from jetbot_cockpit.remote.fleet import Entry, Fleet
+from jetbot_cockpit.remote.hub import Hub
+from jetbot_cockpit.remote.identity import Identity
+from jetbot_cockpit.remote.key import HUB, Nonces, proof
+from jetbot_cockpit.session.pages import Pages
+from jetbot_cockpit.session.snapshot import RobotSnapshot
+from jetbot_cockpit.web.access import Access
+from jetbot_cockpit.web.addresses import listen
+from jetbot_cockpit.web.hub_socket import HubSocket
+from jetbot_cockpit.web.server import Server
+from jetbot_cockpit.web.work import Work, Works
+from jetbot_ros.state import EMERGENCY_STOP, RobotState
+from web_client import WebSocket, open_page, page_headers, request
+
+CLASS = "7b"
+
+
+class Control(StandIn):
+    """A robot that is stopped by a stop of all, and says so."""
+
+    def __init__(self, robot):
+        super().__init__()
+        self.robot, self.stopped = robot, False
+
+    def stop(self, client, robot):
+        super().stop(client, robot)
+        self.stopped = True
+
+    def handle(self, client, message, now):
+        super().handle(client, message, now)
+        self.stopped = self.stopped and message.type != "release"
+
+    def robots(self):
+        return [RobotSnapshot(self.robot).description()]
+
+    def state(self):
+        state = RobotState("stopped", "stopped", holds=(EMERGENCY_STOP,)) if self.stopped else RobotState("driving")
+        row = RobotSnapshot(self.robot, state=state).message(None, None, None, None, 0, None, 0)
+        return {"type": "state", "emergency": self.stopped, "pupils_release": False, "unconfirmed": [],
+                "robots": {self.robot: row}}
+
+
+class Robot:
+    """A robot's cockpit. identity: what it says that it is; instance: which start of it this is; socket: for a hub."""
+
+    def __init__(self, identity, instance="1", socket=HubSocket):
+        sockets = listen(0, lan=False)
+        self.port, self.classroom = sockets[0].getsockname()[1], Classroom()
+        self.control = Control(f"/{identity.robot}")
+        access = Access(self.port, [], GRANTS)
+        pages = Pages(self.control, SimpleNamespace(rows=[]), self.control)
+        hub = {"access": access, "pages": pages, "identity": identity, "instance": instance, "links": {},
+               "works": Works(self.classroom, pages.knows)}
+        self.server = Server(sockets, access, pages, [(r"/hub", socket, hub)])
+        self.server.start()
+        self.address = f"127.0.0.1:{self.port}"
+
+    def connect(self, **headers):
+        """Return a socket of somebody who may be a hub."""
+        return WebSocket(self.port, {"Host": self.address, **headers}, path="/hub")
+
+
+class Liar(WebSocketHandler):
+    """Pretends to be jetbot_01, without its key."""
+
+    def initialize(self, **_):
+        pass
+
+    def open(self):
+        self.write_message(json.dumps({"type": "challenge", "robot": "jetbot_01", "class": CLASS, "nonce": 32 * "0",
+                                       "instance": "1"}))
+
+    def on_message(self, message):
+        self.write_message(json.dumps({"type": "proof", "proof": json.loads(message)["proof"]}))  # the hub's own
+
+
+class TeachersHub:
+    """A hub's server with these robots of its list, by their addresses."""
+
+    def __init__(self, folder, addresses):
+        self.fleet = Fleet(str(folder), CLASS)
+        self.fleet.save([Entry(name, address) for name, address in addresses.items()])
+        sockets = listen(0, lan=False)
+        self.port = sockets[0].getsockname()[1]
+        access = Access(self.port, [], [])
+        self.hub = Hub(self.fleet, SimpleNamespace(rows=[]))
+        self.server = Server(sockets, access, self.hub, [(r"/work", Work, {"access": access, "works": self.hub})])
+        self.server.start()
+
+    def page(self):
+        return open_page(self.port)
+
+    def work(self, **fields):
+        """Return the status and the answer to what a page asks of the programs."""
+        answer = request(self.port, "POST", "/work", page_headers(self.port, Content_Type="application/json"),
+                         json.dumps(fields).encode())
+        return answer.status, json.loads(answer.body)
+
+
+def identity(fleet, robot="jetbot_01", key_of=None):
+    """Return who a robot is. key_of: whose key it has, by default its own."""
+    return Identity(robot, CLASS, fleet.key_of(key_of or robot))
+
+
+def answer(fleet, challenge, robot="jetbot_01", **fields):
+    """Return a hub's answer to a challenge."""
+    nonces = Nonces(challenge["nonce"], 32 * "a")
+    return {"type": "answer", "nonce": nonces.hub,
+            "proof": proof(fleet.key_of(robot), HUB, CLASS, robot, nonces), **fields}

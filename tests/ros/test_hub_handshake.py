@@ -1,0 +1,194 @@
+"""A robot lets in nobody but the hub of its class, and a hub believes no robot that only says its name."""
+
+
+import pytest
+from hub_world import Liar, Robot, TeachersHub, answer, identity
+
+from jetbot.wait import wait_until
+from jetbot_cockpit.remote.fleet import Fleet
+from jetbot_cockpit.remote.key import new_key
+from jetbot_cockpit.web import hub_socket
+from web_client import Closed
+
+WITHIN = 10.0  # s
+
+
+@pytest.fixture
+def fleet(tmp_path):
+    return Fleet(str(tmp_path), "7b")
+
+
+@pytest.fixture
+def robot(fleet):
+    robot = Robot(identity(fleet))
+    yield robot
+    robot.server.end()
+
+
+@pytest.fixture
+def make_hub(tmp_path):
+    hubs = []
+
+    def make(addresses):
+        hubs.append(TeachersHub(tmp_path, addresses))
+        return hubs[-1]
+    yield make
+    for hub in hubs:
+        hub.server.end()
+
+
+def proven(fleet, robot, **fields):
+    """Return a socket that has proven to be a hub's."""
+    socket = robot.connect()
+    socket.send(answer(fleet, socket.receive("challenge"), **fields))
+    socket.receive("proof")
+    return socket
+
+
+def test_who_has_the_key_is_a_teacher(fleet, robot):
+    socket = proven(fleet, robot)
+    assert socket.receive("hello")["role"] == "teacher"
+    socket.send({"type": "stop"})
+    assert wait_until(lambda: robot.control.stopped, WITHIN)
+    socket.close()
+
+
+def refused(socket, message):
+    socket.send(message)
+    return socket.wait_for_close()
+
+
+def test_who_has_another_key_is_refused_and_logged_once_a_minute(fleet, robot, tmp_path, caplog):
+    hub_socket.REFUSALS = hub_socket.Refusals()
+    other = Fleet(str(tmp_path / "other"), "7b")
+    for _ in range(3):
+        socket = robot.connect()
+        assert refused(socket, answer(other, socket.receive("challenge"))).code == hub_socket.WRONG_KEY
+    assert [record.getMessage() for record in caplog.records if "refused" in record.getMessage()] == [
+        "a hub at 127.0.0.1 was refused: it has another key"]
+    assert robot.control.handled == []
+
+
+def test_a_recording_is_worth_nothing(fleet, robot):
+    first, second = robot.connect(), robot.connect()
+    recorded = answer(fleet, first.receive("challenge"))
+    first.send(recorded)
+    assert first.receive("proof")
+    second.receive("challenge")
+    assert refused(second, recorded).code == hub_socket.WRONG_KEY
+    first.close()
+
+
+def test_the_robots_own_proof_and_another_robots_key_are_no_hubs(fleet, robot):
+    for change in {"proof": None}, {"proof": 7}, {"nonce": ["a"]}, {"proof": "ä"}, {"nonce": 32 * "A"}:
+        socket = robot.connect()
+        assert refused(socket, {**answer(fleet, socket.receive("challenge")), **change}).code == hub_socket.WRONG_KEY
+    socket = robot.connect()
+    theirs = answer(fleet, socket.receive("challenge"), robot="jetbot_02")
+    assert refused(socket, theirs).code == hub_socket.WRONG_KEY
+
+
+def test_commands_before_the_proof_do_nothing(robot):
+    socket = robot.connect()
+    socket.receive("challenge")
+    assert refused(socket, {"type": "stop"}).code == hub_socket.WRONG_KEY
+    assert robot.control.handled == []
+
+
+def test_who_proves_nothing_is_ended_soon(robot, monkeypatch):
+    monkeypatch.setattr(hub_socket, "HANDSHAKE_TIMEOUT", 0.1)
+    assert robot.connect().wait_for_close().code == hub_socket.WRONG_KEY
+
+
+def test_a_browser_gets_no_challenge(robot):
+    assert robot.connect(Origin=f"http://{robot.address}").status == 403
+
+
+def test_a_message_of_a_megabyte_ends_the_socket(fleet, robot):
+    socket = proven(fleet, robot)
+    with pytest.raises((Closed, ConnectionError)):
+        socket.send(b"x" * (1 << 20))
+        while True:
+            socket.receive()
+
+
+def test_a_link_that_connects_again_ends_its_socket_from_before(fleet, robot):
+    first = proven(fleet, robot, hub="1", link="a", links=["a"])
+    other = proven(fleet, robot, hub="1", link="b", links=["a", "b"])
+    stranger = proven(fleet, robot, hub="2", link="a", links=["a"])
+    second = proven(fleet, robot, hub="1", link="a", links=["a", "b"])
+    assert first.wait_for_close().reason == "the hub has connected again"
+    for socket in other, stranger, second:
+        socket.send({"type": "ping", "sent": 1})
+        assert socket.receive("pong")
+        socket.close()
+
+
+def test_a_link_that_a_hub_has_closed_while_it_was_cut_off_ends(fleet, robot):
+    closed = proven(fleet, robot, hub="1", link="a", links=["a"])
+    new = proven(fleet, robot, hub="1", link="b", links=["b"])
+    assert closed.wait_for_close().reason == "the hub has connected again"
+    new.close()
+
+
+def test_who_wants_no_frames_is_sent_none(fleet, robot):
+    socket = proven(fleet, robot, frames=False)
+    watching = proven(fleet, robot)
+    assert watching.receive("state") and watching.receive("state")
+    socket.send({"type": "ping", "sent": 1})
+    kinds = []
+    while kinds[-1:] != ["pong"]:
+        kinds.append(socket.receive()["type"])
+    assert not {"state", "robots"} & set(kinds)
+    for each in socket, watching:
+        each.close()
+
+
+def status(hub, robot="/jetbot_01"):
+    return hub.hub._robots.states()[robot]["status"]
+
+
+def test_a_robot_with_anothers_key_is_named(fleet, make_hub):
+    liar = Robot(identity(fleet, "jetbot_01", key_of="jetbot_02"))
+    hub = make_hub({"jetbot_01": liar.address})
+    assert wait_until(lambda: status(hub) == "jetbot_01 has another key than this class's.", WITHIN), status(hub)
+    assert wait_until(lambda: list(hub.hub.log) == ["jetbot_01 has another key than this class's."], WITHIN)
+    liar.server.end()
+
+
+def test_a_robot_of_another_class_is_named(fleet, make_hub):
+    robot = Robot(identity(fleet)._replace(class_name="8a", key=new_key()))
+    hub = make_hub({"jetbot_01": robot.address})
+    text = f"The robot at {robot.address} is of another class."
+    assert wait_until(lambda: status(hub) == text, WITHIN), status(hub)
+    robot.server.end()
+
+
+def test_who_only_repeats_the_hubs_proof_is_named(fleet, make_hub):
+    liar = Robot(identity(fleet), socket=Liar)
+    hub = make_hub({"jetbot_01": liar.address})
+    text = f"What answers at {liar.address} pretends to be jetbot_01."
+    assert wait_until(lambda: status(hub) == text, WITHIN), status(hub)
+    liar.server.end()
+
+
+def test_an_address_that_is_none_and_a_name_that_nobody_has_say_so(make_hub):
+    hub = make_hub({"jetbot_01": "no such host:x", "jetbot_02": "nobody.invalid"})
+    texts = ["No connection to no such host:x.", "No connection to nobody.invalid:8080."]
+    assert wait_until(lambda: [status(hub), status(hub, "/jetbot_02")] == texts, WITHIN), status(hub)
+
+
+def test_a_clone_is_named_and_the_first_robot_stays(fleet, make_hub):
+    first, clone = Robot(identity(fleet)), Robot(identity(fleet), instance="2")
+    hub = make_hub({"jetbot_01": first.address})
+    assert wait_until(lambda: "/jetbot_01" in hub.hub._robots.connected(), WITHIN)
+    hub.fleet.save([*hub.fleet.robots, hub.fleet.robots[0]._replace(name="jetbot_02", address=clone.address)])
+    text = f"Two robots are called jetbot_01: {first.address} and {clone.address}. Give one another name."
+    assert wait_until(lambda: "/jetbot_02" in hub.hub._robots.states() and status(hub, "/jetbot_02") == text, WITHIN)
+    page = hub.page()
+    page.send({"type": "stop"})
+    assert wait_until(lambda: first.control.stopped, WITHIN)
+    page.close()
+    assert clone.control.handled == []
+    for robot in first, clone:
+        robot.server.end()

@@ -1,0 +1,99 @@
+"""A hub's page does at each robot what a page of its own would do there."""
+
+import json
+
+import pytest
+from hub_world import Robot, TeachersHub, identity
+
+from jetbot.wait import wait_until
+from jetbot_cockpit.remote.fleet import Fleet
+
+WITHIN = 10.0  # s
+ID = "0123456789abcdef"
+ADA, BOB = "/ada", "/bob"
+
+
+@pytest.fixture
+def robots(tmp_path):
+    fleet = Fleet(str(tmp_path), "7b")
+    robots = {name: Robot(identity(fleet, name)) for name in ("ada", "bob")}
+    yield robots
+    for robot in robots.values():
+        robot.server.end()
+
+
+@pytest.fixture
+def hub(robots, tmp_path):
+    hub = TeachersHub(tmp_path, {name: robot.address for name, robot in robots.items()})
+    assert wait_until(lambda: len(hub.hub._robots.connected()) == 2, WITHIN)
+    yield hub
+    hub.server.end()
+
+
+@pytest.fixture
+def page(hub):
+    page = hub.page()
+    page.receive_until(lambda said: said["type"] == "state"
+                       and all(each["answers"] for each in said["robots"].values()))
+    yield page
+    page.close()
+
+
+def done(robot):
+    return [(message.type, message.robot) for _, message in robot.control.handled]
+
+
+def test_a_command_reaches_its_robot_alone(robots, page):
+    page.send({"type": "drive", "robot": ADA, "forward": 1, "left": 0})
+    assert wait_until(lambda: done(robots["ada"]) == [("drive", ADA)], WITHIN)
+    assert done(robots["bob"]) == []
+
+
+def test_a_stop_of_all_is_confirmed_by_each_and_nobody_drives_until_the_release(robots, page):
+    page.send({"type": "stop"})
+    said = page.receive_until(lambda said: said["type"] == "state" and said["emergency"] and not said["unconfirmed"])
+    assert set(said["robots"]) == {ADA, BOB}
+    page.send({"type": "drive", "robot": ADA, "forward": 1, "left": 0})
+    assert page.receive("lift")["code"] == "all_stopped"
+    page.send({"type": "release"})
+    page.receive_until(lambda said: said["type"] == "state" and not said["emergency"])
+    assert not robots["ada"].control.stopped and not robots["bob"].control.stopped
+    assert ("drive", ADA) not in done(robots["ada"])
+
+
+def test_a_closed_page_leaves_no_socket_at_a_robot(robots, page):
+    page.close()
+    assert wait_until(lambda: len(robots["ada"].control.left) == 1 and len(robots["bob"].control.left) == 1, WITHIN)
+
+
+def test_programs_are_kept_at_the_robot_and_listed_for_all(robots, page, hub):
+    large = json.dumps({"blocks": 60000 * "x"})
+    save = {"do": "save", "robot": ADA, "id": ID, "version": 0, "name": "Square", "program": large}
+    status, saved = hub.work(**save)
+    assert (status, saved["version"], saved["class"]) == (200, 1, hub.fleet.id)
+    assert hub.work(**save, **{"class": hub.fleet.id})[0] == 200
+    assert hub.work(**{**save, "version": 1, "name": "B", "class": "f" * 16})[1]["code"] == "other_class"
+    assert [row["name"] for row in hub.work(do="list", robot=None)[1]["programs"]] == ["Square"]
+    assert hub.work(do="open", robot=ADA, id=ID)[1]["program"] == large
+    assert hub.work(do="delete", robot=ADA, id=ID)[1]["deleted"]
+    assert not hub.work(do="restore", robot=ADA, id=ID)[1]["deleted"]
+    assert robots["ada"].classroom.programs.rows(None) and not robots["bob"].classroom.programs.rows(None)
+
+
+def test_a_robot_that_is_gone_is_named_and_keeps_nobody_waiting(robots, page, hub):
+    robots["ada"].server.end()
+    said = page.receive_until(lambda said: said["type"] == "state" and not said["robots"][ADA]["answers"])
+    assert said["robots"][BOB]["answers"]
+    assert hub.work(do="list", robot=ADA)[1]["code"] == "no_answer"
+    page.send({"type": "stop"})
+    said = page.receive_until(lambda said: said["type"] == "state" and said["unconfirmed"] == [ADA])
+    assert robots["bob"].control.stopped
+
+
+def test_a_robot_has_its_address_and_its_delay(robots, hub):
+    page = hub.page()
+    rows = page.receive("robots")["robots"]
+    assert [row["address"] for row in rows] == [f"http://{robots[name].address}/" for name in ("ada", "bob")]
+    said = page.receive_until(lambda said: said["type"] == "state" and said["robots"][ADA]["link"] is not None)
+    assert 0 <= said["robots"][ADA]["link"] < 1000 * WITHIN
+    page.close()
