@@ -200,7 +200,9 @@ ForceCommand {self._folder}/login
         group = int((self.home / "pid").read_text())
         with contextlib.suppress(ProcessLookupError):
             os.killpg(group, signal.SIGTERM)
-            wait(lambda: os.killpg(group, 0))  # until there is none
+            with contextlib.suppress(AssertionError):
+                wait(lambda: os.killpg(group, 0))  # until there is none
+            os.killpg(group, signal.SIGKILL)
 
 
 class Laptop:
