@@ -91,6 +91,8 @@ IOLoop.current().start()
 # Everything of the robot's side ends here, at the command that "cut" counts down to: its switch was turned off.
 COUNTED = """#!/bin/sh
 if [ -e "$HOME/cut" ]; then
+    exec 8>"$HOME/counts"  # those of a pipe one after the other
+    /usr/bin/flock 8
     left=$(($(/bin/cat "$HOME/cut") - 1))
     echo $left >"$HOME/cut"
     if [ $left -le 0 ]; then
@@ -98,6 +100,7 @@ if [ -e "$HOME/cut" ]; then
         [ ! -e "$HOME/pid" ] || kill -9 "$(/bin/cat "$HOME/pid")"
         kill -9 0
     fi
+    exec 8>&-
 fi
 exec {command} "$@"
 """
@@ -197,7 +200,9 @@ ForceCommand {self._folder}/login
         group = int((self.home / "pid").read_text())
         with contextlib.suppress(ProcessLookupError):
             os.killpg(group, signal.SIGTERM)
-            wait(lambda: os.killpg(group, 0))  # until there is none
+            with contextlib.suppress(AssertionError):
+                wait(lambda: os.killpg(group, 0))  # until there is none
+            os.killpg(group, signal.SIGKILL)
 
 
 class Laptop:

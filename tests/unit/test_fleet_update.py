@@ -86,7 +86,7 @@ def test_a_robot_that_is_driven_is_not_updated(added):
 
 
 def test_a_robot_that_is_turned_off_starts_whole_and_the_next_update_heals(added):
-    for moment in (6, 13, 19):  # more of them: tests/fleet/test_update.py
+    for moment in (13, 25, 28):  # while it is unpacked, linked and started; all others: tests/fleet/test_update.py
         check_cut(*added, moment)
 
 
