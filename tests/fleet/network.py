@@ -57,7 +57,7 @@ class Host:
         self._holder = subprocess.Popen(
             ["unshare", *NAMESPACES, "--fork", "--kill-child", "--mount-proc", "sh", "-c", HOLD,
              name.replace("_", "-")], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-            preexec_fn=end_with_parent)
+            preexec_fn=lambda: end_with_parent(signal.SIGKILL))  # unshare blocks SIGTERM
         if not self._holder.stdout.readline():
             raise NotAllowed
         self._pid = int(Path(f"/proc/{self._holder.pid}/task/{self._holder.pid}/children").read_text().split()[0])

@@ -5,7 +5,6 @@ import os
 import shutil
 import signal
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Dict, List
 
@@ -121,13 +120,15 @@ class School:
         self.list_robots()
         self.wheels = Wheels({robot.name: robot.bus for robot in self.robots})
         self.wheels.start()
-        with ThreadPoolExecutor(STARTING) as pool:
-            list(pool.map(self._start, self.robots))
+        for first in range(0, count, STARTING):
+            self._start(self.robots[first:first + STARTING])
         self.hub = Hub(self.computers["laptop"], folder / "laptop")
 
-    def _start(self, robot: Robot) -> None:
-        robot.start()
-        assert wait_until(lambda: self.is_served(robot), START_TIMEOUT, 0.2), (robot.folder / "log").read_text()
+    def _start(self, robots: List[Robot]) -> None:
+        for robot in robots:
+            robot.start()
+        for robot in robots:
+            assert wait_until(lambda robot=robot: self.is_served(robot), START_TIMEOUT), robot.folder / "log"
 
     def is_served(self, robot: Robot) -> bool:
         """Return whether the robot's page can be opened, and its controller answers."""

@@ -4,9 +4,9 @@ import shutil
 import time
 
 import pytest
-from jetbot_class.robot.service import XML
 from school import CLASS
 
+from jetbot_class.robot.service import XML
 from jetbot_ros.contract import COCKPIT_PORT
 
 pytest.importorskip("zeroconf", reason="python3-zeroconf is not installed")

@@ -15,9 +15,9 @@ PR_SET_PDEATHSIG = 1     # of prctl(2)
 _prctl = ctypes.CDLL(None).prctl
 
 
-def end_with_parent() -> None:
-    """Let the kernel send this process a SIGTERM when the thread that started it ends: a preexec_fn of Popen."""
-    _prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+def end_with_parent(signum: int = signal.SIGTERM) -> None:
+    """Let the kernel send this process a signal when the thread that started it ends: a preexec_fn of Popen."""
+    _prctl(PR_SET_PDEATHSIG, signum)
 
 
 def end_on_sigterm() -> None:
