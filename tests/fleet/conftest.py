@@ -16,6 +16,10 @@ def pytest_addoption(parser):
     parser.addoption("--robots", type=int, default=15, help="how many robots the school has, at least 3")
 
 
+def pytest_configure(config):
+    config.addinivalue_line("markers", "short: what .ci/run runs, with three robots")
+
+
 def pytest_terminal_summary(terminalreporter):
     terminalreporter.write_line("\n".join(NUMBERS))
 

@@ -16,6 +16,7 @@ from jetbot_cockpit.remote.key import HUB, ROBOT, Nonces, new_nonce, proof
 from jetbot_ros.contract import COCKPIT_PORT
 from web_client import WebSocket
 
+BURST, BURST_INTERVAL = 20, 0.01  # messages, s
 FLOOD = json.dumps({"type": "notice", "code": "x", "arguments": {}, "text": "x" * 200, "template": "x"})
 
 
@@ -66,7 +67,9 @@ class Claim(WebSocketHandler):
         try:
             await self.write_message(json.dumps({"type": "proof", "proof": impostor.recorded or own}))
             while impostor.then:
-                await self.write_message(impostor.then)
+                for _ in range(BURST):
+                    await self.write_message(impostor.then)
+                await asyncio.sleep(BURST_INTERVAL)
         except WebSocketClosedError:
             pass
 

@@ -146,9 +146,13 @@ class School:
         """Return a new page of the robot's pupil, directly at the robot."""
         return Page(self.computers["tablet"], robot.host.address, robot.cookie)
 
+    def hosts(self) -> List[Host]:
+        """Return all computers, the robots' first."""
+        return [*(robot.host for robot in self.robots), *self.computers.values()]
+
     def recover(self) -> None:
         """Repair all links; go on once the hub has all robots again, and no stop is engaged."""
-        for host in [robot.host for robot in self.robots] + list(self.computers.values()):
+        for host in self.hosts():
             host.spoil()
             host.set_link("up")
         self.hub.thaw()
@@ -173,7 +177,9 @@ class School:
     def close(self) -> None:
         """Switch all off."""
         self.wheels.end()
-        for host in [*(robot.host for robot in self.robots), *self.computers.values()]:
+        hosts = self.hosts()
+        for host in hosts:
             host.kill()
+        for host in hosts:
             host.close()
         self.router.close()

@@ -2,16 +2,19 @@
 
 import time
 
+import pytest
 from lesson import STOP_BOUND, measured
 from network import CUT
-from school import CLASS, Hub
+from school import BACK, CLASS, Hub
 
+from jetbot.wait import wait_until
 from jetbot_cockpit.remote.fleet import Fleet
 
 FROZEN = 5.0  # s
 STOP_ALL = 0.1 + 0.15  # s, and what a busy computer takes
 
 
+@pytest.mark.short
 def test_stop_reaches_all_robots_at_once_and_one_that_is_cut_off_when_it_comes_back(lesson):
     first, *others = lesson.school.robots
     first.host.spoil(CUT, CUT)
@@ -20,7 +23,7 @@ def test_stop_reaches_all_robots_at_once_and_one_that_is_cut_off_when_it_comes_b
     lesson.teacher.send(type="stop")
     for robot in others:
         lesson.stops(robot, stopped_at, "STOP", STOP_ALL)
-    lesson.teacher.wait(lambda: lesson.teacher.state["unconfirmed"] == [f"/{first.name}"], 5.0, "the one that is missing")
+    lesson.teacher.wait(lambda: lesson.teacher.state["unconfirmed"] == [f"/{first.name}"], 5.0, "its name")
     first.host.spoil()
     lesson.teacher.wait(lambda: len(lesson.school.stopped(lesson.teacher)) == len(lesson.school.robots), 5.0, "all")
     assert lesson.teacher.state["unconfirmed"] == []
@@ -37,6 +40,7 @@ def test_stop_reaches_all_robots_at_once_and_one_that_is_cut_off_when_it_comes_b
         lesson.press(robot)
 
 
+@pytest.mark.short
 def test_a_killed_hub_stops_what_it_drives_and_nothing_else(lesson):
     hub = lesson.school.hub
     lesson.others_notice_nothing("hub killed, a tablet", hub.kill, lesson.third)
@@ -58,8 +62,8 @@ def test_a_frozen_hub_sends_no_late_command(lesson):
     time.sleep(FROZEN)
     hub.thaw()
     lesson.is_back("hub goes on", lesson.first, lesson.second)
-    time.sleep(1.0)
-    assert not any(lesson.wheels.turned(robot.name, frozen_at + STOP_BOUND) for robot in (lesson.first, lesson.second))
+    assert not wait_until(lambda: any(lesson.wheels.turned(robot.name, frozen_at + STOP_BOUND)
+                                      for robot in (lesson.first, lesson.second)), 2.0), "a late command"
 
 
 def test_a_laptop_whose_lid_is_closed_comes_back_and_drives_nothing(lesson):
@@ -76,6 +80,7 @@ def test_a_laptop_whose_lid_is_closed_comes_back_and_drives_nothing(lesson):
     lesson.press(lesson.first)
 
 
+@pytest.mark.short
 def test_a_finger_that_stays_on_the_pad_drives_nothing_when_the_link_is_back(lesson):
     robot, page = lesson.first, lesson.pages[lesson.first.name]
     page.lets_go = False
@@ -84,8 +89,7 @@ def test_a_finger_that_stays_on_the_pad_drives_nothing_when_the_link_is_back(les
     lesson.teacher.wait(lambda: not lesson.teacher.robot(robot.name)["answers"], 5.0, "the page to say so")
     robot.host.spoil()
     lesson.is_back("cut, with the finger on the pad", robot)
-    time.sleep(1.0)
-    assert not lesson.wheels.turn(robot.name)
+    assert not wait_until(lambda: lesson.wheels.turn(robot.name), BACK), "it drives by itself"
     page.let_go()
     lesson.press(robot)
 

@@ -13,7 +13,8 @@ POOR, LOSSY = Fate(loss=0.01, delay=0.03, jitter=0.02), Fate(loss=0.3)
 ROUTER_RESTART = 4.0  # s
 LOOPBACK = ("127.", "[::1]", "[::ffff:127.")
 FAILURES = {
-    "cut": (CUT, CUT, 0.0), "half-open, to the robot": (CUT, GOOD, 0.0),
+    "cut": (CUT, CUT, 0.0),
+    "half-open, to the robot": (CUT, GOOD, 0.0),
     "half-open, from the robot": (GOOD, CUT, 1.5)}  # commands arrive until the hub misses answers, remote.link.FRESH
 
 
@@ -38,6 +39,7 @@ def test_a_pupils_tablet_drives_on_while_another_robot_is_cut_off(lesson):
                                  lesson.third)
 
 
+@pytest.mark.short
 def test_a_poor_link_drives_and_stops(lesson):
     for robot in lesson.school.robots:
         robot.host.spoil(POOR, POOR)
@@ -73,6 +75,7 @@ def test_a_robot_that_is_switched_off_and_on_comes_back_and_does_not_turn(lesson
     lesson.press(robot)
 
 
+@pytest.mark.short
 def test_a_router_that_restarts_stops_all_and_all_come_back(lesson):
     hosts = [each.host for each in lesson.school.robots] + [*lesson.school.computers.values()]
     start = time.monotonic()
@@ -100,8 +103,10 @@ def test_robots_that_get_each_others_address_keep_their_names_and_do_not_turn(le
     finally:
         for robot, number in zip((first, second), numbers):
             robot.host.move(number)
+        lesson.school.list_robots()
 
 
+@pytest.mark.short
 def test_a_robot_listens_at_its_pages_port_and_at_no_other(school):
     for robot in school.robots:
         rows = [row.split()[3] for row in robot.host.run("ss", "-Hltn").splitlines()]

@@ -9,7 +9,7 @@ from typing import Dict, List, Optional, Sequence, Tuple
 from jetbot.fake.motors import STOPPED, Motors
 
 SAMPLE_INTERVAL = 0.005  # s
-MAX_DELAY = 0.7          # s; after 0.8 s the same speed is sent again
+MAX_DELAY = 0.5          # s; after 0.8 s the same speed is sent again
 Change = Tuple[float, Tuple[float, float]]  # when, and the speeds (left, right) from then on
 
 
@@ -66,5 +66,4 @@ class Wheels(threading.Thread):
 
 def p95(delays: Sequence[float]) -> float:
     """Return the 95th percentile."""
-    assert len(delays) >= 20, f"only {len(delays)} commands arrived"
     return sorted(delays)[int(0.95 * len(delays))]

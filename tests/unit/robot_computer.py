@@ -39,7 +39,7 @@ SYSTEMCTL = """case $1 in
 esac"""
 TOOLS = {"sudo": SUDO, "systemctl": SYSTEMCTL, "hostnamectl": 'echo "$2" >"$ROOT/etc/hostname"', "usermod": ":",
          "gpasswd": ":", "id": "echo kim i2c", "getent": '[ "$2" != dialout ] && echo "$2:x:100:"',
-         "hostname": "echo 192.168.1.17"}
+         "sync": '[ -z "$CUT" ] || kill -9 $PPID', "hostname": "echo 192.168.1.17"}
 MORBOT = 'echo "morbot $*" >>"$LOG"; [ "$1" != doctor ]\n'
 
 
@@ -71,7 +71,8 @@ class RobotComputer:
         self.log.write_text("")
         environment = {"HOME": str(self.home), "PATH": f"{self.folder}/bin:/usr/bin:/bin", "PYTHONPATH": PYTHONPATH,
                        "LOG": str(self.log), "ROOT": str(self.root), "KILL_AT": str(kill_at), "FOLDER": "MorBot",
-                       "TAKEN": "", "FAILS": "", "ANSWERS": "yes", "LOGNAME": "kim", "LANG": "C.UTF-8", **environment}
+                       "TAKEN": "", "FAILS": "", "CUT": "",
+                       "ANSWERS": "yes", "LOGNAME": "kim", "LANG": "C.UTF-8", **environment}
         command = [sys.executable, "-c", PROGRAM, self.root, *words]
         options = {"env": environment, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True,
                    "timeout": 60, "check": False}

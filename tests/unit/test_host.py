@@ -1,3 +1,4 @@
+import grp
 import os
 import subprocess
 import sys
@@ -65,7 +66,7 @@ def test_bus_advice(monkeypatch, model, buses, sentence):
 def test_permission_advice(tmp_path, monkeypatch, name, group, advice):
     (tmp_path / "i2c-1").touch()
     number = os.stat(tmp_path / "i2c-1").st_gid
-    monkeypatch.setattr(host.grp, "getgrgid", {number: SimpleNamespace(gr_name=group)}.__getitem__ if group else {}.pop)
+    monkeypatch.setattr(grp, "getgrgid", {number: SimpleNamespace(gr_name=group)}.__getitem__ if group else {}.pop)
     assert host.permission_advice(tmp_path / name, "i2c") == advice.format(tmp_path / name, number)
 
 

@@ -178,6 +178,13 @@ def test_what_the_administrator_cannot_do_is_named_and_can_be_done_again(compute
     assert computer.robot(*NAMED, stdin=KEY)[0] == 0 and computer.read("etc/hostname") == "jetbot-07\n"
 
 
+def test_a_file_whose_writing_is_cut_keeps_its_old_content(named):
+    before = named.read(DROP_IN)
+    assert named.robot("board:=sparkfun", CUT="yes")[0] == 1
+    assert named.read(DROP_IN) == before
+    assert named.robot("board:=sparkfun")[0] == 0 and "board:=sparkfun" in named.read(DROP_IN)
+
+
 def test_without_words_it_says_what_this_robot_is(computer):
     assert computer.robot() == (1, "This computer is no robot of a class. To make it one: ./morbot robot jetbot_07 "
                                    "--class 7b\n")
