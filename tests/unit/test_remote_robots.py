@@ -139,6 +139,17 @@ def test_a_robot_with_a_new_address_replaces_its_dead_connection(lesson):
     assert lesson.fleet.robots[0].authorities == ("ada.test:8080", "192.168.1.9:8080")
 
 
+def test_robots_that_get_each_others_address_are_both_found(lesson):
+    lesson.connect()
+    lesson.links["ada"].drop()
+    lesson.links["bob"].drop()
+    assert lesson.links["bob"].connect(lesson.robots["ada"])
+    lesson.hub.update(later())  # ada's old address is still asked, and bob answers there
+    assert not lesson.links["ada"].closed
+    assert lesson.links["ada"].connect(lesson.robots["bob"])
+    assert lesson.hub.link("/bob") is lesson.links["ada"]
+
+
 def test_a_robot_that_is_found_at_two_addresses_is_no_problem(lesson):
     lesson.connect()
     lesson.found.add("192.168.1.9:8080")

@@ -43,7 +43,8 @@ class RemoteRobots:
         with contextlib.suppress(InvalidValue):  # somebody edits the list: the one from before counts
             self._fleet.update()
         connected = {robot: {link.address} for robot, link in self.connected().items()}
-        places = [connected.get(f"/{entry.name}") or set(entry.authorities) for entry in self._fleet.robots]
+        is_complete = all(f"/{entry.name}" in connected for entry in self._fleet.robots)
+        places = [] if is_complete else [entry.authorities for entry in self._fleet.robots]  # one may have another's
         wanted = self._found().union(*places, *connected.values())
         for address in self._links.keys() - wanted:
             self._links.pop(address).close()
