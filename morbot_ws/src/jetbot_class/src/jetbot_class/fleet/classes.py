@@ -56,9 +56,10 @@ def unused_name(fleet: Fleet) -> str:
 
 
 def enlist(fleet: Fleet, entry: Entry) -> None:
-    """Add a robot to the list, or change it there. Raises OSError."""
+    """Add a robot to the list, or change it there; it has one name. Raises OSError."""
     fleet.update()  # another ./morbot fleet may have changed it
-    fleet.save(sorted([*(each for each in fleet.robots if each.name != entry.name), entry]))
+    others = [each for each in fleet.robots if each.name != entry.name and each.login != (entry.login or None)]
+    fleet.save(sorted([*others, entry]))
     fleet.update()
 
 
