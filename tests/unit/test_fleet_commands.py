@@ -113,6 +113,18 @@ def test_a_robot_that_is_named_again_is_listed_once(monkeypatch, capsys):
     assert [each.name for each in added(monkeypatch, capsys, [], "me@a", "--name", "jetbot_03")[1]] == ["jetbot_03"]
 
 
+def test_the_key_of_a_removed_robot_is_void_also_when_another_gets_its_name(capsys):
+    def key(name):
+        return classes.open_class("7b", False).key_of(name)
+    for name in "jetbot_07", "jetbot_08":
+        typed(capsys, "--class", "7b", "add", name, "--address", "10.0.0.7")
+    stolen, other = key("jetbot_07"), key("jetbot_08")
+    assert "its key is void" in typed(capsys, "remove", "jetbot_07")[1]
+    assert key("jetbot_07") != stolen
+    typed(capsys, "add", "jetbot_07", "--address", "10.0.0.9")
+    assert key("jetbot_07") != stolen and key("jetbot_08") == other
+
+
 def test_two_classes_are_named_where_one_is_missing(capsys):
     typed(capsys, "--class", "7b", "key", "jetbot_07")
     typed(capsys, "--class", "8a", "key", "jetbot_07")

@@ -64,9 +64,10 @@ def enlist(fleet: Fleet, entry: Entry) -> None:
 
 
 def strike(fleet: Fleet, name: str) -> None:
-    """Take a robot from the list. Raises OSError."""
+    """Take a robot from the list; its key is void. Raises OSError."""
     fleet.update()
-    fleet.save([each for each in fleet.robots if each.name != name])
+    fleet.save([each for each in fleet.robots if each.name != name],
+               {**fleet.removed, name: fleet.removed.get(name, 0) + 1})
     fleet.update()
 
 

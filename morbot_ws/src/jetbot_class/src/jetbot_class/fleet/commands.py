@@ -132,7 +132,7 @@ def key(fleet: Fleet, given: Any) -> int:
 def remove(fleet: Fleet, given: Any) -> int:
     """Take a robot from the list."""
     strike(fleet, entry_of(fleet, given.robot).name)
-    print(f"{given.robot} is no longer listed. It still has its key; to delete that, type {ON_ROBOT}")
+    print(f"{given.robot} is no longer listed, and its key is void. To free it from the class, type {ON_ROBOT}")
     return 0
 
 
