@@ -127,7 +127,7 @@ source_advice() {
 
 as_root() {
     if [ "$(id -u)" = 0 ]; then "$@"; return; fi
-    sudo true || fail "an administrator must run this once: sudo $here/morbot install"
+    sudo true || fail "an administrator must run this once: sudo ${administration:-$here/morbot install}"
     sudo "$@"
 }
 

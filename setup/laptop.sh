@@ -1,6 +1,7 @@
 # The teacher's computer: what a class of real robots needs there, without ROS. Sourced by ./morbot.
 
 fleet_modules="tornado segno"
+fleet_packages="python3-tornado python3-segno python3-zeroconf"
 
 # Python with these modules: the system's, by apt where there is apt, or else a virtual environment in the cache.
 choose_python() {
@@ -8,10 +9,10 @@ choose_python() {
     python=python3
     ! has_modules || return 0
     if [ -n "$(family)" ]; then
-        echo "morbot: installing python3-tornado, python3-segno and python3-zeroconf" >&2
+        echo "morbot: installing $fleet_packages" >&2
+        administration="apt install $fleet_packages"
         update_apt
-        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
-            python3-tornado python3-segno python3-zeroconf >&2
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $fleet_packages >&2
         has_modules || fail "apt-get could not install what a class of real robots needs (see above)"
         return
     fi

@@ -15,7 +15,7 @@ from processes import end, free_port, start
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGES = ROOT / "morbot_ws/src"
-CHECKOUT = "jetbot", "jetbot_ros", "jetbot_cockpit", "jetbot_class"  # what ./morbot fleet needs of a version
+CHECKOUT = "jetbot", "jetbot_ros", "jetbot_cockpit", "jetbot_class", "jetbot_control_node"  # for ./morbot fleet
 COMMANDS = ("git", "tar", "mkdir", "ln", "mv", "touch", "sync", "rm", "readlink", "df", "flock", "cat", "systemctl")
 STATE = {"status": "stopped", "state": "stopped", "answers": True, "driver": None, "program": "", "health": None}
 TIMEOUT = 20.0  # s
@@ -256,7 +256,7 @@ def wait(condition, explanation=str):
 def small_version(checkout):
     """Fill a checkout with what ./morbot fleet needs, and a service that takes no time to build."""
     for package in CHECKOUT:
-        for part in ("src", "scripts"):
+        for part in ("src", "scripts", "launch"):
             if (PACKAGES / package / part).exists():
                 shutil.copytree(PACKAGES / package / part, checkout / "morbot_ws/src" / package / part,
                                 ignore=shutil.ignore_patterns("__pycache__"))

@@ -64,10 +64,65 @@ def test_a_robot_that_does_not_answer_is_named_and_the_exit_code_says_so(capsys)
     (("--class", "7b", "add", "jetbot_07", "--address", "http://x/"), "http://x/ is not an address"),
     (("--class", "7b", "add", "--", "-oProxyCommand=x"), "-oProxyCommand=x is not a computer"),
     (("--class", "7b", "add", "me@host", "--name", "7"), "No robot can be called 7"),
+    (("--class", "7b", "add", "me@host", "board=sparkfun"), "Arguments are written as board:=sparkfun."),
+    (("--class", "7b", "add", "me@host", "--name", "a", "bord:=x"), "Did you mean board:=x?"),
+    (("--class", "7b", "add", "me@host", "cockpit_port:=x"), "ockpit_port:= is a number"),
+    (("add", "me@host", "--nane", "a"), "unrecognized arguments: --nane"),
+    (("hub", "board:=x"), "unrecognized arguments: board:=x"),
     (("fly",), "invalid choice: 'fly'"), (("log",), "required: NAME")])
 def test_what_is_typed_wrong_gets_one_sentence(capsys, arguments, said):
     code, printed = typed(capsys, *arguments)
     assert code in (1, 2) and said in printed and printed.count("\n") == 1
+
+
+@pytest.mark.parametrize("typed_words", [
+    "--class 7b add me@host --name jetbot_07 board:=sparkfun cockpit_port:=81",
+    "add --class 7b me@host board:=sparkfun --name jetbot_07 cockpit_port:=81",
+    "add me@host --name jetbot_07 board:=sparkfun cockpit_port:=81 --class 7b"])
+def test_what_a_robot_needs_and_the_class_may_be_typed_in_any_order(capsys, monkeypatch, typed_words):
+    robots = []
+    monkeypatch.setattr(commands, "checkout", lambda root: "c0ffee")
+    monkeypatch.setattr(commands, "set_up", lambda fleet, entry, commit, arguments, listed: robots.append(
+        (fleet.name, entry, arguments)))
+    code, said = typed(capsys, *typed_words.split())
+    assert code == 0, said
+    assert robots == [("7b", Entry("jetbot_07", "host:81", "me@host"), ["board:=sparkfun", "cockpit_port:=81"])]
+
+
+def added(monkeypatch, capsys, answers, *arguments):
+    """Add a robot where these logins' robots answer; return what is printed, and the list."""
+    monkeypatch.setattr(commands, "checkout", lambda root: "c0ffee")
+    monkeypatch.setattr(commands, "set_up", lambda fleet, entry, commit, arguments, listed: listed())
+    monkeypatch.setattr(commands, "ask", lambda fleet, entries, until: [
+        Answer(each, problem="" if each.login in answers else "no answer") for each in entries])
+    code, said = typed(capsys, "--class", "7b", "add", *arguments)
+    return said, classes.open_class("7b", False).robots
+
+
+@pytest.mark.parametrize("answers, listed", [
+    (["me@a"], "me@a"), ([], "me@b"), (["me@a", "me@b"], "me@b")], ids=["another", "gone", "both ways"])
+def test_a_name_that_a_robot_has_which_answers_goes_to_no_other(monkeypatch, capsys, answers, listed):
+    added(monkeypatch, capsys, answers, "me@a", "--name", "jetbot_01")
+    said, robots = added(monkeypatch, capsys, answers, "me@b", "--name", "jetbot_01")
+    assert [each.login for each in robots] == [listed]
+    assert ("jetbot_01 is the robot at a:8080, which answers" in said) == (listed == "me@a")
+
+
+def test_a_robot_that_is_named_again_is_listed_once(monkeypatch, capsys):
+    added(monkeypatch, capsys, [], "me@a", "--name", "jetbot_04")
+    assert [each.name for each in added(monkeypatch, capsys, [], "me@a", "--name", "jetbot_03")[1]] == ["jetbot_03"]
+
+
+def test_the_key_of_a_removed_robot_is_void_also_when_another_gets_its_name(capsys):
+    def key(name):
+        return classes.open_class("7b", False).key_of(name)
+    for name in "jetbot_07", "jetbot_08":
+        typed(capsys, "--class", "7b", "add", name, "--address", "10.0.0.7")
+    stolen, other = key("jetbot_07"), key("jetbot_08")
+    assert "its key is void" in typed(capsys, "remove", "jetbot_07")[1]
+    assert key("jetbot_07") != stolen
+    typed(capsys, "add", "jetbot_07", "--address", "10.0.0.9")
+    assert key("jetbot_07") != stolen and key("jetbot_08") == other
 
 
 def test_two_classes_are_named_where_one_is_missing(capsys):

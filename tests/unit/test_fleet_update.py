@@ -142,5 +142,5 @@ def test_no_key_is_among_the_arguments_of_a_program(world):
     (robot.commands / "git").symlink_to("/bin/false")  # ends the command early
     laptop.fleet("--class", "7b", "key", "jetbot_07")
     code, said = laptop.fleet("add", "127.0.0.1", "--name", "jetbot_07")
-    assert code == 1 and "could not do receive" in said, said
+    assert code == 1 and "it did not succeed on 127.0.0.1 (see above)" in said, said
     assert not list(robot.home.rglob("key"))

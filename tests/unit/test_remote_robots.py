@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, rule
 from remote_links import FakeLink, FakeRobot, later, make_fleet
 
+from jetbot_class.fleet.classes import strike
 from jetbot_cockpit.remote.robots import RemoteRobots
 from jetbot_cockpit.session.messages import ROBOT_ROW, ROBOT_STATE
 
@@ -156,6 +157,15 @@ def test_a_robot_that_is_found_at_two_addresses_is_no_problem(lesson):
     lesson.hub.update(later())
     assert not FakeLink.made[-1].connect(lesson.robots["ada"])
     assert lesson.hub.take_problems() == []
+
+
+def test_a_robot_that_is_removed_is_gone_from_a_hub_that_runs(lesson):
+    lesson.connect()
+    strike(lesson.fleet, "ada")
+    lesson.hub.update(later())
+    lesson.hub.stop_all()
+    assert set(lesson.hub.states()) == {"/bob", "/cleo"} and lesson.hub.unconfirmed() == ["/bob", "/cleo"]
+    assert not lesson.links["ada"].robot
 
 
 def test_a_robot_says_nothing_of_another(lesson):

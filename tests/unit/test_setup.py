@@ -156,6 +156,26 @@ def test_without_sudo_one_sentence_says_what_an_administrator_types(install, tmp
     assert printed.endswith(f"morbot: an administrator must run this once: sudo {MORBOT} install\n")
 
 
+LAPTOP = """here=$1
+fail() { echo "$*"; exit 1; }
+. "$here/setup/install.sh"
+. "$here/setup/laptop.sh"
+environment() { :; }
+has_modules() { false; }
+choose_python"""
+
+
+def test_on_a_laptop_without_sudo_the_sentence_installs_no_ros(install, tmp_path):
+    (tmp_path / "id").write_text("#!/bin/sh\necho 1000\n")
+    (tmp_path / "sudo").write_text("#!/bin/sh\nexit 1\n")
+    (tmp_path / "sudo").chmod(0o755)
+    (tmp_path / "os-release").write_text(DEBIAN_12.replace("; ", "\n"))
+    done = subprocess.run(["sh", "-euc", LAPTOP, "sh", str(ROOT)], stdout=subprocess.PIPE, text=True, check=False, env={
+        **os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "OS_RELEASE": str(tmp_path / "os-release")})
+    assert done.returncode == 1 and done.stdout == (
+        "an administrator must run this once: sudo apt install python3-tornado python3-segno python3-zeroconf\n")
+
+
 def test_a_failed_installation_ends_with_one_sentence(install, tmp_path):
     (tmp_path / "apt-get").write_text('#!/bin/sh\n[ "$1" = update ] || [ "$2" = --simulate ]\n')
     code, printed, _ = install(DEBIAN_12)

@@ -56,16 +56,18 @@ def unused_name(fleet: Fleet) -> str:
 
 
 def enlist(fleet: Fleet, entry: Entry) -> None:
-    """Add a robot to the list, or change it there. Raises OSError."""
+    """Add a robot to the list, or change it there; it has one name. Raises OSError."""
     fleet.update()  # another ./morbot fleet may have changed it
-    fleet.save(sorted([*(each for each in fleet.robots if each.name != entry.name), entry]))
+    others = [each for each in fleet.robots if each.name != entry.name and each.login != (entry.login or None)]
+    fleet.save(sorted([*others, entry]))
     fleet.update()
 
 
 def strike(fleet: Fleet, name: str) -> None:
-    """Take a robot from the list. Raises OSError."""
+    """Take a robot from the list; its key is void. Raises OSError."""
     fleet.update()
-    fleet.save([each for each in fleet.robots if each.name != name])
+    fleet.save([each for each in fleet.robots if each.name != name],
+               {**fleet.removed, name: fleet.removed.get(name, 0) + 1})
     fleet.update()
 
 

@@ -11,7 +11,9 @@ from jetbot import JetbotError
 from jetbot.text import enumeration, printable
 from jetbot_cockpit.remote.fleet import Entry, Fleet
 
-from .asking import ask
+from ..robot.service import port_of
+from ..robot.words import known_arguments, split_arguments
+from .asking import Answer, ask
 from .classes import check_name, delete, enlist, entry_of, open_class, strike, unused_name
 from .install import ROOT, RUNS_WITHIN, set_up, update
 from .ssh import Failed, Ssh, checkout
@@ -45,8 +47,10 @@ def add(fleet: Fleet, given: Any) -> int:
     login = matching(LOGIN, given.host, "a computer, HOST or USER@HOST")
     name = given.name or next((each.name for each in fleet.robots if each.login == login), unused_name(fleet))
     check_name(name)
-    port = next((each.partition(":=")[2] for each in given.arguments if each.startswith("cockpit_port:=")), "")
-    entry = Entry(name, login.rpartition("@")[2] + (port and f":{port}"), login)
+    typed = split_arguments(given.arguments, known_arguments(ROOT / "morbot_ws/src"))
+    port = f":{port_of(typed)}" if typed.get("cockpit_port") else ""
+    entry = Entry(name, login.rpartition("@")[2] + port, login)
+    check_unused(fleet, entry)
     set_up(fleet, entry, checkout(ROOT), given.arguments, lambda: enlist(fleet, entry))
     print(f"{name} is ready, at http://{entry.authority}/")
     return 0
@@ -57,6 +61,15 @@ def matching(pattern: "re.Pattern[str]", text: str, meaning: str) -> str:
     if not pattern.fullmatch(text):
         raise Failed(f"{printable(text)} is not {meaning}")
     return text
+
+
+def check_unused(fleet: Fleet, entry: Entry) -> None:
+    """Raise Failed if another robot has this name, and answers."""
+    before = next((each for each in fleet.robots if each.name == entry.name), entry)
+    if before.authority != entry.authority:
+        there, here = ask(fleet, [before, entry], until=Answer.is_well)
+        if not there.problem and here.problem:
+            raise Failed(f"{entry.name} is the robot at {before.authority}, which answers: type another --name")
 
 
 def update_all(fleet: Fleet, given: Any) -> int:
@@ -119,7 +132,7 @@ def key(fleet: Fleet, given: Any) -> int:
 def remove(fleet: Fleet, given: Any) -> int:
     """Take a robot from the list."""
     strike(fleet, entry_of(fleet, given.robot).name)
-    print(f"{given.robot} is no longer listed. It still has its key; to delete that, type {ON_ROBOT}")
+    print(f"{given.robot} is no longer listed, and its key is void. To free it from the class, type {ON_ROBOT}")
     return 0
 
 
@@ -185,22 +198,35 @@ def parser() -> Parser:
     """Return the parser of the table."""
     made = Parser(prog="./morbot fleet", description="A class of real robots, from the teacher's computer.",
                   allow_abbrev=False)
-    made.add_argument("--class", dest="class_name", default="", metavar="CLASS",
-                      help="may be left out if there is one only")
+    class_name = {"dest": "class_name", "metavar": "CLASS", "help": "may be left out if there is one only"}
+    made.add_argument("--class", default="", **class_name)
     made.set_defaults(command="")
     commands = made.add_subparsers(metavar="COMMAND", parser_class=Parser)
     for name, command in COMMANDS.items():
         if name:
             each = commands.add_parser(name, help=command.meaning, description=command.meaning, allow_abbrev=False)
             each.set_defaults(command=name)
+            each.add_argument("--class", default=argparse.SUPPRESS, **class_name)
             for argument, options in command.arguments:
                 each.add_argument(argument, **options)
     return made
 
 
+def read(arguments: List[str]) -> argparse.Namespace:
+    """Return what was typed. A robot's arguments may follow an option, where argparse takes no more words."""
+    made = parser()
+    given, rest = made.parse_known_args(arguments)
+    options = [each for each in rest if given.command != "add" or each.startswith("-")]
+    if options:
+        made.error(f"unrecognized arguments: {' '.join(options)}")
+    if rest:
+        given.arguments += rest
+    return given
+
+
 def main(arguments: List[str]) -> int:
     """Do what was typed; return the exit code."""
-    given = parser().parse_args(arguments)
+    given = read(arguments)
     command = COMMANDS[given.command]
     try:
         return command.does(open_class(given.class_name, command.makes), given)

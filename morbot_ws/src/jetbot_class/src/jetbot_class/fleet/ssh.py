@@ -79,7 +79,7 @@ class Ssh:
     def run(self, *step: str, stdin: Optional[bytes] = None) -> None:
         """Run a function of robot.sh there; a person may type sudo's password. stdin: what it reads. Raise Failed."""
         if self.call(*step, stdin=stdin):
-            raise Failed(f"{self.host} could not do {step[0]} (see above)")
+            raise Failed(f"it did not succeed on {self.host} (see above)")
 
     def call(self, *step: str, stdin: Optional[bytes] = None) -> int:
         """Do the same, and return its exit code. Raise Failed if the connection ends."""

@@ -26,7 +26,7 @@ DOCTORS = "board", "i2c_bus", "i2c_address", "port"  # the arguments that are th
 TEST = """{robot} of the class {class_name} runs now, and starts with the computer.
 Test it on a box, wheels in the air:
 1. Open {address} on a phone in the same network; addresses with the code: sudo journalctl -u jetbot | grep '#'
-2. Drive forward on the pad: both wheels turn forward. If not: sudo systemctl stop jetbot; ./morbot calibrate
+2. Drive forward on the pad: both wheels turn forward. If not: sudo systemctl stop jetbot; {folder}/morbot calibrate
 3. Lift the finger, then also switch the phone's Wi-Fi off while you drive: both wheels stop.
 4. Drive, and type on the robot: sudo systemctl kill -s KILL jetbot. The wheels stop, and the page comes back.
 5. Switch the robot off and on: the page comes back by itself, and no wheel turns."""
@@ -140,7 +140,8 @@ def report(computer: Computer, identity: Identity, arguments: Dict[str, str]) ->
     doctor = subprocess.run([str(service.ROOT / "morbot"), "doctor", *options], check=False).returncode
     addresses = [f"http://{host}:{port}" for host in (f"{computer.name()}.local", *ask("hostname", "-I").split())
                  if ":" not in host]
-    print(TEST.format(robot=identity.robot, class_name=identity.class_name, address=" or ".join(addresses[:2])))
+    print(TEST.format(robot=identity.robot, class_name=identity.class_name, address=" or ".join(addresses[:2]),
+                      folder=service.CURRENT))
     if not (computer.root / service.AVAHI).is_dir():
         print("Other computers do not find it by its name: sudo apt install avahi-daemon, then type the same again; "
               "or list its address on the teacher's computer.")

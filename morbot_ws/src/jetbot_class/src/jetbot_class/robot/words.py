@@ -24,19 +24,29 @@ def known_arguments(source: Path) -> Iterable[str]:
     return names - SET_HERE
 
 
-def read_arguments(words: List[str], known: Iterable[str]) -> Dict[str, str]:
-    """Return {name: value} of NAME:=VALUE words; a file gets its whole path. Raise Refused."""
+def split_arguments(words: List[str], known: Iterable[str]) -> Dict[str, str]:
+    """Return {name: value} of NAME:=VALUE words. Raise Refused."""
     arguments = {}
     for word in words:
-        name, _, value = word.partition(":=")
+        name, sign, value = word.partition(":=")
+        if not sign:
+            refuse(f"there is no argument {word} of a robot", "Arguments are written as board:=sparkfun.")
         if name not in known:
             meant = closest(name, known)
             refuse(f"there is no argument {name} of a robot", f"Did you mean {meant}:={value}?" if meant else "")
         if not is_printable(value, MAX_VALUE):
             refuse(f"the value of {name} is not printable, or longer than {MAX_VALUE} characters")
-        arguments[name] = os.path.abspath(value) if name == "config" and value else value
-        if name == "config" and value and not os.path.isfile(value):
-            refuse(f"there is no file {value}")
+        arguments[name] = value
+    return arguments
+
+
+def read_arguments(words: List[str], known: Iterable[str]) -> Dict[str, str]:
+    """Return {name: value} of NAME:=VALUE words; a file gets its whole path. Raise Refused."""
+    arguments = split_arguments(words, known)
+    if arguments.get("config"):
+        if not os.path.isfile(arguments["config"]):
+            refuse(f"there is no file {arguments['config']}")
+        arguments["config"] = os.path.abspath(arguments["config"])
     return arguments
 
 

@@ -5,7 +5,7 @@ import hashlib
 import json
 import os
 from pathlib import Path
-from typing import Any, List, NamedTuple, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 from jetbot import InvalidValue, files
 from jetbot.text import printable
@@ -42,13 +42,14 @@ class Entry(NamedTuple):
 class Fleet:
     """name: the class's; key: the class's key; robots: all entries. ``update`` reads the file again.
 
+    removed: how often a robot of this name was taken from the list: after each time, the name has another key.
     For web.codes.Codes it is what a Classroom is for others: it keeps the hub's codes beside it.
     """
 
     def __init__(self, folder: str, name: str):
         self.name, self.path = name, Path(folder).expanduser() / name / "fleet.json"
         self._read_at: Any = None
-        self.key, self.robots = "", []  # type: str, List[Entry]
+        self.key, self.robots, self.removed = "", [], {}  # type: str, List[Entry], Dict[str, int]
         if not self.path.exists():
             self.key = new_key()
             self.save([])
@@ -60,8 +61,9 @@ class Fleet:
         return hashlib.sha256(f"class {self.key}".encode()).hexdigest()[:16]
 
     def key_of(self, robot: str) -> str:
-        """Return the key of a robot."""
-        return robot_key(self.key, robot)
+        """Return the key of a robot; who has one from before it was removed is refused."""
+        count = self.removed.get(robot, 0)
+        return robot_key(self.key, f"{robot} {count}" if count else robot)
 
     def update(self) -> None:
         """Read the file again if it has changed. Raise InvalidValue."""
@@ -71,17 +73,19 @@ class Fleet:
                 return
             content = json.loads(files.read(self.path))
             robots = [Entry(**each) for each in content["robots"]]
-            key = read_key(content["key"])
-            if not key or not all(ROBOT_NAME.fullmatch(each.name) for each in robots):
+            key, removed = read_key(content["key"]), {**content.get("removed", {})}
+            if not key or not all(ROBOT_NAME.fullmatch(each.name) for each in robots) or not all(
+                    type(count) is int for count in removed.values()):
                 raise ValueError
         except (OSError, ValueError, TypeError, KeyError) as error:
             raise InvalidValue(f"{printable(self.path)} cannot be read: {error}",
                                "Copy it back from a backup.") from None
-        self.key, self.robots, self._read_at = key, robots, at
+        self.key, self.robots, self.removed, self._read_at = key, robots, removed, at
 
-    def save(self, robots: List[Entry]) -> None:
+    def save(self, robots: List[Entry], removed: Optional[Dict[str, int]] = None) -> None:
         """Replace the robots, in the file too. Raises OSError."""
-        write_secret(self.path, {"key": self.key, "robots": [each._asdict() for each in robots]})
+        write_secret(self.path, {"key": self.key, "robots": [each._asdict() for each in robots],
+                                 "removed": self.removed if removed is None else removed})
         self._read_at = None
 
     def remember(self, robot: str, address: str) -> None:

@@ -42,6 +42,9 @@ class RemoteRobots:
         """Read the list of robots again, and connect to those that are new."""
         with contextlib.suppress(InvalidValue):  # somebody edits the list: the one from before counts
             self._fleet.update()
+        for name in self._fleet.removed.keys() - {entry.name for entry in self._fleet.robots}:
+            if f"/{name}" in self._owners:
+                self._owners.pop(f"/{name}").reconnect()  # its key is void
         connected = {robot: {link.address} for robot, link in self.connected().items()}
         is_complete = all(f"/{entry.name}" in connected for entry in self._fleet.robots)
         places = [] if is_complete else [entry.authorities for entry in self._fleet.robots]  # one may have another's
