@@ -6,16 +6,14 @@ import json
 import math
 import socket
 import time
-from collections import defaultdict
+from collections import defaultdict, deque
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, Callable, DefaultDict, Optional, Set, Union
+from typing import Any, Callable, DefaultDict, Deque, Optional, Set, Union
 
 from tornado.httpclient import HTTPClientError, HTTPRequest
 from tornado.iostream import StreamClosedError
 from tornado.simple_httpclient import HTTPTimeoutError
 from tornado.websocket import WebSocketClosedError, WebSocketError, websocket_connect
-
-from jetbot.kinds import is_number
 
 from ..notices import Notice, say
 from ..session.messages import FROM_COCKPIT, problem_of
@@ -30,6 +28,7 @@ FRESH = 1.5            # s without a message after which nothing that moves is s
 MAX_MESSAGE = 512 * 1024  # bytes
 MAX_RATE = 400         # messages a second: a robot that sends more is disconnected
 REFUSED_INTERVAL = 1.0  # s until a robot is asked again whose answer was refused
+MAX_PINGS = 50  # that may be under way
 MAX_TEXT = 40          # characters of what a robot says of itself
 LOST = (OSError, ValueError, HTTPClientError, HTTPTimeoutError, StreamClosedError, WebSocketClosedError,
         WebSocketError, asyncio.TimeoutError)  # ValueError: of an address that is none
@@ -47,7 +46,8 @@ class Link:
     robot is asked for the messages "robots" and "state".
     robot: the name that the cockpit has proven, "" without a connection; client: this link's id there;
     instance: which start of the cockpit this is; version: of MorBot there, or ""; problem: why there is no connection,
-    or None; delay: s for a message there and back, or None.
+    or None; delay: s for a message there and back, or None; answered: when the newest ping was sent that the robot has
+    answered: it has done what was sent before that.
     """
 
     def __init__(self, address: str, fleet: Fleet, receive: Callable[["Link", Union[dict, bytes]], None],
@@ -56,7 +56,8 @@ class Link:
         self.robot, self.instance, self.version, self.client = "", "", "", 0
         self.problem: Optional[Notice] = None
         self.delay: Optional[float] = None
-        self.heard_at = -math.inf
+        self.heard_at = self.answered = -math.inf
+        self._pings: Deque[float] = deque(maxlen=MAX_PINGS)  # when each was sent that has no answer yet
         self._connection: Any = None
         self._claimed = ""  # a name that is not proven yet
         self._count = 0  # of messages since the last ping
@@ -91,6 +92,11 @@ class Link:
             written.add_done_callback(lambda written: written.cancelled() or written.exception())
             return True
         return False
+
+    def ping(self) -> None:
+        """Ask the robot for an answer, see ``answered``."""
+        self._pings.append(time.monotonic())
+        self.send({"type": "ping", "sent": self._pings[-1]})
 
     def is_backlogged(self) -> bool:
         """Return whether something that was sent is still in this process."""
@@ -133,13 +139,14 @@ class Link:
                 return  # a robot that has proven nothing may talk as it likes
             self._count = 0
             if self.robot:
-                self.send({"type": "ping", "sent": now})
+                self.ping()
             with contextlib.suppress(asyncio.TimeoutError):
                 await asyncio.wait_for(self._ended.wait(), PING_INTERVAL)
 
     def _drop(self) -> None:
         connection, self._connection = self._connection, None
-        self.robot, self._claimed, self.delay = "", "", None
+        self.robot, self._claimed, self.delay, self.answered = "", "", None, -math.inf
+        self._pings.clear()
         if connection:
             connection.close()
             connection.stream.close()  # a close that is not answered lasts for minutes
@@ -164,8 +171,9 @@ class Link:
     def _is_news(self, message):
         """Return whether this is for the receiver; what is not of the documented form is for nobody."""
         kind = message.get("type")
-        if kind == "pong" and is_number(message.get("sent")):
-            self.delay = max(0.0, self.heard_at - message["sent"])
+        if kind == "pong" and message.get("sent") in self._pings:
+            self.answered = message["sent"]
+            self.delay = self.heard_at - self.answered
         elif kind == "hello" and type(message.get("id")) is int:
             self.client = message["id"]
         return kind in UNCHECKED or kind in CHECKED and not problem_of(message)
