@@ -182,7 +182,8 @@ class RemoteRobots:
             return
         if message["type"] == "robots":
             row = next((each for each in as_list(message.get("robots")) if each.get("id") == robot), None)
-            self._rows[robot] = completed(row, absent_row(robot), ROBOT_ROW) or self._rows.get(robot)
+            known = completed(row, absent_row(robot), ROBOT_ROW) or self._rows.get(robot)
+            self._rows[robot] = known and {**known, **named(robot)}
         elif message["type"] == "state":
             self._on_state(robot, message)
         else:
@@ -231,8 +232,13 @@ def completed(fields: Any, otherwise: Dict[str, Any], part) -> Optional[Dict[str
 
 def absent_row(robot: str) -> dict:
     """Return the row of a robot that was not heard of yet."""
+    return {**RobotSnapshot(robot).description(), **named(robot)}
+
+
+def named(robot: str) -> Dict[str, str]:
+    """Return how a robot is shown: by the name that it has proven, whatever it says."""
     color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(robot.strip("/")))
-    return RobotSnapshot(robot, color=color).description()
+    return {"label": label(robot), "color": color}
 
 
 def absent_state(robot: str, problem: Notice) -> dict:
