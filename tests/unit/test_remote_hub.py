@@ -91,7 +91,7 @@ def test_where_a_robot_has_proven_its_name_is_remembered(tmp_path):
     assert fleet.path.stat().st_mode & 0o777 == 0o600
 
 
-@pytest.mark.parametrize("address, found", [("127.0.0.1:8080", "127.0.0.1:8080"), ("[::1]:80", "[::1]:80")])
+@pytest.mark.parametrize("address, found", [("127.0.0.1:8080", ("127.0.0.1", 8080)), ("[::1]:80", ("::1", 80))])
 def test_an_address_is_resolved(address, found):
     assert asyncio.run(resolve(address)) == found
 

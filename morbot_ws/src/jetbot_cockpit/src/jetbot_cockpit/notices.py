@@ -66,6 +66,7 @@ NOTICES = {
     "class_kept_again": "The class is kept again.",
     "no_code": "There is no such code.",
     # A class's robots, at its hub
+    "from_robot": "{robot}: {sentence}",
     "no_link": "No connection to {address}.",
     "wrong_key": "{robot} has another key than this class's.",
     "forged": "What answers at {address} pretends to be {robot}.",

@@ -6,19 +6,19 @@ import json
 import math
 import socket
 import time
-from collections import defaultdict
+from collections import defaultdict, deque
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, Callable, DefaultDict, Optional, Set, Union
+from typing import Any, Callable, DefaultDict, Deque, Optional, Set, Tuple, Union
 
 from tornado.httpclient import HTTPClientError, HTTPRequest
 from tornado.iostream import StreamClosedError
 from tornado.simple_httpclient import HTTPTimeoutError
 from tornado.websocket import WebSocketClosedError, WebSocketError, websocket_connect
 
-from jetbot.kinds import is_number
-
 from ..notices import Notice, say
 from ..session.messages import FROM_COCKPIT, problem_of
+from ..web.access import authority
+from .claims import is_own
 from .fleet import Fleet
 from .key import HUB, ROBOT, ROBOT_NAME, Nonces, new_nonce, proof, proves
 
@@ -30,6 +30,8 @@ FRESH = 1.5            # s without a message after which nothing that moves is s
 MAX_MESSAGE = 512 * 1024  # bytes
 MAX_RATE = 400         # messages a second: a robot that sends more is disconnected
 REFUSED_INTERVAL = 1.0  # s until a robot is asked again whose answer was refused
+MAX_PINGS = 50  # that may be under way
+MAX_DIGITS = 20
 MAX_TEXT = 40          # characters of what a robot says of itself
 LOST = (OSError, ValueError, HTTPClientError, HTTPTimeoutError, StreamClosedError, WebSocketClosedError,
         WebSocketError, asyncio.TimeoutError)  # ValueError: of an address that is none
@@ -47,7 +49,8 @@ class Link:
     robot is asked for the messages "robots" and "state".
     robot: the name that the cockpit has proven, "" without a connection; client: this link's id there;
     instance: which start of the cockpit this is; version: of MorBot there, or ""; problem: why there is no connection,
-    or None; delay: s for a message there and back, or None.
+    or None; delay: s for a message there and back, or None; answered: when the newest ping was sent that the robot has
+    answered: it has done what was sent before that; host, port: where it was reached.
     """
 
     def __init__(self, address: str, fleet: Fleet, receive: Callable[["Link", Union[dict, bytes]], None],
@@ -56,7 +59,9 @@ class Link:
         self.robot, self.instance, self.version, self.client = "", "", "", 0
         self.problem: Optional[Notice] = None
         self.delay: Optional[float] = None
-        self.heard_at = -math.inf
+        self.heard_at = self.answered = -math.inf
+        self._pings: Deque[float] = deque(maxlen=MAX_PINGS)  # when each was sent that has no answer yet
+        self.host, self.port = "", 0
         self._connection: Any = None
         self._claimed = ""  # a name that is not proven yet
         self._count = 0  # of messages since the last ping
@@ -92,6 +97,11 @@ class Link:
             return True
         return False
 
+    def ping(self) -> None:
+        """Ask the robot for an answer, see ``answered``."""
+        self._pings.append(time.monotonic())
+        self.send({"type": "ping", "sent": self._pings[-1]})
+
     def is_backlogged(self) -> bool:
         """Return whether something that was sent is still in this process."""
         return self._connection is None or self._connection.stream.writing()
@@ -113,8 +123,9 @@ class Link:
             await asyncio.sleep(REFUSED_INTERVAL if self._is_refused else 0 if was_closed_here else RETRY_INTERVAL)
 
     async def _connect(self) -> None:
-        url = f"ws://{await asyncio.wait_for(resolve(self.address), OPEN_TIMEOUT)}/hub"
-        request = HTTPRequest(url, connect_timeout=OPEN_TIMEOUT, request_timeout=OPEN_TIMEOUT)
+        self.host, self.port = await asyncio.wait_for(resolve(self.address), OPEN_TIMEOUT)
+        request = HTTPRequest(f"ws://{authority(self.host, self.port)}/hub",
+                              connect_timeout=OPEN_TIMEOUT, request_timeout=OPEN_TIMEOUT)
         early: list = []  # what arrives before this task goes on
 
         def on_message(data):
@@ -133,13 +144,14 @@ class Link:
                 return  # a robot that has proven nothing may talk as it likes
             self._count = 0
             if self.robot:
-                self.send({"type": "ping", "sent": now})
+                self.ping()
             with contextlib.suppress(asyncio.TimeoutError):
                 await asyncio.wait_for(self._ended.wait(), PING_INTERVAL)
 
     def _drop(self) -> None:
         connection, self._connection = self._connection, None
-        self.robot, self._claimed, self.delay = "", "", None
+        self.robot, self._claimed, self.delay, self.answered = "", "", None, -math.inf
+        self._pings.clear()
         if connection:
             connection.close()
             connection.stream.close()  # a close that is not answered lasts for minutes
@@ -151,7 +163,10 @@ class Link:
         elif self._count > MAX_RATE * PING_INTERVAL:
             self._refuse(say("too_much", robot=self.robot or self.address))
         elif not self._ended.is_set():
-            self._take(data)
+            try:
+                self._take(data)
+            except RecursionError:  # a list in a list, and so on
+                self._refuse(say("too_much", robot=self.robot or self.address))
 
     def _take(self, data: Union[str, bytes]) -> None:
         self.heard_at = time.monotonic()
@@ -164,11 +179,12 @@ class Link:
     def _is_news(self, message):
         """Return whether this is for the receiver; what is not of the documented form is for nobody."""
         kind = message.get("type")
-        if kind == "pong" and is_number(message.get("sent")):
-            self.delay = max(0.0, self.heard_at - message["sent"])
+        if kind == "pong" and message.get("sent") in self._pings:
+            self.answered = message["sent"]
+            self.delay = self.heard_at - self.answered
         elif kind == "hello" and type(message.get("id")) is int:
             self.client = message["id"]
-        return kind in UNCHECKED or kind in CHECKED and not problem_of(message)
+        return kind in UNCHECKED or kind in CHECKED and not problem_of(message) and is_own(self.robot, message)
 
     def _shake_hands(self, message: Any) -> None:
         """Prove to have the robot's key, and check its proof."""
@@ -204,19 +220,30 @@ class Link:
                    "proof": proof(self._fleet.key_of(robot), HUB, self._fleet.name, robot, self._nonces)})
 
 
-async def resolve(address: str) -> str:
-    """Return IP:PORT of HOST:PORT. Raises OSError or ValueError."""
+async def resolve(address: str) -> Tuple[str, int]:
+    """Return the IP address and the port of HOST:PORT. Raises OSError or ValueError."""
     host, _, port = address.rpartition(":")
     found = await asyncio.get_event_loop().run_in_executor(
         RESOLVERS, lambda: socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_STREAM))
-    ip = found[0][4][0]
-    return f"[{ip}]:{int(port)}" if ":" in ip else f"{ip}:{int(port)}"
+    return found[0][4][0], int(port)
 
 
 def as_object(text: str) -> dict:
     """Return the JSON object that this is, or an empty one."""
     try:
-        fields = json.loads(text)
+        fields = JSON.decode(text)
     except (ValueError, RecursionError):
         fields = None
     return fields if isinstance(fields, dict) else {}
+
+
+def as_finite(text: str) -> float:
+    """Return a number; raise ValueError for one that Python reads, and browsers do not."""
+    number = float(text)
+    if not math.isfinite(number):
+        raise ValueError(f"{text[:MAX_TEXT]} is no JSON")
+    return number
+
+
+JSON = json.JSONDecoder(parse_float=as_finite, parse_constant=as_finite,
+                        parse_int=lambda digits: int(digits[:MAX_DIGITS]))  # all of a long one would take long
