@@ -70,6 +70,7 @@ NOTICES = {
     "no_link": "No connection to {address}.",
     "wrong_key": "{robot} has another key than this class's.",
     "forged": "What answers at {address} pretends to be {robot}.",
+    "relayed": "What answers at {address} passes on what {robot} says: enter the robot's own address.",
     "other_fleet": "The robot at {address} is of another class.",
     "twice": "Two robots are called {robot}: {address} and {other}. Give one another name.",
     "too_much": "{robot} sends too much: its connection was closed.",

@@ -17,10 +17,10 @@ from tornado.websocket import WebSocketClosedError, WebSocketError, websocket_co
 
 from ..notices import Notice, say
 from ..session.messages import FROM_COCKPIT, problem_of
-from ..web.access import authority
+from ..web.access import authority, dialled
 from .claims import is_own
 from .fleet import Fleet
-from .key import HUB, ROBOT, ROBOT_NAME, Nonces, new_nonce, proof, proves
+from .key import HUB, RELAYED, ROBOT, ROBOT_NAME, WRONG_KEY, new_nonce, proof, proves
 
 OPEN_TIMEOUT = 2.0     # s for a connection, and for its handshake
 SILENCE_TIMEOUT = 3.0  # s without a message: the link is cut off
@@ -35,6 +35,7 @@ MAX_DIGITS = 20
 MAX_TEXT = 40          # characters of what a robot says of itself
 LOST = (OSError, ValueError, HTTPClientError, HTTPTimeoutError, StreamClosedError, WebSocketClosedError,
         WebSocketError, asyncio.TimeoutError)  # ValueError: of an address that is none
+REFUSALS = {WRONG_KEY: "wrong_key", RELAYED: "relayed"}
 CHECKED = FROM_COCKPIT.keys() - {"state", "robots"}
 UNCHECKED = "state", "robots", "work"  # by the receiver: another version of MorBot may send other fields of a robot
 THIS_HUB = new_nonce()
@@ -65,7 +66,7 @@ class Link:
         self._connection: Any = None
         self._claimed = ""  # a name that is not proven yet
         self._count = 0  # of messages since the last ping
-        self._nonces = Nonces("", "")
+        self._handshake: Tuple[dict, dict] = {}, {}  # the challenge and the answer
         self._ended, self._is_refused = asyncio.Event(), False
         self._id = new_nonce()
         LINKS[address].add(self._id)
@@ -159,7 +160,7 @@ class Link:
     def _on_message(self, data: Union[str, bytes, None]) -> None:
         self._count += 1
         if data is None:
-            self._ended.set()
+            self._on_close()
         elif self._count > MAX_RATE * PING_INTERVAL:
             self._refuse(say("too_much", robot=self.robot or self.address))
         elif not self._ended.is_set():
@@ -167,6 +168,13 @@ class Link:
                 self._take(data)
             except RecursionError:  # a list in a list, and so on
                 self._refuse(say("too_much", robot=self.robot or self.address))
+
+    def _on_close(self) -> None:
+        """The robot has closed the connection: of a handshake, it may have said why."""
+        code = self._connection.close_code if self._claimed and not self.robot else None
+        if code in REFUSALS:
+            self._refuse(say(REFUSALS[code], robot=self._claimed, address=self.address))
+        self._ended.set()
 
     def _take(self, data: Union[str, bytes]) -> None:
         self.heard_at = time.monotonic()
@@ -191,9 +199,8 @@ class Link:
         kind = message.get("type") if isinstance(message, dict) else None
         if kind == "challenge":
             self._answer(message)
-        elif kind == "proof" and self._claimed and proves(message.get("proof"), self._fleet.key_of(self._claimed),
-                                                          ROBOT, self._fleet.name, self._claimed, self._nonces):
-            self._is_refused = False
+        elif kind == "proof" and self._claimed and proves(
+                message.get("proof"), self._fleet.key_of(self._claimed), ROBOT, *self._handshake):
             self.robot, self.version = self._claimed, str(message.get("version", ""))[:MAX_TEXT]
             if self._accept(self):
                 self.problem = None
@@ -210,14 +217,15 @@ class Link:
 
     def _answer(self, challenge: dict) -> None:
         robot, class_name = str(challenge.get("robot")), challenge.get("class")
-        self._nonces, self.instance = Nonces(str(challenge.get("nonce")), new_nonce()), str(challenge.get("instance"))
+        self.instance = str(challenge.get("instance"))
         if not ROBOT_NAME.fullmatch(robot) or class_name != self._fleet.name:
             self._refuse(say("other_fleet", address=self.address))
             return
-        self._claimed, self.problem, self._is_refused = robot, say("wrong_key", robot=robot), True  # until it proves it
-        self.send({"type": "answer", "nonce": self._nonces.hub, "frames": self._frames,
-                   "hub": THIS_HUB, "link": self._id, "links": sorted(LINKS[self.address]),
-                   "proof": proof(self._fleet.key_of(robot), HUB, self._fleet.name, robot, self._nonces)})
+        self._claimed = robot
+        answer = {"type": "answer", "nonce": new_nonce(), "address": dialled(self.host, self.port),
+                  "frames": self._frames, "hub": THIS_HUB, "link": self._id, "links": sorted(LINKS[self.address])}
+        self._handshake = challenge, answer
+        self.send({**answer, "proof": proof(self._fleet.key_of(robot), HUB, *self._handshake)})
 
 
 async def resolve(address: str) -> Tuple[str, int]:

@@ -16,7 +16,7 @@ from .fleet import Fleet
 from .link import Link
 
 CONFIRM_TIMEOUT = 0.5  # s in which a robot confirms a stop whose connection works
-REPORTED = "twice", "forged", "wrong_key", "too_much"  # problems that somebody must solve
+REPORTED = "twice", "forged", "relayed", "wrong_key", "too_much"  # problems that somebody must solve
 
 
 class RemoteRobots:
