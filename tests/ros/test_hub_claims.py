@@ -190,3 +190,21 @@ def test_a_message_that_is_too_deep_ends_its_connection_alone(bob, hub, page):
     assert page.receive("notice")["text"] == "bob sends too much: its connection was closed."
     page.receive_until(lambda said: said["type"] == "state" and not said["robots"][BOB]["answers"])
     page.receive_until(lambda said: said["type"] == "state" and said["robots"][BOB]["answers"])
+
+
+SCENE = {"type": "scene", "robot": ADA, "shapes": [{"kind": "wall", "width": 0.01, "points": 20000 * [[1.0, 2.0]]}]}
+
+
+def test_a_robot_that_sends_too_much_is_disconnected_and_the_others_are_not(hub, ada, bob):
+    ada.say(**SCENE)
+    assert wait_until(lambda: "ada sends too much: its connection was closed." in hub.hub.log, WITHIN), hub.hub.log
+    assert BOB in hub.hub._robots.connected()
+    assert hub.hub._tables.messages() == []
+
+
+def test_a_trail_that_is_longer_than_documented_is_dropped(hub, ada):
+    trail = {"type": "trail", "robot": ADA, "start": None}
+    for points in 501, 500:
+        ada.say(**trail, points=points * [[0.0, 1.0]])
+    assert wait_until(lambda: hub.hub._tables.messages(), WITHIN)
+    assert [len(said["points"]) for said in hub.hub._tables.messages()] == [500]

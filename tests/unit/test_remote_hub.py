@@ -130,7 +130,12 @@ def test_the_robots_scores_tasks_and_cameras_are_one_classs():
         tables.update(f"/{robot}", {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre", "on": on}]})
         tables.update(f"/{robot}", {"type": "cameras", "on": on})
     tables.update("/ada", {"type": "scene", "robot": "/bob", "shapes": []})
-    tasks, scores, cameras = tables.messages()
+    for points in [[0.0, 0.0]], [[0.0, 0.0], [1.0, 0.0]]:
+        tables.update("/ada", {"type": "trail", "robot": "/ada", "start": None, "points": points})
+    changes = tables.take_changes()
+    assert sorted(said["type"] for said in changes) == ["cameras", "scores", "tasks", "trail"], "the newest of each"
+    assert len(changes[-1]["points"]) == 2 and tables.take_changes() == []
+    trail, tasks, scores, cameras = tables.messages()
     assert [row["robot"] for row in scores["scores"]] == ["bob", "ada"]
     assert tasks["tasks"] == [{"name": "metre", "title": "One metre", "on": True}]
     assert cameras == {"type": "cameras", "on": True}

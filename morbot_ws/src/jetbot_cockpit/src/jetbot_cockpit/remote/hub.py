@@ -118,8 +118,9 @@ class Hub:
         for problem in self._robots.take_problems():
             changes.append(notice(problem))
             self.log.append(str(problem))
+        texts = list(map(dumps, changes))
         for page in list(self._pages.values()):
-            page.changes.extend(map(dumps, changes if page.robots else ()))
+            page.changes.extend(texts if page.robots else ())
             self._show(page, robots, states, now)
 
     def send_pictures(self, now: float) -> bool:

@@ -28,7 +28,9 @@ RETRY_INTERVAL = 0.5   # s
 PING_INTERVAL = 0.5    # s
 FRESH = 1.5            # s without a message after which nothing that moves is sent: it would arrive late
 MAX_MESSAGE = 512 * 1024  # bytes
-MAX_RATE = 400         # messages a second: a robot that sends more is disconnected
+MAX_RATE = 400         # messages a second: a robot that sends more is disconnected,
+MAX_TEXT_RATE = 256 * 1024  # as is one that sends more characters a second; reading them keeps a stop waiting
+WORK, WORK_SHARE = '{"type": "work"', 8  # answers about kept programs are large, and rare: an eighth of them counts
 REFUSED_INTERVAL = 1.0  # s until a robot is asked again whose answer was refused
 MAX_PINGS = 50  # that may be under way
 MAX_DIGITS = 20
@@ -37,6 +39,7 @@ LOST = (OSError, ValueError, HTTPClientError, HTTPTimeoutError, StreamClosedErro
         WebSocketError, asyncio.TimeoutError)  # ValueError: of an address that is none
 REFUSALS = {WRONG_KEY: "wrong_key", RELAYED: "relayed"}
 CHECKED = FROM_COCKPIT.keys() - {"state", "robots"}
+OF_CLASS = {"robots", "state", "trail", "scene", "scores", "tasks", "cameras"}  # come with ``frames`` alone
 UNCHECKED = "state", "robots", "work"  # by the receiver: another version of MorBot may send other fields of a robot
 THIS_HUB = new_nonce()
 LINKS: DefaultDict[str, Set[str]] = defaultdict(set)  # the ids of all links of this hub, by address
@@ -46,8 +49,8 @@ RESOLVERS = ThreadPoolExecutor(64)  # a name that nobody answers for keeps one o
 class Link:
     """address: HOST:PORT; receive: is called with the link and each message, a dict or bytes, once ``robot`` is proven.
 
-    accept: is called with the link when a robot has proven its name; returns whether it is wanted; frames: whether the
-    robot is asked for the messages "robots" and "state".
+    accept: is called with the link when a robot has proven its name; returns whether it is wanted; frames: whether
+    the messages OF_CLASS are wanted.
     robot: the name that the cockpit has proven, "" without a connection; client: this link's id there;
     instance: which start of the cockpit this is; version: of MorBot there, or ""; problem: why there is no connection,
     or None; delay: s for a message there and back, or None; answered: when the newest ping was sent that the robot has
@@ -65,7 +68,7 @@ class Link:
         self.host, self.port = "", 0
         self._connection: Any = None
         self._claimed = ""  # a name that is not proven yet
-        self._count = 0  # of messages since the last ping
+        self._count = self._size = 0  # of messages since the last ping, in all
         self._handshake: Tuple[dict, dict] = {}, {}  # the challenge and the answer
         self._ended, self._is_refused = asyncio.Event(), False
         self._id = new_nonce()
@@ -143,7 +146,7 @@ class Link:
             now = time.monotonic()
             if now - (self.heard_at if self.robot else opened_at) > SILENCE_TIMEOUT:
                 return  # a robot that has proven nothing may talk as it likes
-            self._count = 0
+            self._count = self._size = 0
             if self.robot:
                 self.ping()
             with contextlib.suppress(asyncio.TimeoutError):
@@ -159,9 +162,10 @@ class Link:
 
     def _on_message(self, data: Union[str, bytes, None]) -> None:
         self._count += 1
+        self._size += size(data)
         if data is None:
             self._on_close()
-        elif self._count > MAX_RATE * PING_INTERVAL:
+        elif self._count > MAX_RATE * PING_INTERVAL or self._size > MAX_TEXT_RATE * PING_INTERVAL:
             self._refuse(say("too_much", robot=self.robot or self.address))
         elif not self._ended.is_set():
             try:
@@ -192,6 +196,8 @@ class Link:
             self.delay = self.heard_at - self.answered
         elif kind == "hello" and type(message.get("id")) is int:
             self.client = message["id"]
+        if kind in OF_CLASS and not self._frames:
+            return False
         return kind in UNCHECKED or kind in CHECKED and not problem_of(message) and is_own(self.robot, message)
 
     def _shake_hands(self, message: Any) -> None:
@@ -226,6 +232,13 @@ class Link:
                   "frames": self._frames, "hub": THIS_HUB, "link": self._id, "links": sorted(LINKS[self.address])}
         self._handshake = challenge, answer
         self.send({**answer, "proof": proof(self._fleet.key_of(robot), HUB, *self._handshake)})
+
+
+def size(data: Union[str, bytes, None]) -> float:
+    """Return what a message adds to MAX_TEXT_RATE; a part of a picture, which is not read here, adds nothing."""
+    if not isinstance(data, str):
+        return 0
+    return len(data) / (WORK_SHARE if data.startswith(WORK) else 1)
 
 
 async def resolve(address: str) -> Tuple[str, int]:
