@@ -125,6 +125,18 @@ def test_the_key_of_a_removed_robot_is_void_also_when_another_gets_its_name(caps
     assert key("jetbot_07") != stolen and key("jetbot_08") == other
 
 
+@pytest.mark.parametrize("runs, opened, started", [
+    (True, ["http://localhost:81/?codes"], []), (False, [], [(81, "--open", "?codes")])])
+def test_the_cards_open_on_the_hub_that_runs_or_on_a_new_one(monkeypatch, capsys, runs, opened, started):
+    pages, hubs = [], []
+    monkeypatch.setattr(commands, "is_free", lambda port: not runs)
+    monkeypatch.setattr(commands, "open_browser", pages.append)
+    monkeypatch.setattr(commands, "hub", lambda fleet, given, *opened: hubs.append((given.port, *opened)))
+    typed(capsys, "--class", "7b", "key", "jetbot_07")
+    assert "http://localhost:81/?codes, then Print on paper" in typed(capsys, "cards", "--port", "81")[1]
+    assert (pages, hubs) == (opened, started)
+
+
 def test_two_classes_are_named_where_one_is_missing(capsys):
     typed(capsys, "--class", "7b", "key", "jetbot_07")
     typed(capsys, "--class", "8a", "key", "jetbot_07")
