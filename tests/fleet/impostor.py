@@ -12,7 +12,7 @@ from tornado.netutil import bind_sockets
 from tornado.web import Application
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-from jetbot_cockpit.remote.key import HUB, ROBOT, Nonces, new_nonce, proof
+from jetbot_cockpit.remote.key import HUB, ROBOT, new_nonce, proof
 from jetbot_ros.contract import COCKPIT_PORT
 from web_client import WebSocket
 
@@ -48,21 +48,22 @@ class Impostor:
 
 class Claim(WebSocketHandler):
     def initialize(self, impostor):
-        self.impostor, self.nonce = impostor, new_nonce()
+        self.impostor = impostor
+        self.challenge = {"type": "challenge", "robot": impostor.name, "class": CLASS, "nonce": new_nonce(),
+                          "instance": "impostor"}
 
     def check_origin(self, origin):
         return True
 
     def open(self):
         self.impostor.visits += 1
-        self.write_message(json.dumps({"type": "challenge", "robot": self.impostor.name, "class": CLASS,
-                                       "nonce": self.nonce, "instance": "impostor"}))
+        self.write_message(json.dumps(self.challenge))
 
     async def on_message(self, text):
         impostor, fields = self.impostor, json.loads(text)
         if fields["type"] != "answer":
             return
-        own = proof(impostor.key, ROBOT, CLASS, impostor.name, Nonces(self.nonce, fields["nonce"]))
+        own = proof(impostor.key, ROBOT, self.challenge, fields)
         impostor.proofs.append(own)
         try:
             await self.write_message(json.dumps({"type": "proof", "proof": impostor.recorded or own}))
@@ -74,15 +75,16 @@ class Claim(WebSocketHandler):
             pass
 
 
-def answers(host: Host, address: str, name: str, key: str, recorded: Optional[dict] = None) -> List[dict]:
+def answers(host: Host, address: str, key: str, recorded: Optional[dict] = None) -> List[dict]:
     """Answer a robot's challenge as a hub, with this answer if one is given; return that, and what the robot says then.
 
     Raise Closed if it refuses.
     """
     socket = host.call(WebSocket, COCKPIT_PORT, {"Host": f"{address}:{COCKPIT_PORT}"}, "", address, "/hub")
     try:
-        nonces = Nonces(socket.receive("challenge")["nonce"], new_nonce())
-        answer = recorded or {"type": "answer", "nonce": nonces.hub, "proof": proof(key, HUB, CLASS, name, nonces)}
+        challenge = socket.receive("challenge")
+        said = {"type": "answer", "nonce": new_nonce(), "address": f"{address}:{COCKPIT_PORT}"}
+        answer = recorded or {**said, "proof": proof(key, HUB, challenge, said)}
         socket.send(answer)
         return [answer, socket.receive()]
     finally:

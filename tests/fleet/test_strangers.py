@@ -35,14 +35,14 @@ def listed(lesson):
 @pytest.mark.short
 def test_a_thief_with_a_recording_of_the_handshake_is_refused(school):
     robot, thief = school.robots[0], school.computers["stranger"]
-    recorded, reply = answers(thief, robot.host.address, robot.name, school.fleet.key_of(robot.name))
+    recorded, reply = answers(thief, robot.host.address, school.fleet.key_of(robot.name))
     assert reply["type"] == "proof", "what was recorded is right"
     for key in new_key(), school.fleet.key_of(school.robots[1].name):
         with pytest.raises(Closed) as refused:
-            answers(thief, robot.host.address, robot.name, key)
+            answers(thief, robot.host.address, key)
         assert (refused.value.code, refused.value.reason) == (4005, "wrong key")
     with pytest.raises(Closed) as refused:
-        answers(thief, robot.host.address, robot.name, "", recorded)
+        answers(thief, robot.host.address, "", recorded)
     assert (refused.value.code, refused.value.reason) == (4005, "wrong key")
 
 

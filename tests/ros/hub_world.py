@@ -13,16 +13,16 @@ from jetbot_cockpit.classroom.classroom import Classroom
 from jetbot_cockpit.remote.fleet import Entry, Fleet
 from jetbot_cockpit.remote.hub import Hub
 from jetbot_cockpit.remote.identity import Identity
-from jetbot_cockpit.remote.key import HUB, Nonces, proof
+from jetbot_cockpit.remote.key import HUB, proof
 from jetbot_cockpit.session.pages import Pages
 from jetbot_cockpit.session.snapshot import RobotSnapshot
-from jetbot_cockpit.web.access import Access
+from jetbot_cockpit.web.access import Access, dialled
 from jetbot_cockpit.web.addresses import listen
 from jetbot_cockpit.web.hub_socket import HubSocket
 from jetbot_cockpit.web.server import Server
 from jetbot_cockpit.web.work import Work, Works
 from jetbot_ros.state import EMERGENCY_STOP, RobotState
-from web_client import WebSocket, open_page, page_headers, request
+from web_client import Closed, WebSocket, open_page, page_headers, request
 
 CLASS = "7b"
 
@@ -86,6 +86,28 @@ class Liar(WebSocketHandler):
         self.write_message(json.dumps({"type": "proof", "proof": json.loads(message)["proof"]}))  # the hub's own
 
 
+class Relay(WebSocketHandler):
+    """Passes on what a hub and a robot say to each other."""
+
+    @classmethod
+    def to(cls, robot):
+        return type("Relay", (cls,), {"robot": robot})
+
+    def initialize(self, **_):
+        pass
+
+    def open(self):
+        self.socket = self.robot.connect()
+        self.write_message(self.socket.receive("challenge"))
+
+    def on_message(self, message):
+        try:
+            self.socket.send(message.encode())
+            self.write_message(self.socket.receive())
+        except Closed as closed:
+            self.close(closed.code, closed.reason)
+
+
 class TeachersHub:
     """A hub's server with these robots of its list, by their addresses."""
 
@@ -114,8 +136,7 @@ def identity(fleet, robot="jetbot_01", key_of=None):
     return Identity(robot, CLASS, fleet.key_of(key_of or robot))
 
 
-def answer(fleet, challenge, robot="jetbot_01", **fields):
-    """Return a hub's answer to a challenge."""
-    nonces = Nonces(challenge["nonce"], 32 * "a")
-    return {"type": "answer", "nonce": nonces.hub,
-            "proof": proof(fleet.key_of(robot), HUB, CLASS, robot, nonces), **fields}
+def answer(fleet, socket, robot="jetbot_01", **fields):
+    """Return a hub's answer to the challenge on a socket."""
+    said = {"type": "answer", "nonce": 32 * "a", "address": dialled(*socket.connection.getpeername()), **fields}
+    return {**said, "proof": proof(fleet.key_of(robot), HUB, socket.receive("challenge"), said)}

@@ -1,16 +1,20 @@
 """A robot lets in nobody but the hub of its class, and a hub believes no robot that only says its name."""
 
+import asyncio
+import json
 
 import pytest
-from hub_world import Liar, Robot, TeachersHub, answer, identity
+from hub_world import Liar, Relay, Robot, TeachersHub, answer, identity
 
 from jetbot.wait import wait_until
 from jetbot_cockpit.remote.fleet import Fleet
-from jetbot_cockpit.remote.key import new_key
+from jetbot_cockpit.remote.key import RELAYED, WRONG_KEY, new_key
+from jetbot_cockpit.session.protocol import SILENT
 from jetbot_cockpit.web import hub_socket
 from web_client import Closed
 
 WITHIN = 10.0  # s
+DEEP = {"links": json.loads(800 * "[" + 800 * "]")}
 
 
 @pytest.fixture
@@ -40,7 +44,7 @@ def make_hub(tmp_path):
 def proven(fleet, robot, **fields):
     """Return a socket that has proven to be a hub's."""
     socket = robot.connect()
-    socket.send(answer(fleet, socket.receive("challenge"), **fields))
+    socket.send(answer(fleet, socket, **fields))
     socket.receive("proof")
     return socket
 
@@ -63,7 +67,7 @@ def test_who_has_another_key_is_refused_and_logged_once_a_minute(fleet, robot, t
     other = Fleet(str(tmp_path / "other"), "7b")
     for _ in range(3):
         socket = robot.connect()
-        assert refused(socket, answer(other, socket.receive("challenge"))).code == hub_socket.WRONG_KEY
+        assert refused(socket, answer(other, socket)).code == WRONG_KEY
     assert [record.getMessage() for record in caplog.records if "refused" in record.getMessage()] == [
         "a hub at 127.0.0.1 was refused: it has another key"]
     assert robot.control.handled == []
@@ -71,33 +75,34 @@ def test_who_has_another_key_is_refused_and_logged_once_a_minute(fleet, robot, t
 
 def test_a_recording_is_worth_nothing(fleet, robot):
     first, second = robot.connect(), robot.connect()
-    recorded = answer(fleet, first.receive("challenge"))
+    recorded = answer(fleet, first)
     first.send(recorded)
     assert first.receive("proof")
     second.receive("challenge")
-    assert refused(second, recorded).code == hub_socket.WRONG_KEY
+    assert refused(second, recorded).code == WRONG_KEY
     first.close()
 
 
 def test_the_robots_own_proof_and_another_robots_key_are_no_hubs(fleet, robot):
-    for change in {"proof": None}, {"proof": 7}, {"nonce": ["a"]}, {"proof": "ä"}, {"nonce": 32 * "A"}:
+    for change in ({"proof": None}, {"proof": 7}, {"nonce": ["a"]}, {"proof": "ä"}, {"nonce": 32 * "A"},
+                   {"frames": False}, {"link": "b"}, {"more": 1}, DEEP):
         socket = robot.connect()
-        assert refused(socket, {**answer(fleet, socket.receive("challenge")), **change}).code == hub_socket.WRONG_KEY
+        assert refused(socket, {**answer(fleet, socket), **change}).code == WRONG_KEY
     socket = robot.connect()
-    theirs = answer(fleet, socket.receive("challenge"), robot="jetbot_02")
-    assert refused(socket, theirs).code == hub_socket.WRONG_KEY
+    theirs = answer(fleet, socket, robot="jetbot_02")
+    assert refused(socket, theirs).code == WRONG_KEY
 
 
 def test_commands_before_the_proof_do_nothing(robot):
     socket = robot.connect()
     socket.receive("challenge")
-    assert refused(socket, {"type": "stop"}).code == hub_socket.WRONG_KEY
+    assert refused(socket, {"type": "stop"}).code == WRONG_KEY
     assert robot.control.handled == []
 
 
 def test_who_proves_nothing_is_ended_soon(robot, monkeypatch):
     monkeypatch.setattr(hub_socket, "HANDSHAKE_TIMEOUT", 0.1)
-    assert robot.connect().wait_for_close().code == hub_socket.WRONG_KEY
+    assert robot.connect().wait_for_close().code == SILENT
 
 
 def test_a_browser_gets_no_challenge(robot):
@@ -145,7 +150,7 @@ def test_who_wants_no_frames_is_sent_none(fleet, robot):
 
 
 def status(hub, robot="/jetbot_01"):
-    return hub.hub._robots.states()[robot]["status"]
+    return hub.hub._robots.states().get(robot, {}).get("status")
 
 
 def test_a_robot_with_anothers_key_is_named(fleet, make_hub):
@@ -170,6 +175,41 @@ def test_who_only_repeats_the_hubs_proof_is_named(fleet, make_hub):
     text = f"What answers at {liar.address} pretends to be jetbot_01."
     assert wait_until(lambda: status(hub) == text, WITHIN), status(hub)
     liar.server.end()
+
+
+def test_who_passes_a_handshake_on_is_refused_and_named_at_both_ends(fleet, robot, make_hub, caplog):
+    hub_socket.REFUSALS = hub_socket.Refusals()
+    relay = Robot(identity(fleet), socket=Relay.to(robot))
+    hub = make_hub({"jetbot_01": relay.address})
+    text = f"What answers at {relay.address} passes on what jetbot_01 says: enter the robot's own address."
+    assert wait_until(lambda: text in hub.hub.log, WITHIN), hub.hub.log
+    assert status(hub) == text and not hub.hub._robots.connected() and robot.control.handled == []
+    assert f"a hub at 127.0.0.1 was refused: it has connected to {relay.address}, which passes on what it says to " \
+        f"{robot.address}" in [record.getMessage() for record in caplog.records]
+    relay.server.end()
+
+
+def test_who_changes_the_address_that_a_hub_has_dialled_proves_nothing(fleet, robot):
+    socket = robot.connect()
+    elsewhere = answer(fleet, socket, address="127.0.0.1:1")
+    assert refused(socket, elsewhere).code == RELAYED
+    socket = robot.connect()
+    assert refused(socket, {**answer(fleet, socket, address="127.0.0.1:1"), "address": robot.address}).code == WRONG_KEY
+
+
+class Slow(hub_socket.HubSocket):
+    """A robot whose answer is long on its way."""
+
+    def _let_in(self, answer):
+        asyncio.get_running_loop().call_later(0.3, super()._let_in, answer)
+
+
+def test_a_robot_whose_proof_is_on_its_way_has_no_wrong_key(fleet, make_hub):
+    robot = Robot(identity(fleet), socket=Slow)
+    hub = make_hub({"jetbot_01": robot.address})
+    assert wait_until(lambda: "/jetbot_01" in hub.hub._robots.connected(), WITHIN)
+    assert list(hub.hub.log) == []
+    robot.server.end()
 
 
 def test_an_address_that_is_none_and_a_name_that_nobody_has_say_so(make_hub):

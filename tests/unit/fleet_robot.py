@@ -51,7 +51,7 @@ from pathlib import Path
 folder = Path(__file__).resolve().parent
 for source in (folder / "morbot_ws/src").glob("*/src"):
     sys.path.insert(0, str(source))
-from jetbot_cockpit.remote.key import HUB, ROBOT, Nonces, new_nonce, proof, proves
+from jetbot_cockpit.remote.key import HUB, ROBOT, new_nonce, proof, proves
 from jetbot_cockpit.remote.version import version_of
 from tornado.ioloop import IOLoop
 from tornado.web import Application
@@ -65,19 +65,16 @@ key = (HOME / "key").read_text()
 
 
 class Hub(WebSocketHandler):
-    nonce = ""
-
     def open(self):
-        self.nonce = new_nonce()
-        self.write_message({"type": "challenge", "robot": robot, "class": class_name, "nonce": self.nonce,
-                            "instance": "1"})
+        self.challenge = {"type": "challenge", "robot": robot, "class": class_name, "nonce": new_nonce(),
+                          "instance": "1"}
+        self.write_message(self.challenge)
 
     def on_message(self, text):
         message = json.loads(text)
         if message["type"] == "answer":
-            nonces = Nonces(self.nonce, message["nonce"])
-            assert proves(message["proof"], key, HUB, class_name, robot, nonces)
-            self.write_message({"type": "proof", "proof": proof(key, ROBOT, class_name, robot, nonces),
+            assert proves(message["proof"], key, HUB, self.challenge, message)
+            self.write_message({"type": "proof", "proof": proof(key, ROBOT, self.challenge, message),
                                 "version": version_of(folder)})
             self.write_message({"type": "state", "emergency": False,
                                 "robots": {f"/{robot}": json.loads((HOME / "state").read_text())}})

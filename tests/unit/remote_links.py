@@ -3,6 +3,7 @@
 PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 """
 
+import math
 import time
 
 from jetbot_cockpit.notices import say
@@ -39,7 +40,7 @@ class FakeLink:
         self.address, self._receive, self._accept, self.frames = address, receive, accept, frames
         self.robot, self.instance, self.version, self.client, self.delay, self.problem = "", "", "", 0, None, None
         self.frozen = self.closed = False
-        self.peer, self.reconnects = None, 0
+        self.peer, self.reconnects, self.answered, self._pinged_at = None, 0, -math.inf, -math.inf
         self.made.append(self)
 
     def connect(self, peer):
@@ -52,6 +53,7 @@ class FakeLink:
         return bool(self.robot)
 
     def drop(self, problem=None):
+        self.answered = self._pinged_at = -math.inf
         self.peer, self.robot, self.problem = None, "", problem or say("no_link", address=self.address)
 
     def reconnect(self):
@@ -67,6 +69,10 @@ class FakeLink:
             self.peer.take(message)
         return bool(self.robot)
 
+    def ping(self):
+        if not self.frozen:
+            self._pinged_at = time.monotonic()
+
     def is_fresh(self, now):
         return bool(self.robot) and not self.frozen
 
@@ -74,9 +80,13 @@ class FakeLink:
         return not self.robot or self.frozen
 
     def report(self):
-        """The robot says what it does."""
+        """The robot answers the pings, and says what it does."""
         if self.robot and not self.frozen:
-            self._receive(self, self.peer.state())
+            self.answered = self._pinged_at
+            self.say(self.peer.state())
+
+    def say(self, message):
+        self._receive(self, message)
 
 
 def make_fleet(folder, *names):

@@ -91,7 +91,7 @@ def test_where_a_robot_has_proven_its_name_is_remembered(tmp_path):
     assert fleet.path.stat().st_mode & 0o777 == 0o600
 
 
-@pytest.mark.parametrize("address, found", [("127.0.0.1:8080", "127.0.0.1:8080"), ("[::1]:80", "[::1]:80")])
+@pytest.mark.parametrize("address, found", [("127.0.0.1:8080", ("127.0.0.1", 8080)), ("[::1]:80", ("::1", 80))])
 def test_an_address_is_resolved(address, found):
     assert asyncio.run(resolve(address)) == found
 
@@ -130,7 +130,12 @@ def test_the_robots_scores_tasks_and_cameras_are_one_classs():
         tables.update(f"/{robot}", {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre", "on": on}]})
         tables.update(f"/{robot}", {"type": "cameras", "on": on})
     tables.update("/ada", {"type": "scene", "robot": "/bob", "shapes": []})
-    tasks, scores, cameras = tables.messages()
+    for points in [[0.0, 0.0]], [[0.0, 0.0], [1.0, 0.0]]:
+        tables.update("/ada", {"type": "trail", "robot": "/ada", "start": None, "points": points})
+    changes = tables.take_changes()
+    assert sorted(said["type"] for said in changes) == ["cameras", "scores", "tasks", "trail"], "the newest of each"
+    assert len(changes[-1]["points"]) == 2 and tables.take_changes() == []
+    trail, tasks, scores, cameras = tables.messages()
     assert [row["robot"] for row in scores["scores"]] == ["bob", "ada"]
     assert tasks["tasks"] == [{"name": "metre", "title": "One metre", "on": True}]
     assert cameras == {"type": "cameras", "on": True}

@@ -76,6 +76,20 @@ def test_what_a_robot_said_before_a_stop_does_not_confirm_it(lesson):
     assert "/ada" in lesson.hub.unconfirmed()
 
 
+def test_a_state_from_before_a_stop_is_neither_its_confirmation_nor_its_release(lesson):
+    lesson.connect()
+    lesson.hub.stop_all()
+    old = [(link, [link.peer.state()]) for link in lesson.links.values()]
+    lesson.hub.release_all()
+    for link, states in old:
+        states.append(link.peer.state())
+    lesson.hub.stop_all()
+    for link, states in old:
+        for state in states:
+            link.say(state)
+            assert lesson.hub.engaged and lesson.hub.unconfirmed() == ["/ada", "/bob", "/cleo"]
+
+
 def test_another_hubs_release_of_all_ends_the_stop_here_and_one_at_a_robot_does_not(lesson):
     lesson.connect()
     lesson.hub.stop_all()
@@ -140,6 +154,17 @@ def test_a_robot_with_a_new_address_replaces_its_dead_connection(lesson):
     assert lesson.fleet.robots[0].authorities == ("ada.test:8080", "192.168.1.9:8080")
 
 
+def test_robots_that_get_each_others_address_are_both_found(lesson):
+    lesson.connect()
+    lesson.links["ada"].drop()
+    lesson.links["bob"].drop()
+    assert lesson.links["bob"].connect(lesson.robots["ada"])
+    lesson.hub.update(later())  # ada's old address is still asked, and bob answers there
+    assert not lesson.links["ada"].closed
+    assert lesson.links["ada"].connect(lesson.robots["bob"])
+    assert lesson.hub.link("/bob") is lesson.links["ada"]
+
+
 def test_a_robot_that_is_found_at_two_addresses_is_no_problem(lesson):
     lesson.connect()
     lesson.found.add("192.168.1.9:8080")
@@ -160,8 +185,8 @@ def test_a_robot_that_is_removed_is_gone_from_a_hub_that_runs(lesson):
 def test_a_robot_says_nothing_of_another(lesson):
     lesson.connect()
     forged = {**lesson.robots["bob"].state(), "robots": {"/bob": {"status": "forged"}, "/ada": 7}}
-    lesson.links["ada"]._receive(lesson.links["ada"], forged)
-    lesson.links["ada"]._receive(lesson.links["ada"], {"type": "robots", "robots": [{"id": "/bob", "label": "x"}, 7]})
+    lesson.links["ada"].say(forged)
+    lesson.links["ada"].say({"type": "robots", "robots": [{"id": "/bob", "label": "x"}, 7]})
     assert lesson.hub.states()["/bob"]["status"] == ""
     assert {row["label"] for row in lesson.hub.rows()} == set(NAMES)
 
@@ -170,7 +195,7 @@ def test_a_robot_with_an_older_version_is_shown(lesson):
     lesson.connect()
     message = lesson.robots["ada"].state()
     state = {name: value for name, value in message["robots"]["/ada"].items() if name not in ("link", "health")}
-    lesson.links["ada"]._receive(lesson.links["ada"], {**message, "robots": {"/ada": {**state, "status": "old"}}})
+    lesson.links["ada"].say({**message, "robots": {"/ada": {**state, "status": "old"}}})
     assert lesson.hub.states()["/ada"]["status"] == "old"
 
 

@@ -66,9 +66,11 @@ NOTICES = {
     "class_kept_again": "The class is kept again.",
     "no_code": "There is no such code.",
     # A class's robots, at its hub
+    "from_robot": "{robot}: {sentence}",
     "no_link": "No connection to {address}.",
     "wrong_key": "{robot} has another key than this class's.",
     "forged": "What answers at {address} pretends to be {robot}.",
+    "relayed": "What answers at {address} passes on what {robot} says: enter the robot's own address.",
     "other_fleet": "The robot at {address} is of another class.",
     "twice": "Two robots are called {robot}: {address} and {other}. Give one another name.",
     "too_much": "{robot} sends too much: its connection was closed.",

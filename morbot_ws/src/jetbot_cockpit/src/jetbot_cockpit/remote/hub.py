@@ -17,6 +17,7 @@ from ..session.messages import LIMITS
 from ..session.protocol import ENDED, FLOODED, FULL, INVALID, LOG_IN, NO_CODE, SILENT, dumps, notice
 from ..session.rights import TEACHER, Client
 from ..session.viewers import STILL_INTERVAL, PageOwner, Viewer
+from . import claims
 from .fleet import Fleet
 from .link import Link
 from .requests import Requests
@@ -117,8 +118,9 @@ class Hub:
         for problem in self._robots.take_problems():
             changes.append(notice(problem))
             self.log.append(str(problem))
+        texts = list(map(dumps, changes))
         for page in list(self._pages.values()):
-            page.changes.extend(map(dumps, changes if page.robots else ()))
+            page.changes.extend(texts if page.robots else ())
             self._show(page, robots, states, now)
 
     def send_pictures(self, now: float) -> bool:
@@ -143,7 +145,7 @@ class Hub:
     def _on_message(self, robot, message):
         """Take what a robot says besides what it does."""
         if message["type"] == "work":
-            self._requests.take(message)
+            self._requests.take(robot, message)
         else:
             self._tables.update(robot, message)
 
@@ -262,10 +264,12 @@ class Hub:
             if is_looked_at and not page.connection.is_backlogged():
                 page.connection.send(message)
         elif message["type"] == "codes":
-            page.codes[link.robot] = [each for each in message["codes"] if each["role"] != TEACHER]
+            page.codes[link.robot] = claims.cards(link.robot, message["codes"], link.host, link.port)
             connected = {each.robot for each in page.links.values()}
             rows = [row for robot in sorted(page.codes.keys() & connected) for row in page.codes[robot]]
             page.answer({"type": "codes", "codes": [*self._codes.rows, *rows]})
+        elif message["type"] in SENTENCES:
+            page.answer(claims.attributed(link.robot, message))
         elif message["type"] in ANSWERS or message["type"] == "picture" and is_looked_at:
             page.answer(message)
 
@@ -281,7 +285,7 @@ def seen_from(page: HubPage, robot: str, state: dict) -> dict:
     return {**state, "driver": driver and {**driver, "id": page.client.id if own.client == driver["id"] else 0}}
 
 
-ANSWERS = "lift", "program", "judge", "notice"
+SENTENCES, ANSWERS = ("lift", "notice"), ("program", "judge")
 ROUTES = {"ping": Hub._ping, "name": Hub._to_all, "offer": Hub._to_all, "cameras": Hub._to_all, "codes": Hub._to_all,
           "look": Hub._look, "seen": Hub._seen, "release": Hub._release, "go_on": Hub._to_one_or_all,
           "reset": Hub._to_one_or_all}

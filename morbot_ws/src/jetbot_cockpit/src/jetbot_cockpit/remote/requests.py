@@ -5,6 +5,7 @@ import itertools
 from typing import Any, Dict, Tuple
 
 from ..notices import Notice, say
+from .claims import is_answer
 from .robots import RemoteRobots, no_answer
 
 TIMEOUT = 5.0  # s
@@ -16,7 +17,7 @@ class Requests:
 
     def __init__(self, robots: RemoteRobots, id: str):
         self._robots, self._id = robots, id
-        self._waiting: Dict[str, asyncio.Future] = {}
+        self._waiting: Dict[Tuple[str, str], asyncio.Future] = {}  # by robot and request
         self._numbers = itertools.count(1)
 
     async def answer(self, fields: Dict[str, Any]) -> Answer:
@@ -38,7 +39,7 @@ class Requests:
 
     async def _ask(self, robot: str, body: Dict[str, Any]) -> Answer:
         request, done = str(next(self._numbers)), asyncio.get_event_loop().create_future()
-        self._waiting[request] = done
+        self._waiting[robot, request] = done
         try:
             if not self._robots.send(robot, {"type": "work", "request": request, "body": body}):
                 return refused(no_answer(robot))
@@ -46,14 +47,14 @@ class Requests:
         except asyncio.TimeoutError:
             return refused(no_answer(robot))
         finally:
-            del self._waiting[request]
+            del self._waiting[robot, request]
 
-    def take(self, message: Dict[str, Any]) -> None:
+    def take(self, robot: str, message: Dict[str, Any]) -> None:
         """Take what a robot answers."""
-        done = self._waiting.get(str(message.get("request")))
+        done = self._waiting.get((robot, str(message.get("request"))))
         status, body = message.get("status"), message.get("body")
-        if done and not done.done() and type(status) is int and 200 <= status < 600 and isinstance(body, dict):
-            done.set_result((status, body))
+        if done and not done.done():
+            done.set_result((status, body) if is_answer(robot.strip("/"), status, body) else refused(no_answer(robot)))
 
 
 def refused(notice: Notice) -> Answer:

@@ -16,7 +16,7 @@ from .fleet import Fleet
 from .link import Link
 
 CONFIRM_TIMEOUT = 0.5  # s in which a robot confirms a stop whose connection works
-REPORTED = "twice", "forged", "wrong_key", "too_much"  # problems that somebody must solve
+REPORTED = "twice", "forged", "relayed", "wrong_key", "too_much"  # problems that somebody must solve
 
 
 class RemoteRobots:
@@ -36,7 +36,7 @@ class RemoteRobots:
         self._emergency: Dict[str, bool] = {}  # what each robot says of the stop of all, while it is connected
         self._reported: Dict[str, Notice] = {}  # by address
         self.engaged, self._stopped_at = False, -math.inf
-        self._heard_since_stop: Set[str] = set()  # an older state may be that of the last stop
+        self._heard_since_stop: Set[str] = set()
 
     def update(self, now: float) -> None:
         """Read the list of robots again, and connect to those that are new."""
@@ -46,7 +46,8 @@ class RemoteRobots:
             if f"/{name}" in self._owners:
                 self._owners.pop(f"/{name}").reconnect()  # its key is void
         connected = {robot: {link.address} for robot, link in self.connected().items()}
-        places = [connected.get(f"/{entry.name}") or set(entry.authorities) for entry in self._fleet.robots]
+        is_complete = all(f"/{entry.name}" in connected for entry in self._fleet.robots)
+        places = [] if is_complete else [entry.authorities for entry in self._fleet.robots]  # one may have another's
         wanted = self._found().union(*places, *connected.values())
         for address in self._links.keys() - wanted:
             self._links.pop(address).close()
@@ -84,9 +85,10 @@ class RemoteRobots:
         """Stop all robots, each on its own connection, and those that come back."""
         self.engaged, self._stopped_at = True, time.monotonic()
         self._heard_since_stop.clear()
+        self._emergency = dict.fromkeys(self._emergency, True)  # until a newer state says something else
         for link in self._links.values():
             if link.robot:
-                link.send({"type": "stop"})
+                stop(link)
 
     def release_all(self) -> None:
         """End that."""
@@ -174,7 +176,7 @@ class RemoteRobots:
         self._emergency.pop(robot, None)
         self._heard_since_stop.discard(robot)
         if self.engaged:
-            link.send({"type": "stop"})
+            stop(link)
         self._fleet.remember(link.robot, link.address)
         return True
 
@@ -184,7 +186,8 @@ class RemoteRobots:
             return
         if message["type"] == "robots":
             row = next((each for each in as_list(message.get("robots")) if each.get("id") == robot), None)
-            self._rows[robot] = completed(row, absent_row(robot), ROBOT_ROW) or self._rows.get(robot)
+            known = completed(row, absent_row(robot), ROBOT_ROW) or self._rows.get(robot)
+            self._rows[robot] = known and {**known, **named(robot)}
         elif message["type"] == "state":
             self._on_state(robot, message)
         else:
@@ -198,11 +201,19 @@ class RemoteRobots:
             self._states[robot] = complete
         else:
             self._states.pop(robot, None)  # its controller has ended
+        if self._owners[robot].answered < self._stopped_at:
+            return  # the state may be older than the stop
         self._heard_since_stop.add(robot)
         before = self._emergency.get(robot)
         self._emergency[robot] = message.get("emergency") is True
         if self.engaged and before and not any(self._emergency.values()):
             self.engaged = False  # another hub has released all
+
+
+def stop(link: Link) -> None:
+    """Stop all robots that this one's cockpit has; once the ping is answered, its state is newer than that."""
+    link.send({"type": "stop"})
+    link.ping()
 
 
 def no_answer(robot: Optional[str]) -> Notice:
@@ -225,8 +236,13 @@ def completed(fields: Any, otherwise: Dict[str, Any], part) -> Optional[Dict[str
 
 def absent_row(robot: str) -> dict:
     """Return the row of a robot that was not heard of yet."""
+    return {**RobotSnapshot(robot).description(), **named(robot)}
+
+
+def named(robot: str) -> Dict[str, str]:
+    """Return how a robot is shown: by the name that it has proven, whatever it says."""
     color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(robot.strip("/")))
-    return RobotSnapshot(robot, color=color).description()
+    return {"label": label(robot), "color": color}
 
 
 def absent_state(robot: str, problem: Notice) -> dict:

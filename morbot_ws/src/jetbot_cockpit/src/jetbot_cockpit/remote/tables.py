@@ -10,7 +10,7 @@ class Tables:
 
     def __init__(self):
         self._said: Dict[str, Dict[str, dict]] = {kind: {} for kind in (*LATEST, *self._unions())}  # by robot
-        self._changes: List[dict] = []
+        self._changes: Dict[str, List[dict]] = {}  # what is new, of each robot or of the class
 
     def update(self, robot: str, message: dict) -> None:
         """Take what a robot has said."""
@@ -19,14 +19,14 @@ class Tables:
             return
         self._said[kind][robot] = message
         if kind in LATEST:
-            self._changes.append(message)
+            self._changes[kind + robot] = [message]
         else:
-            self._changes += self._unions()[kind]()
+            self._changes[kind] = self._unions()[kind]()
 
     def take_changes(self) -> List[dict]:
         """Return the messages for all pages since the last call."""
-        changes, self._changes = self._changes, []
-        return changes
+        changes, self._changes = self._changes, {}
+        return [message for messages in changes.values() for message in messages]
 
     def messages(self) -> List[dict]:
         """Return the messages that a new page needs."""

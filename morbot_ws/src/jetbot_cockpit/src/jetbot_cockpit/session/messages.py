@@ -3,6 +3,7 @@
 The cockpit checks by it what comes and what goes, docs/protocol.md shows it, and www/messages.d.ts is written from it.
 """
 
+import math
 from typing import Any, Callable, Dict, NamedTuple, Optional
 
 from jetbot.kinds import is_number
@@ -56,9 +57,10 @@ def or_null(field: Field) -> Field:
     return field._replace(type=f"{field.type} | null", accepts=lambda value: value is None or field.accepts(value))
 
 
-def list_of(field: Field) -> Field:
-    """Return the field of a list."""
-    return Field(f"{field.type}[]", lambda value: isinstance(value, (list, tuple)) and all(map(field.accepts, value)))
+def list_of(field: Field, limit: float = math.inf) -> Field:
+    """Return the field of a list, of so many values at most."""
+    return Field(f"{field.type}[]", lambda value: isinstance(value, (list, tuple)) and len(value) <= limit
+                 and all(map(field.accepts, value)), f"{limit} at most" if limit < math.inf else "")
 
 
 def numbers(count: int) -> Field:
@@ -162,7 +164,7 @@ FROM_COCKPIT = {
     "state": Form({"emergency": BOOLEAN, "pupils_release": BOOLEAN, "unconfirmed": list_of(ROBOT),
                    "robots": by_name(ROBOT_STATE)},
                   "what each one does: at most 12.5 times a second, at least once"),
-    "trail": Form({"robot": ROBOT, "start": or_null(POSE), "points": list_of(numbers(2))},
+    "trail": Form({"robot": ROBOT, "start": or_null(POSE), "points": list_of(numbers(2), MAX_POINTS)},
                   "where it started, and has been since: at first, and empty when it was put back"),
     "scene": Form({"robot": ROBOT, "shapes": list_of(SHAPE)},
                   "what is drawn around a robot: at first, and when that changes"),

@@ -67,6 +67,11 @@ def authority(host: str, port: int) -> str:
     return host if port == 80 else f"{host}:{port}"
 
 
+def dialled(host: str, port: int) -> str:
+    """Return an IP address and a port as both ends of a connection know them: without the name of an interface."""
+    return authority(host.partition("%")[0], port)
+
+
 class Access:
     """Decides who gets in. names: by which others reach this computer, beside the addresses that they connect to.
 

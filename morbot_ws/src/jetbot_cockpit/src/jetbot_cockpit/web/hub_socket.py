@@ -8,17 +8,19 @@ from typing import Dict
 
 from tornado.web import HTTPError
 
+from jetbot.text import printable
+
 from ..remote.identity import Identity
-from ..remote.key import HUB, NONCE, ROBOT, Nonces, new_nonce, proof, proves
+from ..remote.key import HUB, NONCE, RELAYED, ROBOT, WRONG_KEY, new_nonce, proof, proves
 from ..remote.link import as_object
 from ..remote.version import version_of
-from ..session.protocol import ENDED
+from ..session.protocol import ENDED, SILENT
 from ..session.rights import TEACHER
 from ..session.viewers import PageOwner
+from .access import dialled
 from .handlers import Socket
 from .work import MAX_WORK, is_request
 
-WRONG_KEY = 4005  # why a socket is closed
 HANDSHAKE_TIMEOUT = 3.0  # s
 MINUTE = 60.0            # s
 MAX_ADDRESSES = 100      # that are refused in a minute and logged
@@ -26,17 +28,17 @@ VERSION = version_of()   # as this process started
 
 
 class Refusals:
-    """What the robot's log says of those who have no key: one line for an address and minute."""
+    """What the robot's log says of those who are refused: one line for an address and minute."""
 
     def __init__(self):
         self._logged_at: Dict[str, float] = {}
 
-    def log(self, address: str, now: float) -> None:
-        """Log that a hub at this address was refused. now: in monotonic seconds."""
+    def log(self, address: str, reason: str, now: float) -> None:
+        """Log why a hub at this address was refused. now: in monotonic seconds."""
         self._logged_at = {each: at for each, at in self._logged_at.items() if now - at < MINUTE}
         if address not in self._logged_at and len(self._logged_at) < MAX_ADDRESSES:
             self._logged_at[address] = now
-            logging.getLogger("rosout").warning("a hub at %s was refused: it has another key", address)
+            logging.getLogger("rosout").warning("a hub at %s was refused: %s", address, reason)
 
 
 REFUSALS = Refusals()
@@ -60,12 +62,14 @@ class HubSocket(Socket):
     def prepare(self) -> None:
         if "Origin" in self.request.headers:  # a browser's: no web site gets as far as the challenge
             raise HTTPError(403)
+        connection = self.request.connection.stream.socket
+        self._reached = dialled(*connection.getsockname()[:2]) if connection else ""  # it was closed meanwhile
 
     def open(self) -> None:
-        self._nonce = new_nonce()
         robot, class_name, _ = self._identity
-        self.send(json.dumps({"type": "challenge", "robot": robot, "class": class_name, "nonce": self._nonce,
-                              "instance": self._instance}))
+        self._challenge = {"type": "challenge", "robot": robot, "class": class_name, "nonce": new_nonce(),
+                           "instance": self._instance}
+        self.send(json.dumps(self._challenge))
         asyncio.get_event_loop().call_later(HANDSHAKE_TIMEOUT, self._end_unproven)
 
     def on_message(self, message: object) -> None:
@@ -78,23 +82,31 @@ class HubSocket(Socket):
         elif not fields:
             super().on_message(message)
 
-    def _check(self, fields: dict) -> None:
-        """Let in who proves to have the key, and prove the same."""
-        robot, class_name, key = self._identity
-        nonces = Nonces(self._nonce, str(fields.get("nonce")))
-        if not NONCE.fullmatch(nonces.hub) or not proves(fields.get("proof"), key, HUB, class_name, robot, nonces):
-            REFUSALS.log(self.request.remote_ip, time.monotonic())
-            self.close(WRONG_KEY, "wrong key")
-            return
-        self.send(json.dumps({"type": "proof", "proof": proof(key, ROBOT, class_name, robot, nonces),
-                              "version": VERSION}))
-        hub, link, alive = (fields.get(name) for name in ("hub", "link", "links"))
+    def _check(self, answer: dict) -> None:
+        """Let in who proves to have the key and to have dialled this robot, and prove the same."""
+        is_new = NONCE.fullmatch(str(answer.get("nonce")))
+        if not is_new or not proves(answer.get("proof"), self._identity.key, HUB, self._challenge, answer):
+            self._refuse(WRONG_KEY, "wrong key", "it has another key")
+        elif answer.get("address") != self._reached:
+            self._refuse(RELAYED, "wrong address", "it has connected to "
+                         f"{printable(str(answer.get('address')))}, which passes on what it says to {self._reached}")
+        else:
+            self._let_in(answer)
+
+    def _refuse(self, code, reason, sentence):
+        REFUSALS.log(self.request.remote_ip, sentence, time.monotonic())
+        self.close(code, reason)
+
+    def _let_in(self, answer):
+        own = proof(self._identity.key, ROBOT, self._challenge, answer)
+        self.send(json.dumps({"type": "proof", "proof": own, "version": VERSION}))
+        hub, link, alive = (answer.get(name) for name in ("hub", "link", "links"))
         if isinstance(hub, str) and isinstance(link, str) and isinstance(alive, list):
             self._replace(hub, link, alive)
         owner = PageOwner("hub", self.request.remote_ip)
         self.viewer = self.pages.join(self, TEACHER, None, owner, time.monotonic())
         if self.viewer:
-            self.viewer.frames = fields.get("frames") is not False
+            self.viewer.frames = answer.get("frames") is not False
         if self.ws_connection:
             self.ws_connection.stream.is_page = True
             self.ws_connection.stream.max_buffer_size = self.max_message_size  # a program is one message
@@ -115,7 +127,7 @@ class HubSocket(Socket):
 
     def _end_unproven(self) -> None:
         if not self.viewer:
-            self.close(WRONG_KEY, "no proof")
+            self.close(SILENT, "no proof")
 
     async def _work(self, fields: dict) -> None:
         request, body = fields.get("request"), fields.get("body")

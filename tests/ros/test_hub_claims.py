@@ -1,0 +1,210 @@
+"""A stolen robot proves its own name, and lies: its hub believes nothing that it says of others, and goes on."""
+
+import asyncio
+import json
+
+import pytest
+from hub_world import Robot, TeachersHub, identity
+
+from jetbot.wait import wait_until
+from jetbot_cockpit.notices import say
+from jetbot_cockpit.remote.fleet import Fleet
+from jetbot_cockpit.web.hub_socket import HubSocket
+
+WITHIN = 10.0  # s
+ADA, BOB = "/ada", "/bob"
+ID = "0123456789abcdef"
+NAME = {"robot": ADA, "id": ID, "name": "A", "version": 99, "deleted": False, "earlier": []}
+LIFT = say("driven", driver="Eve", robot="bob").fields()
+GRAB = {"code": "stopped", "arguments": {}, "text": "All are stopped.", "template": "All are stopped."}
+NOTHING = {"ready": True, "pose": None, "line": None, "wheels": None}
+
+
+class Changed:
+    """A robot's cockpit, as a thief may change it.
+
+    instead: returns what it sends in place of a message, by the message's type; None: nothing.
+    """
+
+    def __init__(self, fleet, name):
+        changed, self.instead, self.sockets, self.asked = self, {}, [], []
+
+        class Lies(HubSocket):
+            def open(self):
+                self.loop = asyncio.get_running_loop()
+                changed.sockets.append(self)
+                super().open()
+
+            def on_message(self, message):
+                changed.asked.append(json.loads(message))
+                super().on_message(message)
+
+            def send(self, message):
+                said = changed.instead.get(json.loads(message)["type"], lambda message: message)(message)
+                if said is not None:
+                    super().send(said)
+        self.robot = Robot(identity(fleet, name), socket=Lies)
+
+    def say(self, **message):
+        for socket in self.sockets:
+            socket.loop.call_soon_threadsafe(HubSocket.send, socket, json.dumps(message))
+
+
+@pytest.fixture
+def fleet(tmp_path):
+    return Fleet(str(tmp_path), "7b")
+
+
+@pytest.fixture
+def ada(fleet):
+    ada = Changed(fleet, "ada")
+    yield ada
+    ada.robot.server.end()
+
+
+@pytest.fixture
+def bob(fleet):
+    bob = Changed(fleet, "bob")
+    yield bob
+    bob.robot.server.end()
+
+
+@pytest.fixture
+def hub(ada, bob, tmp_path):
+    hub = TeachersHub(tmp_path, {"ada": ada.robot.address, "bob": bob.robot.address})
+    assert wait_until(lambda: len(hub.hub._robots.connected()) == 2, WITHIN)
+    yield hub
+    hub.server.end()
+
+
+def open_page(hub):
+    page = hub.page()
+    page.receive_until(lambda said: said["type"] == "state"
+                       and all(each["answers"] for each in said["robots"].values()))
+    return page
+
+
+@pytest.fixture
+def page(hub):
+    page = open_page(hub)
+    yield page
+    page.close()
+
+
+def heard(page, until):
+    """Return what the page receives up to this."""
+    said = []
+    page.receive_until(lambda message: said.append(message) or until(message))
+    return said
+
+
+@pytest.mark.parametrize("lie", [
+    {"type": "lift", "robot": ADA, **LIFT},
+    {"type": "program", "robot": ADA, **NOTHING},
+    {"type": "judge", "robot": ADA, "request": "x", "refusal": None},
+    {"type": "trail", "robot": ADA, "start": None, "points": []},
+    {"type": "scores", "scores": [{"task": "t", "robot": "ada", "score": 100, "seconds": None, "name": ""}]},
+    {"type": "scores", "scores": [{"task": "t", "robot": "bob", "score": 100, "seconds": None, "name": 100 * "x"}]},
+], ids=lambda lie: lie["type"])
+def test_it_says_nothing_of_another_robot(bob, page, lie):
+    bob.say(**lie)
+    own = [{"type": "lift", "robot": BOB, **LIFT}, {"type": "trail", "robot": BOB, "start": None, "points": []}]
+    for message in own:
+        bob.say(**message)
+    said = []
+    page.receive_until(lambda message: said.append(message) or all(each in said for each in own))
+    assert not [each for each in said if ADA in each.get("robot", "") or each["type"] == "scores"]
+
+
+def test_a_sentence_of_its_own_has_its_name(bob, page):
+    bob.say(type="notice", **GRAB)
+    bob.say(type="notice", **say("no_picture").fields())
+    bob.say(type="notice", **say("driven", robot="ada", driver=say("teacher", number=2)).fields())
+    bob.say(type="notice", **{**LIFT, "text": "All are stopped.", "template": "All are stopped."})
+    said = [each["text"] for each in heard(page, lambda said: "Eve" in said.get("text", "")) if "text" in each]
+    assert said == ["bob: All are stopped.", "bob: There is no picture.", "bob: teacher 2 drives ada.",
+                    "Eve drives bob."]
+
+
+def test_its_codes_are_of_its_own_pupils_and_lead_to_it(bob, hub, page):
+    row = {"label": "ada", "role": "pupil", "robot": ADA, "url": "http://thief.test/", "code": "ABC234", "rows": ["1"]}
+    rows = [row, {**row, "role": "Teacher", "robot": None}, {**row, "robot": BOB, "code": "<b>"}, {**row, "robot": BOB}]
+    bob.instead["codes"] = lambda message: json.dumps({"type": "codes", "codes": rows})
+    page.send({"type": "codes"})
+    codes = page.receive_until(lambda said: said["type"] == "codes" and said["codes"])["codes"]
+    assert [(each["label"], each["robot"], each["url"]) for each in codes] == [
+        ("bob", BOB, f"http://{bob.robot.address}/#ABC234")]
+    assert codes[0]["rows"] != row["rows"]
+
+
+def test_it_is_shown_by_the_name_that_it_has_proven(bob, hub):
+    bob.instead["robots"] = lambda message: message.replace('"label":"bob"', '"label":"ada"')
+    for socket in bob.sockets:
+        socket.loop.call_soon_threadsafe(socket.close)
+    page = hub.page()
+    rows = page.receive_until(lambda said: said["type"] == "robots" and len(said["robots"]) == 2)["robots"]
+    assert [each["label"] for each in rows] == ["ada", "bob"]
+    page.close()
+
+
+NUMBERS = {"of no ping": "-1e308", "none in JSON": "1e999", "NaN": "NaN"}
+
+
+@pytest.mark.parametrize("sent", NUMBERS.values(), ids=NUMBERS)
+def test_an_answer_to_a_ping_that_nobody_sent_is_none(bob, hub, sent):
+    bob.instead["pong"] = lambda message: f'{{"type":"pong","sent":{sent}}}'
+    bob.asked.clear()
+    assert wait_until(lambda: len([each for each in bob.asked if each["type"] == "ping"]) > 1, WITHIN)
+    page = open_page(hub)
+    assert page.receive("state")["robots"][ADA]["link"] is not None
+    page.close()
+    assert all(link.delay is None or 0 <= link.delay < WITHIN for link in hub.hub._robots.connected().values())
+
+
+def test_it_answers_for_no_other_robot(ada, bob, hub, page):
+    def answer_for_ada(message):
+        bob.say(**{**json.loads(message), "status": 200, "body": NAME})
+    ada.instead["work"] = answer_for_ada
+    assert hub.work(do="open", robot=ADA, id=ID)[1]["code"] == "no_answer"
+
+
+BODIES = {"no list": {"programs": 5}, "no rows": {"programs": [1, "x", None]}, "null": {"programs": None},
+          "another robot's": {"programs": [NAME]}, "no programs": {}}
+
+
+@pytest.mark.parametrize("status, body", [*((200, body) for body in BODIES.values()), (204, {}), (409, {})],
+                         ids=[*BODIES, "an odd status", "no reason"])
+def test_what_is_no_answer_hides_nobody_elses_programs(ada, bob, hub, page, status, body):
+    hub.work(do="save", robot=ADA, id=ID, version=0, name="Square", program="{}")
+    bob.instead["work"] = lambda message: json.dumps({**json.loads(message), "status": status, "body": body})
+    answer, listed = hub.work(do="list", robot=None)
+    assert (answer, [row["name"] for row in listed["programs"]]) == (200, ["Square"])
+    assert hub.work(do="open", robot=BOB, id=ID)[1]["code"] == "no_answer"
+
+
+def test_a_message_that_is_too_deep_ends_its_connection_alone(bob, hub, page):
+    deep = say("no_picture").fields()
+    for _ in range(300):
+        deep = {**deep, "arguments": {"driver": deep}}
+    bob.say(type="lift", robot=BOB, **deep)
+    assert page.receive("notice")["text"] == "bob sends too much: its connection was closed."
+    page.receive_until(lambda said: said["type"] == "state" and not said["robots"][BOB]["answers"])
+    page.receive_until(lambda said: said["type"] == "state" and said["robots"][BOB]["answers"])
+
+
+SCENE = {"type": "scene", "robot": ADA, "shapes": [{"kind": "wall", "width": 0.01, "points": 20000 * [[1.0, 2.0]]}]}
+
+
+def test_a_robot_that_sends_too_much_is_disconnected_and_the_others_are_not(hub, ada, bob):
+    ada.say(**SCENE)
+    assert wait_until(lambda: "ada sends too much: its connection was closed." in hub.hub.log, WITHIN), hub.hub.log
+    assert BOB in hub.hub._robots.connected()
+    assert hub.hub._tables.messages() == []
+
+
+def test_a_trail_that_is_longer_than_documented_is_dropped(hub, ada):
+    trail = {"type": "trail", "robot": ADA, "start": None}
+    for points in 501, 500:
+        ada.say(**trail, points=points * [[0.0, 1.0]])
+    assert wait_until(lambda: hub.hub._tables.messages(), WITHIN)
+    assert [len(said["points"]) for said in hub.hub._tables.messages()] == [500]
