@@ -43,8 +43,9 @@ def add(fleet: Fleet, given: Any) -> int:
     """Install and name a robot over ssh; with --address, only list it."""
     if given.address:
         check_name(given.host)
+        entry = Entry(given.host, matching(ADDRESS, given.address, "an address, HOST or HOST:PORT"))
         login = next((each.login for each in fleet.robots if each.name == given.host), "")
-        enlist(fleet, Entry(given.host, matching(ADDRESS, given.address, "an address, HOST or HOST:PORT"), login))
+        enlist(fleet, entry._replace(login=entry._replace(login=login, last=entry.authority).ssh))
         print(f"{given.host} is listed at {given.address}. Its key: ./morbot fleet --class {fleet.name} key "
               f"{given.host}")
         return 0
@@ -112,7 +113,7 @@ def connected(fleet: Fleet, entry: Entry) -> Ssh:
     """Return a connection to a robot. Raise Failed if it is only listed."""
     if not entry.login:
         raise Failed(f"{entry.name} is only listed, with no login for ssh")
-    return Ssh(entry.login, fleet.path.parent)
+    return Ssh(entry.ssh, fleet.path.parent)
 
 
 def hub(fleet: Fleet, given: Any, *opened: str) -> int:
