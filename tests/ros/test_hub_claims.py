@@ -208,3 +208,22 @@ def test_a_trail_that_is_longer_than_documented_is_dropped(hub, ada):
         ada.say(**trail, points=points * [[0.0, 1.0]])
     assert wait_until(lambda: hub.hub._tables.messages(), WITHIN)
     assert [len(said["points"]) for said in hub.hub._tables.messages()] == [500]
+
+
+def nested(levels):
+    said = GRAB
+    for _ in range(levels):
+        said = {**GRAB, "arguments": {"a": said}}
+    return said
+
+
+@pytest.mark.parametrize("levels", [20, 100, 150, 300])
+def test_a_sentence_in_a_sentence_in_a_sentence_leaves_no_error_in_the_log(hub, ada, levels, caplog):
+    page = open_page(hub)
+    ada.say(type="notice", **nested(levels))
+    ada.say(type="lift", robot=ADA, **nested(levels))
+    ada.say(type="notice", **GRAB)
+    page.receive_until(lambda said: said["type"] == "state")
+    page.send({"type": "stop"})
+    page.receive_until(lambda said: said["type"] == "state" and said["emergency"] and not said["unconfirmed"])
+    assert [record.getMessage() for record in caplog.records if record.levelname == "ERROR"] == []

@@ -16,14 +16,16 @@ from .fleet import Fleet
 from .link import Link
 
 CONFIRM_TIMEOUT = 0.5  # s in which a robot confirms a stop whose connection works
+KEPT, STOP = "stop", "all"  # in the class's folder, while the stop of all is engaged
 REPORTED = "twice", "forged", "relayed", "wrong_key", "too_much"  # problems that somebody must solve
 
 
 class RemoteRobots:
     """All robots of a fleet. engaged: whether the emergency stop of all robots was engaged here.
 
-    A robot that comes back meanwhile is stopped before all else. found: returns the addresses, HOST:PORT, where robots
-    announce themselves; receive: is called with a robot's id and each message that is not about robots and states.
+    A robot that comes back meanwhile is stopped before all else, also by the next hub, if this one ends. found: returns
+    the addresses, HOST:PORT, where robots announce themselves; receive: is called with a robot's id and each message
+    that is not about robots and states.
     """
 
     def __init__(self, fleet: Fleet, receive: Callable[[str, dict], None], make_link: Callable[..., Link] = Link,
@@ -35,7 +37,7 @@ class RemoteRobots:
         self._states: Dict[str, dict] = {}
         self._emergency: Dict[str, bool] = {}  # what each robot says of the stop of all, while it is connected
         self._reported: Dict[str, Notice] = {}  # by address
-        self.engaged, self._stopped_at = False, -math.inf
+        self.engaged, self._stopped_at = STOP in fleet.read(KEPT, list), -math.inf
         self._heard_since_stop: Set[str] = set()
 
     def update(self, now: float) -> None:
@@ -89,12 +91,17 @@ class RemoteRobots:
         for link in self._links.values():
             if link.robot:
                 stop(link)
+        self._fleet.keep(KEPT, [STOP])  # only now: a disk may be slow
 
     def release_all(self) -> None:
         """End that."""
-        self.engaged = False
         for link in self._links.values():
             link.send({"type": "release"})
+        self._end_stop()
+
+    def _end_stop(self) -> None:
+        self.engaged = False
+        self._fleet.keep(KEPT, [])
 
     def stop(self, robot: str) -> bool:
         """Stop one robot; return whether there is a connection."""
@@ -174,6 +181,7 @@ class RemoteRobots:
         if owner and owner is not link:
             owner.reconnect()
         self._emergency.pop(robot, None)
+        self._states.pop(robot, None)
         self._heard_since_stop.discard(robot)
         if self.engaged:
             stop(link)
@@ -206,8 +214,9 @@ class RemoteRobots:
         self._heard_since_stop.add(robot)
         before = self._emergency.get(robot)
         self._emergency[robot] = message.get("emergency") is True
-        if self.engaged and before and not any(self._emergency.values()):
-            self.engaged = False  # another hub has released all
+        is_complete = self._ids() <= self._emergency.keys()
+        if self.engaged and before and is_complete and not any(self._emergency.values()):
+            self._end_stop()  # another hub has released all
 
 
 def stop(link: Link) -> None:
