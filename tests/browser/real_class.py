@@ -47,6 +47,10 @@ class RealClass:
         """The hub's, for whoever sits at the teacher's computer."""
         return f"http://localhost:{self.port}/"
 
+    def port_of(self, robot: str) -> int:
+        """Return the port of a robot's own page."""
+        return self._ports[robot]
+
     def _serves(self):
         with suppress(OSError), socket.create_connection(("localhost", self.port), 1.0):
             return True

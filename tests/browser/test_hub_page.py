@@ -17,6 +17,8 @@ from .test_page import DESKTOP, FINGER, MOUSE
 ONE, OTHER, THIRD = ROBOTS = "jetbot_01", "jetbot_02", "jetbot_03"
 PHONE, UPRIGHT, LYING = (360, 640), (820, 1180), (1024, 768)  # px
 BACK_WITHIN = 60.0  # s until a robot's programs have started
+CARDS = """return [...document.querySelectorAll("#codes-list li")].map((card) => ["h3", ".address", ".code"].map(
+  (part) => card.querySelector(part).textContent))"""
 ROW = "#fleet li[data-robot='/{}']"
 
 
@@ -103,6 +105,15 @@ def test_stop_names_the_robot_that_was_killed_until_it_is_back_and_stopped(page,
     page.wait_for(lambda: level(page, THIRD) != "stopped", "the release")
     hold(page, robots, THIRD)
     page.lift()
+
+
+def test_the_cards_open_by_themselves_with_each_robots_own_address(page, robots):
+    page.open(f"{robots.address}?codes")
+    page.wait_for(lambda: len(page.run(CARDS)) == len(ROBOTS), "a card of each robot")
+    cards = page.run(CARDS)
+    assert [card[0] for card in cards] == list(ROBOTS)
+    assert [card[1].rstrip("/").rpartition(":")[2] for card in cards] == [str(robots.port_of(each)) for each in ROBOTS]
+    assert all(card[2] for card in cards) and page.driver.current_url == robots.address
 
 
 def test_a_program_of_the_hubs_page_drives_its_robot_is_kept_there_and_the_class_sheet_lists_it(page, robots, tmp_path):

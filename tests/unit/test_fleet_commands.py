@@ -108,6 +108,16 @@ def test_a_name_that_a_robot_has_which_answers_goes_to_no_other(monkeypatch, cap
     assert ("jetbot_01 is the robot at a:8080, which answers" in said) == (listed == "me@a")
 
 
+def test_a_robot_with_another_address_is_reached_there_by_ssh_too(monkeypatch, capsys):
+    added(monkeypatch, capsys, [], "me@a", "--name", "jetbot_01")
+    classes.open_class("7b", False).remember("jetbot_01", "10.0.0.7:8080")
+    entry, = classes.open_class("7b", False).robots
+    assert entry.ssh == "me@10.0.0.7" and commands.connected(classes.open_class("7b", False), entry).host == "10.0.0.7"
+    assert table([Answer(entry, problem="", state=STATE, address="10.0.0.7:8080")]).split()[7] == "10.0.0.7:8080"
+    typed(capsys, "add", "jetbot_01", "--address", "10.0.0.9:81")
+    assert classes.open_class("7b", False).robots == [Entry("jetbot_01", "10.0.0.9:81", "me@10.0.0.9")]
+
+
 def test_a_robot_that_is_named_again_is_listed_once(monkeypatch, capsys):
     added(monkeypatch, capsys, [], "me@a", "--name", "jetbot_04")
     assert [each.name for each in added(monkeypatch, capsys, [], "me@a", "--name", "jetbot_03")[1]] == ["jetbot_03"]
@@ -123,6 +133,18 @@ def test_the_key_of_a_removed_robot_is_void_also_when_another_gets_its_name(caps
     assert key("jetbot_07") != stolen
     typed(capsys, "add", "jetbot_07", "--address", "10.0.0.9")
     assert key("jetbot_07") != stolen and key("jetbot_08") == other
+
+
+@pytest.mark.parametrize("runs, opened, started", [
+    (True, ["http://localhost:81/?codes"], []), (False, [], [(81, "--open", "?codes")])])
+def test_the_cards_open_on_the_hub_that_runs_or_on_a_new_one(monkeypatch, capsys, runs, opened, started):
+    pages, hubs = [], []
+    monkeypatch.setattr(commands, "is_free", lambda port: not runs)
+    monkeypatch.setattr(commands, "open_browser", pages.append)
+    monkeypatch.setattr(commands, "hub", lambda fleet, given, *opened: hubs.append((given.port, *opened)))
+    typed(capsys, "--class", "7b", "key", "jetbot_07")
+    assert "http://localhost:81/?codes, then Print on paper" in typed(capsys, "cards", "--port", "81")[1]
+    assert (pages, hubs) == (opened, started)
 
 
 def test_two_classes_are_named_where_one_is_missing(capsys):

@@ -9,6 +9,7 @@ import sys
 import threading
 import time
 from pathlib import Path
+from typing import Optional
 
 for folder in Path(__file__).resolve().parents[2].glob("*/src"):  # no catkin has put it on the path
     sys.path.insert(0, str(folder))
@@ -21,6 +22,7 @@ from jetbot_cockpit.web import addresses
 from jetbot_cockpit.web.access import Access
 from jetbot_cockpit.web.announcement import Announcement
 from jetbot_cockpit.web.codes import Codes
+from jetbot_cockpit.web.handout import open_browser
 from jetbot_cockpit.web.server import Server
 from jetbot_cockpit.web.work import Work
 from jetbot_ros.contract import COCKPIT_PORT
@@ -29,11 +31,15 @@ POLL_INTERVAL = 0.25  # s
 
 
 class Program:
-    """The page's server, and what the terminal shows. Raise JetbotError if it cannot start."""
+    """The page's server, and what the terminal shows. Raise JetbotError if it cannot start.
 
-    def __init__(self, fleet: Fleet, port: int, lan: bool):
+    opens: the address below the page's that is opened in a browser, or None.
+    """
+
+    def __init__(self, fleet: Fleet, port: int, lan: bool, opens: Optional[str] = None):
         sockets = addresses.listen(port, lan)
         port = sockets[0].getsockname()[1]
+        self.opens = opens if opens is None else f"http://localhost:{port}/{opens}"
         self.codes = Codes(fleet, [] if lan else None, addresses.lan_addresses, port, for_pupils=False)
         self.announcement = Announcement(self.codes, port, 0)
         self.access = Access(port, addresses.host_names() if lan else [], self.codes.grants)
@@ -47,6 +53,8 @@ class Program:
         for number in signal.SIGINT, signal.SIGTERM:
             signal.signal(number, lambda *_: ended.set())
         self.server.start()
+        if self.opens:
+            open_browser(self.opens)
         while self.server.is_alive() and not ended.wait(POLL_INTERVAL):
             self.show(time.monotonic())
         self.server.end()
@@ -67,9 +75,10 @@ def main() -> None:
     parser.add_argument("--classes", default=FOLDER, help="the folder where classes are kept (%(default)s)")
     parser.add_argument("--port", type=int, default=COCKPIT_PORT, help="TCP port of the page (%(default)s)")
     parser.add_argument("--lan", action="store_true", help="other computers may use the page, with a code")
+    parser.add_argument("--open", help="what of the page to open in a browser, such as ?codes")
     given = parser.parse_args()
     try:
-        Program(Fleet(given.classes, given.name), given.port, given.lan).run()
+        Program(Fleet(given.classes, given.name), given.port, given.lan, given.open).run()
     except JetbotError as error:
         sys.exit(str(error))
     os._exit(0)  # a name that is being looked up would delay the end

@@ -13,6 +13,7 @@ import { showView } from "./views.js";
 const QUIET_ZONE = 2; // modules around the 2 that a QR code has already
 const NO_CODES = t("Only this computer can open this page now. "
   + "Start the cockpit with lan:=true to get codes for others.");
+const ASK_INTERVAL = 1000; // ms
 const CARDS = { teacher: t("teacher"), pupils: t("pupils") }; // of no robot
 const HOW = t("Scan a code, or open the address and type the code.");
 
@@ -21,6 +22,7 @@ export class Codes {
   codes = [];
   /** @type {string | null} */
   large = null; // the label of the one that is shown alone
+  askedAt = 0; // ms
 
   /** @param {World} world @param {Send} send */
   constructor(world, send) {
@@ -40,7 +42,28 @@ export class Codes {
   // A person has opened them.
   open() {
     this.enlarge(null);
+    this.ask();
+  }
+
+  ask() {
+    this.askedAt = performance.now();
     this.send({ type: "codes" });
+  }
+
+  // ./morbot fleet cards opens the page with them.
+  openIfAddressed() {
+    if (location.search !== "?codes") return;
+    history.replaceState(history.state, "", location.pathname);
+    element("show-codes").click();
+  }
+
+  // A robot of a hub that is connected only now has a card, too; nobody's typing is disturbed.
+  complete() {
+    const shown = this.codes.map(({ robot }) => robot);
+    const missing = ({ id, address }) => address && this.world.state(id).answers && !shown.includes(id);
+    const wanted = document.body.dataset.view === "codes" && !this.large && this.world.robots.some(missing)
+      && !nameFields().some((field) => field === document.activeElement);
+    if (wanted && performance.now() - this.askedAt > ASK_INTERVAL) this.ask();
   }
 
   // What the cockpit has sent: all codes, or the answer to a new one.

@@ -26,6 +26,7 @@ const shell = new Shell({
     hello() {
       camera.forget();
       showScores([]);
+      codes.openIfAddressed();
     },
     robots() {
       if (driving.active && !world.robot(driven)) driving.lift();
@@ -35,6 +36,7 @@ const shell = new Shell({
     state() {
       noticeLostLease();
       fitOnce();
+      codes.complete();
     },
     scores: ({ scores }) => showScores(scores),
     lift(message) {

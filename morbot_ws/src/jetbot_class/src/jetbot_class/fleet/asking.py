@@ -14,7 +14,10 @@ INTERVAL = 0.05  # s
 
 
 class Answer(NamedTuple):
-    """What a robot has said. version: a commit or ""; delay: s there and back; state: see the message "state"."""
+    """What a robot has said. version: a commit or ""; delay: s there and back; state: see the message "state".
+
+    address: HOST:PORT where it answers, or "".
+    """
 
     entry: Entry
     version: str = ""
@@ -22,6 +25,7 @@ class Answer(NamedTuple):
     state: Optional[Dict[str, Any]] = None
     emergency: bool = False
     problem: str = "no answer"
+    address: str = ""
 
     def is_well(self) -> bool:
         """Return whether the robot has said what it does, and its controller answers."""
@@ -85,4 +89,4 @@ def _answer(entry: Entry, link: Link, message: dict) -> Answer:
     robots, robot = message.get("robots"), f"/{entry.name}"
     state = message and completed(robots.get(robot) if isinstance(robots, dict) else None,
                       absent_state(robot, no_answer(robot)), ROBOT_STATE)
-    return Answer(entry, link.version, link.delay, state or None, message.get("emergency") is True, "")
+    return Answer(entry, link.version, link.delay, state or None, message.get("emergency") is True, "", link.address)

@@ -10,6 +10,9 @@ from typing import Any, Callable, Dict, List, NamedTuple, Tuple
 from jetbot import JetbotError
 from jetbot.text import enumeration, printable
 from jetbot_cockpit.remote.fleet import Entry, Fleet
+from jetbot_cockpit.web.handout import open_browser
+from jetbot_ros.contract import COCKPIT_PORT
+from jetbot_ros.ports import is_free
 
 from ..robot.service import port_of
 from ..robot.words import known_arguments, split_arguments
@@ -20,6 +23,7 @@ from .ssh import Failed, Ssh, checkout
 from .table import SHORT, table
 
 HUB = ROOT / "morbot_ws/src/jetbot_cockpit/scripts/hub.py"
+CODES = "?codes"  # where the page shows the cards
 ADDRESS = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*(:[0-9]{1,5})?")
 LOGIN = re.compile(r"([A-Za-z0-9_][A-Za-z0-9._-]*@)?[A-Za-z0-9][A-Za-z0-9._-]*")  # nothing that ssh takes as an option
 ON_ROBOT = "there: ./morbot robot --off --forget"
@@ -39,8 +43,9 @@ def add(fleet: Fleet, given: Any) -> int:
     """Install and name a robot over ssh; with --address, only list it."""
     if given.address:
         check_name(given.host)
+        entry = Entry(given.host, matching(ADDRESS, given.address, "an address, HOST or HOST:PORT"))
         login = next((each.login for each in fleet.robots if each.name == given.host), "")
-        enlist(fleet, Entry(given.host, matching(ADDRESS, given.address, "an address, HOST or HOST:PORT"), login))
+        enlist(fleet, entry._replace(login=entry._replace(login=login, last=entry.authority).ssh))
         print(f"{given.host} is listed at {given.address}. Its key: ./morbot fleet --class {fleet.name} key "
               f"{given.host}")
         return 0
@@ -108,16 +113,26 @@ def connected(fleet: Fleet, entry: Entry) -> Ssh:
     """Return a connection to a robot. Raise Failed if it is only listed."""
     if not entry.login:
         raise Failed(f"{entry.name} is only listed, with no login for ssh")
-    return Ssh(entry.login, fleet.path.parent)
+    return Ssh(entry.ssh, fleet.path.parent)
 
 
-def hub(fleet: Fleet, given: Any) -> int:
-    """Serve the class's page."""
+def hub(fleet: Fleet, given: Any, *opened: str) -> int:
+    """Serve the class's page. opened: the arguments of hub.py for the browser."""
     command = [sys.executable, str(HUB), "--class", fleet.name, *(["--lan"] if given.lan else []),
-               *(["--port", str(given.port)] if given.port else [])]
+               "--port", str(given.port), *opened]
     if os.name == "posix":
         os.execv(sys.executable, command)  # who ends this ends the hub
     return subprocess.call(command)
+
+
+def cards(fleet: Fleet, given: Any) -> int:
+    """Open the cards in the browser: on the page of the hub that runs, or else of a new one."""
+    page = f"http://localhost:{given.port}/{CODES}"
+    print(f"The cards: {page}, then Print on paper.", flush=True)
+    if is_free(given.port):
+        return hub(fleet, given, "--open", CODES)
+    open_browser(page)
+    return 0
 
 
 def key(fleet: Fleet, given: Any) -> int:
@@ -163,6 +178,9 @@ class Command(NamedTuple):
 
 
 ROBOT = ("robot", {"metavar": "NAME"})
+HUB_OPTIONS = (
+    ("--lan", {"action": "store_true", "help": "for other computers in the network too"}),
+    ("--port", {"type": int, "default": COCKPIT_PORT, "help": "TCP port (default: %(default)s)"}))
 COMMANDS = {
     "": Command(show, "print the table"),
     "add": Command(add, "install and name a robot over ssh, and list it", (
@@ -177,9 +195,8 @@ COMMANDS = {
                       "help": "until a robot has to answer with it (default: %(default)g)"}))),
     "log": Command(log, "print a robot's log", (
         ROBOT, ("-f", {"dest": "follow", "action": "store_true", "help": "and go on"}))),
-    "hub": Command(hub, "serve the page of the class, with its cards", (
-        ("--lan", {"action": "store_true", "help": "for other computers in the network too"}),
-        ("--port", {"type": int, "help": "TCP port (default: 8080)"}))),
+    "hub": Command(hub, "serve the page of the class", HUB_OPTIONS),
+    "cards": Command(cards, "open a card for each robot in the browser, to print", HUB_OPTIONS),
     "key": Command(key, "print robots' keys, to be typed at ./morbot robot", (
         ("robot", {"metavar": "NAME", "nargs": "?"}),), makes=True),
     "remove": Command(remove, "take a robot from the list", (ROBOT,)),

@@ -33,7 +33,7 @@ def update(fleet: Fleet, entry: Entry, commit: str, force: bool = False, within:
     if not entry.login:
         raise Failed(f"it is only listed: ./morbot fleet add HOST --name {entry.name}")
     check_free(fleet, entry, force)
-    with Ssh(entry.login, fleet.path.parent) as robot:
+    with Ssh(entry.ssh, fleet.path.parent) as robot:
         robot.push(ROOT, commit)
         robot.run("build", commit)
         robot.run("check", commit)

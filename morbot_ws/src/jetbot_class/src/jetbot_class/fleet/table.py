@@ -20,7 +20,9 @@ def battery(answer: Answer) -> str:
 def row(answer: Answer) -> List[str]:
     """Return what the table says of a robot, a text for each of HEADS."""
     delay = "" if answer.delay is None else f"{1000 * answer.delay:.0f} ms"
-    cells = (answer.entry.name, answer.entry.address, answer.version[:SHORT], battery(answer), delay, answer.text())
+    entry = answer.entry
+    address = entry.address if answer.address in ("", entry.authority) else answer.address
+    cells = (entry.name, address, answer.version[:SHORT], battery(answer), delay, answer.text())
     return [printable(cell) for cell in cells]
 
 

@@ -34,6 +34,12 @@ class Entry(NamedTuple):
         return self.address if ":" in self.address else f"{self.address}:{COCKPIT_PORT}"
 
     @property
+    def ssh(self) -> str:
+        """``login`` with the host where it has proven its name last."""
+        user, at, _ = self.login.rpartition("@")
+        return user + at + self.last.rpartition(":")[0].strip("[]") if self.login and self.last else self.login
+
+    @property
     def authorities(self) -> Tuple[str, ...]:
         """HOST:PORT of each place where it may be."""
         return tuple(dict.fromkeys([self.authority, *filter(None, [self.last])]))

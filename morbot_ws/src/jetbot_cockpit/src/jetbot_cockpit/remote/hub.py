@@ -226,7 +226,8 @@ class Hub:
 
     def _to_all(self, page, message, text, now):
         for link in page.links.values():
-            link.send(text)
+            if link.robot:  # else it would come before the proof
+                link.send(text)
 
     def _to_one_or_all(self, page, message, text, now):
         if message.robot is None:
