@@ -32,7 +32,7 @@ class Control(StandIn):
 
     def __init__(self, robot):
         super().__init__()
-        self.robot, self.stopped = robot, False
+        self.robot, self.stopped, self.problem = robot, False, None
 
     def stop(self, client, robot):
         super().stop(client, robot)

@@ -208,3 +208,40 @@ def test_a_message_that_is_too_deep_ends_its_connection_alone(bob, hub, page):
     hears(page, "bob sends too much: its connection was closed.")
     sees(page, answers=False)
     sees(page, answers=True)
+
+
+SCENE = {"type": "scene", "robot": ADA, "shapes": [{"kind": "wall", "width": 0.01, "points": 20000 * [[1.0, 2.0]]}]}
+
+
+def test_a_robot_that_sends_too_much_is_disconnected_and_the_others_are_not(hub, ada, bob):
+    ada.say(**SCENE)
+    assert wait_until(lambda: "ada sends too much: its connection was closed." in hub.hub.log, WITHIN), hub.hub.log
+    assert BOB in hub.hub._robots.connected()
+    assert hub.hub._tables.messages() == []
+
+
+def test_a_trail_that_is_longer_than_documented_is_dropped(hub, ada):
+    trail = {"type": "trail", "robot": ADA, "start": None}
+    for points in 501, 500:
+        ada.say(**trail, points=points * [[0.0, 1.0]])
+    assert wait_until(lambda: hub.hub._tables.messages(), WITHIN)
+    assert [len(said["points"]) for said in hub.hub._tables.messages()] == [500]
+
+
+def nested(levels):
+    said = GRAB
+    for _ in range(levels):
+        said = {**GRAB, "arguments": {"a": said}}
+    return said
+
+
+@pytest.mark.parametrize("levels", [20, 100, 150, 300])
+def test_a_sentence_in_a_sentence_in_a_sentence_leaves_no_error_in_the_log(hub, ada, levels, caplog):
+    page = open_page(hub)
+    ada.say(type="notice", **nested(levels))
+    ada.say(type="lift", robot=ADA, **nested(levels))
+    ada.say(type="notice", **GRAB)
+    page.receive_until(lambda said: said["type"] == "state")
+    page.send({"type": "stop"})
+    page.receive_until(lambda said: said["type"] == "state" and said["emergency"] and not said["unconfirmed"])
+    assert [record.getMessage() for record in caplog.records if record.levelname == "ERROR"] == []

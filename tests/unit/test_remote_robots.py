@@ -103,6 +103,37 @@ def test_another_hubs_release_of_all_ends_the_stop_here_and_one_at_a_robot_does_
         assert lesson.hub.engaged == (count < 3)
 
 
+def test_a_release_at_the_only_robot_that_is_there_leaves_the_stop_for_those_that_come_back(lesson):
+    lesson.connect("ada")
+    lesson.hub.stop_all()
+    lesson.links["ada"].report()
+    lesson.robots["ada"].stopped = False
+    lesson.links["ada"].report()
+    assert lesson.hub.unconfirmed() == ["/ada", "/bob", "/cleo"]
+    lesson.connect("bob")
+    assert lesson.robots["bob"].stopped
+
+
+def test_a_hub_that_is_killed_leaves_its_stop_to_the_next_one(lesson):
+    lesson.connect("ada")
+    lesson.hub.stop_all()
+    lesson.hub = lesson.new_hub()
+    assert lesson.hub.emergency
+    lesson.connect("bob")
+    assert lesson.robots["bob"].stopped
+    lesson.hub.release_all()
+    assert not lesson.new_hub().emergency
+
+
+def test_a_robot_that_comes_back_is_not_shown_as_it_was_before(lesson):
+    lesson.connect()
+    lesson.hub.stop_all()
+    lesson.links["ada"].report()
+    lesson.links["ada"].drop()
+    assert lesson.links["ada"].connect(FakeRobot("ada", instance="2"))
+    assert not lesson.hub.states()["/ada"]["answers"]
+
+
 def test_a_release_of_one_robot_leaves_the_stop_of_all(lesson):
     lesson.connect()
     lesson.hub.stop_all()
@@ -290,6 +321,12 @@ class Stops(RuleBasedStateMachine):
     @rule(name=st.sampled_from(NAMES))
     def report(self, name):
         self.lesson.links[name].report()
+
+    @rule()
+    def kill(self):
+        for link in self.lesson.links.values():
+            link.close()
+        self.lesson.hub = self.lesson.new_hub()
 
     @rule()
     def tick(self):

@@ -23,8 +23,9 @@ REPORTED = "twice", "forged", "relayed", "wrong_key", "too_much"  # problems tha
 class RemoteRobots:
     """All robots of a fleet. engaged: whether the emergency stop of all robots was engaged here.
 
-    A robot that comes back meanwhile is stopped before all else. found: returns the addresses, HOST:PORT, where robots
-    announce themselves; receive: is called with a robot's id and each message that is not about robots and states.
+    A robot that comes back meanwhile is stopped before all else, also by the next hub, if this one ends. found: returns
+    the addresses, HOST:PORT, where robots announce themselves; receive: is called with a robot's id and each message
+    that is not about robots and states.
     """
 
     def __init__(self, fleet: Fleet, receive: Callable[[str, dict], None], make_link: Callable[..., Link] = Link,
@@ -98,9 +99,12 @@ class RemoteRobots:
 
     def release_all(self) -> None:
         """End that."""
-        self.engaged = False
         for link in self._links.values():
             link.send({"type": "release"})
+        self._end_stop()
+
+    def _end_stop(self) -> None:
+        self.engaged = False
         self._fleet.keep(STOP, False)
 
     def stop(self, robot: str) -> bool:
@@ -221,9 +225,9 @@ class RemoteRobots:
         self._heard_since_stop.add(robot)
         before = self._emergency.get(robot)
         self._emergency[robot] = message.get("emergency") is True
-        if self.engaged and before and not any(self._emergency.values()) and self._ids() <= self._emergency.keys():
-            self.engaged = False  # another hub has released all, and none is away
-            self._fleet.keep(STOP, False)
+        is_complete = self._ids() <= self._emergency.keys()
+        if self.engaged and before and is_complete and not any(self._emergency.values()):
+            self._end_stop()  # another hub has released all
 
 
 def stop(link: Link) -> None:
