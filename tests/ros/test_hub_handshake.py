@@ -226,9 +226,10 @@ def test_a_clone_is_named_and_the_first_robot_stays(fleet, make_hub):
     text = f"Two robots are called jetbot_01: {first.address} and {clone.address}. Give one another name."
     assert wait_until(lambda: "/jetbot_02" in hub.hub._robots.states() and status(hub, "/jetbot_02") == text, WITHIN)
     page = hub.page()
+    page.send({"type": "drive", "robot": "/jetbot_01", "forward": 1, "left": 0})
     page.send({"type": "stop"})
-    assert wait_until(lambda: first.control.stopped, WITHIN)
+    assert wait_until(lambda: first.control.stopped and clone.control.stopped, WITHIN)
     page.close()
-    assert clone.control.handled == []
+    assert {message.type for _, message in clone.control.handled} == {"stop"}
     for robot in first, clone:
         robot.server.end()

@@ -46,10 +46,9 @@ class FakeLink:
     def connect(self, peer):
         """The robot has proven its name."""
         self.peer, self.robot, self.instance, self.frozen = peer, peer.name, peer.instance, False
+        self.problem = None
         if not self._accept(self):
             self.drop(self.problem)
-        else:
-            self.problem = None
         return bool(self.robot)
 
     def drop(self, problem=None):

@@ -1,5 +1,7 @@
 """The robots of a hub: their stop reaches those that come back, and no robot passes as another."""
 
+import itertools
+
 import pytest
 from hypothesis import settings
 from hypothesis import strategies as st
@@ -134,12 +136,64 @@ def test_of_two_robots_with_one_name_the_first_stays_and_the_second_is_named(les
     lesson.found.add("192.168.1.9:8080")
     lesson.hub.update(later())
     link = FakeLink.made[-1]
-    assert not link.connect(clone)
+    assert link.connect(clone)
     problem = "Two robots are called ada: ada.test:8080 and 192.168.1.9:8080. Give one another name."
     assert [str(each) for each in lesson.hub.take_problems()] == [problem]
     assert lesson.hub.take_problems() == []
     lesson.hub.stop("/ada")
     assert lesson.robots["ada"].commands and not clone.commands
+    assert lesson.hub.link("/ada") is lesson.links["ada"]
+
+
+def test_a_second_robot_with_a_name_is_stopped_and_released_with_all_and_takes_over_when_it_is_alone(lesson):
+    lesson.connect()
+    lesson.found.add("192.168.1.9:8080")
+    lesson.hub.update(later())
+    link, clone = FakeLink.made[-1], FakeRobot("ada", instance="2")
+    lesson.hub.stop_all()
+    link.connect(clone)
+    for name in NAMES:
+        lesson.links[name].report()
+    assert clone.stopped and lesson.hub.unconfirmed() == ["/ada"]
+    link.report()
+    assert lesson.hub.unconfirmed() == []
+    lesson.hub.release_all()
+    assert not clone.stopped
+    lesson.hub.stop_all()
+    assert clone.stopped
+    lesson.links["ada"].drop()
+    lesson.hub.update(later())
+    link.connect(clone)
+    assert lesson.hub.link("/ada") is link
+
+
+def test_a_stop_of_all_holds_for_robots_that_are_away_when_the_only_other_one_is_released_at_its_page(lesson):
+    lesson.connect("ada")
+    lesson.hub.stop_all()
+    lesson.links["ada"].report()
+    lesson.robots["ada"].stopped = False
+    lesson.links["ada"].report()
+    lesson.connect("bob")
+    assert lesson.hub.engaged and lesson.robots["bob"].stopped
+
+
+def test_the_next_hub_stops_robots_that_were_away_until_the_release(lesson):
+    lesson.connect("ada")
+    lesson.hub.stop_all()
+    lesson.hub = lesson.new_hub()
+    lesson.connect("bob")
+    assert lesson.robots["bob"].stopped
+    lesson.hub.release_all()
+    lesson.hub = lesson.new_hub()
+    lesson.connect("cleo")
+    assert not lesson.robots["cleo"].stopped
+
+
+def test_what_a_robot_did_before_it_was_away_is_not_shown_when_it_is_back(lesson):
+    lesson.connect()
+    lesson.links["ada"].drop()
+    lesson.links["ada"].connect(lesson.robots["ada"])
+    assert not lesson.hub.states()["/ada"]["answers"]
 
 
 def test_a_robot_with_a_new_address_replaces_its_dead_connection(lesson):
@@ -212,7 +266,7 @@ class Stops(RuleBasedStateMachine):
 
     def __init__(self):
         super().__init__()
-        self.lesson, self.stopped = Class(self.folder), False
+        self.lesson, self.stopped = Class(self.folder / str(next(self.numbers))), False
 
     @rule(name=st.sampled_from(NAMES))
     def come(self, name):
@@ -271,6 +325,6 @@ class Stops(RuleBasedStateMachine):
 
 
 def test_whatever_happens_a_stop_holds(tmp_path_factory):
-    Stops.folder = tmp_path_factory.mktemp("stops")
+    Stops.numbers, Stops.folder = itertools.count(), tmp_path_factory.mktemp("stops")
     Stops.TestCase.settings = settings(max_examples=100, stateful_step_count=30, deadline=None, database=None)
     Stops.TestCase().runTest()

@@ -165,12 +165,14 @@ class Link:
         self._size += size(data)
         if data is None:
             self._on_close()
-        elif self._count > MAX_RATE * PING_INTERVAL or self._size > MAX_TEXT_RATE * PING_INTERVAL:
-            self._refuse(say("too_much", robot=self.robot or self.address))
         elif not self._ended.is_set():
+            is_too_much = self._count > MAX_RATE * PING_INTERVAL or self._size > MAX_TEXT_RATE * PING_INTERVAL
             try:
-                self._take(data)
+                if not is_too_much:
+                    self._take(data)
             except RecursionError:  # a list in a list, and so on
+                is_too_much = True
+            if is_too_much:
                 self._refuse(say("too_much", robot=self.robot or self.address))
 
     def _on_close(self) -> None:
@@ -208,9 +210,8 @@ class Link:
         elif kind == "proof" and self._claimed and proves(
                 message.get("proof"), self._fleet.key_of(self._claimed), ROBOT, *self._handshake):
             self.robot, self.version = self._claimed, str(message.get("version", ""))[:MAX_TEXT]
-            if self._accept(self):
-                self.problem = None
-            else:
+            self.problem = None
+            if not self._accept(self):
                 self._refuse(self.problem)
         else:
             self._refuse(say("forged", address=self.address, robot=self._claimed or self.address))

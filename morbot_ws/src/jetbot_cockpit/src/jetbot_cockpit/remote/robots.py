@@ -16,6 +16,7 @@ from .fleet import Fleet
 from .link import Link
 
 CONFIRM_TIMEOUT = 0.5  # s in which a robot confirms a stop whose connection works
+STOP = "stop"  # by what name it is kept that all robots are stopped: also those that were away, by the next hub
 REPORTED = "twice", "forged", "relayed", "wrong_key", "too_much"  # problems that somebody must solve
 
 
@@ -35,7 +36,8 @@ class RemoteRobots:
         self._states: Dict[str, dict] = {}
         self._emergency: Dict[str, bool] = {}  # what each robot says of the stop of all, while it is connected
         self._reported: Dict[str, Notice] = {}  # by address
-        self.engaged, self._stopped_at = False, -math.inf
+        self.engaged = fleet.read(STOP, bool)
+        self._stopped_at = time.monotonic() if self.engaged else -math.inf
         self._heard_since_stop: Set[str] = set()
 
     def update(self, now: float) -> None:
@@ -48,11 +50,14 @@ class RemoteRobots:
         connected = {robot: {link.address} for robot, link in self.connected().items()}
         is_complete = all(f"/{entry.name}" in connected for entry in self._fleet.robots)
         places = [] if is_complete else [entry.authorities for entry in self._fleet.robots]  # one may have another's
-        wanted = self._found().union(*places, *connected.values())
+        wanted = self._found().union(*places, (link.address for link in self._links.values() if link.robot))
         for address in self._links.keys() - wanted:
             self._links.pop(address).close()
         for address in wanted - self._links.keys():
             self._links[address] = self._make_link(address, self._fleet, self._receive, self._accept)
+        for link in self._twins():
+            if not self.link(f"/{link.robot}"):
+                link.reconnect()  # it is the only one now
         if self.engaged and now - self._stopped_at > CONFIRM_TIMEOUT:
             self._hurry(now)
         self._emergency = {robot: value for robot, value in self._emergency.items() if self.link(robot)}
@@ -89,12 +94,14 @@ class RemoteRobots:
         for link in self._links.values():
             if link.robot:
                 stop(link)
+        self._fleet.keep(STOP, True)
 
     def release_all(self) -> None:
         """End that."""
         self.engaged = False
         for link in self._links.values():
             link.send({"type": "release"})
+        self._fleet.keep(STOP, False)
 
     def stop(self, robot: str) -> bool:
         """Stop one robot; return whether there is a connection."""
@@ -110,7 +117,8 @@ class RemoteRobots:
         """Return which robots have not said that the emergency stop of all robots, which is engaged, holds them."""
         held = {robot for robot in self._heard_since_stop
                 if self.link(robot) and EMERGENCY_STOP in self._states.get(robot, {}).get("holds", ())}
-        return sorted(self._ids() - held) if self.emergency else []
+        late = {f"/{link.robot}" for link in self._twins() if link.answered < self._stopped_at}
+        return sorted(self._ids() - held | late) if self.emergency else []
 
     def rows(self) -> List[dict]:
         """Return the robots of the message "robots"."""
@@ -152,6 +160,10 @@ class RemoteRobots:
             if robot in late and (link.is_backlogged() or not link.is_fresh(now)):
                 link.reconnect()
 
+    def _twins(self) -> List[Link]:
+        """Return the links to robots that have another's name: they are only stopped and released with all."""
+        return [link for link in self._links.values() if link.robot and self._owners.get(f"/{link.robot}") is not link]
+
     def _ids(self) -> Set[str]:
         return {f"/{entry.name}" for entry in self._fleet.robots} | self._owners.keys()
 
@@ -163,17 +175,20 @@ class RemoteRobots:
         return next(filter(None, problems), no_answer(robot))
 
     def _accept(self, link: Link) -> bool:
-        """Take a link to a robot that has proven its name, unless another link to this name is alive."""
+        """Take a link to a robot that has proven its name, also a second one of this name; not a second one to it."""
         robot = f"/{link.robot}"
         owner = self.link(robot)
         if owner and owner is not link and owner.is_fresh(time.monotonic()):
+            if self.engaged:
+                stop(link)
             link.problem = None if owner.instance == link.instance else say(
                 "twice", robot=link.robot, address=owner.address, other=link.address)
-            return False
+            return bool(link.problem)
         self._owners[robot] = link
         if owner and owner is not link:
             owner.reconnect()
         self._emergency.pop(robot, None)
+        self._states.pop(robot, None)
         self._heard_since_stop.discard(robot)
         if self.engaged:
             stop(link)
@@ -206,8 +221,9 @@ class RemoteRobots:
         self._heard_since_stop.add(robot)
         before = self._emergency.get(robot)
         self._emergency[robot] = message.get("emergency") is True
-        if self.engaged and before and not any(self._emergency.values()):
-            self.engaged = False  # another hub has released all
+        if self.engaged and before and not any(self._emergency.values()) and self._ids() <= self._emergency.keys():
+            self.engaged = False  # another hub has released all, and none is away
+            self._fleet.keep(STOP, False)
 
 
 def stop(link: Link) -> None:
