@@ -1,6 +1,8 @@
 """The page of a class of real robots, served by a hub: each robot has a ROS master and a cockpit of its own."""
 
 import json
+import re
+from base64 import b64decode
 
 import pytest
 
@@ -19,6 +21,7 @@ PHONE, UPRIGHT, LYING = (360, 640), (820, 1180), (1024, 768)  # px
 BACK_WITHIN = 60.0  # s until a robot's programs have started
 CARDS = """return [...document.querySelectorAll("#codes-list li")].map((card) => ["h3", ".address", ".code"].map(
   (part) => card.querySelector(part).textContent))"""
+PAGE = re.compile(rb"/Type\s*/Page\b")
 ROW = "#fleet li[data-robot='/{}']"
 
 
@@ -114,6 +117,20 @@ def test_the_cards_open_by_themselves_with_each_robots_own_address(page, robots)
     assert [card[0] for card in cards] == list(ROBOTS)
     assert [card[1].rstrip("/").rpartition(":")[2] for card in cards] == [str(robots.port_of(each)) for each in ROBOTS]
     assert all(card[2] for card in cards) and page.driver.current_url == robots.address
+
+
+def test_the_cards_of_fifteen_robots_are_one_sheet_of_paper(page):
+    receive_fleet(page)
+    page.click("#show-codes")
+    names = [f"jetbot_{number:02d}" for number in range(1, 16)]
+    page.receive({"type": "codes", "codes": [
+        {"label": name, "robot": f"/{name}", "role": "pupil", "url": f"http://192.168.100.{place + 100}:8080/#abcdef",
+         "code": "abcdef", "rows": ["01" * 14 + "0"] * 29} for place, name in enumerate(names)]})
+    assert [card[0] for card in page.run(CARDS)] == names and len({card[1] for card in page.run(CARDS)}) == 15
+    from selenium.webdriver.common.print_page_options import PrintOptions
+    a4 = PrintOptions()
+    a4.page_height, a4.page_width = 29.7, 21.0
+    assert len(PAGE.findall(b64decode(page.driver.print_page(a4)))) == 1
 
 
 def test_a_program_of_the_hubs_page_drives_its_robot_is_kept_there_and_the_class_sheet_lists_it(page, robots, tmp_path):

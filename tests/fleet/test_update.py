@@ -27,6 +27,8 @@ echo $! >"$HOME/pid"
 NAMED = """import subprocess, sys
 from pathlib import Path
 from jetbot_cockpit.remote import identity
+if sys.argv[1] == "--files":
+    sys.exit()
 robot, _, class_name, *_ = sys.argv[1:]
 identity.write(identity.Identity(robot, class_name, sys.stdin.read()))
 (Path.home() / ".local/share/morbot/current").symlink_to(Path(__file__).resolve().parents[4])

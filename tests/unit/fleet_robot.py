@@ -29,6 +29,7 @@ case $1 in
     setup) [ ! -e "$here/does_not_build" ] ;;
     doctor) [ ! -e "$here/ill" ] && [ ! -e "$HOME/ill" ] ;;
     robot)
+        [ "$2" != --files ] || { echo "${here##*/} robot --files" >>"$HOME/calls"; exit; }
         echo "robot $2 $3 $4 $5" >>"$HOME/calls"
         [ "$2" != --off ] || { rm "$HOME/.local/share/morbot/current"; exit; }
         cat >"$HOME/key"

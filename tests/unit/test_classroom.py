@@ -20,6 +20,7 @@ from jetbot_cockpit.classroom.classroom import Classroom, open_classroom
 from jetbot_cockpit.classroom.folder import CLASS_NAME, ClassFolder, Nowhere
 from jetbot_cockpit.classroom.program import Program, is_id, is_program_name
 from jetbot_cockpit.classroom.programs import Programs, Refused
+from jetbot_cockpit.remote.fleet import Fleet
 from jetbot_cockpit.web.access import make_grants, numbered
 
 IDS = [f"{number:016x}" for number in range(100)]
@@ -470,6 +471,13 @@ def test_a_class_is_forgotten_but_not_while_a_cockpit_has_it(classes, tmp_path):
                                                  "best scores of the class 7b.\n")
     assert not classes.path.exists()
     classes()
+
+
+def test_a_class_of_real_robots_keeps_its_key(tmp_path):
+    fleet = Fleet(str(tmp_path), "7b")
+    refused = forget("7b", "--classes", tmp_path, home=tmp_path)
+    assert refused.returncode == 1 and "which this deletes: ./morbot fleet --class 7b forget" in refused.stderr
+    assert Fleet(str(tmp_path), "7b").key == fleet.key
 
 
 @pytest.mark.parametrize("name, sentence", [("8a", "There is no class 8a"), ("../x", "is no name of a class"),

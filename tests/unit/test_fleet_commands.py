@@ -147,6 +147,16 @@ def test_the_cards_open_on_the_hub_that_runs_or_on_a_new_one(monkeypatch, capsys
     assert (pages, hubs) == (opened, started)
 
 
+@pytest.mark.parametrize("terminal, answer, deleted", [
+    (True, "7b", True), (True, "", False), (True, "7a", False), (False, "7b", False)])
+def test_a_class_is_forgotten_once_its_name_is_typed(monkeypatch, capsys, terminal, answer, deleted):
+    typed(capsys, "--class", "7b", "key", "jetbot_07")
+    monkeypatch.setattr(commands.sys.stdin, "isatty", lambda: terminal, raising=False)
+    monkeypatch.setattr("builtins.input", lambda question: answer)
+    code, said = typed(capsys, "forget")
+    assert (code == 0) == deleted == (classes.classes(classes.FOLDER) == []) == ("Deleted" in said)
+
+
 def test_two_classes_are_named_where_one_is_missing(capsys):
     typed(capsys, "--class", "7b", "key", "jetbot_07")
     typed(capsys, "--class", "8a", "key", "jetbot_07")
@@ -155,7 +165,7 @@ def test_two_classes_are_named_where_one_is_missing(capsys):
 
 def test_a_robot_without_ssh_is_not_updated_and_forgets_nothing(capsys):
     typed(capsys, "--class", "7b", "add", "jetbot_07", "--address", "127.0.0.1:1")
-    code, said = typed(capsys, "forget")
+    code, said = typed(capsys, "forget", "--yes")
     assert code == 1 and "still on jetbot_07" in said
     assert classes.open_class("7b", False).robots
 

@@ -44,12 +44,15 @@ def test_an_update_is_built_beside_the_old_version_and_two_versions_are_kept(add
     second = laptop.commit("second", news="1")
     code, said = laptop.fleet("update")
     assert code == 0 and f"jetbot_07 runs {second[:8]}" in said, said
+    files, restart = robot.calls()[-2:]
+    assert files.strip() == f"{second} robot --files" and restart.startswith("systemctl restart")
     assert robot.current() == second and robot.versions() == {first, second}
     third = laptop.commit("third", news="2")
     assert laptop.fleet("update")[0] == 0
     assert robot.current() == third and robot.versions() == {second, third}
-    restarts = len(robot.calls())
-    assert laptop.fleet("update")[0] == 0 and len(robot.calls()) == restarts  # it runs already
+    calls = robot.calls()
+    assert laptop.fleet("update")[0] == 0  # it runs already
+    assert [call.split()[1:] for call in robot.calls()[len(calls):]] == [["robot", "--files"]]
 
 
 @pytest.mark.parametrize("fault, said", [
@@ -61,6 +64,7 @@ def test_a_version_that_fails_leaves_the_old_one_running(added, fault, said):
     code, output = laptop.fleet("update", "--within", "2")
     assert code == 1 and said in output, output
     assert robot.current() == first
+    assert fault != "does_not_start" or robot.calls()[-2].strip() == f"{first} robot --files"
     lines = laptop.fleet()[1].splitlines()
     assert first[:8] in lines[1] and bad[:8] not in lines[1]
     fixed = laptop.without(fault)
@@ -128,11 +132,15 @@ def test_the_log_comes_over_ssh(added):
 def test_a_class_is_forgotten_on_its_robots_and_stays_where_one_is_out_of_reach(added):
     robot, laptop = added
     laptop.fleet("add", "--address", "127.0.0.1:9", "jetbot_08")
-    code, said = laptop.fleet("forget")
+    code, said = laptop.fleet("forget", "--yes")
     assert code == 1 and "still on jetbot_08" in said, said
     assert robot.calls()[-1].startswith("robot --off --forget")
+    laptop.fleet("add", "jetbot_07", "--address", "127.0.0.1")  # as if it was cut before the list was written
+    fleet = laptop.home / ".ros/morbot_classes/7b/fleet.json"
+    fleet.write_text(fleet.read_text().replace('"login": ""', '"login": "127.0.0.1"', 1))
+    assert "jetbot_07 has forgotten the class" in laptop.fleet("forget", "--yes")[1]
     assert laptop.fleet("remove", "jetbot_08")[0] == 0
-    assert laptop.fleet("forget")[0] == 0
+    assert laptop.fleet("forget", "--yes")[0] == 0
     assert not (laptop.home / ".ros/morbot_classes/7b").exists()
 
 

@@ -1,9 +1,12 @@
 """./morbot robot: one command makes a computer a robot of a class, changes it, and undoes all; also after a kill."""
 
+import shutil
 import xml.etree.ElementTree as ET
 
 import pytest
 from robot_computer import KEY, RobotComputer
+
+from conftest import ROOT
 
 NAMED = "jetbot_07", "--class", "7b"
 DROP_IN = "etc/systemd/system/jetbot.service.d/morbot.conf"
@@ -102,6 +105,20 @@ def test_typed_in_another_folder_that_one_runs(named):
     named.checkout("new")
     named.robot(*NAMED, stdin=KEY, FOLDER="new")
     assert named.runs() == str(named.folder / "new")
+
+
+def test_the_units_of_another_version_are_written_without_a_restart(named):
+    named.checkout("new")
+    (named.folder / "new/systemd").unlink()
+    shutil.copytree(ROOT / "systemd", named.folder / "new/systemd")
+    with (named.folder / "new/systemd/jetbot.service").open("a") as unit:
+        unit.write("# newer\n")
+    before = last_command(named)
+    assert named.robot("--files", FOLDER="new") == (0, "")
+    assert named.read("etc/systemd/system/jetbot.service").endswith("# newer\n") and last_command(named) == before
+    assert [call for call in named.calls() if call.startswith("systemctl")] == ["systemctl daemon-reload"]
+    assert named.robot("--files", FOLDER="new") == (0, "") and not named.calls()
+    assert named.robot("--files")[0] == 0 and "newer" not in named.read("etc/systemd/system/jetbot.service")
 
 
 @pytest.mark.parametrize("words, sentence", [

@@ -17,6 +17,8 @@ def main() -> str:
     name, path = printable(given.name), path_of(given.classes, given.name)
     if not given.name or not CLASS_NAME.accepts(given.name):
         return f"{name} is no name of a class, which has {CLASS_NAME.description}."
+    if (path / "fleet.json").exists():  # with the key that its robots have
+        return f"{name} is a class of real robots, which this deletes: ./morbot fleet --class {name} forget"
     try:
         count = forget(given.classes, given.name)
     except Busy:

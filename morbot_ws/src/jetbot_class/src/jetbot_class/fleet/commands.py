@@ -151,8 +151,20 @@ def remove(fleet: Fleet, given: Any) -> int:
     return 0
 
 
+def asked(question: str) -> str:
+    """Return what a person answers, or ""."""
+    try:
+        return input(question).strip() if sys.stdin.isatty() else ""
+    except EOFError:
+        return ""
+
+
 def forget(fleet: Fleet, given: Any) -> int:
-    """Delete the class on each robot, then here."""
+    """Delete the class on each robot, then here, once its name is typed."""
+    question = (f"This deletes the key, the codes and all programs of the class {fleet.name}, here and on "
+                f"{len(fleet.robots)} robots. To delete them, type {fleet.name}: ")
+    if not given.yes and asked(question) != fleet.name:
+        raise Failed("nothing is deleted; without a terminal, add --yes")
     def on_robot(entry: Entry) -> None:
         with connected(fleet, entry) as robot:
             robot.run("off")
@@ -200,7 +212,8 @@ COMMANDS = {
     "key": Command(key, "print robots' keys, to be typed at ./morbot robot", (
         ("robot", {"metavar": "NAME", "nargs": "?"}),), makes=True),
     "remove": Command(remove, "take a robot from the list", (ROBOT,)),
-    "forget": Command(forget, "delete the class on all robots, and here"),
+    "forget": Command(forget, "delete the class on all robots, and here", (
+        ("--yes", {"action": "store_true", "help": "without a question"}),)),
 }
 
 

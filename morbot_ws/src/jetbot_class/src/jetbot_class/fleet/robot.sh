@@ -67,6 +67,11 @@ link() {  # FOLDER NAME
     sync
 }
 
+# systemd's files are those of the version that runs; one from before --files keeps them.
+write_files() {
+    "$current/morbot" robot --files 9>&- || echo "morbot: this version keeps the service's files as they are" >&2
+}
+
 restart() {
     as_root systemctl restart $units 9>&-
 }
@@ -80,6 +85,7 @@ switch() {  # COMMIT [RUNNING]
         link "$before" "$base/previous"
         link "$versions/$1" "$current"
     fi
+    write_files
     [ "${2:-}" = "$1" ] || restart
 }
 
@@ -87,6 +93,7 @@ back() {
     alone
     before=$(readlink "$base/previous") || fail "there is no version to go back to"
     link "$before" "$current"
+    write_files
     restart
 }
 
@@ -113,7 +120,9 @@ name() {  # COMMIT ROBOT CLASS ARGUMENT...
     "$versions/$commit/morbot" robot "$robot" --class "$class" "$@" <"$base/key"
 }
 
+# The link is the last to go: without it, all is undone.
 off() {
+    [ -e "$current/morbot" ] || return 0
     "$current/morbot" robot --off --forget
 }
 

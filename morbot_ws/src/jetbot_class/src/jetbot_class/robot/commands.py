@@ -42,6 +42,7 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument("--class", dest="class_name", metavar="CLASS", help="the class's name, such as 7b")
     made.add_argument("--key-file", type=Path, metavar="FILE", help="file with the robot's own key")
     made.add_argument("--off", action="store_true", help="undo all; what the class has kept stays")
+    made.add_argument("--files", action="store_true", help="only write the service's files again, after an update")
     made.add_argument("--forget", action="store_true", help="with --off: delete what the class has kept here, too")
     return made
 
@@ -52,6 +53,8 @@ def main(arguments: List[str], computer: Optional[Computer] = None) -> int:
     computer = computer or Computer()
     if given.off:
         return off(computer, given.forget)
+    if given.files:
+        return rewrite(computer)
     if given.forget:
         refuse("--forget goes with --off", "It deletes what the class has kept on this robot.")
     if not given.words and not given.class_name and not given.key_file:
@@ -83,6 +86,15 @@ def name(computer: Computer, given: argparse.Namespace) -> int:
     computer.rename(host_of(robot), remembered.host)
     service.install(computer, service.files_of(identity, kept))
     return report(computer, identity, kept)
+
+
+def rewrite(computer: Computer) -> int:
+    """Let systemd know the service's files of this folder's version; the service goes on."""
+    identity = identities.read() or refuse("this computer is no robot of a class")
+    computer.require()
+    if service.write(computer, service.files_of(identity, memory.load().arguments)):
+        computer.systemctl("daemon-reload")
+    return 0
 
 
 def host_of(robot: str) -> str:
@@ -197,9 +209,9 @@ def off(computer: Computer, forget: bool) -> int:
         computer.as_root("gpasswd", "-d", getpass.getuser(), group, check=False)
     if forget and identity:
         forget_class(identity.class_name)
-    for file in (service.CURRENT, identities.FILE):
-        Path(file).expanduser().unlink(missing_ok=True)
+    Path(identities.FILE).expanduser().unlink(missing_ok=True)
     memory.forget()
+    Path(service.CURRENT).expanduser().unlink(missing_ok=True)
     print("This computer is no robot of a class any more, and starts none.")
     return 0
 

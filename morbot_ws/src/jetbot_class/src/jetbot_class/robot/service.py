@@ -88,14 +88,19 @@ def install(computer: Computer, files: Dict[str, str]) -> None:
     """Write the files, and start the service again; now, and with the computer. Raise Refused."""
     for folder in PUT_BY_USER:  # systemd makes only those writable that exist
         Path(folder).expanduser().mkdir(exist_ok=True)
-    for file, content in files.items():
-        if file != ANNOUNCEMENT or (computer.root / AVAHI).is_dir():
-            computer.put(file, content)
+    write(computer, files)
     link_current()
     os.sync()
     computer.systemctl("daemon-reload")
     computer.systemctl("enable", "--quiet", GUARD, ROBOT)
     computer.systemctl("restart", GUARD, ROBOT)
+
+
+def write(computer: Computer, files: Dict[str, str]) -> bool:
+    """Write the files; return whether any was another. Raise Refused."""
+    changed = [computer.put(file, content) for file, content in files.items()
+               if file != ANNOUNCEMENT or (computer.root / AVAHI).is_dir()]
+    return any(changed)
 
 
 def uninstall(computer: Computer) -> None:
