@@ -237,10 +237,15 @@ class Laptop:
 
     def fleet(self, *arguments, **environment):
         """Type a command; return (exit code, all that it printed)."""
-        done = subprocess.run([sys.executable, str(self.checkout / "morbot_ws/src/jetbot_class/scripts/fleet.py"),
-                               *arguments], env={**self.environment, **environment}, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=400, check=False)
-        return done.returncode, done.stdout
+        with self.begin(*arguments, **environment) as running:
+            said, _ = running.communicate(timeout=400)
+        return running.returncode, said
+
+    def begin(self, *arguments, **environment):
+        """Type a command; return its process."""
+        return subprocess.Popen([sys.executable, str(self.checkout / "morbot_ws/src/jetbot_class/scripts/fleet.py"),
+                                 *arguments], env={**self.environment, **environment}, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
 
 def wait(condition, explanation=str):

@@ -4,7 +4,7 @@ import shutil
 import stat
 
 import pytest
-from fleet_robot import check_cut, make_world
+from fleet_robot import check_cut, make_world, wait
 
 pytestmark = pytest.mark.skipif(not shutil.which("sshd", path="/usr/sbin:/usr/bin"), reason="needs openssh-server")
 
@@ -69,6 +69,30 @@ def test_a_version_that_fails_leaves_the_old_one_running(added, fault, said):
     assert first[:8] in lines[1] and bad[:8] not in lines[1]
     fixed = laptop.without(fault)
     assert laptop.fleet("update")[0] == 0 and robot.current() == fixed
+
+
+def test_of_two_versions_that_fail_the_one_that_has_answered_last_runs_again(added):
+    robot, laptop = added
+    good = laptop.commit("good", news="1")
+    assert laptop.fleet("update")[0] == 0
+    restarts = len(robot.calls())
+    bad = laptop.commit("bad", does_not_start="")
+    update = laptop.begin("update")
+    wait(lambda: robot.current() == bad and len(robot.calls()) > restarts)
+    update.kill()  # the lid of the laptop, while it waits
+    update.communicate()
+    laptop.commit("as bad", news="2")
+    code, said = laptop.fleet("update", "--within", "2")
+    assert code == 1 and "runs the old one again" in said, said
+    assert robot.current() == good and good[:8] in laptop.fleet()[1]
+
+
+def test_an_old_version_that_does_not_run_either_is_named(added):
+    robot, laptop = added
+    (robot.morbot / "current/does_not_start").touch()
+    laptop.commit("bad", does_not_start="")
+    code, said = laptop.fleet("update", "--within", "2")
+    assert code == 1 and "nor with the old one: ./morbot fleet log jetbot_07" in said, said
 
 
 def test_a_fault_that_the_old_version_finds_too_hinders_no_update(added):

@@ -41,7 +41,9 @@ def update(fleet: Fleet, entry: Entry, commit: str, force: bool = False, within:
         robot.run("switch", commit, before.version)
         if not runs(fleet, entry, commit, within):
             robot.run("back")
-            raise Failed(f"it did not answer within {within:g} s with the new version, and runs the old one again")
+            raise Failed(f"it did not answer within {within:g} s with the new version, " + (
+                "and runs the old one again" if is_back(fleet, entry, commit, within) else
+                f"nor with the old one: ./morbot fleet log {entry.name}"))
         robot.run("tidy")
 
 
@@ -57,4 +59,11 @@ def runs(fleet: Fleet, entry: Entry, commit: str, within: float = RUNS_WITHIN) -
     """Return whether the robot answers with this version, within so many s."""
     def until(answer: Answer) -> bool:
         return answer.is_well() and answer.version == commit
+    return until(ask(fleet, [entry], within, until)[0])
+
+
+def is_back(fleet: Fleet, entry: Entry, commit: str, within: float) -> bool:
+    """Return whether the robot answers with another version, within so many s."""
+    def until(answer: Answer) -> bool:
+        return answer.is_well() and answer.version != commit
     return until(ask(fleet, [entry], within, until)[0])

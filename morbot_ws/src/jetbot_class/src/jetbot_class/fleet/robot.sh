@@ -76,13 +76,14 @@ restart() {
     as_root systemctl restart $units 9>&-
 }
 
-# Lets a version run from now on. RUNNING: the commit that runs, which need not be what "current" leads to.
+# Lets a version run from now on. RUNNING: the commit that answers, which need not be what "current" leads to: one that
+# has never answered is not what to go back to.
 switch() {  # COMMIT [RUNNING]
     alone
     [ -e "$versions/$1/whole" ] || fail "the new version is not whole"
     before=$(readlink "$current") || fail "this robot was not set up by ./morbot robot: ./morbot fleet add does that"
     if [ "$before" != "$versions/$1" ]; then
-        link "$before" "$base/previous"
+        [ "$before" != "$versions/${2:-}" ] && [ -e "$base/previous/whole" ] || link "$before" "$base/previous"
         link "$versions/$1" "$current"
     fi
     write_files
