@@ -1,8 +1,9 @@
 """The pages of a hub: what they ask for goes to the robots' cockpits, and what those say comes back as one class.
 
 A hub decides nothing: who drives, who is stopped and what is kept is known at each robot. Only that all are stopped, it
-keeps for those that are away. So a hub may be killed, and there may be several. A page has a link of its own to each robot, and is there what it is here: a person, with leases of
-its own, whose robot stops when the page is gone. Times are monotonic seconds.
+keeps for those that are away. So a hub may be killed, and there may be several. A page has a link of its own to each
+robot, and is there what it is here: a person, with leases of its own, whose robot stops when the page is gone. Times
+are monotonic seconds.
 """
 
 import itertools
