@@ -60,7 +60,7 @@ class CockpitLaunch(RobotTest):
         self.wait_for(self.is_served, START_TIMEOUT, "the page")
         self.wait_for(lambda: opened.exists() and opened.read_text(), START_TIMEOUT, "the browser")
         self.assertEqual(opened.read_text().split(), [self.address()])
-        self.assertIn(f" {self.address()}\n", read(run))
+        self.wait_for(lambda: f" {self.address()}\n" in read(run), START_TIMEOUT, "the address")
         self.wait_for_wheels(0.4, 0.6, START_TIMEOUT)
         os.kill(pid("/jetbot_cockpit"), signal.SIGKILL)
         self.wait_for(lambda: "process has died" in read(run), START_TIMEOUT, "the cockpit's end")
