@@ -148,6 +148,13 @@ def test_a_program_of_the_hubs_page_drives_its_robot_is_kept_there_and_the_class
     assert all(robot in page.text("score-table") for robot in ROBOTS)
 
 
+def test_the_class_sheet_names_the_robot_whose_programs_it_lacks(page, robots):
+    page.open(f"{robots.address}program", ONE)
+    receive_fleet(page)
+    page.click("#overview-button")
+    page.wait_for_text("overview-problem", "Out of reach, so their programs are missing here: jetbot_09")
+
+
 def test_a_class_of_fifteen_is_seen_at_a_glance_with_what_to_do_before_the_lesson(page):
     for screen in DESKTOP, LYING:
         page.resize(*screen, touch=screen != DESKTOP)

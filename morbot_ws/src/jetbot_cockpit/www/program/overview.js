@@ -55,8 +55,14 @@ export class Overview {
     this.act(async () => {
       const rows = await allPrograms();
       element("all-programs").replaceChildren(...rows.map((each) => this.item(each)));
-      return rows.length ? "" : t("No robot has a program yet.");
+      return this.lacking() || (rows.length ? "" : t("No robot has a program yet."));
     });
+  }
+
+  // Returns whose programs are missing because the robot is out of reach, or "".
+  lacking() {
+    const robots = this.world.robots.filter(({ id }) => this.world.isAway(id)).map(({ label }) => label).join(", ");
+    return robots && t("Out of reach, so their programs are missing here: {robots}", { robots });
   }
 
   // Says what the action returns, or why the cockpit refuses it.
@@ -87,7 +93,10 @@ export class Overview {
       const path = `${plain(this.owner(robot))}/${index + 1}_${plain(name)}.json`;
       files.push({ name: path, text: program });
     }
+    const lacking = this.lacking();
+    if (lacking) files.push({ name: "missing.txt", text: lacking });
     download("programs.txt", archive("programs", files), "text/plain");
+    return lacking;
   }
 }
 
