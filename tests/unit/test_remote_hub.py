@@ -4,13 +4,15 @@ import asyncio
 import json
 import subprocess
 import sys
+import threading
+from types import SimpleNamespace
 
 import pytest
 from remote_links import make_fleet
 
 from conftest import PACKAGES
 from jetbot.wait import wait_until
-from jetbot_cockpit.remote.finding import address_of
+from jetbot_cockpit.remote.finding import Finder, address_of
 from jetbot_cockpit.remote.fleet import Fleet
 from jetbot_cockpit.remote.link import resolve
 from jetbot_cockpit.remote.tables import Tables
@@ -117,6 +119,45 @@ def test_a_robot_that_announces_itself_is_asked_if_it_says_this_class():
     assert address_of(Info(), "7b") == "192.168.1.9:8080"
     for other in Info(properties={}), Info(properties={b"class": b"8a"}), Info(addresses=()), Info(port=None):
         assert address_of(other, "7b") is None
+
+
+class Network:
+    """Stands for the module zeroconf. NAMES are announced; nobody has the address of one that begins with "ghost"."""
+
+    ServiceStateChange = SimpleNamespace(Added=object(), Removed=object())
+    NAMES = [*(f"ghost{number}" for number in range(60)), *map(str, range(1, 101))]
+
+    def __init__(self):
+        self.ended = threading.Event()
+
+    def Zeroconf(self):
+        return self
+
+    def close(self):
+        self.ended.set()
+
+    def ServiceBrowser(self, browsing, kind, handlers):
+        self.handler = handlers[0]
+        for name in self.NAMES:
+            self.handler(self, kind, name, self.ServiceStateChange.Added)
+
+    def get_service_info(self, kind, name, timeout):
+        if name.startswith("ghost"):
+            self.ended.wait()
+            return None
+        return Info(addresses=[f"192.168.1.{name}"])
+
+
+def test_robots_are_found_while_names_without_an_address_are_asked_for_and_only_so_many(monkeypatch):
+    network = Network()
+    monkeypatch.setitem(sys.modules, "zeroconf", network)
+    finder = Finder("7b", lambda: [])
+    assert wait_until(lambda: len(finder.found()) == 64, WITHIN)
+    assert wait_until(lambda: "192.168.1.100:8080" in finder.found(), WITHIN)
+    network.handler(network, "", "100", network.ServiceStateChange.Removed)
+    assert "192.168.1.100:8080" not in finder.found()
+    network.close()
+    finder.close()
 
 
 def score(robot, points):

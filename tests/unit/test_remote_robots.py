@@ -220,6 +220,17 @@ def test_the_next_hub_stops_robots_that_were_away_until_the_release(lesson):
     assert not lesson.robots["cleo"].stopped
 
 
+def test_robots_that_were_away_hear_what_the_cameras_switch_is_also_from_the_next_hub(lesson):
+    lesson.connect("ada")
+    lesson.hub.switch_cameras(False)
+    off = {"type": "cameras", "on": False}
+    assert off in lesson.robots["ada"].commands
+    lesson.connect("bob")
+    lesson.hub = lesson.new_hub()
+    lesson.connect("cleo")
+    assert off in lesson.robots["bob"].commands and off in lesson.robots["cleo"].commands
+
+
 def test_what_a_robot_did_before_it_was_away_is_not_shown_when_it_is_back(lesson):
     lesson.connect()
     lesson.links["ada"].drop()

@@ -5,11 +5,14 @@ An announcement proves nothing: it only says where to ask.
 
 import contextlib
 import threading
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Callable, Dict, List, Optional, Set
 
 SERVICE = "_morbot._tcp.local."
 INTERVAL = 2.0  # s between two looks at this computer's addresses
 TIMEOUT = 3000  # ms for the address of a robot
+MAX_ASKED = 64  # at the same time: anybody may announce what has no address
+MAX_FOUND = 64  # the newest: anybody may announce many
 
 
 class Finder:
@@ -17,7 +20,8 @@ class Finder:
 
     def __init__(self, class_name: str, addresses: Callable[[], List[str]]):
         self._class_name, self._addresses = class_name, addresses
-        self._found: Dict[str, str] = {}  # HOST:PORT, by the name of the service; replaced, never changed
+        self._found: Dict[str, str] = {}  # HOST:PORT, by the name of the service; the newest last
+        self._lock, self._askers = threading.Lock(), ThreadPoolExecutor(MAX_ASKED)
         self._ended = threading.Event()
         try:
             import zeroconf  # here: not every computer has it
@@ -28,7 +32,8 @@ class Finder:
 
     def found(self) -> Set[str]:
         """Return HOST:PORT of each robot that says it is of this class."""
-        return set(self._found.values())
+        with self._lock:
+            return set(list(self._found.values())[-MAX_FOUND:])
 
     def close(self) -> None:
         """Look no more."""
@@ -59,12 +64,21 @@ class Finder:
 
     def _on_change(self, zeroconf, service_type, name, state_change):
         if state_change is self._zeroconf.ServiceStateChange.Removed:
-            self._found = {other: address for other, address in self._found.items() if other != name}
-            return
+            self._keep(name, None)
+        else:
+            self._askers.submit(self._ask, zeroconf, service_type, name)
+
+    def _ask(self, zeroconf, service_type, name):
         info = zeroconf.get_service_info(service_type, name, TIMEOUT)
         address = address_of(info, self._class_name) if info else None
         if address:
-            self._found = {**self._found, name: address}
+            self._keep(name, address)
+
+    def _keep(self, name, address):
+        with self._lock:
+            self._found.pop(name, None)
+            if address:
+                self._found[name] = address
 
 
 def address_of(info: Any, class_name: str) -> Optional[str]:

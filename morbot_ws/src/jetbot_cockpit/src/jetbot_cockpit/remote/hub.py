@@ -1,9 +1,9 @@
 """The pages of a hub: what they ask for goes to the robots' cockpits, and what those say comes back as one class.
 
-A hub decides nothing: who drives, who is stopped and what is kept is known at each robot. Only that all are stopped, it
-keeps for those that are away. So a hub may be killed, and there may be several. A page has a link of its own to each
-robot, and is there what it is here: a person, with leases of its own, whose robot stops when the page is gone. Times
-are monotonic seconds.
+A hub decides nothing: who drives, who is stopped and what is kept is known at each robot. It only keeps for those that
+are away that all are stopped, and whether pupils see the cameras. So a hub may be killed, and there may be several. A
+page has a link of its own to each robot, and is there what it is here: a person, with leases of its own, whose robot
+stops when the page is gone. Times are monotonic seconds.
 """
 
 import itertools
@@ -230,6 +230,9 @@ class Hub:
             if link.robot:  # else it would come before the proof
                 link.send(text)
 
+    def _cameras(self, page, message, text, now):
+        self._robots.switch_cameras(message.on)
+
     def _to_one_or_all(self, page, message, text, now):
         if message.robot is None:
             self._to_all(page, message, text, now)
@@ -287,6 +290,6 @@ def seen_from(page: HubPage, robot: str, state: dict) -> dict:
 
 
 SENTENCES, ANSWERS = ("lift", "notice"), ("program", "judge")
-ROUTES = {"ping": Hub._ping, "name": Hub._to_all, "offer": Hub._to_all, "cameras": Hub._to_all, "codes": Hub._to_all,
+ROUTES = {"ping": Hub._ping, "name": Hub._to_all, "offer": Hub._to_all, "cameras": Hub._cameras, "codes": Hub._to_all,
           "look": Hub._look, "seen": Hub._seen, "release": Hub._release, "go_on": Hub._to_one_or_all,
           "reset": Hub._to_one_or_all}

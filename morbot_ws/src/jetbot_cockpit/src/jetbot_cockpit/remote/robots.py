@@ -16,7 +16,7 @@ from .fleet import Fleet
 from .link import Link
 
 CONFIRM_TIMEOUT = 0.5  # s in which a robot confirms a stop whose connection works
-STOP = "stop"  # by what name it is kept that all robots are stopped: also those that were away, by the next hub
+CAMERAS, STOP = "cameras", "stop"  # what is kept for robots that are away, also by the next hub
 REPORTED = "twice", "forged", "relayed", "wrong_key", "too_much"  # problems that somebody must solve
 
 
@@ -40,6 +40,7 @@ class RemoteRobots:
         self.engaged = fleet.read(STOP, bool)
         self._stopped_at = time.monotonic() if self.engaged else -math.inf
         self._heard_since_stop: Set[str] = set()
+        self._cameras: Dict[str, bool] = fleet.read(CAMERAS, dict)  # what a teacher has switched here, or {}
 
     def update(self, now: float) -> None:
         """Read the list of robots again, and connect to those that are new."""
@@ -106,6 +107,13 @@ class RemoteRobots:
     def _end_stop(self) -> None:
         self.engaged = False
         self._fleet.keep(STOP, False)
+
+    def switch_cameras(self, on: bool) -> None:
+        """Let pupils see what the cameras see, or not: at all robots, and at those that come back."""
+        self._cameras = {"on": on}
+        for link in self.connected().values():
+            link.send({"type": "cameras", **self._cameras})
+        self._fleet.keep(CAMERAS, self._cameras)
 
     def stop(self, robot: str) -> bool:
         """Stop one robot; return whether there is a connection."""
@@ -196,6 +204,8 @@ class RemoteRobots:
         self._heard_since_stop.discard(robot)
         if self.engaged:
             stop(link)
+        if isinstance(self._cameras.get("on"), bool):
+            link.send({"type": "cameras", "on": self._cameras["on"]})
         self._fleet.remember(link.robot, link.address)
         return True
 
