@@ -41,9 +41,10 @@ def update(fleet: Fleet, entry: Entry, commit: str, force: bool = False, within:
         robot.run("switch", commit, before.version)
         if not runs(fleet, entry, commit, within):
             robot.run("back")
-            raise Failed(f"it did not answer within {within:g} s with the new version, " + (
-                "and runs the old one again" if is_back(fleet, entry, commit, within) else
-                f"nor with the old one: ./morbot fleet log {entry.name}"))
+            if is_back(fleet, entry, commit, within):
+                raise Failed(f"it did not answer within {within:g} s with the new version, and runs the old one again")
+            raise Failed(f"it did not answer within {within:g} s with the new version, nor with the old one: "
+                         f"./morbot fleet log {entry.name}")
         robot.run("tidy")
 
 
