@@ -1,5 +1,7 @@
 """./morbot robot: one command makes a computer a robot of a class, changes it, and undoes all; also after a kill."""
 
+import fcntl
+import os
 import shutil
 import xml.etree.ElementTree as ET
 
@@ -231,6 +233,25 @@ def test_off_undoes_all_and_keeps_what_the_class_has_kept_unless_told(computer):
     assert after.pop("root/etc/hosts").split() == b"127.0.0.1 localhost 127.0.1.1 nano nano.school".split()
     assert after == {name: content for name, content in before.items() if name != "root/etc/hosts"}
     assert computer.robot("--off")[0] == 0, "twice does no harm"
+
+
+def test_a_damaged_identity_is_replaced(named):
+    identity = named.home / ".ros/morbot_robot.json"
+    identity.write_text("")
+    code, printed = named.robot(*NAMED, stdin=KEY)
+    assert code == 0, printed
+    assert '"jetbot_07"' in identity.read_text()
+
+
+def test_two_at_once_do_not_mix(named):
+    folder = os.open(named.home, os.O_RDONLY)
+    fcntl.flock(folder, fcntl.LOCK_EX)
+    try:
+        code, printed = named.robot("--off")
+    finally:
+        os.close(folder)
+    assert code and "Another ./morbot robot is at work on this computer. Wait until it has ended." in printed
+    assert (named.home / ".ros/morbot_robot.json").exists()
 
 
 def test_killed_at_any_moment_it_leaves_whole_files_and_typed_again_it_heals(tmp_path):

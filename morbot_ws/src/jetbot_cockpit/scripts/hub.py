@@ -37,7 +37,7 @@ class Program:
     """
 
     def __init__(self, fleet: Fleet, port: int, lan: bool, opens: Optional[str] = None):
-        sockets = addresses.listen(port, lan)
+        sockets = addresses.listen(port, lan, "--port")
         port = sockets[0].getsockname()[1]
         self.opens = opens if opens is None else f"http://localhost:{port}/{opens}"
         self.codes = Codes(fleet, [] if lan else None, addresses.lan_addresses, port, for_pupils=False)

@@ -51,21 +51,20 @@ def main(arguments: List[str], computer: Optional[Computer] = None) -> int:
     """Do what was typed; return the exit code. Raise JetbotError, OSError."""
     given = parser().parse_intermixed_args(arguments)
     computer = computer or Computer()
-    if given.off:
-        return off(computer, given.forget)
-    if given.files:
-        return rewrite(computer)
-    if given.forget:
+    if given.forget and not given.off:
         refuse("--forget goes with --off", "It deletes what the class has kept on this robot.")
-    if not given.words and not given.class_name and not given.key_file:
+    if not (given.off or given.files or given.words or given.class_name or given.key_file):
         return show(computer)
-    return name(computer, given)
+    with memory.alone():
+        if given.off:
+            return off(computer, given.forget)
+        return rewrite(computer) if given.files else name(computer, given)
 
 
 def name(computer: Computer, given: argparse.Namespace) -> int:
     """Make this computer the robot that was typed, or change it."""
     computer.require()
-    before, remembered = identities.read(), memory.load()
+    before, remembered = known_identity(), memory.load()
     typed = [word for word in given.words if ":=" in word]
     names = [word for word in given.words if ":=" not in word] or ([before.robot] if before else [])
     if len(names) != 1:
@@ -95,6 +94,14 @@ def rewrite(computer: Computer) -> int:
     if service.write(computer, service.files_of(identity, memory.load().arguments)):
         computer.systemctl("daemon-reload")
     return 0
+
+
+def known_identity() -> Optional[Identity]:
+    """Return what this computer is, or None: also if its file is damaged, which is about to be replaced or deleted."""
+    try:
+        return identities.read()
+    except identities.InvalidValue:
+        return None
 
 
 def host_of(robot: str) -> str:
@@ -196,11 +203,7 @@ def off(computer: Computer, forget: bool) -> int:
     """Undo all; it may have been done in part."""
     computer.require()
     service.check_alone(computer)
-    try:
-        identity = identities.read()
-    except identities.InvalidValue:
-        identity = None
-    remembered = memory.load()
+    identity, remembered = known_identity(), memory.load()
     service.uninstall(computer)
     named = host_of(identity.robot) if identity else computer.name()
     if remembered.host and computer.name() in (named, remembered.host):

@@ -1,8 +1,11 @@
 """What ./morbot robot remembers of a computer, so that it can change the service and undo all."""
 
+import contextlib
+import fcntl
 import json
+import os
 from pathlib import Path
-from typing import Dict, NamedTuple, Tuple
+from typing import Dict, Iterator, NamedTuple, Tuple
 
 from jetbot import files
 
@@ -38,6 +41,19 @@ def load() -> Memory:
     except (OSError, ValueError, TypeError):
         refuse(f"{path} is damaged", "Delete it, and name the robot again.")
     return memory._replace(groups=tuple(memory.groups))
+
+
+@contextlib.contextmanager
+def alone() -> Iterator[None]:
+    """Keep other ./morbot robot away meanwhile. Raise Refused if one is at work."""
+    descriptor = os.open(Path.home(), os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield
+    except BlockingIOError:
+        refuse("another ./morbot robot is at work on this computer", "Wait until it has ended.")
+    finally:
+        os.close(descriptor)
 
 
 def forget() -> None:

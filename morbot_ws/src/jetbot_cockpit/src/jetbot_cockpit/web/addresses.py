@@ -20,10 +20,11 @@ NO_IPV6 = (errno.EADDRNOTAVAIL, errno.EAFNOSUPPORT, socket.EAI_ADDRFAMILY)
 ROUTE_PROBES = ((socket.AF_INET, "192.0.2.1"), (socket.AF_INET6, "2001:db8::1"))  # RFC 5737 and 3849: nobody's
 
 
-def listen(port: int, lan: bool) -> List[socket.socket]:
+def listen(port: int, lan: bool, option: str = "") -> List[socket.socket]:
     """Return sockets that listen on a port, IPv4's first: of the loopback alone, or with ``lan`` of all interfaces.
 
-    port: 0 for any free one. Raise InvalidValue if it cannot be used.
+    port: 0 for any free one; option: how another one is typed, where that is not ROS's way. Raise InvalidValue if it
+    cannot be used.
     """
     ipv4, ipv6 = ADDRESSES[lan]
     sockets: List[socket.socket] = []
@@ -32,11 +33,11 @@ def listen(port: int, lan: bool) -> List[socket.socket]:
         sockets += bind_sockets(sockets[0].getsockname()[1], ipv6, socket.AF_INET6)
     except OSError as error:  # socket.gaierror is one too
         if not sockets or error.errno not in NO_IPV6:
-            raise refusal(port, error) from None
+            raise refusal(port, error, option) from None
     return sockets
 
 
-def refusal(port: int, error: OSError) -> InvalidValue:
+def refusal(port: int, error: OSError, option: str = "") -> InvalidValue:
     """Return the error for a port that cannot be used."""
     reason, other = os.strerror(error.errno), port + 1
     if error.errno == errno.EADDRINUSE:
@@ -45,6 +46,8 @@ def refusal(port: int, error: OSError) -> InvalidValue:
     elif error.errno == errno.EACCES:  # below 1024
         other = COCKPIT_PORT
     typed = f"cockpit_port:={other} (of cockpit.launch: port:={other})" if LAUNCHED else f"_port:={other}"
+    if option:
+        typed = f"{option} {other}"
     return InvalidValue(f"the cockpit cannot use port {port}: {reason}", f"Choose another port: {typed}")
 
 
