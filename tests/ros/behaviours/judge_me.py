@@ -32,7 +32,7 @@ class JudgeMe(SharedRobotTest):
         self.reports = self.record("/task", DiagnosticStatus, lambda status: status)
 
     def rows(self):
-        """Return what the judge has printed in this test, but for rospy's warnings about links that were just ending."""
+        """Return what the judge has printed in this test, but for rospy's warnings about links that were ending."""
         lines = read(self.judge)[len(self.rows_before):].splitlines(keepends=True)
         return "".join(line for line in lines if not line.startswith("[WARN]"))
 
