@@ -17,7 +17,8 @@ from jetbot import InvalidValue
 from jetbot_cockpit.classroom import program as one
 from jetbot_cockpit.classroom import programs as rules
 from jetbot_cockpit.classroom.classroom import Classroom, open_classroom
-from jetbot_cockpit.classroom.folder import CLASS_NAME, ClassFolder, Nowhere
+from jetbot_cockpit.classroom.folder import ClassFolder, Nowhere
+from jetbot_cockpit.classroom.place import CLASS_NAME
 from jetbot_cockpit.classroom.program import Program, is_id, is_program_name
 from jetbot_cockpit.classroom.programs import Programs, Refused
 from jetbot_cockpit.remote.fleet import Fleet

@@ -5,7 +5,8 @@ import argparse
 import sys
 
 from jetbot.text import printable
-from jetbot_cockpit.classroom.folder import CLASS_NAME, FOLDER, Busy, forget, path_of
+from jetbot_cockpit.classroom.folder import Busy, forget, path_of
+from jetbot_cockpit.classroom.place import CLASS_NAME, FOLDER
 
 
 def main() -> str:

@@ -15,8 +15,9 @@ for folder in Path(__file__).resolve().parents[2].glob("*/src"):  # no catkin ha
     sys.path.insert(0, str(folder))
 
 from jetbot import JetbotError
+from jetbot_cockpit.classroom.place import FOLDER
 from jetbot_cockpit.remote.finding import Finder
-from jetbot_cockpit.remote.fleet import FOLDER, Fleet
+from jetbot_cockpit.remote.fleet import Fleet
 from jetbot_cockpit.remote.hub import Hub
 from jetbot_cockpit.web import addresses
 from jetbot_cockpit.web.access import Access

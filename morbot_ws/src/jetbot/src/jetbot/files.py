@@ -74,6 +74,14 @@ def replace(file: Name, content: bytes) -> None:
             new.unlink()
 
 
+def replace_secret(file: Name, content: bytes) -> None:
+    """Do the same with a file that only its user reads, from the moment in which it is there."""
+    if not os.path.exists(file):
+        os.close(os.open(file, os.O_CREAT | os.O_WRONLY, 0o600))
+    os.chmod(file, 0o600)
+    replace(file, content)
+
+
 def keep(file: Name) -> Optional[Path]:
     """Copy a file to the first free name of FILE.1, FILE.2, ...; return that, or None if there is no file."""
     target = os.path.realpath(file)

@@ -8,7 +8,7 @@ from jetbot.kinds import BOOLEAN, Kind
 from jetbot_ros.contract import COCKPIT_PORT
 from jetbot_ros.node_parameters import Parameter, check_values
 
-from .classroom.folder import CLASS_NAME, FOLDER
+from .classroom.place import CLASS_NAME, FOLDER
 
 MAX_ROBOTS = 99
 MAX_PORT = 65535

@@ -32,3 +32,8 @@ def color_of(name: str) -> Color:
     if 1 <= number <= len(PALETTE):
         return tuple(part / 255 for part in bytes.fromhex(PALETTE[number - 1]))
     return colorsys.hls_to_rgb(number * GOLDEN_RATIO % 1, 0.4, 0.9)
+
+
+def web_color_of(name: str) -> str:
+    """Return the same as a page writes it, as "#004bff"."""
+    return "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name))

@@ -1,16 +1,15 @@
 """The classes with robots on this computer."""
 
-import re
 import shutil
 from pathlib import Path
 from typing import List
 
 from jetbot import InvalidValue
 from jetbot.text import enumeration, printable
-from jetbot_cockpit.remote.fleet import FOLDER, Entry, Fleet
+from jetbot_cockpit.classroom.place import CLASS_NAME, FOLDER
+from jetbot_cockpit.remote.fleet import Entry, Fleet
 from jetbot_cockpit.remote.key import ROBOT_NAME
-
-CLASS_NAME = re.compile("[A-Za-z0-9_-]{1,20}")
+from jetbot_cockpit.web.access import numbered
 
 
 def classes(folder: str) -> List[str]:
@@ -25,8 +24,8 @@ def open_class(name: str, new: bool, folder: str = FOLDER) -> Fleet:
         there = f"has {enumeration(known)}" if known else "has none yet"
         raise InvalidValue(f"the class is missing; this computer {there}", "As in ./morbot fleet --class 7b.")
     name = name or known[0]
-    if not CLASS_NAME.fullmatch(name):
-        raise InvalidValue(f"no class can be called {printable(name)}: letters, digits, _ and -, 20 at most")
+    if not name or not CLASS_NAME.accepts(name):
+        raise InvalidValue(f"no class can be called {printable(name)}: {CLASS_NAME.description}")
     if not new and name not in known:
         raise InvalidValue(f"there is no class {name} on this computer",
                            f"This makes it: ./morbot fleet --class {name} add HOST")
@@ -52,7 +51,7 @@ def check_name(name: str) -> None:
 def unused_name(fleet: Fleet) -> str:
     """Return the first of jetbot_01, jetbot_02, ... that no robot of the list has."""
     names = {entry.name for entry in fleet.robots}
-    return next(name for name in (f"jetbot_{number:02}" for number in range(1, len(names) + 2)) if name not in names)
+    return next(name for name in numbered(len(names) + 1) if name not in names)
 
 
 def enlist(fleet: Fleet, entry: Entry) -> None:

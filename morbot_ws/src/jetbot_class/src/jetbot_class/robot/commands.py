@@ -11,6 +11,7 @@ from typing import Dict, List, Optional
 
 from jetbot.text import printable
 from jetbot_cockpit.classroom import folder as classes
+from jetbot_cockpit.classroom.place import FOLDER
 from jetbot_cockpit.remote import identity as identities
 from jetbot_cockpit.remote.identity import Identity
 from jetbot_ros.ports import is_free
@@ -222,7 +223,7 @@ def off(computer: Computer, forget: bool) -> int:
 def forget_class(class_name: str) -> None:
     """Delete what the class has kept here. Raise Refused, OSError."""
     try:
-        count = classes.forget(classes.FOLDER, class_name)
+        count = classes.forget(FOLDER, class_name)
     except classes.Busy:
         refuse(f"a cockpit runs with the class {class_name}", "End it, then type the same again.")
     if count:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Dict, Iterable, List
 
 from jetbot.text import closest, is_printable
-from jetbot_cockpit.classroom.folder import CLASS_NAME
+from jetbot_cockpit.classroom.place import CLASS_NAME
 from jetbot_cockpit.remote.key import ROBOT_NAME, read_key
 
 from .computer import refuse

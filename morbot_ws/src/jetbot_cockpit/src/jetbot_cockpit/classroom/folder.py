@@ -4,24 +4,19 @@ import contextlib
 import errno
 import json
 import os
-import re
 import secrets
 import shutil
 from pathlib import Path
 from typing import Any, List, Optional
 
 from jetbot import InvalidValue, files
-from jetbot.kinds import Kind
 from jetbot.text import printable
 
 from ..notices import Notice, say
+from .place import OWNER_ONLY
 from .program import is_id
 
-OWNER_ONLY = 0o700   # codes are secrets
 MAX_FILE = 2 << 20   # bytes of a file that is read
-FOLDER = "~/.ros/morbot_classes"
-CLASS_NAME = Kind(lambda value: isinstance(value, str) and bool(re.fullmatch("[A-Za-z0-9_-]{0,20}", value)),
-                  "letters, digits, _ and -, 20 at most")
 
 
 class Busy(Exception):

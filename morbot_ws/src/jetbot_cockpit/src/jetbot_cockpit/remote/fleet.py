@@ -3,7 +3,6 @@
 import contextlib
 import hashlib
 import json
-import os
 from pathlib import Path
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
@@ -11,10 +10,8 @@ from jetbot import InvalidValue, files
 from jetbot.text import printable
 from jetbot_ros.contract import COCKPIT_PORT
 
+from ..classroom.place import OWNER_ONLY
 from .key import ROBOT_NAME, new_key, read_key, robot_key
-
-FOLDER = "~/.ros/morbot_classes"
-OWNER_ONLY = 0o700
 
 
 class Entry(NamedTuple):
@@ -90,8 +87,8 @@ class Fleet:
 
     def save(self, robots: List[Entry], removed: Optional[Dict[str, int]] = None) -> None:
         """Replace the robots, in the file too. Raises OSError."""
-        write_secret(self.path, {"key": self.key, "robots": [each._asdict() for each in robots],
-                                 "removed": self.removed if removed is None else removed})
+        self._write(self.path, {"key": self.key, "robots": [each._asdict() for each in robots],
+                                "removed": self.removed if removed is None else removed})
         self._read_at = None
 
     def remember(self, robot: str, address: str) -> None:
@@ -116,15 +113,11 @@ class Fleet:
     def keep(self, name: str, content: Any) -> None:
         """Keep this, for this user alone."""
         with contextlib.suppress(OSError):  # a full disk: it ends with this hub
-            write_secret(self._kept(name), content)
+            self._write(self._kept(name), content)
 
     def _kept(self, name):
         return self.path.with_name(f"hub_{name}.json")
 
-
-def write_secret(path: Path, content: Any) -> None:
-    """Replace a file that only its user reads. Raises OSError."""
-    path.parent.mkdir(OWNER_ONLY, parents=True, exist_ok=True)
-    if not path.exists():
-        os.close(os.open(path, os.O_CREAT | os.O_WRONLY, 0o600))
-    files.replace(path, json.dumps(content, indent=2).encode())
+    def _write(self, path, content):
+        path.parent.mkdir(OWNER_ONLY, parents=True, exist_ok=True)
+        files.replace_secret(path, json.dumps(content, indent=2).encode())

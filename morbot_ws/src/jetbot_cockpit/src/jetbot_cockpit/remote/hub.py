@@ -166,8 +166,7 @@ class Hub:
         if page.is_ready(now):
             self._connect(page)
             changes, page.changes = page.changes, []
-            page.show(robots, changes, self._state(page, states),
-                      self._tables.messages, now)
+            page.show(robots, changes, self._state(page, states), self._tables.messages, now)
         elif page.links:  # it misses something, and gets all again; what it drives stops
             page.close_links()
             page.changes, page.robots = [], ""
@@ -242,9 +241,8 @@ class Hub:
     def _release(self, page, message, text, now):
         if message.robot is None:
             self._robots.release_all()
-        else:
-            if not self._robots.release(message.robot):
-                page.answer(notice(no_answer(message.robot)))
+        elif not self._robots.release(message.robot):
+            page.answer(notice(no_answer(message.robot)))
 
     def _ping(self, page, message, text, now):
         page.answer({"type": "pong", "sent": message.sent})

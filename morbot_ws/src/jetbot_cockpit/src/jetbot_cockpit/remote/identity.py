@@ -1,7 +1,6 @@
 """What makes a robot one of a class: its name, the class's, and its own key, in a file that only its user reads."""
 
 import json
-import os
 from pathlib import Path
 from typing import NamedTuple, Optional
 
@@ -45,7 +44,4 @@ def write(identity: Identity, file: str = FILE) -> None:
     """Replace the file. Raises OSError."""
     path = Path(file).expanduser()
     path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.exists():
-        os.close(os.open(path, os.O_CREAT | os.O_WRONLY, 0o600))
-    path.chmod(0o600)
-    files.replace(path, json.dumps(identity._asdict()).encode())
+    files.replace_secret(path, json.dumps(identity._asdict()).encode())

@@ -6,7 +6,7 @@ import time
 from typing import Any, Callable, Dict, List, Optional, Set
 
 from jetbot import InvalidValue
-from jetbot_ros.colors import color_of
+from jetbot_ros.colors import web_color_of
 from jetbot_ros.state import EMERGENCY_STOP
 
 from ..notices import Notice, say
@@ -271,8 +271,7 @@ def absent_row(robot: str) -> dict:
 
 def named(robot: str) -> Dict[str, str]:
     """Return how a robot is shown: by the name that it has proven, whatever it says."""
-    color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(robot.strip("/")))
-    return {"label": label(robot), "color": color}
+    return {"label": label(robot), "color": web_color_of(robot.strip("/"))}
 
 
 def absent_state(robot: str, problem: Notice) -> dict:

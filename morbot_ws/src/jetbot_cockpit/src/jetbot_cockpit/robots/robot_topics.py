@@ -17,7 +17,7 @@ from jetbot.sentence import Sentence
 from jetbot.text import printable
 from jetbot_ros import contract
 from jetbot_ros.announcer import Announcer
-from jetbot_ros.colors import color_of
+from jetbot_ros.colors import web_color_of
 from jetbot_ros.links import Graph
 from jetbot_ros.state import OWN_EMERGENCY_STOP, UNKNOWN, read
 
@@ -91,7 +91,7 @@ class RobotTopics:
     def __init__(self, name: str, frames: Frames, graph: Callable[[], Graph]):
         self.name, self.simulated = name, False
         self._base, self._frames = name.rstrip("/"), frames
-        self._color = "#" + "".join(f"{round(255 * part):02x}" for part in color_of(name.rpartition("/")[2]))
+        self._color = web_color_of(name.rpartition("/")[2])
         self._active_at, self._state, self._level, self._geometry = time.monotonic(), UNKNOWN, 0, None
         self._repeats = False  # whether it publishes something every second; an unknown controller may not
         self._program, self._health = "", None

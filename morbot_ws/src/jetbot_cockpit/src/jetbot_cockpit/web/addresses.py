@@ -45,9 +45,8 @@ def refusal(port: int, error: OSError, option: str = "") -> InvalidValue:
         reason = f"{enumeration(holders) if holders else 'another program'} uses it"
     elif error.errno == errno.EACCES:  # below 1024
         other = COCKPIT_PORT
-    typed = f"cockpit_port:={other} (of cockpit.launch: port:={other})" if LAUNCHED else f"_port:={other}"
-    if option:
-        typed = f"{option} {other}"
+    in_ros = f"cockpit_port:={other} (of cockpit.launch: port:={other})" if LAUNCHED else f"_port:={other}"
+    typed = f"{option} {other}" if option else in_ros
     return InvalidValue(f"the cockpit cannot use port {port}: {reason}", f"Choose another port: {typed}")
 
 

@@ -12,7 +12,7 @@ from jetbot.text import printable
 
 from ..remote.identity import Identity
 from ..remote.key import HUB, NONCE, RELAYED, ROBOT, WRONG_KEY, new_nonce, proof, proves
-from ..remote.link import as_object
+from ..remote.link import WORK, as_object
 from ..remote.version import version_of
 from ..session.protocol import ENDED, SILENT
 from ..session.rights import TEACHER
@@ -76,7 +76,7 @@ class HubSocket(Socket):
         if not self.viewer:
             self._check(as_object(message))
             return
-        fields = as_object(message) if isinstance(message, str) and message.startswith('{"type": "work"') else None
+        fields = as_object(message) if isinstance(message, str) and message.startswith(WORK) else None
         if fields and self.pages.record_activity(self.viewer, time.monotonic()):
             asyncio.ensure_future(self._work(fields))
         elif not fields:
