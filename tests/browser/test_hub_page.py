@@ -138,7 +138,7 @@ def test_a_program_of_the_hubs_page_drives_its_robot_is_kept_there_and_the_class
     page.resize(*LYING)
     page.element("file").send_keys(as_file(tmp_path, program(drive(0.5, 3))))
     page.wait_for(lambda: not page.value("file"), "the file to be read")
-    page.wait_for_text("kept", "Kept")
+    page.wait_for(lambda: page.text("kept") == "Kept", "the program to be kept")
     page.click("#run")
     robots.wait_for(lambda: robots.wheels(OTHER) != STOPPED, f"{OTHER} to drive", within=10.0)
     assert robots.wheels(ONE) == STOPPED

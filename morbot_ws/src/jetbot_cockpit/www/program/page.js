@@ -46,7 +46,7 @@ const shell = new Shell({
     },
     state() {
       endIfStopped();
-      work.update(world.chosen, world.state(world.chosen).programs);
+      followRobot();
       judging.update();
     },
     tasks({ tasks: offered }) {
@@ -62,6 +62,7 @@ const shell = new Shell({
   drives: runs,
   changed() {
     end(t("Another robot was chosen."));
+    followRobot(); // what is added now is for this one
     showUnits();
   },
   draw,
@@ -83,6 +84,10 @@ const work = openWork({
 const tasks = new Tasks({ send, lost: () => !shell.link.connected, run: () => start(false), end, world });
 const { judging } = tasks;
 const overview = new TeachersSheet({ send, look: (row) => work.look(row), world });
+
+function followRobot() {
+  work.update(world.chosen, world.state(world.chosen).programs);
+}
 
 // The cockpit also refuses the next command; this comes first where the program waits.
 function endIfStopped() {
