@@ -13,6 +13,7 @@ import { EXAMPLES } from "./examples.js";
 import { setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
 import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
+import { Interpreter } from "./interpreter.js";
 import { packageName } from "./names.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
@@ -114,7 +115,7 @@ function start(stepping) {
   judging.forget();
   if (!shell.link.connected || !robot) return refuse(robot ? LOST : world.describeAbsence("was"));
   const delay = () => DELAYS[element("speed").value];
-  run = new Run(currentProgram(workspace), robot, stepping, { send, printed, changed: show, ended, delay });
+  run = new Run(new Interpreter(currentProgram(workspace), robot), robot, stepping, { send, printed, changed: show, ended, delay });
   showControls(run, false); // now: Stop may be pressed at once
   show();
 }
@@ -128,17 +129,17 @@ function end(sentence) {
   run?.end(sentence);
 }
 
-function printed(text) {
-  showPrint(text);
+function printed(event) {
+  showPrint(event.print);
   show();
 }
 
-function ended(sentence, block) {
+function ended(sentence, place) {
   const { limit } = run;
   judging.programEnded(Boolean(sentence));
   const why = sentence || ENDED;
   setOutcome(limit ? t("{sentence} {limit}", { sentence: why, limit: limit.text }) : why, Boolean(sentence || limit));
-  selectBlock(workspace, block ?? limit?.block ?? "");
+  selectBlock(workspace, place ?? limit?.place ?? "");
   show();
 }
 
@@ -207,7 +208,7 @@ function draw() {
   showControls(running, judging.isWaiting);
   element("language").disabled = runs() || judging.state.name !== "idle"; // it loads the page again
   showPlace(workspace, running);
-  showOutput(workspace, run?.interpreter.variables ?? new Map());
+  showOutput(workspace, run?.engine.variables ?? new Map());
   side.draw();
 }
 
