@@ -1,17 +1,18 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
-import { download, element, onPress } from "../dom.js";
+import { element, onPress } from "../dom.js";
 import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { calledOf } from "../world.js";
 import { setUnits } from "./blocks.js";
-import { parseProgram, withPython } from "./check.js";
+import { parseProgram } from "./check.js";
 import { showControls } from "./controls.js";
 import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
 import { blockVariables, setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
 import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
+import { Interpreter } from "./interpreter.js";
 import { packageName } from "./names.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
@@ -20,7 +21,6 @@ import { Tasks } from "./tasks.js";
 import { TeachersSheet } from "./teachers_sheet.js";
 import { Text } from "./text.js";
 
-const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
 const HIDDEN = t("The page was hidden, so the program was stopped.");
 const ENDED = t("The program has ended.");
@@ -30,6 +30,7 @@ const STOPPED = t("Stopped.");
 const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
 let run = null; // of a program, the last one
+let starting = null; // promises the engine of a text that is to run
 let python = { text: "", lines: new Map() };
 let changing = null; // the next look at what was changed
 
@@ -115,8 +116,18 @@ function start(stepping) {
   end();
   judging.forget();
   if (!shell.link.connected || !robot) return refuse(robot ? LOST : world.describeAbsence("was"));
+  if (text.python === null) return begin(new Interpreter(currentProgram(workspace), robot), robot, stepping);
+  const wanted = starting = text.engine();
+  wanted.then((engine) => wanted === starting && begin(engine, robot, stepping),
+    () => wanted === starting && end(NOT_LOADED));
+  setOutcome(t("Starting"));
+  show();
+}
+
+function begin(engine, robot, stepping) {
+  starting = null;
   const delay = () => DELAYS[element("speed").value];
-  run = new Run(currentProgram(workspace), robot, stepping, { send, printed, changed: show, ended, delay });
+  run = new Run(engine, robot, stepping, { send, printed, changed: show, ended, delay });
   showControls(run, false); // now: Stop may be pressed at once
   show();
 }
@@ -125,13 +136,16 @@ function runs() {
   return run !== null && !run.over;
 }
 
-// Ends the program, if one runs.
+// Ends the program, if one runs or is about to.
 function end(sentence) {
+  if (starting && sentence) refuse(sentence);
+  starting = null;
   run?.end(sentence);
+  show();
 }
 
-function printed(text) {
-  showPrint(text);
+function printed(event) {
+  showPrint(event.print);
   show();
 }
 
@@ -140,8 +154,8 @@ function ended(sentence, place) {
   judging.programEnded(Boolean(sentence));
   const why = sentence || ENDED;
   setOutcome(limit ? t("{sentence} {limit}", { sentence: why, limit: limit.text }) : why, Boolean(sentence || limit));
-  text.failed = place ?? limit?.block ?? null;
-  selectBlock(workspace, text.failed ?? "");
+  text.failed = place ?? limit?.place ?? null;
+  if (text.python === null) selectBlock(workspace, text.failed ?? "");
   show();
 }
 
@@ -190,6 +204,7 @@ function convert(written) {
 }
 
 function showText(written) {
+  run = null;
   text.show(written);
   side.showText(written !== null);
 }
@@ -199,12 +214,12 @@ function open(title, program) {
   try {
     const parsed = parseProgram(program);
     showProgram(workspace, parsed);
+    end(CHANGED);
     showText(parsed.python ?? null);
   } catch ({ message }) {
     notice.show(message);
     return false;
   }
-  end(CHANGED);
   judging.forget();
   element("title").value = title;
   setOutcome(t("Press Run."));
@@ -212,40 +227,25 @@ function open(title, program) {
   return true;
 }
 
-async function openFile({ target }) {
-  const [file] = target.files;
-  const content = await file?.slice(0, MAX_FILE).text();
-  if (file) work.addFile(file.name.replace(/\.(json|py)$/, ""), /\.py$/.test(file.name) ? withPython(content) : content);
-  target.value = "";
-}
-
-function saveProgram() {
-  const name = packageName(element("title").value);
-  if (text.python === null) download(`${name}.json`, currentText(), "application/json");
-  else download(`${name}.py`, text.python, "text/x-python");
-}
-
-function savePackage() {
-  writePython();
-  const name = packageName(element("title").value);
-  import("./package.js").then(({ packageText }) => {
-    download(`${name}.txt`, packageText(name, python.text, currentText()), "text/plain");
-  }, notLoaded);
-}
-
 // What is shown
 
 function draw() {
   const running = runs() ? run : null;
-  showControls(running, judging.isWaiting);
+  showControls(running, judging.isWaiting || starting !== null);
   element("language").disabled = runs() || judging.state.name !== "idle"; // it loads the page again
-  showPlace(workspace, text.python === null ? running : null);
+  const isText = text.python !== null;
+  showPlace(workspace, isText ? null : running);
   text.mark(running?.at ?? null);
-  showOutput(blockVariables(workspace, run?.interpreter.variables ?? new Map()));
+  const values = run?.engine.variables ?? new Map();
+  showOutput(isText ? [...values] : blockVariables(workspace, values));
   side.draw();
 }
 
 // What a person does
+
+function onFiles(id, event, act) {
+  element(id).addEventListener(event, () => import("./files.js").then(act, notLoaded));
+}
 
 onPress(element("run"), () => start(false), () => false);
 onPress(element("end"), () => end(STOPPED));
@@ -253,9 +253,9 @@ element("pause").addEventListener("click", () => (run.held ? run.resume() : run.
 element("step").addEventListener("click", () => (runs() ? run.step() : start(true)));
 element("title").addEventListener("change", writePython);
 element("open").addEventListener("click", () => element("file").click());
-element("file").addEventListener("change", openFile);
-element("save").addEventListener("click", saveProgram);
-element("package").addEventListener("click", savePackage);
+onFiles("file", "change", ({ openFile }) => openFile(element("file"), work));
+onFiles("save", "click", ({ save }) => save(element("title").value, text.python, currentText()));
+onFiles("package", "click", ({ savePackage }) => savePackage(element("title").value, python.text, currentText()));
 element("examples").addEventListener("change", ({ target }) => {
   const name = target.value;
   if (name) import("./examples.js").then(({ EXAMPLES }) => work.add(name, EXAMPLES[name]), notLoaded);

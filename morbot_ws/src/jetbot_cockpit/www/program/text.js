@@ -51,6 +51,13 @@ export class Text {
       this.page.notLoaded);
   }
 
+  // Returns what runs the text, once it is loaded.
+  async engine() {
+    const { python } = this;
+    const { PythonEngine } = await import("../python/engine.js");
+    return new PythonEngine(python);
+  }
+
   change(python) {
     this.python = python;
     this.failed = null;
