@@ -5,21 +5,17 @@ import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { calledOf } from "../world.js";
 import { setUnits } from "./blocks.js";
-import { parseProgram } from "./check.js";
 import { showControls } from "./controls.js";
-import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
+import { selectBlock } from "./editor.js";
 import { ending } from "./endings.js";
-import { blockVariables, setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
+import { blockVariables, setOutcome, showOutput, showPlace, showPrint } from "./output.js";
 import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
-import { Interpreter } from "./interpreter.js";
-import { packageName } from "./names.js";
-import { toPython } from "./python.js";
 import { Run } from "./run.js";
+import { Shown } from "./shown.js";
 import { Side } from "./side.js";
 import { Tasks } from "./tasks.js";
 import { TeachersSheet } from "./teachers_sheet.js";
-import { Text } from "./text.js";
 
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
 const HIDDEN = t("The page was hidden, so the program was stopped.");
@@ -27,12 +23,9 @@ const ENDED = t("The program has ended.");
 const CHANGED = t("The program was changed. Run it again.");
 const NOT_LOADED = t("This could not be loaded. Try again. If that does not help, reload the page.");
 const STOPPED = t("Stopped.");
-const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
 let run = null; // of a program, the last one
 let starting = null; // promises the engine of a text that is to run
-let python = { text: "", lines: new Map() };
-let changing = null; // the next look at what was changed
 
 const shell = new Shell({
   receivers: {
@@ -72,14 +65,27 @@ const { world, notice, send } = shell;
 const show = () => shell.show();
 const notLoaded = () => notice.show(NOT_LOADED);
 const side = new Side(shell, notLoaded);
-const workspace = openEditor(element("blocks"), programChanged);
-const text = new Text({ convert, changed: textChanged, python: () => python.text, notLoaded });
+const shown = new Shown({
+  robot: () => world.robot(world.chosen),
+  changed(differs) {
+    if (differs) end(CHANGED);
+    work.changed();
+    show();
+  },
+  replaces() {
+    end(CHANGED);
+    run = null;
+  },
+  keepText: () => work.keepEarlier(),
+  say: (sentence) => notice.show(sentence),
+  notLoaded,
+});
+const { workspace } = shown;
 const work = openWork({
   show: open,
-  current: () => ({ name: element("title").value, program: currentText() }),
+  current: () => ({ name: element("title").value, program: shown.program }),
   lock(on) {
-    workspace.setIsReadOnly(on);
-    text.lock(on);
+    shown.lock(on);
     element("title").disabled = on;
   },
   notLoaded,
@@ -105,7 +111,7 @@ function endBecause(code, { id, label }) {
 
 function showUnits() {
   setUnits(workspace, world.robot(world.chosen)?.workshop);
-  writePython();
+  shown.write();
 }
 
 // The program
@@ -116,10 +122,11 @@ function start(stepping) {
   end();
   judging.forget();
   if (!shell.link.connected || !robot) return refuse(robot ? LOST : world.describeAbsence("was"));
-  if (text.python === null) return begin(new Interpreter(currentProgram(workspace), robot), robot, stepping);
-  const wanted = starting = text.engine();
-  wanted.then((engine) => wanted === starting && begin(engine, robot, stepping),
-    () => wanted === starting && end(NOT_LOADED));
+  const engine = shown.engine(robot);
+  if (!(engine instanceof Promise)) return begin(engine, robot, stepping);
+  starting = engine;
+  engine.then((loaded) => engine === starting && begin(loaded, robot, stepping),
+    () => engine === starting && end(NOT_LOADED));
   setOutcome(t("Starting"));
   show();
 }
@@ -154,8 +161,8 @@ function ended(sentence, place) {
   judging.programEnded(Boolean(sentence));
   const why = sentence || ENDED;
   setOutcome(limit ? t("{sentence} {limit}", { sentence: why, limit: limit.text }) : why, Boolean(sentence || limit));
-  text.failed = place ?? limit?.place ?? null;
-  if (text.python === null) selectBlock(workspace, text.failed ?? "");
+  shown.failed = place ?? limit?.place ?? null;
+  selectBlock(workspace, shown.failed ?? "");
   show();
 }
 
@@ -165,57 +172,10 @@ function refuse(sentence) {
   setOutcome(sentence, true);
 }
 
-// Blockly reports each part of a change, also a little later; where a block lies is no change of the program.
-function programChanged() {
-  changing ??= setTimeout(() => {
-    changing = null;
-    limitProgram(workspace, (text) => notice.show(text));
-    const before = python.text;
-    writePython();
-    if (python.text !== before) end(CHANGED);
-  });
-}
-
-function textChanged() {
-  writePython();
-  end(CHANGED);
-}
-
-function writePython() {
-  if (text.python === null) {
-    python = toPython(workspace, packageName(element("title").value), world.robot(world.chosen) ?? DEFAULTS);
-    showPython(python);
-  } else python = { text: text.python, lines: new Map() };
-  work.changed();
-  show();
-}
-
-function currentText() {
-  return textOf(workspace, text.python ?? undefined);
-}
-
-// The program is this text from now on; null: its blocks again, below which the text is kept as an earlier version.
-function convert(written) {
-  const problem = written === null && work.branch();
-  if (problem) return notice.show(problem);
-  end(CHANGED);
-  showText(written);
-  writePython();
-}
-
-function showText(written) {
-  run = null;
-  text.show(written);
-  side.showText(written !== null);
-}
-
 // Shows a program from elsewhere, or says in a sentence why it is refused. Returns whether it is shown.
 function open(title, program) {
   try {
-    const parsed = parseProgram(program);
-    showProgram(workspace, parsed);
-    end(CHANGED);
-    showText(parsed.python ?? null);
+    shown.open(program);
   } catch ({ message }) {
     notice.show(message);
     return false;
@@ -233,11 +193,12 @@ function draw() {
   const running = runs() ? run : null;
   showControls(running, judging.isWaiting || starting !== null);
   element("language").disabled = runs() || judging.state.name !== "idle"; // it loads the page again
-  const isText = text.python !== null;
+  const isText = shown.text !== null;
   showPlace(workspace, isText ? null : running);
-  text.mark(running?.at ?? null);
+  shown.mark(running?.at ?? null);
   const values = run?.engine.variables ?? new Map();
   showOutput(isText ? [...values] : blockVariables(workspace, values));
+  side.showText(isText);
   side.draw();
 }
 
@@ -251,11 +212,11 @@ onPress(element("run"), () => start(false), () => false);
 onPress(element("end"), () => end(STOPPED));
 element("pause").addEventListener("click", () => (run.held ? run.resume() : run.pause()));
 element("step").addEventListener("click", () => (runs() ? run.step() : start(true)));
-element("title").addEventListener("change", writePython);
+element("title").addEventListener("change", () => shown.write());
 element("open").addEventListener("click", () => element("file").click());
 onFiles("file", "change", ({ openFile }) => openFile(element("file"), work));
-onFiles("save", "click", ({ save }) => save(element("title").value, text.python, currentText()));
-onFiles("package", "click", ({ savePackage }) => savePackage(element("title").value, python.text, currentText()));
+onFiles("save", "click", ({ save }) => save(element("title").value, shown.text, shown.program));
+onFiles("package", "click", ({ savePackage }) => savePackage(element("title").value, shown.python, shown.program));
 element("examples").addEventListener("change", ({ target }) => {
   const name = target.value;
   if (name) import("./examples.js").then(({ EXAMPLES }) => work.add(name, EXAMPLES[name]), notLoaded);

@@ -243,7 +243,7 @@ export class Work {
   }
 
   // Lets the version that is kept stay, as an earlier one, once the next change is. Returns why it cannot, or "".
-  branch() {
+  keepEarlier() {
     if (this.kept.state.unsaved) return this.kept.state.text;
     this.kept.version = 0;
     return "";
