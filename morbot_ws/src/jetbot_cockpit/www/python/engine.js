@@ -32,7 +32,7 @@ export class PythonEngine {
     this.given = { ...await loaded.catch(fail), program };
     this.worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.worker.onmessage = ({ data }) => this.heard?.(data);
-    this.worker.onerror = () => this.heard?.({ events: [], variables: null, broken: true });
+    this.worker.onerror = () => this.heard?.({ events: [], variables: null, broken: "the worker failed" });
   }
 
   // Yields the program's events, as Interpreter does. state(): { seconds, senses, slow } as worker.js explains them
@@ -41,6 +41,7 @@ export class PythonEngine {
       const { events, variables, over, problem, broken } = await this.ask(answer);
       if (variables) this.variables = new Map(JSON.parse(variables));
       for (const event of events) yield this.toEvent(event);
+      if (broken) console.error(broken);
       if (broken) throw new ProgramError(BROKEN);
       if (problem) throw new ProgramError(`${problem.type}: ${problem.message}`, problem.line);
       if (over) return;

@@ -67,4 +67,4 @@ async function main() {
   postMessage({ events, variables: machine.evaluate("variables"), over: true, problem: state.problem ?? null });
 }
 
-main();
+main().catch((error) => postMessage({ events, variables: null, broken: String(error) }));
