@@ -10,7 +10,7 @@ import { showControls } from "./controls.js";
 import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
 import { EXAMPLES } from "./examples.js";
-import { setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
+import { setOutcome, showOutput, showPlace, showPython } from "./output.js";
 import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
 import { packageName } from "./names.js";
@@ -70,7 +70,7 @@ const shell = new Shell({
 const { world, notice, send } = shell;
 const show = () => shell.show();
 const notLoaded = () => notice.show(NOT_LOADED);
-const side = new Side(shell, notLoaded);
+const side = new Side(shell, () => run, notLoaded);
 const workspace = openEditor(element("blocks"), programChanged);
 const work = openWork({
   show: open,
@@ -128,8 +128,8 @@ function end(sentence) {
   run?.end(sentence);
 }
 
-function printed(text) {
-  showPrint(text);
+function printed(...print) {
+  side.print(...print);
   show();
 }
 

@@ -96,7 +96,7 @@ export class Run {
     this.drivenAt = this.clock.now;
     this.motion.begin();
     for (const event of this.interpreter.run()) {
-      if ("print" in event) this.printed(event.print);
+      if ("print" in event) this.printed(event.print, event.name, event.value);
       else if ("step" in event) await this.before(event.step);
       else if ("breathe" in event) await this.between();
       else await this.drive(event);
