@@ -9,7 +9,7 @@ import { parseProgram, withPython } from "./check.js";
 import { showControls } from "./controls.js";
 import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
-import { blockVariables, setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
+import { blockVariables, setOutcome, showOutput, showPlace, showPython } from "./output.js";
 import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
 import { Interpreter } from "./interpreter.js";
@@ -27,6 +27,7 @@ const HIDDEN = t("The page was hidden, so the program was stopped.");
 const ENDED = t("The program has ended.");
 const CHANGED = t("The program was changed. Run it again.");
 const NOT_LOADED = t("This could not be loaded. Try again. If that does not help, reload the page.");
+const NOT_YET = t("Python is being loaded. Press Run again in a moment.");
 const STOPPED = t("Stopped.");
 const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
@@ -71,7 +72,7 @@ const shell = new Shell({
 const { world, notice, send } = shell;
 const show = () => shell.show();
 const notLoaded = () => notice.show(NOT_LOADED);
-const side = new Side(shell, notLoaded);
+const side = new Side(shell, () => run, notLoaded);
 const workspace = openEditor(element("blocks"), programChanged);
 const text = new Text({ convert, changed: textChanged, python: () => python.text, notLoaded });
 const work = openWork({
@@ -116,8 +117,10 @@ function start(stepping) {
   end();
   judging.forget();
   if (!shell.link.connected || !robot) return refuse(robot ? LOST : world.describeAbsence("was"));
+  const engine = text.python === null ? new Interpreter(currentProgram(workspace), robot) : text.engine();
+  if (!engine) return refuse(NOT_YET);
   const delay = () => DELAYS[element("speed").value];
-  run = new Run(new Interpreter(currentProgram(workspace), robot), robot, stepping, { send, printed, changed: show, ended, delay });
+  run = new Run(engine, robot, stepping, { send, printed, changed: show, ended, delay });
   showControls(run, false); // now: Stop may be pressed at once
   show();
 }
@@ -132,7 +135,7 @@ function end(sentence) {
 }
 
 function printed(event) {
-  showPrint(event.print);
+  side.print(event);
   show();
 }
 

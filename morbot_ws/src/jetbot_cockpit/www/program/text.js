@@ -10,6 +10,8 @@ export class Text {
   failed = null; // the line where it has failed, until it is changed
   /** @type {any} */
   editor = null;
+  /** @type {any} */
+  Engine = null; // of python/engine.js
   /** @type {Promise<void> | null} */
   loading = null;
   /** @type {any} */
@@ -47,8 +49,15 @@ export class Text {
 
   load(python) {
     setText(element("text"), python);
-    return import("../python/editor.js").then(({ Editor }) => { this.editor ??= new Editor(element("text"), this); },
-      this.page.notLoaded);
+    return Promise.all([import("../python/editor.js"), import("../python/engine.js")]).then(([{ Editor }, engine]) => {
+      this.editor ??= new Editor(element("text"), this);
+      this.Engine = engine.PythonEngine;
+    }, this.page.notLoaded);
+  }
+
+  // Returns what runs it, or null as long as that is not loaded.
+  engine() {
+    return this.Engine && new this.Engine(this.python);
   }
 
   change(python) {
