@@ -5,7 +5,7 @@ const SAME = 0.5; // less than one letter apart: only capital letters differ
 // Returns the known name that is nearest to this one, or null: long names may have two wrong letters, short ones none.
 /** @param {string} name @param {Iterable<string>} known @returns {string | null} */
 export function near(name, known) {
-  let [best, least] = [null, name.length < 3 ? SAME : name.length < 6 ? 1 : 2];
+  let [best, least] = [/** @type {string | null} */ (null), name.length < 3 ? SAME : name.length < 6 ? 1 : 2];
   for (const each of known) {
     const apart = each.toLowerCase() === name.toLowerCase() ? SAME : distance(name, each);
     if (each !== name && (apart < least || (apart === least && !best))) [best, least] = [each, apart];

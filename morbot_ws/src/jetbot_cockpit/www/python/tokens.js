@@ -50,7 +50,7 @@ const REFUSED = {
 export const problem = (text, line) => ({ text, line });
 
 // Whether a value ends with this token, so that "(" after it calls and "[" takes an item.
-export function ends(/** @type {Token | undefined} */ token) {
+export function ends(/** @type {any} */ token) {
   return Boolean(token) && (["name", "number", "string", "close"].includes(token.kind)
     || VALUES.includes(token.text) || token.text === "...");
 }
@@ -84,7 +84,7 @@ function *tokensOf(source) {
   let line = 1;
   KINDS.lastIndex = 0;
   for (let match; (match = KINDS.exec(source));) {
-    const [[kind, text]] = Object.entries(match.groups).filter(([, each]) => each !== undefined);
+    const [[kind, text]] = Object.entries(match.groups ?? {}).filter(([, each]) => each !== undefined);
     const word = kind === "name" && (KEYWORDS.includes(text) || VALUES.includes(text));
     yield { kind: word ? "keyword" : kind, text, line };
     line += text.split("\n").length - 1;
