@@ -5,20 +5,21 @@ import { t } from "../language.js";
 import { LOST, Shell } from "../shell.js";
 import { calledOf } from "../world.js";
 import { setUnits } from "./blocks.js";
-import { parseProgram } from "./check.js";
+import { parseProgram, withPython } from "./check.js";
 import { showControls } from "./controls.js";
 import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
 import { ending } from "./endings.js";
-import { EXAMPLES } from "./examples.js";
-import { setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
+import { blockVariables, setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
 import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
+import { Interpreter } from "./interpreter.js";
 import { packageName } from "./names.js";
 import { toPython } from "./python.js";
 import { Run } from "./run.js";
 import { Side } from "./side.js";
 import { Tasks } from "./tasks.js";
 import { TeachersSheet } from "./teachers_sheet.js";
+import { Text } from "./text.js";
 
 const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
@@ -72,11 +73,13 @@ const show = () => shell.show();
 const notLoaded = () => notice.show(NOT_LOADED);
 const side = new Side(shell, notLoaded);
 const workspace = openEditor(element("blocks"), programChanged);
+const text = new Text({ convert, changed: textChanged, python: () => python.text, notLoaded });
 const work = openWork({
   show: open,
-  current: () => ({ name: element("title").value, program: textOf(workspace) }),
+  current: () => ({ name: element("title").value, program: currentText() }),
   lock(on) {
     workspace.setIsReadOnly(on);
+    text.lock(on);
     element("title").disabled = on;
   },
   notLoaded,
@@ -114,7 +117,7 @@ function start(stepping) {
   judging.forget();
   if (!shell.link.connected || !robot) return refuse(robot ? LOST : world.describeAbsence("was"));
   const delay = () => DELAYS[element("speed").value];
-  run = new Run(currentProgram(workspace), robot, stepping, { send, printed, changed: show, ended, delay });
+  run = new Run(new Interpreter(currentProgram(workspace), robot), robot, stepping, { send, printed, changed: show, ended, delay });
   showControls(run, false); // now: Stop may be pressed at once
   show();
 }
@@ -128,17 +131,18 @@ function end(sentence) {
   run?.end(sentence);
 }
 
-function printed(text) {
-  showPrint(text);
+function printed(event) {
+  showPrint(event.print);
   show();
 }
 
-function ended(sentence, block) {
+function ended(sentence, place) {
   const { limit } = run;
   judging.programEnded(Boolean(sentence));
   const why = sentence || ENDED;
   setOutcome(limit ? t("{sentence} {limit}", { sentence: why, limit: limit.text }) : why, Boolean(sentence || limit));
-  selectBlock(workspace, block ?? limit?.block ?? "");
+  text.failed = place ?? limit?.place ?? null;
+  selectBlock(workspace, text.failed ?? "");
   show();
 }
 
@@ -159,17 +163,44 @@ function programChanged() {
   });
 }
 
+function textChanged() {
+  writePython();
+  end(CHANGED);
+}
+
 function writePython() {
-  python = toPython(workspace, packageName(element("title").value), world.robot(world.chosen) ?? DEFAULTS);
-  showPython(python);
+  if (text.python === null) {
+    python = toPython(workspace, packageName(element("title").value), world.robot(world.chosen) ?? DEFAULTS);
+    showPython(python);
+  } else python = { text: text.python, lines: new Map() };
   work.changed();
   show();
 }
 
+function currentText() {
+  return textOf(workspace, text.python ?? undefined);
+}
+
+// The program is this text from now on; null: its blocks again, below which the text is kept as an earlier version.
+function convert(written) {
+  const problem = written === null && work.branch();
+  if (problem) return notice.show(problem);
+  end(CHANGED);
+  showText(written);
+  writePython();
+}
+
+function showText(written) {
+  text.show(written);
+  side.showText(written !== null);
+}
+
 // Shows a program from elsewhere, or says in a sentence why it is refused. Returns whether it is shown.
-function open(title, text) {
+function open(title, program) {
   try {
-    showProgram(workspace, parseProgram(text));
+    const parsed = parseProgram(program);
+    showProgram(workspace, parsed);
+    showText(parsed.python ?? null);
   } catch ({ message }) {
     notice.show(message);
     return false;
@@ -184,19 +215,22 @@ function open(title, text) {
 
 async function openFile({ target }) {
   const [file] = target.files;
-  if (file) work.addFile(file.name.replace(/\.json$/, ""), await file.slice(0, MAX_FILE).text());
+  const content = await file?.slice(0, MAX_FILE).text();
+  if (file) work.addFile(file.name.replace(/\.(json|py)$/, ""), /\.py$/.test(file.name) ? withPython(content) : content);
   target.value = "";
 }
 
 function saveProgram() {
-  download(`${packageName(element("title").value)}.json`, textOf(workspace), "application/json");
+  const name = packageName(element("title").value);
+  if (text.python === null) download(`${name}.json`, currentText(), "application/json");
+  else download(`${name}.py`, text.python, "text/x-python");
 }
 
 function savePackage() {
   writePython();
   const name = packageName(element("title").value);
   import("./package.js").then(({ packageText }) => {
-    download(`${name}.txt`, packageText(name, python.text, textOf(workspace)), "text/plain");
+    download(`${name}.txt`, packageText(name, python.text, currentText()), "text/plain");
   }, notLoaded);
 }
 
@@ -206,8 +240,9 @@ function draw() {
   const running = runs() ? run : null;
   showControls(running, judging.isWaiting);
   element("language").disabled = runs() || judging.state.name !== "idle"; // it loads the page again
-  showPlace(workspace, running);
-  showOutput(workspace, run?.interpreter.variables ?? new Map());
+  showPlace(workspace, text.python === null ? running : null);
+  text.mark(running?.at ?? null);
+  showOutput(blockVariables(workspace, run?.engine.variables ?? new Map()));
   side.draw();
 }
 
@@ -222,9 +257,9 @@ element("open").addEventListener("click", () => element("file").click());
 element("file").addEventListener("change", openFile);
 element("save").addEventListener("click", saveProgram);
 element("package").addEventListener("click", savePackage);
-element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));
 element("examples").addEventListener("change", ({ target }) => {
-  if (target.value) work.add(target.value, EXAMPLES[target.value]);
+  const name = target.value;
+  if (name) import("./examples.js").then(({ EXAMPLES }) => work.add(name, EXAMPLES[name]), notLoaded);
   target.value = "";
 });
 addEventListener("keydown", (event) => event.key === "Escape" && end(STOPPED), true);

@@ -15,10 +15,17 @@ export class Side {
     element("judge").addEventListener("click", () => this.show(true));
   }
 
+  // Whether the program is a text: its place is that of the blocks, and the map is beside it.
+  showText(on) {
+    if (on === element("show-map").hidden) return;
+    element("show-map").hidden = on;
+    this.show(on);
+  }
+
   show(map) {
     element("show-map").setAttribute("aria-pressed", map);
     setText(element("python-title"), map ? t("Map") : t("Python"));
-    [element("view").hidden, element("python").hidden] = [!map, map];
+    [element("view").hidden, element("python").hidden, element("edit").hidden] = [!map, map, map];
     if (map && !this.shell.map) this.load();
   }
 
