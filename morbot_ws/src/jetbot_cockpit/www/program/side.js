@@ -61,7 +61,7 @@ export class Side {
 
   // name, value: of a curve, if the program printed these two
   print({ print, name, value }) {
-    showPrint(print);
+    if (print !== undefined) showPrint(print);
     if (name !== undefined) this.curves?.printed(name, value);
   }
 
