@@ -222,7 +222,7 @@ test("a program without a block below its start says so, and marks the start", a
 const NEWS = [ // a run; what is said of it, and whether that is a warning
   [{ held: false, at: null }, "Starting", false],
   [{ held: false, at: "here" }, "Running", false],
-  [{ held: true, at: "here" }, "Paused. Step runs the marked block.", false],
+  [{ held: true, at: "here" }, "Paused. Step runs what is marked.", false],
   [{ held: true, at: null }, "Paused", false],
   [{ at: "here", limit: { text: "Too fast." } }, "Running. Too fast.", true],
   [{ at: "here", waitless: true },

@@ -8,7 +8,7 @@ import { setUnits } from "./blocks.js";
 import { showControls } from "./controls.js";
 import { selectBlock } from "./editor.js";
 import { ending } from "./endings.js";
-import { blockVariables, setOutcome, showOutput, showPlace, showPrint } from "./output.js";
+import { blockVariables, setOutcome, showOutput, showPlace } from "./output.js";
 import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
 import { Run } from "./run.js";
@@ -64,7 +64,7 @@ const shell = new Shell({
 const { world, notice, send } = shell;
 const show = () => shell.show();
 const notLoaded = () => notice.show(NOT_LOADED);
-const side = new Side(shell, notLoaded);
+const side = new Side(shell, () => run, notLoaded);
 const shown = new Shown({
   robot: () => world.robot(world.chosen),
   changed(differs) {
@@ -152,7 +152,7 @@ function end(sentence) {
 }
 
 function printed(event) {
-  showPrint(event.print);
+  side.print(event);
   show();
 }
 

@@ -72,8 +72,9 @@ export class Shown {
 
   load(text) {
     setText(element("text"), text);
-    return import("../python/editor.js").then(({ Editor }) => { this.editor ??= new Editor(element("text"), this); },
-      this.page.notLoaded);
+    return Promise.all([import("../python/editor.js"), import("../python/engine.js")]).then(([{ Editor }]) => {
+      this.editor ??= new Editor(element("text"), this);
+    }, this.page.notLoaded);
   }
 
   // Asks whether the program is to become a text.

@@ -4,8 +4,10 @@ import { pythonLanguage } from "../vendor/codemirror/codemirror.js";
 import { t } from "../language.js";
 import { ProgramError } from "../program/program_error.js";
 import { mark } from "./marks.js";
+import { explain } from "./mistakes.js";
+import { FILES } from "./modules/list.js";
+import { syntaxProblem } from "./syntax.js";
 
-const MODULES = ["_run.py", "_start.py"];
 const LOOKS = /["'][\w/]*\bline["']/; // at the line sensor
 const BROKEN = t("Python broke off. Run the program again.");
 const NOT_LOADED = t("Python could not be loaded. Try again. If that does not help, reload the page.");
@@ -27,12 +29,14 @@ export class PythonEngine {
 
   // Loads Python, and reads the program. Throws a ProgramError if it is none.
   async prepare() {
+    const problem = syntaxProblem(this.text);
+    if (problem) this.fail(problem);
     const program = mark(this.text, pythonLanguage.parser.parse(this.text));
     loaded ??= load();
     this.given = { ...await loaded.catch(fail), program };
     this.worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.worker.onmessage = ({ data }) => this.heard?.(data);
-    this.worker.onerror = () => this.heard?.({ events: [], variables: null, broken: true });
+    this.worker.onerror = () => this.heard?.({ events: [], variables: null, broken: "the worker failed" });
   }
 
   // Yields the program's events, as Interpreter does. state(): { seconds, senses, slow } as worker.js explains them
@@ -41,10 +45,15 @@ export class PythonEngine {
       const { events, variables, over, problem, broken } = await this.ask(answer);
       if (variables) this.variables = new Map(JSON.parse(variables));
       for (const event of events) yield this.toEvent(event);
+      if (broken) console.error(broken);
       if (broken) throw new ProgramError(BROKEN);
-      if (problem) throw new ProgramError(`${problem.type}: ${problem.message}`, problem.line);
+      if (problem) this.fail(explain(problem, this.text));
       if (over) return;
     }
+  }
+
+  fail({ text, line }) {
+    throw new ProgramError(text, line);
   }
 
   toEvent(event) {
@@ -69,9 +78,9 @@ export class PythonEngine {
 async function load() {
   const [wasm, ...texts] = await Promise.all([
     get("../vendor/micropython/micropython.wasm").then((answer) => answer.arrayBuffer()),
-    ...MODULES.map((name) => get(`modules/${name}`).then((answer) => answer.text())),
+    ...FILES.map((name) => get(`modules/${name}`).then((answer) => answer.text())),
   ]);
-  return { wasm, files: Object.fromEntries(MODULES.map((name, index) => [name, texts[index]])) };
+  return { wasm, files: Object.fromEntries(FILES.map((name, index) => [name, texts[index]])) };
 }
 
 async function get(name) {

@@ -58,7 +58,7 @@ export class Machine {
       python.FS.mkdirTree(`/lib/${name}`.replace(/\/[^/]*$/, ""));
       python.FS.writeFile(`/lib/${name}`, text);
     }
-    const call = (value) => (value instanceof Promise ? this.wait(value) : value);
+    const call = (value) => (value instanceof Promise ? this.wait(value) : value ?? null);
     const functions = Object.entries(page).map(([name, act]) => [name, (...given) => call(act(...given))]);
     python.registerJsModule("_javascript", Object.fromEntries(functions));
     python.runPython(BEGINNING.replace("NAMES", Object.keys(page).join(" ")));
@@ -103,6 +103,7 @@ export class Machine {
 
   wait(promise) {
     this.pending = promise;
+    return null; // Python's None, as undefined is not
   }
 
   // Runs Python's function `run`, which catches all that it raises.

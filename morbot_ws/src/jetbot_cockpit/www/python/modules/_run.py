@@ -23,9 +23,15 @@ def each(line, values):
 def run():
     """Run it until its end; a program that has failed says why."""
     names["_each"] = each
+    _start.start()
+    attempt(lambda: exec(compile(_page.program(), "program.py", "exec"), names))
+    attempt(_start.finish)
+
+
+def attempt(act):
+    """Do this, and say why it fails."""
     try:
-        exec(compile(_page.program(), "program.py", "exec"), names)
-        _start.end()
+        act()
     except SystemExit:
         pass
     except BaseException as problem:
