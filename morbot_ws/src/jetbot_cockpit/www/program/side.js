@@ -30,7 +30,7 @@ export class Side {
     this.shown = what;
     for (const each of ["map", "curves"]) element(`show-${each}`).setAttribute("aria-pressed", what === each);
     setText(element("python-title"), TITLES[what]);
-    [element("view").hidden, element("python").hidden] = [what !== "map", what === "map"];
+    [element("view").hidden, element("python").hidden] = [what !== "map", what !== "python"];
     this.curves?.show(what === "curves");
     if (what === "map" && !this.shell.map) this.loadMap();
     if (what === "curves" && !this.curves) this.loadCurves();
