@@ -11,6 +11,7 @@ const TITLES = { python: t("Python"), map: t("Map"), curves: t("Curves") };
 
 export class Side {
   shown = "python";
+  rest = "python"; // what is shown where a person has chosen nothing else
   /** @type {any} */
   curves = null; // until they are shown first
 
@@ -21,16 +22,25 @@ export class Side {
     this.run = run;
     this.notLoaded = notLoaded;
     for (const each of ["map", "curves"]) {
-      element(`show-${each}`).addEventListener("click", () => this.show(this.shown === each ? "python" : each));
+      element(`show-${each}`).addEventListener("click", () => this.show(this.shown === each ? this.rest : each));
     }
     element("judge").addEventListener("click", () => this.shown === "curves" || this.show("map"));
+  }
+
+  // Whether the program is a text: its place is that of the blocks, and the map, or the curves, are beside it.
+  showText(on) {
+    if (on === (this.rest === "map")) return;
+    this.rest = on ? "map" : "python";
+    element("show-map").hidden = on;
+    this.show(this.rest);
   }
 
   show(what) {
     this.shown = what;
     for (const each of ["map", "curves"]) element(`show-${each}`).setAttribute("aria-pressed", what === each);
     setText(element("python-title"), TITLES[what]);
-    [element("view").hidden, element("python").hidden] = [what !== "map", what !== "python"];
+    element("view").hidden = what !== "map";
+    element("python").hidden = element("edit").hidden = what !== "python";
     this.curves?.show(what === "curves");
     if (what === "map" && !this.shell.map) this.loadMap();
     if (what === "curves" && !this.curves) this.loadCurves();
@@ -50,8 +60,8 @@ export class Side {
   }
 
   // name, value: of a curve, if the program printed these two
-  print(text, name, value) {
-    showPrint(text);
+  print({ print, name, value }) {
+    if (print !== undefined) showPrint(print);
     if (name !== undefined) this.curves?.printed(name, value);
   }
 
