@@ -3,6 +3,7 @@
 import { t } from "../language.js";
 
 const ROBOT = t("run the program on the robot with rosrun");
+const CHECK = t("check its name, or run the program on the robot with rosrun");
 const FILES = t("a program in the page has no files: print what you want to keep");
 const PROGRAMS = t("a program in the page starts no other program");
 const NETWORK = t("a program in the page reaches the robot alone, and no network");
@@ -50,5 +51,5 @@ export function insteadOf(name) {
 export function missing(given) {
   if (given.startsWith("/")) return t("Nothing in the page publishes the topic {name}.", { name: given });
   const name = given.replace("()", "");
-  return t("“{name}” is not in the page: {hint}.", { name, hint: insteadOf(name) ?? ROBOT });
+  return t("“{name}” is not in the page: {hint}.", { name, hint: insteadOf(name) ?? CHECK });
 }

@@ -59,6 +59,10 @@ const VALUES = [
     () => t("“rospy.init_node” comes first: rospy.init_node(\"my_program\")")],
   ["ROSSerializationException SerializationError", /^field (?<name>\S+) must be (?:float|an integer|unsigned)/,
     ({ name }) => t("“{name}” of the message needs a number.", { name })],
+  ["TypeError", /^Invalid number of arguments, args should be (?<text>.+?) args are/, ({ text }) => t(
+    "The message takes all of these values, or none: {text}.", { text: text.replace(/[^\w, ]/g, "") })],
+  ["TypeError", /^expected \[(?<kind>.*)\] but got \[(?<other>.*)\]$/, ({ kind, other }) => t(
+    "This topic takes {kind}, not {other}.", { kind, other })],
   ["TypeError", /^(?<name>\S+) carries (?<kind>\S+), not (?<other>\S+)$/,
     ({ name, kind, other }) => t("The topic {name} takes {kind}, not {other}.", { name, kind, other })],
 ];
@@ -70,10 +74,12 @@ const MISTAKES = [...UNKNOWN, ...TYPES, ...VALUES, ...COMPILED];
 export function explain({ type, message, line }, source) {
   const broken = ["SyntaxError", "IndentationError"].includes(type) && syntaxProblem(source);
   if (broken) return broken;
-  const said = { source, code: source.split("\n")[line - 1] ?? "", number: line };
+  const lines = source.split("\n");
+  const number = Math.max(1, Math.min(line, lines.length)); // MicroPython may mean the end
+  const said = { source, code: lines[number - 1], number };
   for (const [types, pattern, sentence] of MISTAKES) {
     const match = types.split(" ").includes(type) && pattern.exec(message);
-    if (match) return { text: sentence({ ...match.groups, ...said }), line };
+    if (match) return { text: sentence({ ...match.groups, ...said }), line: number };
   }
-  return { text: message ? `${type}: ${message}` : type, line };
+  return { text: message ? `${type}: ${message}` : type, line: number };
 }

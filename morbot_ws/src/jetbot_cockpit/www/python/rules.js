@@ -46,7 +46,7 @@ const RULES = [
   ([first, second]) => first.text === "print" && begins(second) && [t("print needs brackets: print(...).")],
   ([first, second]) => first.text === "else" && second?.text === "if"
     && [t("Python has no “{name}”: use {text}.", { name: "else if", text: "elif" })],
-  (tokens) => tokens[0].text === "else" && tokens[1]?.text !== ":" && endsWith(tokens, ":")
+  (tokens) => tokens[0].text === "else" && tokens[1]?.text !== ":" && colon(tokens)
     && [t("“else” has no condition: delete it, or use elif.")],
   ([first]) => ["/", "//"].includes(first.text) && [t("A comment begins with #")],
   misspelled,

@@ -8,6 +8,8 @@ const CONVERT = t("str(x) makes a text of a number, float(x) a number of a text.
 const POINT = t("A decimal number has a point, and no comma: 0.5");
 const ITEM = t("An item is taken with square brackets: x[0]");
 const SELF = t("The first parameter of a method is self: def name(self):");
+const WHOLE = t("int(x) makes a whole number of x.");
+const MULTIPLY = t("To multiply, write *");
 const RANGE = t("range(10) gives 10 numbers.");
 
 const KINDS = {
@@ -38,13 +40,18 @@ const needsNumber = ({ type }) => joined(t("Here a number is needed. This is non
 
 const noFunction = ({ type }) => joined(
   t("What is before “(” is no function. It is: {text}.", { text: kindOf(type) }),
-  ["list", "tuple", "dict", "str"].includes(type) && ITEM);
+  { list: ITEM, tuple: ITEM, dict: ITEM, str: ITEM, int: MULTIPLY, float: MULTIPLY }[type]);
+
+const ofFunction = ({ count, got }) => t(
+  "The function takes {count} value, and gets {got}.|The function takes {count} values, and gets {got}.",
+  { count, got });
 
 function wrongCount({ name, needed, given, source, code }) {
   const isMethod = new RegExp(`^[ \\t]+def\\s+${name}\\s*\\(`, "m").test(source);
   const hasSelf = new RegExp(`\\bdef\\s+${name}\\s*\\(\\s*self\\b`).test(source);
   if (isMethod && !hasSelf && code.includes(`.${name}(`)) return SELF;
   const [count, got] = [needed, given].map((each) => each - (hasSelf ? 1 : 0));
+  if (name === "__init__") return ofFunction({ count, got });
   return t("{name}() takes {count} value, and gets {got}.|{name}() takes {count} values, and gets {got}.",
            { name, count, got });
 }
@@ -56,15 +63,14 @@ export const TYPES = [
   ["TypeError", /^unsupported type for __hash__: '(?<type>\w+)'$/,
     ({ type }) => t("This cannot be a key of a dictionary, nor be in a set: {text}.", { text: kindOf(type) })],
   ["TypeError", /^unsupported type for __\w+__: '(?<type>\w+)'$/, needsNumber],
+  ["TypeError", /^can't convert float to int$/, () => joined(t("Here a whole number is needed."), WHOLE)],
   ["TypeError", /^can't convert (?<type>\w+) to (?:int|float)$/, needsNumber],
   ["TypeError", /^can't convert '\w+' object to str/,
     () => t("Here a text is needed: put quotation marks around it.")],
   ["TypeError", /^'(?<type>\w+)' object isn't callable$/, noFunction],
   ["TypeError", /^(?<name>\w+)\(\) takes (?<needed>\d+) positional arguments but (?<given>\d+) were given$/,
     wrongCount],
-  ["TypeError", /^function takes (?<count>\d+) positional arguments but (?<got>\d+) were given$/, ({ count, got }) => t(
-    "The function takes {count} value, and gets {got}.|The function takes {count} values, and gets {got}.",
-    { count, got })],
+  ["TypeError", /^function takes (?<count>\d+) positional arguments but (?<got>\d+) were given$/, ofFunction],
   ["TypeError", /^function missing /, () => t("The function needs more values between its brackets.")],
   ["TypeError", /^function expected at most/, () => t("The function takes fewer values between its brackets.")],
   ["TypeError", /^(?:unexpected keyword argument '(?<name>\w+)'|extra keyword arguments given)$/, ({ name }) => (name
