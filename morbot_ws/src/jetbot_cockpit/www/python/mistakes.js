@@ -17,7 +17,7 @@ const COMPILED = [
   ["SyntaxError", /^'yield' outside function$/, () => t("“yield” belongs in a function: this line is in none.")],
   ["SyntaxError", /^'break'\/'continue' outside loop$/,
     () => t("“break” and “continue” belong in a loop: this line is in none.")],
-  ["SyntaxError", /^can't assign to /, () => t("Only a name can get a value: it is on the left of =.")],
+  ["SyntaxError", /^can't assign to /, () => t("Only a name can get a value: put one on the left of =.")],
   ["SyntaxError", /^argument name reused$/, () => t("Two parameters have the same name.")],
   ["SyntaxError", /^non-default argument follows default/,
     () => t("A parameter without a value cannot follow one with a value.")],
@@ -39,16 +39,17 @@ const VALUES = [
   ["KeyError", /^(?<text>.*)$/, ({ text }) => t("There is no key “{text}”.", { text })],
   ["ZeroDivisionError", /^/, () => t("A number is divided by 0.")],
   ["ValueError", /^invalid syntax for integer with base \d+: '(?<text>.*)'$/,
-    ({ text }) => t("int(...) makes no whole number of “{text}”.", { text })],
+    ({ text }) => t("int(...) cannot make a whole number of “{text}”.", { text })],
   ["ValueError", /^invalid syntax for number$/,
-    () => t("float(...) makes no number of this text: a number looks like 0.5")],
+    () => t("float(...) cannot make a number of this text: a number looks like 0.5")],
   ["ValueError", /^too many values to unpack \(expected (?<count>\d+)\)$/, ({ count }) => t(
     "There are more values than the {count} name on the left of =.|"
     + "There are more values than the {count} names on the left of =.", { count })],
   ["ValueError", /^need more than (?<count>\d+) values to unpack$/, ({ count }) => t(
     "There is only {count} value for the names on the left of =.|"
     + "There are only {count} values for the names on the left of =.", { count })],
-  ["ValueError", /^(?:object not in sequence|substring not found)$/, () => t("What is looked for is not in it.")],
+  ["ValueError", /^(?:object not in sequence|substring not found)$/,
+    () => t("What you look for is not in the list or the text.")],
   ["ValueError", /^math domain error$/, () => t("This function of math has no result for this number.")],
   ["RuntimeError", /^(?:maximum recursion depth|pystack)/,
     () => t("A function calls itself again and again: let it end with an if.")],

@@ -35,7 +35,8 @@ export function syntaxProblem(source) {
 // Returns what is wrong with where the program ends, or null.
 function ending(last, levels) {
   if (opens(last)) {
-    return problem(t("“{text}” needs a line below it, 4 spaces further in.", { text: word(last.tokens) }), last.line);
+    const text = word(last.tokens);
+    return problem(t("“{text}” needs a line below it, with 4 more spaces in front.", { text }), last.line);
   }
   return levels.some(({ before }) => before === "try") ? problem(NO_EXCEPT, last.line) : null;
 }
@@ -50,15 +51,15 @@ function place({ indent }, above, levels) {
   const deeper = indent.length > outer.length;
   if (above && opens(above)) {
     levels.push({ indent, before: "" });
-    return deeper ? "" : t("This line belongs to “{text}” above it: put 4 spaces before it.",
+    return deeper ? "" : t("This line belongs to “{text}” above it: put 4 more spaces in front.",
                            { text: word(above.tokens) });
   }
-  if (deeper) return t("This line begins too far to the right: let it begin below the line above it.");
+  if (deeper) return t("This line begins too far to the right: begin it in the column of the line above.");
   while (levels[levels.length - 1].indent.length > indent.length) {
     if (levels.pop()?.before === "try") return NO_EXCEPT;
   }
   return levels[levels.length - 1].indent === indent ? ""
-    : t("This line begins in no column in which a line above it begins.");
+    : t("This line begins in a column in which no line above it begins.");
 }
 
 // Returns what is wrong with the order of if, else, try, except ..., or "".

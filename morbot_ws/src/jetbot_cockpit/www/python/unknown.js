@@ -5,11 +5,8 @@ import { insteadOf, missing, NOT_HERE } from "./missing.js";
 import { boundNames, BUILTINS, importOf, membersOf, methodsOf, MODULES, namesBoundBy } from "./names.js";
 import { near } from "./near.js";
 import { readStatements } from "./tokens.js";
-import { kindOf } from "./types.js";
+import { CALL, joined, kindOf, NO_RESULT, SELF } from "./types.js";
 
-const NO_RESULT = t("A function without return gives None.");
-const CALL = t("A function is called with brackets after its name: f()");
-const SELF = t("The first parameter of a method is self: def name(self):");
 const PART = t("Write motion.linear.x = 0.1, not motion.linear = 0.1");
 const WORDS = {
   __proto__: null, null: "None", nil: "None", undefined: "None", this: "self", Math: "math", printf: "print",
@@ -17,14 +14,13 @@ const WORDS = {
 };
 const LENGTHS = ["length", "size", "len", "count"];
 
-const joined = (...parts) => parts.filter(Boolean).join(" ");
 const meant = (text) => (text ? t("Do you mean {text}?", { text }) : "");
 
 function unknownName({ name, source }) {
   const bound = boundNames(source);
   if (name === "self") return SELF;
   if (bound.has(name)) {
-    return t("“{name}” has no value here: it gets one further down, or in a function alone.", { name });
+    return t("“{name}” has no value here: it gets one only further down, or inside a function.", { name });
   }
   const imported = importOf(name);
   if (imported) return t("“{name}” is not imported: write {text} at the top.", { name, text: imported });
