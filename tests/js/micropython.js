@@ -18,7 +18,7 @@ class Page {
   turns = []; // s
   command = [0, 0];
 
-  constructor({ senses = {}, perLook = 0, longest = 20 }) {
+  constructor({ senses = {}, perLook = 1e-5, longest = 20 }) {
     Object.assign(this, { known: { ...SENSES, ...senses }, perLook, longest });
   }
 
