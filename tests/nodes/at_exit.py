@@ -13,3 +13,11 @@ print("c\nd", end="\n\n")
 print()
 print("x", 1.5)
 print(None, True, [1, "a"], sep=", ")
+
+#> a-b; c
+#> d
+#>
+#>
+#> x 1.5
+#> None, True, [1, 'a']
+#> goodbye False

@@ -37,3 +37,9 @@ try:
     rospy.on_shutdown(5)
 except TypeError:
     print("TypeError")
+
+#> first False [1.0, 2.0]
+#> second
+#> True
+#> True rospy shutdown
+#> TypeError

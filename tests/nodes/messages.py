@@ -36,3 +36,65 @@ attempt(Twist, Vector3(), angular=Vector3())
 attempt(setattr, twist, "x", 1)
 attempt(setattr, twist.linear, "X", 1)
 attempt(getattr, twist, "speed")
+
+#> linear:
+#>   x: 0.0
+#>   y: 0.0
+#>   z: 0.0
+#> angular:
+#>   x: 0.0
+#>   y: 0.0
+#>   z: 0.0
+#> linear:
+#>   x: 1
+#>   y: 2.5
+#>   z: 0
+#> angular:
+#>   x: 0.0
+#>   y: 0.0
+#>   z: 0.1
+#> 1 0.0
+#> x: 1
+#> y: 2
+#> theta: 3.25
+#> header:
+#>   seq: 7
+#>   stamp:
+#>     secs: 0
+#>     nsecs:         0
+#>   frame_id: "map"
+#> pose:
+#>   position:
+#>     x: 1
+#>     y: 2
+#>     z: 3
+#>   orientation:
+#>     x: 0
+#>     y: 0
+#>     z: 0
+#>     w: 1
+#> data: 0.1 data: 1 data: 3 data: True data: "it's \"x\"\n\t\xFC" data: ''
+#> 0 True
+#> layout:
+#>   dim:
+#>     -
+#>       label: "left"
+#>       size: 1
+#>       stride: 2
+#>   data_offset: 0
+#> data: [1, 2.5]
+#> layout:
+#>   dim: []
+#>   data_offset: 0
+#> data: []
+#> 36 0.0 True
+#> True False False False
+#> True False
+#> 2 geometry_msgs/Twist ['linear', 'angular'] geometry_msgs/PoseWithCovariance
+#> TypeError Invalid number of arguments
+#> TypeError Invalid number of arguments
+#> AttributeError linaer is not an attribute of Twist
+#> TypeError Message constructor may only use args OR keywords, not both
+#> AttributeError 'Twist' object has no attribute 'x'
+#> AttributeError 'Vector3' object has no attribute 'X'
+#> AttributeError 'Twist' object has no attribute 'speed'

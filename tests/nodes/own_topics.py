@@ -25,7 +25,8 @@ private = rospy.Publisher("~word", String, queue_size=10, latch=True)
 rospy.Subscriber("own_topics/word", String, on_word, "word: ")
 while not (dark.get_num_connections() and private.get_num_connections() and first.get_num_connections()):
     rospy.sleep(0.01)
-print(dark.name, private.resolved_name, dark.get_num_connections(), rospy.resolve_name("~x"), rospy.resolve_name("a//b/"))
+print(dark.name, private.resolved_name, dark.get_num_connections())
+print(rospy.resolve_name("~x"), rospy.resolve_name("a//b/"))
 for value in (0.5, 0.25):
     dark.publish(value)
     wait_for(2)
@@ -50,3 +51,18 @@ try:
     rospy.wait_for_message("dark_x", Float32, rospy.Duration(0.2))
 except rospy.ROSException as error:
     print(error)
+
+#> /dark_x /own_topics/word 1
+#> /own_topics/x /a/b
+#> [0.5, -0.5]
+#> [0.25, -0.25]
+#> [0.125]
+#> ['word: hello']
+#> ['late: hello']
+#> data: "hello"
+#> [layout:
+#>   dim: []
+#>   data_offset: 0
+#> data: [1.0, 2.0]]
+#> 0
+#> timeout exceeded while waiting for message on topic dark_x

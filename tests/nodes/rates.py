@@ -17,6 +17,7 @@ rate.sleep()  # late by 0.1 s: at once
 print(round(rospy.get_time() - start, 1))
 rate.sleep()  # catches up
 print(round(rospy.get_time() - start, 1))
+start = rospy.get_time()
 rospy.sleep(1)  # too much to catch up with
 rate.sleep()
 rate.sleep()
@@ -28,3 +29,12 @@ try:
     time.sleep(-1)
 except ValueError as error:
     print(error)
+
+#> 0.2 200000000 33333333
+#> 0.6
+#> -0.1
+#> 0.9
+#> 1.0
+#> 1.2
+#> [0.2, 0.2, 0.2]
+#> sleep length must be non-negative

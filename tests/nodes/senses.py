@@ -9,7 +9,8 @@ rospy.init_node("senses")
 odometry = rospy.wait_for_message("odom", Odometry, timeout=5)
 pose = odometry.pose.pose
 print(pose.position)
-print(round(2 * math.atan2(pose.orientation.z, pose.orientation.w), 6), odometry.header.frame_id, odometry.child_frame_id)
+print(round(2 * math.atan2(pose.orientation.z, pose.orientation.w), 6))
+print(odometry.header.frame_id, odometry.child_frame_id)
 print(odometry.twist.twist.linear.x, odometry.twist.twist.angular.z)
 print(abs((rospy.Time.now() - odometry.header.stamp).to_sec()) < 1)
 print(rospy.wait_for_message("line", Float32MultiArray).data)
@@ -32,3 +33,14 @@ rospy.sleep(0.1)
 seen.clear()
 rospy.sleep(0.3)
 print(seen)
+
+#> x: 1.0
+#> y: 2.0
+#> z: 0.0
+#> 0.5
+#> odom base_footprint
+#> 0.0 0.0
+#> True
+#> (0.25, 0.5, 1.0)
+#> (0.375, 0.125, 0.25, 0.5)
+#> {}

@@ -1,5 +1,5 @@
 """Python's own modules: what MicroPython has, and what it lacks."""
-from __future__ import annotations, division, print_function
+from __future__ import annotations, division, print_function  # noqa: UP010
 
 import collections
 import copy
@@ -48,3 +48,22 @@ print(time.time_ns() > 10 ** 18, time.localtime()[0] > 2020, datetime.datetime.n
 print(json.loads(json.dumps({"a": [1, None]}))["a"], re.sub("[0-9]+", "n", "a12"), copy.copy([1]))
 print(collections.deque([1, 2], 2)[0], functools.reduce(lambda a, b: a + b, [1, 2]), list(itertools.chain([1], [2])))
 print(Optional is not None, len(sys.argv), sys.version_info >= (3, 4))
+
+#> -1.0 -1.5 -0.5 0.5 1.0 -1.0 7.0 -0.5 -3.141592654 -1.0 True
+#> ValueError
+#> ValueError
+#> 5.0 0.0 3.0 True inf
+#> 5.0 6 2 6 9
+#> 10 0 6.28319 -2 True
+#> ValueError
+#> ValueError
+#> ValueError
+#> True 4 7 3
+#> True True 0 [5, 5, 5]
+#> ['b', 'b'] True
+#> ValueError
+#> True True False False
+#> True True True
+#> [1, None] an [1]
+#> 1 3 [1, 2]
+#> True 1 True

@@ -22,3 +22,9 @@ print(second.last_real == first.current_real, second.last_expected == first.curr
 print(round((second.current_expected - second.last_expected).to_sec(), 1), second.last_duration < 0.1)
 rospy.sleep(0.5)
 print(len(ticks))
+
+#> [0.2, 0.4, 'once', 0.6, 0.8]
+#> None None None 0.2
+#> True True
+#> 0.2 True
+#> 5

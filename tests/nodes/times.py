@@ -39,3 +39,24 @@ rospy.sleep(-1)
 rospy.sleep(0)
 print(round((rospy.Time.now() - start).to_sec(), 1), round(rospy.get_time() - start.to_sec(), 1))
 print(rospy.get_rostime() > start, start.to_sec() > 1600000000)
+
+#> 0 1000000000 2500000000 1500000000 250000000 True
+#> rospy.Time[1500000000] rospy.Duration[-500000000] rospy.Time[999999999] 3000000000
+#> 1500000000 2000000000 4500000000 3000000000
+#> 3000000000 -1000000000 -1500000000 1500000000
+#> 6000000000 6000000000 1500000000 1500000000 1.5
+#> 3 3000000000 3000000000
+#> True True False False True
+#> True False 3000000000 False
+#> 1.5 1000000005 1 500000000 -1
+#> False True one 1000000000
+#> 4 500000000
+#> TypeError
+#> ValueError
+#> TypeError
+#> TypeError
+#> TypeError
+#> TypeError
+#> TypeError
+#> 0.1 0.1
+#> True True

@@ -15,3 +15,13 @@ for count in range(10):
     publisher.publish(twist)
     rate.sleep()
 print(twist)
+
+#> 0.5 False /driver /
+#> linear:
+#>   x: 0.5
+#>   y: 0.0
+#>   z: 0.0
+#> angular:
+#>   x: 0.0
+#>   y: 0.0
+#>   z: 0.9
