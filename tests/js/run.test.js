@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { Interpreter } from "#www/program/interpreter.js";
 import { excess, newsOf } from "#www/program/remarks.js";
 import { Run } from "#www/program/run.js";
 
@@ -22,9 +23,9 @@ function named(json) {
 // Runs a program, whose robot answers at once, on a page that shows what it prints and why it has ended.
 async function begin(t, json, { stepping = false, delay = 0, ready = true } = {}) {
   const page = { clock: new Clock(t), sent: [], prints: [], ends: [] };
-  page.run = new Run(named(json), ROBOT, stepping, {
+  page.run = new Run(new Interpreter(named(json), ROBOT), ROBOT, stepping, {
     send: (message) => (message.type === "program" ? answer(page, ready) : page.sent.push(message)),
-    printed: (text) => page.prints.push(text), changed() {}, delay: () => delay,
+    printed: ({ print: text }) => page.prints.push(text), changed() {}, delay: () => delay,
     ended: (...why) => page.ends.push(why),
   });
   await page.clock.pass(60);
@@ -168,7 +169,7 @@ for (const [first, text, ...others] of FAST) {
   test(`of ${first.type} a person reads ${text}`, async (t) => {
     const page = await begin(t, program([{ ...first, id: "fast" }, ...others, drive(9, 0.1)].slice(0, text ? 9 : 1)));
     await page.clock.pass(1000);
-    assert.deepEqual(page.run.limit && [page.run.limit.text, page.run.limit.block], text ? [text, "fast"] : null);
+    assert.deepEqual(page.run.limit && [page.run.limit.text, page.run.limit.place], text ? [text, "fast"] : null);
   });
 }
 
@@ -199,7 +200,8 @@ test("a loop without a wait is reported after a second, until the program waits 
   const page = { clock: new Clock(t) };
   const early = plug("logic_compare", { A: plug("robot_time"), B: 2 }, { OP: "LT" });
   const loop = block("controls_whileUntil", { BOOL: early, DO: body(set("x", 1)) }, { fields: { MODE: "WHILE" } });
-  page.run = new Run(named(program([loop, drive(0.5, 30)], { variables: ["x"] })), ROBOT, false, {
+  const blocks = named(program([loop, drive(0.5, 30)], { variables: ["x"] }));
+  page.run = new Run(new Interpreter(blocks, ROBOT), ROBOT, false, {
     send: (message) => message.type === "program" && answer(page, true), printed() {}, changed() {}, ended() {},
     delay: () => page.clock.freeze(1), // each statement takes a millisecond
   });
@@ -221,7 +223,7 @@ test("a program without a block below its start says so, and marks the start", a
 const NEWS = [ // a run; what is said of it, and whether that is a warning
   [{ held: false, at: null }, "Starting", false],
   [{ held: false, at: "here" }, "Running", false],
-  [{ held: true, at: "here" }, "Paused. Step runs the marked block.", false],
+  [{ held: true, at: "here" }, "Paused. Step runs what is marked.", false],
   [{ held: true, at: null }, "Paused", false],
   [{ at: "here", limit: { text: "Too fast." } }, "Running. Too fast.", true],
   [{ at: "here", waitless: true },

@@ -55,10 +55,15 @@ export function showPrint(text) {
   printed = true;
 }
 
-// Shows the values of the variables, by their ids, and what was printed last.
-export function showOutput(workspace, values) {
+// Returns [name, value] of each variable that has one. values: by the variables' ids
+export function blockVariables(workspace, values) {
   const known = workspace.getVariableMap().getAllVariables().filter((each) => values.has(each.getId()));
-  const texts = known.flatMap((each) => [each.getName(), String(shown(values.get(each.getId()))).slice(0, MAX_VALUE)]);
+  return known.map((each) => [each.getName(), String(shown(values.get(each.getId())))]);
+}
+
+// Shows the variables, [name, value] of each, and what was printed last.
+export function showOutput(variables) {
+  const texts = variables.flatMap(([name, value]) => [name, value.slice(0, MAX_VALUE)]);
   const parts = element("variables").children;
   if (parts.length === texts.length) texts.forEach((text, index) => setText(parts[index], text));
   else element("variables").replaceChildren(...texts.map((text, index) => create(index % 2 ? "dd" : "dt", "", text)));

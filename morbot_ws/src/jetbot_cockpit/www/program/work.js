@@ -242,6 +242,13 @@ export class Work {
     this.kept.change(content);
   }
 
+  // Lets the version that is kept stay, as an earlier one, once the next change is. Returns why it cannot, or "".
+  keepEarlier() {
+    if (this.kept.state.unsaved) return this.kept.state.text;
+    this.kept.version = 0;
+    return "";
+  }
+
   // Says what has become of a program, of another one only what is bad, or that it waits for its class, without its
   // name; keeps the shown one on this device.
   report(kept) {

@@ -11,7 +11,8 @@ from jetbot import files
 
 WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit", "www")
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
-         ".cur": "image/x-icon", ".json": "application/json"}
+         ".cur": "image/x-icon", ".json": "application/json", ".mjs": "text/javascript", ".wasm": "application/wasm",
+         ".py": "text/x-python"}
 NEVER, CHECKED, FOREVER = "no-store", "no-cache", "max-age=31536000, immutable"  # how a browser keeps a file
 # A whole line, or its end, which is in no text since it has no quotes; the lines keep their numbers
 COMMENT = re.compile(rb"""^ *(?://.*|/\*\*.*\*/)$|(?<=[;,{}()\[\]]) +// [^"'`\n]*$""", re.MULTILINE)

@@ -1,0 +1,78 @@
+// Names that a program uses and nobody knows: variables, modules, attributes.
+
+import { t } from "../language.js";
+import { insteadOf, missing, NOT_HERE } from "./missing.js";
+import { ATTRIBUTES, boundNames, BUILTINS, importOf, methodsOf, MODULES, namesBoundBy } from "./names.js";
+import { near } from "./near.js";
+import { readStatements } from "./tokens.js";
+
+const NO_RESULT = t("A function without return gives None.");
+const CALL = t("A function is called with brackets after its name: f()");
+const SELF = t("The first parameter of a method is self: def name(self):");
+const WORDS = {
+  __proto__: null, null: "None", nil: "None", undefined: "None", this: "self", Math: "math", printf: "print",
+  println: "print", echo: "print", puts: "print", length: "len", size: "len", string: "str", integer: "int",
+};
+const LENGTHS = ["length", "size", "len", "count"];
+
+const joined = (...parts) => parts.filter(Boolean).join(" ");
+const meant = (text) => (text ? t("Do you mean {text}?", { text }) : "");
+
+function unknownName({ name, source }) {
+  const bound = boundNames(source);
+  if (name === "self") return SELF;
+  if (bound.has(name)) {
+    return t("“{name}” has no value here: it gets one further down, or in a function alone.", { name });
+  }
+  const imported = importOf(name);
+  if (imported) return t("“{name}” is not imported: write {text} at the top.", { name, text: imported });
+  if (insteadOf(name)) return missing(name);
+  const other = WORDS[name] ?? near(name, [...bound.keys(), ...BUILTINS]);
+  return joined(t("“{name}” is not known here.", { name }),
+                meant(other) || t("Give it a value before, or put a text between quotation marks."));
+}
+
+function unassigned({ source, number }) {
+  const bound = boundNames(source);
+  const statement = readStatements(source).statements.findLast(({ line }) => line <= number);
+  const own = [...namesBoundBy(statement?.tokens ?? [])];
+  const used = (statement?.tokens ?? []).filter(({ kind }) => kind === "name").map(({ text }) => text);
+  const name = [...own, ...used].find((each) => bound.get(each));
+  return name ? t("“{name}” has no value in this function. To use the one outside, begin the function with: {text}",
+                  { name, text: `global ${name}` })
+    : t("This line uses a name before the function gives it a value.");
+}
+
+function noModule({ name }) {
+  if (insteadOf(name)) return missing(name);
+  const other = near(name, [...MODULES, ...NOT_HERE]);
+  return other ? joined(t("There is no module “{name}”.", { name }), meant(other)) : missing(name);
+}
+
+function noName({ name, code }) {
+  const module = /\bfrom\s+([\w.]+)/.exec(code)?.[1] ?? "";
+  if (insteadOf(`${module}.${name}`)) return missing(`${module}.${name}`);
+  return joined(t("“{text}” has no “{name}”.", { text: module, name }), meant(near(name, ATTRIBUTES)));
+}
+
+function noAttribute({ owner, name, source }) {
+  if (owner === "NoneType") return joined(t("What is before “.{name}” is None.", { name }), NO_RESULT);
+  if (["function", "bound_method", "closure"].includes(owner)) return CALL;
+  if (insteadOf(`${owner}.${name}`)) return missing(`${owner}.${name}`);
+  if (LENGTHS.includes(name)) return t("len(x) gives the length of x.");
+  return joined(t("“{text}” has no “{name}”.", { text: owner, name }),
+                meant(near(name, [...methodsOf(source), ...ATTRIBUTES])));
+}
+
+/** @import { Row } from "./mistakes.js" */
+/** @type {Row[]} */
+export const UNKNOWN = [
+  ["NotHere", /^(?<name>.+)$/, ({ name }) => missing(name)],
+  ["NameError", /^name '(?<name>.+)' isn't defined$/, unknownName],
+  ["NameError", /^local variable/, unassigned],
+  ["ImportError", /^no module named '(?<name>.+)'$/, noModule],
+  ["ImportError", /^can't import name (?<name>\w+)$/, noName],
+  ["AttributeError", /^(?:type object |module )?'(?<owner>.+)' (?:object )?has no attribute '(?<name>.+)'$/,
+    noAttribute],
+  ["AttributeError", /^(?<name>\w+) is not an attribute of (?<owner>\w+)$/, noAttribute],
+];
