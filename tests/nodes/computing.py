@@ -10,6 +10,9 @@ subscriber = rospy.Subscriber("line", Float32MultiArray, seen.append)
 while not rospy.is_shutdown() and not seen:
     pass
 print(seen[0].data)
+del seen[:]
+while not seen:
+    pass
 for clock in (rospy.get_time, time.time, lambda: rospy.Time.now().to_sec(), time.monotonic, time.perf_counter):
     del seen[:]
     end = clock() + 0.5
