@@ -200,7 +200,8 @@ test("a loop without a wait is reported after a second, until the program waits 
   const page = { clock: new Clock(t) };
   const early = plug("logic_compare", { A: plug("robot_time"), B: 2 }, { OP: "LT" });
   const loop = block("controls_whileUntil", { BOOL: early, DO: body(set("x", 1)) }, { fields: { MODE: "WHILE" } });
-  page.run = new Run(new Interpreter(named(program([loop, drive(0.5, 30)], { variables: ["x"] })), ROBOT), ROBOT, false, {
+  const blocks = named(program([loop, drive(0.5, 30)], { variables: ["x"] }));
+  page.run = new Run(new Interpreter(blocks, ROBOT), ROBOT, false, {
     send: (message) => message.type === "program" && answer(page, true), printed() {}, changed() {}, ended() {},
     delay: () => page.clock.freeze(1), // each statement takes a millisecond
   });
@@ -222,7 +223,7 @@ test("a program without a block below its start says so, and marks the start", a
 const NEWS = [ // a run; what is said of it, and whether that is a warning
   [{ held: false, at: null }, "Starting", false],
   [{ held: false, at: "here" }, "Running", false],
-  [{ held: true, at: "here" }, "Paused. Step runs the marked block.", false],
+  [{ held: true, at: "here" }, "Paused. Step runs what is marked.", false],
   [{ held: true, at: null }, "Paused", false],
   [{ at: "here", limit: { text: "Too fast." } }, "Running. Too fast.", true],
   [{ at: "here", waitless: true },

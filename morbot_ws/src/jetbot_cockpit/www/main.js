@@ -18,6 +18,7 @@ import { calledOf } from "./world.js";
 
 let driven = null; // the robot that the commands go to
 let wasDriver = false;
+let curves = null; // until they are shown first
 let fitted = false; // a teacher sees a class as a whole first
 
 const choose = (id) => shell.choice.choose(id);
@@ -104,11 +105,18 @@ function draw() {
   fleet.show();
   camera.show();
   shell.map?.draw();
+  curves?.draw();
 }
 
 function showTasks(tasks) {
   element("codes-tasks").hidden = !tasks.length;
   showSwitches(element("task-switches"), tasks, send);
+}
+
+async function showCurves(on) {
+  const { loadCurves } = await import("./curves/panel.js");
+  curves ??= await loadCurves(shell, element("view"), () => null, () => showCurves(false));
+  curves.show(on);
 }
 
 // The page sees no finger and no key any more.
@@ -129,6 +137,8 @@ watchGamepads(deflect("gamepad"), () => driving.pause("gamepad")
 prepareViews();
 prepareHealth(() => shell.show());
 element("speed").addEventListener("input", setSpeed);
+element("show-curves").addEventListener("click", () => showCurves(true));
+element("show-camera").addEventListener("click", () => curves && showCurves(false));
 element("take").addEventListener("click", () => send({ type: "take", robot: world.chosen }));
 element("go-on").addEventListener("click", () => send({ type: "go_on", robot: world.chosen }));
 element("reset").addEventListener("click", () => send({ type: "reset", robot: world.chosen }));

@@ -94,7 +94,7 @@ export class Run {
     this.drivenAt = this.clock.now;
     this.motion.begin();
     for await (const event of this.engine.run(() => this.state)) {
-      if ("print" in event) this.printed(event);
+      if ("print" in event || "name" in event) this.printed(event);
       else if ("step" in event) await this.before(event.step);
       else if ("breathe" in event) await this.between();
       else await this.drive(event);

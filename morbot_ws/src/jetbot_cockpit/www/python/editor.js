@@ -63,13 +63,13 @@ export class Editor {
   locking = new Compartment();
   marked = {}; // what is marked
 
-  // target: where it is; program: the Text that it shows and changes
+  // target: where it is; program: the Shown whose text it is
   constructor(target, program) {
     this.program = program;
     this.view = new EditorView();
     target.replaceChildren(this.tools(), this.view.dom, create("p", "hint", LEAVE));
-    beBlocks(() => program.page.convert(null));
-    this.show(program.python ?? "");
+    beBlocks(() => program.convert(null));
+    this.show(program.text ?? "");
   }
 
   tools() {
@@ -84,7 +84,7 @@ export class Editor {
     this.view.setState(EditorState.create({ doc: python, extensions: [
       EXTENSIONS, this.locking.of(lock(this.program.locked)),
       EditorView.updateListener.of(({ docChanged, state }) => docChanged
-        && this.program.change(toLines(state.doc.toString()))),
+        && this.program.textChanged(toLines(state.doc.toString()))),
     ] }));
   }
 

@@ -4,8 +4,10 @@ import { pythonLanguage } from "../vendor/codemirror/codemirror.js";
 import { t } from "../language.js";
 import { ProgramError } from "../program/program_error.js";
 import { mark } from "./marks.js";
+import { explain } from "./mistakes.js";
+import { FILES } from "./modules/list.js";
+import { syntaxProblem } from "./syntax.js";
 
-const MODULES = ["_run.py", "_start.py"];
 const LOOKS = /["'][\w/]*\bline["']/; // at the line sensor
 const BROKEN = t("Python broke off. Run the program again.");
 const NOT_LOADED = t("Python could not be loaded. Try again. If that does not help, reload the page.");
@@ -19,6 +21,9 @@ export class PythonEngine {
   /** @type {((message: any) => void) | null} */
   heard = null; // takes the worker's message
 
+  /** @type {any} */
+  worker = null;
+
   /** @param {string} text of the program */
   constructor(text) {
     this.text = text;
@@ -27,6 +32,8 @@ export class PythonEngine {
 
   // Loads Python, and reads the program. Throws a ProgramError if it is none.
   async prepare() {
+    const problem = syntaxProblem(this.text);
+    if (problem) this.fail(problem);
     const program = mark(this.text, pythonLanguage.parser.parse(this.text));
     loaded ??= load();
     this.given = { ...await loaded.catch(fail), program };
@@ -43,9 +50,13 @@ export class PythonEngine {
       for (const event of events) yield this.toEvent(event);
       if (broken) console.error(broken);
       if (broken) throw new ProgramError(BROKEN);
-      if (problem) throw new ProgramError(`${problem.type}: ${problem.message}`, problem.line);
+      if (problem) this.fail(explain(problem, this.text));
       if (over) return;
     }
+  }
+
+  fail({ text, line }) {
+    throw new ProgramError(text, line);
   }
 
   toEvent(event) {
@@ -70,9 +81,9 @@ export class PythonEngine {
 async function load() {
   const [wasm, ...texts] = await Promise.all([
     get("../vendor/micropython/micropython.wasm").then((answer) => answer.arrayBuffer()),
-    ...MODULES.map((name) => get(`modules/${name}`).then((answer) => answer.text())),
+    ...FILES.map((name) => get(`modules/${name}`).then((answer) => answer.text())),
   ]);
-  return { wasm, files: Object.fromEntries(MODULES.map((name, index) => [name, texts[index]])) };
+  return { wasm, files: Object.fromEntries(FILES.map((name, index) => [name, texts[index]])) };
 }
 
 async function get(name) {

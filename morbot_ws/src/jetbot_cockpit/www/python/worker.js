@@ -14,6 +14,7 @@ let state = { seconds: 0, senses: {}, slow: true };
 let answeredAt = 0; // as performance.now() counts
 let [line, told] = [0, 0]; // that runs, and as the page knows it
 let events = []; // since the last turn
+let problem = null; // why the program has failed first
 let shownAt = -Infinity; // when the page got the variables
 
 // What Python's module _page has
@@ -26,13 +27,14 @@ const page = {
     if (told !== line) events.push({ step: line });
     return turn({ wait: seconds });
   },
-  seconds: () => state.seconds + (performance.now() - answeredAt) / 1000 + 1e-9, // Python takes a whole number for an int
+  seconds: () => state.seconds + (performance.now() - answeredAt) / 1000 + 1e-9, // a whole number would be an int
   senses: () => JSON.stringify(state.senses),
   drive: (x, z) => add({ motion: [x, z] }),
   show: (text) => add({ print: text.slice(0, LONGEST) }),
-  curve: (name, value) => add({ curve: [name.slice(0, LONGEST), value] }),
+  curve: (name, value) => add({ name: name.slice(0, LONGEST), value }),
   fail(type, message, trace) {
-    state.problem = { type, message, line: Number([...trace.matchAll(/"program\.py", line (\d+)/g)].at(-1)?.[1] ?? line) };
+    const lines = [...trace.matchAll(/"program\.py", line (\d+)/g)].map(([, each]) => Number(each));
+    problem ??= { type, message, line: lines.at(-1) ?? line };
   },
 };
 
@@ -64,7 +66,7 @@ async function main() {
   const given = { ...page, program: () => program };
   await machine.load({ wasm, files, page: given, written: (text) => add({ print: text }) });
   await machine.run();
-  postMessage({ events, variables: machine.evaluate("variables"), over: true, problem: state.problem ?? null });
+  postMessage({ events, variables: machine.evaluate("variables"), over: true, problem });
 }
 
 main().catch((error) => postMessage({ events, variables: null, broken: String(error) }));

@@ -6,11 +6,10 @@ import sys
 
 import _page
 import _start
+from _clock import names
 
 SHOWN = bool, int, float, str, list, tuple, dict, set, type(None)
 LONGEST = 100  # characters of a value, and parts of it
-
-names = {"__name__": "__main__", "_at": _page.at}  # the program's own
 
 
 def each(line, values):
@@ -23,9 +22,15 @@ def each(line, values):
 def run():
     """Run it until its end; a program that has failed says why."""
     names["_each"] = each
+    _start.start()
+    attempt(lambda: exec(compile(_page.program(), "program.py", "exec"), names))
+    attempt(_start.finish)
+
+
+def attempt(act):
+    """Do this, and say why it fails."""
     try:
-        exec(compile(_page.program(), "program.py", "exec"), names)
-        _start.end()
+        act()
     except SystemExit:
         pass
     except BaseException as problem:

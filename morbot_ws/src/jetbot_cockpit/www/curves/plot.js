@@ -1,0 +1,162 @@
+// Draws the curves: strips above each other, which share the time. A value holds until the next one, as nothing else
+// is known of the time in between; where there is room, a dot shows each value that came.
+
+/** @import { Series, Strip } from "./series.js" */
+/** @import { Timeline } from "./timeline.js" */
+/** @typedef {["best" | "earlier" | "current", any, number]} Row */
+
+import { number, t } from "../language.js";
+import { Path } from "./path.js";
+import { axis, scaleOf, ticks } from "./scale.js";
+import { COLORS, DASHES, digits, trackOf, valueAt } from "./series.js";
+import { LEFT } from "./timeline.js";
+
+const [TITLE, FOOT, GAP] = [22, 18, 4]; // px: above a strip, below all, between two
+const STRIP = 62; // px of a strip, at least
+const NOTHING = t("Nothing was reported.");
+const DOTS = 7; // px between two values from which on each has a dot
+const STYLES = { // of the drives
+  best: { globalAlpha: 0.3, lineWidth: 5 },
+  earlier: { globalAlpha: 0.4, lineWidth: 1.5 },
+  current: { globalAlpha: 1, lineWidth: 2 },
+};
+
+// Returns the height in px that so many strips need.
+export function heightOf(strips) {
+  return strips * (STRIP + GAP) + FOOT;
+}
+
+export class Plot {
+  // colors: by the names of the page's styles
+  /** @param {CanvasRenderingContext2D} context @param {Timeline} timeline @param {Record<string, string>} colors */
+  constructor(context, timeline, colors) {
+    this.context = context;
+    this.timeline = timeline;
+    this.colors = colors;
+    context.font = "12px system-ui, sans-serif";
+  }
+
+  // drives: rows of [kind, drive, until], kinds of STYLES, the current one last; until: s, what is newer is not shown
+  /** @param {Strip[]} strips @param {Row[]} drives */
+  draw(strips, drives, height) {
+    const { context, timeline: { width } } = this;
+    context.fillStyle = this.colors.surface;
+    context.fillRect(0, 0, width, height);
+    const each = (height - FOOT - GAP * strips.length) / Math.max(1, strips.length);
+    strips.forEach((strip, index) => {
+      const top = index * (each + GAP);
+      this.strip(strip, drives, { left: LEFT, top: top + TITLE, right: width, bottom: top + each });
+    });
+    this.times(height);
+    this.cursor(height);
+  }
+
+  strip(strip, drives, box) {
+    const scale = scaleOf(strip, drives, this.timeline, box);
+    this.title(strip, drives.at(-1), box);
+    this.grid(scale, box);
+    if (!scale.known) return this.text(NOTHING, (box.left + box.right) / 2, (box.top + box.bottom) / 2, "center");
+    this.inside(box, () => {
+      for (const [kind, drive, until] of drives) {
+        Object.assign(this.context, STYLES[kind]);
+        for (const series of strip.series) this.trace(drive, series, until, scale, kind === "current");
+      }
+    });
+  }
+
+  inside({ left, top, right, bottom }, draw) {
+    const { context } = this;
+    context.save();
+    context.beginPath();
+    context.rect(left, top - 2, right - left, bottom - top + 4);
+    context.clip();
+    draw();
+    context.restore();
+  }
+
+  // The name of a strip, and of each series how it is drawn, its name, and its value.
+  title({ title, unit, places, series: all }, [, drive, until], { top }) {
+    const middle = top - 13;
+    let left = this.text(unit ? `${title} (${unit})` : title, 4, middle, "left", "muted") + 10;
+    const moment = Math.min(this.timeline.cursor ?? Infinity, until - drive.start, drive.length);
+    for (const each of all) {
+      const shown = digits(valueAt(drive, each, moment), places);
+      this.line(each, [[left, middle], [left + 22, middle]]);
+      left += this.text(`${each.name} ${shown}`.trim(), left + 27, middle, "left", "text") + 39;
+    }
+  }
+
+  grid({ low, high, y }, { left, right, top, bottom }) {
+    const { context, colors } = this;
+    const values = ticks(low, high, (bottom - top) / 22);
+    for (const value of values) {
+      context.fillStyle = Math.abs(value) < 1e-9 ? colors.axis : colors.grid;
+      context.fillRect(left, Math.round(y(value)), right - left, 1);
+      this.text(number(axis(value, values)), left - 5, y(value), "right", "muted");
+    }
+  }
+
+  times(height) {
+    const { timeline } = this;
+    const [from, to] = timeline.shown;
+    const values = ticks(from, to, (timeline.width - LEFT) / 60);
+    for (const value of values) {
+      const right = Math.min(timeline.right(value), timeline.width - 14);
+      this.text(t("{seconds} s", { seconds: axis(value, values) }), right, height - 8, "center", "muted");
+    }
+  }
+
+  cursor(height) {
+    const { timeline: { cursor, width }, timeline } = this;
+    if (cursor === null || timeline.right(cursor) < LEFT || timeline.right(cursor) > width) return;
+    this.context.fillStyle = this.colors.text;
+    this.context.fillRect(Math.round(timeline.right(cursor)), 0, 1, height - FOOT);
+  }
+
+  // A series of a drive, until a time.
+  trace(drive, series, until, { y }, dots) {
+    const track = trackOf(drive, series);
+    if (!track) return;
+    const [from, to] = this.timeline.shown.map((time) => drive.start + time);
+    const path = new Path(series.hold);
+    const last = Math.min(track.count, track.until(Math.min(to, until)) + 1);
+    for (let index = Math.max(0, track.until(from) - 1); index < last && track.at(index) <= until; index += 1) {
+      const stamp = track.at(index);
+      path.add(stamp, this.timeline.right(stamp - drive.start), y(track.at(index, series.column)));
+    }
+    this.line(series, path.points);
+    if (dots) this.dots(path.points);
+  }
+
+  // points: in px; null: the line is interrupted
+  line({ style }, points) {
+    const { context } = this;
+    context.strokeStyle = context.fillStyle = this.colors[`curve-${style % COLORS}`];
+    context.setLineDash(DASHES[style % DASHES.length]);
+    context.beginPath();
+    let draws = false;
+    for (const point of points) {
+      if (point) context[draws ? "lineTo" : "moveTo"](point[0], point[1]);
+      draws = point !== null;
+    }
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  dots(points) {
+    const values = points.filter((point) => point?.[2]);
+    if (!values.length || (values.at(-1)[0] - values[0][0]) / values.length < DOTS && values.length > 1) return;
+    for (const [right, down] of values) {
+      this.context.beginPath();
+      this.context.arc(right, down, 2.5, 0, 7);
+      this.context.fill();
+    }
+  }
+
+  // Returns how wide the text is.
+  text(text, right, down, textAlign, color = "muted") {
+    Object.assign(this.context, { textAlign, textBaseline: "middle", fillStyle: this.colors[color] });
+    this.context.fillText(text, right, down);
+    return this.context.measureText(text).width;
+  }
+}
