@@ -37,7 +37,7 @@ function unsupported({ sign, one, other }) {
   return joined(t("This does not work: {text}.", { text }), hint);
 }
 
-const needsNumber = ({ type }) => joined(t("Here a number is needed, not: {text}.", { text: kindOf(type) }),
+const needsNumber = ({ type }) => joined(t("Here a number is needed, not {value}.", { value: kindOf(type) }),
                                          { str: CONVERT, tuple: POINT, NoneType: NO_RESULT }[type]);
 
 const noFunction = ({ type }) => joined(
