@@ -50,7 +50,8 @@ class Page {
 // Runs a program; returns { lines, curves, drives, turns, now, error }: why it failed, or "".
 export async function runPython(text, options = {}) {
   const page = new Page(options);
-  const python = await loadMicroPython({ stdout: (line) => page.lines.push(line), heapsize: 1 << 20, pystack: 1 << 16 });
+  const stdout = (line) => page.lines.push(line);
+  const python = await loadMicroPython({ stdout, heapsize: 1 << 20, pystack: 1 << 16 });
   for (const file of FILES) write(python.FS, file);
   python.registerJsModule("_page", page.module);
   python.runPython("import _start\n_start.start()\ndel _start");

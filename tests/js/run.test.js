@@ -200,7 +200,8 @@ test("a loop without a wait is reported after a second, until the program waits 
   const page = { clock: new Clock(t) };
   const early = plug("logic_compare", { A: plug("robot_time"), B: 2 }, { OP: "LT" });
   const loop = block("controls_whileUntil", { BOOL: early, DO: body(set("x", 1)) }, { fields: { MODE: "WHILE" } });
-  page.run = new Run(new Interpreter(named(program([loop, drive(0.5, 30)], { variables: ["x"] })), ROBOT), ROBOT, false, {
+  const blocks = named(program([loop, drive(0.5, 30)], { variables: ["x"] }));
+  page.run = new Run(new Interpreter(blocks, ROBOT), ROBOT, false, {
     send: (message) => message.type === "program" && answer(page, true), printed() {}, changed() {}, ended() {},
     delay: () => page.clock.freeze(1), // each statement takes a millisecond
   });
