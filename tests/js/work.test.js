@@ -132,6 +132,25 @@ test("an example that was opened before the first list comes stays", async (t) =
   assert.equal(page.name, "Zigzag");
 });
 
+for (const [does, act, name] of [
+  ["opens", ({ work }) => work.addFile("Zigzag", EMPTY), "Zigzag"],
+  ["changes", (page) => page.edit("Mine"), "Mine"],
+  ["does nothing", () => {}, "Square"],
+]) test(`while the newest program is fetched, a person ${does}: the page shows ${name}`, async (t) => {
+  new Clock(t);
+  const { promise, answer } = later();
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  const listed = page.hear();
+  state.refuses = promise;
+  await listed;
+  state.refuses = null;
+  act(page);
+  await page.hear();
+  await answer(square());
+  assert.equal(page.name, name);
+});
+
 test("a file that is opened is kept, unless it cannot be shown", async (t) => {
   const clock = new Clock(t);
   const { saves } = cockpit(t, [square()]);
