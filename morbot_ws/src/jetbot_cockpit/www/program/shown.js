@@ -26,7 +26,7 @@ export class Shown {
   /** @type {any} */
   question = null; // whether the program is to become a text
 
-  // page: robot(): the chosen one, or undefined; changed(differs): the program, or only how it looks; replaces():
+  // page: robot(): the chosen one, or undefined; changed(differs): the program, or only how it looks; replaces(isText):
   // another one is shown from now on; keepText(): the next change is to replace no text, returns why it would, or "";
   // say(text); notLoaded()
   constructor(page) {
@@ -63,7 +63,7 @@ export class Shown {
   }
 
   show(text) {
-    this.page.replaces();
+    this.page.replaces(text !== null);
     Object.assign(this, { text, failed: null });
     element("text").hidden = text === null;
     if (this.editor) this.editor.show(text ?? "");
