@@ -52,8 +52,9 @@ function wrongCount({ name, needed, given, source, code }) {
   const isMethod = new RegExp(`^[ \\t]+def\\s+${name}\\s*\\(`, "m").test(source);
   const hasSelf = new RegExp(`\\bdef\\s+${name}\\s*\\(\\s*self\\b`).test(source);
   if (isMethod && !hasSelf && code.includes(`.${name}(`)) return SELF;
-  const [count, got] = [needed, given].map((each) => each - (hasSelf ? 1 : 0));
-  if (name === "__init__") return ofFunction({ count, got });
+  const isMade = name === "__init__";
+  const [count, got] = [needed, given].map((each) => each - (hasSelf || isMade ? 1 : 0));
+  if (isMade) return ofFunction({ count, got });
   return t("{name}() takes {count} value but gets {got}.|{name}() takes {count} values but gets {got}.",
            { name, count, got });
 }
