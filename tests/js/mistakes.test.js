@@ -15,6 +15,7 @@ const CALL = "A function is called with brackets after its name: f()";
 const SELF = "The first parameter of a method is self: def name(self):";
 const NO_COLUMN = "This line begins in a column in which no line above it begins.";
 const NO_PICTURES = "is not in the page: programs here see no pictures; run it on the robot with rosrun.";
+const NO_FUNCTION = "What is before “(” is no function, but: module.";
 const GIVE = "Give it a value before, or put a text between quotation marks.";
 const UNKNOWN_LINE = "Python does not understand this line. Compare it with an example.";
 const RUN_THERE = "or run the program on the robot with rosrun";
@@ -132,6 +133,11 @@ const TYPES = [
   ["class A:\n    def go(self, x):\n        pass\nA().go()", "go() takes 1 value but gets 0.", 4],
   ["class A:\n    def go():\n        pass\nA().go()", SELF, 4],
   ["class A:\n    def __init__(self, x):\n        pass\nA()", "The function takes 1 value but gets 0.", 4],
+  ["sorted([1], down=True)", "The function has no parameter of this name."],
+  ["len(x=1)", "The function has no parameter of this name."],
+  ["x = int('1', 10, 1)", "The function takes fewer values between its brackets."],
+  ["x = 'abc'.find(1)", "Here a text is needed: put quotation marks around it."],
+  ["x = 1 in 5", "This does not work: number in number."], ["import time\ntime()", NO_FUNCTION, 2],
   ["len()", "The function takes 1 value but gets 0."],
   ["range()", "The function needs more values between its brackets."],
   ["def f(a):\n    pass\nf(b=1)", "The function has no parameter “b”.", 3],
@@ -219,7 +225,8 @@ const NODES = [
   [`${NODE}rospy.Publisher("cmd_vel")`, "The function takes 3 values but gets 2.", 4],
   [`${NODE}rospy.Publisher("cmd_vel", Vector3)`,
     "The topic cmd_vel takes geometry_msgs/Twist, not geometry_msgs/Vector3.", 4],
-  [`${NODE}rospy.Subscriber("scan", Twist, print)\nrospy.sleep(5)`, "Nothing in the page publishes the topic /scan.", 5],
+  [`${NODE}rospy.Subscriber("scan", Twist, print)\nrospy.sleep(5)`,
+    "Nothing in the page publishes the topic /scan.", 5],
 ];
 
 for (const [program, text, line] of NODES) {
