@@ -21,13 +21,14 @@ export class Controls {
     const { timeline } = curves;
     const [tools, toggles] = [create("div"), create("div")];
     this.root = create("div", "controls");
-    this.pause = button(t("Pause"), () => curves.hold(!curves.held));
+    this.pause = button("pause", t("Pause"), () => curves.hold(!curves.held));
     this.earlier = create("span");
-    this.strips = [...STRIPS, PRINTED].map(({ id, title }) => [id, button(title, () => this.toggle(id))]);
-    tools.append(...close ? [button(t("Map"), close)] : [], this.pause,
-      button("+", () => timeline.zoom(ZOOM), t("Zoom in")), button("−", () => timeline.zoom(1 / ZOOM), t("Zoom out")),
-      button(t("Fit"), () => timeline.all(), t("Show the whole drive")),
-      button(t("CSV"), () => this.save(), t("Save as a table")));
+    this.strips = [...STRIPS, PRINTED].map(({ id, title }) => [id, button(id, title, () => this.toggle(id))]);
+    tools.append(...close ? [button("close", t("Map"), close)] : [], this.pause,
+      button("in", "+", () => timeline.zoom(ZOOM), t("Zoom in")),
+      button("out", "−", () => timeline.zoom(1 / ZOOM), t("Zoom out")),
+      button("fit", t("Fit"), () => timeline.all(), t("Show the whole drive")),
+      button("save", t("CSV"), () => this.save(), t("Save as a table")));
     toggles.append(...this.strips.map(([, each]) => each), this.earlier);
     this.root.append(tools, toggles);
   }
@@ -62,7 +63,7 @@ export class Controls {
   // The newest drive is always shown.
   list([newest, ...earlier]) {
     this.listed = [[newest, create("b", "", titleOf(newest))],
-      ...earlier.map((drive) => [drive, button(titleOf(drive), () => this.toggleDrive(drive))])];
+      ...earlier.map((drive) => [drive, button(`drive-${drive.number}`, titleOf(drive), () => this.toggleDrive(drive))])];
     this.earlier.replaceChildren(...this.listed.map(([, each]) => each));
   }
 
@@ -78,8 +79,8 @@ function titleOf({ number: count, score }) {
     : t("Drive {number}: {score}", { number: count, score: number(score.toFixed(1)) });
 }
 
-function button(text, press, title = "") {
-  const made = Object.assign(create("button", "", text), { type: "button", title });
+function button(id, text, press, title = "") {
+  const made = Object.assign(create("button", "", text), { id: `curves-${id}`, type: "button", title });
   if (text.length === 1) made.ariaLabel = title;
   made.addEventListener("click", press);
   return made;

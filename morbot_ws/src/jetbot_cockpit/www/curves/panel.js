@@ -44,7 +44,9 @@ class Curves {
     this.run = run;
     this.root = Object.assign(create("div"), { id: "curves", hidden: true });
     this.canvas = Object.assign(create("canvas"), { role: "img", ariaLabel: t("Curves over time") });
-    this.slider = Object.assign(create("input"), { type: "range", min: "0", step: "0.01", ariaLabel: t("Moment") });
+    this.slider = Object.assign(create("input"), {
+      id: "curves-moment", type: "range", min: "0", step: "0.01", ariaLabel: t("Moment"),
+    });
     this.timeline = new Timeline(this.canvas, () => shell.show());
     this.controls = new Controls(this, close);
     this.box = create("div", "plot");
@@ -114,7 +116,8 @@ class Curves {
   }
 
   hold(on) {
-    this.held = on ? { kept: this.drives.kept, until: this.drives.time() } : null;
+    const { kept, current } = this.drives;
+    this.held = on ? { kept, until: current.start + current.length } : null;
     this.shell.show();
   }
 

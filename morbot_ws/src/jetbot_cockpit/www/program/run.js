@@ -12,7 +12,7 @@ import { excess, UNUSED } from "./remarks.js";
 import { Senses } from "./senses.js";
 
 const SLICE = 8; // ms that a program computes before the page has its turn
-const HEARTBEAT = 50; // ms; no sleep is longer
+const HEARTBEAT = 50; // ms
 const FROZEN = 300; // ms without a heartbeat: the cockpit has stopped the robot meanwhile
 const READY_TIMEOUT = 4000; // ms until a robot's controller is connected, and its sensors report
 const NOT_READY = t("The robot did not get ready in time. Try again, or tell your teacher.");
@@ -29,6 +29,7 @@ export class Run {
   published = [0, 0]; // x, z: what the robot drove last
   drivenAt = Infinity; // when the program waited last, by its clock; Infinity: it waits
   awakeAt = performance.now(); // when the page had its last turn
+  pulse = 0; // the timer that notices when the page gets no turn
 
   // engine: prepare(), run(state) yields the program's events, end(); motion, variables, needs, repeats; robot: as the
   // cockpit describes it; stepping: it pauses before its first statement; send(message); printed(event); changed();
@@ -46,6 +47,7 @@ export class Run {
     this.senses = new Senses(engine.needs, () => send({ type: "program", robot: robot.id }));
     this.motion = new Motion((forward, left) => this.command(forward, left));
     this.motion.end(); // the cockpit obeys this page again only after a zero
+    this.pulse = setInterval(() => this.wakeUp(), HEARTBEAT);
     this.execute().catch((error) => {
       if (!(error instanceof ProgramError)) console.error(error);
       this.end(error.message, error.place);
@@ -55,6 +57,7 @@ export class Run {
   // Ends the program, and stops the robot.
   end(sentence = "", place = null) {
     if (this.over) return;
+    clearInterval(this.pulse);
     this.motion.end();
     this.engine.end();
     this.over = true;

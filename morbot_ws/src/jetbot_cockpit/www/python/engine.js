@@ -21,6 +21,9 @@ export class PythonEngine {
   /** @type {((message: any) => void) | null} */
   heard = null; // takes the worker's message
 
+  /** @type {any} */
+  worker = null;
+
   /** @param {string} text of the program */
   constructor(text) {
     this.text = text;

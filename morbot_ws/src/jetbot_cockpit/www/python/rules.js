@@ -43,15 +43,15 @@ export function statementProblem(tokens) {
 // Each returns a sentence, and the token that it is about if that is not the first, or nothing.
 /** @type {((tokens: any) => any[] | false | undefined | null)[]} */
 const RULES = [
-  ([first, second]) => first.text === "print" && begins(second) && [t("print needs brackets: print(...).")],
+  ([first, second]) => first.text === "print" && begins(second) && [t("print needs brackets: print(...)")],
   ([first, second]) => first.text === "else" && second?.text === "if"
     && [t("Python has no “{name}”: use {text}.", { name: "else if", text: "elif" })],
-  (tokens) => tokens[0].text === "else" && tokens[1]?.text !== ":" && endsWith(tokens, ":")
+  (tokens) => tokens[0].text === "else" && tokens[1]?.text !== ":" && colon(tokens)
     && [t("“else” has no condition: delete it, or use elif.")],
   ([first]) => ["/", "//"].includes(first.text) && [t("A comment begins with #")],
   misspelled,
   (tokens) => tokens[0].text === "match" && tokens.length > 2 && endsWith(tokens, ":")
-    && [t("Python in the page has no “match”: use if and elif.")],
+    && [t("The page's Python has no “match”: use if and elif.")],
   keywordAsName,
   equals,
   (tokens) => word(tokens) === "for" && !outside(tokens).some(({ text }) => text === "in")

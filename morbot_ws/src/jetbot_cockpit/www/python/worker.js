@@ -27,7 +27,7 @@ const page = {
     if (told !== line) events.push({ step: line });
     return turn({ wait: seconds });
   },
-  seconds: () => state.seconds + (performance.now() - answeredAt) / 1000 + 1e-9, // Python takes a whole number for an int
+  seconds: () => state.seconds + (performance.now() - answeredAt) / 1000 + 1e-9, // a whole number would be an int
   senses: () => JSON.stringify(state.senses),
   drive: (x, z) => add({ motion: [x, z] }),
   show: (text) => add({ print: text.slice(0, LONGEST) }),

@@ -6,11 +6,10 @@ import sys
 
 import _page
 import _start
+from _clock import names
 
 SHOWN = bool, int, float, str, list, tuple, dict, set, type(None)
 LONGEST = 100  # characters of a value, and parts of it
-
-names = {"__name__": "__main__", "_at": _page.at}  # the program's own
 
 
 def each(line, values):
