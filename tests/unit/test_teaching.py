@@ -54,7 +54,7 @@ def texts():
     """All texts of the programs and pages of which pupils see some."""
     files = [file for folder in ("src", "scripts") for package in (*SOURCE.parent.iterdir(), TASKS)
              for file in (package / folder).rglob("*.py")] + [*(ROOT / "docs").glob("*.py")]
-    pages = [page for each in ("www/*.js", "www/program/*.js", "fleet/*.sh")
+    pages = [page for each in ("www/*.js", "www/program/*.js", "www/python/*.js", "fleet/*.sh")
              for page in sorted(SOURCE.parent.rglob(each))]
     scripts = "".join(page.read_text() for page in pages)
     return [*(text for file in files for text in texts_of(file.read_text())), *scripts.splitlines()]
