@@ -6,7 +6,7 @@ import { parseProgram } from "./check.js";
 import { currentProgram, limitProgram, openEditor, showProgram, textOf } from "./editor.js";
 import { Interpreter } from "./interpreter.js";
 import { packageName } from "./names.js";
-import { showPython } from "./output.js";
+import { ownLine, showPython } from "./output.js";
 import { toPython } from "./python.js";
 
 const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
@@ -81,9 +81,10 @@ export class Shown {
   ask() {
     import("../python/question.js").then(({ beText }) => {
       this.question ??= beText(async () => {
+        const line = ownLine();
         this.convert(this.python);
         await this.loading;
-        this.editor?.focus();
+        this.editor?.begin(line);
       });
       this.question.toggle(true);
     }, this.page.notLoaded);

@@ -92,7 +92,10 @@ export class Editor {
     this.view.dispatch({ effects: this.locking.reconfigure(lock(on)) });
   }
 
-  focus() {
+  // The person begins to edit the line with this index.
+  begin(index) {
+    const { from } = lineAt(this.view.state.doc, index + 1) ?? { from: 0 };
+    this.view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: "start" }) });
     this.view.focus();
   }
 
