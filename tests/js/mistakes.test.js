@@ -18,7 +18,7 @@ const NO_PICTURES = "is not in the page: programs here see no pictures; run it o
 const NO_FUNCTION = "What is before “(” is no function, but: module.";
 const FORMAT = "In a text that begins with f, each { needs a name and a }: f\"{x}\"";
 const GIVE = "Give it a value before, or put a text between quotation marks.";
-const UNKNOWN_LINE = "Python does not understand this line. Compare it with an example.";
+const UNKNOWN_LINE = "The page's Python does not understand this line. Compare it with an example.";
 const RUN_THERE = "or run the program on the robot with rosrun";
 const gap = (one, other) => `Something is missing between “${one}” and “${other}”: perhaps a comma, +, or quotation `
   + "marks.";
@@ -30,7 +30,7 @@ const SYNTAX = [
   ["for i in range(3)\n    print(i)", "A colon is missing: a line with “for” ends with :"],
   ["def f()\n    pass", "A colon is missing: a line with “def” ends with :"],
   ["if f(lambda: 1)\n    pass", "A colon is missing: a line with “if” ends with :"],
-  ["x = 1\ntry:\n    x = 2\n", "“try” needs “except” below its lines.", 2],
+  ["x = 1\ntry:\n    x = 2\n", "“try” needs “except” below its lines.", 3],
   ["if True:\n    pass\nelse\n    pass", "A colon is missing: a line with “else” ends with :", 3],
   ["if True:\nprint(1)", "This line belongs to “if” above it: put 4 more spaces in front.", 2],
   ["if True:\n    print(1)\nwhile True:\n", "“while” needs a line below it, with 4 more spaces in front.", 3],
