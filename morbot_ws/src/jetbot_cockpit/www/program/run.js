@@ -120,7 +120,7 @@ export class Run {
   // What the engine asks of the run.
   get state() {
     const slow = this.held || this.stepping || this.delay() > 0;
-    return { slow, seconds: this.clock.seconds, senses: this.senses.values };
+    return { slow, seconds: this.clock.seconds, senses: { ...this.senses.values, command: this.published } };
   }
 
   // Whether it has computed for so long that the robot stands still.
