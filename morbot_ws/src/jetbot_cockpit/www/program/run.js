@@ -46,6 +46,7 @@ export class Run {
     this.senses = new Senses(engine.needs, () => send({ type: "program", robot: robot.id }));
     this.motion = new Motion((forward, left) => this.command(forward, left));
     this.motion.end(); // the cockpit obeys this page again only after a zero
+    this.pulse = setInterval(() => this.wakeUp(), HEARTBEAT); // also while an engine elsewhere computes
     this.execute().catch((error) => {
       if (!(error instanceof ProgramError)) console.error(error);
       this.end(error.message, error.place);
@@ -55,6 +56,7 @@ export class Run {
   // Ends the program, and stops the robot.
   end(sentence = "", place = null) {
     if (this.over) return;
+    clearInterval(this.pulse);
     this.motion.end();
     this.engine.end();
     this.over = true;
