@@ -7,7 +7,7 @@ import { test } from "node:test";
 import { explain } from "#www/python/mistakes.js";
 import { syntaxProblem } from "#www/python/syntax.js";
 
-import { failureOf } from "./python_failures.js";
+import { failureInPage, failureOf } from "./python_failures.js";
 
 const CONVERT = "str(x) makes a text of a number, float(x) a number of a text.";
 const NO_RESULT = "A function without return gives None.";
@@ -15,6 +15,7 @@ const CALL = "A function is called with brackets after its name: f()";
 const SELF = "The first parameter of a method is self: def name(self):";
 const NO_COLUMN = "This line begins in a column in which no line above it begins.";
 const NO_PICTURES = "is not in the page: programs here see no pictures; run it on the robot with rosrun.";
+const NO_FUNCTION = "What is before “(” is no function, but: module.";
 const GIVE = "Give it a value before, or put a text between quotation marks.";
 const UNKNOWN_LINE = "Python does not understand this line. Compare it with an example.";
 const RUN_THERE = "or run the program on the robot with rosrun";
@@ -71,10 +72,11 @@ const SYNTAX = [
 ];
 
 const COMPILED = [
+  ["yield 1", "“yield” belongs in a function: this line is in none."],
   ["x = 1\nreturn x", "“return” ends a function: this line is in none.", 2],
   ["if True:\n    break", "“break” and “continue” belong in a loop: this line is in none.", 2],
   ["f() = 1", "Only a name can get a value: put one on the left of =."],
-  ["def f(a, a):\n    pass", "Two parameters have the same name."],
+  ["def f(a, a): pass", "Two parameters have the same name."],
   ["def f(a=1, b):\n    pass", "A parameter without a value cannot follow one with a value."],
   ["print(sep='', 1)", "A value without a name cannot follow one with a name."],
   ["x = {1: 2, 3}", "Each item of a dictionary is a key, a colon, and a value."],
@@ -131,6 +133,11 @@ const TYPES = [
   ["class A:\n    def go(self, x):\n        pass\nA().go()", "go() takes 1 value but gets 0.", 4],
   ["class A:\n    def go():\n        pass\nA().go()", SELF, 4],
   ["class A:\n    def __init__(self, x):\n        pass\nA()", "The function takes 1 value but gets 0.", 4],
+  ["sorted([1], down=True)", "The function has no parameter of this name."],
+  ["len(x=1)", "The function has no parameter of this name."],
+  ["x = int('1', 10, 1)", "The function takes fewer values between its brackets."],
+  ["x = 'abc'.find(1)", "Here a text is needed: put quotation marks around it."],
+  ["x = 1 in 5", "This does not work: number in number."], ["import time\ntime()", NO_FUNCTION, 2],
   ["len()", "The function takes 1 value but gets 0."],
   ["range()", "The function needs more values between its brackets."],
   ["def f(a):\n    pass\nf(b=1)", "The function has no parameter “b”.", 3],
@@ -188,33 +195,50 @@ for (const [program, text] of SYNTAX) {
   });
 }
 
-// What the page's own modules say
-const SAID = [
-  ["NotHere", "input()", "“input” is not in the page: give the value to a name at the top of the program."],
-  ["NotHere", "open()", "“open” is not in the page: programs here have no files; print what you want to keep."],
-  ["NotHere", "rospy.Service",
-    "“rospy.Service” is not in the page: the page has topics, but no services and no actions."],
-  ["NotHere", "sensor_msgs.msg.Image",
-    `“sensor_msgs.msg.Image” ${NO_PICTURES}`],
-  ["NotHere", "/scan", "Nothing in the page publishes the topic /scan."],
-  ["AttributeError", "module 'rospy' has no attribute 'Publsher'", "“rospy” has no “Publsher”. Do you mean Publisher?"],
-  ["AttributeError", "'Vector3' object has no attribute 'X'", "“Vector3” has no “X”. Do you mean x?"],
-  ["AttributeError", "liner is not an attribute of Twist", "“Twist” has no “liner”. Do you mean linear?"],
-  ["ROSException", "ROS node has not been initialized yet. Please call init_node() first",
-    "“rospy.init_node” comes first: rospy.init_node(\"my_program\")"],
-  ["ROSSerializationException", "field linear.x must be float type", "“linear.x” of the message needs a number."],
-  ["TypeError", "Invalid number of arguments, args should be ['x', 'y', 'z'] args are(1,)",
-    "The message takes all of these values, or none: x, y, z."],
-  ["TypeError", "/cmd_vel carries geometry_msgs/Twist, not std_msgs/Float32",
-    "The topic /cmd_vel takes geometry_msgs/Twist, not std_msgs/Float32."],
-  ["ValueError", "what nobody has translated", "ValueError: what nobody has translated"],
+const TWIST = "import rospy\nfrom geometry_msgs.msg import Twist, Vector3\n";
+const NODE = `${TWIST}rospy.init_node("node")\n`;
+const PUBLISHER = `${NODE}publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)\nmotion = Twist()\n`;
+
+// Programs that use the page's own modules
+const NODES = [
+  ["x = input()", "“input” is not in the page: give the value to a name at the top of the program.", 1],
+  ["open('a.txt')", "“open” is not in the page: programs here have no files; print what you want to keep.", 1],
+  ["import os", "“os” is not in the page: programs here start no other programs.", 1],
+  ["import rospy\nrospy.Service('a', None, None)",
+    "“rospy.Service” is not in the page: the page has topics, but no services and no actions.", 2],
+  ["from sensor_msgs.msg import Image", `“sensor_msgs.msg.Image” ${NO_PICTURES}`, 1],
+  ["from std_msgs.msg import Flaot32", "“std_msgs.msg” has no “Flaot32”. Do you mean Float32?", 1],
+  ["import rospy\nrospy.Publsher", "“rospy” has no “Publsher”. Do you mean Publisher?", 2],
+  ["import random\nrandom.randit(1, 2)", "“random” has no “randit”. Do you mean randint?", 2],
+  [`${TWIST}Vector3().X`, "“Vector3” has no “X”. Do you mean x?", 3],
+  [`${TWIST}motion = Twist\nmotion.linear.x = 1`, "“Twist” has no “linear”. Do you mean Twist()?", 4],
+  [`${TWIST}Twist(liner=1)`, "“Twist” has no “liner”. Do you mean linear?", 3],
+  [`${TWIST}Vector3(1, 2)`, "The message takes all of these values, or none: x, y, z.", 3],
+  ["import rospy\nrospy.sleep(1)", "“rospy.init_node” comes first: rospy.init_node(\"my_program\")", 2],
+  [`${TWIST}rospy.Publisher("cmd_vel", Twist, queue_size=1).publish(Twist())`,
+    "“rospy.init_node” comes first: rospy.init_node(\"my_program\")", 3],
+  [`${PUBLISHER}motion.linear.x = "1"\npublisher.publish(motion)`, "“linear.x” of the message needs a number.", 7],
+  [`${PUBLISHER}motion.linear = 1.0\npublisher.publish(motion)`,
+    "“number” has no “x”. Write motion.linear.x = 0.1, not motion.linear = 0.1", 7],
+  [`${PUBLISHER}from std_msgs.msg import Float32\npublisher.publish(Float32(1))`,
+    "The message needs geometry_msgs/Vector3, not std_msgs/Float32.", 7],
+  [`${NODE}rospy.Publisher("cmd_vel")`, "The function takes 3 values but gets 2.", 4],
+  [`${NODE}rospy.Publisher("cmd_vel", Vector3)`,
+    "The topic cmd_vel takes geometry_msgs/Twist, not geometry_msgs/Vector3.", 4],
+  [`${NODE}rospy.Subscriber("scan", Twist, print)\nrospy.sleep(5)`,
+    "Nothing in the page publishes the topic /scan.", 5],
 ];
 
-for (const [type, message, text] of SAID) {
-  test(`${type}: ${message}: ${text}`, () => {
-    assert.deepEqual(explain({ type, message, line: 2 }, "x = 1\ny = 2\n"), { text, line: 2 });
+for (const [program, text, line] of NODES) {
+  test(`${JSON.stringify(program)}: ${text}`, async () => {
+    assert.deepEqual(explain(await failureInPage(program), program), { text, line });
   });
 }
+
+test("what nobody has translated is said as MicroPython says it", () => {
+  const failure = { type: "ValueError", message: "in its own words", line: 1 };
+  assert.deepEqual(explain(failure, "x = 1"), { text: "ValueError: in its own words", line: 1 });
+});
 
 test("a line behind the end of the program is its last", () => {
   assert.equal(explain({ type: "ValueError", message: "", line: 7 }, "x = 1\ny = 2").line, 2);
