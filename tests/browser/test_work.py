@@ -232,6 +232,13 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     pupil.wait_for_text("outcome", "The judge has seen enough.")
     world.wait_for_stop(ROBOT)
     page.wait_for_text("score-table", "One metre")
+    pupil.run("document.getElementById('show-map').click()")
+    pupil.click("#edit")
+    pupil.click("#edit-question-yes")
+    pupil.wait_for(lambda: pupil.has("#text .cm-content"), "the same as a text")
+    judge(pupil, world, "points")
+    pupil.wait_for_text("outcome", "The judge has seen enough.")
+    world.wait_for_stop(ROBOT)
     world.kill(process)
 
 
