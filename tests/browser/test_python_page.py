@@ -48,7 +48,8 @@ def shown(page):
 
 def edit(page):
     """Let the blocks become a text."""
-    page.click("#edit")
+    if not page.has("#edit-question:not([hidden])"):
+        page.click("#edit")
     page.click("#edit-question-yes")
     page.wait_for(lambda: page.has("#text .cm-focused"), "the editor")
 
@@ -108,7 +109,8 @@ def test_the_python_of_blocks_is_edited_kept_opened_again_and_seen_by_others(blo
     page.tap("Escape")
     assert page.text("blocks") and not page.has("#text:not([hidden])"), "nothing has changed"
     edit(page)
-    assert "def main():" in shown(page) and not page.text("blocks"), "the editor has the place of the blocks"
+    assert page.run("return getSelection().anchorNode.parentElement.closest('.cm-line').innerText") == "def main():"
+    assert not page.text("blocks"), "the editor has their place"
     type_first(page, "# mine")
     assert shown(page).startswith("# mine\n")
     page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
@@ -120,6 +122,7 @@ def test_the_python_of_blocks_is_edited_kept_opened_again_and_seen_by_others(blo
     pupil.wait_for(lambda: shown(pupil).startswith("# mine\n"), "the text on another page")
     page.click("#overview-button")
     page.wait_for_text("all-programs", f"{ROBOT}: Text")
+    assert "# mine" in page.download("download-all", "programs.txt").read_text().split("_Text.py", 1)[1]
     page.run("[...document.querySelectorAll('#all-programs .name')]"
              f".find(each => each.textContent === '{ROBOT}: Text').click()")
     page.wait_for_text("kept", "You can look at this program")

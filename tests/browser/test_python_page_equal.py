@@ -15,7 +15,7 @@ from processes import end
 
 from .conftest import ROBOT
 from .programs import program
-from .world import World, moving
+from .world import TRIES, World, moving
 from .wheels import WRITING
 
 ROOT = Path(__file__).parents[2]
@@ -148,8 +148,11 @@ def test_a_file_drives_in_the_page_as_by_rosrun(name, blocks, world, tmp_path):
     file = tmp_path / name
     file.write_text(TEXTS[name])
 
-    def both():
+    for tries_left in reversed(range(TRIES)):
         here, page = by_rosrun(world, name, file), in_page(world, name, blocks)
-        print(here, page)
-        compare(name, here, page)
-    blocks.undisturbed(both)
+        print(name, here, page, sep="\n")
+        try:
+            return compare(name, here, page)
+        except AssertionError:  # a busy computer is late, but not always in the same way
+            if not tries_left:
+                raise

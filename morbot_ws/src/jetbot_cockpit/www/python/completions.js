@@ -33,4 +33,4 @@ function names(context) {
 
 // Enter begins a line, unless a person has gone to a suggestion.
 export const COMPLETION = autocompletion({ override: [members, names], icons: false, selectOnOpen: false,
-  interactionDelay: 0 });
+  interactionDelay: 0, maxRenderedOptions: 6 });

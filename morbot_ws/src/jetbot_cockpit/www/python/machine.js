@@ -8,6 +8,7 @@ const MEMORY = 64 * 1024 * 1024; // bytes; a program that needs more gets a Memo
 const HEAP = 2 * 1024 * 1024; // bytes, to begin with
 const STACK = 64 * 1024; // bytes of Python's own stack
 const SUSPENDED = 512 * 1024; // bytes for what is on the stack of a program that waits
+const ROOM = 40 * 1024; // bytes of WebAssembly's stack for what is evaluated; MicroPython leaves 32 kB unused
 const COLLECT_EVERY = 500; // ms
 const CALLS = ["call0", "call1", "call2", "calln"];
 // What a program may use, whatever it does to MicroPython: its memory, the time, the page's functions, its modules' files
@@ -172,8 +173,10 @@ export class Machine {
     this.collectedAt = performance.now();
   }
 
-  // Returns what a function of Python's returns, also while the program waits; it must not wait itself.
+  // Returns what a function of Python's returns, also while the program waits; it must not wait itself. Returns null
+  // if the program is so deep that there is no room.
   evaluate(name) {
+    if (this.wasm.emscripten_stack_get_current() - this.wasm.emscripten_stack_get_end() < ROOM) return null;
     this.evaluates = true;
     try {
       return this[name]();
