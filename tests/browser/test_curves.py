@@ -187,6 +187,19 @@ def test_on_a_phones_pad_curves_take_the_maps_place_and_their_colours_stand_out(
     page.wait_for(lambda: page.element("map").is_displayed() and not page.element("curves").is_displayed(), "the map")
 
 
+def test_a_drive_has_the_score_that_the_judge_gives_it(page, world):
+    show_curves(page)
+    world.drive(page, ROBOT)
+    page.lift()
+    page.wait_for(lambda: drives(page) == ["Drive 1"], "a drive")
+    task = {"name": "metre", "title": "One metre", "state": "driving", "text": "", "seconds": 1.0, "score": None,
+            "sentences": [], "lost": None}
+    page.receive_class(2, task=task)
+    page.wait_for_text("task", "One metre")
+    page.receive_class(2, task={**task, "state": "done", "score": 87.3})
+    page.wait_for(lambda: drives(page) == ["Drive 1: 87.3"], "its score")
+
+
 def test_the_keyboard_reads_a_moment_and_drives_nothing(page, world):
     show_curves(page)
     world.drive(page, ROBOT)

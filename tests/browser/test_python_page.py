@@ -1,6 +1,8 @@
 """A program that is a text: from blocks to Python and back, edited, run, kept, and opened again."""
 
 import subprocess
+from contextlib import contextmanager
+from functools import partial
 
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
@@ -29,7 +31,6 @@ while not rospy.is_shutdown():
 """
 LOOP = ENDLESS.split("\n")[10:]
 FAILS = NODE + "\n" * 80 + "print(1 / count)\n"
-BLOCKED = ["*/codemirror.js"]
 
 
 def text(blocks, python):
@@ -47,24 +48,46 @@ def shown(page):
 
 def edit(page):
     """Let the blocks become a text."""
-    page.click("#edit")
+    if not page.has("#edit-question:not([hidden])"):
+        page.click("#edit")
     page.click("#edit-question-yes")
     page.wait_for(lambda: page.has("#text .cm-focused"), "the editor")
 
 
-def type_keys(page, *keys):
-    ActionChains(page.driver).send_keys(*keys).perform()
+def type_keys(page, *keys, held=""):
+    """Type keys while another one is held."""
+    chain = ActionChains(page.driver)
+    if held:
+        chain.key_down(held).send_keys(*keys).key_up(held).perform()
+    else:
+        chain.send_keys(*keys).perform()
+
+
+def type_first(page, line):
+    """Type a line above the text."""
+    page.click("#text .cm-content")
+    type_keys(page, Keys.HOME, held=Keys.CONTROL)
+    type_keys(page, line, Keys.ENTER)
 
 
 def type_at_end(page, *keys):
     """Type keys at the end of the text."""
     page.click("#text .cm-content")
-    ActionChains(page.driver).key_down(Keys.CONTROL).send_keys(Keys.END).key_up(Keys.CONTROL).send_keys(*keys).perform()
+    type_keys(page, Keys.END, held=Keys.CONTROL)
+    type_keys(page, *keys)
 
 
 def marked(page, kind):
     """Return the line that is marked as "now" or "failed"."""
     return page.run("return document.querySelector(`#text .${arguments[0]}`)?.innerText", kind)
+
+
+def is_marked(page, kind, line):
+    return marked(page, kind) == line
+
+
+def suggested(page):
+    return page.run("return [...document.querySelectorAll('#text .cm-completionLabel')].map(each => each.innerText)")
 
 
 def variables(page):
@@ -86,35 +109,38 @@ def test_the_python_of_blocks_is_edited_kept_opened_again_and_seen_by_others(blo
     page.tap("Escape")
     assert page.text("blocks") and not page.has("#text:not([hidden])"), "nothing has changed"
     edit(page)
-    assert "def main():" in shown(page) and not page.text("blocks"), "the editor has the place of the blocks"
-    type_at_end(page, "# mine")
-    assert shown(page).endswith("\n# mine")
+    assert page.run("return getSelection().anchorNode.parentElement.closest('.cm-line').innerText") == "def main():"
+    assert not page.text("blocks"), "the editor has their place"
+    type_first(page, "# mine")
+    assert shown(page).startswith("# mine\n")
     page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
     reload(page)
-    page.wait_for(lambda: shown(page).endswith("\n# mine"), "the text, after a reload")
+    page.wait_for(lambda: shown(page).startswith("# mine\n"), "the text, after a reload")
     pupil.driver.get(world.codes()["pupil"].replace("#", "program#"))
     pupil.wait_for_link()
     pupil.choose(ROBOT)
-    pupil.wait_for(lambda: shown(pupil).endswith("\n# mine"), "the text on another page")
+    pupil.wait_for(lambda: shown(pupil).startswith("# mine\n"), "the text on another page")
     page.click("#overview-button")
     page.wait_for_text("all-programs", f"{ROBOT}: Text")
+    assert "# mine" in page.download("download-all", "programs.txt").read_text().split("_Text.py", 1)[1]
     page.run("[...document.querySelectorAll('#all-programs .name')]"
              f".find(each => each.textContent === '{ROBOT}: Text').click()")
     page.wait_for_text("kept", "You can look at this program")
-    assert "# mine" in shown(page) and page.run("return document.querySelector('.cm-content').contentEditable") == "false"
+    assert "# mine" in shown(page)
+    assert page.run("return document.querySelector('.cm-content').contentEditable") == "false"
 
 
 def test_back_to_blocks_gives_them_as_they_were_and_keeps_the_text_as_an_earlier_version(blocks):
     page = blocks(program(drive(0.5, 1)))
     rename(page, "There and back")
     edit(page)
-    type_at_end(page, "# mine")
+    type_first(page, "# mine")
     page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
     page.click("#to-blocks")
     page.wait_for_text("to-blocks-question", "The text stays as an earlier version in Programs.")
     page.click("#to-blocks-question-yes")
     page.wait_for_text("python", "drive(0.5, 0, 1)")
-    assert not page.has("#text:not([hidden])") and "drive straight" in page.text("blocks")
+    assert not page.has("#text:not([hidden])") and "Sense" in page.text("blocks")
     page.wait_for(lambda: page.text("kept") == "Kept", "the blocks to be kept")
     reload(page)
     page.wait_for_text("python", "drive(0.5, 0, 1)")
@@ -123,7 +149,7 @@ def test_back_to_blocks_gives_them_as_they_were_and_keeps_the_text_as_an_earlier
               ".find(each => each.textContent.startsWith('There and back, version'))"
     page.wait_for(lambda: page.run(f"return Boolean({earlier})"), "the earlier version")
     page.run(f"{earlier}.click()")
-    page.wait_for(lambda: shown(page).endswith("\n# mine"), "the text")
+    page.wait_for(lambda: shown(page).startswith("# mine\n"), "the text")
 
 
 @undisturbed
@@ -142,9 +168,9 @@ def test_a_text_drives_its_line_is_marked_and_a_change_ends_it(blocks, world):
 @undisturbed
 def test_pause_and_step_go_from_line_to_line(blocks, world):
     page = text(blocks, ENDLESS)
-    for line in range(1, 4):
+    for line in "import rospy", "from geometry_msgs.msg import Twist", 'rospy.init_node("mine")':
         page.click("#step")
-        page.wait_for(lambda: marked(page, "now") == ENDLESS.split("\n")[(0, 1, 3)[line - 1]], f"step {line}")
+        page.wait_for(partial(is_marked, page, "now", line), line)
     page.click("#pause")
     page.wait_for(lambda: page.text("prints") == "off we go", "it to go on")
     page.click("#end")
@@ -171,7 +197,11 @@ def test_a_text_from_a_file_is_opened_and_saved_as_it_is_and_what_could_hide_goe
     page.wait_for(lambda: page.text("kept") == "Kept" and page.value("title").startswith("Mine.v2"), "it to be kept")
     assert shown(page) == "print(1)\n\tx = 'aä👩‍🏫'  # •", "what Python takes for no space is seen"
     page.set("title", "As it is")
-    assert page.download("save", "my_as_it_is.py").read_bytes() == "print(1)\n\tx = 'aä👩‍🏫'  # \u00a0\n\n".encode()
+    saved = page.download("save", "my_as_it_is.py.txt")
+    assert saved.read_text() == "print(1)\n\tx = 'aä👩‍🏫'  # \u00a0\n\n"
+    page.element("file").send_keys(str(saved))
+    page.wait_for(lambda: page.value("title") == "my_as_it_is", "it to be opened again")
+    assert shown(page) == "print(1)\n\tx = 'aä👩‍🏫'  # •"
 
 
 def test_a_package_of_a_text_holds_it_and_opens_again(blocks, tmp_path):
@@ -201,12 +231,11 @@ def test_tab_indents_and_escape_then_tab_leaves_the_text_in_both_directions(bloc
     page.click("#text .cm-line:nth-child(2)")
     page.tap("Tab")
     assert shown(page) == "if True:\n    print(1)"
-    type_keys(page, Keys.SHIFT, Keys.TAB)
+    type_keys(page, Keys.TAB, held=Keys.SHIFT)
     assert shown(page) == "if True:\nprint(1)"
-    for shift in [], [Keys.SHIFT]:
-        page.tap("Escape")
-        type_keys(page, *shift, Keys.TAB)
-        assert not page.has("#text .cm-focused")
+    for back in [Keys.TAB], [Keys.SHIFT, Keys.TAB]:
+        ActionChains(page.driver).send_keys(Keys.ESCAPE).key_down(back[0]).send_keys(*back[1:]).key_up(back[0]).perform()
+        page.wait_for(lambda: not page.has("#text .cm-focused"), "the focus elsewhere")
         page.click("#text .cm-content")
     page.click("#text [aria-label=Indent]")
     page.click("#text [aria-label=Undo]")
@@ -216,27 +245,38 @@ def test_tab_indents_and_escape_then_tab_leaves_the_text_in_both_directions(bloc
 def test_names_of_the_program_and_its_modules_are_suggested_and_enter_is_still_a_new_line(blocks):
     page = text(blocks, "import rospy\nseconds = 1\n")
     type_at_end(page, "sec")
-    page.wait_for(lambda: page.has(".cm-tooltip-autocomplete") and "seconds" in page.text_of(".cm-tooltip-autocomplete"),
-                  "the program's name")
+    page.wait_for(lambda: "seconds" in suggested(page), "the program's name")
     type_keys(page, Keys.ENTER, "rospy.sl")
-    page.wait_for(lambda: page.has(".cm-tooltip-autocomplete") and "sleep" in page.text_of(".cm-tooltip-autocomplete"),
-                  "what the module has")
+    page.wait_for(lambda: "sleep" in suggested(page), "what the module has")
     type_keys(page, Keys.ARROW_DOWN, Keys.ENTER)
     page.wait_for(lambda: shown(page) == "import rospy\nseconds = 1\nsec\nrospy.sleep", "what was chosen")
 
 
+@contextmanager
+def blocked(page, pattern):
+    """Let the browser load no such file."""
+    devtools = page.driver.execute_cdp_cmd
+    devtools("Network.enable", {})
+    devtools("Network.setCacheDisabled", {"cacheDisabled": True})
+    devtools("Network.setBlockedURLs", {"urls": [pattern]})
+    try:
+        yield
+    finally:
+        devtools("Network.setBlockedURLs", {"urls": []})
+        devtools("Network.disable", {})
+        page.errors()  # what was blocked
+
+
 def test_a_text_is_shown_and_kept_where_its_editor_cannot_be_loaded(blocks):
     page = blocks(program(drive(0.5, 1)))
-    page.driver.execute_cdp_cmd("Network.enable", {})
-    page.driver.execute_cdp_cmd("Network.setBlockedURLs", {"urls": BLOCKED})
-    blocks({**program(drive(0.5, 1)), "python": ENDLESS})
-    page.wait_for_text("notice", "This could not be loaded. Try again.")
-    assert page.text("text") == ENDLESS.strip()
-    page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
-    page.click("#run")
-    page.wait_for_text("outcome", "This could not be loaded.")
-    page.driver.execute_cdp_cmd("Network.setBlockedURLs", {"urls": []})
-    page.errors()
+    with blocked(page, "*/codemirror.js"):
+        reload(page)
+        blocks({**program(drive(0.5, 1)), "python": ENDLESS})
+        page.wait_for_text("notice", "This could not be loaded. Try again.")
+        assert page.text("text") == ENDLESS.strip()
+        page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
+        page.click("#run")
+        page.wait_for_text("outcome", "This could not be loaded.")
     reload(page)
     page.wait_for(lambda: shown(page) == ENDLESS.strip(), "the text in its editor")
 

@@ -97,11 +97,13 @@ for (const category of [...categories, ...categories]) { // a function can be ca
 }
 toolbox.clearSelection();
 """
-SAVED = """const blobs = [], create = URL.createObjectURL;
-URL.createObjectURL = (blob) => { blobs.push(blob); return create(blob); };
-document.getElementById("save").click();
-URL.createObjectURL = create;
-blobs[0].text().then(arguments[0]);"""
+SAVED = """const create = URL.createObjectURL, answer = arguments[0];
+URL.createObjectURL = (blob) => {
+  URL.createObjectURL = create;
+  blob.text().then(answer);
+  return create(blob);
+};
+document.getElementById("save").click();"""
 
 
 def test_every_block_of_the_toolbox_is_kept_and_opened_again_as_it_was(page):

@@ -102,6 +102,13 @@ test("eight names are printed as curves, each short, and no value that cannot be
   assert.equal([...prints.values()][0].count, 1);
 });
 
+test("what is printed before the robot's clock is known is no curve, and a drive begins with the first value", () => {
+  drives.run(1000);
+  drives.print("x", 7, 1001);
+  come(5, { odom: [[4, 0, 0, 0, 0, 0]] });
+  assert.deepEqual([drives.current.prints.size, drives.current.start], [0, CLOCK + 4]);
+});
+
 test("the newest drive is kept, the three before it, and the best at its task", () => {
   const scores = [null, 50, 90, 90, 70, null, null, null];
   scores.forEach((score, index) => {

@@ -12,7 +12,7 @@ const FULL_SPEED = 0.6; // m/s at x = 1, of the robot that is played here; z tur
 const SENSES = { pose: [0, 0, 0], line: [1, 1, 1], wheels: [0, 0] };
 const CUT = "cut";
 
-// What a program sees as _page. perLook: s that pass as the program asks for the time, perLine: and with each statement;
+// What a program sees as _page. perLook: s that pass as the program asks for the time; perLine: s for each statement;
 // longest: s until it is cut; more: other things of _page
 class Page {
   now = 0;
@@ -38,7 +38,7 @@ class Page {
       curve: (name, value) => this.curves.push([name, value]),
       senses: () => JSON.stringify(this.known),
       fail: (type, message) => {
-        this.error ||= message === CUT ? CUT : `${type}: ${message}`;
+        this.error ||= `${type}: ${message}`;
       },
       ...this.more,
     };
@@ -66,7 +66,11 @@ export async function runPython(text, options = {}) {
   const python = await loadMicroPython({ stdout, heapsize: 1 << 20, pystack: 1 << 16 });
   for (const file of FILES) write(python.FS, file);
   python.registerJsModule("_page", page.module);
-  python.runPython("import _run\n_run.run()");
+  try {
+    python.runPython("import _run\n_run.run()");
+  } catch (error) {
+    page.error = error.message;
+  }
   return page;
 }
 

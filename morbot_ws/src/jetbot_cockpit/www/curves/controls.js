@@ -13,7 +13,8 @@ export class Controls {
   on = new Set((recall("curves") || FIRST).split(" "));
   hidden = new WeakSet(); // drives
   /** @type {any[]} */
-  listed = []; // drives that have a button
+  listed = []; // drives, each with its button
+  titles = ""; // on these
 
   // curves: see panel.js; close(): shows what was there before, null: something else does
   constructor(curves, close) {
@@ -56,14 +57,16 @@ export class Controls {
     setText(this.pause, this.curves.held ? t("Go on") : t("Pause"));
     for (const [id, each] of this.strips) each.ariaPressed = String(this.isOn(id));
     const { kept } = this.curves.held ?? this.curves.drives;
-    if (String(kept.map(titleOf)) !== String(this.listed.map(([drive]) => titleOf(drive)))) this.list(kept);
+    const titles = kept.map(titleOf).join("\n");
+    if (titles !== this.titles) this.list(kept);
+    this.titles = titles;
     for (const [drive, each] of this.listed.slice(1)) each.ariaPressed = String(this.shows(drive));
   }
 
   // The newest drive is always shown.
   list([newest, ...earlier]) {
-    this.listed = [[newest, create("b", "", titleOf(newest))],
-      ...earlier.map((drive) => [drive, button(`drive-${drive.number}`, titleOf(drive), () => this.toggleDrive(drive))])];
+    const made = (drive) => button(`drive-${drive.number}`, titleOf(drive), () => this.toggleDrive(drive));
+    this.listed = [[newest, create("b", "", titleOf(newest))], ...earlier.map((drive) => [drive, made(drive)])];
     this.earlier.replaceChildren(...this.listed.map(([, each]) => each));
   }
 

@@ -77,6 +77,7 @@ export class Plot {
   // The name of a strip, and of each series how it is drawn, its name, and its value.
   title({ title, unit, places, series: all }, [, drive, until], { top }) {
     const middle = top - 13;
+    Object.assign(this.context, STYLES.current);
     let left = this.text(unit ? `${title} (${unit})` : title, 4, middle, "left", "muted") + 10;
     const moment = Math.min(this.timeline.cursor ?? Infinity, until - drive.start, drive.length);
     for (const each of all) {

@@ -47,7 +47,7 @@ export class Run {
     this.senses = new Senses(engine.needs, () => send({ type: "program", robot: robot.id }));
     this.motion = new Motion((forward, left) => this.command(forward, left));
     this.motion.end(); // the cockpit obeys this page again only after a zero
-    this.pulse = setInterval(() => this.wakeUp(), HEARTBEAT);
+    this.pulse = setInterval(() => this.wakeUp(), HEARTBEAT); // also while an engine elsewhere computes
     this.execute().catch((error) => {
       if (!(error instanceof ProgramError)) console.error(error);
       this.end(error.message, error.place);
@@ -196,7 +196,7 @@ export class Run {
   }
 
   wakeUp() {
-    this.endIfFrozen();
+    if (this.motion.timer) this.endIfFrozen(); // a slow tablet may take its time to load Python
     this.awakeAt = performance.now();
   }
 

@@ -3,6 +3,7 @@
 import { pythonLanguage } from "../vendor/codemirror/codemirror.js";
 import { t } from "../language.js";
 import { ProgramError } from "../program/program_error.js";
+import { checked } from "./answers.js";
 import { mark } from "./marks.js";
 import { explain } from "./mistakes.js";
 import { FILES } from "./modules/list.js";
@@ -19,7 +20,8 @@ export class PythonEngine {
   motion = [0, 0]; // x, z: in the units of the robot's commands
   variables = new Map(); // texts by names
   /** @type {((message: any) => void) | null} */
-  heard = null; // takes the worker's message
+  heard = null; // takes the worker's answer
+  ended = false;
 
   /** @type {any} */
   worker = null;
@@ -37,16 +39,17 @@ export class PythonEngine {
     const program = mark(this.text, pythonLanguage.parser.parse(this.text));
     loaded ??= load();
     this.given = { ...await loaded.catch(fail), program };
+    if (this.ended) return;
     this.worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-    this.worker.onmessage = ({ data }) => this.heard?.(data);
-    this.worker.onerror = () => this.heard?.({ events: [], variables: null, broken: "the worker failed" });
+    this.worker.onmessage = ({ data }) => this.hear(data);
+    this.worker.onerror = this.worker.onmessageerror = () => this.hear({ broken: "the worker failed" });
   }
 
   // Yields the program's events, as Interpreter does. state(): { seconds, senses, slow } as worker.js explains them
   async *run(state) {
     for (let answer = { ...this.given, ...state() }; ; answer = state()) {
-      const { events, variables, over, problem, broken } = await this.ask(answer);
-      if (variables) this.variables = new Map(JSON.parse(variables));
+      const { events, variables, over, problem, broken } = checked(await this.ask(answer));
+      if (variables) this.variables = variables;
       for (const event of events) yield this.toEvent(event);
       if (broken) console.error(broken);
       if (broken) throw new ProgramError(BROKEN);
@@ -67,13 +70,22 @@ export class PythonEngine {
 
   ask(answer) {
     return new Promise((resolve) => {
+      if (this.ended) return resolve({ broken: "the worker has ended" });
       this.heard = resolve;
       this.worker.postMessage(answer);
     });
   }
 
+  // Takes the worker's answer. What comes unasked ends it: a program's worker only answers.
+  hear(message) {
+    if (!this.heard) this.end();
+    this.heard?.(message);
+    this.heard = null;
+  }
+
   // Ends the program, whatever it does.
   end() {
+    this.ended = true;
     this.worker?.terminate();
   }
 }

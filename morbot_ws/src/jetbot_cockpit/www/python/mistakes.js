@@ -27,7 +27,7 @@ const COMPILED = [
     () => t("Each item of a dictionary is a key, a colon, and a value.")],
   ["SyntaxError", /global$|nonlocal/, () => t("“global” comes first in a function, before the name is used.")],
   ["SyntaxError", /^invalid syntax for /, () => t("This is not a number that Python knows.")],
-  ["SyntaxError IndentationError", /./, () => t("Python does not understand this line. Compare it with an example.")],
+  ["SyntaxError IndentationError", /./, () => t("The page's Python does not understand this line. Compare it with an example.")],
 ];
 
 /** @type {Row[]} */
@@ -55,15 +55,14 @@ const VALUES = [
     () => t("A function calls itself again and again: let it end with an if.")],
   ["MemoryError", /^/, () => t("The program needs too much memory: does a list or a text grow without an end?")],
   ["AssertionError", /^$/, () => t("What “assert” says is not true.")],
-  ["OSError", /^/, () => missing("open")],
-  ["ROSException", /has not been initialized yet/,
+  ["ROSException ROSInitException", /not (?:been )?initialized/,
     () => t("“rospy.init_node” comes first: rospy.init_node(\"my_program\")")],
   ["ROSSerializationException SerializationError", /^field (?<name>\S+) must be (?:float|an integer|unsigned)/,
     ({ name }) => t("“{name}” of the message needs a number.", { name })],
   ["TypeError", /^Invalid number of arguments, args should be (?<text>.+?) args are/, ({ text }) => t(
     "The message takes all of these values, or none: {text}.", { text: text.replace(/[^\w, ]/g, "") })],
   ["TypeError", /^expected \[(?<kind>.*)\] but got \[(?<other>.*)\]$/, ({ kind, other }) => t(
-    "This topic takes {kind}, not {other}.", { kind, other })],
+    "The message needs {kind}, not {other}.", { kind, other })],
   ["TypeError", /^(?<name>\S+) carries (?<kind>\S+), not (?<other>\S+)$/,
     ({ name, kind, other }) => t("The topic {name} takes {kind}, not {other}.", { name, kind, other })],
 ];

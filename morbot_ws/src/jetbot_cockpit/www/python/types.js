@@ -15,7 +15,7 @@ const RANGE = t("range(10) gives 10 numbers.");
 const KINDS = {
   __proto__: null, str: t("text"), int: t("number"), float: t("number"), bool: t("True or False"), NoneType: "None",
   list: t("list"), dict: t("dictionary"), function: t("function"), bound_method: t("function"),
-  closure: t("function"),
+  closure: t("function"), module: t("module"),
 };
 const SIGNS = {
   __proto__: null, add: "+", sub: "-", mul: "*", truediv: "/", floordiv: "//", mod: "%", pow: "**", lt: "<", gt: ">",
@@ -33,7 +33,7 @@ export const joined = (...parts) => parts.filter(Boolean).join(" ");
 
 function unsupported({ sign, one, other }) {
   const [, hint] = HINTS.find(([types]) => types.some((type) => type === one || type === other)) ?? [];
-  const text = `${kindOf(one)} ${SIGNS[sign] ?? sign} ${kindOf(other)}`;
+  const text = `${kindOf(one)} ${SIGNS[sign] ?? sign ?? "in"} ${kindOf(other)}`;
   return joined(t("This does not work: {text}.", { text }), hint);
 }
 
@@ -52,8 +52,9 @@ function wrongCount({ name, needed, given, source, code }) {
   const isMethod = new RegExp(`^[ \\t]+def\\s+${name}\\s*\\(`, "m").test(source);
   const hasSelf = new RegExp(`\\bdef\\s+${name}\\s*\\(\\s*self\\b`).test(source);
   if (isMethod && !hasSelf && code.includes(`.${name}(`)) return SELF;
-  const [count, got] = [needed, given].map((each) => each - (hasSelf ? 1 : 0));
-  if (name === "__init__") return ofFunction({ count, got });
+  const isMade = name === "__init__";
+  const [count, got] = [needed, given].map((each) => each - (hasSelf || isMade ? 1 : 0));
+  if (isMade) return ofFunction({ count, got });
   return t("{name}() takes {count} value but gets {got}.|{name}() takes {count} values but gets {got}.",
            { name, count, got });
 }
@@ -61,7 +62,7 @@ function wrongCount({ name, needed, given, source, code }) {
 /** @import { Row } from "./mistakes.js" */
 /** @type {Row[]} */
 export const TYPES = [
-  ["TypeError", /^unsupported types for __r?(?<sign>\w+)__: '(?<one>\w+)', '(?<other>\w+)'$/, unsupported],
+  ["TypeError", /^unsupported types for (?:__r?(?<sign>\w+)__)?: '(?<one>\w+)', '(?<other>\w+)'$/, unsupported],
   ["TypeError", /^unsupported type for __hash__: '(?<type>\w+)'$/,
     ({ type }) => t("This cannot be a key of a dictionary, nor be in a set: {text}.", { text: kindOf(type) })],
   ["TypeError", /^unsupported type for __\w+__: '(?<type>\w+)'$/, needsNumber],
@@ -75,8 +76,9 @@ export const TYPES = [
   ["TypeError", /^function takes (?<count>\d+) positional arguments but (?<got>\d+) were given$/, ofFunction],
   ["TypeError", /^function missing /, () => t("The function needs more values between its brackets.")],
   ["TypeError", /^function expected at most/, () => t("The function takes fewer values between its brackets.")],
-  ["TypeError", /^(?:unexpected keyword argument '(?<name>\w+)'|extra keyword arguments given)$/, ({ name }) => (name
-    ? t("The function has no parameter “{name}”.", { name }) : t("The function has no parameter of this name."))],
+  ["TypeError", /^unexpected keyword argument '(?<name>\w+)'$/,
+    ({ name }) => t("The function has no parameter “{name}”.", { name })],
+  ["TypeError", /keyword arguments(?: given)?$/, () => t("The function has no parameter of this name.")],
   ["TypeError", /^function got multiple values for argument '(?<name>\w+)'$/,
     ({ name }) => t("“{name}” gets two values in this call.", { name })],
   ["TypeError", /^'(?<type>\w+)' object isn't iterable$/, ({ type }) => joined(

@@ -53,14 +53,16 @@ function noName({ name, code }) {
   return joined(t("“{text}” has no “{name}”.", { text: module, name }), meant(near(name, membersOf(module))));
 }
 
-function noAttribute({ owner, name, source }) {
+function noAttribute({ kind, owner, name, source }) {
   if (owner === "NoneType") return joined(t("What is before “.{name}” is None.", { name }), NO_RESULT);
   if (["function", "bound_method", "closure"].includes(owner)) return CALL;
   if (insteadOf(`${owner}.${name}`)) return missing(`${owner}.${name}`);
   if (LENGTHS.includes(name)) return t("len(x) gives the length of x.");
+  const number = ["int", "float"].includes(owner) && /^[xyz]$/.test(name);
+  const known = [...methodsOf(source), ...membersOf(owner)];
+  const alone = kind === "type object" && known.includes(name); // "Twist.linear"
   return joined(t("“{text}” has no “{name}”.", { text: kindOf(owner), name }),
-                ["int", "float"].includes(owner) && /^[xyz]$/.test(name) ? PART
-                  : meant(near(name, [...methodsOf(source), ...membersOf(owner)])));
+                number ? PART : meant(alone ? `${owner}()` : near(name, known)));
 }
 
 /** @import { Row } from "./mistakes.js" */
@@ -71,7 +73,7 @@ export const UNKNOWN = [
   ["NameError", /^local variable/, unassigned],
   ["ImportError", /^no module named '(?<name>.+)'$/, noModule],
   ["ImportError", /^can't import name (?<name>\w+)$/, noName],
-  ["AttributeError", /^(?:type object |module )?'(?<owner>.+)' (?:object )?has no attribute '(?<name>.+)'$/,
+  ["AttributeError", /^(?:(?<kind>type object|module) )?'_?(?<owner>.+)' (?:object )?has no attribute '(?<name>.+)'$/,
     noAttribute],
   ["AttributeError", /^(?<name>\w+) is not an attribute of (?<owner>\w+)$/, noAttribute],
 ];

@@ -8,8 +8,11 @@ import _page
 import _start
 from _clock import names
 
-SHOWN = bool, int, float, str, list, tuple, dict, set, type(None)
-LONGEST = 100  # characters of a value, and parts of it
+BRACKETS = {list: "[]", tuple: "()", set: "{}", dict: "{}"}
+SHOWN = (bool, int, float, str, type(None)) + tuple(BRACKETS)
+LONGEST = 100  # characters of a value
+MOST = 100  # variables
+HUGE = 10 ** LONGEST  # its digits take long
 
 
 def each(line, values):
@@ -34,21 +37,44 @@ def attempt(act):
     except SystemExit:
         pass
     except BaseException as problem:
-        trace = io.StringIO()
+        _page.fail(type(problem).__name__, *described(problem))
+
+
+def described(problem):
+    """Return an exception's message and traceback; both are empty if the program's own code fails to say them."""
+    trace = io.StringIO()
+    try:
         sys.print_exception(problem, trace)
-        _page.fail(type(problem).__name__, str(problem), trace.getvalue())
+        return str(problem), trace.getvalue()
+    except BaseException:
+        return "", ""
 
 
-def shown(value):
-    """Return a value as a text, of a long one its beginning."""
-    if isinstance(value, (list, tuple)):
-        value = value[:LONGEST]
-    elif isinstance(value, (dict, set)) and len(value) > LONGEST:
+def shown(value, room=LONGEST):
+    """Return a value as a text, of a long one its beginning. It runs nothing of the program's own code."""
+    kind = type(value)
+    if room == 0 or kind not in SHOWN or kind is int and not -HUGE < value < HUGE:
         return "..."
-    return repr(value)[:LONGEST]
+    if kind is str:
+        return repr(value[:room])
+    return listed(value, BRACKETS[kind], room) if kind in BRACKETS and value else repr(value)
+
+
+def listed(values, brackets, room):
+    """Return the items of a list, a tuple, a set or a dict as a text."""
+    parts = []
+    for each in values.items() if type(values) is dict else values:
+        if sum(map(len, parts)) > room:
+            parts.append("...")
+            break
+        pair = each if type(values) is dict else (each,)
+        parts.append(": ".join([shown(part, room // 2) for part in pair]))
+    end = "," if type(values) is tuple and len(values) == 1 else ""
+    return brackets[0] + ", ".join(parts) + end + brackets[1]
 
 
 def variables():
     """Return the program's variables and their values, as JSON."""
-    return json.dumps([[name, shown(value)] for name, value in names.items()
-                       if name[0] != "_" and isinstance(value, SHOWN)])
+    found = [name for name, value in names.items()
+             if type(name) is str and not name.startswith("_") and type(value) in SHOWN]
+    return json.dumps([[name[:LONGEST], shown(names[name])[:LONGEST]] for name in found[:MOST]])
