@@ -28,7 +28,8 @@ from processes import end, end_on_sigterm, free_port, start  # noqa: E402
 
 PHONE, TABLET, DESKTOP = (390, 844, 2), (1024, 768, 1), (1280, 800, 1)  # width, height in CSS pixels; pixels per one
 UPRIGHT = (768, 1024, 1)  # the tablet
-PICTURES = ["cockpit_desktop.png", "cockpit_phone.png", "cockpit_class.png", "program_tablet.png", "program_map.png"]
+PICTURES = ["cockpit_desktop.png", "cockpit_phone.png", "cockpit_class.png", "program_tablet.png", "program_map.png",
+            "curves.png"]
 COLORS = 128            # of a PNG
 START_TIMEOUT = 120.0   # s
 STEP = 0.5              # s
@@ -56,6 +57,9 @@ def main() -> None:
     if "program_map.png" in wanted:
         with launched(*ONE) as address:
             take_program(f"{address}/program", UPRIGHT, "program_map.png", turn=1.47, sides=3)
+    if "curves.png" in wanted:
+        with launched(*ONE) as address:
+            take_curves(f"{address}/program", TABLET, "curves.png")
 
 
 @contextlib.contextmanager
@@ -109,6 +113,19 @@ def take_program(address: str, size: Tuple[int, int, int], name: str, turn: floa
         if sides:
             page.click("#show-map")
             time.sleep(sides * (SIDE + turn) + STEP)
+        save(page, DOCS / name)
+
+
+def take_curves(address: str, size: Tuple[int, int, int], name: str) -> None:
+    """Drive two squares that differ in their turns, and save their curves."""
+    with opened(address, size) as page, tempfile.TemporaryDirectory() as folder:
+        page.click("#show-curves")
+        for turn in 1.2, 1.47:
+            page.element("file").send_keys(programs.as_file(Path(folder), square(turn)))
+            page.wait_for_text("outcome", "Press Run.")
+            page.click("#run")
+            page.wait_for_text("outcome", "The program has ended.")
+            time.sleep(3 * STEP)
         save(page, DOCS / name)
 
 

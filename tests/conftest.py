@@ -18,7 +18,7 @@ BROWSER = "tests/browser/"  # each part of these tests, and those in each engine
 PARTS = {part: re.compile(f"{BROWSER}test_({names})") for part, names in {
     "programs": "program|tablet|tasks", "work": "work", "everybody": "accessibility|blocks|page",
     "class": "keys|pseudo|robots|sharing", "pad": ""}.items()}
-PROCESSES = 8  # of ./morbot test
+PROCESSES = 6  # of ./morbot test, beside those for the browsers
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
 
 

@@ -15,6 +15,7 @@ from jetbot_lessons import lessons
 
 from .conftest import OTHER_ROBOT, ROBOT
 from .programs import block, chain, drive, let, num, plug, program, set_motion, show, var, wait
+from .test_accessibility import LISTEN
 from .test_page import DESKTOP, TOUCH_SCREENS
 from .test_stop import release
 
@@ -96,9 +97,10 @@ def test_the_program_ends_and_the_robot_stops_at_any_stop_a_change_or_in_the_bac
         page.choose(ROBOT)
         release(page)
         run(page, world)
+        page.run(LISTEN)
         with world.stops(ROBOT, what=name):
             act(page)
-        page.wait_for_text("outcome", sentence)
+        page.wait_for(functools.partial(page.run, "return said.join().includes(arguments[0])", sentence), sentence)
 
 
 @undisturbed

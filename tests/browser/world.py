@@ -24,6 +24,7 @@ LONGEST_GAP = 0.2    # s between two turns of a page, above which the switch may
 OBEY_TIMEOUT = 2.0   # s until what a person does has moved a robot
 STOP_TIMEOUT = 0.7   # s; the cockpit's switch fires after 0.3 s; the rest is for a busy computer
 TRIES = 5            # on a busy computer
+NODE_SHUTDOWN = 10.0  # s, until a node that hangs while it ends is killed
 
 Condition = Callable[[float, float], bool]  # for the speeds left, right
 
@@ -190,8 +191,8 @@ class World:
     def close(self) -> None:
         """End all processes."""
         self.record.close()
-        end(self._processes[1:])
-        end(self._processes[:1])  # the master, which the others still need
+        end(self._processes[1:], within=NODE_SHUTDOWN)
+        end(self._processes[:1], within=NODE_SHUTDOWN)  # the master, which the others still need
 
     def _nodes(self, role, topic):
         """role: 0 publishers, 1 subscribers."""

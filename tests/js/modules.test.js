@@ -19,7 +19,7 @@ const expected = (text) => text.split("\n").filter((line) => line.startsWith("#>
 for (const file of readdirSync(NODES).filter((name) => name.endsWith(".py"))) {
   test(`${file} prints what it prints with ROS`, async () => {
     const text = readFileSync(new URL(file, NODES), "utf8");
-    const { lines, error } = await runPython(text, { senses: ROBOT });
+    const { lines, error } = await runPython(text, { senses: ROBOT, perLine: 1e-5 });
     assert.equal(error, "");
     assert.deepEqual(lines.map((line) => line.trimEnd()), expected(text));
   });

@@ -200,7 +200,8 @@ test("a loop without a wait is reported after a second, until the program waits 
   const page = { clock: new Clock(t) };
   const early = plug("logic_compare", { A: plug("robot_time"), B: 2 }, { OP: "LT" });
   const loop = block("controls_whileUntil", { BOOL: early, DO: body(set("x", 1)) }, { fields: { MODE: "WHILE" } });
-  page.run = new Run(new Interpreter(named(program([loop, drive(0.5, 30)], { variables: ["x"] })), ROBOT), ROBOT, false, {
+  const blocks = named(program([loop, drive(0.5, 30)], { variables: ["x"] }));
+  page.run = new Run(new Interpreter(blocks, ROBOT), ROBOT, false, {
     send: (message) => message.type === "program" && answer(page, true), printed() {}, changed() {}, ended() {},
     delay: () => page.clock.freeze(1), // each statement takes a millisecond
   });
@@ -232,3 +233,21 @@ const NEWS = [ // a run; what is said of it, and whether that is a warning
 for (const [run, text, warning] of NEWS) {
   test(`of a program that runs a person reads: ${text}`, () => assert.deepEqual(newsOf(run), [text, warning]));
 }
+
+test("an engine that computes for long, or loads, is no interruption of the page", async (t) => {
+  const page = { clock: new Clock(t), ends: [] };
+  const later = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
+  const engine = {
+    needs: {}, motion: [0.5, 0], repeats: false, variables: new Map(), prepare: () => later(2000), end() {},
+    async *run() {
+      await later(2000);
+      yield { publish: true };
+    },
+  };
+  page.run = new Run(engine, ROBOT, false, {
+    send: (message) => message.type === "program" && answer(page, true), printed() {}, changed() {}, delay: () => 0,
+    ended: (...why) => page.ends.push(why),
+  });
+  await page.clock.pass(5000);
+  assert.deepEqual(page.ends, [["", null]]);
+});

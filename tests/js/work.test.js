@@ -98,6 +98,21 @@ test("a page that is opened shows the robot's newest program, which is saved onc
   assert.equal(saves()[0].version, 3);
 });
 
+test("what is kept stays as an earlier version of what is to replace it, unless it is not kept yet", async (t) => {
+  const clock = new Clock(t);
+  const { saves } = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  page.edit("As text");
+  assert.equal(page.work.keepEarlier(), "Not kept yet");
+  await clock.pass(1000);
+  assert.equal(page.work.keepEarlier(), "");
+  page.edit("As blocks");
+  await clock.pass(1000);
+  assert.deepEqual(saves().map(({ id, version, name }) => [id, version, name]),
+    [[ID.square, 3, "As text"], [ID.square, 0, "As blocks"]]);
+});
+
 test("what a person has begun before the first list comes stays", async (t) => {
   const clock = new Clock(t);
   const { saved } = cockpit(t, [square()]);
@@ -115,6 +130,25 @@ test("an example that was opened before the first list comes stays", async (t) =
   page.work.add("Zigzag", EMPTY);
   await page.hear();
   assert.equal(page.name, "Zigzag");
+});
+
+for (const [does, act, name] of [
+  ["opens", ({ work }) => work.addFile("Zigzag", EMPTY), "Zigzag"],
+  ["changes", (page) => page.edit("Mine"), "Mine"],
+  ["does nothing", () => {}, "Square"],
+]) test(`while the newest program is fetched, a person ${does}: the page shows ${name}`, async (t) => {
+  new Clock(t);
+  const { promise, answer } = later();
+  const state = cockpit(t, [square()]);
+  const page = openPage();
+  const listed = page.hear();
+  state.refuses = promise;
+  await listed;
+  state.refuses = null;
+  act(page);
+  await page.hear();
+  await answer(square());
+  assert.equal(page.name, name);
 });
 
 test("a file that is opened is kept, unless it cannot be shown", async (t) => {

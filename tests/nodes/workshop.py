@@ -15,6 +15,7 @@ for count in range(10):
     publisher.publish(twist)
     rate.sleep()
 print(twist)
+
 #> 0.5 False /driver /
 #> linear:
 #>   x: 0.5

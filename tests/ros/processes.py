@@ -47,15 +47,15 @@ def start_display(log: Path, *arguments: str) -> Tuple[subprocess.Popen, str]:
         return process, f":{number.readline().strip()}"
 
 
-def end(processes: List[subprocess.Popen]) -> None:
-    """End the processes by SIGINT to their groups, after SHUTDOWN_TIMEOUT by SIGKILL."""
+def end(processes: List[subprocess.Popen], within: float = SHUTDOWN_TIMEOUT) -> None:
+    """End the processes by SIGINT to their groups, those that take longer than this, in s, by SIGKILL."""
     running = [process for process in processes if process.poll() is None]
     for process in running:
         for signum in (signal.SIGCONT, signal.SIGINT):
             os.killpg(process.pid, signum)
     for process in running:
         try:
-            process.wait(SHUTDOWN_TIMEOUT)
+            process.wait(within)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.wait()

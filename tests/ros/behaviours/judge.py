@@ -132,7 +132,7 @@ class Judge(SharedRobotTest):
         worlds = self.record("world", MarkerArray, lambda array: len(array.markers))
         judge = self.judge("park")
         self.wait_for_lines(judge, READY)
-        self.assertEqual(worlds[-1], 2)  # one clears the drawing, one is a wall
+        self.wait_for(lambda: worlds[-1:] == [2], START_TIMEOUT, "the world: one clears the drawing, one is a wall")
         self.move_by_hand(0.01, 0.02, 0.03)
         self.wait_for_last_lines(judge, READY, before=MOVED)
         states = self.record("task", DiagnosticStatus, lambda status: status)

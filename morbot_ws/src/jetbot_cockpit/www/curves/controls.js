@@ -13,21 +13,25 @@ export class Controls {
   on = new Set((recall("curves") || FIRST).split(" "));
   hidden = new WeakSet(); // drives
   /** @type {any[]} */
-  listed = []; // drives that have a button
+  listed = []; // drives, each with its button
+  titles = ""; // on these
 
   // curves: see panel.js; close(): shows what was there before, null: something else does
   constructor(curves, close) {
     this.curves = curves;
     const { timeline } = curves;
+    const [tools, toggles] = [create("div"), create("div")];
     this.root = create("div", "controls");
-    this.pause = button(t("Pause"), () => curves.hold(!curves.held));
-    this.earlier = create("span", "drives");
-    this.strips = [...STRIPS, PRINTED].map(({ id, title }) => [id, button(title, () => this.toggle(id))]);
-    this.root.append(...close ? [button(t("Map"), close)] : [], this.pause,
-      button("+", () => timeline.zoom(ZOOM), t("Zoom in")), button("−", () => timeline.zoom(1 / ZOOM), t("Zoom out")),
-      button(t("All"), () => timeline.all(), t("All of the time")),
-      button(t("CSV"), () => this.save(), t("Save as a table")),
-      ...this.strips.map(([, each]) => each), this.earlier);
+    this.pause = button("pause", t("Pause"), () => curves.hold(!curves.held));
+    this.earlier = create("span");
+    this.strips = [...STRIPS, PRINTED].map(({ id, title }) => [id, button(id, title, () => this.toggle(id))]);
+    tools.append(...close ? [button("close", t("Map"), close)] : [], this.pause,
+      button("in", "+", () => timeline.zoom(ZOOM), t("Zoom in")),
+      button("out", "−", () => timeline.zoom(1 / ZOOM), t("Zoom out")),
+      button("fit", t("Fit"), () => timeline.all(), t("Show the whole drive")),
+      button("save", t("CSV"), () => this.save(), t("Save as a table")));
+    toggles.append(...this.strips.map(([, each]) => each), this.earlier);
+    this.root.append(tools, toggles);
   }
 
   isOn(id) {
@@ -53,14 +57,16 @@ export class Controls {
     setText(this.pause, this.curves.held ? t("Go on") : t("Pause"));
     for (const [id, each] of this.strips) each.ariaPressed = String(this.isOn(id));
     const { kept } = this.curves.held ?? this.curves.drives;
-    if (String(kept.map(titleOf)) !== String(this.listed.map(([drive]) => titleOf(drive)))) this.list(kept);
+    const titles = kept.map(titleOf).join("\n");
+    if (titles !== this.titles) this.list(kept);
+    this.titles = titles;
     for (const [drive, each] of this.listed.slice(1)) each.ariaPressed = String(this.shows(drive));
   }
 
   // The newest drive is always shown.
   list([newest, ...earlier]) {
-    this.listed = [[newest, create("b", "", titleOf(newest))],
-      ...earlier.map((drive) => [drive, button(titleOf(drive), () => this.toggleDrive(drive))])];
+    const made = (drive) => button(`drive-${drive.number}`, titleOf(drive), () => this.toggleDrive(drive));
+    this.listed = [[newest, create("b", "", titleOf(newest))], ...earlier.map((drive) => [drive, made(drive)])];
     this.earlier.replaceChildren(...this.listed.map(([, each]) => each));
   }
 
@@ -76,9 +82,9 @@ function titleOf({ number: count, score }) {
     : t("Drive {number}: {score}", { number: count, score: number(score.toFixed(1)) });
 }
 
-function button(text, press, label = "") {
-  const made = Object.assign(create("button", "", text), { type: "button", title: label });
-  if (label) made.ariaLabel = label;
+function button(id, text, press, title = "") {
+  const made = Object.assign(create("button", "", text), { id: `curves-${id}`, type: "button", title });
+  if (text.length === 1) made.ariaLabel = title;
   made.addEventListener("click", press);
   return made;
 }

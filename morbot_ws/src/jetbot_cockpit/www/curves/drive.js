@@ -54,7 +54,7 @@ export class Drive {
 
   /** @param {string} name @param {number} value @param {number} time */
   print(name, value, time) {
-    if (time > this.end || !Number.isFinite(value)) return;
+    if (!(time <= this.end) || !Number.isFinite(value)) return; // the time is NaN until the robot's clock is known
     const key = name.slice(0, MAX_NAME);
     if (!this.prints.has(key) && this.prints.size < MAX_NAMES) this.prints.set(key, new Track(2));
     this.prints.get(key)?.add([time, value]);

@@ -52,9 +52,9 @@ export class Drives {
   // Looks whether the robot moves: x, z, left, right.
   watch([stamp, , , left, right]) {
     const moves = left !== 0 || right !== 0;
+    if (moves && this.resting && !this.running && !this.isOpen) this.begin(stamp);
     if (moves) this.movedAt = stamp;
-    if (!moves) this.resting = true;
-    else if (!this.running && this.resting && !this.isOpen) this.begin(stamp);
+    this.resting = !moves;
   }
 
   // Whether a drive has begun that is not over.

@@ -4,11 +4,11 @@
 /** @import { Drive } from "./drive.js" */
 /** @import { Row } from "./plot.js" */
 
-import { create } from "../dom.js";
+import { create, setClass } from "../dom.js";
 import { t } from "../language.js";
 import { Controls } from "./controls.js";
 import { Drives } from "./drives.js";
-import { Plot } from "./plot.js";
+import { heightOf, Plot } from "./plot.js";
 import { COLORS, describe, printedStrip, STRIPS } from "./series.js";
 import { Timeline } from "./timeline.js";
 
@@ -44,13 +44,15 @@ class Curves {
     this.run = run;
     this.root = Object.assign(create("div"), { id: "curves", hidden: true });
     this.canvas = Object.assign(create("canvas"), { role: "img", ariaLabel: t("Curves over time") });
-    this.slider = Object.assign(create("input"), { type: "range", min: "0", step: "0.01", ariaLabel: t("Moment") });
+    this.slider = Object.assign(create("input"), {
+      id: "curves-moment", type: "range", min: "0", step: "0.01", ariaLabel: t("Moment"),
+    });
     this.timeline = new Timeline(this.canvas, () => shell.show());
     this.controls = new Controls(this, close);
-    const box = create("div", "plot");
-    box.append(this.slider, this.canvas);
-    this.root.append(this.controls.root, box);
-    place.append(this.root);
+    this.box = create("div", "plot");
+    this.box.append(this.slider, this.canvas);
+    this.root.append(this.controls.root, this.box);
+    place.insertBefore(this.root, place.querySelector("#output-title"));
     this.slider.addEventListener("input", () => this.timeline.read(Number(this.slider.value)));
     new ResizeObserver(() => shell.show()).observe(this.canvas);
     shell.receivers.curves = (message) => this.receive(message);
@@ -60,7 +62,7 @@ class Curves {
 
   show(on) {
     this.root.hidden = !on;
-    this.root.parentElement.classList.toggle("curved", on);
+    this.root.parentElement?.classList.toggle("curved", on);
     this.shell.show();
   }
 
@@ -114,7 +116,8 @@ class Curves {
   }
 
   hold(on) {
-    this.held = on ? { kept: this.drives.kept, until: this.drives.time() } : null;
+    const { kept, current } = this.drives;
+    this.held = on ? { kept, until: current.start + current.length } : null;
     this.shell.show();
   }
 
@@ -134,24 +137,26 @@ class Curves {
     this.follow();
     this.noteScore();
     if (!this.canvas.clientWidth) return;
-    const { shown, drives: { best } } = this;
+    const { shown, strips, drives: { best } } = this;
+    this.canvas.style.minHeight = `${heightOf(strips.length)}px`;
+    setClass(this.box, "scrolled", this.canvas.clientHeight > this.box.clientHeight);
     const until = this.held?.until ?? Infinity;
     this.timeline.length = Math.max(...shown.map((drive) => Math.min(drive.length, until - drive.start)));
     const kind = (drive, index) => (index === 0 ? "current" : drive === best ? "best" : "earlier");
     const row = (drive, index) => /** @type {Row} */ ([kind(drive, index), drive, index ? Infinity : until]);
     const rows = shown.map(row).reverse();
-    new Plot(this.fitCanvas(), this.timeline, this.colors()).draw(this.strips, rows, this.canvas.clientHeight);
+    new Plot(this.fitCanvas(), this.timeline, this.colors()).draw(strips, rows, this.canvas.clientHeight);
     this.controls.draw();
-    this.read(shown[0], until);
+    this.read(shown[0], strips, until);
   }
 
   // Says the values at the moment that the keyboard has chosen.
-  read(drive, until) {
+  read(drive, strips, until) {
     const { slider, timeline } = this;
     const moment = Math.min(timeline.cursor ?? Infinity, until - drive.start, drive.length);
     slider.max = String(timeline.length);
     slider.value = String(moment);
-    slider.ariaValueText = describe(drive, this.strips, moment);
+    slider.ariaValueText = describe(drive, strips, moment);
   }
 
   fitCanvas() {

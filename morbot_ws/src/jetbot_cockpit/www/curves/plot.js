@@ -11,7 +11,8 @@ import { axis, scaleOf, ticks } from "./scale.js";
 import { COLORS, DASHES, digits, trackOf, valueAt } from "./series.js";
 import { LEFT } from "./timeline.js";
 
-const [TITLE, FOOT, GAP] = [18, 18, 6]; // px: above a strip, below all, between two
+const [TITLE, FOOT, GAP] = [22, 18, 4]; // px: above a strip, below all, between two
+const STRIP = 62; // px of a strip, at least
 const NOTHING = t("Nothing was reported.");
 const DOTS = 7; // px between two values from which on each has a dot
 const STYLES = { // of the drives
@@ -19,6 +20,11 @@ const STYLES = { // of the drives
   earlier: { globalAlpha: 0.4, lineWidth: 1.5 },
   current: { globalAlpha: 1, lineWidth: 2 },
 };
+
+// Returns the height in px that so many strips need.
+export function heightOf(strips) {
+  return strips * (STRIP + GAP) + FOOT;
+}
 
 export class Plot {
   // colors: by the names of the page's styles
@@ -69,14 +75,15 @@ export class Plot {
   }
 
   // The name of a strip, and of each series how it is drawn, its name, and its value.
-  title({ title, unit, series: all }, [, drive, until], { top }) {
-    let left = this.text(unit ? t("{name} ({unit})", { name: title, unit }) : title, 4, top - 8, "left", "muted") + 10;
+  title({ title, unit, places, series: all }, [, drive, until], { top }) {
+    const middle = top - 13;
+    Object.assign(this.context, STYLES.current);
+    let left = this.text(unit ? `${title} (${unit})` : title, 4, middle, "left", "muted") + 10;
     const moment = Math.min(this.timeline.cursor ?? Infinity, until - drive.start, drive.length);
     for (const each of all) {
-      const value = valueAt(drive, each, moment);
-      this.line(each, [[left, top - 8], [left + 22, top - 8]]);
-      const shown = value === null ? "–" : number(digits(value, unit));
-      left += this.text(`${each.name} ${shown}`.trim(), left + 27, top - 8, "left", "text") + 39;
+      const shown = digits(valueAt(drive, each, moment), places);
+      this.line(each, [[left, middle], [left + 22, middle]]);
+      left += this.text(`${each.name} ${shown}`.trim(), left + 27, middle, "left", "text") + 39;
     }
   }
 

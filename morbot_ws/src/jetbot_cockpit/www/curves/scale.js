@@ -34,9 +34,9 @@ function bounds(track, column, from, to) {
   return [low, high];
 }
 
-// Returns round numbers in a range, so many at most, or two.
+// Returns round numbers in a range, about so many at most.
 export function ticks(low, high, most) {
-  const rough = (high - low) / Math.max(2, most);
+  const rough = (high - low) / Math.max(1, most);
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = (STEPS.find((each) => each * power >= rough * 0.999) ?? 10) * power;
   const first = Math.ceil(low / step - 1e-9);

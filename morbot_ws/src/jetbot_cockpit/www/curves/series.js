@@ -7,22 +7,24 @@ export const DASHES = [[], [7, 4], [2, 3]];
 export const COLORS = 4; // --curve-0 to --curve-3
 
 /** @typedef {{ name: string, topic: string, column: number, style: number, hold: number }} Series */
-/** @typedef {{ id: string, title: string, unit: string, range: number[] | null, series: Series[] }} Strip */
+/** @typedef {{ id: string, title: string, unit: string, places: number | null, range: number[] | null,
+ * series: Series[] }} Strip */
 
 const series = (topic, column, name = "", style = 0) => ({ topic, column, name, style, hold: HOLD });
 
 /** @type {Strip[]} */
 export const STRIPS = [
-  { id: "wheels", title: t("Wheels"), unit: t("power"), range: [-1, 1],
+  { id: "wheels", title: t("Wheels"), unit: t("power"), places: 2, range: [-1, 1],
     series: [series("wheels", 3, t("left")), series("wheels", 4, t("right"), 1)] },
-  { id: "speed", title: t("Speed"), unit: "m/s", range: null, series: [series("odom", 4)] },
-  { id: "heading", title: t("Heading"), unit: "°", range: null, series: [series("odom", 6)] },
-  { id: "eyes", title: t("Eyes"), unit: "", range: [0, 1],
+  { id: "speed", title: t("Speed"), unit: "m/s", places: 2, range: null, series: [series("odom", 4)] },
+  { id: "heading", title: t("Heading"), unit: "°", places: 0, range: null, series: [series("odom", 6)] },
+  { id: "eyes", title: t("Eyes"), unit: "", places: 2, range: [0, 1],
     series: [series("line", 1, t("left")), series("line", 2, t("middle"), 1), series("line", 3, t("right"), 2)] },
-  { id: "battery", title: t("Battery"), unit: "V", range: null, series: [series("battery", 1)] },
+  { id: "battery", title: t("Battery"), unit: "V", places: 2, range: null, series: [series("battery", 1)] },
 ];
 
-export const PRINTED = { id: "printed", title: t("Printed"), unit: "", range: null };
+/** @type {Omit<Strip, "series">} */
+export const PRINTED = { id: "printed", title: t("Printed"), unit: "", places: null, range: null };
 
 // Returns the strip of what the programs of these drives have printed.
 export function printedStrip(drives) {
@@ -45,17 +47,17 @@ export function valueAt(drive, series, time) {
   return Number.isNaN(value) ? null : value;
 }
 
-// Returns a value as it is read: with as many digits as its unit deserves.
-export function digits(value, unit) {
-  const text = unit === "°" ? value.toFixed(0) : String(Number(value.toPrecision(3)));
-  return (Number(text) === 0 ? "0" : text).replace("-", "−");
+// Returns a value as it is read, "–" if there is none. places: after the decimal mark; null: four digits in all
+export function digits(value, places) {
+  if (value === null) return "–";
+  const text = places === null ? String(Number(value.toPrecision(4))) : value.toFixed(places);
+  return number((Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−"));
 }
 
 // Returns the values at a moment as a screen reader says them.
 export function describe(drive, strips, moment) {
-  const said = strips.map(({ title, unit, series }) => {
-    const values = series.map((each) => [each.name, valueAt(drive, each, moment)])
-      .map(([name, value]) => `${name} ${value === null ? "–" : number(digits(value, unit))}`.trim());
+  const said = strips.map(({ title, unit, places, series }) => {
+    const values = series.map((each) => `${each.name} ${digits(valueAt(drive, each, moment), places)}`.trim());
     return `${title}: ${values.join(", ")} ${unit}`.trim();
   });
   return [t("{seconds} s", { seconds: moment.toFixed(1) }), ...said].join("; ");

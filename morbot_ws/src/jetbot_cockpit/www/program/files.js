@@ -12,16 +12,17 @@ export async function openFile(input, work) {
   const [file] = input.files;
   if (!file) return;
   const content = await file.slice(0, MAX_FILE).text();
-  const [, name, kind] = file.name.match(/^(.*?)(\.json|\.py)?$/s);
-  work.addFile(name, kind === ".py" ? withPython(content) : content);
+  const [, name, kind] = file.name.match(/^(.*?)(\.json|\.py(?:\.txt)?)?$/s);
+  work.addFile(name, kind?.startsWith(".py") ? withPython(content) : content);
   input.value = "";
 }
 
-// title: of the program; python: the text that it is, or null; program: the text that opens it again
+// Browsers hold back a .py as they do a program. title: of the program; python: the text that it is, or null; program:
+// the text that opens it again
 export function save(title, python, program) {
   const name = packageName(title);
   if (python === null) download(`${name}.json`, program, "application/json");
-  else download(`${name}.py`, python, "text/x-python");
+  else download(`${name}.py.txt`, python, "text/plain");
 }
 
 export function savePackage(title, python, program) {

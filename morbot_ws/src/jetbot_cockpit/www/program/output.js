@@ -21,12 +21,17 @@ export function showPython(python) {
   showOwnPart();
 }
 
-// Scrolls to the first function that has blocks of the person's: what is above it is alike in all programs.
+// Returns the index of the line in which the first function begins that has blocks of the person's: what is above it is
+// alike in all programs.
+export function ownLine() {
+  const texts = [...element("python").children].map(({ textContent }) => textContent);
+  return texts.findLastIndex((text, index) => index <= Math.min(...lines.values()) && text.startsWith("def "));
+}
+
 function showOwnPart() {
-  const box = element("python");
-  let part = box.children[Math.min(...lines.values())];
-  while (part && !part.textContent.startsWith("def ")) part = part.previousElementSibling;
-  if (part && !scrolled) box.scrollTop = part.offsetTop - box.firstChild.offsetTop;
+  const { children, firstChild } = element("python");
+  const part = children[ownLine()];
+  if (part && !scrolled) element("python").scrollTop = part.offsetTop - firstChild.offsetTop;
 }
 
 // Marks the block that runs, and its line.

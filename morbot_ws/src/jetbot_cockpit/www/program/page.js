@@ -72,9 +72,10 @@ const shown = new Shown({
     work.changed();
     show();
   },
-  replaces() {
+  replaces(isText) {
     end(CHANGED);
     run = null;
+    side.showText(isText);
   },
   keepText: () => work.keepEarlier(),
   say: (sentence) => notice.show(sentence),
@@ -198,7 +199,6 @@ function draw() {
   shown.mark(running?.at ?? null);
   const values = run?.engine.variables ?? new Map();
   showOutput(isText ? [...values] : blockVariables(workspace, values));
-  side.showText(isText);
   side.draw();
 }
 

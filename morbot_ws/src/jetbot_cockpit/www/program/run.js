@@ -12,7 +12,7 @@ import { excess, UNUSED } from "./remarks.js";
 import { Senses } from "./senses.js";
 
 const SLICE = 8; // ms that a program computes before the page has its turn
-const HEARTBEAT = 50; // ms; no sleep is longer
+const HEARTBEAT = 50; // ms
 const FROZEN = 300; // ms without a heartbeat: the cockpit has stopped the robot meanwhile
 const READY_TIMEOUT = 4000; // ms until a robot's controller is connected, and its sensors report
 const NOT_READY = t("The robot did not get ready in time. Try again, or tell your teacher.");
@@ -29,6 +29,7 @@ export class Run {
   published = [0, 0]; // x, z: what the robot drove last
   drivenAt = Infinity; // when the program waited last, by its clock; Infinity: it waits
   awakeAt = performance.now(); // when the page had its last turn
+  pulse = 0; // the timer that notices when the page gets no turn
 
   // engine: prepare(), run(state) yields the program's events, end(); motion, variables, needs, repeats; robot: as the
   // cockpit describes it; stepping: it pauses before its first statement; send(message); printed(event); changed();
@@ -119,7 +120,7 @@ export class Run {
   // What the engine asks of the run.
   get state() {
     const slow = this.held || this.stepping || this.delay() > 0;
-    return { slow, seconds: this.clock.seconds, senses: this.senses.values };
+    return { slow, seconds: this.clock.seconds, senses: { ...this.senses.values, command: this.published } };
   }
 
   // Whether it has computed for so long that the robot stands still.
@@ -195,7 +196,7 @@ export class Run {
   }
 
   wakeUp() {
-    this.endIfFrozen();
+    if (this.motion.timer) this.endIfFrozen(); // a slow tablet may take its time to load Python
     this.awakeAt = performance.now();
   }
 

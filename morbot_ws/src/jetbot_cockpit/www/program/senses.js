@@ -48,7 +48,7 @@ export class Senses {
   // What the robot senses; what is not known is null or undefined.
   get values() {
     const { pose, line, wheels } = this.answer;
-    return { here: pose && this.origin && relative(pose, this.origin), line, wheels };
+    return { here: pose && this.origin && relative(pose, this.origin), pose, line, wheels };
   }
 }
 

@@ -6,7 +6,7 @@ import { parseProgram } from "./check.js";
 import { currentProgram, limitProgram, openEditor, showProgram, textOf } from "./editor.js";
 import { Interpreter } from "./interpreter.js";
 import { packageName } from "./names.js";
-import { showPython } from "./output.js";
+import { ownLine, showPython } from "./output.js";
 import { toPython } from "./python.js";
 
 const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
@@ -26,7 +26,7 @@ export class Shown {
   /** @type {any} */
   question = null; // whether the program is to become a text
 
-  // page: robot(): the chosen one, or undefined; changed(differs): the program, or only how it looks; replaces():
+  // page: robot(): the chosen one, or undefined; changed(differs): the program, or only how it looks; replaces(isText):
   // another one is shown from now on; keepText(): the next change is to replace no text, returns why it would, or "";
   // say(text); notLoaded()
   constructor(page) {
@@ -63,7 +63,7 @@ export class Shown {
   }
 
   show(text) {
-    this.page.replaces();
+    this.page.replaces(text !== null);
     Object.assign(this, { text, failed: null });
     element("text").hidden = text === null;
     if (this.editor) this.editor.show(text ?? "");
@@ -81,9 +81,10 @@ export class Shown {
   ask() {
     import("../python/question.js").then(({ beText }) => {
       this.question ??= beText(async () => {
+        const line = ownLine();
         this.convert(this.python);
         await this.loading;
-        this.editor?.focus();
+        this.editor?.begin(line);
       });
       this.question.toggle(true);
     }, this.page.notLoaded);

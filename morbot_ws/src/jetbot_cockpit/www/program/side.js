@@ -40,7 +40,7 @@ export class Side {
     for (const each of ["map", "curves"]) element(`show-${each}`).setAttribute("aria-pressed", what === each);
     setText(element("python-title"), TITLES[what]);
     element("view").hidden = what !== "map";
-    element("python").hidden = element("edit").hidden = what === "map" || this.rest === "map";
+    element("python").hidden = element("edit").hidden = what !== "python";
     this.curves?.show(what === "curves");
     if (what === "map" && !this.shell.map) this.loadMap();
     if (what === "curves" && !this.curves) this.loadCurves();

@@ -71,18 +71,20 @@ export class Work {
     return freeName(name, [...this.rows, ...unsent, ...others]);
   }
 
-  // Shows a version of one of the robot's programs, or what has replaced it. Throws a NotKept.
-  async open(id, version) {
+  // Shows a version of one of the robot's programs, or what has replaced it, if it is still wanted. Throws a NotKept.
+  async open(id, version, isWanted = () => true) {
     const { robot } = this;
     const { name, program, version: opened } = await ask({ do: "open", robot, id, version });
-    if (robot !== this.robot) return;
+    if (robot !== this.robot || !isWanted()) return;
     this.display(name, program, "editing", { id, version: opened, content: { name, program } });
     this.view.list(this.rows); // of which another one is shown
   }
 
-  // The same, for which nobody waits.
+  // The same, for which nobody waits: what a person has opened or changed meanwhile stays.
   async openNewer({ id, version }) {
-    await this.open(id, version).catch(({ message }) => this.view.say(message, true, false));
+    const { state } = this;
+    const isWanted = () => state === this.state;
+    await this.open(id, version, isWanted).catch(({ message }) => this.view.say(message, true, false));
   }
 
   // Shows a program of any robot, which is not changed. Throws a NotKept.
@@ -160,9 +162,9 @@ export class Work {
     this.enterClass(classId);
     if (this.isGone(rows)) this.leave();
     if (this.state.name === "arriving" && !this.kept.content) this.goOnUnsaved();
-    const { kept, state: { name, baseline } } = this;
-    const arriving = name === "arriving";
-    this.state = { name: "editing", baseline };
+    const { kept } = this;
+    const arriving = this.state.name === "arriving";
+    this.state.name = "editing";
     const row = rows.find(({ id }) => id === kept.id);
     const newest = rows.find(({ deleted }) => !deleted);
     if (row && arriving && row.version > kept.version) this.openNewer(row);

@@ -32,4 +32,5 @@ function names(context) {
 }
 
 // Enter begins a line, unless a person has gone to a suggestion.
-export const COMPLETION = autocompletion({ override: [members, names], icons: false, selectOnOpen: false });
+export const COMPLETION = autocompletion({ override: [members, names], icons: false, selectOnOpen: false,
+  interactionDelay: 0, maxRenderedOptions: 6 });

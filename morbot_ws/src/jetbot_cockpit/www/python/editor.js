@@ -17,7 +17,7 @@ const TOOLS = [
   { text: "↶", name: t("Undo"), does: undo }, { text: "↷", name: t("Redo"), does: redo },
   { text: "⇥", name: t("Indent"), does: indentMore }, { text: "⇤", name: t("Unindent"), does: indentLess },
 ];
-const BACK = { text: t("Back to blocks"), id: "to-blocks" };
+const BACK = { text: t("Back to blocks"), id: "to-blocks", next: "edit" };
 const MARGIN = 60; // px around a marked line
 const KINDS = ["now", "failed"].map((name) => ({ name, decoration: Decoration.line({ class: name }) }));
 
@@ -38,7 +38,7 @@ const EXTENSIONS = [
   keymap.of([{ key: "Tab", run: indentMore, shift: indentLess }, ...closeBracketsKeymap, ...defaultKeymap,
     ...historyKeymap]),
   EditorView.clipboardInputFilter.of((text) => toLines(text)),
-  EditorView.contentAttributes.of({ "aria-label": t("Python"), "aria-description": LEAVE }),
+  EditorView.contentAttributes.of({ "aria-label": t("Python"), "aria-description": LEAVE, tabindex: "0" }),
   EditorState.phrases.of({
     "Completions": t("Suggestions"), "Control character": t("Control character"),
     "Selection deleted": t("Selection deleted"),
@@ -92,7 +92,10 @@ export class Editor {
     this.view.dispatch({ effects: this.locking.reconfigure(lock(on)) });
   }
 
-  focus() {
+  // The person begins to edit the line with this index.
+  begin(index) {
+    const { from } = lineAt(this.view.state.doc, index + 1) ?? { from: 0 };
+    this.view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: "start" }) });
     this.view.focus();
   }
 
@@ -111,8 +114,9 @@ function lock(on) {
 }
 
 // Returns a button that leaves the keyboard of a tablet where it is.
-function tool({ text, name = text, id = "" }, act = () => {}) {
+function tool({ text, name = text, id = "", next = "" }, act = () => {}) {
   const made = Object.assign(create("button", "", text), { type: "button", id, title: name, ariaLabel: name });
+  made.dataset.next = next;
   made.addEventListener("mousedown", (event) => event.preventDefault());
   made.addEventListener("click", act);
   return made;

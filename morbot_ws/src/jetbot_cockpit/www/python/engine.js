@@ -23,6 +23,9 @@ export class PythonEngine {
   heard = null; // takes the worker's answer
   ended = false;
 
+  /** @type {any} */
+  worker = null;
+
   /** @param {string} text of the program */
   constructor(text) {
     this.text = text;

@@ -60,6 +60,10 @@ del sys.modules["_javascript"]
 `;
 
 export class Machine {
+  /** @type {any} */
+  wasm = null; // what MicroPython exports
+  /** @type {any} */
+  python = null;
   closed = false; // whether Python reaches no JavaScript but the page's functions
   /** @type {Promise<void> | null} */
   pending = null; // what a function of the page waits for
@@ -72,7 +76,6 @@ export class Machine {
     this.takeOver(wasm);
     this.written = written;
     const python = await loadMicroPython({ url: WASM, heapsize: HEAP, pystack: STACK });
-    this.module = python._module;
     for (const [name, text] of Object.entries(files)) {
       python.FS.mkdirTree(`/lib/${name}`.replace(/\/[^/]*$/, ""));
       python.FS.writeFile(`/lib/${name}`, text);

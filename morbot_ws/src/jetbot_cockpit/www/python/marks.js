@@ -1,5 +1,5 @@
-// Puts marks into a Python program, at which the page gets its turn: before each statement, and in each round of a loop.
-// All lines keep their numbers. It knows no page.
+// Puts marks into a Python program, at which the page gets its turn: before each statement, and in each round of a
+// loop. All lines keep their numbers. It knows no page.
 
 const SIMPLE = /^(?!If|While|For|Try|With|Match|Decorated).*Statement$/;
 const PLACES = ["Script", "Body", "StatementGroup"]; // of statements

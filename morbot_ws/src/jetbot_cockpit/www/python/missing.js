@@ -3,16 +3,17 @@
 import { t } from "../language.js";
 
 const ROBOT = t("run the program on the robot with rosrun");
-const FILES = t("a program in the page has no files: print what you want to keep");
-const PROGRAMS = t("a program in the page starts no other program");
-const NETWORK = t("a program in the page reaches the robot alone, and no network");
+const CHECK = t("check its name, or run the program on the robot with rosrun");
+const FILES = t("programs here have no files; print what you want to keep");
+const PROGRAMS = t("programs here start no other programs");
+const NETWORK = t("programs here reach their robot alone, and no network");
 const KEYS = t("give the value to a name at the top of the program");
 
 const ROWS = [
   ["numpy np scipy pandas sympy sklearn statistics", t("use lists and the module math")],
   ["torch torchvision tensorflow keras onnxruntime tensorrt torch2trt", ROBOT],
   ["cv2 cv_bridge PIL picamera skimage image_transport sensor_msgs.msg.Image sensor_msgs.msg.CompressedImage "
-    + "sensor_msgs.msg.CameraInfo", t("a program in the page sees no pictures: run it on the robot with rosrun")],
+    + "sensor_msgs.msg.CameraInfo", t("programs here see no pictures; run it on the robot with rosrun")],
   ["tf tf2_ros tf2_geometry_msgs tf_conversions transformations transforms3d",
     t("the heading is 2 * math.atan2(orientation.z, orientation.w)")],
   ["matplotlib plt pylab seaborn plotly", t("print(\"name\", value) draws a curve")],
@@ -50,5 +51,5 @@ export function insteadOf(name) {
 export function missing(given) {
   if (given.startsWith("/")) return t("Nothing in the page publishes the topic {name}.", { name: given });
   const name = given.replace("()", "");
-  return t("“{name}” is not in the page: {hint}.", { name, hint: insteadOf(name) ?? ROBOT });
+  return t("“{name}” is not in the page: {hint}.", { name, hint: insteadOf(name) ?? CHECK });
 }

@@ -17,7 +17,7 @@ const COMPILED = [
   ["SyntaxError", /^'yield' outside function$/, () => t("“yield” belongs in a function: this line is in none.")],
   ["SyntaxError", /^'break'\/'continue' outside loop$/,
     () => t("“break” and “continue” belong in a loop: this line is in none.")],
-  ["SyntaxError", /^can't assign to /, () => t("Only a name can get a value: it is on the left of =.")],
+  ["SyntaxError", /^can't assign to /, () => t("Only a name can get a value: put one on the left of =.")],
   ["SyntaxError", /^argument name reused$/, () => t("Two parameters have the same name.")],
   ["SyntaxError", /^non-default argument follows default/,
     () => t("A parameter without a value cannot follow one with a value.")],
@@ -27,7 +27,8 @@ const COMPILED = [
     () => t("Each item of a dictionary is a key, a colon, and a value.")],
   ["SyntaxError", /global$|nonlocal/, () => t("“global” comes first in a function, before the name is used.")],
   ["SyntaxError", /^invalid syntax for /, () => t("This is not a number that Python knows.")],
-  ["SyntaxError IndentationError", /./, () => t("Python does not understand this line. Compare it with an example.")],
+  ["SyntaxError IndentationError", /./,
+    () => t("The page's Python does not understand this line. Compare it with an example.")],
 ];
 
 /** @type {Row[]} */
@@ -39,26 +40,30 @@ const VALUES = [
   ["KeyError", /^(?<text>.*)$/, ({ text }) => t("There is no key “{text}”.", { text })],
   ["ZeroDivisionError", /^/, () => t("A number is divided by 0.")],
   ["ValueError", /^invalid syntax for integer with base \d+: '(?<text>.*)'$/,
-    ({ text }) => t("int(...) makes no whole number of “{text}”.", { text })],
+    ({ text }) => t("int(...) cannot make a whole number of “{text}”.", { text })],
   ["ValueError", /^invalid syntax for number$/,
-    () => t("float(...) makes no number of this text: a number looks like 0.5")],
+    () => t("float(...) cannot make a number of this text: a number looks like 0.5")],
   ["ValueError", /^too many values to unpack \(expected (?<count>\d+)\)$/, ({ count }) => t(
     "There are more values than the {count} name on the left of =.|"
     + "There are more values than the {count} names on the left of =.", { count })],
   ["ValueError", /^need more than (?<count>\d+) values to unpack$/, ({ count }) => t(
     "There is only {count} value for the names on the left of =.|"
     + "There are only {count} values for the names on the left of =.", { count })],
-  ["ValueError", /^(?:object not in sequence|substring not found)$/, () => t("What is looked for is not in it.")],
+  ["ValueError", /^(?:object not in sequence|substring not found)$/,
+    () => t("What you look for is not in the list or the text.")],
   ["ValueError", /^math domain error$/, () => t("This function of math has no result for this number.")],
   ["RuntimeError", /^(?:maximum recursion depth|pystack)/,
     () => t("A function calls itself again and again: let it end with an if.")],
   ["MemoryError", /^/, () => t("The program needs too much memory: does a list or a text grow without an end?")],
   ["AssertionError", /^$/, () => t("What “assert” says is not true.")],
-  ["OSError", /^/, () => missing("open")],
-  ["ROSException", /has not been initialized yet/,
+  ["ROSException ROSInitException", /not (?:been )?initialized/,
     () => t("“rospy.init_node” comes first: rospy.init_node(\"my_program\")")],
   ["ROSSerializationException SerializationError", /^field (?<name>\S+) must be (?:float|an integer|unsigned)/,
     ({ name }) => t("“{name}” of the message needs a number.", { name })],
+  ["TypeError", /^Invalid number of arguments, args should be (?<text>.+?) args are/, ({ text }) => t(
+    "The message takes all of these values, or none: {text}.", { text: text.replace(/[^\w, ]/g, "") })],
+  ["TypeError", /^expected \[(?<kind>.*)\] but got \[(?<other>.*)\]$/, ({ kind, other }) => t(
+    "The message needs {kind}, not {other}.", { kind, other })],
   ["TypeError", /^(?<name>\S+) carries (?<kind>\S+), not (?<other>\S+)$/,
     ({ name, kind, other }) => t("The topic {name} takes {kind}, not {other}.", { name, kind, other })],
 ];
@@ -70,10 +75,12 @@ const MISTAKES = [...UNKNOWN, ...TYPES, ...VALUES, ...COMPILED];
 export function explain({ type, message, line }, source) {
   const broken = ["SyntaxError", "IndentationError"].includes(type) && syntaxProblem(source);
   if (broken) return broken;
-  const said = { source, code: source.split("\n")[line - 1] ?? "", number: line };
+  const lines = source.split("\n");
+  const number = Math.max(1, Math.min(line, lines.length)); // MicroPython may mean the end
+  const said = { source, code: lines[number - 1], number };
   for (const [types, pattern, sentence] of MISTAKES) {
     const match = types.split(" ").includes(type) && pattern.exec(message);
-    if (match) return { text: sentence({ ...match.groups, ...said }), line };
+    if (match) return { text: sentence({ ...match.groups, ...said }), line: number };
   }
-  return { text: message ? `${type}: ${message}` : type, line };
+  return { text: message ? `${type}: ${message}` : type, line: number };
 }

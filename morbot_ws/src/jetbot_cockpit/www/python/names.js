@@ -9,29 +9,39 @@ export const BUILTINS = [...KEYWORDS, ...VALUES, ...("abs all any bin bool chr d
   + "open ord pow print property range repr reversed round set setattr sorted str sum super tuple type zip Exception "
   + "IndexError KeyError TypeError ValueError ZeroDivisionError").split(" ")];
 
-// The modules of the page, and what else a program often takes from them
 export const MODULES = ("rospy geometry_msgs std_msgs nav_msgs sensor_msgs math random time sys json collections copy "
   + "datetime functools itertools operator re string struct").split(" ");
-const FROM = new Map(Object.entries({
+const MESSAGES = new Map(Object.entries({
   "geometry_msgs.msg": "Twist Vector3 Point Quaternion Pose Pose2D", "nav_msgs.msg": "Odometry",
   "std_msgs.msg": "Bool String Int32 Float32 Float64 Float32MultiArray Header Empty",
-  math: "sin cos tan atan2 sqrt pi hypot radians degrees floor ceil", time: "sleep",
-  random: "randint choice shuffle uniform", rospy: "Publisher Subscriber Rate init_node is_shutdown loginfo",
-}).flatMap(([module, names]) => names.split(" ").map((name) => [name, `from ${module} import ${name}`])));
+}).map(([module, names]) => [module, names.split(" ")]));
 
-// The attributes of what a program has to do with here
-export const ATTRIBUTES = (
-  "linear angular x y z w data pose position orientation twist theta header stamp publish sleep append insert "
-  + "pop remove sort index count extend reverse clear keys values items get update lower upper split strip join "
-  + "format replace find startswith endswith add init_node is_shutdown Publisher Subscriber Rate loginfo logwarn "
-  + "logerr get_time get_param wait_for_message spin on_shutdown Duration Time now to_sec sin cos tan asin acos "
-  + "atan atan2 sqrt pi tau hypot floor ceil radians degrees fabs exp log randint random choice shuffle uniform "
-  + "time monotonic Twist Vector3 Point Pose Odometry Float32 Float64 Float32MultiArray String Bool Int32 msg"
-).split(" ");
+// What modules and values have
+const MEMBERS = new Map(Object.entries({
+  math: "sin cos tan asin acos atan atan2 sqrt pi tau e hypot floor ceil radians degrees fabs exp log pow inf",
+  random: "randint random choice shuffle uniform seed gauss sample", time: "time sleep monotonic perf_counter",
+  rospy: "init_node is_shutdown Publisher Subscriber Rate sleep get_time loginfo logwarn logerr get_param spin "
+    + "Duration wait_for_message on_shutdown Time ROSInterruptException",
+  str: "upper lower split strip join format replace find startswith endswith count index isdigit",
+  list: "append insert pop remove sort index count extend reverse clear copy",
+  dict: "keys values items get pop update clear copy", set: "add remove discard union clear",
+}).map(([name, members]) => [name, members.split(" ")]));
+const OTHERS = ("linear angular x y z w data pose position orientation twist theta header stamp child_frame_id publish "
+  + "sleep remaining unregister to_sec now from_sec get_num_connections").split(" "); // of messages and rospy's objects
+
+const IMPORTED = [...MEMBERS].filter(([module]) => MODULES.includes(module));
+
+// Returns what a module or a value of this type has, as far as it is known here.
+/** @param {string} owner */
+export const membersOf = (owner) => MEMBERS.get(owner) ?? MESSAGES.get(owner) ?? OTHERS;
 
 // Returns the line that imports this name, or undefined.
 /** @param {string} name */
-export const importOf = (name) => (MODULES.includes(name) ? `import ${name}` : FROM.get(name));
+export function importOf(name) {
+  if (MODULES.includes(name)) return `import ${name}`;
+  const [module] = [...MESSAGES, ...IMPORTED].find(([, names]) => names.includes(name)) ?? [];
+  return module && `from ${module} import ${name}`;
+}
 
 // Returns the names to which a program gives a value, and whether it does so outside of functions.
 /** @param {string} source @returns {Map<string, boolean>} */
@@ -49,8 +59,8 @@ export function boundNames(source) {
 export function *namesBoundBy(tokens) {
   const last = tokens.findLastIndex(({ text, opener }) => /^([^=!<>]|\/\/|<<|>>|\*\*)?=$/.test(text) && !opener);
   for (const [index, { kind, text, opener }] of tokens.entries()) {
-    const before = tokens[index - 1]?.text;
-    const target = index < last && before !== "." && !opener?.call && tokens[index + 1]?.kind !== "open";
+    const [before, after] = [tokens[index - 1]?.text, tokens[index + 1]?.text];
+    const target = index < last && before !== "." && !opener?.call && ![".", "(", "["].includes(after);
     const named = ["def", "class", "as", "import", "for", "global"].includes(before);
     if (kind === "name" && (target || named || inList(tokens, index))) yield text;
   }

@@ -13,6 +13,8 @@ const FOLLOWS = { // what comes right before it, in the same column
   finally: ["try", "except", "else"],
 };
 
+const NO_EXCEPT = t("“try” needs “except” below its lines.");
+
 /** @param {Statement | undefined} statement */
 const opens = (statement) => statement?.tokens.at(-1)?.text === ":" && BLOCKS.includes(word(statement.tokens));
 
@@ -27,9 +29,16 @@ export function syntaxProblem(source) {
     const found = text ? problem(text, statement.line) : statementProblem(statement.tokens);
     if (found) return found;
   }
-  const last = statements.at(-1);
-  return last && opens(last)
-    ? problem(t("“{text}” needs a line below it, 4 spaces further in.", { text: word(last.tokens) }), last.line) : null;
+  return ending(statements.at(-1), levels);
+}
+
+// Returns what is wrong with where the program ends, or null.
+function ending(last, levels) {
+  if (opens(last)) {
+    const text = word(last.tokens);
+    return problem(t("“{text}” needs a line below it, with 4 more spaces in front.", { text }), last.line);
+  }
+  return levels.some(({ before }) => before === "try") ? problem(NO_EXCEPT, last.line) : null;
 }
 
 // Returns what is wrong with where a statement begins, or "". levels: of the blocks around it; it changes them
@@ -42,13 +51,15 @@ function place({ indent }, above, levels) {
   const deeper = indent.length > outer.length;
   if (above && opens(above)) {
     levels.push({ indent, before: "" });
-    return deeper ? "" : t("This line belongs to “{text}” above it: put 4 spaces before it.",
+    return deeper ? "" : t("This line belongs to “{text}” above it: put 4 more spaces in front.",
                            { text: word(above.tokens) });
   }
-  if (deeper) return t("This line begins too far to the right: let it begin below the line above it.");
-  while (levels[levels.length - 1].indent.length > indent.length) levels.pop();
+  if (deeper) return t("This line begins too far to the right: begin it in the column of the line above.");
+  while (levels[levels.length - 1].indent.length > indent.length) {
+    if (levels.pop()?.before === "try") return NO_EXCEPT;
+  }
   return levels[levels.length - 1].indent === indent ? ""
-    : t("This line begins in no column in which a line above it begins.");
+    : t("This line begins in a column in which no line above it begins.");
 }
 
 // Returns what is wrong with the order of if, else, try, except ..., or "".
@@ -58,7 +69,7 @@ function order({ tokens }, level = { indent: "", before: "" }) {
   const name = level.before = word(tokens);
   if (FOLLOWS[name] ? !FOLLOWS[name].includes(before) : before === "try") {
     return FOLLOWS[name] ? t("“{name}” has no “{text}” above it in the same column.", { name, text: FOLLOWS[name][0] })
-      : t("“try” needs “except” below its lines.");
+      : NO_EXCEPT;
   }
   return "";
 }

@@ -10,24 +10,29 @@ export const KEYWORDS = ("and as assert async await break class continue def del
   + "global if import in is lambda nonlocal not or pass raise return try while with yield").split(" ");
 export const VALUES = ["False", "None", "True"];
 
-const KINDS = new RegExp([
-  "(?<space>[ \\t\\f\\r\\ufeff]+|\\\\\\r?\\n|#[^\\n]*)", "(?<end>\\n)",
-  `(?<string>[rbuf]{0,2}(?:"""(?:[^\\\\]|\\\\.)*?"""|'''(?:[^\\\\]|\\\\.)*?'''`
-    + `|"(?!"")(?:[^"\\\\\\n]|\\\\.)*"|'(?!'')(?:[^'\\\\\\n]|\\\\.)*'))`,
-  `(?<unclosed>[rbuf]{0,2}("""|'''|"|'))`,
-  "(?<number>(?:0[xbo][\\da-f_]+|(?:\\d[\\d_]*\\.?[\\d_]*|\\.\\d[\\d_]*)(?:e[+-]?\\d[\\d_]*)?j?)(?![\\p{L}\\d_]))",
-  "(?<misnamed>\\d[\\p{L}\\d_]*)", "(?<name>[\\p{L}_][\\p{L}\\p{M}\\p{N}_]*)",
-  "(?<open>[([{])", "(?<close>[)\\]}])",
-  "(?<foreign>&&|\\|\\||<>|=>|=<|===|!(?!=))",
-  "(?<sign>(?:\\*\\*|//|>>|<<|[-+*/%@&|^=!<>:])=|->|\\.\\.\\.|\\*\\*|//|>>|<<|[-+*/%@&|^~<>=.,:;])",
-  "(?<odd>.)",
-].join("|"), "isuy");
+const { raw } = String;
+const PREFIX = "[rbuf]{0,2}";
+
+// The kinds of tokens, in the order in which they are looked for
+const KINDS = {
+  space: raw`[ \t\f\r\ufeff]+|\\\r?\n|#[^\n]*`, end: raw`\n`,
+  string: raw`${PREFIX}(?:"""(?:[^\\]|\\.)*?"""|'''(?:[^\\]|\\.)*?'''|"(?!"")(?:[^"\\\n]|\\.)*"`
+    + raw`|'(?!'')(?:[^'\\\n]|\\.)*')`,
+  unclosed: `${PREFIX}(?:"""|'''|"|')`,
+  number: raw`(?:0[xbo][\da-f_]+|(?:\d[\d_]*(?:\.[\d_]*)?|\.\d[\d_]*)(?:e[+-]?\d[\d_]*)?j?)(?![\p{L}\d_])`
+    + raw`|\d+(?=(?:and|else|for|if|in|is|or)\b)`,
+  misnamed: raw`\d[\p{L}\d_]*`, name: raw`[\p{L}_][\p{L}\p{M}\p{N}_]*`, open: raw`[([{]`, close: raw`[)\]}]`,
+  foreign: raw`&&|\|\||<>|=>|=<|===|!(?!=)`,
+  sign: raw`(?:\*\*|//|>>|<<|[-+*/%@&|^=!<>:])=|->|\.\.\.|\*\*|//|>>|<<|[-+*/%@&|^~<>=.,:;]`, odd: ".",
+};
+const NAMES = Object.keys(KINDS);
+const TOKEN = new RegExp(Object.entries(KINDS).map(([kind, pattern]) => `(?<${kind}>${pattern})`).join("|"), "isuy");
 
 const PAIRS = { "(": ")", "[": "]", "{": "}" };
 const FOREIGN = { "&&": "and", "||": "or", "<>": "!=", "=>": ">=", "=<": "<=", "===": "==", "!": "not" };
 const PLAIN = {
   __proto__: null,
-  "“": '"', "”": '"', "„": '"', "«": '"', "»": '"', "「": '"', "」": '"', "‘": "'", "’": "'", "´": "'", "`": "'",
+  "“": '"', "”": '"', "„": '"', "«": '"', "»": '"', "「": '"', "」": '"', "‘": "'", "’": "'", "´": "'",
   "−": "-", "–": "-", "—": "-", "×": "*", "·": "*", "÷": "/", "≤": "<=", "≥": ">=", "≠": "!=", "、": ",", "。": ".",
 };
 
@@ -82,9 +87,10 @@ const statement = (tokens) => ({ tokens, line: tokens[0].line });
 
 function *tokensOf(source) {
   let line = 1;
-  KINDS.lastIndex = 0;
-  for (let match; (match = KINDS.exec(source));) {
-    const [[kind, text]] = Object.entries(match.groups ?? {}).filter(([, each]) => each !== undefined);
+  TOKEN.lastIndex = 0;
+  for (let match; (match = TOKEN.exec(source));) {
+    const { 0: text, groups = {} } = match;
+    const kind = NAMES.find((each) => groups[each] !== undefined);
     const word = kind === "name" && (KEYWORDS.includes(text) || VALUES.includes(text));
     yield { kind: word ? "keyword" : kind, text, line };
     line += text.split("\n").length - 1;

@@ -2,27 +2,25 @@
 
 import { t } from "../language.js";
 import { insteadOf, missing, NOT_HERE } from "./missing.js";
-import { ATTRIBUTES, boundNames, BUILTINS, importOf, methodsOf, MODULES, namesBoundBy } from "./names.js";
+import { boundNames, BUILTINS, importOf, membersOf, methodsOf, MODULES, namesBoundBy } from "./names.js";
 import { near } from "./near.js";
 import { readStatements } from "./tokens.js";
+import { CALL, joined, kindOf, NO_RESULT, SELF } from "./types.js";
 
-const NO_RESULT = t("A function without return gives None.");
-const CALL = t("A function is called with brackets after its name: f()");
-const SELF = t("The first parameter of a method is self: def name(self):");
+const PART = t("Write motion.linear.x = 0.1, not motion.linear = 0.1");
 const WORDS = {
   __proto__: null, null: "None", nil: "None", undefined: "None", this: "self", Math: "math", printf: "print",
   println: "print", echo: "print", puts: "print", length: "len", size: "len", string: "str", integer: "int",
 };
 const LENGTHS = ["length", "size", "len", "count"];
 
-const joined = (...parts) => parts.filter(Boolean).join(" ");
 const meant = (text) => (text ? t("Do you mean {text}?", { text }) : "");
 
 function unknownName({ name, source }) {
   const bound = boundNames(source);
   if (name === "self") return SELF;
   if (bound.has(name)) {
-    return t("“{name}” has no value here: it gets one further down, or in a function alone.", { name });
+    return t("“{name}” has no value here: it gets one only further down, or inside a function.", { name });
   }
   const imported = importOf(name);
   if (imported) return t("“{name}” is not imported: write {text} at the top.", { name, text: imported });
@@ -52,16 +50,19 @@ function noModule({ name }) {
 function noName({ name, code }) {
   const module = /\bfrom\s+([\w.]+)/.exec(code)?.[1] ?? "";
   if (insteadOf(`${module}.${name}`)) return missing(`${module}.${name}`);
-  return joined(t("“{text}” has no “{name}”.", { text: module, name }), meant(near(name, ATTRIBUTES)));
+  return joined(t("“{text}” has no “{name}”.", { text: module, name }), meant(near(name, membersOf(module))));
 }
 
-function noAttribute({ owner, name, source }) {
+function noAttribute({ kind, owner, name, source }) {
   if (owner === "NoneType") return joined(t("What is before “.{name}” is None.", { name }), NO_RESULT);
   if (["function", "bound_method", "closure"].includes(owner)) return CALL;
   if (insteadOf(`${owner}.${name}`)) return missing(`${owner}.${name}`);
   if (LENGTHS.includes(name)) return t("len(x) gives the length of x.");
-  return joined(t("“{text}” has no “{name}”.", { text: owner, name }),
-                meant(near(name, [...methodsOf(source), ...ATTRIBUTES])));
+  const number = ["int", "float"].includes(owner) && /^[xyz]$/.test(name);
+  const known = [...methodsOf(source), ...membersOf(owner)];
+  const alone = kind === "type object" && known.includes(name); // "Twist.linear"
+  return joined(t("“{text}” has no “{name}”.", { text: kindOf(owner), name }),
+                number ? PART : meant(alone ? `${owner}()` : near(name, known)));
 }
 
 /** @import { Row } from "./mistakes.js" */
@@ -72,7 +73,7 @@ export const UNKNOWN = [
   ["NameError", /^local variable/, unassigned],
   ["ImportError", /^no module named '(?<name>.+)'$/, noModule],
   ["ImportError", /^can't import name (?<name>\w+)$/, noName],
-  ["AttributeError", /^(?:type object |module )?'(?<owner>.+)' (?:object )?has no attribute '(?<name>.+)'$/,
+  ["AttributeError", /^(?:(?<kind>type object|module) )?'_?(?<owner>.+)' (?:object )?has no attribute '(?<name>.+)'$/,
     noAttribute],
   ["AttributeError", /^(?<name>\w+) is not an attribute of (?<owner>\w+)$/, noAttribute],
 ];

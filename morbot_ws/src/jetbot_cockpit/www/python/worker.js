@@ -30,7 +30,7 @@ const page = {
     if (told !== line) events.push({ step: line });
     return turn({ wait: toNumber(seconds) });
   },
-  seconds: () => state.seconds + (performance.now() - answeredAt) / 1000 + 1e-9, // Python takes a whole number for an int
+  seconds: () => state.seconds + (performance.now() - answeredAt) / 1000 + 1e-9, // a whole number would be an int
   senses: () => JSON.stringify(state.senses),
   drive: (x, z) => add({ motion: [toNumber(x), toNumber(z)] }),
   show: (text) => add({ print: toText(text) }),

@@ -2,11 +2,12 @@
 
 import time
 
-from _page import seconds
+from _page import at, seconds
 from _page import turn as _turn
 
 LATEST = 0.05  # s without a turn, after which asking for the time gives the page one
 
+names = {"__name__": "__main__", "_at": at}  # the program's own
 tasks = []  # what runs while the program waits: rospy's Subscribers and Timers
 _epoch = time.time() - seconds()  # when the program started, in s since 1970
 _turned = 0.0  # when the page had its last turn
@@ -16,6 +17,17 @@ def now():
     """Return the time of day in s since 1970; it stands while the program is paused."""
     poll()
     return _epoch + seconds()
+
+
+def add(task):
+    """Run this, too; also while the program neither waits nor asks for the time."""
+    tasks.append(task)
+    names["_at"] = _at
+
+
+def _at(line):
+    at(line)
+    poll()
 
 
 def poll():

@@ -6,6 +6,7 @@ from math import copysign, fabs, floor, fmod, inf, isinf, isnan, nan, sqrt  # no
 
 def remainder(x, y):
     """Return the IEEE 754 remainder: x - n * y, n being the whole number next to x / y, the even one of two."""
+    x, y = float(x), float(y)
     if isnan(x) or isnan(y):
         return nan
     if isinf(x) or y == 0:

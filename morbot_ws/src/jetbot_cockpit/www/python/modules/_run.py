@@ -6,14 +6,13 @@ import sys
 
 import _page
 import _start
+from _clock import names
 
 BRACKETS = {list: "[]", tuple: "()", set: "{}", dict: "{}"}
 SHOWN = (bool, int, float, str, type(None)) + tuple(BRACKETS)
 LONGEST = 100  # characters of a value
 MOST = 100  # variables
 HUGE = 10 ** LONGEST  # its digits take long
-
-names = {"__name__": "__main__", "_at": _page.at}  # the program's own
 
 
 def each(line, values):

@@ -132,9 +132,7 @@ class Time(TVal):
 
     from_seconds = TVal.from_sec
     to_time = TVal.to_sec
-
-    def __radd__(self, other):
-        return self + other
+    __radd__ = TVal.__add__
 
     def __sub__(self, other):
         if isinstance(other, Time):

@@ -5,8 +5,9 @@ from _start import show
 
 from .core import log_level
 
-LEVELS = {"debug": (1, "DEBUG"), "info": (2, "INFO"), "warn": (4, "WARN"), "err": (8, "ERROR"), "fatal": (16, "FATAL")}
-DEBUG, INFO, WARN, ERROR, FATAL = [number for number, _ in LEVELS.values()]
+DEBUG, INFO, WARN, ERROR, FATAL = 1, 2, 4, 8, 16
+LEVELS = [("debug", DEBUG, "DEBUG"), ("info", INFO, "INFO"), ("warn", WARN, "WARN"), ("err", ERROR, "ERROR"),
+          ("fatal", FATAL, "FATAL")]
 
 _last = {}  # when each sentence was said last, in s, and its text
 
@@ -14,7 +15,7 @@ _last = {}  # when each sentence was said last, in s, and its text
 def functions():
     """Return loginfo, loginfo_throttle ... by their names."""
     made = {}
-    for name, (number, label) in LEVELS.items():
+    for name, number, label in LEVELS:
         made["log" + name] = log = _logger(number, label)
         made[f"log{name}_once"] = _once(log)
         made[f"log{name}_throttle"] = _throttle(log, False)

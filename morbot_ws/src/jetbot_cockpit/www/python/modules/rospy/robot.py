@@ -15,22 +15,27 @@ def senses():
     return json.loads(ask())
 
 
+def floats(numbers):
+    """Return numbers as JavaScript writes them, 1.0 being 1, as ROS's messages have them."""
+    return tuple(map(float, numbers))
+
+
 def odometry(message, known):
-    x, y, yaw = known["pose"]
+    x, y, yaw = floats(known["pose"])
     message.header.stamp, message.header.frame_id = type(message.header.stamp).now(), "odom"
     message.child_frame_id = "base_footprint"
     pose, twist = message.pose.pose, message.twist.twist
     pose.position.x, pose.position.y = x, y
     pose.orientation.z, pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
-    twist.linear.x, twist.angular.z = known.get("speed") or _speed(x, y, yaw)
+    twist.linear.x, twist.angular.z = floats(known.get("speed") or _speed(x, y, yaw))
 
 
 def line(message, known):
-    message.data = tuple(known["line"])
+    message.data = floats(known["line"])
 
 
 def wheels(message, known):
-    message.data = tuple(known.get("command") or (0.0, 0.0)) + tuple(known["wheels"])
+    message.data = floats(known.get("command") or (0, 0)) + floats(known["wheels"])
 
 
 # topic: its type, what of the senses it needs, and what fills its message

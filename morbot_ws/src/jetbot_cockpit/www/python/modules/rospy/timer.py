@@ -57,7 +57,7 @@ class Timer:
         self._period, self._callback, self._oneshot = period.to_sec(), callback, oneshot
         self._due, self._runs = _clock.seconds() + self._period, False
         self._last = None, None, None  # when it was to run, when it ran, and for how long
-        _clock.tasks.append(self)
+        _clock.add(self)
 
     def shutdown(self):
         if self in _clock.tasks:

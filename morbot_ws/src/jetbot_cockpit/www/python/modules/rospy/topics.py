@@ -95,7 +95,7 @@ class Subscriber(_Topic):
         self._seen, self._seen_at = None, -INTERVAL  # of what the robot reports
         if self.name in _latched:
             self.receive(received(_latched[self.name]))
-        _clock.tasks.append(self)
+        _clock.add(self)
 
     def get_num_connections(self):
         return int(self.name in _of_robot or bool(_publishers.get(self.name)))
