@@ -175,11 +175,14 @@ def test_a_text_is_edited_and_drives_until_stop(programs, world):
     programs.tap("#")
     programs.wait_for(lambda: programs.text_of("#text .cm-line").count("#") == 2, "what was typed")
     programs.wait_for(lambda: programs.text("kept") == programs.say("Kept"), "it to be kept")
-    programs.click("#run")
-    programs.wait_for(lambda: moving(*world.wheels(ROBOT)), "the wheels to turn")
-    programs.wait_for(lambda: programs.has("#text .now"), "the line that runs")
-    with world.stops(ROBOT, what="Stop"):
-        programs.click("#end")
+
+    def runs_until_stop():
+        programs.click("#run")
+        programs.wait_for(lambda: moving(*world.wheels(ROBOT)), "the wheels to turn")
+        programs.wait_for(lambda: programs.has("#text .now"), "the line that runs")
+        with world.stops(ROBOT, what="Stop"):
+            programs.click("#end")
+    world.undisturbed(programs, runs_until_stop)
 
 
 @pytest.fixture
