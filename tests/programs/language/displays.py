@@ -14,7 +14,6 @@ while text[::-1][0] != "c":
 print("hello WORLD 3times it's".title(), "hello World".capitalize(), "Abc".swapcase(), "".title(), "x".capitalize())
 print("[" + "abc".ljust(6, ".") + "|" + "abc".rjust(6) + "|" + "42".zfill(5) + "|" + "-7".zfill(4) + "|" + "toolong".zfill(3))
 print(["ab".center(width) for width in range(7)], ["a".center(width, "*") for width in range(5)], "abc".center(6, "-"))
-print("prefix_name".removeprefix("prefix_"), "name.py".removesuffix(".py"), "name".removesuffix(""), "x".removeprefix("y"))
 print((2.0).is_integer(), (2.5).is_integer(), format(3.14159, ".2f"), format(42), format("x", ">4"), format(7, "03d"))
 
 
