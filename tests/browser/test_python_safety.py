@@ -26,7 +26,7 @@ BUSY = {
     "a loop": "while True: pass",
     "a loop that takes all that is raised": "while True:\n    try:\n        while True: pass\n    except BaseException: pass",
     "a loop at last": "try:\n    1 / 0\nfinally:\n    while True: pass",
-    "a long calculation": "10 ** 10 ** 8",
+    "a long calculation": "n = 10\nn ** n ** 8",
     "a long search": "max(range(10 ** 9))",
     "a list that grows": "x = []\nwhile True: x.append(len(x))",
     "prints": "while True: print('hello')",
