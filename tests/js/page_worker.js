@@ -5,15 +5,24 @@ import { Worker as Thread } from "node:worker_threads";
 
 const BOOT = `
 import { parentPort, workerData } from "node:worker_threads";
-globalThis.postMessage = (message) => parentPort.postMessage(message);
+const names = "fetch XMLHttpRequest WebSocket EventSource BroadcastChannel Worker importScripts indexedDB caches navigator";
+for (const name of names.split(" ")) globalThis[name] ??= {};
+globalThis.postMessage = (message) => {
+  parentPort.postMessage({ ...message, reach: names.split(" ").filter((name) => name in globalThis) });
+};
 globalThis.addEventListener = (type, listener) => parentPort.once(type, (data) => listener({ data }));
 await import(workerData);
 `;
 
 class Worker {
+  static reach = ["all"];
+
   constructor(url) {
     this.thread = new Thread(new URL(`data:text/javascript,${encodeURIComponent(BOOT)}`), { workerData: url.href });
-    this.thread.on("message", (data) => this.onmessage({ data }));
+    this.thread.on("message", ({ reach, ...data }) => {
+      Worker.reach = reach; // what the program's thread still has
+      this.onmessage({ data });
+    });
     this.thread.on("error", (error) => this.onerror(error));
   }
 
@@ -62,5 +71,5 @@ export async function runText(text, { enough = () => false, slow = false } = {})
   } finally {
     engine.end();
   }
-  return { ...found, variables: engine.variables };
+  return { ...found, variables: engine.variables, reach: Worker.reach };
 }

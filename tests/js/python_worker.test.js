@@ -64,6 +64,27 @@ for (const [name, text] of Object.entries(ESCAPES)) {
   });
 }
 
+test("the thread of a program has nothing with which it could reach beyond itself", async () => {
+  assert.deepEqual((await runText("print(1)")).reach, []);
+});
+
+test("a worker that speaks unasked is ended, and its program with it", async () => {
+  let ended = false;
+  const { Worker } = globalThis;
+  globalThis.Worker = class {
+    postMessage() {
+      for (const print of ["asked", "unasked"]) this.onmessage({ data: { events: [{ print }] } });
+    }
+
+    terminate() {
+      ended = true;
+    }
+  };
+  const { prints, sentence } = await runText("print(1)");
+  globalThis.Worker = Worker;
+  assert.deepEqual([prints, sentence, ended], [["asked"], "Python broke off. Run the program again.", true]);
+});
+
 const TOO_MUCH_MEMORY = "The program needs too much memory: does a list or a text grow without an end?";
 const TOO_DEEP = "A function calls itself again and again: let it end with an if.";
 const FAILURES = {
@@ -166,7 +187,7 @@ const ODD = { // what a program prints
   "a walrus": ["while (x := 1) and (y := 2): break\nprint(x + y)", "3"],
   "a decorator": ["def twice(f): return lambda: 2 * f()\n@twice\ndef g(): return 2\nprint(g())", "4"],
   "brackets in texts and comments": ["if ')' and (1 # ) or (\n  ): print(')') # )", ")"],
-  "several values in a head": ["for x in 1, 2: pass\nfor x in (*[1], 3): pass\nprint(x)", "3"],
+  "several values in a head": ["for x in 1, 2: pass\nfor x, in [(3,)]: pass\nprint(x)", "3"],
   "marks of its own": ["#@ _at(9)\nx = 1 #@\nprint(x)", "1"],
   "texts of several lines in a head": ["if '''a\n)b''': print(1)", "1"],
   "a long wait, and a long number for a curve": ["import time\ntime.sleep(10 ** 12)\nprint('n', 10 ** 12)", "n 1000000000000"],

@@ -21,11 +21,11 @@ function named(json) {
 }
 
 // Runs a program, whose robot answers at once, on a page that shows what it prints and why it has ended.
-async function begin(t, json, { stepping = false, delay = 0, ready = true } = {}) {
+async function begin(t, json, { stepping = false, delay = 0, ready = true, printed } = {}) {
   const page = { clock: new Clock(t), sent: [], prints: [], ends: [] };
   page.run = new Run(json.run ? json : new Interpreter(named(json), ROBOT), ROBOT, stepping, {
     send: (message) => (message.type === "program" ? answer(page, ready) : page.sent.push(message)),
-    printed: ({ print: text }) => page.prints.push(text), changed() {}, delay: () => delay,
+    printed: ({ print: text }) => page.prints.push(text) && printed?.(page.run), changed() {}, delay: () => delay,
     ended: (...why) => page.ends.push(why),
   });
   await page.clock.pass(60);
@@ -266,5 +266,21 @@ test("a text that computes stops its robot after a second, and can go on: its pa
   assert.equal(speeds(page).at(-1), 0.5);
   await page.clock.pass(400);
   assert.deepEqual([page.sent.at(-1), page.ends, page.run.waitless], [ZERO, [], true]);
+  page.run.end("Stopped.");
+});
+
+test("a text that is paused drives by none of the commands that it has given meanwhile", async (t) => {
+  const engine = { ...COMPUTES, async *run() {
+    yield { print: "now" };
+    yield { publish: true };
+    yield { print: "went on" };
+  } };
+  const page = await begin(t, engine, { printed: (run) => run.pause() });
+  await page.clock.pass(300);
+  assert.ok(speeds(page).every((speed) => speed === 0));
+  page.run.resume();
+  await page.clock.pass(100);
+  assert.deepEqual(page.prints, ["now", "went on"]);
+  assert.ok(speeds(page).includes(0.5));
   page.run.end("Stopped.");
 });

@@ -154,6 +154,11 @@ export class Run {
       if (this.senses.used) this.senses.refresh();
       await this.sleep(0);
     }
+    await this.goAhead();
+  }
+
+  // Waits while it is paused.
+  async goAhead() {
     while (this.held && !this.over) await this.sleep();
   }
 
@@ -166,6 +171,7 @@ export class Run {
   }
 
   async drive({ wait, tick, publish }) {
+    await this.goAhead(); // several commands of a text come at a time
     this.noteLimit();
     if (publish || this.engine.repeats) this.publish();
     this.drivenAt = Infinity;

@@ -33,7 +33,10 @@ const page = {
   seconds: () => state.seconds + (performance.now() - answeredAt) / 1000 + 1e-9, // a whole number would be an int
   senses: () => JSON.stringify(state.senses),
   digits: (number) => number.toExponential(),
-  drive: (x, z) => add({ motion: [toNumber(x), toNumber(z)] }),
+  drive(x, z) { // at once: the program may compute next
+    events.push({ motion: [toNumber(x), toNumber(z)] });
+    return turn({ breathe: true });
+  },
   show: (text) => add({ print: toText(text) }),
   curve: (name, value) => add({ name: toText(name), value: toNumber(value) }),
   fail(type, message, trace) {
