@@ -16,7 +16,8 @@ from driving_tasks.scoring.score import TOLERANCE
 from driving_tasks.scoring.tasks import TASKS as ROWS
 
 GUIDE, REAL_ROBOTS = ((ROOT / "docs" / name).read_text() for name in ("teaching.md", "fleet.md"))
-PAGES = ["phone.md", "tablet.md", "python_tablet.md", *(page.name for page in (ROOT / "docs/lessons").glob("[0-9]*.md"))]
+IN_THE_PAGE = ["phone.md", "tablet.md", "python_tablet.md"]
+PAGES = [*IN_THE_PAGE, *(page.name for page in (ROOT / "docs/lessons").glob("[0-9]*.md"))]
 SAYS = ["the software says"], ["it says"]  # the second heads of tables
 
 
@@ -31,7 +32,6 @@ SAID = [row[1] for table in [*TABLES, *tables_of(REAL_ROBOTS)] if table[0][1:2] 
 QUOTES = sorted({quote.strip("`") for quote in SAID if quote.startswith("`")})  # others are ROS's, a shell's ...
 LESSONS = ROOT / "docs/lessons"
 IN_A_BROWSER = {code: LESSONS / code.replace("en", "") for code in ("en", "de", "es")}
-IN_THE_PAGE = ["phone.md", "tablet.md", "python_tablet.md"]
 FORM = re.compile(r"^(#+ |\||!\[| *- |\d\. |<details>|</details>|<br>)", re.MULTILINE)
 CODE = re.compile(r"```\w*\n(.*?)```|`([^`]+)`|<code>(.*?)</code>", re.DOTALL)
 FIELD = "\0"
