@@ -110,7 +110,9 @@ def says(text, quote):
     """Return whether the page says this: a text with its values, or a block with its own, or how a block begins."""
     first, *others = re.split(r"(?: ?%\d)+ ?", text.lstrip("▶ "))
     if not others:
-        return re.fullmatch(re.sub(r"\\{\w+\\}", ".+", re.escape(text.lstrip("▶ "))), quote)
+        parts = re.split(r"\{\w+\}", first)
+        has_words = re.search(r"\w{4}", "".join(parts))  # others have only values, and say all
+        return quote == first or has_words and re.fullmatch(".+".join(map(re.escape, parts)), quote)
     return f"{first} ".startswith(f"{quote} ") or re.fullmatch(".+".join(map(re.escape, [first, *others])), quote)
 
 
