@@ -207,3 +207,8 @@ for (const text of ["if 1) or (print('REACHED'): pass", "for x in [1])), print('
     assert.ok(sentence);
   });
 }
+
+for (const [text, line] of [["while true:\n    x = 1\n    pass", 1], ["x = 0\nwhile [1][x]:\n    x += 1\n    y = x", 2],
+  ["while True:\n    pass\n    x = 1 / 0", 3], ["while 1:\n    while true:\n        pass\n    x = 1", 2]]) {
+  test(`of ${JSON.stringify(text)} line ${line} is marked`, async () => assert.equal((await runText(text)).line, line));
+}

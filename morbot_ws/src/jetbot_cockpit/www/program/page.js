@@ -129,6 +129,7 @@ function start(stepping) {
   engine.then((loaded) => engine === starting && begin(loaded, robot, stepping),
     () => engine === starting && end(NOT_LOADED));
   setOutcome(t("Starting"));
+  showControls(null, true); // now: Stop may be pressed at once
   show();
 }
 

@@ -41,7 +41,7 @@ const page = {
   curve: (name, value) => add({ name: toText(name), value: toNumber(value) }),
   fail(type, message, trace) {
     const lines = [...trace.matchAll(/"program\.py", line (\d+)/g)].map(([, each]) => Number(each));
-    problem ??= { type: toText(type), message: toText(message), line: lines.at(-1) ?? line };
+    problem ??= { type: toText(type), message: toText(message), line: lines.at(-1) ?? line, marked: line };
   },
 };
 
@@ -105,6 +105,8 @@ async function main() {
   const { wasm, files, program } = state;
   await machine.load({ wasm, files, page: { ...page, program: () => program }, written: write });
   forget();
+  postMessage({ events, variables: null }); // it is ready
+  await answer();
   await machine.run();
   if (unfinished) events.push({ print: unfinished });
   postMessage({ events, variables: variables(), over: true, problem });
