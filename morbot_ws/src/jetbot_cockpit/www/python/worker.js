@@ -96,7 +96,7 @@ async function answer() {
 
 // Removes what reaches beyond this thread: the program's own policy refuses most of it, too.
 function forget() {
-  for (let of = globalThis; of; of = Object.getPrototypeOf(of)) for (const name of REACHING) delete of[name];
+  for (let of = globalThis; of; of = Object.getPrototypeOf(of)) for (const name of REACHING) Reflect.deleteProperty(of, name);
 }
 
 async function main() {
