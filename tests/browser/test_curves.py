@@ -9,11 +9,13 @@ from contextlib import contextmanager
 import rosbag
 
 from harness import START_TIMEOUT
+from jetbot.fake.motors import STOPPED
 
 from .accessibility import violations
 from .conftest import OTHER_ROBOT, ROBOT, TABLET
 from .programs import block, chain, drive, num, plug, program, set_motion, wait
 from .test_page import DESKTOP, FINGER, TOUCH_SCREENS
+from .world import OBEY_TIMEOUT
 
 ODOM = "x (m)", "y (m)", "yaw (rad)", "speed (m/s)", "turn rate (rad/s)"
 WHEELS = "command x", "command z", "left wheel (power)", "right wheel (power)"
@@ -109,10 +111,10 @@ def wait_for_end(page):
     """Wait until the newest drive has not become longer for a while."""
     seen = []
 
-    def length():
-        seen.append((time.monotonic(), page.run("return document.getElementById('curves-moment').max")))
+    def is_over():
+        seen.append((time.monotonic(), length(page)))
         return seen[-1][1] != "0" and any(then == seen[-1][1] and seen[-1][0] - at > STILL for at, then in seen)
-    page.wait_for(length, "the end of the drive")
+    page.wait_for(is_over, "the end of the drive")
 
 
 def test_the_table_has_what_a_rosbag_of_the_same_drive_has(blocks, world, tmp_path):
@@ -157,9 +159,15 @@ def check_prints(page, rows):
 def test_two_drives_are_above_each_other_and_pause_holds_the_picture(blocks, world):
     page = blocks(TURNS)
     show_curves(page)
-    first = run(page, world)
+    run(page, world)
+    page.click("#run")
+    world.wait_for(lambda: world.wheels(ROBOT) != STOPPED, OBEY_TIMEOUT, "the robot to drive")
+    page.wait_for(lambda: "Speed: 0.0" not in values(page), "its speed")
     page.click("#curves-pause")
-    held = page.run("return document.querySelector('#curves canvas').toDataURL()")
+    page.wait_for_text("curves-pause", "Go on")
+    first, held = drives(page)[0], page.run("return document.querySelector('#curves canvas').toDataURL()")
+    page.wait_for_text("outcome", "The program has ended.")
+    assert page.run("return document.querySelector('#curves canvas').toDataURL()") == held
     assert run(page, world) == first and "Go on" in page.text("curves-pause")
     assert page.run("return document.querySelector('#curves canvas').toDataURL()") == held
     page.click("#curves-pause")
@@ -216,13 +224,20 @@ def test_the_keyboard_reads_a_moment_and_drives_nothing(page, world):
         page.wait_for(lambda: page.value("curves-moment") == "0.01", "the next moment")
 
 
+def length(page):
+    """Return how long the drive is, in s, as a text."""
+    return page.run("return document.getElementById('curves-moment').max")
+
+
 def test_after_a_lost_connection_and_with_another_robot_values_come_again(page):
     show_curves(page)
-    for change in (lambda: page.run("socket.close()"), lambda: page.set("robot", f"/{OTHER_ROBOT}")):
-        before = page.run("return document.getElementById('curves-moment').max")
-        change()
-        page.wait_for(lambda before=before: page.run("return document.getElementById('curves-moment').max") != before
-                      and "Wheels: left 0.00" in values(page), "new values")
+    page.run("socket.close()")
+    page.wait_for(lambda: "ms" not in page.text("link"), "the page to notice")
+    before = length(page)
+    page.wait_for(lambda: length(page) != before, "new values")
+    page.choose(OTHER_ROBOT)
+    page.wait_for(lambda: length(page) == "0", "the other robot's curves")
+    page.wait_for(lambda: length(page) != "0" and "Wheels: left 0.00" in values(page), "its values")
 
 
 def test_the_curves_fit_each_screen_and_break_no_rule_of_accessibility(page):

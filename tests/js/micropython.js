@@ -35,6 +35,7 @@ class Page {
       seconds: () => this.pass(this.perLook),
       drive: (x, z) => this.drives.push([this.now, ...this.command = [x, z]]),
       show: (text) => this.lines.push(text),
+      digits: (number) => number.toExponential(),
       curve: (name, value) => this.curves.push([name, value]),
       senses: () => JSON.stringify(this.known),
       fail: (type, message) => {

@@ -6,7 +6,8 @@ from geometry_msgs.msg import Twist
 
 rospy.init_node("clock")
 publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
-rospy.sleep(0.5)
+while publisher.get_num_connections() == 0:
+    rospy.sleep(0.1)
 motion = Twist()
 start = rospy.get_time()
 while not rospy.is_shutdown():

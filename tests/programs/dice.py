@@ -7,7 +7,8 @@ from geometry_msgs.msg import Twist
 random.seed(7)
 rospy.init_node("dice")
 publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
-rospy.sleep(0.5)
+while publisher.get_num_connections() == 0:
+    rospy.sleep(0.1)
 for throw in range(6):
     motion = Twist()
     motion.linear.x = random.choice([0.2, 0.3, 0.4, 0.5])

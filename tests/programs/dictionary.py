@@ -8,7 +8,8 @@ MOVES = {"forward": (0.5, 0, 0.6), "left": (0, 0.3, 0.4), "back": (-0.4, 0, 0.5)
 
 rospy.init_node("dictionary")
 publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
-time.sleep(0.5)
+while publisher.get_num_connections() == 0:
+    time.sleep(0.1)
 moves = dict(MOVES)
 moves["again"] = moves.pop("left")
 moves.update(right=(0, -0.25, 0.4))

@@ -17,7 +17,8 @@ def set_speed(x, z=0.0):
 
 rospy.init_node("failing")
 publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
-rospy.sleep(0.5)
+while publisher.get_num_connections() == 0:
+    rospy.sleep(0.1)
 try:
     for speed in (0.3, 0.5, 1.2, 0.7):
         try:

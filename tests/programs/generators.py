@@ -5,14 +5,14 @@ from geometry_msgs.msg import Twist
 
 def ramp(top, steps):
     for step in range(1, steps + 1):
-        yield top * step / steps
+        yield top * (steps + step) / (2 * steps)
 
 
 def plan():
     yield from ramp(0.5, 4)
     for speed in reversed(list(ramp(0.5, 4))):
         yield speed
-    received = yield 0.1
+    received = yield 0.2
     yield received or -0.3
 
 
@@ -20,7 +20,8 @@ rospy.init_node("generators")
 publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
 rate = rospy.Rate(5)
 motion = Twist()
-rospy.sleep(0.5)
+while publisher.get_num_connections() == 0:
+    rospy.sleep(0.1)
 for motion.linear.x in plan():
     publisher.publish(motion)
     rate.sleep()

@@ -24,6 +24,7 @@ def move(x, z, seconds):
 rospy.init_node("recursion")
 publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
 motion = Twist()
-rospy.sleep(0.5)
+while publisher.get_num_connections() == 0:
+    rospy.sleep(0.1)
 print(koch(1, 0.5), "straight lines")
 move(0, 0, 0.1)

@@ -19,6 +19,8 @@ def tick(event):
 
 rospy.init_node("timers")
 publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
+while publisher.get_num_connections() == 0:
+    rospy.sleep(0.1)
 rospy.Timer(rospy.Duration(0.5), tick)
 rospy.on_shutdown(lambda: publisher.publish(Twist()))
 rospy.spin()

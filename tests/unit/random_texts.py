@@ -29,9 +29,9 @@ EXPRESSIONS = {kind: forms(text) for kind, text in {
         |len(list(range({i} % 7)))|next(iter({l}))|len({s}.split())|counter.count|counter.add({i})|hash({i} % 99)
         |bool({s}) + {i} % 5|int({f} // 1)|{l}[-1]|max({l}, key=lambda each: -each)|min({i}, {i}, {i})""",
     FLOAT: """({f} + {f})|({f} - {i})|({f} * {f})|({i} / {i})|({f} / {f})|({f} % {f})|({f} // {f})|float({i} % 9999)
-        |abs({f})|round({f}, {i} % 4)|max({f}, {f})|math.sqrt({f})|math.sin({f} % 7)|math.floor({f}) / 2|(-{f})
-        |float(str({f}))|math.atan2({f}, {f})|math.hypot({f} % 99, 4.0)|sum({l}) / len({l})|math.radians({f} % 360)
-        |({f} ** ({i} % 4))|math.fabs({f})|float({s})|math.pi|(2 ** -({i} % 5))|math.degrees({f} % 7)|math.exp({f} % 9)
+        |abs({f})|round({f}, {i} % 4)|max({f}, {f})|math.sqrt({f})|round(math.sin({f} % 7), 9)|math.floor({f}) / 2|(-{f})
+        |float(str({f}))|round(math.atan2({f}, {f}), 9)|sum({l}) / len({l})|math.radians({f} % 360)
+        |math.fabs({f})|float({s})|math.pi|(2 ** -({i} % 5))|math.degrees({f} % 7)
         |math.copysign({f}, {f})|math.fmod({f}, 7.5)|({f} if {b} else {f})|round({f} * 100) / 100""",
     STR: """({s} + {s})|({s} * ({i} % 4))|str({i})|str({f})|repr({s})|{s}.upper()|{s}[{i}:]|{s}[:{i}]|{s}[::-1]|{s}[{i}]
         |'-'.join(sorted({d}))|f"{{{I}}} {{{F}:.2f}}"|f"{{{S}!r:>8}}:{{{I}:05d}}"|"%d %s" % ({i}, {s})|"%.3f" % {f}
@@ -40,7 +40,7 @@ EXPRESSIONS = {kind: forms(text) for kind, text in {
         |({s} if {b} else {s})|"".join(reversed({s}))|{s}.split()[0]|{s}.center(9)|str(({i}, {s}))|"%s" % ({l},)
         |f"{{{F}:8.3f}}"|f"{{{I}:>6}}"|f"{{{I} % 99:+d}}"|f"{{{F}:e}}"|f"{{{F}:g}}"|"%g" % {f}|"%e" % {f}|hex({i} % 999)
         |bin({i} % 99)|chr(97 + {i} % 26)|str(type({i}))|type({f}).__name__|{s}.lower()|"%x" % ({i} % 999)|str(None)
-        |f"{{{S}:*^9}}"|f"{{{I} % 9999:,}}"|f"{{{F} % 1:.0%}}"|{s}.lstrip('a')|{s}.rjust(5)|{s}.zfill(4)|{s}.capitalize()
+        |f"{{{S}:*^9}}"|f"{{{F} % 1:.0%}}"|{s}.lstrip('a')|{s}.rjust(5)|{s}.zfill(4)|{s}.capitalize()
         |{s}.partition('b')[2]|str(tuple({l}))|str(range({i} % 9))|"%5.1f%%" % ({f} % 100)|f"{{{I}=}}"|{s}.ljust(6, '.')
         |repr({f})|str(set())|str({s}.encode())|f"{{{S}}}{{{I}}}"|str(-0.0 * {i})""",
     LIST: """[{i}, {i}]|({l} + {l})|sorted({l})|sorted({l}, reverse={b})|{l}[{i} % 3:]|{l}[::-1]|list(range({i} % 6))

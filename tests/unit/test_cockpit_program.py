@@ -57,7 +57,8 @@ def running(cockpit):
 
 def test_a_program_gets_its_robot_and_what_that_senses(cockpit):
     assert cockpit.do(ADA, Message("program", "/red")) == {
-        "type": "program", "robot": "/red", "ready": True, "pose": [1, 2, 3], "line": None, "wheels": [0, 0]}
+        "type": "program", "robot": "/red", "ready": True, "pose": [1, 2, 3], "speed": None, "line": None,
+        "command": None, "wheels": [0, 0]}
     assert cockpit.driver()["id"] == ADA.id
     assert cockpit.drives() == STOPPED
 

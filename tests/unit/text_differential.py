@@ -9,6 +9,7 @@ import io
 import json
 import sys
 import traceback
+import warnings
 from contextlib import redirect_stdout
 from typing import Dict, Iterator, NamedTuple, Optional, Tuple
 
@@ -26,14 +27,20 @@ class Done(NamedTuple):
     line: Optional[int]
 
 
-def run_in_page(texts: Dict[str, str]) -> Dict[str, Done]:
+def run_texts(texts: Dict[str, str]) -> Dict[str, dict]:
     """Return what the page's engine does with texts; see tests/js/texts.js."""
     done = node("tests/js/texts.js", 10, input=json.dumps(texts))
     assert done.returncode == 0, done.stdout
-    return {name: done_in_page(each) for name, each in json.loads(done.stdout).items()}
+    return json.loads(done.stdout)
+
+
+def run_in_page(texts: Dict[str, str]) -> Dict[str, Done]:
+    """Return what texts print in the page, and how they end."""
+    return {name: done_in_page(each) for name, each in run_texts(texts).items()}
 
 
 def done_in_page(done: dict) -> Done:
+    """Return this of what the engine has done."""
     prints = [row for row in done["trace"] if isinstance(row, str)]
     problem = done["problem"] or {"type": done["error"] or None, "line": done["line"]}
     return Done(prints, problem["type"], problem["line"] and int(problem["line"]))
@@ -42,8 +49,9 @@ def done_in_page(done: dict) -> Done:
 def run_here(text: str) -> Done:
     """Return what Python does with a text."""
     written, error, line = io.StringIO(), None, None
-    with redirect_stdout(written):
+    with redirect_stdout(written), warnings.catch_warnings():
         try:
+            warnings.simplefilter("ignore")  # what is wrong on purpose
             exec(compile(text, "program.py", "exec"), {"__name__": "__main__"})
         except Exception as failure:
             error, line = type(failure).__name__, line_of(failure)

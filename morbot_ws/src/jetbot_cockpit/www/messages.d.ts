@@ -48,7 +48,7 @@ export type Incoming =
   | { type: "tasks"; tasks: Task[]; }
   | { type: "cameras"; on: boolean; }
   | { type: "notice"; code: string; arguments: Record<string, string | Said>; text: string; template: string; }
-  | { type: "program"; robot: string; ready: boolean; pose: [number, number, number] | null; line: [number, number, number] | null; wheels: [number, number] | null; }
+  | { type: "program"; robot: string; ready: boolean; pose: [number, number, number] | null; speed: [number, number] | null; line: [number, number, number] | null; command: [number, number] | null; wheels: [number, number] | null; }
   | { type: "lift"; robot: string; code: string; arguments: Record<string, string | Said>; text: string; template: string; }
   | { type: "judge"; robot: string; request: string; refusal: Said | null; }
   | { type: "pong"; sent: number; }

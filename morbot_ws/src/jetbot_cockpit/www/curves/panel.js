@@ -12,6 +12,7 @@ import { heightOf, Plot } from "./plot.js";
 import { COLORS, describe, printedStrip, STRIPS } from "./series.js";
 import { Timeline } from "./timeline.js";
 
+const SETTLED = 0.1; // s after which all topics' values have come: what a person holds does not change
 const SILENCE_TIMEOUT = 3000; // ms without a value until the cockpit is asked again: the robot was away
 const CURVES = Array.from({ length: COLORS }, (_, index) => `curve-${index}`);
 const STYLES = ["surface", "text", "muted", "grid", "axis", ...CURVES];
@@ -118,7 +119,7 @@ class Curves {
 
   hold(on) {
     const { kept, current } = this.drives;
-    this.held = on ? { kept, until: current.start + current.length } : null;
+    this.held = on ? { kept, until: current.start + current.length - SETTLED } : null;
     this.shell.show();
   }
 

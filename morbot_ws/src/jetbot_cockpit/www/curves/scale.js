@@ -7,8 +7,8 @@ const FLAT = 0.1; // of an axis whose values are all the same, at least
 
 // Returns the axis of a strip: its range, whether there are values, and where a value is in the box.
 export function scaleOf({ range, series }, drives, { shown }, { top, bottom }) {
-  const found = drives.flatMap(([, drive]) => series.map((each) => bounds(trackOf(drive, each), each.column,
-    ...shown.map((time) => drive.start + time))));
+  const found = drives.flatMap(([, drive, until]) => series.map((each) => bounds(trackOf(drive, each), each.column,
+    drive.start + shown[0], Math.min(drive.start + shown[1], until))));
   const [least, most] = [Math.min(...found.map(([low]) => low)), Math.max(...found.map(([, high]) => high))];
   const known = least <= most;
   const [low, high] = widened(range ?? (known ? [least, most] : [0, 1]), known ? [least, most] : null);

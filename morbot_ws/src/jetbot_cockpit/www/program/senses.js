@@ -47,8 +47,8 @@ export class Senses {
 
   // What the robot senses; what is not known is null or undefined.
   get values() {
-    const { pose, line, wheels } = this.answer;
-    return { here: pose && this.origin && relative(pose, this.origin), pose, line, wheels };
+    const { pose } = this.answer;
+    return { ...this.answer, here: pose && this.origin && relative(pose, this.origin) };
   }
 }
 

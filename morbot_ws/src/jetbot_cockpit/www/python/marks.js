@@ -1,5 +1,7 @@
 // Puts marks into a Python program, at which the page gets its turn: before each statement, and in each round of a
-// loop. All lines keep their numbers. It knows no page.
+// loop; and what MicroPython lacks. All lines keep their numbers. It knows no page.
+
+import { DIALECT } from "./dialect.js";
 
 const SIMPLE = /^(?!If|While|For|Try|With|Match|Decorated).*Statement$/;
 const PLACES = ["Script", "Body", "StatementGroup"]; // of statements
@@ -10,6 +12,7 @@ export function mark(source, tree) {
   tree.iterate({ enter: ({ node }) => {
     if (SIMPLE.test(node.name) && PLACES.includes(node.parent.name)) marks.addStatement(node);
     else HEADS[node.name]?.(marks, node);
+    DIALECT[node.name]?.(marks, node);
   } });
   return marks.written();
 }
@@ -31,7 +34,7 @@ function markConditions(marks, node) {
 }
 
 class Marks {
-  insertions = []; // { at, text }
+  edits = []; // { from, to, text, order }: of those at one place, first what ends there, the innermost first
   lines = new Set(); // that have a mark
 
   constructor(source) {
@@ -45,21 +48,38 @@ class Marks {
     return (index < 0 ? this.ends.length : index) + 1;
   }
 
+  text({ from, to }) {
+    return this.source.slice(from, to);
+  }
+
+  insert(at, text) {
+    this.edits.push({ from: at, to: at, text, order: this.edits.length + 1 });
+  }
+
+  close(at, text) {
+    this.edits.push({ from: at, to: at, text, order: -this.edits.length - 1 });
+  }
+
+  replace({ from, to }, text) {
+    this.edits.push({ from, to, text, order: this.edits.length + 1 });
+  }
+
   addStatement({ from }) {
     const line = this.lineOf(from);
-    if (!this.lines.has(line)) this.insertions.push({ at: from, text: `_at(${line});` });
+    if (!this.lines.has(line)) this.insert(from, `_at(${line});`);
     this.lines.add(line);
   }
 
   wrap(node, before, from, to, after) {
     const line = this.lineOf(node.from);
     this.lines.add(line);
-    this.insertions.push({ at: from, text: before.replace("%", line) }, { at: to, text: after });
+    this.insert(from, before.replace("%", line));
+    this.close(to, after);
   }
 
   written() {
-    const inOrder = this.insertions.sort((one, other) => one.at - other.at);
-    const parts = inOrder.map(({ at, text }, index) => this.source.slice(inOrder[index - 1]?.at ?? 0, at) + text);
-    return parts.join("") + this.source.slice(inOrder.at(-1)?.at ?? 0);
+    const inOrder = this.edits.sort((one, other) => one.from - other.from || one.order - other.order);
+    const parts = inOrder.map(({ from, text }, index) => this.source.slice(inOrder[index - 1]?.to ?? 0, from) + text);
+    return parts.join("") + this.source.slice(inOrder.at(-1)?.to ?? 0);
   }
 }

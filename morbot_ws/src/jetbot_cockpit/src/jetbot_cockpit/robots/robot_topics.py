@@ -164,9 +164,10 @@ class RobotTopics:
             judged_elsewhere=any(name.rpartition("/")[2] != contract.CLASS_JUDGE for name in self._judges()))
 
     def senses(self, now: float) -> dict:
-        """Return where the robot is, its line sensor and its wheels, as a program reads them; None: not known."""
+        """Return what a program reads of the robot, as fields of the message "program"; None: not known."""
         self._asked_at = now
-        return {"pose": self._pose_and_speed(now)[0], "line": self._line, "wheels": self._wheels[1]}
+        (pose, speed), (command, wheels) = self._pose_and_speed(now), self._wheels
+        return {"pose": pose, "speed": speed, "line": self._line, "command": command, "wheels": wheels}
 
     def readings(self, since: Optional[int], eyes: bool) -> Readings:
         """Return what it has reported after the row with this number, None: no row yet. eyes: follow the line, too."""

@@ -182,8 +182,8 @@ FROM_COCKPIT = {
                   "which tasks a judge offers, and which of them are on: at first, and when that changes"),
     "cameras": Form({"on": BOOLEAN}, "whether pupils see what the cameras see: at first, and when that changes"),
     "notice": Form(SAID, "one sentence for the person, and its code for programs"),
-    "program": Form({"robot": ROBOT, "ready": BOOLEAN, "pose": or_null(POSE), "line": or_null(numbers(3)),
-                     "wheels": or_null(numbers(2))},
+    "program": Form({"robot": ROBOT, "ready": BOOLEAN, "pose": or_null(POSE), "speed": or_null(numbers(2)),
+                     "line": or_null(numbers(3)), "command": or_null(numbers(2)), "wheels": or_null(numbers(2))},
                     "the answer to `program`; `ready`: whether its controller is connected"),
     "lift": Form({"robot": ROBOT, **SAID},
                   "why a `drive` or `program` was refused, or a `reset` ended it, and the robot stopped; the next one "

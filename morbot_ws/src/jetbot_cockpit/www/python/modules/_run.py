@@ -4,6 +4,7 @@ import io
 import json
 import sys
 
+import _dialect
 import _page
 import _start
 from _clock import names
@@ -24,7 +25,7 @@ def each(line, values):
 
 def run():
     """Run it until its end; a program that has failed says why."""
-    names["_each"] = each
+    names.update(_dialect.names, _each=each)
     _start.start()
     attempt(lambda: exec(compile(_page.program(), "program.py", "exec"), names))
     attempt(_start.finish)

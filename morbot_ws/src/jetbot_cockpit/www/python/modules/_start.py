@@ -7,6 +7,7 @@ import _clock  # noqa: F401
 import _page
 from _page import curve, drive, senses  # noqa: F401
 from _page import show as _show
+from _text import text as _text
 
 MODULES = set("""
     __future__ array base64 binascii cmath collections copy datetime errno functools genpy geometry_msgs hashlib heapq
@@ -36,7 +37,7 @@ def lacking(module):
 def show(*values, sep=" ", end="\n", file=None, flush=False):
     """Print as print() does. A name and a number are a value of a curve, too."""
     global _unfinished
-    text = (" " if sep is None else sep).join([str(each) for each in values]) + ("\n" if end is None else end)
+    text = (" " if sep is None else sep).join([_text(each) for each in values]) + ("\n" if end is None else end)
     if file not in (None, sys.stdout, sys.stderr):
         file.write(text)
         return

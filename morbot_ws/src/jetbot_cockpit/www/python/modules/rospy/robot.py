@@ -3,11 +3,7 @@
 import json
 import math
 
-from _clock import seconds
 from _start import senses as ask
-
-MOST = 0.2  # s between two poses of which a speed is calculated
-_poses = []  # the last two different times: (s, x, y, yaw)
 
 
 def senses():
@@ -27,7 +23,7 @@ def odometry(message, known):
     pose, twist = message.pose.pose, message.twist.twist
     pose.position.x, pose.position.y = x, y
     pose.orientation.z, pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
-    twist.linear.x, twist.angular.z = floats(known.get("speed") or _speed(x, y, yaw))
+    twist.linear.x, twist.angular.z = floats(known.get("speed") or (0, 0))
 
 
 def line(message, known):
@@ -44,14 +40,3 @@ TOPICS = {
     "line": ("std_msgs/Float32MultiArray", "line", line),
     "jetbot_controller/wheels": ("std_msgs/Float32MultiArray", "wheels", wheels),
 }
-
-
-def _speed(x, y, yaw):
-    """Return the speed between the last two poses, in m/s and rad/s."""
-    if not _poses or seconds() > _poses[-1][0]:
-        _poses[:] = _poses[-1:] + [(seconds(), x, y, yaw)]
-    (start, old_x, old_y, old_yaw), (end, *_) = _poses[0], _poses[-1]
-    if not 0 < end - start < MOST:
-        return 0.0, 0.0
-    ahead = (x - old_x) * math.cos(yaw) + (y - old_y) * math.sin(yaw)
-    return ahead / (end - start), math.remainder(yaw - old_yaw, math.tau) / (end - start)
