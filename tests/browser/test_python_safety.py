@@ -24,7 +24,7 @@ publisher.publish(command)
 """
 BUSY = {
     "a loop": "while True: pass",
-    "a loop that takes all that is raised": "while True:\n    try:\n        while True: pass\n    except BaseException: pass",
+    "a loop that is not broken": "while True:\n    try:\n        while True: pass\n    except BaseException: pass",
     "a loop at last": "try:\n    1 / 0\nfinally:\n    while True: pass",
     "a long calculation": "n = 10\nn ** n ** 8",
     "a long search": "max(range(10 ** 9))",
