@@ -45,8 +45,8 @@ BUSY = {
     "its end": "def stay():\n    while True: pass\nrospy.on_shutdown(stay)",
 }
 REACT = 0.1  # s from a click to the stop that the page sends
-WATCH = """document.getElementById("end").addEventListener("click", ({ timeStamp }) => {
-    window.clicked = (performance.timeOrigin + timeStamp) / 1000; }, { capture: true, once: true })"""
+WATCH = """document.getElementById("end").addEventListener("pointerdown", ({ timeStamp }) => {
+    window.clicked = (performance.timeOrigin + timeStamp) / 1000; }, { capture: true })"""
 FILE = """const files = new DataTransfer(), file = document.getElementById("file");
 files.items.add(new File([arguments[0]], "program.json"));
 file.files = files.files;
