@@ -9,6 +9,7 @@ const isText = (value) => typeof value === "string";
 const text = (value, longest = LONGEST) => (isText(value) ? value.slice(0, longest) : "");
 
 // Each kind of event: whether it is one, and what of it counts
+/** @type {[(event: any) => boolean, (event: any) => object][]} */
 const KINDS = [
   [({ step }) => Number.isInteger(step), ({ step }) => ({ step })],
   [({ wait }) => isNumber(wait), ({ wait }) => ({ wait })],
