@@ -4,8 +4,8 @@ from .accessibility import tree, violations
 from .conftest import OTHER_ROBOT, ROBOT
 from .programs import as_file, block, drive, num, program
 from .test_keys import ENDLESS, FAILS, TASKS, press
-from .test_python_page import edit, suggested, type_at_end
-from .test_work import ALL_BLOCKS
+from .test_python_page import suggested, type_at_end
+from .test_work import ALL_BLOCKS, edit
 
 TURN = program(drive(0.5, 1), block("robot_turn", {"SIDE": "LEFT"}, Z=num(0.2), SECONDS=num(1)))
 SCORES = {"type": "scores", "scores": [{"task": "One metre", "robot": ROBOT, "score": 87.3, "seconds": 3.4,
@@ -88,7 +88,7 @@ STATES = {  # what leads to it from the one before
     "question": lambda page, _: (page.click("#show-map"), page.click("#edit")),
     "text": lambda page, _: edit(page),
     "suggestions": suggests,
-    "text that failed": runs({**program(), "python": "def f(x):\n    return 'ä' + 1 / x  # 0\nf(0)\n"}, "divided by 0"),
+    "text that failed": runs({**program(), "python": "def f(x)\n    return 'ä' + 1 / x  # 0\n"}, "colon"),
     "login": asks,
 }
 

@@ -78,7 +78,9 @@ def column(rows, *names):
     return [(float(row["stamp (s)"]), tuple(float(row[name]) for name in names)) for row in rows if row[names[0]]]
 
 
-def show_curves(page):
+def show_curves(page, *strips):
+    """Show the curves, with these strips beside those that are shown at first."""
+    page.run("localStorage.setItem('curves', arguments[0])", " ".join(["wheels speed printed", *strips]))
     page.click("#show-curves")
     page.wait_for(lambda: page.has("#curves canvas") and "Wheels" in values(page), "the curves")
 
@@ -115,7 +117,8 @@ def wait_for_end(page):
 
 def test_the_table_has_what_a_rosbag_of_the_same_drive_has(blocks, world, tmp_path):
     page = blocks(TURNS)
-    show_curves(page)
+    show_curves(page, "eyes")
+    page.wait_for(lambda: "left 1.00" in values(page), "the eyes, which somebody has to ask for")
     with recorded(world, tmp_path / "drive.bag"):
         newest = run(page, world)
         rows = [row for row in read_table(page.download("curves-save", f"curves_{ROBOT}.csv"))

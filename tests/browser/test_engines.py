@@ -11,6 +11,7 @@ from harness import program
 from jetbot.fake.motors import STOPPED
 from processes import end
 
+from .cockpit_page import PAGE_TIMEOUT
 from .conftest import OTHER_ROBOT, ROBOT, need, opened, started
 from .test_dead_man import freeze
 from .test_driving import KEYS, hold
@@ -175,7 +176,8 @@ def test_a_text_is_edited_and_drives_until_stop(programs, world):
     programs.tap("#")
     programs.wait_for(lambda: programs.text_of("#text .cm-line").count("#") == 2, "what was typed")
     programs.wait_for(lambda: programs.text("kept") == programs.say("Kept"), "it to be kept")
-    world.hold(programs, lambda: programs.click("#run"), lambda: programs.click("#end"), ROBOT)
+    programs.click("#run")
+    world.wait_for(lambda: moving(*world.wheels(ROBOT)), PAGE_TIMEOUT, "the wheels to turn")
     programs.wait_for(lambda: programs.has("#text .now"), "the line that runs")
     with world.stops(ROBOT, what="Stop"):
         programs.click("#end")

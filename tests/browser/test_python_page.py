@@ -7,11 +7,12 @@ from functools import partial
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
+from .cockpit_page import PAGE_TIMEOUT
 from .conftest import ROBOT
 from .programs import drive, program
 from .test_page import DESKTOP
-from .test_program import SMALL, TABLETS, run, undisturbed
-from .test_work import rename
+from .test_program import FORWARD, SMALL, TABLETS, close, undisturbed
+from .test_work import edit, rename
 
 NODE = """import rospy
 from geometry_msgs.msg import Twist
@@ -46,14 +47,6 @@ def shown(page):
                     ".replace(/\\n$/, '')).join('\\n').trimEnd()")
 
 
-def edit(page):
-    """Let the blocks become a text."""
-    if not page.has("#edit-question:not([hidden])"):
-        page.click("#edit")
-    page.click("#edit-question-yes")
-    page.wait_for(lambda: page.has("#text .cm-focused"), "the editor")
-
-
 def type_keys(page, *keys, held=""):
     """Type keys while another one is held."""
     chain = ActionChains(page.driver)
@@ -80,6 +73,12 @@ def type_at_end(page, *keys):
 def marked(page, kind):
     """Return the line that is marked as "now" or "failed"."""
     return page.run("return document.querySelector(`#text .${arguments[0]}`)?.innerText", kind)
+
+
+def drives(page, world, speeds=FORWARD):
+    """Run the text, which may have to load Python first, until the wheels turn at these speeds."""
+    page.click("#run")
+    world.wait_for(lambda: close(world.wheels(ROBOT), speeds), PAGE_TIMEOUT, f"the wheels to turn at {speeds}")
 
 
 def is_marked(page, kind, line):
@@ -155,7 +154,7 @@ def test_back_to_blocks_gives_them_as_they_were_and_keeps_the_text_as_an_earlier
 @undisturbed
 def test_a_text_drives_its_line_is_marked_and_a_change_ends_it(blocks, world):
     page = text(blocks, ENDLESS)
-    run(page, world)
+    drives(page, world)
     page.wait_for(lambda: page.text("prints") == "off we go", "what it prints")
     page.wait_for(lambda: int(variables(page).get("count", 0)) > 5, "its variables")
     page.wait_for(lambda: marked(page, "now") in LOOP, "the line that runs")
@@ -216,12 +215,13 @@ def test_a_package_of_a_text_holds_it_and_opens_again(blocks, tmp_path):
     page.wait_for(lambda: ENDLESS.startswith(shown(page)) and shown(page), "the text")
 
 
+@undisturbed
 def test_a_new_program_may_be_python(blocks, world):
     page = blocks(program())
     page.click("#programs")
     page.click("#new-python")
     page.wait_for(lambda: "while not rospy.is_shutdown():" in shown(page), "a node")
-    run(page, world, (0.3, 0.3))
+    drives(page, world, (0.3, 0.3))
     with world.stops(ROBOT, what="Stop"):
         page.click("#end")
 

@@ -167,7 +167,7 @@ const TYPES = [
   ["len(5)", "This has no length: number."], ["x = 5[0]", "This has no items to take with [ ]: number."],
   ["x = [1]['a']", "The position of an item is a whole number (0, 1, 2 ...), not: text."],
   ["x = 'abc'\nx[0] = 'b'", "The items of this cannot be changed: text. Those of a list can.", 2],
-  ["x = {[]}", "This cannot be a key of a dictionary, nor be in a set: list."],
+  ["x = set([[]])", "This cannot be a key of a dictionary, nor be in a set: list."],
 ];
 
 const VALUES = [
@@ -218,6 +218,16 @@ for (const [program, text] of SYNTAX) {
 const TWIST = "import rospy\nfrom geometry_msgs.msg import Twist, Vector3\n";
 const NODE = `${TWIST}rospy.init_node("node")\n`;
 const PUBLISHER = `${NODE}publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)\nmotion = Twist()\n`;
+
+test("docs/python.md quotes what the page says", () => {
+  const page = readFileSync(new URL("../../docs/python.md", import.meta.url), "utf8");
+  const [, section] = page.split("\n## Mistakes\n");
+  const rows = [...section.split("\n## ")[0].matchAll(/^\| `(.+)` \| (.+) \|$/gm)];
+  assert.equal(rows.length, 10);
+  for (const [, program, text] of rows) {
+    assert.equal((syntaxProblem(program) ?? explain(failureOf(program), program)).text, text);
+  }
+});
 
 // Programs that use the page's own modules
 const NODES = [

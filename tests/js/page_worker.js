@@ -1,4 +1,4 @@
-// Browsers' workers, played by Node's: so engine.js and worker.js run as they are.
+// A page's text runs here as in a browser: by engine.js, in worker.js; Node's workers play the browser's.
 
 import { readFile } from "node:fs/promises";
 import { Worker as Thread } from "node:worker_threads";
@@ -31,3 +31,36 @@ async function fetch(url) {
 }
 
 Object.assign(globalThis, { Worker, fetch });
+const { PythonEngine } = await import("#www/python/engine.js");
+const SENSES = { pose: [0, 0, 0], line: [0.5, 0.5, 0.5], wheels: [0, 0] };
+
+// Runs a text until its end, or until the condition says that it is enough. Waits take no time.
+// Returns { prints, curves, motions, variables, sentence, line, answers, count, longest }: why it has ended, "" at its
+// end; how often the page had its turn; the number of events, and of the characters of the longest text
+export async function runText(text, { enough = () => false, slow = false } = {}) {
+  const engine = new PythonEngine(text);
+  const found = { prints: [], curves: [], motions: [], sentence: "", line: null, answers: 0, count: 0, longest: 0 };
+  let seconds = 0;
+  const state = () => {
+    found.answers += 1;
+    return { seconds, senses: SENSES, slow };
+  };
+  try {
+    await engine.prepare();
+    for await (const { print, name, value, publish, wait } of engine.run(state)) {
+      if (print !== undefined) found.prints.push(print);
+      if (name !== undefined) found.curves.push([name, value]);
+      if (publish) found.motions.push(engine.motion);
+      seconds += wait ?? 0;
+      found.count += 1;
+      found.longest = Math.max(found.longest, (print ?? name ?? "").length);
+      if (enough(found)) break;
+    }
+  } catch (error) {
+    if (error.constructor.name !== "ProgramError") throw error;
+    Object.assign(found, { sentence: error.message, line: error.place });
+  } finally {
+    engine.end();
+  }
+  return { ...found, variables: engine.variables };
+}

@@ -23,7 +23,7 @@ function named(json) {
 // Runs a program, whose robot answers at once, on a page that shows what it prints and why it has ended.
 async function begin(t, json, { stepping = false, delay = 0, ready = true } = {}) {
   const page = { clock: new Clock(t), sent: [], prints: [], ends: [] };
-  page.run = new Run(new Interpreter(named(json), ROBOT), ROBOT, stepping, {
+  page.run = new Run(json.run ? json : new Interpreter(named(json), ROBOT), ROBOT, stepping, {
     send: (message) => (message.type === "program" ? answer(page, ready) : page.sent.push(message)),
     printed: ({ print: text }) => page.prints.push(text), changed() {}, delay: () => delay,
     ended: (...why) => page.ends.push(why),
@@ -250,4 +250,21 @@ test("an engine that computes for long, or loads, is no interruption of the page
   });
   await page.clock.pass(5000);
   assert.deepEqual(page.ends, [["", null]]);
+});
+
+// A text's engine: it drives, and then computes in a worker, of which the page hears nothing.
+const COMPUTES = { repeats: false, motion: [0.5, 0], variables: new Map(), needs: { senses: true, eyes: false },
+  prepare() {}, end() {},
+  async *run() {
+    yield { publish: true };
+    await new Promise(() => {});
+  } };
+
+test("a text that computes stops its robot after a second, and can go on: its page is not interrupted", async (t) => {
+  const page = await begin(t, COMPUTES);
+  await page.clock.pass(800);
+  assert.equal(speeds(page).at(-1), 0.5);
+  await page.clock.pass(400);
+  assert.deepEqual([page.sent.at(-1), page.ends, page.run.waitless], [ZERO, [], true]);
+  page.run.end("Stopped.");
 });

@@ -64,7 +64,7 @@ class StandIn:
     def history(self):
         return []
 
-    def readings(self, robot, since):
+    def readings(self, robot, since, eyes):
         return 1000.0, self.recording.since(since)
 
     def state(self):

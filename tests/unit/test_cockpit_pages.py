@@ -81,7 +81,7 @@ class Control:
     def state(self):
         return {"type": "state", "speed": self.speed}
 
-    def readings(self, robot, since):
+    def readings(self, robot, since, eyes):
         return (1000.0, self.recording.since(since)) if robot in self.names else None
 
 
@@ -383,7 +383,7 @@ class Drawing(Page):
         self.follow(robot)
 
     def follow(self, robot):
-        self.pages.receive(self.viewer, json.dumps({"type": "curves", "robot": robot}), 0.0)
+        self.pages.receive(self.viewer, json.dumps({"type": "curves", "robot": robot, "eyes": True}), 0.0)
 
     def curves(self, now=0.0):
         """Let the pages send; return the messages with what the robot has reported."""

@@ -27,7 +27,7 @@ export type Outgoing =
   | { type: "ping"; sent: number; }
   | { type: "look"; robot?: string | null; }
   | { type: "seen"; number: number; }
-  | { type: "curves"; robot?: string | null; }
+  | { type: "curves"; robot?: string | null; eyes: boolean; }
   | { type: "save"; robot: string; label: "free" | "blocked"; }
   | { type: "delete"; robot: string; }
   | { type: "codes"; }

@@ -31,10 +31,10 @@ class Curves {
   drives = new Drives();
   /** @type {{ kept: any[], until: number } | null} */
   held = null; // the picture that a person holds: of which drives, until when
+  asked = ""; // what, by which connection
   /** @type {string | null} */
-  asked = null; // for which robot
-  askedAs = 0; // by which connection
-  heardAt = 0;
+  of = null; // the robot
+  heardAt = 0; // when its last values came
   /** @type {Drive | null} */
   judged = null; // the drive that a judge watches
   ran = null; // the program's run that the newest drive is of
@@ -71,11 +71,12 @@ class Curves {
     const { world, link } = this.shell;
     const { chosen } = world;
     const wanted = !document.hidden && world.robot(chosen) && world.state(chosen).answers ? chosen : null;
-    const isKnown = wanted === this.asked && world.me.id === this.askedAs;
+    const question = { type: /** @type {const} */ ("curves"), robot: wanted, eyes: this.controls.isOn("eyes") };
+    const asked = JSON.stringify([question, world.me.id]);
     const isSilent = wanted && performance.now() - this.heardAt > SILENCE_TIMEOUT;
-    if (!link.connected || isKnown && !isSilent || !this.shell.send({ type: "curves", robot: wanted })) return;
+    if (!link.connected || asked === this.asked && !isSilent || !this.shell.send(question)) return;
     if (wanted && wanted !== this.of) this.forget(wanted);
-    Object.assign(this, { asked: wanted, askedAs: world.me.id, heardAt: performance.now() });
+    Object.assign(this, { asked, heardAt: performance.now() });
   }
 
   // Another robot is chosen.

@@ -1,6 +1,7 @@
 // What a program's worker may answer. Whoever has written the program, the page takes nothing else from it.
 
 const [MOST_EVENTS, MOST_VARIABLES] = [100, 100]; // in an answer
+const MOST_CHARACTERS = 200000; // of all variables
 const [LONGEST, LONGEST_NAME] = [10000, 100]; // characters of a text; of a variable's name and value
 
 const isNumber = (value) => typeof value === "number";
@@ -32,7 +33,7 @@ export function checked(answer) {
 
 // Returns texts by names; null: nothing is known
 function toVariables(variables) {
-  if (!isText(variables)) return null;
+  if (!isText(variables) || variables.length > MOST_CHARACTERS) return null;
   const pairs = JSON.parse(variables).slice(0, MOST_VARIABLES);
   return new Map(pairs.map(([name, value]) => [text(name, LONGEST_NAME), text(value, LONGEST_NAME)]));
 }

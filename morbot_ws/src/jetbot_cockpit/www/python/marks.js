@@ -6,7 +6,7 @@ import { DIALECT } from "./dialect.js";
 const SIMPLE = /^(?!If|While|For|Try|With|Match|Decorated).*Statement$/;
 const PLACES = ["Script", "Body", "StatementGroup"]; // of statements
 
-// Returns the program with its marks. tree: of CodeMirror's parser, without errors
+// Returns the program with its marks. tree: of CodeMirror's parser; what that does not understand has none
 export function mark(source, tree) {
   const marks = new Marks(source);
   tree.iterate({ enter: ({ node }) => {
@@ -21,14 +21,15 @@ export function mark(source, tree) {
 const HEADS = {
   IfStatement: markConditions, WhileStatement: markConditions,
   ForStatement(marks, node) {
-    const [values, body] = [node.getChild("in").nextSibling, node.getChild("Body")];
-    marks.wrap(node, "_each(%, (", values.from, body.prevSibling?.to ?? body.from, "))");
+    const [values, body] = [node.getChild("in")?.nextSibling, node.getChild("Body")];
+    if (values && body) marks.wrap(node, "_each(%, (", values.from, body.prevSibling?.to ?? body.from, "))");
   },
 };
 
 function markConditions(marks, node) {
   for (const word of ["if", "while", "elif"].flatMap((each) => node.getChildren(each))) {
-    marks.wrap(word, "_at(%) or (", word.nextSibling.from, word.nextSibling.to, ")");
+    const { nextSibling: condition } = word;
+    if (condition) marks.wrap(word, "_at(%) or (", condition.from, condition.to, ")");
   }
 }
 

@@ -27,7 +27,8 @@ const COMPILED = [
     () => t("Each item of a dictionary is a key, a colon, and a value.")],
   ["SyntaxError", /global$|nonlocal/, () => t("“global” comes first in a function, before the name is used.")],
   ["SyntaxError", /^invalid syntax for /, () => t("This is not a number that Python knows.")],
-  ["SyntaxError IndentationError", /./, () => t("The page's Python does not understand this line. Compare it with an example.")],
+  ["SyntaxError IndentationError", /./,
+    () => t("The page's Python does not understand this line. Compare it with an example.")],
 ];
 
 /** @type {Row[]} */

@@ -250,7 +250,7 @@ class Hub:
     def _follow(self, page, message, text, now):
         before, page.follows[message.type] = page.link(page.follows[message.type]), message.robot
         if before and page.link(message.robot) is not before:
-            before.send({"type": message.type, "robot": None})
+            before.send(ENDS[message.type])
         if message.robot is not None:
             self._to_robot(page, message, text, now)
 
@@ -288,6 +288,7 @@ def seen_from(page: HubPage, robot: str, state: dict) -> dict:
 
 
 FOLLOWED = {"look": "picture", "curves": "curves"}
+ENDS = {"look": {"type": "look", "robot": None}, "curves": {"type": "curves", "robot": None, "eyes": False}}
 SENTENCES, ANSWERS = ("lift", "notice"), ("program", "judge")
 ROUTES = {"ping": Hub._ping, "name": Hub._to_all, "offer": Hub._to_all, "cameras": Hub._cameras, "codes": Hub._to_all,
           "look": Hub._follow, "curves": Hub._follow, "seen": Hub._seen, "release": Hub._release,

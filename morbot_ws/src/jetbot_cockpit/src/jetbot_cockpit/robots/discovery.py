@@ -59,13 +59,13 @@ class Robots:
         """Return what a program may read of the robot now; docs/protocol.md explains it."""
         return self._robots[robot].senses(time.monotonic()) if robot in self._robots else {}
 
-    def readings(self, robot: str, since: Optional[int]) -> Optional[Tuple[float, Readings]]:
+    def readings(self, robot: str, since: Optional[int], eyes: bool) -> Optional[Tuple[float, Readings]]:
         """Return the time now (s since the epoch), and what a robot has reported after the row with this number, None:
-        no row yet; None for a robot that is gone. Its line sensor and its battery are followed for as long as it is
-        called.
+        no row yet; None for a robot that is gone. For as long as it is called, its battery is followed, and its line
+        sensor if ``eyes``.
         """
         topics = self._robots.get(robot)
-        return topics and (rospy.get_time(), topics.readings(since))
+        return (rospy.get_time(), topics.readings(since, eyes)) if topics else None
 
     def tasks(self) -> Tuple[Tuple[str, str], ...]:
         """Return (name, title) of each task that a judge offers now."""

@@ -168,15 +168,15 @@ class RobotTopics:
         self._asked_at = now
         return {"pose": self._pose_and_speed(now)[0], "line": self._line, "wheels": self._wheels[1]}
 
-    def readings(self, since: Optional[int]) -> Readings:
-        """Return what it has reported after the row with this number, None: no row yet."""
-        self._asked_at = self._drawn_at = time.monotonic()
+    def readings(self, since: Optional[int], eyes: bool) -> Readings:
+        """Return what it has reported after the row with this number, None: no row yet. eyes: follow the line, too."""
+        self._drawn_at = time.monotonic()
+        if eyes:
+            self._asked_at = self._drawn_at
         return self._recording.since(since)
 
     def follow_asked(self) -> None:
-        """Subscribe to line sensor and battery while a page asks for them: a line costs a message per 20 ms. It may
-        block.
-        """
+        """Subscribe to line sensor and battery while pages ask: a line costs a message per 20 ms. It may block."""
         now = time.monotonic()
         for topic, kind, callback, asked_at in (("line", Float32MultiArray, self._on_line, self._asked_at),
                                                 ("battery", BatteryState, self._on_battery, self._drawn_at)):

@@ -10,15 +10,16 @@ class Curves:
 
     def __init__(self):
         self.robot: Optional[str] = None
-        self._number: Optional[int] = None
+        self._eyes, self._number = False, None
 
-    def follow(self, robot: Optional[str]) -> None:
-        """The page draws this robot's values from now on."""
-        self.robot, self._number = robot, None
+    def follow(self, robot: Optional[str], eyes: bool) -> None:
+        """The page draws this robot's values from now on. eyes: also those of its line sensor."""
+        self._number = self._number if robot == self.robot else None
+        self.robot, self._eyes = robot, eyes
 
     def next(self, readings: Callable) -> Optional[dict]:
         """Return the message with what is new, or None. readings: robots.discovery.Robots.readings."""
-        found = None if self.robot is None else readings(self.robot, self._number)
+        found = None if self.robot is None else readings(self.robot, self._number, self._eyes)
         if not found:
             return None
         is_first, (now, (after, self._number, rows)) = self._number is None, found

@@ -143,8 +143,9 @@ FROM_PAGE = {
     "ping": Form({"sent": NUMBER}, "is answered by `pong` with the same number"),
     "look": Form({"robot": ROBOT_OR_ALL}, "shows what this robot's camera sees, and no other's any more; null: none"),
     "seen": Form({"number": NUMBER}, "a part of the picture with this number has come; the next one may follow"),
-    "curves": Form({"robot": ROBOT_OR_ALL},
-                   "asks for all that this robot reports, for curves, and for no other's any more; null: none"),
+    "curves": Form({"robot": ROBOT_OR_ALL, "eyes": BOOLEAN},
+                   "asks for what this robot reports, for curves, and for no other's any more; null: none; `eyes`: its "
+                   "`line`, too"),
     "save": Form({"robot": ROBOT, "label": one_of(*LABELS)}, "keeps the robot's newest picture; from its driver"),
     "delete": Form({"robot": ROBOT}, "deletes the pictures of this robot that were kept; from its driver"),
     "codes": Form({}, "asks for the addresses and codes to hand out", teacher=True),

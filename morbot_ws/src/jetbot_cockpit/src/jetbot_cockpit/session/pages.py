@@ -150,7 +150,7 @@ class Pages:
         if message.type == "look":
             return self._look(viewer, message.robot)
         if message.type == "curves":
-            return viewer.curves.follow(message.robot)
+            return viewer.curves.follow(message.robot, message.eyes)
         if message.type not in ("codes", "new_code"):
             return self._control.handle(client, message, now)
         refusal = refuse_role(client, message.type)

@@ -39,7 +39,7 @@ def poll():
 def turn(duration):
     """Wait so many s, then run the tasks."""
     global _turned
-    _turn(max(0, duration))
+    _turn(float(max(0, duration)))  # a whole number would be cut to 32 bits
     _turned = seconds()
     for task in list(tasks):
         task.run()

@@ -47,7 +47,7 @@ def show(*values, sep=" ", end="\n", file=None, flush=False):
     if len(_unfinished) > LONGEST:
         finish_line()
     if len(values) == 2 and isinstance(values[0], str) and type(values[1]) in (int, float):
-        curve(*values)
+        curve(values[0], float(values[1]))  # a whole number would be cut to 32 bits
 
 
 def finish_line():

@@ -91,7 +91,6 @@ def get_param_names():
 
 
 def is_shutdown():
-    _clock.poll()
     return _node["shutdown"]
 
 
