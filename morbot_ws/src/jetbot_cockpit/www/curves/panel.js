@@ -140,7 +140,8 @@ class Curves {
     this.noteScore();
     if (!this.canvas.clientWidth) return;
     const { shown, strips, drives: { best } } = this;
-    this.canvas.style.minHeight = `${heightOf(strips.length)}px`;
+    const context = this.canvas.getContext("2d");
+    this.canvas.style.minHeight = `${heightOf(strips, context, this.canvas.clientWidth)}px`;
     setClass(this.box, "scrolled", this.canvas.clientHeight > this.box.clientHeight);
     const until = this.held?.until ?? Infinity;
     this.timeline.length = Math.max(...shown.map((drive) => Math.min(drive.length, until - drive.start)));
