@@ -17,9 +17,16 @@ const SILENCE_TIMEOUT = 3000; // ms without a value until the cockpit is asked a
 const CURVES = Array.from({ length: COLORS }, (_, index) => `curve-${index}`);
 const STYLES = ["surface", "text", "muted", "grid", "axis", ...CURVES];
 
-// Returns the curves, hidden in a part of the page.
+/** @type {Promise<Curves> | null} */
+let loaded = null; // promises those of this page
+
+// Returns the page's curves, at first hidden in this part of it.
 /** @param {Shell} shell @param {HTMLElement} place @param {() => any} run @param {(() => void) | null} close */
-export async function loadCurves(shell, place, run = () => null, close = null) {
+export function loadCurves(shell, place, run, close = null) {
+  return loaded ??= load(shell, place, run, close);
+}
+
+async function load(shell, place, run, close) {
   const style = Object.assign(create("link"), { rel: "stylesheet", href: new URL("curves.css", import.meta.url).href });
   await new Promise((resolve) => {
     style.onload = style.onerror = resolve; // without it, the page still shows them

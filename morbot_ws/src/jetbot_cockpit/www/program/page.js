@@ -2,7 +2,7 @@
 
 import { element, onPress } from "../dom.js";
 import { t } from "../language.js";
-import { LOST, Shell } from "../shell.js";
+import { LOST, NOT_LOADED, Shell } from "../shell.js";
 import { calledOf } from "../world.js";
 import { setUnits } from "./blocks.js";
 import { showControls } from "./controls.js";
@@ -21,7 +21,6 @@ const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fa
 const HIDDEN = t("The page was hidden, so the program was stopped.");
 const ENDED = t("The program has ended.");
 const CHANGED = t("The program was changed. Run it again.");
-const NOT_LOADED = t("This could not be loaded. Try again. If that does not help, reload the page.");
 const STOPPED = t("Stopped.");
 
 let run = null; // of a program, the last one
