@@ -134,6 +134,7 @@ function start(stepping) {
 function begin(engine, robot, stepping) {
   starting = null;
   const delay = () => DELAYS[element("speed").value];
+  world.trails.set(robot.id, []); // the map shows this drive alone
   run = new Run(engine, robot, stepping, { send, printed, changed: show, ended, delay });
   showControls(run, false); // now: Stop may be pressed at once
   show();
