@@ -128,6 +128,7 @@ function start(stepping) {
   engine.then((loaded) => engine === starting && begin(loaded, robot, stepping),
     () => engine === starting && end(NOT_LOADED));
   setOutcome(t("Starting"));
+  showControls(null, true); // now: Stop may be pressed at once
   show();
 }
 
@@ -136,7 +137,7 @@ function begin(engine, robot, stepping) {
   const delay = () => DELAYS[element("speed").value];
   world.trails.set(robot.id, []); // the map shows this drive alone
   run = new Run(engine, robot, stepping, { send, printed, changed: show, ended, delay });
-  showControls(run, false); // now: Stop may be pressed at once
+  showControls(run, false);
   show();
 }
 
