@@ -185,6 +185,7 @@ def test_where_a_text_fails_stays_marked_and_in_sight_until_it_is_changed(blocks
     assert not page.outside("#text .failed", "#text")
     world.wait_for_stop(ROBOT)
     type_at_end(page, "#")
+    page.wait_for_text("outcome", "Press Run.")
     assert not marked(page, "failed")
 
 
