@@ -134,8 +134,8 @@ function start(stepping) {
 
 function begin(engine, robot, stepping) {
   starting = null;
-  const delay = () => DELAYS[element("speed").value];
   world.trails.set(robot.id, []); // the map shows this drive alone
+  const delay = () => DELAYS[element("speed").value];
   run = new Run(engine, robot, stepping, { send, printed, changed: show, ended, delay });
   showControls(run, false);
   show();
@@ -199,7 +199,7 @@ function draw() {
   showPlace(workspace, isText ? null : running);
   shown.mark(running?.at ?? null);
   const values = run?.engine.variables ?? new Map();
-  showOutput(isText ? [...values] : blockVariables(workspace, values));
+  showOutput(isText ? [...values] : blockVariables(workspace, values), Boolean(running?.held));
   side.draw();
 }
 
