@@ -8,7 +8,7 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
 from .cockpit_page import PAGE_TIMEOUT
-from .conftest import ROBOT
+from .conftest import ROBOT, TABLET
 from .programs import drive, program
 from .test_page import DESKTOP
 from .test_program import FORWARD, SMALL, TABLETS, close, undisturbed
@@ -311,6 +311,8 @@ def test_the_text_is_large_and_all_of_the_page_fits_tablets_and_phones(blocks):
     page = text(blocks, ENDLESS)
     for screen in [*TABLETS, DESKTOP]:
         page.resize(*screen)
+        if screen == TABLET:
+            assert page.run("return document.getElementById('bar').clientHeight") < 60, "one row"
         page.wait_for(lambda: page.fits("run", "pause", "step", "end", "stop", "release", "text", "view", "output"),
                       f"all on {screen}")
         assert page.overlapping() == [], screen
