@@ -29,8 +29,8 @@ export class Controls {
       button("out", "−", () => timeline.zoom(1 / ZOOM), t("Zoom out")),
       button("fit", t("Fit"), () => timeline.all(), t("Show the whole drive")),
       button("save", t("CSV"), () => this.save(), t("Save as a table")));
-    toggles.append(...this.strips.map(([, each]) => each), this.earlier);
-    this.root.append(tools, toggles);
+    toggles.append(...this.strips.map(([, each]) => each));
+    this.root.append(tools, toggles, this.earlier);
   }
 
   isOn(id) {
@@ -59,13 +59,13 @@ export class Controls {
     if (!this.lists(kept)) this.list(kept);
     for (const [drive, each] of this.listed.slice(1)) each.ariaPressed = String(this.shows(drive));
   }
+
   lists(kept) {
     return kept.length === this.listed.length && kept.every((drive, index) => {
       const [known, { textContent }] = this.listed[index];
       return drive === known && titleOf(drive) === textContent;
     });
   }
-
 
   // The newest drive is always shown.
   list([newest, ...earlier]) {
