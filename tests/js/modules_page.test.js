@@ -195,7 +195,7 @@ other = rospy.Publisher("/blue/cmd_vel", Twist, queue_size=1)
 absolute = rospy.Publisher("/red/cmd_vel", Twist, queue_size=1)
 print(rospy.get_name(), rospy.get_namespace(), publisher.name, other.get_num_connections())
 other.publish(Twist(Vector3(1, 0, 0), Vector3()))
-absolute.publish(Twist(Vector3(0.5, 0, 0), Vector3()))`, { more: { namespace: "red" } });
+absolute.publish(Twist(Vector3(0.5, 0, 0), Vector3()))`, { more: { namespace: () => "/red" } });
   assert.deepEqual(lines, ["/red/node /red/ /red/cmd_vel 0"]);
   assert.deepEqual(drives.map(([, ...command]) => command), [[0.5, 0]]);
 });

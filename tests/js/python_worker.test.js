@@ -207,3 +207,17 @@ for (const text of ["if 1) or (print('REACHED'): pass", "for x in [1])), print('
     assert.ok(sentence);
   });
 }
+
+test("a text drives its robot by that one's absolute names, too", async () => {
+  const { motions, prints, sentence } = await runText(`
+import rospy
+from geometry_msgs.msg import Twist, Vector3
+from nav_msgs.msg import Odometry
+rospy.init_node("node")
+publisher = rospy.Publisher("/jetbot_01/cmd_vel", Twist, queue_size=1)
+rospy.wait_for_message("/jetbot_01/odom", Odometry)
+publisher.publish(Twist(linear=Vector3(x=0.5)))
+print(rospy.get_namespace(), rospy.resolve_name("cmd_vel"))`, { robot: "/jetbot_01" });
+  assert.equal(sentence, "");
+  assert.deepEqual([motions, prints], [[[0.5, 0]], ["/jetbot_01/ /jetbot_01/cmd_vel"]]);
+});

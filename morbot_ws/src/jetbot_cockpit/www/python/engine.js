@@ -26,9 +26,9 @@ export class PythonEngine {
   /** @type {any} */
   worker = null;
 
-  /** @param {string} text of the program */
-  constructor(text) {
-    this.text = text;
+  /** @param {string} text of the program @param {string} robot its namespace, "/" or "/jetbot_01" */
+  constructor(text, robot = "/") {
+    Object.assign(this, { text, robot });
     this.needs = { senses: true, eyes: LOOKS.test(text) };
   }
 
@@ -38,7 +38,7 @@ export class PythonEngine {
     if (problem) this.fail(problem);
     const program = mark(this.text, pythonLanguage.parser.parse(this.text));
     loaded ??= load();
-    this.given = { ...await loaded.catch(fail), program };
+    this.given = { ...await loaded.catch(fail), program, robot: this.robot };
     if (this.ended) return;
     this.worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.worker.onmessage = ({ data }) => this.hear(data);

@@ -15,7 +15,7 @@ MODULES = set("""
     typing
 """.split())
 LONGEST = 10000  # characters of a line that has no end
-NAMESPACE = f"/{getattr(_page, 'namespace', '')}/".replace("//", "/")  # of the robot's topics
+NAMESPACE = _page.namespace().rstrip("/") + "/"  # of the robot's topics
 
 _import = builtins.__import__
 _unfinished = ""  # line
