@@ -25,6 +25,10 @@ class NotHere(Exception):
     """A program asks for what the page does not have. Its message is the name of that alone."""
 
 
+class NotHeard(Exception):
+    """A program publishes, or waits to, on a topic that nothing in the page hears. Its message is the name alone."""
+
+
 def lacking(module):
     """Return the __getattr__ of a module of which some names are not here."""
     def fail(name):
