@@ -221,3 +221,9 @@ print(rospy.get_namespace(), rospy.resolve_name("cmd_vel"))`, { robot: "/jetbot_
   assert.equal(sentence, "");
   assert.deepEqual([motions, prints], [[[0.5, 0]], ["/jetbot_01/ /jetbot_01/cmd_vel"]]);
 });
+
+test("a text that reads the keyboard is told what to use instead", async () => {
+  const { sentence, line } = await runText("import sys\nsys.stdin.readline()");
+  assert.deepEqual([sentence, line],
+    ["“sys.stdin” is not in the page: give the value to a name at the top of the program.", 2]);
+});
