@@ -74,8 +74,8 @@ test("a worker that speaks unasked is ended, and its program with it", async () 
   let ended = false;
   const { Worker } = globalThis;
   globalThis.Worker = class {
-    postMessage() {
-      for (const print of ["asked", "unasked"]) this.onmessage({ data: { events: [{ print }] } });
+    postMessage({ wasm }) {
+      for (const print of wasm ? ["ready"] : ["asked", "unasked"]) this.onmessage({ data: { events: [{ print }] } });
     }
 
     terminate() {

@@ -75,7 +75,7 @@ async function turn(event) {
   if (shows) shownAt = performance.now();
   postMessage({ events: [...events, event], variables: shows ? variables() : null });
   events = [];
-  await answer();
+  state = await answer();
 }
 
 // Returns the program's variables; null: there is no room for that, so deep is the program.
@@ -88,11 +88,13 @@ function variables() {
   }
 }
 
+// Returns the page's next message.
 async function answer() {
-  state = await new Promise((resolve) => {
-    addEventListener("message", ({ data }) => resolve(data), { once: true });
+  const { data } = await new Promise((resolve) => {
+    addEventListener("message", resolve, { once: true });
   });
   answeredAt = performance.now();
+  return data;
 }
 
 // Removes what reaches beyond this thread: the program's own policy refuses most of it, too.
@@ -103,12 +105,11 @@ function forget() {
 }
 
 async function main() {
-  await answer(); // what is to be run
-  const { wasm, files, program, robot } = state;
+  const { wasm, files, program, robot } = await answer();
   await machine.load({ wasm, files, page: { ...page, program: () => program, namespace: () => robot }, written: write });
   forget();
   postMessage({ events, variables: null }); // it is ready
-  await answer();
+  state = await answer();
   await machine.run();
   if (unfinished) events.push({ print: unfinished });
   postMessage({ events, variables: variables(), over: true, problem });
