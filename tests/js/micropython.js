@@ -37,6 +37,8 @@ class Page {
       drive: (x, z) => this.drives.push([this.now, ...this.command = [x, z]]),
       show: (text) => this.lines.push(text),
       digits: (number) => number.toExponential(),
+      upper: (text) => text.toUpperCase(),
+      lower: (text) => text.toLowerCase(),
       curve: (name, value) => this.curves.push([name, value]),
       senses: () => JSON.stringify(this.known),
       fail: (type, message) => {

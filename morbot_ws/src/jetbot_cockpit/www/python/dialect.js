@@ -1,8 +1,8 @@
 // What Python has and MicroPython lacks, put into a program by functions of modules/_dialect.py. All lines keep their
 // numbers, and no quotation mark is added, as a text in an f-string may not hold those around it. It knows no page.
 
-const METHODS = ["capitalize", "center", "is_integer", "ljust", "removeprefix", "removesuffix", "rjust", "swapcase",
-  "title", "zfill"];
+const METHODS = ["capitalize", "center", "is_integer", "ljust", "lower", "removeprefix", "removesuffix", "rjust",
+  "swapcase", "title", "upper", "zfill"];
 
 // What is rewritten, by the kind of the node; edits: insert(at, text), close(at, text), replace(node, text)
 /** @type {Record<string, (edits: any, node: any) => void>} */

@@ -33,6 +33,8 @@ const page = {
   seconds: () => state.seconds + (performance.now() - answeredAt) / 1000 + 1e-9, // a whole number would be an int
   senses: () => JSON.stringify(state.senses),
   digits: (number) => number.toExponential(),
+  upper: (text) => toText(text).toUpperCase(),
+  lower: (text) => toText(text).toLowerCase(),
   drive(x, z) { // at once: the program may compute next
     events.push({ motion: [toNumber(x), toNumber(z)] });
     return turn({ breathe: true });

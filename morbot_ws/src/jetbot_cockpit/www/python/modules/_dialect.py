@@ -2,11 +2,20 @@
 
 from math import copysign, frexp
 
+from _page import lower, upper
 from _text import represented, text
 
 
+def _upper(text):
+    return "".join([each.upper() if each < "\x80" else upper(each) for each in text])
+
+
+def _lower(text):
+    return "".join([each.lower() if each < "\x80" else lower(each) for each in text])
+
+
 def _capitalize(text):
-    return text[:1].upper() + text[1:].lower()
+    return _upper(text[:1]) + _lower(text[1:])
 
 
 def _center(text, width, fill=" "):
@@ -32,20 +41,24 @@ def _removesuffix(text, suffix):
 
 
 def _swapcase(text):
-    return "".join([each.lower() if each.isupper() else each.upper() for each in text])
+    return "".join([_lower(each) if _upper(each) == each else _upper(each) for each in text])
 
 
 def _title(text):
-    before, done = " ", ""
+    before, done = False, ""
     for each in text:
-        done += each.lower() if before.isalpha() else each.upper()
-        before = each
+        done += _lower(each) if before else _upper(each)
+        before = _upper(each) != _lower(each)  # a letter
     return done
 
 
 def _zfill(text, width):
     sign = text[:1] if text[:1] in ("+", "-") else ""
     return sign + "0" * (width - len(text)) + text[len(sign):]
+
+
+def _isinstance(value, kinds):
+    return isinstance(value, kinds) or isinstance(value, bool) and isinstance(0, kinds)
 
 
 def _is_integer(number):
@@ -93,10 +106,12 @@ def _format(value, spec=""):
     return ("{:" + spec + "}").format(value)
 
 
-METHODS = {str: [_capitalize, _center, _ljust, _removeprefix, _removesuffix, _rjust, _swapcase, _title, _zfill],
+METHODS = {str: [_capitalize, _center, _ljust, _lower, _removeprefix, _removesuffix, _rjust, _swapcase, _title, _upper,
+                 _zfill],
            float: [_is_integer]}
 names = {"_py_str": lambda *given: text(given[0]) if len(given) == 1 else str(*given), "_py_repr": represented,
          "_py_step": _step, "_py_dict": _dict, "_py_list": lambda *items: list(items),
-         "_py_set": lambda *items: set(items), "_py_tuple": lambda *items: items, "format": _format, "round": _round}
+         "_py_set": lambda *items: set(items), "_py_tuple": lambda *items: items, "format": _format,
+         "isinstance": _isinstance, "round": _round}
 names.update({"_py" + each.__name__: _method(each.__name__[1:], each, kind)
               for kind, functions in METHODS.items() for each in functions})

@@ -8,6 +8,7 @@ import _dialect
 import _page
 import _start
 from _clock import names
+from _text import represented
 
 BRACKETS = {list: "[]", tuple: "()", set: "{}", dict: "{}"}
 SHOWN = (bool, int, float, str, type(None)) + tuple(BRACKETS)
@@ -57,7 +58,7 @@ def shown(value, room=LONGEST):
     if room == 0 or kind not in SHOWN or kind is int and not -HUGE < value < HUGE:
         return "..."
     if kind is str:
-        return repr(value[:room])
+        return represented(value[:room])
     return listed(value, BRACKETS[kind], room) if kind in BRACKETS and value else repr(value)
 
 

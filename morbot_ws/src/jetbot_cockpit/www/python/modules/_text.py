@@ -1,4 +1,4 @@
-"""How values look: as in Python, where MicroPython's last digit of a float differs, or an exception's comma."""
+"""How values look: as in Python, where MicroPython's last digit of a float differs, its letters or its commas."""
 
 from _page import digits
 
@@ -7,6 +7,8 @@ BRACKETS = {list: "[]", tuple: "()", set: "{}", dict: "{}"}
 
 def text(value):
     """Return what str() gives of a value."""
+    if type(value) is KeyError and len(value.args) == 1:
+        return represented(value.args[0])
     return represented(value) if type(value) in (float, list, tuple, dict, set) else str(value)
 
 
@@ -15,6 +17,8 @@ def represented(value):
     kind = type(value)
     if kind is float:
         return _decimal(value)
+    if kind is str and "\\" in repr(value):
+        return _quoted(value)
     if isinstance(value, Exception) and repr(value).endswith(",)"):
         return f"{kind.__name__}({represented(value.args[0])})"
     if kind not in BRACKETS or not value:
@@ -23,6 +27,13 @@ def represented(value):
         represented(each) for each in value]
     end = "," if kind is tuple and len(value) == 1 else ""
     return BRACKETS[kind][0] + ", ".join(parts) + end + BRACKETS[kind][1]
+
+
+def _quoted(value):
+    """Return a text between quotation marks; all its letters are shown."""
+    quote = '"' if "'" in value and '"' not in value else "'"
+    parts = [each if each > "\xa0" else "\\" + quote if each == quote else repr(each)[1:-1] for each in value]
+    return quote + "".join(parts) + quote
 
 
 def _decimal(number):
