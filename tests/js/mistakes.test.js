@@ -167,7 +167,7 @@ const TYPES = [
   ["len(5)", "This has no length: number."], ["x = 5[0]", "This has no items to take with [ ]: number."],
   ["x = [1]['a']", "The position of an item is a whole number (0, 1, 2 ...), not: text."],
   ["x = 'abc'\nx[0] = 'b'", "The items of this cannot be changed: text. Those of a list can.", 2],
-  ["x = {[]}", "This cannot be a key of a dictionary, nor be in a set: list."],
+  ["x = set([[]])", "This cannot be a key of a dictionary, nor be in a set: list."],
 ];
 
 const VALUES = [
