@@ -29,6 +29,7 @@ class Page {
 
   get module() {
     return {
+      namespace: () => "/",
       program: () => mark(this.text, pythonLanguage.parser.parse(this.text)),
       at: () => this.pass(this.perLine) && null,
       turn: (seconds) => this.turn(seconds),

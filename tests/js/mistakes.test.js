@@ -17,6 +17,8 @@ const NO_COLUMN = "This line begins in a column in which no line above it begins
 const NO_PICTURES = "is not in the page: programs here see no pictures; run it on the robot with rosrun.";
 const NO_FUNCTION = "What is before “(” is no function, but: module.";
 const FORMAT = "In a text that begins with f, each { needs a name and a }: f\"{x}\"";
+const FORMAT_LESS = "What is in { } is too much for the page's Python: first give it a name, x = ..., then write "
+  + "f\"{x}\"";
 const GIVE = "Give it a value before, or put a text between quotation marks.";
 const UNKNOWN_LINE = "The page's Python does not understand this line. Compare it with an example.";
 const RUN_THERE = "or run the program on the robot with rosrun";
@@ -93,6 +95,7 @@ const COMPILED = [
   ["x = {1: 2, 3}", "Each item of a dictionary is a key, a colon, and a value."],
   ["def f():\n    x = 1\n    global x", "“global” comes first in a function, before the name is used.", 3],
   ["import", UNKNOWN_LINE],
+  ["x = 1\nprint(f'{x = }')", FORMAT_LESS, 2],
 ];
 
 const NAMES = [
@@ -217,6 +220,7 @@ for (const [program, text] of SYNTAX) {
 
 const TWIST = "import rospy\nfrom geometry_msgs.msg import Twist, Vector3\n";
 const NODE = `${TWIST}rospy.init_node("node")\n`;
+const LINEAR = "The message takes all of these values, or none: linear, angular.";
 const PUBLISHER = `${NODE}publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)\nmotion = Twist()\n`;
 
 test("docs/python.md quotes what the page says", () => {
@@ -252,6 +256,25 @@ const NODES = [
     "“number” has no “x”. Write motion.linear.x = 0.1, not motion.linear = 0.1", 7],
   [`${PUBLISHER}from std_msgs.msg import Float32\npublisher.publish(Float32(1))`,
     "The message needs geometry_msgs/Vector3, not std_msgs/Float32.", 7],
+  [`${PUBLISHER}motion.linear.x = 0,5\npublisher.publish(motion)`,
+    "“linear.x” of the message needs a number. A decimal number has a point, and no comma: 0.5", 6],
+  [`${PUBLISHER}publisher.publish(0.5)`, `${LINEAR} First make a message: motion = Twist(), then motion.linear.x = 0.5`,
+    6],
+  [`${PUBLISHER}publisher.publish(Twist)`, `${LINEAR} Do you mean Twist()?`, 6],
+  [`${NODE}def cb():\n    pass\nrospy.Subscriber("cmd_vel", Twist, cb)\nrospy.Publisher("cmd_vel", Twist).publish(Twist())\nrospy.sleep(2)`,
+    "A callback gets one value, such as a message: def cb(message):", 4],
+  [`${NODE}class A:\n    def cb(self):\n        pass\nrospy.Timer(rospy.Duration(1), A().cb)\nrospy.sleep(2)`,
+    "A callback gets one value, such as a message: def cb(self, message):", 5],
+  [`${NODE}rospy.Publisher("/jetbot_02/cmd_vel", Twist, queue_size=1)`,
+    "Nothing in the page hears the topic /jetbot_02/cmd_vel. To drive, the topic is cmd_vel.", 4],
+  [`${NODE}p = rospy.Publisher("cmd_val", Twist)\nrospy.sleep(2)\np.get_num_connections()`,
+    "Nothing in the page hears the topic /cmd_val. To drive, the topic is cmd_vel.", 6],
+  ["import collections\ncollections.Counter('a')",
+    "“collections.Counter” is not in the page: count in a dictionary: counts[x] = counts.get(x, 0) + 1.", 2],
+  ["from itertools import product", "“itertools.product” is not in the page: put a loop into a loop.", 1],
+  ["import re\nre.match('(a)', 'a').groups()", "“match.groups” is not in the page: use group(1).", 2],
+  ["import enum", "“enum” is not in the page: write a class with numbers and texts.", 1],
+  ["import rospkg", "“rospkg” is not in the page: programs here have no files; print what you want to keep.", 1],
   [`${NODE}rospy.Publisher("cmd_vel")`, "The function takes 3 values but gets 2.", 4],
   [`${NODE}rospy.Publisher("cmd_vel", Vector3)`,
     "The topic cmd_vel takes geometry_msgs/Twist, not geometry_msgs/Vector3.", 4],
@@ -275,7 +298,7 @@ test("a line behind the end of the program is its last", () => {
 });
 
 const RIGHT = [
-  "x = 1or 2if 3else 4\n", "x = f'{{{x}}} {y:{w}} {{}}' + F'' + rf'{z!r:>3}'\n",
+  "print(f\"{ {'a': 1}['a'] }\")\n", "x = 1or 2if 3else 4\n", "x = f'{{{x}}} {y:{w}} {{}}' + F'' + rf'{z!r:>3}'\n",
   "def f(a: int = 3, *, b: str = '') -> None: pass\n",
   "x = [y for y in z if y] + [y if y else 0 for y in z]\n", "f(a=1, *b, **c)\n", "x = f(lambda a=1: a)\n",
   "x = a if b else c\n",

@@ -46,8 +46,8 @@ const SENSES = { pose: [0, 0, 0], line: [0.5, 0.5, 0.5], wheels: [0, 0] };
 // Runs a text until its end, or until the condition says that it is enough. Waits take no time.
 // Returns { prints, curves, motions, variables, sentence, line, answers, count, longest }: why it has ended, "" at its
 // end; how often the page had its turn; the number of events, and of the characters of the longest text
-export async function runText(text, { enough = () => false, slow = false } = {}) {
-  const engine = new PythonEngine(text);
+export async function runText(text, { enough = () => false, slow = false, robot = "/" } = {}) {
+  const engine = new PythonEngine(text, robot);
   const found = { prints: [], curves: [], motions: [], sentence: "", line: null, answers: 0, count: 0, longest: 0 };
   let seconds = 0;
   const state = () => {

@@ -214,3 +214,23 @@ for (const [text, line] of [["while true:\n    x = 1\n    pass", 1], ["x = 0\nwh
   ["while True:\n    pass\n    x = 1 / 0", 3], ["while 1:\n    while true:\n        pass\n    x = 1", 2]]) {
   test(`of ${JSON.stringify(text)} line ${line} is marked`, async () => assert.equal((await runText(text)).line, line));
 }
+
+test("a text drives its robot by that one's absolute names, too", async () => {
+  const { motions, prints, sentence } = await runText(`
+import rospy
+from geometry_msgs.msg import Twist, Vector3
+from nav_msgs.msg import Odometry
+rospy.init_node("node")
+publisher = rospy.Publisher("/jetbot_01/cmd_vel", Twist, queue_size=1)
+rospy.wait_for_message("/jetbot_01/odom", Odometry)
+publisher.publish(Twist(linear=Vector3(x=0.5)))
+print(rospy.get_namespace(), rospy.resolve_name("cmd_vel"))`, { robot: "/jetbot_01" });
+  assert.equal(sentence, "");
+  assert.deepEqual([motions, prints], [[[0.5, 0]], ["/jetbot_01/ /jetbot_01/cmd_vel"]]);
+});
+
+test("a text that reads the keyboard is told what to use instead", async () => {
+  const { sentence, line } = await runText("import sys\nsys.stdin.readline()");
+  assert.deepEqual([sentence, line],
+    ["“sys.stdin” is not in the page: give the value to a name at the top of the program.", 2]);
+});

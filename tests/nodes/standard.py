@@ -34,6 +34,7 @@ print(math.hypot(3, 4), math.hypot(), math.hypot(1, 2, 2), math.hypot(1e200, 1e2
 print(math.dist((1, 2), (4, 6)), math.prod([1, 2, 3]), math.prod([], start=2), math.gcd(12, -18), math.isqrt(99))
 print(math.comb(5, 2), math.comb(2, 5), round(math.tau, 5), math.floor(-1.5), math.isclose(1, 1 + 1e-12))
 attempt(math.isqrt, -1)
+attempt(math.comb, 3, -1)
 attempt(math.sqrt, -1)
 attempt(math.dist, (1,), (1, 2))
 items = list(range(10))
@@ -43,6 +44,9 @@ print(sorted(items) == list(range(10)), len(set(random.sample(items, 4))), rando
 print(0 <= random.random() < 1, 2 <= random.uniform(2, 3) <= 3, random.randrange(0, 10, 10), random.choices([5], k=3))
 print(random.choices(["a", "b"], weights=[0, 1], k=2), sum(random.gauss(5, 1) for _ in range(400)) // 400 in (4, 5))
 attempt(random.sample, [1], 2)
+random.seed(7)
+print(random.randint(0, 10 ** 18), random.randrange(10, 0, -3), random.randint(-5, 5))
+attempt(random.randint, 2, 1)
 print(isinstance(1, Number), isinstance(1.5, Number), isinstance("1", Number), isinstance(1.5, Integral))
 print(time.time_ns() > 10 ** 18, time.localtime()[0] > 2020, datetime.datetime.now().year > 2020)
 print(json.loads(json.dumps({"a": [1, None]}))["a"], re.sub("[0-9]+", "n", "a12"), copy.copy([1]))
@@ -58,9 +62,12 @@ print(Optional is not None, len(sys.argv), sys.version_info >= (3, 4))
 #> ValueError
 #> ValueError
 #> ValueError
+#> ValueError
 #> True 4 7 3
 #> True True 0 [5, 5, 5]
 #> ['b', 'b'] True
+#> ValueError
+#> 455200494606748983 10 -4
 #> ValueError
 #> True True False False
 #> True True True

@@ -45,7 +45,7 @@ export class Shown {
   engine(robot) {
     const { text } = this;
     return text === null ? new Interpreter(currentProgram(this.workspace), robot)
-      : import("../python/engine.js").then(({ PythonEngine }) => new PythonEngine(text));
+      : import("../python/engine.js").then(({ PythonEngine }) => new PythonEngine(text, robot.id));
   }
 
   // Shows a program from elsewhere; throws a Refusal.

@@ -27,9 +27,10 @@ export class PythonEngine {
   worker = null;
   /** @type {any} */
   tree = null; // of the text
-  /** @param {string} text of the program */
-  constructor(text) {
-    this.text = text;
+
+  /** @param {string} text of the program @param {string} robot its namespace, "/" or "/jetbot_01" */
+  constructor(text, robot = "/") {
+    Object.assign(this, { text, robot });
     this.needs = { senses: true, eyes: LOOKS.test(text) };
   }
 
@@ -44,7 +45,7 @@ export class PythonEngine {
     this.worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.worker.onmessage = ({ data }) => this.hear(data);
     this.worker.onerror = this.worker.onmessageerror = () => this.hear({ broken: "the worker failed" });
-    await this.ask({ ...needed, program: mark(this.text, this.tree) });
+    await this.ask({ ...needed, program: mark(this.text, this.tree), robot: this.robot });
   }
 
   // Yields the program's events, as Interpreter does. state(): { seconds, senses, slow } as worker.js explains them

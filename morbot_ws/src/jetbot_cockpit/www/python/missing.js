@@ -17,7 +17,7 @@ const ROWS = [
   ["tf tf2_ros tf2_geometry_msgs tf_conversions transformations transforms3d",
     t("the heading is 2 * math.atan2(orientation.z, orientation.w)")],
   ["matplotlib plt pylab seaborn plotly", t("print(\"name\", value) draws a curve")],
-  ["open os.path pathlib shutil glob tempfile pickle csv sqlite3 zipfile rosbag logging", FILES],
+  ["open os.path pathlib shutil glob tempfile pickle csv sqlite3 zipfile rosbag rospkg logging", FILES],
   ["os subprocess signal platform psutil roslaunch rosnode rosgraph", PROGRAMS],
   ["threading multiprocessing concurrent asyncio queue _thread rospy.AsyncSpinner",
     t("do one thing after the other in a loop with rate.sleep()")],
@@ -31,6 +31,9 @@ const ROWS = [
   ["rospy.Service rospy.ServiceProxy rospy.ServiceException rospy.wait_for_service std_srvs actionlib actionlib_msgs "
     + "dynamic_reconfigure", t("the page has topics, but no services and no actions")],
   ["exit quit", t("the program ends after its last line, and sys.exit() ends it before")],
+  ["collections.Counter", t("count in a dictionary: counts[x] = counts.get(x, 0) + 1")],
+  ["itertools.product itertools.permutations itertools.combinations", t("put a loop into a loop")],
+  ["enum dataclasses", t("write a class with numbers and texts")], ["match.groups", t("use group(1)")],
   ["xrange", t("use range")], ["unicode", t("use str")],
 ];
 

@@ -3,13 +3,14 @@
 import { t } from "../language.js";
 import { missing } from "./missing.js";
 import { syntaxProblem } from "./syntax.js";
-import { TYPES } from "./types.js";
+import { joined, POINT, TYPES } from "./types.js";
 import { UNKNOWN } from "./unknown.js";
 
 /** @import { Problem } from "./tokens.js" */
 /** @typedef {{ type: string, message: string, line: number }} Failure */
-/** @typedef {[string, RegExp, (said: any) => string]} Row: types of errors; what MicroPython says;
- * the sentence, of what that names, of the program (source), and of the line that failed (code, number) */
+/** @typedef {[string, RegExp, (said: any) => string | Problem]} Row: types of errors; what MicroPython says;
+ * the sentence, of what that names, of the program (source), and of the line that failed (code, number); with the line
+ * to mark if that is another */
 
 /** @type {Row[]} */
 const COMPILED = [
@@ -28,8 +29,25 @@ const COMPILED = [
   ["SyntaxError", /global$|nonlocal/, () => t("“global” comes first in a function, before the name is used.")],
   ["SyntaxError", /^invalid syntax for /, () => t("This is not a number that Python knows.")],
   ["SyntaxError IndentationError", /./,
-    () => t("The page's Python does not understand this line. Compare it with an example.")],
+    ({ code }) => (/\br?f["']/i.test(code)
+      ? t("What is in { } is too much for the page's Python: first give it a name, x = ..., then write f\"{x}\"")
+      : t("The page's Python does not understand this line. Compare it with an example."))],
 ];
+
+// "motion.linear.x = 0,5" fails where that is published.
+function notNumber({ name, source, number }) {
+  const text = t("“{name}” of the message needs a number.", { name });
+  const comma = new RegExp(`\\.${name.split(".").at(-1)}\\s*=\\s*-?\\d+,\\s*\\d+\\s*(?:#|$)`);
+  const line = source.split("\n").slice(0, number).findLastIndex((each) => comma.test(each)) + 1;
+  return line ? { text: joined(text, POINT), line } : text;
+}
+
+function wrongValues({ text: given, kind }) {
+  const text = given.replace(/[^\w, ]/g, "");
+  const hint = kind ? t("Do you mean {text}?", { text: `${kind}()` })
+    : text === "linear, angular" && t("First make a message: motion = Twist(), then motion.linear.x = 0.5");
+  return joined(t("The message takes all of these values, or none: {text}.", { text }), hint);
+}
 
 /** @type {Row[]} */
 const VALUES = [
@@ -55,13 +73,14 @@ const VALUES = [
   ["RuntimeError", /^(?:maximum recursion depth|pystack)/,
     () => t("A function calls itself again and again: let it end with an if.")],
   ["MemoryError", /^/, () => t("The program needs too much memory: does a list or a text grow without an end?")],
+  ["OSError", /^29$/, () => missing("sys.stdin")],
   ["AssertionError", /^$/, () => t("What “assert” says is not true.")],
   ["ROSException ROSInitException", /not (?:been )?initialized/,
     () => t("“rospy.init_node” comes first: rospy.init_node(\"my_program\")")],
   ["ROSSerializationException SerializationError", /^field (?<name>\S+) must be (?:float|an integer|unsigned)/,
-    ({ name }) => t("“{name}” of the message needs a number.", { name })],
-  ["TypeError", /^Invalid number of arguments, args should be (?<text>.+?) args are/, ({ text }) => t(
-    "The message takes all of these values, or none: {text}.", { text: text.replace(/[^\w, ]/g, "") })],
+    notNumber],
+  ["TypeError", /^Invalid number of arguments, args should be (?<text>.+?) args are(?:\(<class '(?<kind>\w+)'>,\))?/,
+    wrongValues],
   ["TypeError", /^expected \[(?<kind>.*)\] but got \[(?<other>.*)\]$/, ({ kind, other }) => t(
     "The message needs {kind}, not {other}.", { kind, other })],
   ["TypeError", /^(?<name>\S+) carries (?<kind>\S+), not (?<other>\S+)$/,
@@ -80,7 +99,8 @@ export function explain({ type, message, line }, source) {
   const said = { source, code: lines[number - 1], number };
   for (const [types, pattern, sentence] of MISTAKES) {
     const match = types.split(" ").includes(type) && pattern.exec(message);
-    if (match) return { text: sentence({ ...match.groups, ...said }), line: number };
+    const found = match && sentence({ ...match.groups, ...said });
+    if (found) return typeof found === "string" ? { text: found, line: number } : found;
   }
   return { text: message ? `${type}: ${message}` : type, line: number };
 }

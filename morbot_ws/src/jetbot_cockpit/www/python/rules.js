@@ -22,7 +22,7 @@ const DOTTED = ["from", ".", "..."]; // what is before the dots of "from . impor
 const EQUALS = t("= gives a value to a name; == compares two values.");
 
 // A text that begins with f: {{ and }}, {x:{y}}, and anything around
-const FORMATTED = /^[^"']*(?:[^{}]|\{\{|\}\}|\{(?=\s*[^\s{}:!=])(?:[^{}]|\{[^{}]*\})*\})*$/s;
+const FORMATTED = /^[^"']*(?:[^{}]|\{\{|\}\}|\{(?=\s+\{|\s*[^\s{}:!=])(?:[^{}]|\{[^{}]*\})*\})*$/s;
 
 // Words of other languages
 const DECLARES = ["var", "let", "const", "int", "float", "double", "string", "auto"];

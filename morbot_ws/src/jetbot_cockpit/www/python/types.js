@@ -5,7 +5,7 @@ import { t } from "../language.js";
 export const NO_RESULT = t("A function without return gives None.");
 export const CALL = t("A function is called with brackets after its name: f()");
 const CONVERT = t("str(x) makes a text of a number, float(x) a number of a text.");
-const POINT = t("A decimal number has a point, and no comma: 0.5");
+export const POINT = t("A decimal number has a point, and no comma: 0.5");
 const ITEM = t("An item is taken with square brackets: x[0]");
 export const SELF = t("The first parameter of a method is self: def name(self):");
 const WHOLE = t("int(x) makes a whole number of x.");
@@ -50,6 +50,8 @@ const ofFunction = ({ count, got }) => t(
 
 function wrongCount({ name, needed, given, source, code }) {
   const isMethod = new RegExp(`^[ \\t]+def\\s+${name}\\s*\\(`, "m").test(source);
+  const isCallback = new RegExp(`\\b(?:Subscriber|Timer)\\(.*\\b${name}\\b`).test(source);
+  if (isCallback && given - needed === 1 && !code.includes(`${name}(`)) return callback(name, isMethod, source);
   const hasSelf = new RegExp(`\\bdef\\s+${name}\\s*\\(\\s*self\\b`).test(source);
   if (isMethod && !hasSelf && code.includes(`.${name}(`)) return SELF;
   const isMade = name === "__init__";
@@ -57,6 +59,13 @@ function wrongCount({ name, needed, given, source, code }) {
   if (isMade) return ofFunction({ count, got });
   return t("{name}() takes {count} value but gets {got}.|{name}() takes {count} values but gets {got}.",
            { name, count, got });
+}
+
+// Returns what is said of a callback, and the line on which it begins.
+function callback(name, isMethod, source) {
+  const line = source.split("\n").findIndex((each) => new RegExp(`\\bdef\\s+${name}\\b`).test(each)) + 1;
+  const text = `def ${name}(${isMethod ? "self, " : ""}message):`;
+  return { line, text: t("A callback gets one value, such as a message: {text}", { text }) };
 }
 
 /** @import { Row } from "./mistakes.js" */

@@ -69,6 +69,8 @@ function noAttribute({ kind, owner, name, source }) {
 /** @type {Row[]} */
 export const UNKNOWN = [
   ["NotHere", /^(?<name>.+)$/, ({ name }) => missing(name)],
+  ["NotHeard", /^(?<name>.+)$/, ({ name }) => t(
+    "Nothing in the page hears the topic {name}. To drive, the topic is {text}.", { name, text: "cmd_vel" })],
   ["NameError", /^name '(?<name>.+)' isn't defined$/, unknownName],
   ["NameError", /^local variable/, unassigned],
   ["ImportError", /^no module named '(?<name>.+)'$/, noModule],

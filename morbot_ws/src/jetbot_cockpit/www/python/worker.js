@@ -104,8 +104,8 @@ function forget() {
 
 async function main() {
   await answer(); // what is to be run
-  const { wasm, files, program } = state;
-  await machine.load({ wasm, files, page: { ...page, program: () => program }, written: write });
+  const { wasm, files, program, robot } = state;
+  await machine.load({ wasm, files, page: { ...page, program: () => program, namespace: () => robot }, written: write });
   forget();
   postMessage({ events, variables: null }); // it is ready
   await answer();

@@ -58,6 +58,8 @@ def isqrt(number):
 
 
 def comb(n, k):
+    if n < 0 or k < 0:
+        raise ValueError("n and k must be non-negative integers")
     result = 1
     for i in range(min(k, n - k)):
         result = result * (n - i) // (i + 1)

@@ -1,4 +1,4 @@
-"""Python's random, with its generator: the same seed gives the same numbers as on a computer."""
+"""Python's random, with its generator: the same whole number as a seed gives the same numbers as on a computer."""
 
 from math import ceil, cos, exp, log, pi, sin, sqrt
 from time import time
@@ -57,10 +57,11 @@ class Random:
         return number
 
     def randrange(self, start, stop=None, step=1):
-        numbers = range(start) if stop is None else range(start, stop, step)
-        if not numbers:
+        start, stop = (0, start) if stop is None else (start, stop)
+        count = (stop - start + step + (-1 if step > 0 else 1)) // step
+        if count <= 0:
             raise ValueError(f"empty range for randrange() ({start}, {stop}, {step})")
-        return numbers[self._below(len(numbers))]
+        return start + step * self._below(count)
 
     def randint(self, a, b):
         return self.randrange(a, b + 1)

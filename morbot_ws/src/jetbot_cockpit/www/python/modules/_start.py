@@ -15,7 +15,7 @@ MODULES = set("""
     typing
 """.split())
 LONGEST = 10000  # characters of a line that has no end
-NAMESPACE = f"/{getattr(_page, 'namespace', '')}/".replace("//", "/")  # of the robot's topics
+NAMESPACE = _page.namespace().rstrip("/") + "/"  # of the robot's topics
 
 _import = builtins.__import__
 _unfinished = ""  # line
@@ -23,6 +23,10 @@ _unfinished = ""  # line
 
 class NotHere(Exception):
     """A program asks for what the page does not have. Its message is the name of that alone."""
+
+
+class NotHeard(Exception):
+    """A program publishes, or waits to, on a topic that nothing in the page hears. Its message is the name alone."""
 
 
 def lacking(module):

@@ -101,9 +101,12 @@ def on_shutdown(h):
 
 
 def signal_shutdown(reason):
-    """End the node: first its functions run, and may still publish."""
-    functions, _at_shutdown[:] = list(_at_shutdown), []
-    for function in functions:
-        function()
-    _node["shutdown"] = True
-    _clock.tasks.clear()
+    """End the node: first its functions run, also after one that fails, and may still publish."""
+    try:
+        while _at_shutdown:
+            _at_shutdown.pop(0)()
+    finally:
+        if _at_shutdown:
+            signal_shutdown(reason)
+        _node["shutdown"] = True
+        _clock.tasks.clear()

@@ -1,7 +1,7 @@
 """Publishers and subscribers: the robot's topics, and the program's own."""
 
 import _clock
-from _start import NAMESPACE, NotHere, drive
+from _start import NAMESPACE, NotHeard, NotHere, drive
 from genpy import Duration, Message, SerializationError, received
 
 from .core import is_initialized, is_shutdown, resolve_name
@@ -11,7 +11,7 @@ from .robot import TOPICS, senses
 CMD_VEL = NAMESPACE + "cmd_vel"
 INTERVAL = 0.1  # s after which the robot reports the same again
 SOON = 0.01  # s in which a message arrives that the program publishes itself
-GRACE = 1  # s in which a program may begin to publish what it subscribes to
+GRACE = 1  # s in which a program may begin to publish what it subscribes to, and the other way round
 
 _of_robot = {NAMESPACE + name: row for name, row in TOPICS.items()}
 _types = {name: row[0] for name, row in _of_robot.items()}
@@ -50,10 +50,16 @@ class Publisher(_Topic):
     def __init__(self, name, data_class, subscriber_listener=None, tcp_nodelay=False, latch=False, headers=None,
                  queue_size=None):
         super().__init__(name, data_class, _publishers)
-        self._latch = latch
+        self._latch, self._since = latch, _clock.seconds()
+        if self.name.endswith("/cmd_vel") and self.name != CMD_VEL:
+            raise NotHeard(self.name)  # another robot's
 
     def get_num_connections(self):
-        return int(self.name == CMD_VEL or bool(_subscribers.get(self.name)))
+        """Return whether anybody hears; raise NotHeard once nobody has for too long: the program may wait for it."""
+        heard = self.name == CMD_VEL or bool(_subscribers.get(self.name))
+        if not heard and _clock.seconds() - self._since > GRACE:
+            raise NotHeard(self.name)
+        return int(heard)
 
     def publish(self, *args, **kwds):
         if not self.resolved_name:
