@@ -9,7 +9,6 @@ const HEAP = 2 * 1024 * 1024; // bytes, to begin with
 const STACK = 64 * 1024; // bytes of Python's own stack
 const SUSPENDED = 512 * 1024; // bytes for what is on the stack of a program that waits
 const ROOM = 40 * 1024; // bytes of WebAssembly's stack for what is evaluated; MicroPython leaves 32 kB unused
-const COLLECT_EVERY = 500; // ms
 const CALLS = ["call0", "call1", "call2", "calln"];
 // What a program may use, whatever it does to MicroPython: its memory, the time, the page's functions
 const HARMLESS = /^(?:invoke_|mp_js_|emscripten_|_emscripten_|_abort_js|proxy_js_free|js_check_existing|call[012n]$)/;
@@ -68,7 +67,6 @@ export class Machine {
   /** @type {Promise<void> | null} */
   pending = null; // what a function of the page waits for
   evaluates = false;
-  collectedAt = 0;
   place = 0; // the address of `suspended`
   /** @type {any} */
   program = null; // Python's objects
@@ -163,19 +161,18 @@ export class Machine {
       this.wasm.asyncify_stop_unwind();
       await this.pending;
       this.pending = null;
-      if (performance.now() - this.collectedAt > COLLECT_EVERY) this.collect();
+      this.collect();
       this.wasm.asyncify_start_rewind(this.place);
     }
   }
 
-  // Lets MicroPython collect garbage if it needs to.
+  // Lets MicroPython collect garbage if it has needed to since the last time.
   collect() {
     const [top, base] = [this.wasm.emscripten_stack_get_current(), this.wasm.emscripten_stack_get_base()];
     const [end, most] = this.words(this.place, 2);
     if (end + base - top > most) return;
     this.words(end, (base - top) / 4).set(this.words(top, (base - top) / 4));
     this.nothing(); // any call: this one needs none of Python's stack, of which a deep program leaves nothing
-    this.collectedAt = performance.now();
   }
 
   // Returns what a function of Python's returns, also while the program waits; it must not wait itself. Returns null
