@@ -8,7 +8,7 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
 from .cockpit_page import PAGE_TIMEOUT
-from .conftest import ROBOT
+from .conftest import ROBOT, TABLET
 from .programs import drive, program
 from .test_page import DESKTOP
 from .test_program import FORWARD, SMALL, TABLETS, close, undisturbed
@@ -185,7 +185,33 @@ def test_where_a_text_fails_stays_marked_and_in_sight_until_it_is_changed(blocks
     assert not page.outside("#text .failed", "#text")
     world.wait_for_stop(ROBOT)
     type_at_end(page, "#")
+    page.wait_for_text("outcome", "Press Run.")
     assert not marked(page, "failed")
+
+
+def test_after_a_run_the_person_sees_the_part_of_the_text_that_was_in_sight_before(blocks):
+    page = text(blocks, NODE + "\n" * 60 + "for count in range(20):\n    publisher.publish(motion)\n    rate.sleep()\n")
+    down = partial(page.run, "return document.querySelector('#text .cm-scroller').scrollTop")
+    page.run("document.querySelector('#text .cm-scroller').scrollTop = 300")
+
+    def act():
+        page.click("#run")
+        page.wait_for(lambda: down() > 600, "the line that runs")
+        page.wait_for_text("outcome", "The program has ended.")
+    blocks.undisturbed(act)
+    page.wait_for(lambda: down() == 300, "the part that was in sight")
+
+
+def test_while_a_text_is_paused_its_variables_are_in_sight_above_many_prints(blocks):
+    page = text(blocks, NODE + "while True:\n    print(count)\n    count += 1\n    rate.sleep()\n")
+
+    def act():
+        page.click("#run")
+        page.wait_for(lambda: page.text("prints").count("\n") > 20, "many prints")
+        page.click("#pause")
+        page.wait_for(lambda: not page.outside("#variables", "#output"), "the variables")
+    blocks.undisturbed(act)
+    page.click("#end")
 
 
 def test_a_text_from_a_file_is_opened_and_saved_as_it_is_and_what_could_hide_goes(blocks, tmp_path):
@@ -285,6 +311,8 @@ def test_the_text_is_large_and_all_of_the_page_fits_tablets_and_phones(blocks):
     page = text(blocks, ENDLESS)
     for screen in [*TABLETS, DESKTOP]:
         page.resize(*screen)
+        if screen == TABLET:
+            assert page.run("return document.getElementById('bar').clientHeight") < 60, "one row"
         page.wait_for(lambda: page.fits("run", "pause", "step", "end", "stop", "release", "text", "view", "output"),
                       f"all on {screen}")
         assert page.overlapping() == [], screen

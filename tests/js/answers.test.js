@@ -15,14 +15,15 @@ test("of an answer the page takes what an engine understands, and nothing else",
 });
 
 for (const answer of [null, 5, "text", [], {}, { events: 5 }, { events: { length: 5 } }, { over: 1 }, { variables: 5 },
-  ...[null, 5, "x", { step: "<b>" }, { step: 1.5 }, { wait: "1" }, { print: { toString: 1 } }, { name: "x", value: "1" },
+  ...[null, 5, "x", { step: "<b>" }, { step: 1.5 }, { wait: "1" }, { print: { length: 1 } }, { name: "x", value: "1" },
     { motion: 5 }, { motion: ["1", "2"] }, { publish: true }, { send: {} }].map((event) => ({ events: [event] }))]) {
   test(`${JSON.stringify(answer)} is no answer`, () => assert.deepEqual(checked(answer), NOTHING));
 }
 
 test("what is too much is cut", () => {
   const long = "x".repeat(1e6);
-  const variables = JSON.stringify(Array.from({ length: 500 }, (_, index) => [`${index}${"x".repeat(150)}`, "x".repeat(150)]));
+  const name = "x".repeat(150);
+  const variables = JSON.stringify(Array.from({ length: 500 }, (_, index) => [index + name, name]));
   const answer = checked({ events: Array(1000).fill({ print: long }), variables, broken: long,
     problem: { type: long, message: long, line: "x" } });
   assert.equal(answer.events.length, 100);

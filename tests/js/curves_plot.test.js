@@ -3,9 +3,11 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 
+import { Drive } from "#www/curves/drive.js";
 import { Path } from "#www/curves/path.js";
+import { heightOf, Plot } from "#www/curves/plot.js";
 import { axis, scaleOf, ticks } from "#www/curves/scale.js";
-import { digits } from "#www/curves/series.js";
+import { digits, printedStrip } from "#www/curves/series.js";
 import { LEFT, Timeline } from "#www/curves/timeline.js";
 import { Track } from "#www/curves/track.js";
 
@@ -113,11 +115,47 @@ test("an axis has all values in it, also those that nobody expects, and some hei
 test("the numbers beside an axis are round, in order and few", () => {
   assert.deepEqual(ticks(-1, 1, 5).map((each, _, all) => axis(each, all)), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
   assert.deepEqual(ticks(0, 7.3, 4).map((each, _, all) => axis(each, all)), ["0", "2", "4", "6"]);
+  assert.deepEqual(ticks(0, 1e14, 4).map((each, _, all) => axis(each, all)), ["0", "5e13", "1e14"]);
+  assert.deepEqual(ticks(-3e-9, 0, 4).map((each, _, all) => axis(each, all)), ["−3e−9", "−2e−9", "−1e−9", "0.000000000"]);
   assert.deepEqual(ticks(0.301, 0.309, 5).map((each, _, all) => axis(each, all)),
     ["0.302", "0.304", "0.306", "0.308"]);
 });
 
 test("a value is read with as many digits as it deserves", () => {
-  assert.deepEqual([[0.25, 2], [-0.001, 2], [1 / 3, null], [-12345.678, null], [null, 2], [-89.6, 0]]
-    .map(([value, places]) => digits(value, places)), ["0.25", "0.00", "0.3333", "−12350", "–", "−90"]);
+  assert.deepEqual([[0.25, 2], [-0.001, 2], [1 / 3, null], [-12345.678, null], [null, 2], [-89.6, 0], [1e14, null]]
+    .map(([value, places]) => digits(value, places)), ["0.25", "0.00", "0.3333", "−12350", "–", "−90", "1e14"]);
 });
+
+// Returns a context that notes what is written: [text, from, to, down] in px, each character 7 px wide.
+function notedContext() {
+  const texts = [];
+  const context = {
+    texts, measureText: (text) => ({ width: 7 * text.length }),
+    fillText(text, right, down, most = Infinity) {
+      const width = Math.min(most, 7 * text.length);
+      const from = right - width * { left: 0, center: 0.5, right: 1 }[this.textAlign];
+      texts.push([text, from, from + width, down]);
+    },
+  };
+  for (const name of ["fillRect", "save", "restore", "beginPath", "rect", "clip", "moveTo", "lineTo", "stroke", "arc",
+    "fill", "setLineDash"]) context[name] = () => {};
+  return context;
+}
+
+for (const [what, values] of Object.entries({ "from 0 on": [0, 1795710423313], "alike": [1795710423312, 1795710423313] })) {
+  test(`eight printed curves of large values ${what} are read on a narrow screen`, () => {
+    const [drive, names] = [new Drive(1, 0), Array.from({ length: 8 }, (_, index) => `distance ${index}`)];
+    for (const name of names) values.forEach((value, time) => drive.print(name, value, time));
+    timeline.canvas.clientWidth = 330;
+    const [context, strips] = [notedContext(), [printedStrip([drive])]];
+    const height = heightOf(strips, context, 330);
+    new Plot(context, timeline, {}).draw(strips, [["current", drive, Infinity]], height);
+    const legend = names.map((name) => context.texts.find(([text]) => text.startsWith(name)));
+    assert.ok(legend.every(([text]) => text.endsWith("1.796e12")));
+    for (const [text, from, to, down] of context.texts) {
+      assert.ok(from >= 0 && to <= 330 && down > 0 && down < height, `${text} from ${from} to ${to} at ${down}`);
+      const near = legend.filter((each) => each[0] !== text && each[1] < to && from < each[2]);
+      assert.ok(near.every((each) => Math.abs(each[3] - down) > 12), `${text} is over ${near}`);
+    }
+  });
+}

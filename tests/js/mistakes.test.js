@@ -170,7 +170,7 @@ const TYPES = [
   ["len(5)", "This has no length: number."], ["x = 5[0]", "This has no items to take with [ ]: number."],
   ["x = [1]['a']", "The position of an item is a whole number (0, 1, 2 ...), not: text."],
   ["x = 'abc'\nx[0] = 'b'", "The items of this cannot be changed: text. Those of a list can.", 2],
-  ["x = {[]}", "This cannot be a key of a dictionary, nor be in a set: list."],
+  ["x = set([[]])", "This cannot be a key of a dictionary, nor be in a set: list."],
 ];
 
 const VALUES = [
@@ -261,8 +261,8 @@ const NODES = [
   [`${PUBLISHER}publisher.publish(0.5)`, `${LINEAR} First make a message: motion = Twist(), then motion.linear.x = 0.5`,
     6],
   [`${PUBLISHER}publisher.publish(Twist)`, `${LINEAR} Do you mean Twist()?`, 6],
-  [`${NODE}def cb():\n    pass\nrospy.Subscriber("cmd_vel", Twist, cb)\nrospy.Publisher("cmd_vel", Twist).publish(Twist())\nrospy.sleep(2)`,
-    "A callback gets one value, such as a message: def cb(message):", 4],
+  [`${PUBLISHER}def cb():\n    pass\nrospy.Subscriber("cmd_vel", Twist, cb)\npublisher.publish(motion)\nrospy.sleep(2)`,
+    "A callback gets one value, such as a message: def cb(message):", 6],
   [`${NODE}class A:\n    def cb(self):\n        pass\nrospy.Timer(rospy.Duration(1), A().cb)\nrospy.sleep(2)`,
     "A callback gets one value, such as a message: def cb(self, message):", 5],
   [`${NODE}rospy.Publisher("/jetbot_02/cmd_vel", Twist, queue_size=1)`,

@@ -10,6 +10,7 @@ test("a text without its first line is started by Python all the same, and needs
   assert.match(text, /> scripts\/program\.py <<'END'\n\|#!\/usr\/bin\/env python3\n\|import rospy\n/);
   for (const name of ["rospy", "sensor_msgs"]) assert.ok(text.includes(`<exec_depend>${name}</exec_depend>`));
   assert.ok(!text.includes("<exec_depend>nav_msgs"));
+  assert.ok(text.includes("<description>Drives a JetBot.</description>"), "not of blocks");
 });
 
 test("a text with its first line is packed as it is", () => {

@@ -5,7 +5,7 @@ import { Worker as Thread } from "node:worker_threads";
 
 const BOOT = `
 import { parentPort, workerData } from "node:worker_threads";
-const names = "fetch XMLHttpRequest WebSocket EventSource BroadcastChannel Worker importScripts indexedDB caches navigator";
+const names = "fetch XMLHttpRequest WebSocket EventSource Worker importScripts indexedDB caches navigator";
 for (const name of names.split(" ")) globalThis[name] ??= {};
 globalThis.postMessage = (message) => {
   parentPort.postMessage({ ...message, reach: names.split(" ").filter((name) => name in globalThis) });

@@ -1,5 +1,7 @@
 // What pupils' Python may do on the page: it reaches nothing but its robot, and what it keeps and sends is bounded.
 
+/* eslint max-len: 0 -- a program is a line of its table */
+
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -227,3 +229,8 @@ test("a text that reads the keyboard is told what to use instead", async () => {
   assert.deepEqual([sentence, line],
     ["“sys.stdin” is not in the page: give the value to a name at the top of the program.", 2]);
 });
+
+for (const [text, line] of [["while true:\n    x = 1\n    pass", 1], ["x = 0\nwhile [1][x]:\n    x += 1\n    y = x", 2],
+  ["while True:\n    pass\n    x = 1 / 0", 3], ["while 1:\n    while true:\n        pass\n    x = 1", 2]]) {
+  test(`of ${JSON.stringify(text)} line ${line} is marked`, async () => assert.equal((await runText(text)).line, line));
+}

@@ -305,6 +305,22 @@ test("what the cockpit has refused is shown again for its robot, and named while
   assert.deepEqual(state.programs.map(({ name }) => name), ["Second"]);
 });
 
+test("what the cockpit refuses of one robot's programs is not said beside another robot's", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t);
+  const page = openPage();
+  await page.hear();
+  state.refuses = refuse(409, "There is no room.");
+  page.edit("Mine");
+  await clock.pass(1000);
+  assert.equal(page.said, "There is no room.");
+  await page.hear("/blue");
+  const again = openPage();
+  await again.hear("/blue");
+  await clock.pass(1000);
+  assert.deepEqual([page.said, again.said], [NEW, NEW]);
+});
+
 test("what is said of a program that is not shown goes once that is kept", async (t) => {
   const clock = new Clock(t);
   const state = cockpit(t, [square()]);

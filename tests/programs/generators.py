@@ -18,10 +18,10 @@ def plan():
 
 rospy.init_node("generators")
 publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
-rate = rospy.Rate(5)
 motion = Twist()
 while publisher.get_num_connections() == 0:
     rospy.sleep(0.1)
+rate = rospy.Rate(5)  # begins with the drive
 for motion.linear.x in plan():
     publisher.publish(motion)
     rate.sleep()

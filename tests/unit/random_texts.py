@@ -29,13 +29,15 @@ EXPRESSIONS = {kind: forms(text) for kind, text in {
         |len(list(range({i} % 7)))|next(iter({l}))|len({s}.split())|counter.count|counter.add({i})|hash({i} % 99)
         |bool({s}) + {i} % 5|int({f} // 1)|{l}[-1]|max({l}, key=lambda each: -each)|min({i}, {i}, {i})""",
     FLOAT: """({f} + {f})|({f} - {i})|({f} * {f})|({i} / {i})|({f} / {f})|({f} % {f})|({f} // {f})|float({i} % 9999)
-        |abs({f})|round({f}, {i} % 4)|max({f}, {f})|math.sqrt({f})|round(math.sin({f} % 7), 9)|math.floor({f}) / 2|(-{f})
+        |abs({f})|round({f}, {i} % 4)|max({f}, {f})|math.sqrt({f})|round(math.sin({f} % 7), 9)|math.floor({f}) / 2
+        |(-{f})
         |float(str({f}))|round(math.atan2({f}, {f}), 9)|sum({l}) / len({l})|math.radians({f} % 360)
         |math.fabs({f})|float({s})|math.pi|(2 ** -({i} % 5))|math.degrees({f} % 7)
         |math.copysign({f}, {f})|math.fmod({f}, 7.5)|({f} if {b} else {f})|round({f} * 100) / 100""",
     STR: """({s} + {s})|({s} * ({i} % 4))|str({i})|str({f})|repr({s})|{s}.upper()|{s}[{i}:]|{s}[:{i}]|{s}[::-1]|{s}[{i}]
         |'-'.join(sorted({d}))|f"{{{I}}} {{{F}:.2f}}"|f"{{{S}!r:>8}}:{{{I}:05d}}"|"%d %s" % ({i}, {s})|"%.3f" % {f}
-        |"%5d:%-6s:" % ({i}, {s})|"{{}} {{}}".format({i}, {s})|"{{:>6.1f}}".format({f})|"{{0}}{{1}}{{0}}".format({s}, {i})
+        |"%5d:%-6s:" % ({i}, {s})|"{{}} {{}}".format({i}, {s})|"{{:>6.1f}}".format({f})
+        |"{{0}}{{1}}{{0}}".format({s}, {i})
         |{s}.replace('a', {s})|{s}.strip()|str({l})|str({d})|','.join([str(each) for each in {l}])|str({b})|{s}.title()
         |({s} if {b} else {s})|"".join(reversed({s}))|{s}.split()[0]|{s}.center(9)|str(({i}, {s}))|"%s" % ({l},)
         |f"{{{F}:8.3f}}"|f"{{{I}:>6}}"|f"{{{I} % 99:+d}}"|f"{{{F}:e}}"|f"{{{F}:g}}"|"%g" % {f}|"%e" % {f}|hex({i} % 999)
@@ -45,29 +47,41 @@ EXPRESSIONS = {kind: forms(text) for kind, text in {
         |repr({f})|str(set())|str({s}.encode())|f"{{{S}}}{{{I}}}"|str(-0.0 * {i})""",
     LIST: """[{i}, {i}]|({l} + {l})|sorted({l})|sorted({l}, reverse={b})|{l}[{i} % 3:]|{l}[::-1]|list(range({i} % 6))
         |[each + 1 for each in {l}]|[each for each in {l} if each > {i}]|list(map(abs, {l}))|list({d}.values())|{l} * 2
-        |list(filter(None, {l}))|[a * b for a, b in zip({l}, {l})]|list(reversed({l}))|sorted({l}, key=lambda e: (abs(e), e))
+        |list(filter(None, {l}))|[a * b for a, b in zip({l}, {l})]|list(reversed({l}))
+        |sorted({l}, key=lambda e: (abs(e), e))
         |[n for n, _ in enumerate({l})]|list(gen({i} % 5))|[x for y in [{l}, {l}] for x in y]|[*{l}, {i}]
-        |[first for first, *rest in [({i}, {i})]]|{l}[::2]|{l}[-2:]|list({l})|sorted(set({l}))|[int(c) for c in str({i} % 99)]
+        |[first for first, *rest in [({i}, {i})]]|{l}[::2]|{l}[-2:]|list({l})|sorted(set({l}))
+        |[int(c) for c in str({i} % 99)]
         |list(range({i} % 9, {i} % 9, -2))|{l}.copy()|[{i} for _ in range(2)]|[len(w) for w in {s}.split()]""",
     DICT: """dict({d})|{{**{d}, 'k': {i}}}|{{{s}: {i}}}|{{key: value + 1 for key, value in {d}.items()}}
         |dict(zip('abc', {l}))|dict(a={i}, b={i})|{{str(each): each for each in {l}}}|{d}.copy()""",
-    BOOL: """({i} < {i})|({i} == {i})|({f} > {f})|({s} == {s})|({s} in {s})|({i} in {l})|({s} in {d})|not {b}|({b} and {b})
-        |({b} or {b})|({l} == {l})|{s}.startswith({s})|isinstance({i}, int)|any({l})|all({l})|bool({l})|({i} <= {i} < {i})
+    BOOL: """({i} < {i})|({i} == {i})|({f} > {f})|({s} == {s})|({s} in {s})|({i} in {l})|({s} in {d})|not {b}
+    |({b} and {b})
+        |({b} or {b})|({l} == {l})|{s}.startswith({s})|isinstance({i}, int)|any({l})|all({l})|bool({l})
+        |({i} <= {i} < {i})
         |{s}.isdigit()|({s} < {s})|({l} < {l})|({f} == {i})|({i} != {f})|callable(f)|({d} == {d})
         |any(each > 2 for each in {l})|{s}.endswith('c')|math.isnan({f})|math.isclose({f}, {f})|{s}.isalpha()""",
 }.items()}
 # Forms of statements; # is a block of them.
-STATEMENTS = forms("""{I} = {i}|{F} = {f}|{S} = {s}|{L} = {l}|{D} = {d}|print({i}, {f}, {s})|print({l}, {d})|print({b}, {s}, sep='-')
+STATEMENTS = forms("""{I} = {i}|{F} = {f}|{S} = {s}|{L} = {l}|{D} = {d}|print({i}, {f}, {s})|print({l}, {d})
+    |print({b}, {s}, sep='-')
     |{I} += {i}|{I} -= {i}|{F} *= {f}|{F} /= {f}|{S} += {s}|{L}.append({i})|{L}.sort()|{L}.insert(0, {i})|{L}.pop()
     |{L}.extend({l})|{L}.remove({i})|{L}[0] = {i}|{D}[{s}] = {i}|del {D}[{s}]|{D}.update({d})|{D}.pop({s})|{L}.reverse()
-    |{I}, {F} = {i}, {f}|{I}, *{L} = {l}|if {b}:#|if {b}:#else:#|if {b}:#elif {b}:#else:#|for {I} in {l}:#|for {I} in range({i} % 5):#
+    |{I}, {F} = {i}, {f}|{I}, *{L} = {l}|if {b}:#|if {b}:#else:#|if {b}:#elif {b}:#else:#|for {I} in {l}:#
+    |for {I} in range({i} % 5):#
     |for {S} in {d}:#|for {I}, {S} in enumerate({s}):#|for {S} in {s}[:3]:#|for {I} in range({i} % 3):#else:#
-    |try:#except Exception as e: print(type(e).__name__)|try:#except (ValueError, KeyError):#except ZeroDivisionError:#else:#finally:#
-    |try:#finally:#|while {I} > 0 and counter.left():#{I} -= 3|print(f({i}))|assert {b}, {s}|{L} = [{i} for {I} in {l}]|{I} //= {i}
-    |print({f}, end=' ')|print(*{l})|{I} **= 2; {I} %= 1000|print({d}.items())|print(list({d}.keys()), {f})|{L}[1:2] = {l}
-    |raise ValueError({s})|print(sorted({d}.items()))|print("%s %r" % ({s}, {f}))|print({s} % {i})|{L}.clear()|pass|print({f})
-    |print(h({i}, {l}))|print(min({f}, {f}), {i})|if {b}: print({i})|print(counter)|print({f} < {i} or {s})|print(repr({l}), {f})
-    |print({i} + {s})|print({s}[{s}])|print({l}.foo)|print(undefined)|print(f({i}, {i}))|print(len({i}))|print({d}[{i}])""")
+    |try:#except Exception as e: print(type(e).__name__)
+    |try:#except (ValueError, KeyError):#except ZeroDivisionError:#else:#finally:#
+    |try:#finally:#|while {I} > 0 and counter.left():#{I} -= 3|print(f({i}))|assert {b}, {s}
+    |{L} = [{i} for {I} in {l}]|{I} //= {i}
+    |print({f}, end=' ')|print(*{l})|{I} **= 2; {I} %= 1000|print({d}.items())|print(list({d}.keys()), {f})
+    |{L}[1:2] = {l}
+    |raise ValueError({s})|print(sorted({d}.items()))|print("%s %r" % ({s}, {f}))|print({s} % {i})|{L}.clear()|pass
+    |print({f})
+    |print(h({i}, {l}))|print(min({f}, {f}), {i})|if {b}: print({i})|print(counter)|print({f} < {i} or {s})
+    |print(repr({l}), {f})
+    |print({i} + {s})|print({s}[{s}])|print({l}.foo)|print(undefined)|print(f({i}, {i}))|print(len({i}))
+    |print({d}[{i}])""")
 
 FUNCTIONS = """import math
 

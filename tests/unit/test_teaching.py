@@ -113,7 +113,8 @@ def says(text, quote):
         parts = re.split(r"\{\w+\}", first)
         has_words = re.search(r"\w{4}", "".join(parts))  # others have only values, and say all
         return quote == first or has_words and re.fullmatch(".+".join(map(re.escape, parts)), quote)
-    return f"{first} ".startswith(f"{quote} ") or re.fullmatch(".+".join(map(re.escape, [first, *others])), quote)
+    return f"{first} ".startswith(f"{quote} ") or any([first, *others]) and re.fullmatch(
+        ".+".join(map(re.escape, [first, *others])), quote)
 
 
 @pytest.mark.parametrize("quote", sorted({quote for quote in re.findall(r"\*\*([^*]+)\*\*", REAL_ROBOTS)

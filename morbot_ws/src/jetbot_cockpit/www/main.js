@@ -11,7 +11,7 @@ import { t } from "./language.js";
 import { RobotMap } from "./map.js";
 import { showPanel } from "./panel.js";
 import { describeSteering } from "./place.js";
-import { Shell } from "./shell.js";
+import { NOT_LOADED, Shell } from "./shell.js";
 import { showSwitches } from "./switches.js";
 import { prepareViews, showScores } from "./views.js";
 import { calledOf } from "./world.js";
@@ -113,10 +113,12 @@ function showTasks(tasks) {
   showSwitches(element("task-switches"), tasks, send);
 }
 
-async function showCurves(on) {
-  const { loadCurves } = await import("./curves/panel.js");
-  curves ??= await loadCurves(shell, element("view"), () => null, () => showCurves(false));
-  curves.show(on);
+function showCurves(on) {
+  const load = ({ loadCurves }) => loadCurves(shell, element("view"), () => null, () => showCurves(false));
+  import("./curves/panel.js").then(load).then((loaded) => {
+    curves = loaded;
+    curves.show(on);
+  }, () => notice.show(NOT_LOADED));
 }
 
 // The page sees no finger and no key any more.

@@ -14,7 +14,6 @@ export class Controls {
   hidden = new WeakSet(); // drives
   /** @type {any[]} */
   listed = []; // drives, each with its button
-  titles = ""; // on these
 
   // curves: see panel.js; close(): shows what was there before, null: something else does
   constructor(curves, close) {
@@ -30,8 +29,8 @@ export class Controls {
       button("out", "−", () => timeline.zoom(1 / ZOOM), t("Zoom out")),
       button("fit", t("Fit"), () => timeline.all(), t("Show the whole drive")),
       button("save", t("CSV"), () => this.save(), t("Save as a table")));
-    toggles.append(...this.strips.map(([, each]) => each), this.earlier);
-    this.root.append(tools, toggles);
+    toggles.append(...this.strips.map(([, each]) => each));
+    this.root.append(tools, toggles, this.earlier);
   }
 
   isOn(id) {
@@ -57,10 +56,15 @@ export class Controls {
     setText(this.pause, this.curves.held ? t("Go on") : t("Pause"));
     for (const [id, each] of this.strips) each.ariaPressed = String(this.isOn(id));
     const { kept } = this.curves.held ?? this.curves.drives;
-    const titles = kept.map(titleOf).join("\n");
-    if (titles !== this.titles) this.list(kept);
-    this.titles = titles;
+    if (!this.lists(kept)) this.list(kept);
     for (const [drive, each] of this.listed.slice(1)) each.ariaPressed = String(this.shows(drive));
+  }
+
+  lists(kept) {
+    return kept.length === this.listed.length && kept.every((drive, index) => {
+      const [known, { textContent }] = this.listed[index];
+      return drive === known && titleOf(drive) === textContent;
+    });
   }
 
   // The newest drive is always shown.

@@ -17,9 +17,16 @@ const SILENCE_TIMEOUT = 3000; // ms without a value until the cockpit is asked a
 const CURVES = Array.from({ length: COLORS }, (_, index) => `curve-${index}`);
 const STYLES = ["surface", "text", "muted", "grid", "axis", ...CURVES];
 
-// Returns the curves, hidden in a part of the page.
+/** @type {Promise<Curves> | null} */
+let loaded = null; // promises those of this page
+
+// Returns the page's curves, at first hidden in this part of it.
 /** @param {Shell} shell @param {HTMLElement} place @param {() => any} run @param {(() => void) | null} close */
-export async function loadCurves(shell, place, run = () => null, close = null) {
+export function loadCurves(shell, place, run, close = null) {
+  return loaded ??= load(shell, place, run, close);
+}
+
+async function load(shell, place, run, close) {
   const style = Object.assign(create("link"), { rel: "stylesheet", href: new URL("curves.css", import.meta.url).href });
   await new Promise((resolve) => {
     style.onload = style.onerror = resolve; // without it, the page still shows them
@@ -140,7 +147,8 @@ class Curves {
     this.noteScore();
     if (!this.canvas.clientWidth) return;
     const { shown, strips, drives: { best } } = this;
-    this.canvas.style.minHeight = `${heightOf(strips.length)}px`;
+    const context = this.canvas.getContext("2d");
+    this.canvas.style.minHeight = `${heightOf(strips, context, this.canvas.clientWidth)}px`;
     setClass(this.box, "scrolled", this.canvas.clientHeight > this.box.clientHeight);
     const until = this.held?.until ?? Infinity;
     this.timeline.length = Math.max(...shown.map((drive) => Math.min(drive.length, until - drive.start)));

@@ -13,6 +13,8 @@ import { LEFT } from "./timeline.js";
 
 const [TITLE, FOOT, GAP] = [22, 18, 4]; // px: above a strip, below all, between two
 const STRIP = 62; // px of a strip, at least
+const [LINE, KEY, DIGITS] = [17, 27, 54]; // px: a line of a legend; a series' dash, and room for its value
+const FONT = "12px system-ui, sans-serif";
 const NOTHING = t("Nothing was reported.");
 const DOTS = 7; // px between two values from which on each has a dot
 const STYLES = { // of the drives
@@ -21,9 +23,26 @@ const STYLES = { // of the drives
   current: { globalAlpha: 1, lineWidth: 2 },
 };
 
-// Returns the height in px that so many strips need.
-export function heightOf(strips) {
-  return strips * (STRIP + GAP) + FOOT;
+// Returns the height in px that these strips need.
+/** @param {Strip[]} strips @param {CanvasRenderingContext2D} context */
+export function heightOf(strips, context, width) {
+  const heights = strips.map((strip) => STRIP + GAP + legend(strip, context, width).height);
+  return heights.reduce((sum, each) => sum + each, FOOT);
+}
+
+// Returns where the legend of a strip has each series, [left, down] in px, and its height below the first line.
+// It does not depend on the values: nothing jumps while they change.
+function legend({ title, unit, series }, context, width) {
+  context.font = FONT;
+  const measure = (text) => context.measureText(text).width;
+  let [left, down] = [14 + measure(unit ? `${title} (${unit})` : title), 0];
+  const places = series.map(({ name }) => {
+    const room = KEY + measure(name) + DIGITS;
+    if (left + room > width && left > 4) [left, down] = [4, down + LINE];
+    left += room;
+    return [left - room, down];
+  });
+  return { places, height: down };
 }
 
 export class Plot {
@@ -33,7 +52,7 @@ export class Plot {
     this.context = context;
     this.timeline = timeline;
     this.colors = colors;
-    context.font = "12px system-ui, sans-serif";
+    context.font = FONT;
   }
 
   // drives: rows of [kind, drive, until], kinds of STYLES, the current one last; until: s, what is newer is not shown
@@ -42,18 +61,21 @@ export class Plot {
     const { context, timeline: { width } } = this;
     context.fillStyle = this.colors.surface;
     context.fillRect(0, 0, width, height);
-    const each = (height - FOOT - GAP * strips.length) / Math.max(1, strips.length);
-    strips.forEach((strip, index) => {
-      const top = index * (each + GAP);
-      this.strip(strip, drives, { left: LEFT, top: top + TITLE, right: width, bottom: top + each });
-    });
+    const free = (height - heightOf(strips, context, width)) / Math.max(1, strips.length);
+    let top = 0;
+    for (const strip of strips) {
+      const { places, height: below } = legend(strip, context, width);
+      const bottom = top + STRIP + below + free;
+      this.title(strip, drives.at(-1), places, top + TITLE - 13);
+      this.strip(strip, drives, { left: LEFT, top: top + TITLE + below, right: width, bottom });
+      top = bottom + GAP;
+    }
     this.times(height);
     this.cursor(height);
   }
 
   strip(strip, drives, box) {
     const scale = scaleOf(strip, drives, this.timeline, box);
-    this.title(strip, drives.at(-1), box);
     this.grid(scale, box);
     if (!scale.known) return this.text(NOTHING, (box.left + box.right) / 2, (box.top + box.bottom) / 2, "center");
     this.inside(box, () => {
@@ -75,16 +97,16 @@ export class Plot {
   }
 
   // The name of a strip, and of each series how it is drawn, its name, and its value.
-  title({ title, unit, places, series: all }, [, drive, until], { top }) {
-    const middle = top - 13;
+  title({ title, unit, places, series: all }, [, drive, until], keys, top) {
     Object.assign(this.context, STYLES.current);
-    let left = this.text(unit ? `${title} (${unit})` : title, 4, middle, "left", "muted") + 10;
+    this.text(unit ? `${title} (${unit})` : title, 4, top, "left", "muted");
     const moment = Math.min(this.timeline.cursor ?? Infinity, until - drive.start, drive.length);
-    for (const each of all) {
+    all.forEach((each, index) => {
+      const [left, middle] = [keys[index][0], top + keys[index][1]];
       const shown = digits(valueAt(drive, each, moment), places);
-      this.line(each, [[left, middle], [left + 22, middle]]);
-      left += this.text(`${each.name} ${shown}`.trim(), left + 27, middle, "left", "text") + 39;
-    }
+      this.line(each, [[left, middle], [left + KEY - 5, middle]]);
+      this.text(`${each.name} ${shown}`.trim(), left + KEY, middle, "left", "text");
+    });
   }
 
   grid({ low, high, y }, { left, right, top, bottom }) {
@@ -93,7 +115,7 @@ export class Plot {
     for (const value of values) {
       context.fillStyle = Math.abs(value) < 1e-9 ? colors.axis : colors.grid;
       context.fillRect(left, Math.round(y(value)), right - left, 1);
-      this.text(number(axis(value, values)), left - 5, y(value), "right", "muted");
+      this.text(number(axis(value, values)), left - 5, y(value), "right", "muted", left - 7);
     }
   }
 
@@ -154,10 +176,9 @@ export class Plot {
     }
   }
 
-  // Returns how wide the text is.
-  text(text, right, down, textAlign, color = "muted") {
+  // Draws a text, made narrower where it is wider than most, in px.
+  text(text, right, down, textAlign, color = "muted", most = undefined) {
     Object.assign(this.context, { textAlign, textBaseline: "middle", fillStyle: this.colors[color] });
-    this.context.fillText(text, right, down);
-    return this.context.measureText(text).width;
+    this.context.fillText(text, right, down, most);
   }
 }

@@ -1,8 +1,10 @@
 // The vertical axis of a strip, and round numbers on any axis.
 
 import { trackOf } from "./series.js";
+import { shortened } from "./short.js";
 
 const STEPS = [1, 2, 5, 10];
+const LONG = 6; // characters of a number beside an axis
 const FLAT = 0.1; // of an axis whose values are all the same, at least
 
 // Returns the axis of a strip: its range, whether there are values, and where a value is in the box.
@@ -48,5 +50,5 @@ export function ticks(low, high, most) {
 export function axis(value, [first, second = first + 1]) {
   const places = Math.min(9, Math.max(0, -Math.floor(Math.log10(Math.abs(second - first)) + 1e-9)));
   const text = value.toFixed(places);
-  return (Number(text) === 0 ? (0).toFixed(places) : text).replace("-", "−");
+  return (Number(text) === 0 ? (0).toFixed(places) : shortened(text, LONG)).replaceAll("-", "−");
 }

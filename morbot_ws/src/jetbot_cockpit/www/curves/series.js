@@ -1,7 +1,9 @@
 // What the curves show: each strip has an axis, and its series have a name, a colour and a dash.
 
 import { number, t } from "../language.js";
+import { shortened } from "./short.js";
 
+const LONG = 8; // characters of a printed value
 const HOLD = 2.5; // s for which a value holds that the robot repeats each second
 export const DASHES = [[], [7, 4], [2, 3]];
 export const COLORS = 4; // --curve-0 to --curve-3
@@ -50,8 +52,8 @@ export function valueAt(drive, series, time) {
 // Returns a value as it is read, "–" if there is none. places: after the decimal mark; null: four digits in all
 export function digits(value, places) {
   if (value === null) return "–";
-  const text = places === null ? String(Number(value.toPrecision(4))) : value.toFixed(places);
-  return number((Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−"));
+  const text = places === null ? shortened(String(Number(value.toPrecision(4))), LONG) : value.toFixed(places);
+  return number((Number(text) === 0 ? text.replace("-", "") : text).replaceAll("-", "−"));
 }
 
 // Returns the values at a moment as a screen reader says them.

@@ -8,6 +8,7 @@ const MAX_VALUE = 100; // characters
 
 let lines = new Map(); // of the Python, by the ids of the blocks
 let printed = false; // since it was shown
+let wasHeld = false; // the program was paused when it was shown last
 let scrolled = false; // the person has scrolled the Python
 
 for (const type of ["wheel", "pointerdown", "keydown"]) {
@@ -66,14 +67,14 @@ export function blockVariables(workspace, values) {
   return known.map((each) => [each.getName(), String(shown(values.get(each.getId())))]);
 }
 
-// Shows the variables, [name, value] of each, and what was printed last.
-export function showOutput(variables) {
+// Shows the variables, [name, value] of each, and what was printed last; held: the variables are in sight, to be read.
+export function showOutput(variables, held) {
   const texts = variables.flatMap(([name, value]) => [name, value.slice(0, MAX_VALUE)]);
   const parts = element("variables").children;
   if (parts.length === texts.length) texts.forEach((text, index) => setText(parts[index], text));
   else element("variables").replaceChildren(...texts.map((text, index) => create(index % 2 ? "dd" : "dt", "", text)));
-  if (printed) element("output").scrollTop = element("output").scrollHeight;
-  printed = false;
+  if (printed || held !== wasHeld) element("output").scrollTop = held ? 0 : element("output").scrollHeight;
+  [printed, wasHeld] = [false, held];
 }
 
 export function setOutcome(text, warning = false) {

@@ -25,7 +25,7 @@ function manifest(name, python) {
 <package format="3">
   <name>${name}</name>
   <version>0.0.1</version>
-  <description>Drives a JetBot; made of blocks.</description>
+  <description>Drives a JetBot.</description>
   <maintainer email="me@example.com">Me</maintainer>
   <license>MIT</license>
 

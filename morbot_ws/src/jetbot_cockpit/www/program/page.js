@@ -2,7 +2,7 @@
 
 import { element, onPress } from "../dom.js";
 import { t } from "../language.js";
-import { LOST, Shell } from "../shell.js";
+import { LOST, NOT_LOADED, Shell } from "../shell.js";
 import { calledOf } from "../world.js";
 import { setUnits } from "./blocks.js";
 import { showControls } from "./controls.js";
@@ -21,7 +21,6 @@ const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fa
 const HIDDEN = t("The page was hidden, so the program was stopped.");
 const ENDED = t("The program has ended.");
 const CHANGED = t("The program was changed. Run it again.");
-const NOT_LOADED = t("This could not be loaded. Try again. If that does not help, reload the page.");
 const STOPPED = t("Stopped.");
 
 let run = null; // of a program, the last one
@@ -129,14 +128,16 @@ function start(stepping) {
   engine.then((loaded) => engine === starting && begin(loaded, robot, stepping),
     () => engine === starting && end(NOT_LOADED));
   setOutcome(t("Starting"));
+  showControls(null, true); // now: Stop may be pressed at once
   show();
 }
 
 function begin(engine, robot, stepping) {
   starting = null;
+  world.trails.set(robot.id, []); // the map shows this drive alone
   const delay = () => DELAYS[element("speed").value];
   run = new Run(engine, robot, stepping, { send, printed, changed: show, ended, delay });
-  showControls(run, false); // now: Stop may be pressed at once
+  showControls(run, false);
   show();
 }
 
@@ -198,7 +199,7 @@ function draw() {
   showPlace(workspace, isText ? null : running);
   shown.mark(running?.at ?? null);
   const values = run?.engine.variables ?? new Map();
-  showOutput(isText ? [...values] : blockVariables(workspace, values));
+  showOutput(isText ? [...values] : blockVariables(workspace, values), Boolean(running?.held));
   side.draw();
 }
 

@@ -2,11 +2,12 @@
 // needed first.
 
 import { element, setText } from "../dom.js";
+import { t } from "../language.js";
 import { parseProgram } from "./check.js";
 import { currentProgram, limitProgram, openEditor, showProgram, textOf } from "./editor.js";
 import { Interpreter } from "./interpreter.js";
 import { packageName } from "./names.js";
-import { ownLine, showPython } from "./output.js";
+import { ownLine, setOutcome, showPython } from "./output.js";
 import { toPython } from "./python.js";
 
 const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
@@ -111,6 +112,7 @@ export class Shown {
   }
 
   textChanged(text) {
+    if (this.failed) setOutcome(t("Press Run.")); // what failed is another text
     Object.assign(this, { text, failed: null });
     this.write();
   }

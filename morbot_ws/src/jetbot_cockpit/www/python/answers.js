@@ -9,13 +9,15 @@ const isText = (value) => typeof value === "string";
 const text = (value, longest = LONGEST) => (isText(value) ? value.slice(0, longest) : "");
 
 // Each kind of event: whether it is one, and what of it counts
+/** @type {[(event: any) => boolean, (event: any) => object][]} */
 const KINDS = [
   [({ step }) => Number.isInteger(step), ({ step }) => ({ step })],
   [({ wait }) => isNumber(wait), ({ wait }) => ({ wait })],
   [({ breathe }) => breathe === true, () => ({ breathe: true })],
   [({ print }) => isText(print), ({ print }) => ({ print: text(print) })],
   [({ name, value }) => isText(name) && isNumber(value), ({ name, value }) => ({ name: text(name), value })],
-  [({ motion }) => Array.isArray(motion) && motion.every(isNumber), ({ motion: [x = 0, z = 0] }) => ({ motion: [x, z] })],
+  [({ motion }) => Array.isArray(motion) && motion.every(isNumber),
+    ({ motion: [x = 0, z = 0] }) => ({ motion: [x, z] })],
 ];
 
 // Returns the answer with nothing in it but what an engine understands.
@@ -26,9 +28,13 @@ export function checked(answer) {
     events: list.flatMap((event) => KINDS.find(([is]) => is(event ?? {}))?.[1](event) ?? []),
     variables: toVariables(variables),
     over: over === true,
-    problem: problem && { type: text(problem.type), message: text(problem.message), line: Number(problem.line) },
+    problem: problem && toProblem(problem),
     broken: text(broken),
   };
+}
+
+function toProblem({ type, message, line, marked }) {
+  return { type: text(type), message: text(message), line: Number(line), marked: Number(marked) };
 }
 
 // Returns texts by names; null: nothing is known

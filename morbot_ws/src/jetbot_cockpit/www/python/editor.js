@@ -62,6 +62,8 @@ function lineAt(doc, number) {
 export class Editor {
   locking = new Compartment();
   marked = {}; // what is marked
+  /** @type {any} */
+  before = null; // shows the part that was in sight before the program ran, until the text is changed
 
   // target: where it is; program: the Shown whose text it is
   constructor(target, program) {
@@ -80,12 +82,16 @@ export class Editor {
 
   // Shows a text; its earlier changes cannot be undone.
   show(python) {
-    this.marked = {};
+    Object.assign(this, { marked: {}, before: null });
     this.view.setState(EditorState.create({ doc: python, extensions: [
       EXTENSIONS, this.locking.of(lock(this.program.locked)),
-      EditorView.updateListener.of(({ docChanged, state }) => docChanged
-        && this.program.textChanged(toLines(state.doc.toString()))),
+      EditorView.updateListener.of(({ docChanged, state }) => docChanged && this.changed(state)),
     ] }));
+  }
+
+  changed({ doc }) {
+    this.before = null;
+    this.program.textChanged(toLines(doc.toString()));
   }
 
   lock(on) {
@@ -99,13 +105,15 @@ export class Editor {
     this.view.focus();
   }
 
-  // Marks the line that runs and the one that has failed, and scrolls to it. Lines have numbers from 1.
+  // Marks the line that runs and the one that has failed, and scrolls to it, or back once none is marked. Lines have
+  // numbers from 1.
   mark(now, failed) {
     if (now === this.marked.now && failed === this.marked.failed) return;
+    if (now && !this.marked.now) this.before = this.view.scrollSnapshot();
     this.marked = { now, failed };
     const line = lineAt(this.view.state.doc, now ?? failed);
-    const scrolls = line ? [EditorView.scrollIntoView(line.from, { yMargin: MARGIN })] : [];
-    this.view.dispatch({ effects: [mark.of(this.marked), ...scrolls] });
+    const scrolls = line ? EditorView.scrollIntoView(line.from, { yMargin: MARGIN }) : this.before;
+    this.view.dispatch({ effects: [mark.of(this.marked), ...scrolls ? [scrolls] : []] });
   }
 }
 

@@ -4,7 +4,7 @@ import { pythonLanguage } from "../vendor/codemirror/codemirror.js";
 import { t } from "../language.js";
 import { ProgramError } from "../program/program_error.js";
 import { checked } from "./answers.js";
-import { mark } from "./marks.js";
+import { lineOf, mark } from "./marks.js";
 import { explain } from "./mistakes.js";
 import { FILES } from "./modules/list.js";
 import { syntaxProblem } from "./syntax.js";
@@ -25,10 +25,12 @@ export class PythonEngine {
 
   /** @type {any} */
   worker = null;
-
+  /** @type {any} */
+  tree = null; // of the text
   /** @param {string} text of the program @param {string} robot its namespace, "/" or "/jetbot_01" */
   constructor(text, robot = "/") {
-    Object.assign(this, { text, robot });
+    this.text = text;
+    this.robot = robot;
     this.needs = { senses: true, eyes: LOOKS.test(text) };
   }
 
@@ -36,24 +38,26 @@ export class PythonEngine {
   async prepare() {
     const problem = syntaxProblem(this.text);
     if (problem) this.fail(problem);
-    const program = mark(this.text, pythonLanguage.parser.parse(this.text));
+    this.tree = pythonLanguage.parser.parse(this.text);
     loaded ??= load();
-    this.given = { ...await loaded.catch(fail), program, robot: this.robot };
+    const needed = await loaded.catch(fail);
     if (this.ended) return;
     this.worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.worker.onmessage = ({ data }) => this.hear(data);
     this.worker.onerror = this.worker.onmessageerror = () => this.hear({ broken: "the worker failed" });
+    await this.ask({ ...needed, program: mark(this.text, this.tree), robot: this.robot });
   }
 
   // Yields the program's events, as Interpreter does. state(): { seconds, senses, slow } as worker.js explains them
   async *run(state) {
-    for (let answer = { ...this.given, ...state() }; ; answer = state()) {
-      const { events, variables, over, problem, broken } = checked(await this.ask(answer));
+    for (;;) {
+      const { events, variables, over, problem } = await this.ask(state());
       if (variables) this.variables = variables;
       for (const event of events) yield this.toEvent(event);
-      if (broken) console.error(broken);
-      if (broken) throw new ProgramError(BROKEN);
-      if (problem) this.fail(explain(problem, this.text));
+      if (problem) {
+        const line = lineOf(this.text, this.tree, problem);
+        this.fail(explain({ ...problem, line }, this.text));
+      }
       if (over) return;
     }
   }
@@ -68,12 +72,16 @@ export class PythonEngine {
     return { publish: true };
   }
 
-  ask(answer) {
-    return new Promise((resolve) => {
+  // Returns the worker's answer to this.
+  async ask(message) {
+    const answer = checked(await new Promise((resolve) => {
       if (this.ended) return resolve({ broken: "the worker has ended" });
       this.heard = resolve;
-      this.worker.postMessage(answer);
-    });
+      this.worker.postMessage(message);
+    }));
+    if (answer.broken) console.error(answer.broken);
+    if (answer.broken) throw new ProgramError(BROKEN);
+    return answer;
   }
 
   // Takes the worker's answer. What comes unasked ends it: a program's worker only answers.

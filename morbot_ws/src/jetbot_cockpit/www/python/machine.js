@@ -11,7 +11,7 @@ const SUSPENDED = 512 * 1024; // bytes for what is on the stack of a program tha
 const ROOM = 40 * 1024; // bytes of WebAssembly's stack for what is evaluated; MicroPython leaves 32 kB unused
 const COLLECT_EVERY = 500; // ms
 const CALLS = ["call0", "call1", "call2", "calln"];
-// What a program may use, whatever it does to MicroPython: its memory, the time, the page's functions, its modules' files
+// What a program may use, whatever it does to MicroPython: its memory, the time, the page's functions
 const HARMLESS = /^(?:invoke_|mp_js_|emscripten_|_emscripten_|_abort_js|proxy_js_free|js_check_existing|call[012n]$)/;
 const ATTRIBUTES = ["lookup_attr", "has_attr"]; // of what is JavaScript's: there is none
 const [EROFS, EBADF] = [69, 8]; // as WASI counts errors
@@ -69,6 +69,11 @@ export class Machine {
   pending = null; // what a function of the page waits for
   evaluates = false;
   collectedAt = 0;
+  place = 0; // the address of `suspended`
+  /** @type {any} */
+  program = null; // Python's objects
+  /** @type {any} */
+  nothing = null;
 
   // wasm: MicroPython's bytes; files: the texts of Python's modules by their names; page: the functions of the module
   // _page, which return a promise to wait for, or what Python gets; written(text): on Python's output

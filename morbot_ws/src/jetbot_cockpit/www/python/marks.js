@@ -17,6 +17,18 @@ export function mark(source, tree) {
   return marks.written();
 }
 
+// Returns the line that has failed. line: as MicroPython says; it names a loop's last line where the condition fails, of
+// which it makes the code last; marked: the line of the last mark
+export function lineOf(source, tree, { line, marked }) {
+  const marks = new Marks(source);
+  let found = line;
+  tree.iterate({ enter({ name, from, to }) {
+    const [first, last] = [from, to].map((position) => marks.lineOf(position));
+    if (name === "WhileStatement" && first === marked && line <= last) found = marked;
+  } });
+  return found;
+}
+
 // What is marked in the head of a statement: the condition, whenever it is asked; the loop, in each round
 const HEADS = {
   IfStatement: markConditions, WhileStatement: markConditions,

@@ -43,7 +43,7 @@ const page = {
   curve: (name, value) => add({ name: toText(name), value: toNumber(value) }),
   fail(type, message, trace) {
     const lines = [...trace.matchAll(/"program\.py", line (\d+)/g)].map(([, each]) => Number(each));
-    problem ??= { type: toText(type), message: toText(message), line: lines.at(-1) ?? line };
+    problem ??= { type: toText(type), message: toText(message), line: lines.at(-1) ?? line, marked: line };
   },
 };
 
@@ -65,7 +65,7 @@ function add(event) {
 // Takes what a program writes beside print(): it cannot wait there, so what is too much is not shown.
 function write(text) {
   const lines = (unfinished + text).split("\n");
-  unfinished = lines.pop().slice(0, LONGEST);
+  unfinished = toText(lines.pop());
   const room = Math.max(0, MOST_EVENTS - events.length);
   events.push(...lines.slice(0, room).map((line) => ({ print: line.slice(0, LONGEST) })));
 }
@@ -99,14 +99,19 @@ async function answer() {
 
 // Removes what reaches beyond this thread: the program's own policy refuses most of it, too.
 function forget() {
-  for (let of = globalThis; of; of = Object.getPrototypeOf(of)) for (const name of REACHING) delete of[name];
+  for (let of = globalThis; of; of = Object.getPrototypeOf(of)) {
+    for (const name of REACHING) Reflect.deleteProperty(of, name);
+  }
 }
 
 async function main() {
   await answer(); // what is to be run
   const { wasm, files, program, robot } = state;
-  await machine.load({ wasm, files, page: { ...page, program: () => program, namespace: () => robot }, written: write });
+  const functions = { ...page, program: () => program, namespace: () => robot };
+  await machine.load({ wasm, files, page: functions, written: write });
   forget();
+  postMessage({ events, variables: null }); // it is ready
+  await answer();
   await machine.run();
   if (unfinished) events.push({ print: unfinished });
   postMessage({ events, variables: variables(), over: true, problem });

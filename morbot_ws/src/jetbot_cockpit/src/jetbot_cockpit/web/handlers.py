@@ -26,8 +26,7 @@ DOCUMENT_HEADERS = ["Content-Security-Policy", "X-Frame-Options", "Referrer-Poli
 PAGES = {"": "index.html", "program": "program.html"}  # by what stands in the address
 POLICIES = {  # of what needs another one
     "program.html": POLICY + "; style-src 'self' 'unsafe-inline'",  # Blockly and CodeMirror insert styles
-    # A pupil's program runs there
-    "python/worker.js": "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'none'",
+    "python/worker.js": "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'",  # a pupil's program runs there
 }
 CLOSED = WebSocketClosedError, StreamClosedError
 CLOSE_WAIT = 0.5  # s for the reason to arrive

@@ -18,10 +18,11 @@ class Random:
         state = [19650218]
         for i in range(1, WORDS):
             state.append(1812433253 * (state[-1] ^ state[-1] >> 30) + i & MASK)
-        for k in range(max(WORDS, len(words))):
+        rounds = max(WORDS, len(words))
+        for k in range(rounds):
             j = k % len(words)
             _mix(state, 1 + k % (WORDS - 1), 1664525, words[j] + j)
-        for k in range(k + 1, k + WORDS):
+        for k in range(rounds, rounds + WORDS - 1):
             i = 1 + k % (WORDS - 1)
             _mix(state, i, 1566083941, -i)
         state[0] = 0x80000000
