@@ -250,11 +250,36 @@ def test_the_curves_fit_each_screen_and_break_no_rule_of_accessibility(page):
     assert violations(page) == []
 
 
-def test_beside_the_blocks_they_break_none_either(blocks):
+def test_pressed_again_while_they_load_there_is_one_panel(page):
+    page.run("const button = document.getElementById('show-curves'); button.click(); button.click();")
+    page.wait_for(lambda: page.has("#curves canvas") and "Wheels" in values(page), "the curves")
+    page.click("#curves-close")
+    page.wait_for(lambda: page.element("map").is_displayed(), "the map")
+    assert page.run("return [...document.querySelectorAll('#curves')].map(each => each.hidden)") == [True]
+
+
+def test_curves_that_cannot_be_loaded_are_named(page):
+    page.driver.execute_cdp_cmd("Network.enable", {})
+    page.driver.execute_cdp_cmd("Network.setBlockedURLs", {"urls": ["*/panel.js"]})
+    page.run("document.getElementById('show-curves').click()")
+    page.wait_for_text("notice", "This could not be loaded. Try again.")
+    page.driver.execute_cdp_cmd("Network.setBlockedURLs", {"urls": []})
+    show_curves(page)
+
+
+def test_beside_the_blocks_they_break_none_either_and_have_room(blocks, world):
     page = blocks(TURNS)
     show_curves(page)
+    run(page, world)
+    for screen in TABLET, TABLET[::-1]:
+        page.resize(*screen)
+        assert page.outside("#curves .controls button", "#curves") == [], screen
+        assert page.run("return document.querySelector('#curves .plot').clientHeight") > 200, screen
     page.resize(*TABLET)
     assert violations(page) == []
+    page.resize(390, 844)
+    assert not page.element("curves").is_displayed() and page.text("outcome") == "The program has ended."
+    page.resize(*TABLET)
     page.click("#show-curves")
     assert page.element("python").is_displayed() and not page.element("curves").is_displayed()
 

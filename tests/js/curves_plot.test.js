@@ -116,7 +116,8 @@ test("the numbers beside an axis are round, in order and few", () => {
   assert.deepEqual(ticks(-1, 1, 5).map((each, _, all) => axis(each, all)), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
   assert.deepEqual(ticks(0, 7.3, 4).map((each, _, all) => axis(each, all)), ["0", "2", "4", "6"]);
   assert.deepEqual(ticks(0, 1e14, 4).map((each, _, all) => axis(each, all)), ["0", "5e13", "1e14"]);
-  assert.deepEqual(ticks(-3e-9, 0, 4).map((each, _, all) => axis(each, all)), ["−3e−9", "−2e−9", "−1e−9", "0.000000000"]);
+  assert.deepEqual(ticks(-3e-9, 0, 4).map((each, _, all) => axis(each, all)),
+    ["−3e−9", "−2e−9", "−1e−9", "0.000000000"]);
   assert.deepEqual(ticks(0.301, 0.309, 5).map((each, _, all) => axis(each, all)),
     ["0.302", "0.304", "0.306", "0.308"]);
 });
@@ -142,7 +143,8 @@ function notedContext() {
   return context;
 }
 
-for (const [what, values] of Object.entries({ "from 0 on": [0, 1795710423313], "alike": [1795710423312, 1795710423313] })) {
+const LARGE = { "from 0 on": [0, 1795710423313], "alike": [1795710423312, 1795710423313] };
+for (const [what, values] of Object.entries(LARGE)) {
   test(`eight printed curves of large values ${what} are read on a narrow screen`, () => {
     const [drive, names] = [new Drive(1, 0), Array.from({ length: 8 }, (_, index) => `distance ${index}`)];
     for (const name of names) values.forEach((value, time) => drive.print(name, value, time));

@@ -74,8 +74,8 @@ test("a worker that speaks unasked is ended, and its program with it", async () 
   let ended = false;
   const { Worker } = globalThis;
   globalThis.Worker = class {
-    postMessage() {
-      for (const print of ["asked", "unasked"]) this.onmessage({ data: { events: [{ print }] } });
+    postMessage({ wasm }) {
+      for (const print of wasm ? ["ready"] : ["asked", "unasked"]) this.onmessage({ data: { events: [{ print }] } });
     }
 
     terminate() {
@@ -210,6 +210,11 @@ for (const text of ["if 1) or (print('REACHED'): pass", "for x in [1])), print('
   });
 }
 
+for (const [text, line] of [["while true:\n    x = 1\n    pass", 1], ["x = 0\nwhile [1][x]:\n    x += 1\n    y = x", 2],
+  ["while True:\n    pass\n    x = 1 / 0", 3], ["while 1:\n    while true:\n        pass\n    x = 1", 2]]) {
+  test(`of ${JSON.stringify(text)} line ${line} is marked`, async () => assert.equal((await runText(text)).line, line));
+}
+
 test("a text drives its robot by that one's absolute names, too", async () => {
   const { motions, prints, sentence } = await runText(`
 import rospy
@@ -229,8 +234,3 @@ test("a text that reads the keyboard is told what to use instead", async () => {
   assert.deepEqual([sentence, line],
     ["“sys.stdin” is not in the page: give the value to a name at the top of the program.", 2]);
 });
-
-for (const [text, line] of [["while true:\n    x = 1\n    pass", 1], ["x = 0\nwhile [1][x]:\n    x += 1\n    y = x", 2],
-  ["while True:\n    pass\n    x = 1 / 0", 3], ["while 1:\n    while true:\n        pass\n    x = 1", 2]]) {
-  test(`of ${JSON.stringify(text)} line ${line} is marked`, async () => assert.equal((await runText(text)).line, line));
-}

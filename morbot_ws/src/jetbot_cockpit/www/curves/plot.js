@@ -66,7 +66,7 @@ export class Plot {
     for (const strip of strips) {
       const { places, height: below } = legend(strip, context, width);
       const bottom = top + STRIP + below + free;
-      this.title(strip, drives.at(-1), places, top + TITLE - 13);
+      this.title(strip, drives.slice(-1)[0], places, top + TITLE - 13);
       this.strip(strip, drives, { left: LEFT, top: top + TITLE + below, right: width, bottom });
       top = bottom + GAP;
     }
@@ -177,7 +177,8 @@ export class Plot {
   }
 
   // Draws a text, made narrower where it is wider than most, in px.
-  text(text, right, down, textAlign, color = "muted", most = undefined) {
+  /** @param {number} [most] */
+  text(text, right, down, textAlign, color = "muted", most) {
     Object.assign(this.context, { textAlign, textBaseline: "middle", fillStyle: this.colors[color] });
     this.context.fillText(text, right, down, most);
   }

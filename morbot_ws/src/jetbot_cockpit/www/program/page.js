@@ -192,10 +192,9 @@ function open(title, program) {
 // What is shown
 
 function draw() {
-  const running = runs() ? run : null;
+  const [running, isText] = [runs() ? run : null, shown.text !== null];
   showControls(running, judging.isWaiting || starting !== null);
   element("language").disabled = runs() || judging.state.name !== "idle"; // it loads the page again
-  const isText = shown.text !== null;
   showPlace(workspace, isText ? null : running);
   shown.mark(running?.at ?? null);
   const values = run?.engine.variables ?? new Map();

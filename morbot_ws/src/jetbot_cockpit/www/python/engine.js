@@ -27,6 +27,7 @@ export class PythonEngine {
   worker = null;
   /** @type {any} */
   tree = null; // of the text
+
   /** @param {string} text of the program @param {string} robot its namespace, "/" or "/jetbot_01" */
   constructor(text, robot = "/") {
     this.text = text;

@@ -77,7 +77,7 @@ async function turn(event) {
   if (shows) shownAt = performance.now();
   postMessage({ events: [...events, event], variables: shows ? variables() : null });
   events = [];
-  await answer();
+  state = await answer();
 }
 
 // Returns the program's variables; null: there is no room for that, so deep is the program.
@@ -90,11 +90,13 @@ function variables() {
   }
 }
 
+// Returns the page's next message.
 async function answer() {
-  state = await new Promise((resolve) => {
-    addEventListener("message", ({ data }) => resolve(data), { once: true });
+  const { data } = await new Promise((resolve) => {
+    addEventListener("message", resolve, { once: true });
   });
   answeredAt = performance.now();
+  return data;
 }
 
 // Removes what reaches beyond this thread: the program's own policy refuses most of it, too.
@@ -105,13 +107,12 @@ function forget() {
 }
 
 async function main() {
-  await answer(); // what is to be run
-  const { wasm, files, program, robot } = state;
+  const { wasm, files, program, robot } = await answer();
   const functions = { ...page, program: () => program, namespace: () => robot };
   await machine.load({ wasm, files, page: functions, written: write });
   forget();
   postMessage({ events, variables: null }); // it is ready
-  await answer();
+  state = await answer();
   await machine.run();
   if (unfinished) events.push({ print: unfinished });
   postMessage({ events, variables: variables(), over: true, problem });
