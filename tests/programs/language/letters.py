@@ -14,3 +14,4 @@ try:
 except KeyError as error:
     print(error, error.args)
 print(["Grün", "\n\t\\", "it's ü", "\"ü\"", "\"it's ü\"", "\x00\x1b\xa0"], {"ä": "кот"}, repr("日本"))
+"5".upper() + 5

@@ -30,7 +30,8 @@ export class PythonEngine {
 
   /** @param {string} text of the program @param {string} robot its namespace, "/" or "/jetbot_01" */
   constructor(text, robot = "/") {
-    Object.assign(this, { text, robot });
+    this.text = text;
+    this.robot = robot;
     this.needs = { senses: true, eyes: LOOKS.test(text) };
   }
 

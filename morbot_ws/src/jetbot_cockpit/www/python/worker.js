@@ -108,7 +108,8 @@ function forget() {
 
 async function main() {
   const { wasm, files, program, robot } = await answer();
-  await machine.load({ wasm, files, page: { ...page, program: () => program, namespace: () => robot }, written: write });
+  const functions = { ...page, program: () => program, namespace: () => robot };
+  await machine.load({ wasm, files, page: functions, written: write });
   forget();
   postMessage({ events, variables: null }); // it is ready
   state = await answer();
