@@ -15,6 +15,7 @@ globalThis.addEventListener = (_, act) => {
 import(workerData);
 `;
 
+const TURN = 1e-6; // s that the page's turn takes: no clock stands while a program waits for less
 let failure = null; // of the newest program, in Python's words: { type, message, line }
 
 globalThis.fetch = async (url) => {
@@ -50,7 +51,7 @@ export async function runText(text, senses, longest) {
   failure = null;
   try {
     await engine.prepare();
-    for await (const event of engine.run(() => ({ seconds, senses, slow: false }))) {
+    for await (const event of engine.run(() => ({ seconds: seconds += TURN, senses, slow: false }))) {
       if ("print" in event) trace.push(event.print);
       if ("publish" in event) trace.push([Math.round(1000 * seconds), ...engine.motion]);
       seconds += event.wait ?? 0;

@@ -17,7 +17,7 @@ export function mark(source, tree) {
   return marks.written();
 }
 
-// Returns the line that has failed. line: as MicroPython says; it names a loop's last line where the condition fails, of
+// Returns the line that has failed. line: as MicroPython says: a loop's last one where the condition fails, of
 // which it makes the code last; marked: the line of the last mark
 export function lineOf(source, tree, { line, marked }) {
   const marks = new Marks(source);
