@@ -127,10 +127,10 @@ def run(page, world, sentence="The program has ended."):
     return [speeds for speeds, _ in itertools.groupby(driven) if any(speeds)]
 
 
-@pytest.fixture(params=[TABLET, TABLET[::-1]], ids=["lying", "upright"])
+@pytest.fixture
 def page(page, world, request):
-    """A tablet with the example One metre, which has become a text."""
-    page.resize(*request.param)
+    """A tablet, lying unless the test says more, with the example One metre, which has become a text."""
+    page.resize(*getattr(request, "param", TABLET))
     page.driver.get(f"{world.address}program")
     page.wait_for_link()
     page.choose(ROBOT)
@@ -144,6 +144,7 @@ def page(page, world, request):
     return page
 
 
+@pytest.mark.parametrize("page", [TABLET, TABLET[::-1]], indirect=True, ids=["lying", "upright"])
 def test_from_blocks_to_text_a_number_and_mistakes_on_purpose(page, world):
     world.undisturbed(page, lambda: step_to(page, COMMAND))
     passed = [step(page) for _ in range(5)]
