@@ -4,11 +4,9 @@ import subprocess
 from contextlib import contextmanager
 from functools import partial
 
-from selenium.webdriver.common.action_chains import ActionChains
-from selenium.webdriver.common.keys import Keys
-
 from .cockpit_page import PAGE_TIMEOUT
 from .conftest import ROBOT, TABLET
+from .engine import KEYS
 from .programs import drive, program
 from .test_page import DESKTOP
 from .test_program import FORWARD, SMALL, TABLETS, close, undisturbed
@@ -47,9 +45,14 @@ def shown(page):
                     ".replace(/\\n$/, '')).join('\\n').trimEnd()")
 
 
+def actions(page):
+    from selenium.webdriver.common.action_chains import ActionChains  # which may be missing where the file is only read
+    return ActionChains(page.driver)
+
+
 def type_keys(page, *keys, held=""):
     """Type keys while another one is held."""
-    chain = ActionChains(page.driver)
+    chain = actions(page)
     if held:
         chain.key_down(held).send_keys(*keys).key_up(held).perform()
     else:
@@ -59,14 +62,14 @@ def type_keys(page, *keys, held=""):
 def type_first(page, line):
     """Type a line above the text."""
     page.click("#text .cm-content")
-    type_keys(page, Keys.HOME, held=Keys.CONTROL)
-    type_keys(page, line, Keys.ENTER)
+    type_keys(page, KEYS["Home"], held=KEYS["Control"])
+    type_keys(page, line, KEYS["Enter"])
 
 
 def type_at_end(page, *keys):
     """Type keys at the end of the text."""
     page.click("#text .cm-content")
-    type_keys(page, Keys.END, held=Keys.CONTROL)
+    type_keys(page, KEYS["End"], held=KEYS["Control"])
     type_keys(page, *keys)
 
 
@@ -257,10 +260,10 @@ def test_tab_indents_and_escape_then_tab_leaves_the_text_in_both_directions(bloc
     page.click("#text .cm-line:nth-child(2)")
     page.tap("Tab")
     assert shown(page) == "if True:\n    print(1)"
-    type_keys(page, Keys.TAB, held=Keys.SHIFT)
+    type_keys(page, KEYS["Tab"], held=KEYS["Shift"])
     assert shown(page) == "if True:\nprint(1)"
-    for back in [Keys.TAB], [Keys.SHIFT, Keys.TAB]:
-        ActionChains(page.driver).send_keys(Keys.ESCAPE).key_down(back[0]).send_keys(*back[1:]).key_up(back[0]).perform()
+    for back in [KEYS["Tab"]], [KEYS["Shift"], KEYS["Tab"]]:
+        actions(page).send_keys(KEYS["Escape"]).key_down(back[0]).send_keys(*back[1:]).key_up(back[0]).perform()
         page.wait_for(lambda: not page.has("#text .cm-focused"), "the focus elsewhere")
         page.click("#text .cm-content")
     page.click("#text [aria-label=Indent]")
@@ -272,9 +275,9 @@ def test_names_of_the_program_and_its_modules_are_suggested_and_enter_is_still_a
     page = text(blocks, "import rospy\nseconds = 1\n")
     type_at_end(page, "sec")
     page.wait_for(lambda: "seconds" in suggested(page), "the program's name")
-    type_keys(page, Keys.ENTER, "rospy.sl")
+    type_keys(page, KEYS["Enter"], "rospy.sl")
     page.wait_for(lambda: "sleep" in suggested(page), "what the module has")
-    type_keys(page, Keys.ARROW_DOWN, Keys.ENTER)
+    type_keys(page, KEYS["ArrowDown"], KEYS["Enter"])
     page.wait_for(lambda: shown(page) == "import rospy\nseconds = 1\nsec\nrospy.sleep", "what was chosen")
 
 
