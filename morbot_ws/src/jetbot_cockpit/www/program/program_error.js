@@ -1,7 +1,7 @@
-// What went wrong, in a sentence for the person; place: the id of the block, or the number of the line.
+// What went wrong, in a sentence for the person; block: the id of where.
 export class ProgramError extends Error {
-  constructor(sentence, /** @type {any} */ place = undefined) {
+  constructor(sentence, /** @type {string | undefined} */ block = undefined) {
     super(sentence);
-    this.place = place;
+    this.block = block;
   }
 }

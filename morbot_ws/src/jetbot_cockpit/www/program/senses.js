@@ -1,18 +1,23 @@
 // What the robot senses while a program runs: the cockpit is asked for it, not too often.
 
+import { SENSE } from "./robot.js";
+
 const INTERVAL = 90; // ms between two questions
 const TIMEOUT = 100; // ms for the answer
+const ASKING = SENSE.filter(({ unknown }) => unknown).map(({ type }) => type);
+const SENSORS = RegExp(`"type":"(${ASKING.join("|")})"`); // blocks that ask the robot
+const EYES = /"type":"robot_eye"/;
 
 export class Senses {
   answer = {}; // the cockpit's last one
   askedAt = -Infinity;
 
-  // needs: whether the program asks for { senses } at all, and for its { eyes }; ask(): asks the cockpit, whose answer
-  // comes to receive()
-  constructor({ senses, eyes }, ask) {
+  // program: the JSON; ask(): asks the cockpit, whose answer comes to receive()
+  constructor(program, ask) {
     this.ask = ask;
-    this.used = senses;
-    this.looks = eyes;
+    const text = JSON.stringify(program);
+    this.used = SENSORS.test(text);
+    this.looks = EYES.test(text);
   }
 
   receive(answer) {
@@ -47,8 +52,8 @@ export class Senses {
 
   // What the robot senses; what is not known is null or undefined.
   get values() {
-    const { pose } = this.answer;
-    return { ...this.answer, here: pose && this.origin && relative(pose, this.origin) };
+    const { pose, line, wheels } = this.answer;
+    return { here: pose && this.origin && relative(pose, this.origin), line, wheels };
   }
 }
 

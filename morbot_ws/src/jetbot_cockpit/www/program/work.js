@@ -83,8 +83,7 @@ export class Work {
   // The same, for which nobody waits: what a person has opened or changed meanwhile stays.
   async openNewer({ id, version }) {
     const { state } = this;
-    const isWanted = () => state === this.state;
-    await this.open(id, version, isWanted).catch(({ message }) => this.view.say(message, true, false));
+    await this.open(id, version, () => state === this.state).catch(({ message }) => this.view.say(message, true, false));
   }
 
   // Shows a program of any robot, which is not changed. Throws a NotKept.
@@ -244,22 +243,14 @@ export class Work {
     this.kept.change(content);
   }
 
-  // Lets the version that is kept stay, as an earlier one, once the next change is. Returns why it cannot, or "".
-  keepEarlier() {
-    if (this.kept.state.unsaved) return this.kept.state.text;
-    this.kept.version = 0;
-    return "";
-  }
-
-  // Says what has become of a program, of another one of this robot only what is bad, or that it waits for its class,
-  // without its name; keeps the shown one on this device.
+  // Says what has become of a program, of another one only what is bad, or that it waits for its class, without its
+  // name; keeps the shown one on this device.
   report(kept) {
     const { content, state: { name, text, bad } } = kept;
     if (kept !== this.kept) {
       device.keepAside(kept);
       if (name === "foreign") return this.view.say(text, false, false);
-      const told = bad && kept.robot === this.robot;
-      return told ? this.view.say(`${content.name}: ${text}`, true, false) : this.report(this.kept);
+      return bad ? this.view.say(`${content.name}: ${text}`, true, false) : this.report(this.kept);
     }
     this.view.say(this.state.name === "looking" ? LOOKING : text, bad, name === "older");
     if (content) device.keepShown(kept);
