@@ -81,13 +81,10 @@ const work = openWork({
   },
   notLoaded,
 });
+const followRobot = () => work.update(world.chosen, world.state(world.chosen).programs);
 const tasks = new Tasks({ send, lost: () => !shell.link.connected, run: () => start(false), end, world });
 const { judging } = tasks;
 const overview = new TeachersSheet({ send, look: (row) => work.look(row), world });
-
-function followRobot() {
-  work.update(world.chosen, world.state(world.chosen).programs);
-}
 
 // The cockpit also refuses the next command; this comes first where the program waits.
 function endIfStopped() {

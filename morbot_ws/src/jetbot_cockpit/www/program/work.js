@@ -83,7 +83,8 @@ export class Work {
   // The same, for which nobody waits: what a person has opened or changed meanwhile stays.
   async openNewer({ id, version }) {
     const { state } = this;
-    await this.open(id, version, () => state === this.state).catch(({ message }) => this.view.say(message, true, false));
+    const opened = this.open(id, version, () => state === this.state);
+    await opened.catch(({ message }) => this.view.say(message, true, false));
   }
 
   // Shows a program of any robot, which is not changed. Throws a NotKept.
