@@ -41,7 +41,7 @@ def update(fleet: Fleet, entry: Entry, commit: str, force: bool = False, within:
         robot.run("switch", commit, before.version)
         if not runs(fleet, entry, commit, within):
             robot.run("back")
-            if is_back(fleet, entry, commit, within):
+            if runs(fleet, entry, commit, within, other=True):
                 raise Failed(f"it did not answer within {within:g} s with the new version, and runs the old one again")
             raise Failed(f"it did not answer within {within:g} s with the new version, nor with the old one: "
                          f"./morbot fleet log {entry.name}")
@@ -56,15 +56,8 @@ def check_free(fleet: Fleet, entry: Entry, force: bool) -> Answer:
     return answer
 
 
-def runs(fleet: Fleet, entry: Entry, commit: str, within: float = RUNS_WITHIN) -> bool:
-    """Return whether the robot answers with this version, within so many s."""
+def runs(fleet: Fleet, entry: Entry, commit: str, within: float = RUNS_WITHIN, other: bool = False) -> bool:
+    """Return whether the robot answers with this version, or with an ``other`` one, within so many s."""
     def until(answer: Answer) -> bool:
-        return answer.is_well() and answer.version == commit
-    return until(ask(fleet, [entry], within, until)[0])
-
-
-def is_back(fleet: Fleet, entry: Entry, commit: str, within: float) -> bool:
-    """Return whether the robot answers with another version, within so many s."""
-    def until(answer: Answer) -> bool:
-        return answer.is_well() and answer.version != commit
+        return answer.is_well() and (answer.version != commit) == other
     return until(ask(fleet, [entry], within, until)[0])
