@@ -96,8 +96,7 @@ def tasks(text: str, words: Words) -> Iterator[Tuple[str, str]]:
         guesses = words.guess in body
         if guesses or re.match(words.questions, title):
             question = re.split(r"^<details>|^Terminal|^File|^```|^Next:", body, flags=re.MULTILINE)[0].strip()
-            lines = question.splitlines()
-            yield title, "\n".join([line for line in lines if line.startswith("|")] if guesses else lines)
+            yield title, "\n".join(re.findall(r"^\|.*", body, re.MULTILINE)) if guesses else question
 
 
 def commands(text: str) -> List[Tuple[str, str]]:

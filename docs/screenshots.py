@@ -28,13 +28,29 @@ from processes import end, end_on_sigterm, free_port, start  # noqa: E402
 
 PHONE, TABLET, DESKTOP = (390, 844, 2), (1024, 768, 1), (1280, 800, 1)  # width, height in CSS pixels; pixels per one
 UPRIGHT = (768, 1024, 1)  # the tablet
-PICTURES = ["cockpit_desktop.png", "cockpit_phone.png", "cockpit_class.png", "program_tablet.png", "program_map.png"]
+PICTURES = ["cockpit_desktop.png", "cockpit_phone.png", "cockpit_class.png", "program_tablet.png", "program_map.png",
+            "curves.png", "python_tablet.png"]
 COLORS = 128            # of a PNG
 START_TIMEOUT = 120.0   # s
 STEP = 0.5              # s
 CLASS = 15
 EIGHT = [(0.9, 0.25, 9.5), (0.9, -0.25, 7.5)]  # what the pad is given: forward, left, s
 SIDE = 2.0              # s, of the lesson's square
+RAMP = """import rospy
+from geometry_msgs.msg import Twist
+
+rospy.init_node("my_ramp")
+publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
+rate = rospy.Rate(10)
+motion = Twist()
+
+for step in range(1, 6):
+    motion.linear.x = step / 10
+    print("x", motion.linear.x)
+    for count in range(8):
+        publisher.publish(motion)
+        rate.sleep()
+"""
 ONE = ["simulation", "simulation.launch", "cockpit:=true", "rviz:=false"]
 
 
@@ -56,6 +72,12 @@ def main() -> None:
     if "program_map.png" in wanted:
         with launched(*ONE) as address:
             take_program(f"{address}/program", UPRIGHT, "program_map.png", turn=1.47, sides=3)
+    if "curves.png" in wanted:
+        with launched(*ONE) as address:
+            take_curves(f"{address}/program", TABLET, "curves.png")
+    if "python_tablet.png" in wanted:
+        with launched(*ONE) as address:
+            take_text(f"{address}/program", TABLET, "python_tablet.png")
 
 
 @contextlib.contextmanager
@@ -110,6 +132,38 @@ def take_program(address: str, size: Tuple[int, int, int], name: str, turn: floa
             page.click("#show-map")
             time.sleep(sides * (SIDE + turn) + STEP)
         save(page, DOCS / name)
+
+
+def take_curves(address: str, size: Tuple[int, int, int], name: str) -> None:
+    """Drive two squares that differ in their turns, and save their curves."""
+    with opened(address, size) as page, tempfile.TemporaryDirectory() as folder:
+        page.click("#show-curves")
+        for turn in 1.2, 1.47:
+            page.element("file").send_keys(programs.as_file(Path(folder), square(turn)))
+            page.wait_for_text("outcome", "Press Run.")
+            page.click("#run")
+            page.wait_for_text("outcome", "The program has ended.")
+            time.sleep(3 * STEP)
+        save(page, DOCS / name)
+
+
+def take_text(address: str, size: Tuple[int, int, int], name: str) -> None:
+    """Let a text jump to half of the power, then rise to it; save what the page shows when it is nearly there."""
+    with opened(address, size) as page, tempfile.TemporaryDirectory() as folder:
+        for first, shown in (5, "x 0.5"), (1, "x 0.4"):
+            content = {**programs.program(), "python": RAMP.replace("range(1", f"range({first}")}
+            page.element("file").send_keys(programs.as_file(Path(folder), content))
+            page.type("title", "ramp")
+            if first == 5:
+                page.click("#show-curves")  # not before the text, whose place is that of the blocks
+            page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
+            page.click("#run")
+            page.wait_for_text("prints", shown)
+            time.sleep(STEP)
+            if first == 1:
+                save(page, DOCS / name)
+            page.wait_for_text("outcome", "The program has ended.")
+            time.sleep(3 * STEP)
 
 
 def square(turn: float) -> dict:

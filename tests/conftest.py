@@ -17,7 +17,8 @@ FLEET = "tests/fleet/"  # all of these share one school
 BROWSER = "tests/browser/"  # each part of these tests, and those in each engine, share a world and their browsers
 PARTS = {part: re.compile(f"{BROWSER}test_({names})") for part, names in {
     "programs": "program|tablet|tasks", "work": "work", "everybody": "accessibility|blocks|page",
-    "class": "keys|pseudo|robots|sharing", "pad": ""}.items()}
+    "class": "keys|pseudo|robots|sharing", "safety": "python_safety", "equal": "python_page_equal",
+    "texts": "python|curves", "pad": ""}.items()}
 PROCESSES = 8  # of ./morbot test
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
 

@@ -44,7 +44,7 @@ class Page(HTMLParser):
 
 def in_scripts() -> Iterator[str]:
     """Yield each sentence that a script of the page translates."""
-    for script in [*WWW.glob("*.js"), *WWW.glob("program/*.js")]:
+    for script in [file for folder in ("", "program/", "curves/", "python/") for file in WWW.glob(f"{folder}*.js")]:
         for call in CALL.finditer(script.read_text()):
             yield "".join(json.loads(literal) for literal in re.findall(LITERAL, call[1]))
 

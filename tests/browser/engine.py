@@ -6,7 +6,8 @@ from typing import List, Tuple
 from .cockpit_page import KEEP_SENT, CockpitPage
 
 KEYS = {"ArrowUp": "\ue013", "ArrowDown": "\ue015", "ArrowLeft": "\ue012", "ArrowRight": "\ue014",  # by the standard
-        "Space": " ", "Escape": "\ue00c", "Enter": "\ue007", "Delete": "\ue017", "Control": "\ue009"}
+        "Space": " ", "Escape": "\ue00c", "Enter": "\ue007", "Delete": "\ue017", "Control": "\ue009", "Tab": "\ue004",
+        "Shift": "\ue008", "End": "\ue010", "Home": "\ue011"}
 KEEP_ERRORS = """window.errors = [];
 for (const kind of ["error", "warn"]) {
     const log = console[kind];

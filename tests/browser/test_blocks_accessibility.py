@@ -4,7 +4,8 @@ from .accessibility import tree, violations
 from .conftest import OTHER_ROBOT, ROBOT
 from .programs import as_file, block, drive, num, program
 from .test_keys import ENDLESS, FAILS, TASKS, press
-from .test_work import ALL_BLOCKS
+from .test_python_page import suggested, type_at_end
+from .test_work import ALL_BLOCKS, edit
 
 TURN = program(drive(0.5, 1), block("robot_turn", {"SIDE": "LEFT"}, Z=num(0.2), SECONDS=num(1)))
 SCORES = {"type": "scores", "scores": [{"task": "One metre", "robot": ROBOT, "score": 87.3, "seconds": 3.4,
@@ -56,6 +57,16 @@ def asks(page, _):
              "document.getElementById('login-error').textContent = 'This code is wrong.'")
 
 
+def shows_map(page):
+    if not page.has("#show-map[aria-pressed=true]"):  # Judge me shows it, too
+        page.click("#show-map")
+
+
+def suggests(page, _):
+    type_at_end(page, "\nrospy.")
+    page.wait_for(lambda: suggested(page), "suggestions")
+
+
 ENABLE = """for (const each of Blockly.getMainWorkspace().getAllBlocks())
     each.setDisabledReason(false, "ORPHANED_BLOCK")"""
 STATES = {  # what leads to it from the one before
@@ -73,7 +84,11 @@ STATES = {  # what leads to it from the one before
     "judged": judged,
     "Programs": opens("programs", "work"),
     "Class": opens("overview-button", "overview"),
-    "map": lambda page, _: (press(page, "Escape"), page.click("#show-map"), page.tap("Escape")),
+    "map": lambda page, _: (press(page, "Escape"), shows_map(page), page.tap("Escape")),
+    "question": lambda page, _: (page.click("#show-map"), page.click("#edit")),
+    "text": lambda page, _: edit(page),
+    "suggestions": suggests,
+    "text that failed": runs({**program(), "python": "def f(x)\n    return 'ä' + 1 / x  # 0\n"}, "colon"),
     "login": asks,
 }
 

@@ -167,6 +167,24 @@ def test_a_program_drives_until_stop_or_until_its_page_is_hidden(programs, world
         programs.wait_for_text("outcome", programs.say(sentence))
 
 
+def test_a_text_is_edited_and_drives_until_stop(programs, world):
+    programs.click("#programs")
+    programs.click("#new-python")
+    programs.wait_for(lambda: "rate.sleep()" in programs.text_of("#text .cm-content"), "the text")
+    programs.click("#text .cm-line")
+    programs.tap("#")
+    programs.wait_for(lambda: programs.text_of("#text .cm-line").count("#") == 2, "what was typed")
+    programs.wait_for(lambda: programs.text("kept") == programs.say("Kept"), "it to be kept")
+
+    def runs_until_stop():
+        programs.click("#run")
+        programs.wait_for(lambda: moving(*world.wheels(ROBOT)), "the wheels to turn")
+        programs.wait_for(lambda: programs.has("#text .now"), "the line that runs")
+        with world.stops(ROBOT, what="Stop"):
+            programs.click("#end")
+    world.undisturbed(programs, runs_until_stop)
+
+
 @pytest.fixture
 def class_judge(world):
     """The judge of the driving tasks."""

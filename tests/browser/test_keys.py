@@ -129,9 +129,9 @@ def test_a_button_that_can_do_nothing_does_nothing(blocks):
 
 def test_the_focus_is_not_lost_by_sheets_examples_files_tasks_and_blocks(blocks):
     page = blocks(program(drive(0.5, 1), wait(1)))
-    for button, sheet in (("programs", "work"), ("overview-button", "overview")):
+    for button, sheet, controls in (("programs", "work", 3), ("overview-button", "overview", 2)):
         page.tab_to(button)
-        for close_it in (["Escape"], ["Tab", "Tab", "Enter"]):
+        for close_it in (["Escape"], ["Tab"] * controls + ["Enter"]):
             page.tap("Enter")
             page.wait_for(lambda sheet=sheet: focus(page) == sheet, "the sheet, loaded when opened first")
             press(page, *close_it)
@@ -151,7 +151,25 @@ def test_the_focus_is_not_lost_by_sheets_examples_files_tasks_and_blocks(blocks)
     page.wait_for_text("score", "No judge has this task")
     wait_for_focus(page, "judge")
     page.receive({**TASKS, "tasks": []})
-    page.wait_for(lambda: focus(page) == "speed", "what is in its place to have the focus")
+    page.wait_for(lambda: focus(page) == "show-curves", "what is in its place to have the focus")
+
+
+def test_the_focus_goes_into_the_text_and_back_to_where_it_can_be_edited(blocks):
+    page = blocks(program(drive(0.5, 1)))
+    page.tab_to("edit")
+    page.tap("Enter")
+    wait_for_focus(page, "edit-question")
+    press(page, "Escape")
+    wait_for_focus(page, "edit")
+    press(page, "Enter", "Tab", "Enter")
+    page.wait_for(lambda: page.has("#text .cm-focused"), "the editor")
+    page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
+    press(page, "Escape")
+    page.tab_to("to-blocks")
+    page.tap("Enter")
+    wait_for_focus(page, "to-blocks-question")
+    press(page, "Tab", "Enter")
+    wait_for_focus(page, "edit")
 
 
 def test_the_focus_is_back_after_the_login_and_goes_on_when_the_other_robot_goes(pupil, world):

@@ -24,6 +24,13 @@ ENDLESS = block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boole
 CHANGE = "Blockly.getMainWorkspace().getBlocksByType('math_number')[0].setFieldValue(2, 'NUM')"
 TABLETS = [(768, 1024), (1024, 768), (1180, 820), (960, 540)]  # px; the last one is a projector's at 200 %
 SMALL = [(320, 568), (844, 390), (640, 340), (400, 300)]
+NOTE_LINES = """const { beginPath, lineTo } = CanvasRenderingContext2D.prototype;
+    let [points, most] = [0, 0];
+    Object.assign(CanvasRenderingContext2D.prototype, {
+        beginPath() { points = 0; beginPath.call(this); },
+        lineTo(...at) { most = Math.max(most, points += 1); lineTo.apply(this, at); },
+    });
+    window.longest = () => { const found = most; most = 0; return found; };"""  # points of a line on the map since then
 CLEAR = """const { left, top, width } = document.getElementById(arguments[0]).getBoundingClientRect();
     const shown = document.elementFromPoint(left + width / 2, Math.max(top, 0) + 20);
     return shown.closest("#" + arguments[0]) !== null"""
@@ -283,6 +290,25 @@ def test_a_number_is_large_enough_for_a_finger_and_its_box_opens_over_it(blocks)
     assert size["width"] >= 32 and size["height"] >= 32
     page.run("Blockly.getMainWorkspace().getBlocksByType('math_number')[0].getField('NUM').showEditor()")
     assert page.place_of(".blocklyHtmlInput") == pytest.approx(page.place_of(NUMBER), abs=2)
+
+
+def test_the_map_shows_the_trail_of_the_run_alone(blocks):
+    page = blocks(program())
+    page.click("#show-map")
+    page.wait_for(page.robot_on_map, "the robot on the map")
+    page.run(NOTE_LINES)
+
+    def act():
+        blocks(program(drive(0.5, 1.5)))
+        page.click("#run")
+        page.wait_for_text("outcome", "The program has ended.")
+        page.wait_for(lambda: page.run("return longest()") > 8, "its trail")
+        blocks(program(wait(0.3)))
+        page.click("#run")
+        page.wait_for_text("outcome", "The program has ended.")
+        page.wait_for(lambda: 0 < page.run("return longest()") < 5, "no trail")
+    blocks.undisturbed(act)
+    page.click("#show-map")
 
 
 def test_the_map_shows_the_robot_its_trail_and_the_tasks_world_while_the_program_runs(blocks, world):

@@ -19,7 +19,7 @@ from .test_accessibility import BEN, BEST, OFFER, press
 from .test_sharing import codes_of
 
 SCREENS = [(360, 640), (820, 1180), (1024, 768), (1280, 800)]  # px
-SHEETS = "codes", "one code", "best", "programs", "class"  # states in which a sheet covers the page
+SHEETS = "codes", "one code", "best", "programs", "class", "way back"  # states in which a sheet covers the page
 KNOWN = ["jetbot", "ms", "rad", "Ben", "Ada", "Maximilian", "STOP", "http", "KQ", "MX"]
 SPEAK = """if (location.protocol === "http:") {
     const pseudo = %s, fetch = window.fetch;
@@ -115,4 +115,5 @@ def test_the_page_for_programs_has_no_english_left_and_room_for_longer_words(pse
         "example": lambda page: page.run("const examples = document.getElementById('examples');"
                                          "examples.selectedIndex = 7; examples.dispatchEvent(new Event('change'))"),
         "programs": press("#programs"), "class": press("#close-work", "#overview-button"),
-        "map": press("#close-overview", "#show-map")})
+        "map": press("#close-overview", "#show-map"), "question": press("#show-map", "#edit"),
+        "text": press("#edit-question-yes", "#text [aria-label^='[Indent']"), "way back": press("#to-blocks")})

@@ -53,6 +53,15 @@ def names(page):
                     ".map(name => name.textContent)")
 
 
+def edit(page):
+    """Let the blocks become a text."""
+    if not page.has("#edit-question:not([hidden])"):
+        page.click("#edit")
+        page.wait_for(lambda: page.has("#edit-question"), "the question")
+    page.click("#edit-question-yes")
+    page.wait_for(lambda: page.has("#text .cm-focused"), "the editor")
+
+
 def press(page, name, button=".name"):
     """Press a button of a program in the list."""
     page.wait_for(lambda: name in names(page), name)
@@ -97,11 +106,13 @@ for (const category of [...categories, ...categories]) { // a function can be ca
 }
 toolbox.clearSelection();
 """
-SAVED = """const blobs = [], create = URL.createObjectURL;
-URL.createObjectURL = (blob) => { blobs.push(blob); return create(blob); };
-document.getElementById("save").click();
-URL.createObjectURL = create;
-blobs[0].text().then(arguments[0]);"""
+SAVED = """const create = URL.createObjectURL, answer = arguments[0];
+URL.createObjectURL = (blob) => {
+  URL.createObjectURL = create;
+  blob.text().then(answer);
+  return create(blob);
+};
+document.getElementById("save").click();"""
 
 
 def test_every_block_of_the_toolbox_is_kept_and_opened_again_as_it_was(page):
@@ -230,6 +241,11 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     pupil.wait_for_text("outcome", "The judge has seen enough.")
     world.wait_for_stop(ROBOT)
     page.wait_for_text("score-table", "One metre")
+    pupil.run("document.getElementById('show-map').click()")
+    edit(pupil)
+    judge(pupil, world, "points")
+    pupil.wait_for_text("outcome", "The judge has seen enough.")
+    world.wait_for_stop(ROBOT)
     world.kill(process)
 
 

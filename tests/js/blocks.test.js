@@ -35,5 +35,5 @@ test("a screen reader names each field of the robot's blocks by what it is for",
   });
   const names = fields.filter(({ EDITABLE }) => EDITABLE).map((field) => field.getAriaTypeName());
   assert.deepEqual(new Set(names), new Set(["x in power", "z in power", "left wheel in power", "right wheel in power",
-    "seconds", "side", "place", "eye", "wheel", "value to print"]));
+    "seconds", "side", "place", "eye", "wheel", "value to print", "name of the curve"]));
 });

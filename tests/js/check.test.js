@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { parseProgram, problemOf } from "#www/program/check.js";
+import { EMPTY, parseProgram, problemOf, withPython, writeProgram } from "#www/program/check.js";
 
 const START = { type: "robot_start" };
 const opened = (...blocks) => parseProgram(JSON.stringify({ blocks: { blocks } })).blocks.blocks;
@@ -111,4 +111,23 @@ test("a block with very many branches, parts or parameters is refused", () => {
 
 test("a file that is too large is refused before it is read", () => {
   assert.equal(problemOf("[".repeat(512 * 1024 + 1)), "This file is too large: a program has 512 kB at most.");
+});
+
+const reopened = (python) => parseProgram(withPython(python)).python;
+
+test("a program that is a text is opened as it was, with its blocks as a copy", () => {
+  const program = { ...JSON.parse(EMPTY), python: "if x:\n\tprint('ä 👩‍🏫', 1)\n\n\n" };
+  assert.deepEqual(parseProgram(writeProgram(program)), program);
+  assert.equal(reopened(""), "");
+  assert.ok(!("python" in parseProgram(EMPTY)));
+});
+
+test("what could hide in a text, or reverse it, is left out, and its lines stay", () => {
+  assert.equal(reopened("a\r\nb\rc\u2028\u202ed\0\x1b[1m\ud800e\n"), "a\nb\ncd[1me\n");
+});
+
+test("a text that is none is refused", () => {
+  for (const python of [7, null, ["print(1)"], { length: 3 }]) {
+    assert.equal(problemOf(withPython(python)), "This file is no program of this page.");
+  }
 });

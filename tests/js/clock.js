@@ -22,6 +22,7 @@ export class Clock {
 
   // Lets so many ms pass: each timer runs when it is due, and what awaits it.
   async pass(ms) {
+    await settled();
     const end = this.now + ms;
     for (let next = this.#next(end); next; next = this.#next(end)) {
       this.now = Math.max(this.now, next.due);

@@ -68,17 +68,17 @@ test("a failure names the block that failed", () => {
 
 test("a block drives, waits and stops, in this order", () => {
   const drive = { ...block("robot_drive", { X: 0.5, SECONDS: 2 }), id: "drive" };
-  const interpreter = new Interpreter(program([drive, { type: "robot_stop", id: "stop" }]), WORKSHOP, () => ({}));
+  const interpreter = new Interpreter(program([drive, { type: "robot_stop", id: "stop" }]), WORKSHOP);
   const seen = [];
-  for (const event of interpreter.run()) seen.push([event, interpreter.motion]);
+  for (const event of interpreter.run(() => ({}))) seen.push([event, interpreter.motion]);
   assert.deepEqual(seen, [
     [{ step: "drive" }, [0, 0]], [{ wait: 2 }, [0.5, 0]], [{ step: "stop" }, [0, 0]], [{ publish: true }, [0, 0]]]);
 });
 
 test("wheels are driven in the robot's own units", () => {
   const wheels = block("robot_wheels", { LEFT: 0.5, RIGHT: 1 });
-  const interpreter = new Interpreter(program([wheels]), { wheel_separation: 0.1, max_speed: 0.4 }, () => ({}));
-  [...interpreter.run()];
+  const interpreter = new Interpreter(program([wheels]), { wheel_separation: 0.1, max_speed: 0.4 });
+  [...interpreter.run(() => ({}))];
   assert.deepEqual(interpreter.motion.map((each) => each.toFixed(6)), ["0.300000", "2.000000"]);
 });
 
@@ -115,11 +115,19 @@ test("a loop without a wait, and a long calculation, let the page have its turn"
   assert.ok(interpret(program([forever()])).events > 20000);
   let value = plug("logic_boolean", {}, { BOOL: "TRUE" });
   for (let depth = 0; depth < 12; depth += 1) value = plug("logic_operation", { A: value, B: value }, { OP: "AND" });
-  const events = [...new Interpreter(program([print(value)]), WORKSHOP, () => ({})).run()];
+  const events = [...new Interpreter(program([print(value)]), WORKSHOP).run(() => ({}))];
   assert.ok(events.filter(({ breathe }) => breathe).length > 100);
 });
 
 test("a random number is among those that were asked for", () => {
   const dice = program([forever(print(plug("math_random_int", { FROM: 1, TO: 6 })))]);
   assert.deepEqual(new Set(interpret(dice).prints), new Set(["1", "2", "3", "4", "5", "6"]));
+});
+
+test("only a program with a block that asks the robot asks it", () => {
+  const { needs } = new Interpreter(program([print(plug("robot_eye"))]), WORKSHOP);
+  assert.deepEqual(needs, { senses: true, eyes: true });
+  const asks = (type) => new Interpreter(program([print(plug(type))]), WORKSHOP).needs.senses;
+  assert.deepEqual(["robot_here", "robot_wheel"].map(asks), [true, true]);
+  assert.deepEqual(["robot_time", "robot_drive", "math_number"].map(asks), [false, false, false]);
 });

@@ -55,9 +55,9 @@ export function interpret(json, senses = {}, most = 20000) {
   const clock = new Clock();
   stand(clock, 0);
   clock.begin();
-  const interpreter = new Watched(json, WORKSHOP, () => ({ seconds: clock.seconds, ...senses }));
+  const interpreter = new Watched(json, WORKSHOP);
   try {
-    for (const event of interpreter.run()) {
+    for (const event of interpreter.run(() => ({ seconds: clock.seconds, senses }))) {
       if (!interpreter.exact) break;
       if ("print" in event) done.trace.push(event.print);
       if (DRIVES.some((name) => name in event)) done.trace.push(command(clock, interpreter));
@@ -68,7 +68,7 @@ export function interpret(json, senses = {}, most = 20000) {
     interpreter.motion = [0, 0]; // as run.js ends
     if (!done.cut && interpreter.exact) done.trace.push(command(clock, interpreter));
   } catch (error) {
-    Object.assign(done, { error: error.message, block: error.block });
+    Object.assign(done, { error: error.message, block: error.place });
   }
   const [prints, commands] = [false, true].map((are) => done.trace.filter((each) => Array.isArray(each) === are));
   return { ...done, exact: interpreter.exact, prints, commands };

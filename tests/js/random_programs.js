@@ -87,6 +87,7 @@ const STATEMENTS = {
   robot_stop: [1, (make) => make.block("robot_stop")],
   robot_wait: [2, (make) => make.block("robot_wait", {}, { SECONDS })],
   robot_print: [5, (make) => make.block("robot_print", {}, { VALUE: "any" })],
+  robot_plot: [1, (make) => make.block("robot_plot", {}, { NAME: "any", VALUE: "any" })],
   variables_set: [4, (make) => make.set()],
   math_change: [2, (make) => make.block("math_change", { VAR: make.variable("number") }, { DELTA: "number" })],
   controls_if: [3, (make) => make.branches()],

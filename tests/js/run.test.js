@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { Interpreter } from "#www/program/interpreter.js";
 import { excess, newsOf } from "#www/program/remarks.js";
 import { Run } from "#www/program/run.js";
 
@@ -20,11 +21,11 @@ function named(json) {
 }
 
 // Runs a program, whose robot answers at once, on a page that shows what it prints and why it has ended.
-async function begin(t, json, { stepping = false, delay = 0, ready = true } = {}) {
+async function begin(t, json, { stepping = false, delay = 0, ready = true, printed } = {}) {
   const page = { clock: new Clock(t), sent: [], prints: [], ends: [] };
-  page.run = new Run(named(json), ROBOT, stepping, {
+  page.run = new Run(json.run ? json : new Interpreter(named(json), ROBOT), ROBOT, stepping, {
     send: (message) => (message.type === "program" ? answer(page, ready) : page.sent.push(message)),
-    printed: (text) => page.prints.push(text), changed() {}, delay: () => delay,
+    printed: ({ print: text }) => page.prints.push(text) && printed?.(page.run), changed() {}, delay: () => delay,
     ended: (...why) => page.ends.push(why),
   });
   await page.clock.pass(60);
@@ -168,7 +169,7 @@ for (const [first, text, ...others] of FAST) {
   test(`of ${first.type} a person reads ${text}`, async (t) => {
     const page = await begin(t, program([{ ...first, id: "fast" }, ...others, drive(9, 0.1)].slice(0, text ? 9 : 1)));
     await page.clock.pass(1000);
-    assert.deepEqual(page.run.limit && [page.run.limit.text, page.run.limit.block], text ? [text, "fast"] : null);
+    assert.deepEqual(page.run.limit && [page.run.limit.text, page.run.limit.place], text ? [text, "fast"] : null);
   });
 }
 
@@ -199,7 +200,8 @@ test("a loop without a wait is reported after a second, until the program waits 
   const page = { clock: new Clock(t) };
   const early = plug("logic_compare", { A: plug("robot_time"), B: 2 }, { OP: "LT" });
   const loop = block("controls_whileUntil", { BOOL: early, DO: body(set("x", 1)) }, { fields: { MODE: "WHILE" } });
-  page.run = new Run(named(program([loop, drive(0.5, 30)], { variables: ["x"] })), ROBOT, false, {
+  const blocks = named(program([loop, drive(0.5, 30)], { variables: ["x"] }));
+  page.run = new Run(new Interpreter(blocks, ROBOT), ROBOT, false, {
     send: (message) => message.type === "program" && answer(page, true), printed() {}, changed() {}, ended() {},
     delay: () => page.clock.freeze(1), // each statement takes a millisecond
   });
@@ -221,7 +223,7 @@ test("a program without a block below its start says so, and marks the start", a
 const NEWS = [ // a run; what is said of it, and whether that is a warning
   [{ held: false, at: null }, "Starting", false],
   [{ held: false, at: "here" }, "Running", false],
-  [{ held: true, at: "here" }, "Paused. Step runs the marked block.", false],
+  [{ held: true, at: "here" }, "Paused. Step runs what is marked.", false],
   [{ held: true, at: null }, "Paused", false],
   [{ at: "here", limit: { text: "Too fast." } }, "Running. Too fast.", true],
   [{ at: "here", waitless: true },
@@ -231,3 +233,54 @@ const NEWS = [ // a run; what is said of it, and whether that is a warning
 for (const [run, text, warning] of NEWS) {
   test(`of a program that runs a person reads: ${text}`, () => assert.deepEqual(newsOf(run), [text, warning]));
 }
+
+test("an engine that computes for long, or loads, is no interruption of the page", async (t) => {
+  const page = { clock: new Clock(t), ends: [] };
+  const later = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
+  const engine = {
+    needs: {}, motion: [0.5, 0], repeats: false, variables: new Map(), prepare: () => later(2000), end() {},
+    async *run() {
+      await later(2000);
+      yield { publish: true };
+    },
+  };
+  page.run = new Run(engine, ROBOT, false, {
+    send: (message) => message.type === "program" && answer(page, true), printed() {}, changed() {}, delay: () => 0,
+    ended: (...why) => page.ends.push(why),
+  });
+  await page.clock.pass(5000);
+  assert.deepEqual(page.ends, [["", null]]);
+});
+
+// A text's engine: it drives, and then computes in a worker, of which the page hears nothing.
+const COMPUTES = { repeats: false, motion: [0.5, 0], variables: new Map(), needs: { senses: true, eyes: false },
+  prepare() {}, end() {},
+  async *run() {
+    yield { publish: true };
+    await new Promise(() => {});
+  } };
+
+test("a text that computes stops its robot after a second, and can go on: its page is not interrupted", async (t) => {
+  const page = await begin(t, COMPUTES);
+  await page.clock.pass(800);
+  assert.equal(speeds(page).at(-1), 0.5);
+  await page.clock.pass(400);
+  assert.deepEqual([page.sent.at(-1), page.ends, page.run.waitless], [ZERO, [], true]);
+  page.run.end("Stopped.");
+});
+
+test("a text that is paused drives by none of the commands that it has given meanwhile", async (t) => {
+  const engine = { ...COMPUTES, async *run() {
+    yield { print: "now" };
+    yield { publish: true };
+    yield { print: "went on" };
+  } };
+  const page = await begin(t, engine, { printed: (run) => run.pause() });
+  await page.clock.pass(300);
+  assert.ok(speeds(page).every((speed) => speed === 0));
+  page.run.resume();
+  await page.clock.pass(100);
+  assert.deepEqual(page.prints, ["now", "went on"]);
+  assert.ok(speeds(page).includes(0.5));
+  page.run.end("Stopped.");
+});

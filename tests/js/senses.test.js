@@ -7,13 +7,13 @@ import { Senses } from "#www/program/senses.js";
 
 import { Clock, settled } from "./clock.js";
 
-const EYE = { blocks: { blocks: [{ type: "robot_eye" }] } };
-const HERE = { blocks: { blocks: [{ type: "robot_here" }] } };
+const EYE = { senses: true, eyes: true };
+const HERE = { senses: true, eyes: false };
 
-function begin(t, program = HERE) {
+function begin(t, needs = HERE) {
   const clock = new Clock(t);
   const asked = [];
-  return { clock, asked, senses: new Senses(program, () => asked.push(clock.now)) };
+  return { clock, asked, senses: new Senses(needs, () => asked.push(clock.now)) };
 }
 
 test("the place is seen from where the program starts, with the heading within half a turn", (t) => {
@@ -30,12 +30,6 @@ test("a place that is not known is none", (t) => {
   senses.begin();
   senses.receive({ ready: true, pose: [0, 0, 0] });
   assert.equal(senses.values.here, undefined);
-});
-
-test("only a program with a block that asks the robot asks it", (t) => {
-  const uses = (type) => begin(t, { blocks: { blocks: [{ type }] } }).senses.used;
-  assert.deepEqual(["robot_here", "robot_eye", "robot_wheel"].map(uses), [true, true, true]);
-  assert.deepEqual(["robot_time", "robot_drive", "math_number"].map(uses), [false, false, false]);
 });
 
 test("the cockpit is asked eleven times per second at most", async (t) => {

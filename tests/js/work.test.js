@@ -98,6 +98,21 @@ test("a page that is opened shows the robot's newest program, which is saved onc
   assert.equal(saves()[0].version, 3);
 });
 
+test("what is kept stays as an earlier version of what is to replace it, unless it is not kept yet", async (t) => {
+  const clock = new Clock(t);
+  const { saves } = cockpit(t, [square()]);
+  const page = openPage();
+  await page.hear();
+  page.edit("As text");
+  assert.equal(page.work.keepEarlier(), "Not kept yet");
+  await clock.pass(1000);
+  assert.equal(page.work.keepEarlier(), "");
+  page.edit("As blocks");
+  await clock.pass(1000);
+  assert.deepEqual(saves().map(({ id, version, name }) => [id, version, name]),
+    [[ID.square, 3, "As text"], [ID.square, 0, "As blocks"]]);
+});
+
 test("what a person has begun before the first list comes stays", async (t) => {
   const clock = new Clock(t);
   const { saved } = cockpit(t, [square()]);
@@ -288,6 +303,22 @@ test("what the cockpit has refused is shown again for its robot, and named while
   assert.equal(page.name, "Second");
   await clock.pass(1000);
   assert.deepEqual(state.programs.map(({ name }) => name), ["Second"]);
+});
+
+test("what the cockpit refuses of one robot's programs is not said beside another robot's", async (t) => {
+  const clock = new Clock(t);
+  const state = cockpit(t);
+  const page = openPage();
+  await page.hear();
+  state.refuses = refuse(409, "There is no room.");
+  page.edit("Mine");
+  await clock.pass(1000);
+  assert.equal(page.said, "There is no room.");
+  await page.hear("/blue");
+  const again = openPage();
+  await again.hear("/blue");
+  await clock.pass(1000);
+  assert.deepEqual([page.said, again.said], [NEW, NEW]);
 });
 
 test("what is said of a program that is not shown goes once that is kept", async (t) => {

@@ -10,6 +10,7 @@ from types import SimpleNamespace
 import pytest
 
 from jetbot_cockpit.classroom.classroom import Classroom
+from jetbot_cockpit.robots.recording import Recording
 from jetbot_cockpit.session.pages import Pages
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.snapshot import RobotSnapshot
@@ -37,6 +38,7 @@ class StandIn:
 
     def __init__(self):
         self.handled, self.left, self.state_size, self.picture, self.problem = [], [], 1, None, ""
+        self.recording = Recording()
 
     def handle(self, client, message, now):
         self.handled.append((client, message))
@@ -61,6 +63,9 @@ class StandIn:
 
     def history(self):
         return []
+
+    def readings(self, robot, since, eyes):
+        return 1000.0, self.recording.since(since)
 
     def state(self):
         driving = RobotState("driving", f"{time.monotonic()} {'x' * self.state_size}")

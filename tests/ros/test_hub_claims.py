@@ -18,7 +18,7 @@ ID = "0123456789abcdef"
 NAME = {"robot": ADA, "id": ID, "name": "A", "version": 99, "deleted": False, "earlier": []}
 LIFT = say("driven", driver="Eve", robot="bob").fields()
 GRAB = {"code": "stopped", "arguments": {}, "text": "All are stopped.", "template": "All are stopped."}
-NOTHING = {"ready": True, "pose": None, "line": None, "wheels": None}
+NOTHING = {"ready": True, "pose": None, "speed": None, "line": None, "command": None, "wheels": None}
 
 
 class Changed:

@@ -104,6 +104,18 @@ def test_a_robot_that_is_gone_is_named_and_keeps_nobody_waiting(robots, page, hu
     assert robots["bob"].control.stopped
 
 
+def test_a_page_draws_the_curves_of_the_robot_that_it_asked_for_last_and_of_no_other(robots, page):
+    for robot, volts in (ADA, 12.1), (BOB, 11.4):
+        page.send({"type": "curves", "robot": robot, "eyes": False})
+        assert page.receive_until(lambda said, robot=robot: said["type"] == "curves" and said["robot"] == robot)
+        for name, each in robots.items():
+            each.control.recording.add("battery", 1.0, volts if f"/{name}" == robot else 0.0)
+        assert page.receive("curves")["battery"] == [[1.0, volts]]
+    page.send({"type": "curves", "robot": None, "eyes": False})
+    viewers = [viewer for robot in robots.values() for viewer in robot.server._pages._viewers.values()]
+    assert wait_until(lambda: not any(viewer.curves.robot for viewer in viewers), WITHIN)
+
+
 def test_a_robot_has_its_address_and_its_delay(robots, hub):
     page = hub.page()
     rows = page.receive("robots")["robots"]

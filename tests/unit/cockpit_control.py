@@ -44,7 +44,7 @@ class FakeRobots:
             self.change(robot, stopped=engaged)
 
     def senses(self, robot):
-        return {"pose": [1, 2, 3], "line": None, "wheels": [0, 0]}
+        return {"pose": [1, 2, 3], "speed": None, "line": None, "command": None, "wheels": [0, 0]}
 
     def tasks(self):
         return self.offered

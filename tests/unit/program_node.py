@@ -117,7 +117,8 @@ def rounded(function):
 def run_python(source: str) -> Run:
     """Run a node without ROS."""
     ros = Node()
-    names = {"print": lambda value: ros.trace.append(printed(value)), "str": printed, "__name__": "program"}
+    names = {"print": lambda *values: ros.trace.append(" ".join(map(printed, values))), "str": printed,
+             "__name__": "program"}
     before, deepest, error = {name: sys.modules.get(name) for name in ros.modules()}, sys.getrecursionlimit(), None
     sys.modules.update(ros.modules())
     sys.setrecursionlimit(len(traceback.extract_stack()) + 1001)  # as of a program; one more is the tracer's

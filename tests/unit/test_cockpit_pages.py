@@ -1,12 +1,14 @@
 """What the pages of the cockpit are sent, and when one is disconnected; with a clock turned by hand."""
 
 import json
+import math
 from types import SimpleNamespace
 
 import pytest
 from cockpit_control import FakeCameras
 
 from jetbot_cockpit.notices import say
+from jetbot_cockpit.robots.recording import MAX_ROWS, Recording
 from jetbot_cockpit.session import protocol
 from jetbot_cockpit.session.messages import LIMITS, MAX_BURST
 from jetbot_cockpit.session.pages import FLOOD_PAUSE, GONE_AFTER, MAX_CLIENTS, TOO_MANY, Pages
@@ -50,7 +52,7 @@ class Control:
 
     def __init__(self):
         self.asked, self.left, self.messages, self.names, self.speed, self.reply = [], [], [], ["/"], 0, None
-        self.problem = ""
+        self.problem, self.recording = "", Recording()
 
     def handle(self, client, message, now):
         self.asked.append((client.id, message))
@@ -78,6 +80,9 @@ class Control:
 
     def state(self):
         return {"type": "state", "speed": self.speed}
+
+    def readings(self, robot, since, eyes):
+        return (1000.0, self.recording.since(since)) if robot in self.names else None
 
 
 @pytest.fixture
@@ -367,3 +372,66 @@ def test_a_teacher_is_told_once_that_the_class_is_not_kept_and_when_it_is_again(
     pages.tick(0.4)
     told = [[each["text"] for each in page.sent if each["type"] == "notice"] for page in (teacher, late, pupil)]
     assert told == [["The class cannot be kept: full. The cockpit tries again.", "The class is kept again."]] * 2 + [[]]
+
+
+class Drawing(Page):
+    """A page that draws the curves of a robot."""
+
+    def __init__(self, pages, robot="/"):
+        super().__init__()
+        self.pages, self.viewer = pages, pages.join(self, TEACHER, None, PageOwner("teacher", "10.0.0.1"), 0.0)
+        self.follow(robot)
+
+    def follow(self, robot):
+        self.pages.receive(self.viewer, json.dumps({"type": "curves", "robot": robot, "eyes": True}), 0.0)
+
+    def curves(self, now=0.0):
+        """Let the pages send; return the messages with what the robot has reported."""
+        self.pages.tick(now)
+        messages, self.sent = [message for message in self.sent if message["type"] == "curves"], []
+        return messages
+
+
+def test_a_page_that_asks_for_curves_gets_each_value_once_as_it_was_published(pages, control):
+    page, other = Drawing(pages), Drawing(pages, robot=None)
+    control.recording.add("wheels", 1.0, 0.0, 0.0, 0.0, 0.0)
+    assert [message["wheels"] for message in page.curves()] == [[]], "what came before it had asked"
+    control.recording.add("odom", 2.0, 0.1234567890123, 0.0, 0.0, 0.25, -1e-7)
+    control.recording.add("line", 2.5, 0.10000000149011612, 0.0, 1.0)
+    [message] = page.curves()
+    assert protocol.problem_of(message) is None
+    assert message["odom"] == [[2.0, 0.1234567890123, 0.0, 0.0, 0.25, -1e-7]]
+    assert message["line"] == [[2.5, 0.10000000149011612, 0.0, 1.0]]
+    assert page.curves() == [], "nothing is new"
+    assert other.curves() == []
+
+
+def test_a_page_knows_from_the_numbers_that_values_are_missing(pages, control):
+    page = Drawing(pages)
+    before = page.curves()[0]["number"]
+    control.recording.add("battery", 1.0, 12.1)
+    [message] = page.curves()
+    assert message["after"] == before
+    for second in range(MAX_ROWS + 5):
+        control.recording.add("battery", second, 12.1)
+    [late] = page.curves()
+    assert len(late["battery"]) == MAX_ROWS
+    assert late["after"] == message["number"] + 5
+
+
+def test_curves_end_with_their_robot_or_when_the_page_asks_for_no_more(pages, control):
+    page = Drawing(pages)
+    assert len(page.curves()) == 1
+    for stop in (lambda: setattr(control, "names", []), lambda: page.follow(None)):
+        stop()
+        control.recording.add("battery", 1.0, 12.1)
+        assert page.curves() == []
+        control.names = ["/"]
+
+
+def test_a_value_that_no_page_can_draw_is_left_out():
+    recording = Recording()
+    recording.add("battery", 1.0, math.nan)
+    recording.add("battery", 2.0, math.inf)
+    recording.add("battery", 3.0, 12.1)
+    assert recording.since(0) == (0, 1, {"battery": [(3.0, 12.1)]})

@@ -1,4 +1,4 @@
-"""The page for programs: Blockly is the one that npm has, and the scripts around it."""
+"""The page for programs: Blockly and CodeMirror are those that npm has, and the scripts around them."""
 
 import hashlib
 import re
@@ -12,19 +12,32 @@ from jetbot_cockpit.session.protocol import Message
 read_files = pytest.importorskip("jetbot_cockpit.web.page_files").read_files  # it needs Tornado
 pytest_plugins = ["cockpit_control"]  # its fixtures
 
-BLOCKLY = ROOT / "morbot_ws/src/jetbot_cockpit/www/vendor/blockly"
-FETCH = (ROOT / "morbot_ws/src/jetbot_cockpit/fetch_blockly").read_text()
+COCKPIT = ROOT / "morbot_ws/src/jetbot_cockpit"
+
+
+def fetched(name):
+    """Return the versions and the checksums of what npm has, and the list of it in the script that fetches it."""
+    folder, script = COCKPIT / "www/vendor" / name, (COCKPIT / f"fetch_{name}").read_text()
+    lines = (folder / "SHA256SUMS").read_text().splitlines()
+    versions = dict(line[2:].split(" ") for line in lines if line.startswith("# "))
+    sums = {name: digest for digest, name in (line.split("  ") for line in lines if not line.startswith("# "))}
+    files = {file.relative_to(folder).as_posix(): file for file in folder.rglob("*")
+             if file.is_file() and file.suffix != ".br"}
+    assert sums == {name: hashlib.sha256(file.read_bytes()).hexdigest() for name, file in files.items()
+                    if name != "SHA256SUMS"}, "nothing else is there"
+    return versions, set(sums), set(re.search(r'(?:files|packages)="(.*?)"', script, re.DOTALL)[1].split())
 
 
 def test_blockly_is_as_its_checksums_say_and_nothing_else_is_there():
-    version, *lines = (BLOCKLY / "SHA256SUMS").read_text().splitlines()
-    assert re.fullmatch(r"# blockly 13\.\d+\.\d+", version)
-    sums = {name: digest for digest, name in (line.split("  ") for line in lines)}
-    files = {file.relative_to(BLOCKLY).as_posix(): file for file in BLOCKLY.rglob("*")
-             if file.is_file() and file.suffix != ".br"}
-    assert sums == {name: hashlib.sha256(file.read_bytes()).hexdigest() for name, file in files.items()
-                    if name != "SHA256SUMS"}
-    assert set(sums) == set(re.search(r'files="(.*?)"', FETCH, re.DOTALL)[1].split())
+    versions, names, listed = fetched("blockly")
+    assert re.fullmatch(r"13\.\d+\.\d+", versions["blockly"]) and len(versions) == 1
+    assert names == listed
+
+
+def test_codemirror_is_bundled_of_packages_with_their_versions_and_as_its_checksums_say():
+    versions, names, listed = fetched("codemirror")
+    assert versions["@codemirror/state"].startswith("6.") and set(versions) == listed
+    assert names == {"LICENSE", "codemirror.js"}
 
 
 def test_the_pad_loads_nothing_of_it():
@@ -44,7 +57,8 @@ def running(cockpit):
 
 def test_a_program_gets_its_robot_and_what_that_senses(cockpit):
     assert cockpit.do(ADA, Message("program", "/red")) == {
-        "type": "program", "robot": "/red", "ready": True, "pose": [1, 2, 3], "line": None, "wheels": [0, 0]}
+        "type": "program", "robot": "/red", "ready": True, "pose": [1, 2, 3], "speed": None, "line": None,
+        "command": None, "wheels": [0, 0]}
     assert cockpit.driver()["id"] == ADA.id
     assert cockpit.drives() == STOPPED
 

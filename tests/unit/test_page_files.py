@@ -57,3 +57,10 @@ def test_scripts_lose_only_comments_and_their_lines_keep_their_numbers(served):
             assert text[:comment.start()].count(b"`") % 2 == 0, f"{name}: a part of a text looks like a comment"
         assert not COMMENT.search(served[name].plain)
     assert b"perhaps in the middle" not in served["program/ask.js"].plain, "at the end of a line"
+
+
+def test_styles_lose_their_comments_alone(served):
+    for name in [name for name in served if name.endswith(".css") and "vendor" not in name and (WWW / name).exists()]:
+        text = (WWW / name).read_text()
+        assert "/*" not in served[name].plain.decode(), name
+        assert re.sub(r"\s|/\*.*?\*/", "", text) == re.sub(r"\s", "", served[name].plain.decode()), name

@@ -110,6 +110,10 @@ PROGRAMS = {
     "texts": program(show(plug("text", {"TEXT": "a'b\\n<b>\"\"\""})),
                      let("x", plug("text", {"TEXT": "#@1"})), show(var("x")),
                      show(plug("text_join", ADD0=plug("text", {"TEXT": "x"}), ADD1=num(2))), variables="x"),
+    "curves": program(let("x", calculate("DIVIDE", num(1), num(4))),
+                      block("robot_plot", NAME=plug("text", {"TEXT": "x"}), VALUE=var("x")),
+                      block("robot_plot", NAME=num(2), VALUE=plug("text", {"TEXT": "a b"})),
+                      block("robot_plot", VALUE=TRUE), block("robot_plot"), variables="x"),
     "functions": program(let("x", num(0)), show(called(num(4))), show(var("x")), functions=(COUNT,), variables="xn"),
     "drives": program(
         drive(0.5, 1), block("robot_turn", {"SIDE": "RIGHT"}, Z=num(0.2), SECONDS=num(0.5)), wait(1),

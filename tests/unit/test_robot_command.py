@@ -235,6 +235,15 @@ def test_off_undoes_all_and_keeps_what_the_class_has_kept_unless_told(computer):
     assert computer.robot("--off")[0] == 0, "twice does no harm"
 
 
+def test_forget_after_off_says_how_the_class_is_deleted(named):
+    kept = named.home / ".ros/morbot_classes/7b/class.json"
+    kept.parent.mkdir(parents=True)
+    kept.write_text("{}")
+    named.robot("--off")
+    code, printed = named.robot("--off", "--forget")
+    assert code == 0 and "To delete what the class 7b has kept here, type: ./morbot forget 7b\n" in printed
+
+
 def test_a_damaged_identity_is_replaced(named):
     identity = named.home / ".ros/morbot_robot.json"
     identity.write_text("")

@@ -11,13 +11,14 @@ import { t } from "./language.js";
 import { RobotMap } from "./map.js";
 import { showPanel } from "./panel.js";
 import { describeSteering } from "./place.js";
-import { Shell } from "./shell.js";
+import { NOT_LOADED, Shell } from "./shell.js";
 import { showSwitches } from "./switches.js";
 import { prepareViews, showScores } from "./views.js";
 import { calledOf } from "./world.js";
 
 let driven = null; // the robot that the commands go to
 let wasDriver = false;
+let curves = null; // until they are shown first
 let fitted = false; // a teacher sees a class as a whole first
 
 const choose = (id) => shell.choice.choose(id);
@@ -104,11 +105,20 @@ function draw() {
   fleet.show();
   camera.show();
   shell.map?.draw();
+  curves?.draw();
 }
 
 function showTasks(tasks) {
   element("codes-tasks").hidden = !tasks.length;
   showSwitches(element("task-switches"), tasks, send);
+}
+
+function showCurves(on) {
+  const load = ({ loadCurves }) => loadCurves(shell, element("view"), () => null, () => showCurves(false));
+  import("./curves/panel.js").then(load).then((loaded) => {
+    curves = loaded;
+    curves.show(on);
+  }, () => notice.show(NOT_LOADED));
 }
 
 // The page sees no finger and no key any more.
@@ -129,6 +139,8 @@ watchGamepads(deflect("gamepad"), () => driving.pause("gamepad")
 prepareViews();
 prepareHealth(() => shell.show());
 element("speed").addEventListener("input", setSpeed);
+element("show-curves").addEventListener("click", () => showCurves(true));
+element("show-camera").addEventListener("click", () => curves && showCurves(false));
 element("take").addEventListener("click", () => send({ type: "take", robot: world.chosen }));
 element("go-on").addEventListener("click", () => send({ type: "go_on", robot: world.chosen }));
 element("reset").addEventListener("click", () => send({ type: "reset", robot: world.chosen }));

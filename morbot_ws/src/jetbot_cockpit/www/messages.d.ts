@@ -27,6 +27,7 @@ export type Outgoing =
   | { type: "ping"; sent: number; }
   | { type: "look"; robot?: string | null; }
   | { type: "seen"; number: number; }
+  | { type: "curves"; robot?: string | null; eyes: boolean; }
   | { type: "save"; robot: string; label: "free" | "blocked"; }
   | { type: "delete"; robot: string; }
   | { type: "codes"; }
@@ -43,10 +44,11 @@ export type Incoming =
   | { type: "scene"; robot: string; shapes: Shape[]; }
   | { type: "scores"; scores: Score[]; }
   | { type: "picture"; robot: string; number: number; stamp: number; bytes: number; }
+  | { type: "curves"; robot: string; now: number; after: number; number: number; odom: [number, number, number, number, number, number][]; wheels: [number, number, number, number, number][]; line: [number, number, number, number][]; battery: [number, number][]; }
   | { type: "tasks"; tasks: Task[]; }
   | { type: "cameras"; on: boolean; }
   | { type: "notice"; code: string; arguments: Record<string, string | Said>; text: string; template: string; }
-  | { type: "program"; robot: string; ready: boolean; pose: [number, number, number] | null; line: [number, number, number] | null; wheels: [number, number] | null; }
+  | { type: "program"; robot: string; ready: boolean; pose: [number, number, number] | null; speed: [number, number] | null; line: [number, number, number] | null; command: [number, number] | null; wheels: [number, number] | null; }
   | { type: "lift"; robot: string; code: string; arguments: Record<string, string | Said>; text: string; template: string; }
   | { type: "judge"; robot: string; request: string; refusal: Said | null; }
   | { type: "pong"; sent: number; }

@@ -15,6 +15,7 @@ import { Stops } from "./stops.js";
 import { World } from "./world.js";
 
 export const LOST = t("The connection to the cockpit was lost.");
+export const NOT_LOADED = t("This could not be loaded. Try again. If that does not help, reload the page.");
 const NEW_CODES = t("Your code is not valid any more. Enter the new one.");
 const NO_COOKIES = t("This browser refuses cookies, so the code does not last. Allow cookies, and reload the page.");
 const STOPPED = t("All robots were stopped.");

@@ -12,13 +12,16 @@ const MAX_TYPE = 40; // characters of a block's type that are shown
 export const NO_PROGRAM = t("This file is no program of this page.");
 const TWO_VARIABLES = t("Two variables of this program have the same name.");
 const TWO_FUNCTIONS = t("Two functions of this program have the same name.");
+// A program without blocks
+export const EMPTY =
+  '{"blocks":{"languageVersion":0,"blocks":[{"type":"robot_start","x":30,"y":30}]},"variables":[]}';
 const BLOCK_KEYS = ["type", "id", "x", "y", "inline", "fields", "inputs", "next", "extraState"];
 const MADE_ANEW = ["id", "deletable", "disabledReasons"]; // of each block, whenever it is shown
 
 // Why a program is refused, in a sentence for the person.
 export class Refusal extends Error {}
 
-// Returns the text of a program of Blockly. Opened and saved again, it is the same.
+// Returns the text of a program of Blockly, with its Python if it is a text. Opened and saved again, it is the same.
 export function writeProgram(program) {
   return JSON.stringify(program, leaveOut);
 }
@@ -28,19 +31,25 @@ function leaveOut(key, value) { // a variable keeps its id
   return this.type && MADE_ANEW.includes(key) ? undefined : value;
 }
 
+// Returns the text of a program that is this Python.
+export function withPython(python) {
+  return JSON.stringify({ ...JSON.parse(EMPTY), python });
+}
+
 // Returns the program, with what this page knows of it alone; throws a Refusal.
 export function parseProgram(file) {
   if (file.length > MAX_SIZE) {
     throw new Refusal(t("This file is too large: a program has {most} kB at most.", { most: MAX_SIZE / 1024 }));
   }
   try {
-    const { blocks: { blocks }, variables = [] } = JSON.parse(file);
+    const { blocks: { blocks }, variables = [], python } = JSON.parse(file);
     const functions = blocks.filter(({ type }) => type.startsWith("procedures_def"));
     checkNames(TWO_VARIABLES, variables.map(({ name }) => name));
     checkNames(TWO_FUNCTIONS, functions.map(({ fields }) => fields.NAME));
     return {
       blocks: { languageVersion: 0, blocks: checkBlocks(blocks) },
       variables: checkVariables(variables),
+      ...python !== undefined && { python: toLines(python) },
     };
   } catch (error) { // what is of another form causes a TypeError
     throw error instanceof Refusal ? error : new Refusal(NO_PROGRAM);
@@ -120,6 +129,12 @@ function copy(value) {
 function text(value) {
   need(typeof value === "string");
   return toText(value);
+}
+
+// Returns a text of several lines without what is harmful where it is shown.
+export function toLines(lines) {
+  need(typeof lines === "string");
+  return lines.replace(/\r\n?/g, "\n").replace(/[^\n\t]+/g, toText);
 }
 
 function need(condition) {

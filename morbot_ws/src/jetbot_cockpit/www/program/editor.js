@@ -75,8 +75,8 @@ export function openEditor(target, changed) {
 
 // T and W lead from anywhere to the toolbox and the workspace, except where a key is text or a choice.
 function isForBlocks({ key, ctrlKey, altKey, metaKey, target }) {
-  return /^[tw]$/i.test(key) && !(ctrlKey || altKey || metaKey) && !element("blocks").inert
-    && !target.closest(`input:not([type=range]), select, dialog, ${BLOCKLYS}`);
+  return /^[tw]$/i.test(key) && !(ctrlKey || altKey || metaKey) && element("text").hidden && !element("blocks").inert
+    && !target.closest(`input:not([type=range]), select, dialog, #text, ${BLOCKLYS}`);
 }
 
 // Tab, or a press elsewhere, ends a move. Blockly itself does so once the focus has left the block, and takes it back.
@@ -140,7 +140,7 @@ export function currentProgram(workspace) {
   return Blockly.serialization.workspaces.save(workspace);
 }
 
-// Returns its text as it is saved and kept.
-export function textOf(workspace) {
-  return writeProgram(currentProgram(workspace));
+// Returns it as it is saved and kept. python: of a program that is a text
+export function textOf(workspace, python) {
+  return writeProgram({ ...currentProgram(workspace), python });
 }

@@ -2,6 +2,7 @@
 
 import { t } from "../language.js";
 import { block } from "./blocks.js";
+import { withPython } from "./check.js";
 
 const plug = (type, inputs, fields) => ({ block: block(type, inputs, { fields }) });
 const set = (X, Z) => block("robot_set", { X, Z });
@@ -31,7 +32,22 @@ const call = block("procedures_callnoreturn", {}, { extraState: { name: "side" }
 const side = block("procedures_defnoreturn", { STACK: body(drive(0.5, 3.4), turn("LEFT", 0.147, 1.05)) },
   { x: 30, y: 230, fields: { NAME: "side" } });
 
-export const EMPTY = program([]);
+// A program to begin with that is a text: the workshop's loop
+export const NEW_PYTHON = withPython(`#!/usr/bin/env python3
+import rospy
+from geometry_msgs.msg import Twist
+
+rospy.init_node("my_program")
+publisher = rospy.Publisher("cmd_vel", Twist, queue_size=1)
+rate = rospy.Rate(10)
+motion = Twist()
+
+motion.linear.x = 0.3
+motion.angular.z = 0
+while not rospy.is_shutdown():
+    publisher.publish(motion)
+    rate.sleep()
+`);
 
 export const EXAMPLES = {
   [t("One metre")]: program([drive(0.5, 3.33), stop]),

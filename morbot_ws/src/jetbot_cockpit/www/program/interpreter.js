@@ -6,33 +6,51 @@
 
 import { t } from "../language.js";
 import { ProgramError } from "./program_error.js";
+import { SENSE } from "./robot.js";
 import { BLOCKS, LOOPS } from "./semantics.js";
 import { notANumber, truth } from "./values.js";
 
 const MAX_CALLS = 998; // functions that call functions; Python's
 const MAX_LOOPS = 20; // in each other; Python's
 const BREATHE_AFTER = 50; // values that are evaluated
+const NOTHING = t("Nothing is below \"when the program starts\": drag blocks there.");
+const ASKING = SENSE.filter(({ unknown }) => unknown).map(({ type }) => type);
+const SENSORS = RegExp(`"type":"(${ASKING.join("|")})"`); // blocks that ask the robot
+const EYES = /"type":"robot_eye"/;
 
 export class Interpreter {
+  repeats = true; // what drives is repeated while the program waits
   variables = new Map(); // by id
   locals = new Map(); // of the function that runs
   motion = [0, 0]; // x, z: in the units of the robot's commands
   running = []; // generators: the program, the function that it calls, the one that this one calls ...
   evaluated = 0; // values
 
-  // program: as Blockly.serialization saves it; geometry: { wheel_separation, max_speed } of the robot;
-  // senses(): what the robot senses, as the rows of robot.js read it
-  constructor(program, geometry, senses) {
+  // program: as Blockly.serialization saves it; geometry: { wheel_separation, max_speed } of the robot
+  constructor(program, geometry) {
     this.geometry = geometry;
-    this.senses = senses;
+    const text = JSON.stringify(program);
+    this.needs = { senses: SENSORS.test(text), eyes: EYES.test(text) };
     const tops = program.blocks?.blocks ?? [];
     this.start = tops.find(({ type }) => type === "robot_start");
     const functions = tops.filter(({ type }) => type.startsWith("procedures_def"));
     this.functions = new Map(functions.map((block) => [block.fields.NAME, block]));
   }
 
+  // Throws a ProgramError if there is nothing to run.
+  prepare() {
+    if (!this.start?.next) throw new ProgramError(NOTHING, this.start?.id);
+  }
+
+  end() {}
+
+  // state(): { senses, seconds }: what the robot senses, and the program's clock, as the rows of robot.js read them.
   // A function's body does not run inside its caller's, but on top of it: a browser's own stack is not deep enough.
-  *run() {
+  *run(state) {
+    this.senses = () => {
+      const { senses, seconds } = state();
+      return { ...senses, seconds };
+    };
     for (const top of [this.start, ...this.functions.values()]) checkLoops(top);
     this.running = [this.chain(this.start?.next?.block)];
     let result;
@@ -78,7 +96,7 @@ export class Interpreter {
     try {
       return yield* BLOCKS[block.type](this, block);
     } catch (error) {
-      if (error instanceof ProgramError) error.block ??= block.id;
+      if (error instanceof ProgramError) error.place ??= block.id;
       throw error;
     }
   }

@@ -4,7 +4,7 @@
 
 import { element, setText } from "../dom.js";
 import { t } from "../language.js";
-import { EMPTY } from "./examples.js";
+import { EMPTY } from "./check.js";
 import { NOT_YET } from "./kept.js";
 import { clean } from "./names.js";
 import { Work } from "./work.js";
@@ -19,10 +19,13 @@ let rows = null; // as the cockpit lists them
 export function openWork({ show, current, lock, notLoaded }) {
   const work = new Work({ show, current, lock, say, list });
   element("programs").addEventListener("click", () => shelf ?? openShelf(work).catch(notLoaded));
-  element("new").addEventListener("click", () => {
-    work.add(...NEW);
+  const begin = (program) => {
+    work.add(NEW[0], program);
     shelf?.sheet.toggle(false);
-  });
+  };
+  element("new").addEventListener("click", () => begin(EMPTY));
+  element("new-python").addEventListener("click", () => import("./examples.js")
+    .then(({ NEW_PYTHON }) => begin(NEW_PYTHON), notLoaded));
   element("title").addEventListener("change", ({ target }) => { target.value = clean(target.value); });
   element("newer").addEventListener("click", () => {
     const { id, state: { newer } } = work.kept;

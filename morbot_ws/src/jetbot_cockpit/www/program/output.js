@@ -8,6 +8,7 @@ const MAX_VALUE = 100; // characters
 
 let lines = new Map(); // of the Python, by the ids of the blocks
 let printed = false; // since it was shown
+let wasHeld = false; // the program was paused when it was shown last
 let scrolled = false; // the person has scrolled the Python
 
 for (const type of ["wheel", "pointerdown", "keydown"]) {
@@ -21,12 +22,17 @@ export function showPython(python) {
   showOwnPart();
 }
 
-// Scrolls to the first function that has blocks of the person's: what is above it is alike in all programs.
+// Returns the index of the line in which the first function begins that has blocks of the person's: what is above it is
+// alike in all programs.
+export function ownLine() {
+  const texts = [...element("python").children].map(({ textContent }) => textContent);
+  return texts.findLastIndex((text, index) => index <= Math.min(...lines.values()) && text.startsWith("def "));
+}
+
 function showOwnPart() {
-  const box = element("python");
-  let part = box.children[Math.min(...lines.values())];
-  while (part && !part.textContent.startsWith("def ")) part = part.previousElementSibling;
-  if (part && !scrolled) box.scrollTop = part.offsetTop - box.firstChild.offsetTop;
+  const { children, firstChild } = element("python");
+  const part = children[ownLine()];
+  if (part && !scrolled) element("python").scrollTop = part.offsetTop - firstChild.offsetTop;
 }
 
 // Marks the block that runs, and its line.
@@ -55,15 +61,20 @@ export function showPrint(text) {
   printed = true;
 }
 
-// Shows the values of the variables, by their ids, and what was printed last.
-export function showOutput(workspace, values) {
+// Returns [name, value] of each variable that has one. values: by the variables' ids
+export function blockVariables(workspace, values) {
   const known = workspace.getVariableMap().getAllVariables().filter((each) => values.has(each.getId()));
-  const texts = known.flatMap((each) => [each.getName(), String(shown(values.get(each.getId()))).slice(0, MAX_VALUE)]);
+  return known.map((each) => [each.getName(), String(shown(values.get(each.getId())))]);
+}
+
+// Shows the variables, [name, value] of each, and what was printed last; held: the variables are in sight, to be read.
+export function showOutput(variables, held) {
+  const texts = variables.flatMap(([name, value]) => [name, value.slice(0, MAX_VALUE)]);
   const parts = element("variables").children;
   if (parts.length === texts.length) texts.forEach((text, index) => setText(parts[index], text));
   else element("variables").replaceChildren(...texts.map((text, index) => create(index % 2 ? "dd" : "dt", "", text)));
-  if (printed) element("output").scrollTop = element("output").scrollHeight;
-  printed = false;
+  if (printed || held !== wasHeld) element("output").scrollTop = held ? 0 : element("output").scrollHeight;
+  [printed, wasHeld] = [false, held];
 }
 
 export function setOutcome(text, warning = false) {

@@ -90,8 +90,10 @@ export class Overview {
     const files = [];
     for (const [index, { robot, id, name }] of (await allPrograms()).entries()) {
       const { program } = await ask({ do: "open", robot, id });
-      const path = `${plain(this.owner(robot))}/${index + 1}_${plain(name)}.json`;
-      files.push({ name: path, text: program });
+      const path = `${plain(this.owner(robot))}/${index + 1}_${plain(name)}`;
+      const { python } = JSON.parse(program);
+      files.push({ name: `${path}.json`, text: program });
+      if (typeof python === "string") files.push({ name: `${path}.py`, text: python });
     }
     const lacking = this.lacking();
     if (lacking) files.push({ name: "missing.txt", text: lacking });

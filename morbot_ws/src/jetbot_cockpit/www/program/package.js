@@ -2,27 +2,30 @@
 
 import { archive } from "./archive.js";
 
+const MODULES = ["rospy", "geometry_msgs", "nav_msgs", "sensor_msgs", "std_msgs"]; // that packages of ROS have
+const INTERPRETER = "#!/usr/bin/env python3";
 const SCRIPT = "program.py"; // not the program's name: a script random.py would be imported in place of Python's module
 
-// Returns it as a text that unpacks itself. python: the script; program: the JSON of the blocks, to be opened again
+// Returns it as a text that unpacks itself. python: the script; program: the text that opens it again
 export function packageText(name, python, program) {
+  const script = python.startsWith("#!") ? python : `${INTERPRETER}\n${python}`;
   return archive(name, [
     { name: "package.xml", text: manifest(name, python) },
     { name: "CMakeLists.txt", text: cmake(name) },
-    { name: `scripts/${SCRIPT}`, text: python, executable: true },
+    { name: `scripts/${SCRIPT}`, text: script, executable: true },
     { name: `launch/${name}.launch`, text: launch(name) },
     { name: `${name}.json`, text: program },
   ]);
 }
 
 function manifest(name, python) {
-  const used = ["rospy", "geometry_msgs", "nav_msgs", "std_msgs"].filter((each) => python.includes(each));
+  const used = MODULES.filter((each) => python.includes(each));
   const depends = [...used, "jetbot_control_node"].map((each) => `  <exec_depend>${each}</exec_depend>\n`).join("");
   return `<?xml version="1.0"?>
 <package format="3">
   <name>${name}</name>
   <version>0.0.1</version>
-  <description>Drives a JetBot; made of blocks.</description>
+  <description>Drives a JetBot.</description>
   <maintainer email="me@example.com">Me</maintainer>
   <license>MIT</license>
 

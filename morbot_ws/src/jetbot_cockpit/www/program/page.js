@@ -1,37 +1,30 @@
 // The page for programs: connects the blocks, what runs them, the cockpit, and what is shown.
 
-import { download, element, onPress } from "../dom.js";
+import { element, onPress } from "../dom.js";
 import { t } from "../language.js";
-import { LOST, Shell } from "../shell.js";
+import { LOST, NOT_LOADED, Shell } from "../shell.js";
 import { calledOf } from "../world.js";
 import { setUnits } from "./blocks.js";
-import { parseProgram } from "./check.js";
 import { showControls } from "./controls.js";
-import { currentProgram, limitProgram, openEditor, selectBlock, showProgram, textOf } from "./editor.js";
+import { selectBlock } from "./editor.js";
 import { ending } from "./endings.js";
-import { EXAMPLES } from "./examples.js";
-import { setOutcome, showOutput, showPlace, showPrint, showPython } from "./output.js";
+import { blockVariables, setOutcome, showOutput, showPlace } from "./output.js";
 import { clearPrints } from "./prints.js";
 import { NEW, openWork } from "./keeping.js";
-import { packageName } from "./names.js";
-import { toPython } from "./python.js";
 import { Run } from "./run.js";
+import { Shown } from "./shown.js";
 import { Side } from "./side.js";
 import { Tasks } from "./tasks.js";
 import { TeachersSheet } from "./teachers_sheet.js";
 
-const MAX_FILE = 20e6; // bytes that are read at all
 const DELAYS = [1000, 500, 200, 0]; // ms before each statement, from slow to fast
 const HIDDEN = t("The page was hidden, so the program was stopped.");
 const ENDED = t("The program has ended.");
 const CHANGED = t("The program was changed. Run it again.");
-const NOT_LOADED = t("This could not be loaded. Try again. If that does not help, reload the page.");
 const STOPPED = t("Stopped.");
-const DEFAULTS = { workshop: true, wheel_separation: 2, max_speed: 1 };
 
 let run = null; // of a program, the last one
-let python = { text: "", lines: new Map() };
-let changing = null; // the next look at what was changed
+let starting = null; // promises the engine of a text that is to run
 
 const shell = new Shell({
   receivers: {
@@ -70,13 +63,29 @@ const shell = new Shell({
 const { world, notice, send } = shell;
 const show = () => shell.show();
 const notLoaded = () => notice.show(NOT_LOADED);
-const side = new Side(shell, notLoaded);
-const workspace = openEditor(element("blocks"), programChanged);
+const side = new Side(shell, () => run, notLoaded);
+const shown = new Shown({
+  robot: () => world.robot(world.chosen),
+  changed(differs) {
+    if (differs) end(CHANGED);
+    work.changed();
+    show();
+  },
+  replaces(isText) {
+    end(CHANGED);
+    run = null;
+    side.showText(isText);
+  },
+  keepText: () => work.keepEarlier(),
+  say: (sentence) => notice.show(sentence),
+  notLoaded,
+});
+const { workspace } = shown;
 const work = openWork({
   show: open,
-  current: () => ({ name: element("title").value, program: textOf(workspace) }),
+  current: () => ({ name: element("title").value, program: shown.program }),
   lock(on) {
-    workspace.setIsReadOnly(on);
+    shown.lock(on);
     element("title").disabled = on;
   },
   notLoaded,
@@ -99,7 +108,7 @@ function endBecause(code, { id, label }) {
 
 function showUnits() {
   setUnits(workspace, world.robot(world.chosen)?.workshop);
-  writePython();
+  shown.write();
 }
 
 // The program
@@ -110,9 +119,22 @@ function start(stepping) {
   end();
   judging.forget();
   if (!shell.link.connected || !robot) return refuse(robot ? LOST : world.describeAbsence("was"));
+  const engine = shown.engine(robot);
+  if (!(engine instanceof Promise)) return begin(engine, robot, stepping);
+  starting = engine;
+  engine.then((loaded) => engine === starting && begin(loaded, robot, stepping),
+    () => engine === starting && end(NOT_LOADED));
+  setOutcome(t("Starting"));
+  showControls(null, true); // now: Stop may be pressed at once
+  show();
+}
+
+function begin(engine, robot, stepping) {
+  starting = null;
+  world.trails.set(robot.id, []); // the map shows this drive alone
   const delay = () => DELAYS[element("speed").value];
-  run = new Run(currentProgram(workspace), robot, stepping, { send, printed, changed: show, ended, delay });
-  showControls(run, false); // now: Stop may be pressed at once
+  run = new Run(engine, robot, stepping, { send, printed, changed: show, ended, delay });
+  showControls(run, false);
   show();
 }
 
@@ -120,22 +142,26 @@ function runs() {
   return run !== null && !run.over;
 }
 
-// Ends the program, if one runs.
+// Ends the program, if one runs or is about to.
 function end(sentence) {
+  if (starting && sentence) refuse(sentence);
+  starting = null;
   run?.end(sentence);
-}
-
-function printed(text) {
-  showPrint(text);
   show();
 }
 
-function ended(sentence, block) {
+function printed(event) {
+  side.print(event);
+  show();
+}
+
+function ended(sentence, place) {
   const { limit } = run;
   judging.programEnded(Boolean(sentence));
   const why = sentence || ENDED;
   setOutcome(limit ? t("{sentence} {limit}", { sentence: why, limit: limit.text }) : why, Boolean(sentence || limit));
-  selectBlock(workspace, block ?? limit?.block ?? "");
+  shown.failed = place ?? limit?.place ?? null;
+  selectBlock(workspace, shown.failed ?? "");
   show();
 }
 
@@ -145,33 +171,14 @@ function refuse(sentence) {
   setOutcome(sentence, true);
 }
 
-// Blockly reports each part of a change, also a little later; where a block lies is no change of the program.
-function programChanged() {
-  changing ??= setTimeout(() => {
-    changing = null;
-    limitProgram(workspace, (text) => notice.show(text));
-    const before = python.text;
-    writePython();
-    if (python.text !== before) end(CHANGED);
-  });
-}
-
-function writePython() {
-  python = toPython(workspace, packageName(element("title").value), world.robot(world.chosen) ?? DEFAULTS);
-  showPython(python);
-  work.changed();
-  show();
-}
-
 // Shows a program from elsewhere, or says in a sentence why it is refused. Returns whether it is shown.
-function open(title, text) {
+function open(title, program) {
   try {
-    showProgram(workspace, parseProgram(text));
+    shown.open(program);
   } catch ({ message }) {
     notice.show(message);
     return false;
   }
-  end(CHANGED);
   judging.forget();
   element("title").value = title;
   setOutcome(t("Press Run."));
@@ -179,49 +186,37 @@ function open(title, text) {
   return true;
 }
 
-async function openFile({ target }) {
-  const [file] = target.files;
-  if (file) work.addFile(file.name.replace(/\.json$/, ""), await file.slice(0, MAX_FILE).text());
-  target.value = "";
-}
-
-function saveProgram() {
-  download(`${packageName(element("title").value)}.json`, textOf(workspace), "application/json");
-}
-
-function savePackage() {
-  writePython();
-  const name = packageName(element("title").value);
-  import("./package.js").then(({ packageText }) => {
-    download(`${name}.txt`, packageText(name, python.text, textOf(workspace)), "text/plain");
-  }, notLoaded);
-}
-
 // What is shown
 
 function draw() {
-  const running = runs() ? run : null;
-  showControls(running, judging.isWaiting);
+  const [running, isText] = [runs() ? run : null, shown.text !== null];
+  showControls(running, judging.isWaiting || starting !== null);
   element("language").disabled = runs() || judging.state.name !== "idle"; // it loads the page again
-  showPlace(workspace, running);
-  showOutput(workspace, run?.interpreter.variables ?? new Map());
+  showPlace(workspace, isText ? null : running);
+  shown.mark(running?.at ?? null);
+  const values = run?.engine.variables ?? new Map();
+  showOutput(isText ? [...values] : blockVariables(workspace, values), Boolean(running?.held));
   side.draw();
 }
 
 // What a person does
 
+function onFiles(id, event, act) {
+  element(id).addEventListener(event, () => import("./files.js").then(act, notLoaded));
+}
+
 onPress(element("run"), () => start(false), () => false);
 onPress(element("end"), () => end(STOPPED));
 element("pause").addEventListener("click", () => (run.held ? run.resume() : run.pause()));
 element("step").addEventListener("click", () => (runs() ? run.step() : start(true)));
-element("title").addEventListener("change", writePython);
+element("title").addEventListener("change", () => shown.write());
 element("open").addEventListener("click", () => element("file").click());
-element("file").addEventListener("change", openFile);
-element("save").addEventListener("click", saveProgram);
-element("package").addEventListener("click", savePackage);
-element("examples").append(...Object.keys(EXAMPLES).map((name) => new Option(name)));
+onFiles("file", "change", ({ openFile }) => openFile(element("file"), work));
+onFiles("save", "click", ({ save }) => save(element("title").value, shown.text, shown.program));
+onFiles("package", "click", ({ savePackage }) => savePackage(element("title").value, shown.python, shown.program));
 element("examples").addEventListener("change", ({ target }) => {
-  if (target.value) work.add(target.value, EXAMPLES[target.value]);
+  const name = target.value;
+  if (name) import("./examples.js").then(({ EXAMPLES }) => work.add(name, EXAMPLES[name]), notLoaded);
   target.value = "";
 });
 addEventListener("keydown", (event) => event.key === "Escape" && end(STOPPED), true);

@@ -1,7 +1,7 @@
-// What went wrong, in a sentence for the person; block: the id of where.
+// What went wrong, in a sentence for the person; place: the id of the block, or the number of the line.
 export class ProgramError extends Error {
-  constructor(sentence, /** @type {string | undefined} */ block = undefined) {
+  constructor(sentence, /** @type {any} */ place = undefined) {
     super(sentence);
-    this.block = block;
+    this.place = place;
   }
 }

@@ -3,7 +3,7 @@
 import { t } from "../language.js";
 
 const LIMITED = 1.005; // times the fastest speed: more than rounding
-const PAUSED = t("Paused. Step runs the marked block.");
+const PAUSED = t("Paused. Step runs what is marked.");
 const NO_WAIT = t("A loop runs without a wait, so the robot stands still: put a wait into it.");
 
 export const UNUSED = t("The robot obeys while the program waits: " +

@@ -1,41 +1,42 @@
-// One run of a program in this page: Pause, Step, Stop, how fast, and the robot that it drives.
+// One run of a program in this page: Pause, Step, Stop, how fast, and the robot that it drives. An engine runs the
+// program itself: interpreter.js blocks, python/engine.js a text.
 
 /** @import { Send } from "../link.js" */
 /** @import { Robot } from "../messages.js" */
 
 import { t } from "../language.js";
 import { Clock } from "./clock.js";
-import { Interpreter } from "./interpreter.js";
 import { HOLD, Motion } from "./motion.js";
 import { ProgramError } from "./program_error.js";
 import { excess, UNUSED } from "./remarks.js";
 import { Senses } from "./senses.js";
 
 const SLICE = 8; // ms that a program computes before the page has its turn
-const HEARTBEAT = 50; // ms; no sleep is longer
+const HEARTBEAT = 50; // ms
 const FROZEN = 300; // ms without a heartbeat: the cockpit has stopped the robot meanwhile
 const READY_TIMEOUT = 4000; // ms until a robot's controller is connected, and its sensors report
 const NOT_READY = t("The robot did not get ready in time. Try again, or tell your teacher.");
-const NOTHING = t("Nothing is below \"when the program starts\": drag blocks there.");
 const INTERRUPTED = t("This page was interrupted, so the robot stopped.");
 
 export class Run {
   clock = new Clock();
   over = false;
   held = false; // whether the person has paused it
-  at = null; // the id of the block whose statement runs
+  at = null; // the statement that runs: its block's id, or its line's number
   entered = false; // whether that is a loop that has named itself twice: it begins its first round
-  /** @type {{ text: string, block: string | null } | null} */
+  /** @type {{ text: string, place: any } | null} */
   limit = null; // of the first command that is more than the wheels can, or of the last one if it was never driven
   published = [0, 0]; // x, z: what the robot drove last
   drivenAt = Infinity; // when the program waited last, by its clock; Infinity: it waits
   awakeAt = performance.now(); // when the page had its last turn
+  pulse = 0; // the timer that notices when the page gets no turn
 
-  // robot: as the cockpit describes it; stepping: it pauses before its first statement; send(message); printed(text);
-  // changed(); delay(): ms before each statement;
-  // ended(sentence, block): why, "" at the program's end; block: the id of where it failed
-  /** @param program @param {Robot} robot @param stepping @param {Record<string, any> & { send: Send }} page */
-  constructor(program, robot, stepping, { send, printed, changed, ended, delay }) {
+  // engine: prepare(), run(state) yields the program's events, end(); motion, variables, needs, repeats; robot: as the
+  // cockpit describes it; stepping: it pauses before its first statement; send(message); printed(event); changed();
+  // delay(): ms before each statement; ended(sentence, place): why, "" at the program's end; place: where it failed
+  /** @param engine @param {Robot} robot @param stepping @param {Record<string, any> & { send: Send }} page */
+  constructor(engine, robot, stepping, { send, printed, changed, ended, delay }) {
+    this.engine = engine;
     this.robot = robot;
     this.stepping = stepping;
     this.send = send;
@@ -43,23 +44,24 @@ export class Run {
     this.changed = changed;
     this.ended = ended;
     this.delay = delay;
-    this.senses = new Senses(program, () => send({ type: "program", robot: robot.id }));
-    const { clock } = this;
-    this.interpreter = new Interpreter(program, robot, () => ({ ...this.senses.values, seconds: clock.seconds }));
+    this.senses = new Senses(engine.needs, () => send({ type: "program", robot: robot.id }));
     this.motion = new Motion((forward, left) => this.command(forward, left));
     this.motion.end(); // the cockpit obeys this page again only after a zero
+    this.pulse = setInterval(() => this.wakeUp(), HEARTBEAT); // also while an engine elsewhere computes
     this.execute().catch((error) => {
       if (!(error instanceof ProgramError)) console.error(error);
-      this.end(error.message, error.block);
+      this.end(error.message, error.place);
     });
   }
 
   // Ends the program, and stops the robot.
-  end(sentence = "", block = null) {
+  end(sentence = "", place = null) {
     if (this.over) return;
+    clearInterval(this.pulse);
     this.motion.end();
+    this.engine.end();
     this.over = true;
-    this.ended(sentence, block);
+    this.ended(sentence, place);
   }
 
   // Pauses: the robot stands, and so does the clock.
@@ -87,16 +89,15 @@ export class Run {
   }
 
   async execute() {
-    const { start } = this.interpreter;
-    if (!start?.next) throw new ProgramError(NOTHING, start?.id);
+    await this.engine.prepare();
     await this.prepare();
     if (this.over) return;
     this.senses.begin();
     this.clock.begin();
     this.drivenAt = this.clock.now;
     this.motion.begin();
-    for (const event of this.interpreter.run()) {
-      if ("print" in event) this.printed(event.print);
+    for await (const event of this.engine.run(() => this.state)) {
+      if ("print" in event || "name" in event) this.printed(event);
       else if ("step" in event) await this.before(event.step);
       else if ("breathe" in event) await this.between();
       else await this.drive(event);
@@ -116,26 +117,32 @@ export class Run {
     if (!this.senses.answer.ready) throw new ProgramError(NOT_READY);
   }
 
+  // What the engine asks of the run.
+  get state() {
+    const slow = this.held || this.stepping || this.delay() > 0;
+    return { slow, seconds: this.clock.seconds, senses: { ...this.senses.values, command: this.published } };
+  }
+
   // Whether it has computed for so long that the robot stands still.
   get waitless() {
     return this.clock.now - this.drivenAt > HOLD;
   }
 
   noteLimit() {
-    const text = excess(this.interpreter.motion, this.robot);
-    if (text) this.limit ??= { text, block: this.at };
+    const text = excess(this.engine.motion, this.robot);
+    if (text) this.limit ??= { text, place: this.at };
   }
 
   noteUnused() {
-    const { motion } = this.interpreter;
-    if (motion !== this.published && motion.some(Boolean)) this.limit ??= { text: UNUSED, block: null };
+    const { motion } = this.engine;
+    if (motion !== this.published && motion.some(Boolean)) this.limit ??= { text: UNUSED, place: null };
   }
 
   // Comes before each statement: shows it, and waits if the program is slow or paused.
-  async before(block) {
+  async before(place) {
     this.noteLimit();
-    this.entered = block === this.at && !this.entered;
-    this.at = block;
+    this.entered = place === this.at && !this.entered;
+    this.at = place;
     if (this.stepping && !this.entered) this.pause();
     else if (this.delay() && !this.entered) await this.rest();
     await this.between();
@@ -147,6 +154,11 @@ export class Run {
       if (this.senses.used) this.senses.refresh();
       await this.sleep(0);
     }
+    await this.goAhead();
+  }
+
+  // Waits while it is paused.
+  async goAhead() {
     while (this.held && !this.over) await this.sleep();
   }
 
@@ -158,9 +170,10 @@ export class Run {
     if (!this.held) this.clock.goOn();
   }
 
-  async drive({ wait, tick }) {
+  async drive({ wait, tick, publish }) {
+    await this.goAhead(); // several commands of a text come at a time
     this.noteLimit();
-    this.publish();
+    if (publish || this.engine.repeats) this.publish();
     this.drivenAt = Infinity;
     if (tick) await this.until(this.clock.nextTick());
     else if (wait > 0) await this.until(this.clock.afterWait(wait));
@@ -174,12 +187,12 @@ export class Run {
     while (!this.over && (this.clock.stands || this.clock.now < due)) {
       this.motion.changesAt = due + this.clock.lost;
       await this.sleep(this.clock.stands ? HEARTBEAT : due - this.clock.now);
-      if (!this.over && !this.clock.stands && this.clock.now < due) this.publish();
+      if (this.engine.repeats && !this.over && !this.clock.stands && this.clock.now < due) this.publish();
     }
   }
 
   publish() {
-    this.published = this.interpreter.motion;
+    this.published = this.engine.motion;
     this.motion.publish(this.published, this.robot);
   }
 
@@ -189,7 +202,7 @@ export class Run {
   }
 
   wakeUp() {
-    this.endIfFrozen();
+    if (this.motion.timer) this.endIfFrozen(); // a slow tablet may take its time to load Python
     this.awakeAt = performance.now();
   }
 

@@ -1,23 +1,18 @@
 // What the robot senses while a program runs: the cockpit is asked for it, not too often.
 
-import { SENSE } from "./robot.js";
-
 const INTERVAL = 90; // ms between two questions
 const TIMEOUT = 100; // ms for the answer
-const ASKING = SENSE.filter(({ unknown }) => unknown).map(({ type }) => type);
-const SENSORS = RegExp(`"type":"(${ASKING.join("|")})"`); // blocks that ask the robot
-const EYES = /"type":"robot_eye"/;
 
 export class Senses {
   answer = {}; // the cockpit's last one
   askedAt = -Infinity;
 
-  // program: the JSON; ask(): asks the cockpit, whose answer comes to receive()
-  constructor(program, ask) {
+  // needs: whether the program asks for { senses } at all, and for its { eyes }; ask(): asks the cockpit, whose answer
+  // comes to receive()
+  constructor({ senses, eyes }, ask) {
     this.ask = ask;
-    const text = JSON.stringify(program);
-    this.used = SENSORS.test(text);
-    this.looks = EYES.test(text);
+    this.used = senses;
+    this.looks = eyes;
   }
 
   receive(answer) {
@@ -52,8 +47,8 @@ export class Senses {
 
   // What the robot senses; what is not known is null or undefined.
   get values() {
-    const { pose, line, wheels } = this.answer;
-    return { here: pose && this.origin && relative(pose, this.origin), line, wheels };
+    const { pose } = this.answer;
+    return { ...this.answer, here: pose && this.origin && relative(pose, this.origin) };
   }
 }
 

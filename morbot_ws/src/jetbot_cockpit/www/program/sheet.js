@@ -25,7 +25,7 @@ export class Sheet {
     if (on) open?.toggle(false);
     open = on ? this : null;
     this.sheet.hidden = !on;
-    element("blocks").inert = on;
+    for (const id of ["blocks", "text"]) element(id).inert = on;
     this.button.setAttribute("aria-pressed", on);
     (on ? this.sheet : this.button).focus();
     if (on) this.shown();

@@ -244,14 +244,22 @@ export class Work {
     this.kept.change(content);
   }
 
-  // Says what has become of a program, of another one only what is bad, or that it waits for its class, without its
-  // name; keeps the shown one on this device.
+  // Lets the version that is kept stay, as an earlier one, once the next change is. Returns why it cannot, or "".
+  keepEarlier() {
+    if (this.kept.state.unsaved) return this.kept.state.text;
+    this.kept.version = 0;
+    return "";
+  }
+
+  // Says what has become of a program, of another one of this robot only what is bad, or that it waits for its class,
+  // without its name; keeps the shown one on this device.
   report(kept) {
     const { content, state: { name, text, bad } } = kept;
     if (kept !== this.kept) {
       device.keepAside(kept);
       if (name === "foreign") return this.view.say(text, false, false);
-      return bad ? this.view.say(`${content.name}: ${text}`, true, false) : this.report(this.kept);
+      const told = bad && kept.robot === this.robot;
+      return told ? this.view.say(`${content.name}: ${text}`, true, false) : this.report(this.kept);
     }
     this.view.say(this.state.name === "looking" ? LOOKING : text, bad, name === "older");
     if (content) device.keepShown(kept);

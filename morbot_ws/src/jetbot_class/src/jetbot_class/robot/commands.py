@@ -211,8 +211,8 @@ def off(computer: Computer, forget: bool) -> int:
         computer.rename(remembered.host, named)
     for group in remembered.groups:
         computer.as_root("gpasswd", "-d", getpass.getuser(), group, check=False)
-    if forget and identity:
-        forget_class(identity.class_name)
+    if forget:
+        forget_class(identity.class_name) if identity else name_classes()
     Path(identities.FILE).expanduser().unlink(missing_ok=True)
     memory.forget()
     Path(service.CURRENT).expanduser().unlink(missing_ok=True)
@@ -228,3 +228,10 @@ def forget_class(class_name: str) -> None:
         refuse(f"a cockpit runs with the class {class_name}", "End it, then type the same again.")
     if count:
         print(f"Deleted {count} files with the codes, names, programs and best scores of the class {class_name}.")
+
+
+def name_classes() -> None:
+    """Print how to delete what classes have kept here, for a computer that does not know its own any more."""
+    for file in sorted(Path(FOLDER).expanduser().glob("*/class.json")):
+        name = printable(file.parent.name)
+        print(f"To delete what the class {name} has kept here, type: ./morbot forget {name}")

@@ -38,7 +38,7 @@ class HubPage(Viewer):
         super().__init__(client, owner, connection, now)
         self.links: Dict[str, Link] = {}
         self.changes: List[Union[str, bytes]] = []
-        self.looks_at: Optional[str] = None
+        self.follows: Dict[str, Optional[str]] = {"look": None, "curves": None}  # a robot, by message
         self.must_lift: Set[str] = set()  # robots that were refused: the finger lifts before it drives them again
         self.codes: Dict[str, List[dict]] = {}  # by robot
 
@@ -247,23 +247,23 @@ class Hub:
     def _ping(self, page, message, text, now):
         page.answer({"type": "pong", "sent": message.sent})
 
-    def _look(self, page, message, text, now):
-        before, page.looks_at = page.link(page.looks_at), message.robot
+    def _follow(self, page, message, text, now):
+        before, page.follows[message.type] = page.link(page.follows[message.type]), message.robot
         if before and page.link(message.robot) is not before:
-            before.send({"type": "look", "robot": None})
+            before.send(ENDS[message.type])
         if message.robot is not None:
             self._to_robot(page, message, text, now)
 
     def _seen(self, page, message, text, now):
-        link = page.link(page.looks_at)
+        link = page.link(page.follows["look"])
         if link:
             link.send(text)
 
     def _receive(self, page: HubPage, link: Link, message: Union[dict, bytes]) -> None:
         """Take what a robot's cockpit sends to a page."""
-        is_looked_at = f"/{link.robot}" == page.looks_at
+        followed = [FOLLOWED[each] for each, robot in page.follows.items() if robot == f"/{link.robot}"]
         if isinstance(message, bytes):
-            if is_looked_at and not page.connection.is_backlogged():
+            if "picture" in followed and not page.connection.is_backlogged():
                 page.connection.send(message)
         elif message["type"] == "codes":
             page.codes[link.robot] = claims.cards(link.robot, message["codes"], link.host, link.port)
@@ -272,7 +272,7 @@ class Hub:
             page.answer({"type": "codes", "codes": [*self._codes.rows, *rows]})
         elif message["type"] in SENTENCES:
             page.answer(claims.attributed(link.robot, message))
-        elif message["type"] in ANSWERS or message["type"] == "picture" and is_looked_at:
+        elif message["type"] in ANSWERS or message["type"] in followed:
             page.answer(message)
 
 
@@ -287,7 +287,9 @@ def seen_from(page: HubPage, robot: str, state: dict) -> dict:
     return {**state, "driver": driver and {**driver, "id": page.client.id if own.client == driver["id"] else 0}}
 
 
+FOLLOWED = {"look": "picture", "curves": "curves"}
+ENDS = {"look": {"type": "look", "robot": None}, "curves": {"type": "curves", "robot": None, "eyes": False}}
 SENTENCES, ANSWERS = ("lift", "notice"), ("program", "judge")
 ROUTES = {"ping": Hub._ping, "name": Hub._to_all, "offer": Hub._to_all, "cameras": Hub._cameras, "codes": Hub._to_all,
-          "look": Hub._look, "seen": Hub._seen, "release": Hub._release, "go_on": Hub._to_one_or_all,
-          "reset": Hub._to_one_or_all}
+          "look": Hub._follow, "curves": Hub._follow, "seen": Hub._seen, "release": Hub._release,
+          "go_on": Hub._to_one_or_all, "reset": Hub._to_one_or_all}

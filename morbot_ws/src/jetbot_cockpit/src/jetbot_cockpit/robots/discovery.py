@@ -18,6 +18,7 @@ from ..cockpit_parameters import MAX_ROBOTS
 from ..session.snapshot import Snapshot
 from .judge_topics import Judge
 from .map_topics import Frames
+from .recording import Readings
 from .robot_topics import RobotTopics, StopTopic
 
 POLL_INTERVAL = 1.0   # s between two questions to the master
@@ -57,6 +58,14 @@ class Robots:
     def senses(self, robot: str) -> dict:
         """Return what a program may read of the robot now; docs/protocol.md explains it."""
         return self._robots[robot].senses(time.monotonic()) if robot in self._robots else {}
+
+    def readings(self, robot: str, since: Optional[int], eyes: bool) -> Optional[Tuple[float, Readings]]:
+        """Return the time now (s since the epoch), and what a robot has reported after the row with this number, None:
+        no row yet; None for a robot that is gone. For as long as it is called, its battery is followed, and its line
+        sensor if ``eyes``.
+        """
+        topics = self._robots.get(robot)
+        return (rospy.get_time(), topics.readings(since, eyes)) if topics else None
 
     def tasks(self) -> Tuple[Tuple[str, str], ...]:
         """Return (name, title) of each task that a judge offers now."""
@@ -101,7 +110,7 @@ class Robots:
         for name in found:
             robots[name] = robots.get(name) or RobotTopics(name, self._frames, self._graph)
         for name, robot in robots.items():
-            robot.follow_line()
+            robot.follow_asked()
             robot.simulated = f"{name.rstrip('/')}/{contract.RESET}" in services
         self._robots = dict(sorted(robots.items()))
         for robot in ended:

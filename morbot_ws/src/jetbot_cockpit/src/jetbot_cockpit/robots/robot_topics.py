@@ -4,11 +4,12 @@ import contextlib
 import math
 import threading
 import time
-from typing import Callable, Optional
+from typing import Callable, Dict, Optional
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from nav_msgs.msg import Odometry
+from sensor_msgs.msg import BatteryState
 from std_msgs.msg import Bool, Float32MultiArray
 from std_srvs.srv import Empty
 
@@ -23,11 +24,13 @@ from jetbot_ros.state import OWN_EMERGENCY_STOP, UNKNOWN, read
 
 from ..session.snapshot import RobotSnapshot, label
 from .map_topics import Drawing, Frames
+from .recording import Readings, Recording
 from .reports import TaskTracker, decode_task, geometry, health, program, rounded, yaw_of
 
 ANSWER_TIMEOUT = 3.0  # s; a controller publishes diagnostics every second
 MOTION_TIMEOUT = 2.0  # s after which a speed that nobody repeats is not shown
-ATTENTION = 5.0       # s for which the line is followed after a program has asked for it
+ATTENTION = 5.0       # s for which line and battery are followed after a page has asked for them
+BACKLOG = 10          # messages that are read at once after a pause of this process: curves show them all
 IN_FLIGHT = 0.3       # s that a message of another program may take
 
 
@@ -97,7 +100,7 @@ class RobotTopics:
         self._program, self._health = "", None
         self._wheels = None, None  # command, duties
         self._odom, self._moved_at = None, 0.0
-        self._asked_at, self._line, self._line_subscriber = -math.inf, None, None
+        self._asked_at, self._drawn_at, self._line, self._recording = -math.inf, -math.inf, None, Recording()
         self._resetting: Optional[threading.Thread] = None
         self._tracker = TaskTracker()
         self._drawings = [Drawing(f"{self._base}/{topic}", frames) for topic in (contract.WORLD, contract.TASK_COURSE)]
@@ -109,14 +112,16 @@ class RobotTopics:
                                                  queue_size=1)
         self._subscribers = [
             self._state_subscriber, self._task_subscriber, *(drawing.subscriber for drawing in self._drawings),
-            rospy.Subscriber(f"{self._base}/{contract.WHEELS}", Float32MultiArray, self._on_wheels, queue_size=1),
-            rospy.Subscriber(f"{self._base}/odom", Odometry, self._on_odom, queue_size=1)]
+            rospy.Subscriber(f"{self._base}/{contract.WHEELS}", Float32MultiArray, self._on_wheels,
+                             queue_size=BACKLOG),
+            rospy.Subscriber(f"{self._base}/odom", Odometry, self._on_odom, queue_size=BACKLOG)]
+        self._asked: Dict[str, rospy.Subscriber] = {}  # by topic
 
     def close(self) -> None:
         """End all topics."""
         self.emergency_stop.close()
         self._driver.unregister()
-        for subscriber in filter(None, [*self._subscribers, self._line_subscriber]):
+        for subscriber in filter(None, [*self._subscribers, *self._asked.values()]):
             subscriber.unregister()
 
     @property
@@ -159,19 +164,30 @@ class RobotTopics:
             judged_elsewhere=any(name.rpartition("/")[2] != contract.CLASS_JUDGE for name in self._judges()))
 
     def senses(self, now: float) -> dict:
-        """Return where the robot is, its line sensor and its wheels, as a program reads them; None: not known."""
+        """Return what a program reads of the robot, as fields of the message "program"; None: not known."""
         self._asked_at = now
-        return {"pose": self._pose_and_speed(now)[0], "line": self._line, "wheels": self._wheels[1]}
+        (pose, speed), (command, wheels) = self._pose_and_speed(now), self._wheels
+        return {"pose": pose, "speed": speed, "line": self._line, "command": command, "wheels": wheels}
 
-    def follow_line(self) -> None:
-        """Subscribe to the line sensor while a program asks for it: it costs a message per 20 ms. It may block."""
-        asked = time.monotonic() - self._asked_at < ATTENTION
-        if asked and not self._line_subscriber:
-            self._line_subscriber = rospy.Subscriber(f"{self._base}/line", Float32MultiArray, self._on_line,
-                                                     queue_size=1)
-        elif self._line_subscriber and not asked:
-            self._line_subscriber.unregister()
-            self._line = self._line_subscriber = None
+    def readings(self, since: Optional[int], eyes: bool) -> Readings:
+        """Return what it has reported after the row with this number, None: no row yet. eyes: follow the line, too."""
+        self._drawn_at = time.monotonic()
+        if eyes:
+            self._asked_at = self._drawn_at
+        return self._recording.since(since)
+
+    def follow_asked(self) -> None:
+        """Subscribe to line sensor and battery while pages ask: a line costs a message per 20 ms. It may block."""
+        now = time.monotonic()
+        for topic, kind, callback, asked_at in (("line", Float32MultiArray, self._on_line, self._asked_at),
+                                                ("battery", BatteryState, self._on_battery, self._drawn_at)):
+            asked = now - asked_at < ATTENTION
+            if asked and topic not in self._asked:
+                self._asked[topic] = rospy.Subscriber(f"{self._base}/{topic}", kind, callback, queue_size=BACKLOG)
+            elif not asked and topic in self._asked:
+                self._asked.pop(topic).unregister()
+        if "line" not in self._asked:
+            self._line = None
 
     def report_driver(self, name: str, interruption: Optional[Sentence]) -> None:
         """Publish what ``driver`` holds, if it has changed."""
@@ -204,12 +220,21 @@ class RobotTopics:
         self._active_at, self._repeats = time.monotonic(), True
         if len(message.data) == 4:  # contract.WHEELS_LABEL
             self._wheels = rounded(message.data[:2]), rounded(message.data[2:])
+            self._recording.add("wheels", rospy.get_time(), *message.data)
 
     def _on_line(self, message):
         self._line = rounded(message.data) if len(message.data) == 3 else None
+        if self._line:
+            self._recording.add("line", rospy.get_time(), *message.data)
+
+    def _on_battery(self, message):
+        self._recording.add("battery", message.header.stamp.to_sec(), message.voltage)
 
     def _on_odom(self, message):
         self._odom, self._moved_at = message, time.monotonic()
+        pose, twist = message.pose.pose, message.twist.twist
+        self._recording.add("odom", message.header.stamp.to_sec(), pose.position.x, pose.position.y,
+                            yaw_of(pose.orientation), twist.linear.x, twist.angular.z)
 
     def _on_task(self, message):
         values = {item.key: item.value for item in message.values}

@@ -109,6 +109,10 @@ class Control:
         """Return the messages that a new page needs besides "robots" and "state"."""
         return [*self._judging.messages(), self._camera_switch.message()]
 
+    def readings(self, robot: str, since: Optional[int], eyes: bool) -> Optional[tuple]:
+        """Return what a robot has reported, as robots.discovery.Robots.readings."""
+        return self._robots.readings(robot, since, eyes)
+
     def camera_refusal(self, client: Client) -> Optional[Notice]:
         """Return why this person does not see what a camera sees, or None."""
         return self._camera_switch.refusal(client)

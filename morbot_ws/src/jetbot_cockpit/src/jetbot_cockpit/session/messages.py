@@ -119,6 +119,7 @@ ROBOT_STATE = part(
     task=or_null(JUDGED), pictures=or_null(PICTURES), programs=COUNT, link=or_null(NUMBER))
 ROBOT_ROW = part("Robot", id=ROBOT, label=TEXT, color=TEXT, workshop=or_null(BOOLEAN), wheel_separation=NUMBER,
                  max_speed=NUMBER, simulated=BOOLEAN, pupil=TEXT, version=TEXT, address=TEXT)
+ODOM, WHEELS, LINE, BATTERY = (list_of(numbers(count)) for count in (6, 5, 4, 2))  # each row begins with its stamp
 SHAPE = part("Shape", kind=one_of("wall", "line", "course", "goal"), width=NUMBER, points=list_of(numbers(2)))
 SCORE = part("Score", task=TEXT, robot=TEXT, score=NUMBER, seconds=or_null(NUMBER), name=TEXT)
 OFFERED = part("Task", name=TEXT, title=TEXT, on=BOOLEAN)
@@ -142,6 +143,9 @@ FROM_PAGE = {
     "ping": Form({"sent": NUMBER}, "is answered by `pong` with the same number"),
     "look": Form({"robot": ROBOT_OR_ALL}, "shows what this robot's camera sees, and no other's any more; null: none"),
     "seen": Form({"number": NUMBER}, "a part of the picture with this number has come; the next one may follow"),
+    "curves": Form({"robot": ROBOT_OR_ALL, "eyes": BOOLEAN},
+                   "asks for what this robot reports, for curves, and for no other's any more; null: none; `eyes`: its "
+                   "`line`, too"),
     "save": Form({"robot": ROBOT, "label": one_of(*LABELS)}, "keeps the robot's newest picture; from its driver"),
     "delete": Form({"robot": ROBOT}, "deletes the pictures of this robot that were kept; from its driver"),
     "codes": Form({}, "asks for the addresses and codes to hand out", teacher=True),
@@ -171,12 +175,15 @@ FROM_COCKPIT = {
     "scores": Form({"scores": list_of(SCORE)}, "the class's best: at first, and when it changes"),
     "picture": Form({"robot": ROBOT, "number": COUNT, "stamp": NUMBER, "bytes": COUNT},
                     "a picture of the robot that the page looks at; its parts follow"),
+    "curves": Form({"robot": ROBOT, "now": NUMBER, "after": COUNT, "number": COUNT, "odom": ODOM,
+                    "wheels": WHEELS, "line": LINE, "battery": BATTERY},
+                   "what a robot has reported: rows of a stamp, and of values as they were published"),
     "tasks": Form({"tasks": list_of(OFFERED)},
                   "which tasks a judge offers, and which of them are on: at first, and when that changes"),
     "cameras": Form({"on": BOOLEAN}, "whether pupils see what the cameras see: at first, and when that changes"),
     "notice": Form(SAID, "one sentence for the person, and its code for programs"),
-    "program": Form({"robot": ROBOT, "ready": BOOLEAN, "pose": or_null(POSE), "line": or_null(numbers(3)),
-                     "wheels": or_null(numbers(2))},
+    "program": Form({"robot": ROBOT, "ready": BOOLEAN, "pose": or_null(POSE), "speed": or_null(numbers(2)),
+                     "line": or_null(numbers(3)), "command": or_null(numbers(2)), "wheels": or_null(numbers(2))},
                     "the answer to `program`; `ready`: whether its controller is connected"),
     "lift": Form({"robot": ROBOT, **SAID},
                   "why a `drive` or `program` was refused, or a `reset` ended it, and the robot stopped; the next one "

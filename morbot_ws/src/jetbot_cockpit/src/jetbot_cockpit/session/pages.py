@@ -105,6 +105,7 @@ class Pages:
                 self.end(viewer, SILENT, "no sign of life")
             elif viewer.is_ready(now):
                 viewer.show(robots, changes, state, self._control.history, now)
+                viewer.show_curves(self._control.readings)
                 viewer.warn(self._control.problem)
             elif changes:
                 viewer.robots = ""  # it misses something, and gets all again
@@ -148,6 +149,8 @@ class Pages:
             return viewer.feed.acknowledge(message.number)
         if message.type == "look":
             return self._look(viewer, message.robot)
+        if message.type == "curves":
+            return viewer.curves.follow(message.robot, message.eyes)
         if message.type not in ("codes", "new_code"):
             return self._control.handle(client, message, now)
         refusal = refuse_role(client, message.type)

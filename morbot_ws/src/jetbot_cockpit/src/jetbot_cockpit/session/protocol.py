@@ -24,7 +24,7 @@ class Message(NamedTuple):
     robot: a namespace, None: all robots; forward, left: deflections in [-1, 1], both 0: the pad was let go;
     name: what a person is called; sent: a number that is sent back at once; number: of a picture; label:
     what a picture shows, one of LABELS; task: its name; on: whether pupils may choose it, or see what
-    the cameras see.
+    the cameras see; eyes: whether curves show the line sensor.
     """
 
     type: str
@@ -37,6 +37,7 @@ class Message(NamedTuple):
     label: str = ""
     task: str = ""
     on: bool = False
+    eyes: bool = False
 
     @property
     def moves(self) -> bool:

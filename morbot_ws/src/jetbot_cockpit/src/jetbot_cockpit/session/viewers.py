@@ -4,6 +4,7 @@ from collections import Counter
 from typing import Callable, List, NamedTuple, Optional, Sequence
 
 from ..notices import Notice, say
+from .curves import Curves
 from .feed import Feed, Picture
 from .messages import MAX_BURST, MAX_RATE
 from .protocol import dumps, notice
@@ -31,7 +32,7 @@ class Viewer:
         self.problem: Optional[Notice] = None
         self.frames = True  # whether it wants "robots" and "state"
         self.is_done = False  # it was disconnected, and has stopped since: nothing more of it counts
-        self.feed = Feed()
+        self.feed, self.curves = Feed(), Curves()
 
     def record_activity(self, now: float) -> bool:
         """Record a sign of life; return whether there are not too many: MAX_RATE, after a pause MAX_BURST at once."""
@@ -64,6 +65,12 @@ class Viewer:
         if self.frames and (state != self.state or now - self.shown_at >= STILL_INTERVAL):
             self.connection.send(state)
             self.state, self.shown_at = state, now
+
+    def show_curves(self, readings: Callable) -> None:
+        """Send what is new of the robot whose curves the page draws. readings: of session.control.Control."""
+        message = self.curves.next(readings)
+        if message:
+            self.connection.send(dumps(message))
 
     def warn(self, problem: Optional[Notice]) -> None:
         """Tell a teacher once why the class is not kept, and when it is again: None."""

@@ -24,7 +24,10 @@ HEADERS = {"Content-Security-Policy": POLICY, "X-Frame-Options": "DENY",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer", "Cache-Control": "no-store"}
 DOCUMENT_HEADERS = ["Content-Security-Policy", "X-Frame-Options", "Referrer-Policy", "Date"]
 PAGES = {"": "index.html", "program": "program.html"}  # by what stands in the address
-STYLED = {"program.html": POLICY + "; style-src 'self' 'unsafe-inline'"}  # Blockly inserts two styles
+POLICIES = {  # of what needs another one
+    "program.html": POLICY + "; style-src 'self' 'unsafe-inline'",  # Blockly and CodeMirror insert styles
+    "python/worker.js": "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'",  # a pupil's program runs there
+}
 CLOSED = WebSocketClosedError, StreamClosedError
 CLOSE_WAIT = 0.5  # s for the reason to arrive
 
@@ -83,14 +86,14 @@ class Page(Handler):
             raise HTTPError(404)
         if name in PAGES.values() and not self.get_cookie(self.access.visitor_cookie):
             self.give_cookie(self.access.visitor_cookie, secrets.token_urlsafe(16))
-        if name in STYLED:
-            self.set_header("Content-Security-Policy", STYLED[name])
         self._send(name, self.files[name])
 
     def _send(self, name, file):
         if file.cache == FOREVER:  # a part of a page: what protects pages only makes it longer
             for header in DOCUMENT_HEADERS:
                 self.clear_header(header)
+        for own in filter(name.endswith, POLICIES):
+            self.set_header("Content-Security-Policy", POLICIES[own])
         self.set_header("Cache-Control", file.cache)
         self.set_header("Content-Type", f"{TYPES[Path(name).suffix]}; charset=UTF-8")
         self.set_header("Vary", "Accept-Encoding")

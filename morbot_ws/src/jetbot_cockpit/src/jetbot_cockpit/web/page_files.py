@@ -11,10 +11,12 @@ from jetbot import files
 
 WWW = files.shipped(Path(__file__).parent, "jetbot_cockpit", "www")
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
-         ".cur": "image/x-icon", ".json": "application/json"}
+         ".cur": "image/x-icon", ".json": "application/json", ".mjs": "text/javascript", ".wasm": "application/wasm",
+         ".py": "text/x-python"}
 NEVER, CHECKED, FOREVER = "no-store", "no-cache", "max-age=31536000, immutable"  # how a browser keeps a file
 # A whole line, or its end, which is in no text since it has no quotes; the lines keep their numbers
 COMMENT = re.compile(rb"""^ *(?://.*|/\*\*.*\*/)$|(?<=[;,{}()\[\]]) +// [^"'`\n]*$""", re.MULTILINE)
+STYLE_COMMENT = re.compile(rb" */\*[^*]*\*/")
 REFERENCE = re.compile(r'(?<=src="|ref=")[^":]+(?=")')
 IMPORT = re.compile(r'^(?:import|export|\}).* from "(\..+)";$|^import "(\..+)";$', re.MULTILINE)
 MODULE = re.compile(r' *<script type="module" src="([^"]+)"></script>')
@@ -48,9 +50,9 @@ def read_files(folder: Path = WWW) -> Dict[str, File]:
 
 
 def read(file: Path) -> bytes:
-    """Return what is served of a file: scripts without their comments, a tenth of what a tablet waits for."""
-    content = file.read_bytes()
-    return COMMENT.sub(b"", content) if file.suffix == ".js" and "vendor" not in file.parts else content
+    """Return what is served of a file: without its comments, a tenth of what a tablet waits for."""
+    comment = {".js": COMMENT, ".css": STYLE_COMMENT}.get(file.suffix) if "vendor" not in file.parts else None
+    return comment.sub(b"", file.read_bytes()) if comment else file.read_bytes()
 
 
 def compress(content: bytes, cache: str, file: Optional[Path] = None) -> File:

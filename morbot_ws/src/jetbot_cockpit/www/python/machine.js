@@ -1,0 +1,200 @@
+// MicroPython, made suspendable by binaryen's asyncify: what a program calls in the page may wait, at any depth, while
+// the thread goes on. It knows no page and no robot.
+
+import { loadMicroPython } from "../vendor/micropython/micropython.mjs";
+
+const WASM = new URL("../vendor/micropython/micropython.wasm", import.meta.url).href;
+const MEMORY = 64 * 1024 * 1024; // bytes; a program that needs more gets a MemoryError
+const HEAP = 2 * 1024 * 1024; // bytes, to begin with
+const STACK = 64 * 1024; // bytes of Python's own stack
+const SUSPENDED = 512 * 1024; // bytes for what is on the stack of a program that waits
+const ROOM = 40 * 1024; // bytes of WebAssembly's stack for what is evaluated; MicroPython leaves 32 kB unused
+const CALLS = ["call0", "call1", "call2", "calln"];
+// What a program may use, whatever it does to MicroPython: its memory, the time, the page's functions
+const HARMLESS = /^(?:invoke_|mp_js_|emscripten_|_emscripten_|_abort_js|proxy_js_free|js_check_existing|call[012n]$)/;
+const ATTRIBUTES = ["lookup_attr", "has_attr"]; // of what is JavaScript's: there is none
+const [EROFS, EBADF] = [69, 8]; // as WASI counts errors
+const WRITES = 0o3 | 0o100 | 0o1000; // O_ACCMODE, O_CREAT, O_TRUNC
+const HEAD = 8; // bytes of asyncify's own there: where the stack ends, and may end
+const REWINDING = 2; // a state of asyncify
+
+// Of these modules nothing is left: they reach JavaScript, any address of the memory, files.
+const EMPTIED = "js jsffi uctypes uos vfs";
+
+// MicroPython collects garbage only where nothing of a program is on WebAssembly's stack, which it cannot read: so a
+// program runs from a call that does not count as one of JavaScript's (__iter__), and while it waits all of that stack
+// lies in `suspended`, an object of Python's.
+const BEGINNING = `
+import _javascript, sys
+from uctypes import addressof, bytearray_at
+
+class _page:
+    pass
+
+for name in "NAMES".split():
+    setattr(_page, name, getattr(_javascript, name))
+sys.modules["_page"] = _page
+suspended = bytearray(${SUSPENDED})
+place = addressof(suspended)
+
+class Program:
+    def __init__(self, run):
+        self.run = run
+
+    def __iter__(self):
+        self.run()
+        return iter(())
+
+from _run import run, variables
+program = Program(run)
+nothing = int
+
+def number_at(address):
+    return int.from_bytes(bytearray_at(address, 4), "little")
+
+for name in "${EMPTIED}".split():
+    names = number_at(id(__import__(name)) + 4)
+    bytearray_at(names + 4, 8)[:] = bytes([number_at(names + 4) & 7]) + bytes(7)  # its count and size of a mp_map_t
+del sys.modules["_javascript"]
+`;
+
+export class Machine {
+  /** @type {any} */
+  wasm = null; // what MicroPython exports
+  /** @type {any} */
+  python = null;
+  closed = false; // whether Python reaches no JavaScript but the page's functions
+  /** @type {Promise<void> | null} */
+  pending = null; // what a function of the page waits for
+  evaluates = false;
+  place = 0; // the address of `suspended`
+  /** @type {any} */
+  program = null; // Python's objects
+  /** @type {any} */
+  nothing = null;
+
+  // wasm: MicroPython's bytes; files: the texts of Python's modules by their names; page: the functions of the module
+  // _page, which return a promise to wait for, or what Python gets; written(text): on Python's output
+  async load({ wasm, files, page, written }) {
+    this.takeOver(wasm);
+    this.written = written;
+    const python = await loadMicroPython({ url: WASM, heapsize: HEAP, pystack: STACK });
+    for (const [name, text] of Object.entries(files)) {
+      python.FS.mkdirTree(`/lib/${name}`.replace(/\/[^/]*$/, ""));
+      python.FS.writeFile(`/lib/${name}`, text);
+    }
+    const call = (value) => (value instanceof Promise ? this.wait(value) : value ?? null);
+    const functions = Object.entries(page).map(([name, act]) => [name, (...given) => call(act(...given))]);
+    python.registerJsModule("_javascript", Object.fromEntries(functions));
+    python.runPython(BEGINNING.replace("NAMES", Object.keys(page).join(" ")));
+    for (const name of ["place", "suspended", "program", "variables", "nothing"]) this[name] = python.globals.get(name);
+    python.runPython("globals().clear()");
+  }
+
+  // Instantiates MicroPython from these bytes, with imports of which some are our own.
+  takeOver(wasm) {
+    const { instantiate } = WebAssembly;
+    const own = async (_, { env, wasi_snapshot_preview1: wasi }) => {
+      const imports = { env: this.imports(env), wasi_snapshot_preview1: { ...wasi, fd_write: this.writes(wasi) } };
+      const { instance } = await instantiate(wasm, imports);
+      this.wasm = instance.exports;
+      return { instance };
+    };
+    Object.assign(globalThis, { fetch: () => null });
+    Object.assign(WebAssembly, { instantiate: own, instantiateStreaming: own });
+  }
+
+  imports(env) {
+    const own = { ...env };
+    for (const name of Object.keys(env).filter((each) => !HARMLESS.test(each))) {
+      own[name] = (...given) => (this.closed ? refuse(name) : env[name](...given));
+    }
+    for (const name of CALLS) own[name] = this.suspending(env[name]);
+    for (const name of ["__syscall_stat64", "__syscall_getcwd"]) own[name] = env[name];
+    own.__syscall_openat = (...given) => (this.closed && given[2] & WRITES ? -EROFS : env.__syscall_openat(...given));
+    own.emscripten_resize_heap = (size) => size >>> 0 <= MEMORY && env.emscripten_resize_heap(size);
+    return own;
+  }
+
+  // Returns the import by which Python writes: to its output alone.
+  writes(wasi) {
+    const decoder = new TextDecoder();
+    return (file, buffers, count, written) => {
+      if (!this.closed) return wasi.fd_write(file, buffers, count, written);
+      if (file !== 1 && file !== 2) return EBADF;
+      const parts = Array.from({ length: count }, (_, index) => this.words(buffers + 8 * index, 2));
+      for (const [at, length] of parts) {
+        this.written(decoder.decode(new Uint8Array(this.wasm.memory.buffer, at, length), { stream: true }));
+      }
+      this.words(written, 1)[0] = parts.reduce((sum, [, length]) => sum + length, 0);
+      return 0;
+    };
+  }
+
+  // Returns the import that lets the program wait for what the page's function does.
+  suspending(call) {
+    let result;
+    return (...given) => {
+      if (this.wasm.asyncify_get_state() === REWINDING) {
+        this.wasm.asyncify_stop_rewind();
+        return result;
+      }
+      result = call(...given);
+      if (this.pending) this.wasm.asyncify_start_unwind(this.place);
+      return result;
+    };
+  }
+
+  wait(promise) {
+    if (this.evaluates) throw new Error("What is evaluated must not wait.");
+    this.pending = promise;
+    return null; // Python's None, as undefined is not
+  }
+
+  // Runs Python's function `run`, which catches all that it raises.
+  async run() {
+    this.closed = true;
+    this.words(this.place, 2).set([this.place + HEAD, this.place + SUSPENDED]);
+    for (;;) {
+      this.wasm.proxy_c_to_js_get_iter(this.program._ref);
+      if (!this.pending) return;
+      this.wasm.asyncify_stop_unwind();
+      await this.pending;
+      this.pending = null;
+      this.collect();
+      this.wasm.asyncify_start_rewind(this.place);
+    }
+  }
+
+  // Lets MicroPython collect garbage if it has needed to since the last time.
+  collect() {
+    const [top, base] = [this.wasm.emscripten_stack_get_current(), this.wasm.emscripten_stack_get_base()];
+    const [end, most] = this.words(this.place, 2);
+    if (end + base - top > most) return;
+    this.words(end, (base - top) / 4).set(this.words(top, (base - top) / 4));
+    this.nothing(); // any call: this one needs none of Python's stack, of which a deep program leaves nothing
+  }
+
+  // Returns what a function of Python's returns, also while the program waits; it must not wait itself. Returns null
+  // if the program is so deep that there is no room.
+  evaluate(name) {
+    if (this.wasm.emscripten_stack_get_current() - this.wasm.emscripten_stack_get_end() < ROOM) return null;
+    this.evaluates = true;
+    try {
+      return this[name]();
+    } finally {
+      this.evaluates = false;
+    }
+  }
+
+  // Returns so many words of the memory from this address on.
+  words(address, count) {
+    return new Uint32Array(this.wasm.memory.buffer, address, count);
+  }
+}
+
+function refuse(name) {
+  if (ATTRIBUTES.includes(name)) return 0;
+  if (name.startsWith("__syscall_")) return -EROFS;
+  throw new Error(`A program reaches nothing of the page but its own functions: ${name}`);
+}

@@ -1,0 +1,97 @@
+// Puts marks into a Python program, at which the page gets its turn: before each statement, and in each round of a
+// loop; and what MicroPython lacks. All lines keep their numbers. It knows no page.
+
+import { DIALECT } from "./dialect.js";
+
+const SIMPLE = /^(?!If|While|For|Try|With|Match|Decorated).*Statement$/;
+const PLACES = ["Script", "Body", "StatementGroup"]; // of statements
+
+// Returns the program with its marks. tree: of CodeMirror's parser; what that does not understand has none
+export function mark(source, tree) {
+  const marks = new Marks(source);
+  tree.iterate({ enter: ({ node }) => {
+    if (SIMPLE.test(node.name) && PLACES.includes(node.parent.name)) marks.addStatement(node);
+    else HEADS[node.name]?.(marks, node);
+    DIALECT[node.name]?.(marks, node);
+  } });
+  return marks.written();
+}
+
+// Returns the line that has failed. line: as MicroPython says: a loop's last one where the condition fails, of
+// which it makes the code last; marked: the line of the last mark
+export function lineOf(source, tree, { line, marked }) {
+  const marks = new Marks(source);
+  let found = line;
+  tree.iterate({ enter({ name, from, to }) {
+    const [first, last] = [from, to].map((position) => marks.lineOf(position));
+    if (name === "WhileStatement" && first === marked && line <= last) found = marked;
+  } });
+  return found;
+}
+
+// What is marked in the head of a statement: the condition, whenever it is asked; the loop, in each round
+const HEADS = {
+  IfStatement: markConditions, WhileStatement: markConditions,
+  ForStatement(marks, node) {
+    const [values, body] = [node.getChild("in")?.nextSibling, node.getChild("Body")];
+    if (values && body) marks.wrap(node, "_each(%, (", values.from, body.prevSibling?.to ?? body.from, "))");
+  },
+};
+
+function markConditions(marks, node) {
+  for (const word of ["if", "while", "elif"].flatMap((each) => node.getChildren(each))) {
+    const { nextSibling: condition } = word;
+    if (condition) marks.wrap(word, "_at(%) or (", condition.from, condition.to, ")");
+  }
+}
+
+class Marks {
+  edits = []; // { from, to, text, order }: of those at one place, first what ends there, the innermost first
+  lines = new Set(); // that have a mark
+
+  constructor(source) {
+    this.source = source;
+    this.ends = [...source.matchAll(/\n/g)].map(({ index }) => index);
+  }
+
+  // Returns the number of the line of this position, from 1.
+  lineOf(position) {
+    const index = this.ends.findIndex((end) => end >= position);
+    return (index < 0 ? this.ends.length : index) + 1;
+  }
+
+  text({ from, to }) {
+    return this.source.slice(from, to);
+  }
+
+  insert(at, text) {
+    this.edits.push({ from: at, to: at, text, order: this.edits.length + 1 });
+  }
+
+  close(at, text) {
+    this.edits.push({ from: at, to: at, text, order: -this.edits.length - 1 });
+  }
+
+  replace({ from, to }, text) {
+    this.edits.push({ from, to, text, order: this.edits.length + 1 });
+  }
+
+  addStatement({ from }) {
+    const line = this.lineOf(from);
+    if (!this.lines.has(line)) this.insert(from, `_at(${line});`);
+    this.lines.add(line);
+  }
+
+  wrap(node, before, from, to, after) {
+    const line = this.lineOf(node.from);
+    this.lines.add(line);
+    this.insert(from, before.replace("%", line));
+    this.close(to, after);
+  }
+
+  written() {
+    const inOrder = this.edits.sort((one, other) => one.from - other.from || one.order - other.order);
+    const parts = inOrder.map(({ from, text }, index) => this.source.slice(inOrder[index - 1]?.to ?? 0, from) + text);
+    return parts.join("") + this.source.slice(inOrder.at(-1)?.to ?? 0);
+  }
+}

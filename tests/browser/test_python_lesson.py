@@ -1,0 +1,244 @@
+"""The lesson on Python, with a finger: from blocks to a text, curves and a score; on a tablet lying and upright."""
+
+import itertools
+import re
+import time
+
+import pytest
+
+from harness import program
+from jetbot.wait import wait_until
+from processes import end
+
+from .conftest import ROBOT, TABLET
+from .test_curves import column, drives, read_table, values, wait_for_end
+from .test_python_page import is_marked, marked
+from .test_tablet_lesson import tap
+from .test_work import judge
+from .world import TRIES
+
+STRAIGHT, LEFT = (0.5, 0.5), (-0.1, 0.1)  # what the wheels get
+BACKSPACE = "\ue003"
+OUT = 3  # presses of it from a line in a loop to the end of the line above: two levels of spaces, and the line's end
+COMMAND = "drive(0.5, 0, 3.33)"  # of the example
+INTERRUPTED = "was interrupted, so the robot stopped."  # the page, or the cockpit, by a busy computer
+SPEED, WHEEL = "speed (m/s)", "left wheel (power)"
+INDENT = " " * 4
+# Below a colon, the editor indents
+LOOP = "for count in range(4):\ndrive(0.5, 0, 1)\ndrive(0, 0.1, 1.47)"
+SIDE = "def side(length):\ndrive(0.5, 0, length / 0.3)\ndrive(0, 0.1, 1.47)"
+RAMP = 'for step in range(1, 6):\nprint("x", step / 10)\ndrive(step / 10, 0, 0.4)'
+MISTAKES = [
+    ("def main():", "def main():", "", 1, "A colon is missing: a line with “def” ends with :", "def main()"),
+    (f"{INDENT}drive(0.5, 0, 1.67)", "drive", "vie", 3, "“drvie” is not known here. Do you mean drive?",
+     f"{INDENT}drvie(0.5, 0, 1.67)"),
+    (f"{INDENT}stop()", INDENT, " ", 0,
+     "This line begins too far to the right: begin it in the column of the line above.", f"{INDENT} stop()"),
+]
+# Where a finger touches a line behind a text, "" being the empty line above main, or null if that is out of sight; and
+# how far it is to scroll there, in px
+PLACE = """const [line, part] = arguments, scroller = document.querySelector(".cm-scroller");
+const { top, bottom, height } = scroller.getBoundingClientRect(), all = [...document.querySelectorAll(".cm-line")];
+const found = line ? all.find(each => each.textContent.startsWith(line))
+    : all[all.findIndex(each => each.textContent === "def main():") - 1];
+if (!found) return [null, height / 2];
+const walker = document.createTreeWalker(found, NodeFilter.SHOW_TEXT), range = document.createRange();
+let left = found.textContent.indexOf(part) + part.length;
+while (walker.nextNode() && left > walker.currentNode.length) left -= walker.currentNode.length;
+if (line) range.setStart(walker.currentNode, left);
+else range.selectNode(found);
+const { x, y, height: letter } = range.getBoundingClientRect(), down = y + letter / 2;
+return down > top + 12 && down < bottom - 12 ? [[x + 1, down], 0] : [null, down - (top + bottom) / 2];"""
+CARET = """const { anchorNode, anchorOffset } = getSelection(), range = document.createRange();
+const line = (anchorNode?.closest ? anchorNode : anchorNode?.parentElement)?.closest(".cm-line");
+if (!line) return null;
+range.setStart(line, 0);
+range.setEnd(anchorNode, anchorOffset);
+return range.toString();"""
+SCROLLED = "return document.querySelector('.cm-scroller').scrollTop"
+
+
+def drag(page, down):
+    """Drag the text by so many px, and hold the finger still before it is lifted: the text does not glide on."""
+    x, y = page.place_of(".cm-scroller")
+    page.touch_event("touchStart", (x, y))
+    for part in range(1, 11):
+        page.touch_event("touchMove", (x, y + down * min(part, 8) / 8))
+    page.touch_event("touchEnd")
+    seen = [None, page.run(SCROLLED)]
+    page.wait_for(lambda: seen[-2] == seen[-1] or seen.append(page.run(SCROLLED)), "the text to rest")
+
+
+def touch(page, line, part):
+    """Scroll until this line of the text is in sight, and touch it right behind this part of it, again if need be."""
+    for _ in range(30):
+        place, distance = page.run(PLACE, line, part)
+        if not place:
+            drag(page, max(-150, min(150, -distance)))
+            continue
+        page.touch_event("touchStart", tuple(place))
+        page.touch_event("touchEnd")
+        if wait_until(lambda: page.run(CARET) == line[:line.index(part) + len(part)], 0.5):
+            return
+    raise AssertionError(f"no caret behind {part!r} of {line!r}")
+
+
+def type_text(page, text, delete=0):
+    """Delete so many letters, and type with the tablet's keyboard."""
+    for _ in range(delete):
+        page.tap(BACKSPACE)
+    for number, line in enumerate(text.split("\n")):
+        if number:
+            page.tap("Enter")
+        if line:
+            page.driver.execute_cdp_cmd("Input.insertText", {"text": line})
+
+
+def change(page, line, old, new):
+    """Replace a part of a line."""
+    touch(page, line, old)
+    type_text(page, new, delete=len(old))
+
+
+def undo_to(page, line):
+    """Touch ↶ until the text has this line again."""
+    for _ in range(20):
+        before = page.text("text")
+        if line in before.split("\n"):
+            return
+        tap(page, "#text [title=Undo]")
+        page.wait_for(lambda before=before: page.text("text") != before, "the change to be taken back")
+    raise AssertionError(f"no {line!r}")
+
+
+def run(page, world, sentence="The program has ended."):
+    """Touch Run, again if something paused; return what the wheels got until the page said this."""
+    for _ in range(TRIES):
+        start = time.time()
+        page.run("document.getElementById('outcome').textContent = ''")  # of the run before
+        tap(page, "#run")
+        page.wait_for(lambda: page.text("outcome") not in ("", "Starting", "Running"), "the end", within=60)
+        outcome = page.text("outcome")
+        if outcome == sentence or INTERRUPTED not in outcome and not world.paused(page, start):
+            break
+    assert outcome == sentence
+    world.wait_for_stop(ROBOT)
+    driven = [tuple(round(each, 1) for each in speeds) for speeds in world.record.driven(ROBOT, start)]
+    return [speeds for speeds, _ in itertools.groupby(driven) if any(speeds)]
+
+
+@pytest.fixture
+def page(page, world, request):
+    """A tablet, lying unless the test says more, with the example One metre, which has become a text."""
+    page.resize(*getattr(request, "param", TABLET))
+    page.driver.get(f"{world.address}program")
+    page.wait_for_link()
+    page.choose(ROBOT)
+    page.set("examples", "One metre")
+    page.wait_for_text("python", COMMAND)
+    tap(page, "#edit")
+    page.wait_for(lambda: page.text("edit-question-yes") == "Edit as text", "the question")
+    tap(page, "#edit-question-yes")
+    page.wait_for(lambda: page.has("#text .cm-focused"), "the editor")
+    assert not page.text("blocks") and page.element("map").is_displayed()
+    return page
+
+
+@pytest.mark.parametrize("page", [TABLET, TABLET[::-1]], indirect=True, ids=["lying", "upright"])
+def test_from_blocks_to_text_a_number_and_mistakes_on_purpose(page, world):
+    world.undisturbed(page, lambda: step_to(page, COMMAND))
+    passed = [step(page) for _ in range(5)]
+    assert passed[:3] == ["motion.linear.x = x", "motion.angular.z = z", "wait(seconds)"], "from main into drive"
+    assert "end = rospy.get_time() + seconds" in passed, "and from there into wait"
+    tap(page, "#end")
+    change(page, INDENT + COMMAND, "3.33", "1.67")
+    assert run(page, world) == [STRAIGHT]
+    for line, part, typed, delete, sentence, failed in MISTAKES:
+        touch(page, line, part)
+        type_text(page, typed, delete)
+        assert run(page, world, sentence) == []
+        assert is_marked(page, "failed", failed)
+        tap(page, "#text [title=Undo]")
+        page.wait_for(lambda: not marked(page, "failed"), "the change to be taken back")
+
+
+def step_to(page, line):
+    """Touch Step, from the program's start on, until this line is marked."""
+    if page.element("end").is_enabled():
+        tap(page, "#end")
+    assert any(step(page) == line for _ in range(20))
+
+
+def step(page):
+    """Touch Step; return the line that is marked then."""
+    before = marked(page, "now")
+    tap(page, "#step")
+    page.wait_for(lambda: marked(page, "now") not in (None, before), "the next line")
+    return marked(page, "now").strip()
+
+
+def test_a_loop_and_a_function_with_a_parameter(page, world):
+    change(page, INDENT + COMMAND, COMMAND, LOOP)
+    assert run(page, world) == [STRAIGHT, LEFT] * 4, "a square"
+    turn = f"{INDENT * 2}drive(0, 0.1, 1.47)"
+    touch(page, turn, "drive")
+    tap(page, "#text [title=Unindent]")
+    assert run(page, world) == [STRAIGHT, LEFT], "straight on, then a turn"
+    tap(page, "#text [title=Undo]")
+    change(page, f"{INDENT * 2}drive(0.5, 0, 1)", "1", "count")
+    assert run(page, world) == [LEFT, *[STRAIGHT, LEFT] * 3], "a spiral, whose first side has no length"
+    touch(page, "", "")
+    type_text(page, SIDE)
+    change(page, f"{INDENT * 2}drive(0.5, 0, count)", "drive(0.5, 0, count)", "side(0.1 * count)")
+    change(page, turn, turn.strip(), "")
+    type_text(page, "", delete=OUT)
+    assert run(page, world) == [LEFT, *[STRAIGHT, LEFT] * 3], "the same, by a function"
+    page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
+
+
+def test_curves_show_a_ramp_two_drives_above_each_other_and_the_best(page, world):
+    tap(page, "#show-curves")
+    page.wait_for(lambda: page.has("#curves canvas") and "Wheels" in values(page), "the curves")
+    change(page, INDENT + COMMAND, "3.33", "2")
+    jump = recorded(page, world)
+    assert {round(value, 1) for _, (value,) in column(jump, WHEEL)} == {0, 0.5}, "what the wheels get jumps"
+    assert any(0.05 < speed < 0.25 for _, (speed,) in column(jump, SPEED)), "and the speed does not"
+    change(page, f"{INDENT}drive(0.5, 0, 2)", "drive(0.5, 0, 2)", RAMP)
+    steps = recorded(page, world)
+    powers = [round(value, 1) for _, (value,) in column(steps, WHEEL)]
+    assert [power for power, _ in itertools.groupby(powers) if power] == [0.1, 0.2, 0.3, 0.4, 0.5]
+    assert [value for _, (value,) in column(steps, "x")] == [0.1, 0.2, 0.3, 0.4, 0.5]
+    undo_to(page, f"{INDENT}drive(0.5, 0, 2)")
+    change(page, f"{INDENT}drive(0.5, 0, 2)", "0.5, 0, 2", "0.25, 0, 6.66")
+    slow = recorded(page, world)
+    change(page, f"{INDENT}drive(0.25, 0, 6.66)", "0.25, 0, 6.66", "0.5, 0, 3.33")
+    fast = recorded(page, world)
+    for rows, highest in (slow, 0.15), (fast, 0.3):
+        speeds = [(stamp, speed) for stamp, (speed,) in column(rows, SPEED)]
+        assert abs(max(speed for _, speed in speeds) - highest) < 0.01
+        area = sum(speed * (after - stamp) for (stamp, speed), (after, _) in zip(speeds, speeds[1:]))
+        assert 0.9 < area < 1.2, "the area is the way, of a busy computer a little more"
+    oldest = f"curves-drive-{drives(page)[-1].split()[1]}"
+    page.run("document.getElementById(arguments[0]).scrollIntoView()", oldest)
+    tap(page, f"#{oldest}")
+    page.wait_for(lambda: page.element(oldest).get_attribute("aria-pressed") == "false", "it to be hidden")
+    before = values(page)
+    tap(page, "#curves canvas")
+    page.wait_for(lambda: values(page) != before, "the values where the finger touches")
+    process = world.start(program("driving_tasks", "class_judge.py"))
+    page.wait_for(lambda: page.element("judge").is_displayed(), "the tasks")
+    judge(page, world, "points")
+    page.wait_for(lambda: re.match(r"Drive \d+: [\d.]+$", drives(page)[0]), "the drive's points")
+    end([process])
+
+
+def recorded(page, world):
+    """Run the program, wait until the robot has stopped, and save the table; return the rows of this drive."""
+    run(page, world)
+    wait_for_end(page)
+    tap(page, "#curves-save")
+    file = page.downloads / f"curves_{ROBOT}.csv"
+    page.wait_for(file.exists, "the table")
+    rows = read_table(file)
+    file.unlink()
+    return [row for row in rows if f"Drive {row['drive']}" == drives(page)[0]]

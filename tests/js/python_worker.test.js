@@ -1,0 +1,236 @@
+// What pupils' Python may do on the page: it reaches nothing but its robot, and what it keeps and sends is bounded.
+
+/* eslint max-len: 0 -- a program is a line of its table */
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { runText } from "./page_worker.js";
+
+// Each tries to reach what is not a program's; its last line prints REACHED if it has.
+const MODULES = `import sys
+modules = sys.modules
+get = modules["_start"]._import
+`;
+const ESCAPES = {
+  "import js": "import js\njs.postMessage({})\nprint('REACHED')",
+  "import jsffi": "import jsffi\njsffi.JsProxy\nprint('REACHED')",
+  "import uctypes": "import uctypes\nuctypes.addressof(bytearray(1))\nprint('REACHED')",
+  "import os": "import os\nos.listdir('/')\nprint('REACHED')",
+  "import vfs": "import vfs\nvfs.mount\nprint('REACHED')",
+  "import micropython": "import micropython\nprint('REACHED')",
+  "import _page": "import _page\nprint('REACHED')",
+  "import _javascript": "import _javascript\nprint('REACHED')",
+  "import builtins": "import builtins\nprint('REACHED')",
+  "another __name__": "__name__ = 'x'\nimport js\njs.postMessage({})\nprint('REACHED')",
+  "__import__ with no names": "__import__('js', {}).postMessage({})\nprint('REACHED')",
+  "exec with other names": "exec('import js; js.postMessage({})', {})\nprint('REACHED')",
+  "eval with other names": "eval('__import__(\"js\").globalThis', {})\nprint('REACHED')",
+  "compile": "exec(compile('import uctypes; uctypes.bytearray_at(0, 4)', 'x', 'exec'), {'__name__': '_run'})\nprint('REACHED')",
+  "the hidden import, js": `${MODULES}get("js").globalThis\nprint("REACHED")`,
+  "the hidden import, jsffi": `${MODULES}get("jsffi").to_js({})\nprint("REACHED")`,
+  "the hidden import, uctypes": `${MODULES}get("uctypes").bytearray_at(0, 4)\nprint("REACHED")`,
+  "the hidden import, _javascript": `${MODULES}get("_javascript").show.constructor\nprint("REACHED")`,
+  "the hidden import, tarfile's uctypes": `${MODULES}get("tarfile").uctypes.addressof\nprint("REACHED")`,
+  "the hidden import, files": `${MODULES}get("os").remove("/lib/_run.py")\nprint("REACHED")`,
+  "the hidden import, another module": `${MODULES}get("io").open("/lib/evil.py", "w")\nprint("REACHED")`,
+  "the hidden import, __main__": `${MODULES}get("__main__").suspended\nprint("REACHED")`,
+  "a page function's constructor": `${MODULES}modules["_page"].show.constructor("postMessage({})")()\nprint("REACHED")`,
+  "a page function's attributes": `${MODULES}modules["_page"].show.x = 1\nprint("REACHED")`,
+  "a page function's call": `${MODULES}modules["_page"].show.call(None, "x")\nprint("REACHED")`,
+  "a page function's prototype": `${MODULES}modules["_page"].at.__class__(0)\nmodules["_page"].at.__proto__\nprint("REACHED")`,
+  "a page function's keywords": `${MODULES}modules["_page"].show(text="x")\nprint("REACHED")`,
+  "new of a page function": `${MODULES}modules["_page"].show.new()\nprint("REACHED")`,
+  "items of a page function": `${MODULES}modules["_page"].show["constructor"]\nprint("REACHED")`,
+  "a function for a text": `${MODULES}modules["_page"].show(lambda *_: "x")\nprint("REACHED")`,
+  "an object for a text": `${MODULES}\nclass A:\n    def slice(self, *_): return self\nmodules["_page"].show(A())\nprint("REACHED")`,
+  "a text for a number": `${MODULES}modules["_page"].turn("1e9")\nprint("REACHED")`,
+  "another command": `${MODULES}modules["_page"].drive({"robot": "/other"}, 1)\nprint("REACHED")`,
+  "traceback's frames": "try:\n    1/0\nexcept Exception as e:\n    e.__traceback__.tb_frame.f_globals\nprint('REACHED')",
+  "a function's globals": "import rospy\nrospy.Publisher.publish.__globals__['drive'].constructor\nprint('REACHED')",
+  "a method's globals": "import rospy\nrospy.Rate.__init__.__globals__['_clock'].tasks.js\nprint('REACHED')",
+  "a class's subclasses": "object.__subclasses__()\nprint('REACHED')",
+  "a function's code": "f = lambda: 0\nf.__code__ = None\nprint('REACHED')",
+  "builtins of the program": "__builtins__['open']\nprint('REACHED')",
+  "a file": "open('/lib/_run.py')\nprint('REACHED')",
+  "a file of io": "import io\nio.open('/lib/_run.py', 'a').write('x')\nprint('REACHED')",
+  "a device": "import io\nio.open('/dev/tty', 'w').write('x')\nprint('REACHED')",
+  "standard input": "import sys\nif sys.stdin.read(1): print('REACHED')",
+  "input()": "input()\nprint('REACHED')",
+};
+for (const [name, text] of Object.entries(ESCAPES)) {
+  test(`${name} reaches nothing`, async () => {
+    const { prints, sentence } = await runText(text);
+    assert.deepEqual(prints, []);
+    assert.ok(sentence);
+  });
+}
+
+test("the thread of a program has nothing with which it could reach beyond itself", async () => {
+  assert.deepEqual((await runText("print(1)")).reach, []);
+});
+
+test("a worker that speaks unasked is ended, and its program with it", async () => {
+  let ended = false;
+  const { Worker } = globalThis;
+  globalThis.Worker = class {
+    postMessage({ wasm }) {
+      for (const print of wasm ? ["ready"] : ["asked", "unasked"]) this.onmessage({ data: { events: [{ print }] } });
+    }
+
+    terminate() {
+      ended = true;
+    }
+  };
+  const { prints, sentence } = await runText("print(1)");
+  globalThis.Worker = Worker;
+  assert.deepEqual([prints, sentence, ended], [["asked"], "Python broke off. Run the program again.", true]);
+});
+
+const TOO_MUCH_MEMORY = "The program needs too much memory: does a list or a text grow without an end?";
+const TOO_DEEP = "A function calls itself again and again: let it end with an if.";
+const FAILURES = {
+  "a list of 10 ** 9 items": ["x = [0] * 10 ** 9", TOO_MUCH_MEMORY],
+  "a text that grows": ["x = 'a'\nwhile True: x += x", TOO_MUCH_MEMORY],
+  "lists that grow": ["x = []\nwhile True: x.append([0] * 1000000)", TOO_MUCH_MEMORY],
+  "a function that calls itself": ["def f(): return f()\nf()", TOO_DEEP],
+  "a message without an end": ["raise Exception('x' * 1000000)", /^Exception: x{100,10000}$/],
+  "a message that fails": ["class E(Exception):\n    def __str__(self): raise ValueError\nraise E", "E"],
+  "any exception": ["raise BaseException('why')", "BaseException: why"],
+  "a print that fails": ["class A:\n    def __str__(self): raise ValueError('why')\nprint(A())", "ValueError: why"],
+};
+for (const [name, [text, expected]] of Object.entries(FAILURES)) {
+  test(`${name} says so`, async () => {
+    const { sentence } = await runText(text);
+    if (expected instanceof RegExp) assert.match(sentence, expected);
+    else assert.equal(sentence, expected);
+  });
+}
+
+const FLOODS = {
+  "prints": "while True: print('hello')",
+  "prints of a million characters": "x = 'a' * 1000000\nwhile True: print(x)",
+  "prints of a line that has no end": "while True: print('a' * 999, end='')",
+  "curves of thousands of names": "i = 0\nwhile True:\n    i += 1\n    print('name' * 9999 + str(i), i)",
+  "writes": "import sys\nwhile True: sys.stdout.write('hello\\n')",
+  "writes of a line that has no end": "import sys\nwhile True: sys.stdout.write('a' * 999)",
+  "tracebacks": "import sys\nwhile True: sys.print_exception(ValueError('x' * 1000))",
+  "commands": "from rospy.topics import drive\nwhile True: drive(0.1, 0)",
+  "nothing": "while True: pass",
+  "nothing, whatever is raised": "while True:\n    try:\n        while True: pass\n    except BaseException: pass",
+  "nothing, at last": "try:\n    1 / 0\nfinally:\n    while True: pass",
+  "nothing, in a generator": "def f():\n    while True: yield 1\nfor x in f(): pass",
+  "nothing, in a key": "def f(x):\n    while True: pass\nsorted([1, 2], key=f)",
+  "nothing, as a text": "class A:\n    def __str__(self):\n        while True: pass\nprint(A())",
+  "nothing, when it ends": "import rospy\nrospy.init_node('a')\ndef f():\n    while True: pass\nrospy.on_shutdown(f)",
+};
+for (const [name, text] of Object.entries(FLOODS)) {
+  test(`of a flood of ${name}, the page gets a little at a time, again and again`, async () => {
+    const { answers, count, longest, sentence } = await runText(text, { enough: (found) => found.answers > 20 });
+    assert.equal(sentence, "");
+    assert.ok(answers > 20);
+    assert.ok(count <= 55 * answers, `${count} events in ${answers} turns`);
+    assert.ok(longest <= 10000, `${longest} characters`);
+  });
+}
+
+const BEFORE = "a = [1, ('x', None)]\nimport time\n";
+const AFTER = "\ntime.sleep(1)\nprint('after')";
+const SEEN = { // variables by their names
+  "values of every kind": ["b = (1,); c = {'k': [1.5]}; d = set(); e = {True}; f = ''", { b: "(1,)", c: "{'k': [1.5]}", d: "set()",
+    e: "{True}", f: "''" }],
+  "a list and a dict that hold themselves": ["b = []; b.append(b)\nc = {}; c['['] = c", { b: /^\[{7}\.\.\.\]{7}$/, c: /^\{'\[': \{/ }],
+  "a million items": ["b = [7] * 1000000; c = 'x' * 1000000", { b: /^\[7, 7, .*/, c: /^'x{99}/ }],
+  "long numbers": ["b = 3 ** 50000; c = -b; d = 3 ** 50", { b: "...", c: "...", d: String(3n ** 50n) }],
+  "lists of lists of lists": ["b = [[[0] * 100] * 100] * 100", { b: /^\[\[\[0, 0, / }],
+  "values whose own texts never end": ["class A:\n    def __repr__(self):\n        while True: pass\n    __str__ = __repr__\nb = [A()]",
+    { b: "[...]" }],
+  "values whose own texts fail": ["class A(int):\n    def __repr__(self): raise SystemExit\nb = {1: A(3)}; c = A(4)", { b: "{1: ...}", c: undefined }],
+  "values whose own texts wait": ["class A:\n    def __repr__(self):\n        time.sleep(1)\nb = (A(), 1)", { b: "(..., 1)" }],
+  "keys whose own comparisons never end": ["class A:\n    ends = True\n    def __hash__(self):\n        while not A.ends: pass\n        return 1\n"
+    + "    __eq__ = lambda self, _: self.__hash__()\nb = {A(): 1}\nA.ends = False", { b: "{...: 1}" }],
+  "names that are none": ["globals()[5] = globals()[''] = globals()[None] = 1; b = 2", { b: "2" }],
+};
+for (const [name, [text, expected]] of Object.entries(SEEN)) {
+  test(`${name} are shown as variables, without a call of the program's`, async () => {
+    const { prints, sentence, variables } = await runText(BEFORE + text + AFTER);
+    assert.deepEqual([prints, sentence, variables.get("a")], [["after"], "", "[1, ('x', None)]"]);
+    for (const [key, value] of Object.entries(expected)) {
+      if (value instanceof RegExp) assert.match(variables.get(key), value);
+      else assert.equal(variables.get(key), value);
+      assert.ok((variables.get(key) ?? "").length <= 100);
+    }
+  });
+}
+
+test("of 10,000 variables, a hundred are shown", async () => {
+  const { variables, sentence } = await runText("for i in range(10000): globals()['v%d' % i] = i");
+  assert.deepEqual([variables.size, sentence], [100, ""]);
+});
+
+test("a program waits at any depth that Python has, and has its variables again when it is back", async () => {
+  const text = "import time\nx = 1\ndef f(n, wait):\n    if n: f(n - 1, wait)\n    elif wait: time.sleep(0.1)\n";
+  const deepest = "try:\n    for depth in range(1000): f(depth, False)\nexcept RuntimeError: pass\nf(depth - 20, True)\nx = 2\n";
+  const { variables, sentence } = await runText(text + deepest, { slow: false });
+  assert.deepEqual([variables.get("x"), sentence], ["2", ""]);
+  assert.ok(Number(variables.get("depth")) > 50);
+});
+
+const ODD = { // what a program prints
+  "a line separator in a text and in a comment": ["print(len('a\u2028b')) # \u2028print(1)", "3"],
+  "tabs": ["if True:\n\tif True:\n\t\tprint(1)", "1"],
+  "carriage returns": ["x = 1\r\nif x:\r\n    print(x)\r\n", "1"],
+  "a null character in a text": ["print('a\0b')", "a"],
+  "half a character": ["print('\ud800' == '\\ud800')", "True"],
+  "20,000 summands": [`print(${"1 + ".repeat(20000)}1)`, "20001"],
+  "a thousand brackets": [`print(${"(".repeat(1000)}1${")".repeat(1000)})`, "1"],
+  "a hundred levels": [Array.from({ length: 99 }, (_, depth) => `${" ".repeat(depth)}if 1:\n`).join("") + `${" ".repeat(99)}print(1)`, "1"],
+  "import from __future__": ["'''x'''\nfrom __future__ import division\nprint(1 / 2)", "0.5"],
+  "a walrus": ["while (x := 1) and (y := 2): break\nprint(x + y)", "3"],
+  "a decorator": ["def twice(f): return lambda: 2 * f()\n@twice\ndef g(): return 2\nprint(g())", "4"],
+  "brackets in texts and comments": ["if ')' and (1 # ) or (\n  ): print(')') # )", ")"],
+  "several values in a head": ["for x in 1, 2: pass\nfor x, in [(3,)]: pass\nprint(x)", "3"],
+  "marks of its own": ["#@ _at(9)\nx = 1 #@\nprint(x)", "1"],
+  "texts of several lines in a head": ["if '''a\n)b''': print(1)", "1"],
+  "a long wait, and a long number for a curve": ["import time\ntime.sleep(10 ** 12)\nprint('n', 10 ** 12)", "n 1000000000000"],
+};
+for (const [name, [text, expected]] of Object.entries(ODD)) {
+  test(`a program with ${name} does what it does in a terminal`, async () => {
+    const { prints, sentence, curves } = await runText(text);
+    assert.deepEqual([prints, sentence], [[expected], ""]);
+    if (curves.length) assert.deepEqual(curves, [["n", 1e12]]);
+  });
+}
+for (const text of ["if 1) or (print('REACHED'): pass", "for x in [1])), print('REACHED'), ((3: pass", "print('REACHED') \\", "x = (",
+  "while 1) or (1:\n    print('REACHED')", "print('REACHED'", "\0print('REACHED')"]) {
+  test(`${JSON.stringify(text)} is not run`, async () => {
+    const { prints, sentence } = await runText(text);
+    assert.deepEqual(prints, []);
+    assert.ok(sentence);
+  });
+}
+
+for (const [text, line] of [["while true:\n    x = 1\n    pass", 1], ["x = 0\nwhile [1][x]:\n    x += 1\n    y = x", 2],
+  ["while True:\n    pass\n    x = 1 / 0", 3], ["while 1:\n    while true:\n        pass\n    x = 1", 2]]) {
+  test(`of ${JSON.stringify(text)} line ${line} is marked`, async () => assert.equal((await runText(text)).line, line));
+}
+
+test("a text drives its robot by that one's absolute names, too", async () => {
+  const { motions, prints, sentence } = await runText(`
+import rospy
+from geometry_msgs.msg import Twist, Vector3
+from nav_msgs.msg import Odometry
+rospy.init_node("node")
+publisher = rospy.Publisher("/jetbot_01/cmd_vel", Twist, queue_size=1)
+rospy.wait_for_message("/jetbot_01/odom", Odometry)
+publisher.publish(Twist(linear=Vector3(x=0.5)))
+print(rospy.get_namespace(), rospy.resolve_name("cmd_vel"))`, { robot: "/jetbot_01" });
+  assert.equal(sentence, "");
+  assert.deepEqual([motions, prints], [[[0.5, 0]], ["/jetbot_01/ /jetbot_01/cmd_vel"]]);
+});
+
+test("a text that reads the keyboard is told what to use instead", async () => {
+  const { sentence, line } = await runText("import sys\nsys.stdin.readline()");
+  assert.deepEqual([sentence, line],
+    ["“sys.stdin” is not in the page: give the value to a name at the top of the program.", 2]);
+});
