@@ -5,7 +5,7 @@ import shutil
 from contextlib import contextmanager
 from functools import partial
 from importlib.util import find_spec
-from typing import Callable, Iterator
+from typing import Callable, Iterable, Iterator
 
 import pytest
 
@@ -14,6 +14,11 @@ from .world import World
 
 TABLET = (1024, 768)  # px
 ROBOT, OTHER_ROBOT = "jetbot_01", "jetbot_02"
+
+
+def some(rows: Iterable, *always) -> list:
+    """Return the rows of a long table that run each time: with ALL_PROGRAMS in the environment, all of them."""
+    return list(rows if "ALL_PROGRAMS" in os.environ else always)
 
 
 def need(programs: str, packages: str) -> None:
@@ -91,6 +96,7 @@ def opened(page, world, url):
     page.leave()
     for robot in world.robots:
         world.wait_for_stop(robot)
+    world.delete_programs()
     assert not errors
 
 

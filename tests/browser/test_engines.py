@@ -160,6 +160,10 @@ ENDS = {"Stopped.": lambda page: page.click("#end"),
 def test_a_program_drives_until_stop_or_until_its_page_is_hidden(programs, world):
     programs.set("examples", programs.say("A square, with a function"))
     programs.wait_for_text("python", "def side():")
+    drives_until_each_end(programs, world)
+
+
+def drives_until_each_end(programs, world):
     for sentence, end_it in ENDS.items():
         world.hold(programs, lambda: programs.click("#run"), lambda: programs.click("#end"), ROBOT)
         with world.stops(ROBOT, what=sentence):
@@ -167,7 +171,7 @@ def test_a_program_drives_until_stop_or_until_its_page_is_hidden(programs, world
         programs.wait_for_text("outcome", programs.say(sentence))
 
 
-def test_a_text_is_edited_and_drives_until_stop(programs, world):
+def test_a_text_is_edited_and_drives_until_stop_or_until_its_page_is_hidden(programs, world):
     programs.click("#programs")
     programs.click("#new-python")
     programs.wait_for(lambda: "rate.sleep()" in programs.text_of("#text .cm-content"), "the text")
@@ -175,14 +179,7 @@ def test_a_text_is_edited_and_drives_until_stop(programs, world):
     programs.tap("#")
     programs.wait_for(lambda: programs.text_of("#text .cm-line").count("#") == 2, "what was typed")
     programs.wait_for(lambda: programs.text("kept") == programs.say("Kept"), "it to be kept")
-
-    def runs_until_stop():
-        programs.click("#run")
-        programs.wait_for(lambda: moving(*world.wheels(ROBOT)), "the wheels to turn")
-        programs.wait_for(lambda: programs.has("#text .now"), "the line that runs")
-        with world.stops(ROBOT, what="Stop"):
-            programs.click("#end")
-    world.undisturbed(programs, runs_until_stop)
+    drives_until_each_end(programs, world)
 
 
 @pytest.fixture

@@ -1,4 +1,7 @@
-"""What a pupil's Python in the page can do: drive its robot until it is stopped, and nothing else."""
+"""What a pupil's Python in the page can do: drive its robot until it is stopped, and nothing else.
+
+It takes minutes, so not all runs each time. All of it: ALL_PROGRAMS=1 ./morbot test FILE.
+"""
 
 import json
 import signal
@@ -8,10 +11,10 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
-from .conftest import OTHER_ROBOT, ROBOT
+from .conftest import OTHER_ROBOT, ROBOT, some
 from .programs import program
 from .test_dead_man import freeze
-from .test_engines import engine  # noqa: F401
+from .test_engines import ENGINES, engine  # noqa: F401
 
 DRIVE = """import rospy
 from geometry_msgs.msg import Twist
@@ -59,7 +62,8 @@ def show_text(page, text):
     page.wait_for(lambda: text.splitlines()[-1].strip() in page.text("text"), "the text")
 
 
-@pytest.mark.parametrize("busy", BUSY)
+@pytest.mark.parametrize("busy", some(
+    BUSY, "a loop that is not broken", "a long calculation", "prints", "a long wait", "its end"))
 def test_stop_ends_a_text_whatever_it_does_and_the_next_one_runs(blocks, world, busy):
     page = blocks({**program(), "python": DRIVE + BUSY[busy]})
 
@@ -77,7 +81,8 @@ def test_stop_ends_a_text_whatever_it_does_and_the_next_one_runs(blocks, world, 
     page.wait_for_text("prints", "again")
 
 
-@pytest.mark.parametrize("busy", ["a loop", "a long calculation", "prints", "commands", "a long wait"])
+@pytest.mark.parametrize("busy", some(["a loop", "a long calculation", "prints", "commands", "a long wait"],
+                                      "a long calculation", "commands"))
 def test_pause_stops_a_text_whatever_it_does_and_step_goes_on(blocks, world, busy):
     page = blocks({**program(), "python": DRIVE + BUSY[busy]})
     world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)
@@ -197,14 +202,20 @@ def texts(engine, world):  # noqa: F811
     yield page
     if page.runs:
         page.leave()
+    world.delete_programs()
 
 
+in_some_engines = pytest.mark.parametrize("engine", some(ENGINES, "chromium"), indirect=True)
+
+
+@in_some_engines
 def test_a_frozen_browser_stops_a_texts_robot_which_drives_again_only_after_run(texts, world):
     freeze(texts, world)
     world.stay_stopped(ROBOT, for_seconds=0.5)
     texts.wait_for(lambda: not texts.run("return document.getElementById('run').disabled"), "the program's end")
 
 
+@in_some_engines
 def test_a_killed_browser_stops_a_texts_robot(texts, world):
     with world.stops(ROBOT, what="SIGKILL of the browser"):
         texts.signal(signal.SIGKILL)
@@ -222,6 +233,7 @@ ENDS = {
 }
 
 
+@in_some_engines
 @pytest.mark.parametrize("end", ENDS)
 def test_a_text_ends_as_blocks_do_at(end, texts, world):
     act, sentence = ENDS[end]

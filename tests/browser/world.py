@@ -9,6 +9,7 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Callable, Iterator, List
+from urllib.request import Request, urlopen
 
 import rosgraph
 
@@ -174,6 +175,12 @@ class World:
         """Stop all robots as ./morbot stop does."""
         assert self.start(program("jetbot_tools", "emergency_stop.py")).wait(START_TIMEOUT) == 0
 
+    def delete_programs(self) -> None:
+        """Delete what the pages of a test have kept: the next one's are alone, and have room."""
+        for row in self._work(do="list", robot=None)["programs"]:
+            if not row["deleted"]:
+                self._work(do="delete", robot=row["robot"], id=row["id"])
+
     def publish_status(self, name: str, status: str) -> subprocess.Popen:
         """Start a node that publishes a controller's state in this namespace, as a controller, and nothing else."""
         return self.publish(f"/{name}/jetbot_controller/state", "diagnostic_msgs/DiagnosticStatus",
@@ -193,6 +200,11 @@ class World:
         self.record.close()
         end(self._processes[1:], within=NODE_SHUTDOWN)
         end(self._processes[:1], within=NODE_SHUTDOWN)  # the master, which the others still need
+
+    def _work(self, **fields):
+        headers = {"Content-Type": "application/json", "Origin": self.address.rstrip("/")}
+        with urlopen(Request(f"{self.address}work", json.dumps(fields).encode(), headers), timeout=60) as answer:
+            return json.load(answer)
 
     def _nodes(self, role, topic):
         """role: 0 publishers, 1 subscribers."""

@@ -126,9 +126,9 @@ const FLOODS = {
 };
 for (const [name, text] of Object.entries(FLOODS)) {
   test(`of a flood of ${name}, the page gets a little at a time, again and again`, async () => {
-    const { answers, count, longest, sentence } = await runText(text, { enough: (found) => found.answers > 20 });
+    const { answers, count, longest, sentence } = await runText(text, { enough: (found) => found.answers > 5 });
     assert.equal(sentence, "");
-    assert.ok(answers > 20);
+    assert.ok(answers > 5);
     assert.ok(count <= 55 * answers, `${count} events in ${answers} turns`);
     assert.ok(longest <= 10000, `${longest} characters`);
   });
