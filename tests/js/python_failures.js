@@ -15,7 +15,7 @@ def each(line, values):
 
 def fail(text):
     try:
-        exec(compile(text, "program.py", "exec"), {"__name__": "__main__", "_at": lambda line: None, "_each": each})
+        exec(compile(text, "program.py", "exec"), {"__name__": "__main__", "_at": lambda *_, **__: None, "_each": each})
     except BaseException as problem:
         trace = io.StringIO()
         sys.print_exception(problem, trace)

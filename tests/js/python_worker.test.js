@@ -163,6 +163,27 @@ for (const [name, [text, expected]] of Object.entries(SEEN)) {
   });
 }
 
+const FUNCTIONS = { // what is seen when the last line runs, time.sleep(1)
+  "parameters, and what got a value": ["def f(x, y=a, *z):\n    b = c = 2; d, e = 3, 4\n    time.sleep(1)\nf(5)",
+    { a: "1", x: "5", y: "1", z: "()", b: "2", c: "2", d: "3", e: "4" }],
+  "a loop's variable, and the last value": ["def f():\n    n = 0\n    for i in [7]:\n        n = i + 1\n        time.sleep(1)\nf()",
+    { a: "1", n: "8", i: "7" }],
+  "nothing that may have no value": ["def f(x):\n    if x: b = 1\n    else: c = 2\n    for i in []: pass\n    time.sleep(1)\nf(0)", { a: "1", x: "0" }],
+  "nothing that has none any more": ["def f(x, y):\n    del x\n    try: 1 / 0\n    except Exception as y: pass\n    z = 1\n    time.sleep(1)\nf(1, 2)",
+    { a: "1", z: "1" }],
+  "its own before the program's": ["def f(a, _b, line, _line):\n    time.sleep(1)\nf(2, 3, 4, 5)", { a: "2", line: "4" }],
+  "nothing of a function that has ended": ["def f(x):\n    y = x\nf(1)\ntime.sleep(1)", { a: "1" }],
+  "nothing of another one": ["def g(x):\n    time.sleep(1)\ndef f(y):\n    g(2)\nf(1)", { a: "1", x: "2" }],
+  "nothing of a method's object": ["class A:\n    b = 2\n    def f(self, x):\n        time.sleep(1)\nA().f(3)", { a: "1", x: "3" }],
+};
+for (const [name, [text, expected]] of Object.entries(FUNCTIONS)) {
+  test(`of the variables of a function, the page shows ${name}`, async () => {
+    const { variables, sentence } = await runText(`import time\na = 1\n${text}`);
+    assert.equal(sentence, "");
+    assert.deepEqual(Object.fromEntries(variables), expected);
+  });
+}
+
 test("of 10,000 variables, a hundred are shown", async () => {
   const { variables, sentence } = await runText("for i in range(10000): globals()['v%d' % i] = i");
   assert.deepEqual([variables.size, sentence], [100, ""]);

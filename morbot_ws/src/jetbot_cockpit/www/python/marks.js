@@ -2,6 +2,7 @@
 // loop; and what MicroPython lacks. All lines keep their numbers. It knows no page.
 
 import { DIALECT } from "./dialect.js";
+import { Locals } from "./locals.js";
 
 const SIMPLE = /^(?!If|While|For|Try|With|Match|Decorated).*Statement$/;
 const PLACES = ["Script", "Body", "StatementGroup"]; // of statements
@@ -9,11 +10,15 @@ const PLACES = ["Script", "Body", "StatementGroup"]; // of statements
 // Returns the program with its marks. tree: of CodeMirror's parser; what that does not understand has none
 export function mark(source, tree) {
   const marks = new Marks(source);
-  tree.iterate({ enter: ({ node }) => {
-    if (SIMPLE.test(node.name) && PLACES.includes(node.parent.name)) marks.addStatement(node);
-    else HEADS[node.name]?.(marks, node);
-    DIALECT[node.name]?.(marks, node);
-  } });
+  tree.iterate({
+    enter({ node }) {
+      marks.locals.enter(node);
+      if (SIMPLE.test(node.name) && PLACES.includes(node.parent.name)) marks.addStatement(node);
+      else HEADS[node.name]?.(marks, node);
+      DIALECT[node.name]?.(marks, node);
+    },
+    leave: ({ node }) => marks.locals.leave(node),
+  });
   return marks.written();
 }
 
@@ -34,20 +39,22 @@ const HEADS = {
   IfStatement: markConditions, WhileStatement: markConditions,
   ForStatement(marks, node) {
     const [values, body] = [node.getChild("in")?.nextSibling, node.getChild("Body")];
-    if (values && body) marks.wrap(node, "_each(%, (", values.from, body.prevSibling?.to ?? body.from, "))");
+    const end = body?.prevSibling?.to ?? body?.from;
+    if (values && body) marks.wrap(node, (line) => `_each(${line}, (`, values.from, end, "))");
   },
 };
 
 function markConditions(marks, node) {
   for (const word of ["if", "while", "elif"].flatMap((each) => node.getChildren(each))) {
     const { nextSibling: condition } = word;
-    if (condition) marks.wrap(word, "_at(%) or (", condition.from, condition.to, ")");
+    if (condition) marks.wrap(word, (line) => `${marks.call(line)} or (`, condition.from, condition.to, ")");
   }
 }
 
 class Marks {
   edits = []; // { from, to, text, order }: of those at one place, first what ends there, the innermost first
   lines = new Set(); // that have a mark
+  locals = new Locals((node) => this.text(node));
 
   constructor(source) {
     this.source = source;
@@ -56,8 +63,13 @@ class Marks {
 
   // Returns the number of the line of this position, from 1.
   lineOf(position) {
-    const index = this.ends.findIndex((end) => end >= position);
-    return (index < 0 ? this.ends.length : index) + 1;
+    let [low, high] = [0, this.ends.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.ends[middle] < position) low = middle + 1;
+      else high = middle;
+    }
+    return low + 1;
   }
 
   text({ from, to }) {
@@ -76,16 +88,21 @@ class Marks {
     this.edits.push({ from, to, text, order: this.edits.length + 1 });
   }
 
+  // Returns the mark of this line, which tells the page the variables of its function.
+  call(line) {
+    return `_at(${[line, ...this.locals.names().map((name) => `${name}=${name}`)].join(", ")})`;
+  }
+
   addStatement({ from }) {
     const line = this.lineOf(from);
-    if (!this.lines.has(line)) this.insert(from, `_at(${line});`);
+    if (!this.lines.has(line)) this.insert(from, `${this.call(line)};`);
     this.lines.add(line);
   }
 
   wrap(node, before, from, to, after) {
     const line = this.lineOf(node.from);
     this.lines.add(line);
-    this.insert(from, before.replace("%", line));
+    this.insert(from, before(line));
     this.close(to, after);
   }
 

@@ -58,18 +58,15 @@ export function boundNames(source) {
 /** @param {Token[]} tokens */
 export function *namesBoundBy(tokens) {
   const last = tokens.findLastIndex(({ text, opener }) => /^([^=!<>]|\/\/|<<|>>|\*\*)?=$/.test(text) && !opener);
+  let head = ""; // of a list: the last one that is neither a name nor a comma
   for (const [index, { kind, text, opener }] of tokens.entries()) {
     const [before, after] = [tokens[index - 1]?.text, tokens[index + 1]?.text];
     const target = index < last && before !== "." && !opener?.call && ![".", "(", "["].includes(after);
     const named = ["def", "class", "as", "import", "for", "global"].includes(before);
-    if (kind === "name" && (target || named || inList(tokens, index))) yield text;
+    const listed = before === "," && ["import", "for", "global"].includes(head); // "for a, b in"
+    if (kind === "name" && (target || named || listed)) yield text;
+    if (kind !== "name" && text !== ",") head = text;
   }
-}
-
-// Whether this is one of the names in "import a, b" or "for a, b in".
-function inList(tokens, index) {
-  const before = tokens.slice(0, index).findLastIndex(({ kind, text }) => kind !== "name" && text !== ",");
-  return tokens[index - 1]?.text === "," && ["import", "for", "global"].includes(tokens[before]?.text);
 }
 
 function parameters(tokens) {

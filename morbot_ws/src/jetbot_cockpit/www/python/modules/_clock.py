@@ -7,7 +7,7 @@ from _page import turn as _turn
 
 LATEST = 0.05  # s without a turn, after which asking for the time gives the page one
 
-names = {"__name__": "__main__", "_at": at}  # the program's own
+local = {}  # the variables of the function that runs, as the last mark saw them
 tasks = []  # what runs while the program waits: rospy's Subscribers and Timers
 _epoch = time.time() - seconds()  # when the program started, in s since 1970
 _turned = 0.0  # when the page had its last turn
@@ -22,12 +22,18 @@ def now():
 def add(task):
     """Run this, too; also while the program neither waits nor asks for the time."""
     tasks.append(task)
-    names["_at"] = _at
 
 
-def _at(line):
-    at(line)
-    poll()
+def mark(_line, **variables):
+    """Give the page its turn before this line, in a function with these variables."""
+    global local
+    local = variables
+    at(_line)
+    if tasks:
+        poll()
+
+
+names = {"__name__": "__main__", "_at": mark}  # the program's own
 
 
 def poll():

@@ -4,10 +4,11 @@ import io
 import json
 import sys
 
+import _clock
 import _dialect
 import _page
 import _start
-from _clock import names
+from _clock import mark, names
 from _text import represented
 
 BRACKETS = {list: "[]", tuple: "()", set: "{}", dict: "{}"}
@@ -20,7 +21,7 @@ HUGE = 10 ** LONGEST  # its digits take long
 def each(line, values):
     """Mark this line before each of the values."""
     for value in values:
-        _page.at(line)
+        mark(line)
         yield value
 
 
@@ -76,7 +77,9 @@ def listed(values, brackets, room):
 
 
 def variables():
-    """Return the program's variables and their values, as JSON."""
-    found = [name for name, value in names.items()
-             if type(name) is str and not name.startswith("_") and type(value) in SHOWN]
-    return json.dumps([[name[:LONGEST], shown(names[name])[:LONGEST]] for name in found[:MOST]])
+    """Return the variables of the function that runs, and the program's, with their values, as JSON."""
+    local = _clock.local
+    seen = [(name, value) for each in (local, names) for name, value in each.items()
+            if type(name) is str and name[:1] not in ("", "_") and type(value) in SHOWN
+            and (each is local or name not in local)]
+    return json.dumps([[name[:LONGEST], shown(value)[:LONGEST]] for name, value in seen[:MOST]])
