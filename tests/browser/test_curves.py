@@ -49,6 +49,7 @@ def recorded(world, file):
     yield
     bag.send_signal(signal.SIGINT)
     assert bag.wait(START_TIMEOUT) == 0, bag.log.read_text()
+    world.wait_for(file.exists, START_TIMEOUT, "what is recorded: its node ends after rosbag itself")
 
 
 def read_bag(file):
@@ -128,6 +129,7 @@ def test_the_table_has_what_a_rosbag_of_the_same_drive_has(blocks, world, tmp_pa
     bag = read_bag(tmp_path / "drive.bag")
     for topic, names in TOPICS.items():
         drawn = column(rows, *names)
+        assert drawn, f"nothing of {topic} in {len(rows)} rows of {newest}"
         (first, _), (last, _) = drawn[0], drawn[-1]
         if names in (ODOM, ("battery (V)",)):
             known = dict(bag[topic])

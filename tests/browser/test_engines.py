@@ -118,8 +118,7 @@ def test_a_reload_stops_the_robot_and_comes_back_to_it(page, world):
     world.hold(page, page.hold_mouse, page.let_go_mouse, OTHER_ROBOT)
     with world.stops(OTHER_ROBOT, what="a reload"):
         page.reload()
-    page.wait_for_link()
-    assert page.value("robot") == f"/{OTHER_ROBOT}"
+    page.wait_for(lambda: page.value("robot") == f"/{OTHER_ROBOT}", "it to be chosen again")
     page.let_go_mouse()
 
 

@@ -237,9 +237,5 @@ def recorded(page, world):
     """Run the program, wait until the robot has stopped, and save the table; return the rows of this drive."""
     run(page, world)
     wait_for_end(page)
-    tap(page, "#curves-save")
-    file = page.downloads / f"curves_{ROBOT}.csv"
-    page.wait_for(file.exists, "the table")
-    rows = read_table(file)
-    file.unlink()
+    rows = read_table(page.download("curves-save", f"curves_{ROBOT}.csv"))
     return [row for row in rows if f"Drive {row['drive']}" == drives(page)[0]]
