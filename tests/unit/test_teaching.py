@@ -6,6 +6,7 @@ What the lessons in a browser print in bold is on the page, in each language tha
 import ast
 import math
 import re
+from functools import lru_cache
 
 import pytest
 from languages import keys, messages, read
@@ -106,15 +107,20 @@ def quotes_of(page):
     return [*own, *re.findall(r"<b>(.*?)</b>", text)]
 
 
+@lru_cache(maxsize=None)
+def form_of(text):
+    """Return how a text begins, whether it is a block's, and a pattern that it is with its values, or None."""
+    first, *others = re.split(r"(?: ?%\d)+ ?", text.lstrip("▶ "))
+    parts = [first, *others] if others else re.split(r"\{\w+\}", first)
+    has_words = any(parts) if others else re.search(r"\w{4}", "".join(parts))  # others have only values, and say all
+    return first, bool(others), re.compile(".+".join(map(re.escape, parts))) if has_words else None
+
+
 def says(text, quote):
     """Return whether the page says this: a text with its values, or a block with its own, or how a block begins."""
-    first, *others = re.split(r"(?: ?%\d)+ ?", text.lstrip("▶ "))
-    if not others:
-        parts = re.split(r"\{\w+\}", first)
-        has_words = re.search(r"\w{4}", "".join(parts))  # others have only values, and say all
-        return quote == first or has_words and re.fullmatch(".+".join(map(re.escape, parts)), quote)
-    return f"{first} ".startswith(f"{quote} ") or any([first, *others]) and re.fullmatch(
-        ".+".join(map(re.escape, [first, *others])), quote)
+    first, is_block, pattern = form_of(text)
+    begins = f"{first} ".startswith(f"{quote} ") if is_block else first == quote
+    return begins or pattern is not None and pattern.fullmatch(quote)
 
 
 @pytest.mark.parametrize("quote", sorted({quote for quote in re.findall(r"\*\*([^*]+)\*\*", REAL_ROBOTS)
