@@ -15,10 +15,10 @@ LONGEST = (PAGES, *(f"::test_rostest[{name}" for name in (
     "judge]", "class_judge]", "check_lesson]", "")))
 FLEET = "tests/fleet/"  # all of these share one school
 BROWSER = "tests/browser/"  # each part of these tests, and those in each engine, share a world and their browsers
-PARTS = {part: re.compile(f"{BROWSER}test_({names})") for part, names in {
-    "programs": "program|tablet|tasks", "work": "work", "everybody": "accessibility|blocks|page",
-    "class": "keys|pseudo|robots|sharing", "safety": "python_safety", "equal": "python_page_equal",
-    "texts": "python|curves", "pad": ""}.items()}
+PARTS = {part: re.compile(f"{BROWSER}test_({names})") for part, names in {  # the longest first
+    "lessons": "python_lesson|tablet", "pad": "access[.]|camera|dead|driving|hub|stop",
+    "class": "keys|pseudo|robots|sharing", "everybody": "accessibility|blocks|page", "equal": "python_page_equal",
+    "texts": "python_page|curves", "programs": "program|tasks", "safety": "python_safety", "work": "work"}.items()}
 PROCESSES = 8  # of ./morbot test
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
 
@@ -49,13 +49,19 @@ def scope_of(nodeid):
     return nodeid if is_long(nodeid) else file
 
 
+def rank(scope):
+    """Return the place of a part of the browser's tests; what is none of these parts comes last, as it is."""
+    return next((index for index, part in enumerate(PARTS) if scope == BROWSER + part), len(PARTS))
+
+
 def pytest_collection_modifyitems(items):
     """Start with the longest tests, so that no process is left with one at the end.
 
     pytest-xdist gives each process two scopes at once; the second ones are short, as they wait for the first.
     """
     longest = list(dict.fromkeys(scope_of(item.nodeid) for name in LONGEST for item in items if name in item.nodeid))
-    others = [scope for scope in dict.fromkeys(scope_of(item.nodeid) for item in items) if scope not in longest]
+    scopes = sorted(dict.fromkeys(scope_of(item.nodeid) for item in items), key=rank)
+    others = [scope for scope in scopes if scope not in longest]
     order = longest[:PROCESSES] + others[:PROCESSES] + longest[PROCESSES:] + others[PROCESSES:]
     items.sort(key=lambda item: order.index(scope_of(item.nodeid)))
 

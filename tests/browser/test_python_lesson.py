@@ -33,7 +33,7 @@ MISTAKES = [
     (f"{INDENT}drive(0.5, 0, 1.67)", "drive", "vie", 3, "“drvie” is not known here. Do you mean drive?",
      f"{INDENT}drvie(0.5, 0, 1.67)"),
     (f"{INDENT}stop()", INDENT, " ", 0,
-     "This line begins too far to the right: begin it in the column of the line above.", f"{INDENT} stop()"),
+     "This line is indented too far: align it with the line above.", f"{INDENT} stop()"),
 ]
 # Where a finger touches a line behind a text, "" being the empty line above main, or null if that is out of sight; and
 # how far it is to scroll there, in px

@@ -183,7 +183,7 @@ def test_pause_and_step_go_from_line_to_line(blocks, world):
 def test_where_a_text_fails_stays_marked_and_in_sight_until_it_is_changed(blocks, world):
     page = text(blocks, FAILS)
     page.click("#run")
-    page.wait_for_text("outcome", "A number is divided by 0")
+    page.wait_for_text("outcome", "This line divides by 0")
     page.wait_for(lambda: marked(page, "failed") == "print(1 / count)", "the line to be marked")
     assert not page.outside("#text .failed", "#text")
     world.wait_for_stop(ROBOT)

@@ -102,7 +102,7 @@ def test_a_text_that_computes_stops_its_robot_after_a_second_and_says_so(blocks,
 
 
 @pytest.mark.parametrize("text, sentence", [
-    ("import sys\nsys.modules['_page'].show(5)", "Python broke off. Run the program again."),
+    ("import sys\nsys.modules['_page'].show(5)", "Python stopped unexpectedly. Run the program again."),
     ("x = [0] * 10 ** 9", "too much memory"),
     ("def f(): f()\nf()", "calls itself"),
 ])

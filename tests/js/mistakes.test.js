@@ -15,12 +15,12 @@ const CALL = "A function is called with brackets after its name: f()";
 const SELF = "The first parameter of a method is self: def name(self):";
 const NO_COLUMN = "This line begins in a column in which no line above it begins.";
 const NO_PICTURES = "is not in the page: programs here see no pictures; run it on the robot with rosrun.";
-const NO_FUNCTION = "What is before “(” is no function, but: module.";
+const NO_FUNCTION = "What comes before “(” is not a function, but: module.";
 const FORMAT = "In a text that begins with f, each { needs a name and a }: f\"{x}\"";
 const FORMAT_LESS = "What is in { } is too much for the page's Python: first give it a name, x = ..., then write "
   + "f\"{x}\"";
 const GIVE = "Give it a value before, or put a text between quotation marks.";
-const UNKNOWN_LINE = "The page's Python does not understand this line. Compare it with an example.";
+const UNKNOWN_LINE = "Python cannot read this line. Compare it with an example.";
 const RUN_THERE = "or run the program on the robot with rosrun";
 const gap = (one, other) => `Something is missing between “${one}” and “${other}”: perhaps a comma, +, or quotation `
   + "marks.";
@@ -37,8 +37,8 @@ const SYNTAX = [
   ["if True:\nprint(1)", "This line belongs to “if” above it: put 4 more spaces in front.", 2],
   ["if True:\n    print(1)\nwhile True:\n", "“while” needs a line below it, with 4 more spaces in front.", 3],
   ["def f():\n    # nothing yet\n", "“def” needs a line below it, with 4 more spaces in front."],
-  ["x = 1\n  y = 2", "This line begins too far to the right: begin it in the column of the line above.", 2],
-  ["  x = 1", "This line begins too far to the right: begin it in the column of the line above."],
+  ["x = 1\n  y = 2", "This line is indented too far: align it with the line above.", 2],
+  ["  x = 1", "This line is indented too far: align it with the line above."],
   ["if True:\n    x = 1\n  y = 2", NO_COLUMN, 3],
   ["if True:\n\tx = 1\n        y = 2", "This line begins with tabs and spaces mixed: use spaces alone.", 3],
   ["print(1\nprint(2)", "The bracket “(” is never closed."],
@@ -69,10 +69,10 @@ const SYNTAX = [
   ["for i range(3):\n    pass", "“for” needs “in”: for i in range(10):"],
   ["class = 3", "“class” is a word of Python: choose another name."],
   ["def f:\n    pass", "A function needs brackets after its name: def f():"],
-  ["2x = 1", "“2x” is no number and no name: a name begins with a letter."],
+  ["2x = 1", "“2x” is neither a number nor a name: a name begins with a letter."],
   ["print（1）", "Python has no “（”: use (."], ["x = “a”", "Python has no ““”: use \"."],
   ["if True:\n\u3000\u3000x = 1", "Here is a space of a kind that Python does not know: type it again.", 2],
-  ["x = 007", "This is not a number that Python knows."],
+  ["x = 007", "Python cannot read this number."],
   ["x = 5 if True", "“if” inside a line needs “else”: x = 1 if a else 2"],
   ["x = [i for i in a] if b", "“if” inside a line needs “else”: x = 1 if a else 2"],
   ["from math sin", "“from” needs “import”: from math import sin"], ["print(f'{x')", FORMAT], ["print(f'{}')", FORMAT],
@@ -148,9 +148,9 @@ const TYPES = [
   ["x = -'1'", `Here a number is needed, not text. ${CONVERT}`],
   ["import math\nmath.sin('1')", `Here a number is needed, not text. ${CONVERT}`, 2],
   ["x = range(1.5)", "Here a whole number is needed. int(x) makes a whole number of x."],
-  ["x = 2(3 + 4)", "What is before “(” is no function, but: number. To multiply, write *"],
+  ["x = 2(3 + 4)", "What comes before “(” is not a function, but: number. To multiply, write *"],
   ["x = [1, 2]\nx(0)",
-    "What is before “(” is no function, but: list. An item is taken with square brackets: x[0]", 2],
+    "What comes before “(” is not a function, but: list. An item is taken with square brackets: x[0]", 2],
   ["def f(a, b):\n    pass\nf(1)", "f() takes 2 values but gets 1.", 3],
   ["def f(a):\n    pass\nf(1, 2)", "f() takes 1 value but gets 2.", 3],
   ["class A:\n    def go(self, x):\n        pass\nA().go()", "go() takes 1 value but gets 0.", 4],
@@ -179,8 +179,8 @@ const VALUES = [
     "“sys.argv” is not in the page: give the value to a name at the top of the program.", 2],
   ["[].pop()", "The list is empty."], ["max([])", "The list is empty."],
   ["x = {'a': 1}\nx['b']", "There is no key “b”.", 2],
-  ["def half(x):\n    return 1 / x\nhalf(0)", "A number is divided by 0.", 2],
-  ["x = 5 % 0", "A number is divided by 0."],
+  ["def half(x):\n    return 1 / x\nhalf(0)", "This line divides by 0.", 2],
+  ["x = 5 % 0", "This line divides by 0."],
   ["x = int('1.5')", "int(...) cannot make a whole number of “1.5”."],
   ["x = float('0,5')", "float(...) cannot make a number of this text: a number looks like 0.5"],
   ["a, b = 1, 2, 3", "There are more values than the 2 names on the left of =."],

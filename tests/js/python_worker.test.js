@@ -84,7 +84,7 @@ test("a worker that speaks unasked is ended, and its program with it", async () 
   };
   const { prints, sentence } = await runText("print(1)");
   globalThis.Worker = Worker;
-  assert.deepEqual([prints, sentence, ended], [["asked"], "Python broke off. Run the program again.", true]);
+  assert.deepEqual([prints, sentence, ended], [["asked"], "Python stopped unexpectedly. Run the program again.", true]);
 });
 
 const TOO_MUCH_MEMORY = "The program needs too much memory: does a list or a text grow without an end?";

@@ -31,5 +31,5 @@ function rows(drive, names, width) {
 
 // Returns a name that a spreadsheet shows, and never calculates.
 function quoted(name) {
-  return `"${name.replace(/^(?=[=+\-@])/, "'").replaceAll('"', '""')}"`;
+  return `"${name.replace(/^(?=[=+\-@\t\r\n])/, "'").replaceAll('"', '""')}"`;
 }

@@ -126,7 +126,8 @@ class Curves {
 
   hold(on) {
     const { kept, current } = this.drives;
-    this.held = on ? { kept, until: current.start + current.length - SETTLED } : null;
+    const until = current.start + current.length - SETTLED;
+    this.held = on && until > 0 ? { kept, until } : null; // there is something to hold
     this.shell.show();
   }
 

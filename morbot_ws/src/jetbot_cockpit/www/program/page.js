@@ -35,7 +35,7 @@ const shell = new Shell({
     },
     robots() {
       showUnits();
-      if (run && !world.robot(run.robot.id)) endBecause("ended", run.robot);
+      if (runs() && !world.robot(run.robot.id)) endBecause("ended", run.robot);
     },
     state() {
       endIfStopped();

@@ -126,7 +126,7 @@ const OTHERS = [
     args0: [{ type: "input_value", name: "NAME", ariaLabelText: t("name of the curve") },
       { type: "input_value", name: "VALUE", ariaLabelText: t("value to print") }], ...statement,
     colour: "#6a4fb5", inputsInline: true,
-    tooltip: t("Shows a name and a value; numbers also as a curve: press Curves."),
+    tooltip: t("Prints a name and a value. Numbers also become a curve: press Curves."),
     python: ({ NAME, VALUE }) => `print(${NAME}, ${VALUE})`,
     does: ({ NAME, VALUE }) => [{ print: `${shown(NAME)} ${shown(VALUE)}`, name: shown(NAME), value: VALUE }],
   },

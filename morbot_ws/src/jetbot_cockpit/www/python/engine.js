@@ -10,10 +10,12 @@ import { FILES } from "./modules/list.js";
 import { syntaxProblem } from "./syntax.js";
 
 const LOOKS = /["'][\w/]*\bline["']/; // at the line sensor
-const BROKEN = t("Python broke off. Run the program again.");
+const BROKEN = t("Python stopped unexpectedly. Run the program again.");
 const NOT_LOADED = t("Python could not be loaded. Try again. If that does not help, reload the page.");
 
-let loaded = null; // promises what a worker needs
+/** @type {Promise<object> | null} */
+let loaded = load(); // promises what a worker needs: a text that is shown will soon run
+loaded.catch(() => {});
 
 export class PythonEngine {
   repeats = false; // the robot gets a command when the program publishes one

@@ -27,11 +27,11 @@ const COMPILED = [
   ["SyntaxError", /^expecting (?:key:value for dict|just a value for set)$/,
     () => t("Each item of a dictionary is a key, a colon, and a value.")],
   ["SyntaxError", /global$|nonlocal/, () => t("“global” comes first in a function, before the name is used.")],
-  ["SyntaxError", /^invalid syntax for /, () => t("This is not a number that Python knows.")],
+  ["SyntaxError", /^invalid syntax for /, () => t("Python cannot read this number.")],
   ["SyntaxError IndentationError", /./,
     ({ code }) => (/\br?f["']/i.test(code)
       ? t("What is in { } is too much for the page's Python: first give it a name, x = ..., then write f\"{x}\"")
-      : t("The page's Python does not understand this line. Compare it with an example."))],
+      : t("Python cannot read this line. Compare it with an example."))],
 ];
 
 // "motion.linear.x = 0,5" fails where that is published.
@@ -56,7 +56,7 @@ const VALUES = [
   ["IndexError", /^(?:pop from empty list)?$/, () => t("The list is empty.")],
   ["ValueError", /^arg is an empty sequence$/, () => t("The list is empty.")],
   ["KeyError", /^(?<text>.*)$/, ({ text }) => t("There is no key “{text}”.", { text })],
-  ["ZeroDivisionError", /^/, () => t("A number is divided by 0.")],
+  ["ZeroDivisionError", /^/, () => t("This line divides by 0.")],
   ["ValueError", /^invalid syntax for integer with base \d+: '(?<text>.*)'$/,
     ({ text }) => t("int(...) cannot make a whole number of “{text}”.", { text })],
   ["ValueError", /^invalid syntax for number$/,

@@ -11,7 +11,7 @@ export function beText(act) {
 
 // The same for its blocks.
 export function beBlocks(act) {
-  return ask("to-blocks", t("From now on this program is its blocks again, as they were. " +
+  return ask("to-blocks", t("This program becomes blocks again, as they were. " +
     "The text stays as an earlier version in Programs."), t("Back to blocks"), act);
 }
 

@@ -124,7 +124,7 @@ function conditional(tokens) {
 
 function numbers(tokens) {
   const number = tokens.find(({ kind, text }) => kind === "number" && /^0[\d_]*[1-9][\d_]*$/.test(text));
-  return number && [t("This is not a number that Python knows."), number];
+  return number && [t("Python cannot read this number."), number];
 }
 
 // Finds f"{x" and f"{}". It looks at no text within the braces.

@@ -54,7 +54,7 @@ function place({ indent }, above, levels) {
     return deeper ? "" : t("This line belongs to “{text}” above it: put 4 more spaces in front.",
                            { text: word(above.tokens) });
   }
-  if (deeper) return t("This line begins too far to the right: begin it in the column of the line above.");
+  if (deeper) return t("This line is indented too far: align it with the line above.");
   while (levels[levels.length - 1].indent.length > indent.length) {
     if (levels.pop()?.before === "try") return NO_EXCEPT;
   }

@@ -41,7 +41,7 @@ const REFUSED = {
   unclosed: ({ text }) => (text.length > 2
     ? t("The text that begins here is never closed: put {text} at its end.", { text: text.slice(-3) })
     : t("The text that begins here is not closed on its line: put {text} at its end.", { text: text.slice(-1) })),
-  misnamed: ({ text }) => t("“{text}” is no number and no name: a name begins with a letter.", { text }),
+  misnamed: ({ text }) => t("“{text}” is neither a number nor a name: a name begins with a letter.", { text }),
   foreign: ({ text }) => t("Python has no “{name}”: use {text}.", { name: text, text: FOREIGN[text] }),
   odd({ text: name }) {
     if (/\s/.test(name)) return t("Here is a space of a kind that Python does not know: type it again.");

@@ -41,7 +41,7 @@ const needsNumber = ({ type }) => joined(t("Here a number is needed, not {value}
                                          { str: CONVERT, tuple: POINT, NoneType: NO_RESULT }[type]);
 
 const noFunction = ({ type }) => joined(
-  t("What is before “(” is no function, but: {text}.", { text: kindOf(type) }),
+  t("What comes before “(” is not a function, but: {text}.", { text: kindOf(type) }),
   { list: ITEM, tuple: ITEM, dict: ITEM, str: ITEM, int: MULTIPLY, float: MULTIPLY }[type]);
 
 const ofFunction = ({ count, got }) => t(
