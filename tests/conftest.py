@@ -41,7 +41,7 @@ def scope_of(nodeid):
     if file == f"{BROWSER}test_engines.py":
         return BROWSER + nodeid.partition("[")[2].partition("-")[0].rstrip("]")
     if file.startswith(BROWSER):
-        return BROWSER + next(part for part, files in PARTS.items() if files.match(file))
+        return BROWSER + next((part for part, files in PARTS.items() if files.match(file)), "others")
     if file.startswith(FLEET):
         return FLEET
     if PAGES in nodeid:

@@ -85,7 +85,7 @@ def show_curves(page, *strips):
     """Show the curves, with these strips beside those that are shown at first."""
     page.run("localStorage.setItem('curves', arguments[0])", " ".join(["wheels speed printed", *strips]))
     page.click("#show-curves")
-    page.wait_for(lambda: page.has("#curves canvas") and "Wheels" in values(page), "the curves")
+    page.wait_for(lambda: page.has("#curves canvas") and float(length(page) or 0), "the robot's first values")
 
 
 def values(page):
