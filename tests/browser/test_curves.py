@@ -9,13 +9,11 @@ from contextlib import contextmanager
 import rosbag
 
 from harness import START_TIMEOUT
-from jetbot.fake.motors import STOPPED
 
 from .accessibility import violations
 from .conftest import OTHER_ROBOT, ROBOT, TABLET
 from .programs import block, chain, drive, num, plug, program, set_motion, wait
 from .test_page import DESKTOP, FINGER, TOUCH_SCREENS
-from .world import OBEY_TIMEOUT
 
 ODOM = "x (m)", "y (m)", "yaw (rad)", "speed (m/s)", "turn rate (rad/s)"
 WHEELS = "command x", "command z", "left wheel (power)", "right wheel (power)"
@@ -162,13 +160,12 @@ def test_two_drives_are_above_each_other_and_pause_holds_the_picture(blocks, wor
     page = blocks(TURNS)
     show_curves(page)
     run(page, world)
-    page.click("#run")
-    world.wait_for(lambda: world.wheels(ROBOT) != STOPPED, OBEY_TIMEOUT, "the robot to drive")
+    world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)
     page.wait_for(lambda: "Speed: 0.0" not in values(page), "its speed")
     page.click("#curves-pause")
     page.wait_for_text("curves-pause", "Go on")
     first, held = drives(page)[0], page.run("return document.querySelector('#curves canvas').toDataURL()")
-    page.wait_for_text("outcome", "The program has ended.")
+    page.wait_for(lambda: page.text("outcome") != "Running", "the program's end")
     assert page.run("return document.querySelector('#curves canvas').toDataURL()") == held
     assert run(page, world) == first and "Go on" in page.text("curves-pause")
     assert page.run("return document.querySelector('#curves canvas').toDataURL()") == held
@@ -202,9 +199,7 @@ def test_on_a_phones_pad_curves_take_the_maps_place_and_their_colours_stand_out(
 
 def test_a_drive_has_the_score_that_the_judge_gives_it(page, world):
     show_curves(page)
-    world.drive(page, ROBOT)
-    page.lift()
-    page.wait_for(lambda: drives(page) == ["Drive 1"], "a drive")
+    drive_once(page, world)
     task = {"name": "metre", "title": "One metre", "state": "driving", "text": "", "seconds": 1.0, "score": None,
             "sentences": [], "lost": None}
     page.receive_class(2, task=task)
@@ -215,15 +210,20 @@ def test_a_drive_has_the_score_that_the_judge_gives_it(page, world):
 
 def test_the_keyboard_reads_a_moment_and_drives_nothing(page, world):
     show_curves(page)
-    world.drive(page, ROBOT)
-    page.lift()
-    page.wait_for(lambda: drives(page) == ["Drive 1"] and "Speed: 0.00 m/s" in values(page), "the robot to stand")
+    drive_once(page, world)
+    page.wait_for(lambda: "Speed: 0.00 m/s" in values(page), "the robot to stand")
     page.tab_to("curves-moment")
     with world.stops(ROBOT, what="the arrow keys moved the moment"):
         page.tap("Home")
         page.wait_for(lambda: values(page).startswith("0.0 s; Wheels: left "), "the beginning")
         page.tap("ArrowRight")
         page.wait_for(lambda: page.value("curves-moment") == "0.01", "the next moment")
+
+
+def drive_once(page, world):
+    """Drive by the pad until the curves have a drive."""
+    world.drive_until(lambda: drives(page) == ["Drive 1"], page)
+    page.lift()
 
 
 def length(page):
@@ -288,9 +288,8 @@ def test_beside_the_blocks_they_break_none_either_and_have_room(blocks, world):
 
 def test_a_finger_zooms_in_time_and_reads_values(page, world):
     show_curves(page)
-    world.drive(page, ROBOT)
-    page.lift()
-    page.wait_for(lambda: drives(page) == ["Drive 1"] and "Speed: 0.00 m/s" in values(page), "the robot to stand")
+    drive_once(page, world)
+    page.wait_for(lambda: "Speed: 0.00 m/s" in values(page), "the robot to stand")
     x, y = page.place_of("#curves canvas")
     page.touch_event("touchStart", (x, y))
     page.touch_event("touchEnd")
