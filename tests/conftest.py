@@ -11,13 +11,13 @@ sys.path.append(str(Path(__file__).parent / "ros"))
 from processes import end_on_sigterm  # noqa: E402
 
 PAGES = "::test_pages["
-LONGEST = (PAGES, *(f"::test_rostest[{name}" for name in (
-    "judge]", "class_judge]", "check_lesson]", "")))
+LONGEST = (PAGES, "::test_rostest[judge]", "::test_rostest[class_judge]", "::test_rostest[check_lesson]",
+           "/test_fleet_update.py::", "::test_the_page[python_worker.test.js]", "::test_rostest[")
 FLEET = "tests/fleet/"  # all of these share one school
 BROWSER = "tests/browser/"  # each part of these tests, and those in each engine, share a world and their browsers
 PARTS = {part: re.compile(f"{BROWSER}test_({names})") for part, names in {  # the longest first
-    "lessons": "python_lesson|tablet", "pad": "access[.]|camera|dead|driving|hub|stop",
-    "class": "keys|pseudo|robots|sharing", "everybody": "accessibility|blocks|page", "equal": "python_page_equal",
+    "everybody": "accessibility|blocks|page", "pad": "access[.]|camera|dead|driving|hub|stop",
+    "lessons": "python_lesson|tablet", "class": "keys|pseudo|robots|sharing", "equal": "python_page_equal",
     "texts": "python_page|curves", "programs": "program|tasks", "safety": "python_safety", "work": "work"}.items()}
 PROCESSES = 8  # of ./morbot test
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
