@@ -10,6 +10,7 @@ from harness import program
 from jetbot.wait import wait_until
 from processes import end
 
+from .cockpit_page import INTERRUPTED
 from .conftest import ROBOT, TABLET, some
 from .test_curves import column, drives, read_table, values, wait_for_end
 from .test_python_page import is_marked, marked
@@ -21,7 +22,6 @@ STRAIGHT, LEFT = (0.5, 0.5), (-0.1, 0.1)  # what the wheels get
 BACKSPACE = "\ue003"
 OUT = 3  # presses of it from a line in a loop to the end of the line above: two levels of spaces, and the line's end
 COMMAND = "drive(0.5, 0, 3.33)"  # of the example
-INTERRUPTED = "was interrupted, so the robot stopped."  # the page, or the cockpit, by a busy computer
 SPEED, WHEEL = "speed (m/s)", "left wheel (power)"
 INDENT = " " * 4
 # Below a colon, the editor indents
