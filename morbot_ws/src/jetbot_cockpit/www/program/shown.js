@@ -43,9 +43,10 @@ export class Shown {
 
   // Returns what runs the program, or promises it.
   engine(robot) {
-    const { text } = this;
+    const { text, loading } = this; // WebKit may refuse a module that is asked for again while it is loaded
     return text === null ? new Interpreter(currentProgram(this.workspace), robot)
-      : import("../python/engine.js").then(({ PythonEngine }) => new PythonEngine(text, robot.id));
+      : Promise.resolve(loading).then(() => import("../python/engine.js"))
+        .then(({ PythonEngine }) => new PythonEngine(text, robot.id));
   }
 
   // Shows a program from elsewhere; throws a Refusal.
