@@ -1,11 +1,12 @@
 """The cockpit's page in a browser of any engine: what it shows, what it sends, and its pad."""
 
 import json
-import time
 from abc import ABC, abstractmethod
 from typing import Callable, Dict, List, NamedTuple, Tuple
 
 from languages import read
+
+from jetbot.wait import wait_until
 
 from .world import LONGEST_GAP, TRIES
 
@@ -28,20 +29,6 @@ if (location.protocol === "http:") { const send = WebSocket.prototype.send, sent
         }
         send.call(this, text);
     }; }"""
-
-
-def wait_patiently(condition: Callable[[], object], within: float) -> bool:
-    """Return whether the condition becomes true within this many seconds.
-
-    It is looked at less and less often: each look is work for a browser, beside which others are tested.
-    """
-    deadline, pause = time.monotonic() + within, 0.02
-    while not condition():
-        if time.monotonic() > deadline:
-            return False
-        time.sleep(pause)
-        pause = min(1.3 * pause, 0.25)
-    return True
 
 
 class Command(NamedTuple):
@@ -104,7 +91,7 @@ class CockpitPage(ABC):
 
     def wait_for(self, condition: Callable[[], object], what: str, within: float = PAGE_TIMEOUT) -> None:
         """Fail unless the condition becomes true within this many seconds; what: its description."""
-        assert wait_patiently(condition, within), \
+        assert wait_until(condition, within, 0.1), \
             f"waited {within} s for {what}; the page shows {self.text_of('body')!r}, its console {self.errors()}"
 
     def wait_for_text(self, name: str, text: str) -> None:

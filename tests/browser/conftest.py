@@ -16,9 +16,12 @@ TABLET = (1024, 768)  # px
 ROBOT, OTHER_ROBOT = "jetbot_01", "jetbot_02"
 
 
+ALL = "ALL_PROGRAMS" in os.environ  # whether what takes long runs, too
+
+
 def some(rows: Iterable, *always) -> list:
     """Return the rows of a long table that run each time: with ALL_PROGRAMS in the environment, all of them."""
-    return list(rows if "ALL_PROGRAMS" in os.environ else always)
+    return list(rows if ALL else always)
 
 
 def need(programs: str, packages: str) -> None:

@@ -159,12 +159,13 @@ ENDS = {"Stopped.": lambda page: page.click("#end"),
 def test_a_program_drives_until_stop_or_until_its_page_is_hidden(programs, world):
     programs.set("examples", programs.say("A square, with a function"))
     programs.wait_for_text("python", "def side():")
-    drives_until_each_end(programs, world)
+    drives_until_each_end(programs, world, "#python .now")
 
 
-def drives_until_each_end(programs, world):
+def drives_until_each_end(programs, world, line):
     for sentence, end_it in ENDS.items():
         world.hold(programs, lambda: programs.click("#run"), lambda: programs.click("#end"), ROBOT)
+        programs.wait_for(lambda: programs.has(line), "the line that runs")
         with world.stops(ROBOT, what=sentence):
             end_it(programs)
         programs.wait_for_text("outcome", programs.say(sentence))
@@ -178,7 +179,7 @@ def test_a_text_is_edited_and_drives_until_stop_or_until_its_page_is_hidden(prog
     programs.tap("#")
     programs.wait_for(lambda: programs.text_of("#text .cm-line").count("#") == 2, "what was typed")
     programs.wait_for(lambda: programs.text("kept") == programs.say("Kept"), "it to be kept")
-    drives_until_each_end(programs, world)
+    drives_until_each_end(programs, world, "#text .now")
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from jetbot.wait import wait_until
 from processes import end
 
 from .cockpit_page import INTERRUPTED
-from .conftest import ROBOT, TABLET, some
+from .conftest import ALL, ROBOT, TABLET, some
 from .test_curves import column, drives, read_table, values, wait_for_end
 from .test_python_page import is_marked, marked
 from .test_tablet_lesson import tap
@@ -177,7 +177,7 @@ def step(page):
     return marked(page, "now").strip()
 
 
-@pytest.mark.skipif(not some([1]), reason="it drives most of a minute: ALL_PROGRAMS=1 ./morbot test FILE")
+@pytest.mark.skipif(not ALL, reason="it drives most of a minute: ALL_PROGRAMS=1 ./morbot test FILE")
 def test_a_loop_and_a_function_with_a_parameter(page, world):
     change(page, INDENT + COMMAND, COMMAND, LOOP)
     assert run(page, world) == [STRAIGHT, LEFT] * 4, "a square"

@@ -162,6 +162,13 @@ test("a long drive keeps its newest part, and no more memory", () => {
   assert.deepEqual([track.at(last, 1), track.at(middle)], [1 - 5 * MOST, 5 * MOST - 9]);
 });
 
+test("the table calculates no printed name that begins with a space of any kind before its sign", () => {
+  come(0, wheels(0, 0.5));
+  for (const name of ["\t=1", "\r=1", "\n=1"]) drives.print(name, 1, 500);
+  const text = toCsv(drives.kept.slice(0, 1));
+  for (const name of ["\t=1", "\r=1", "\n=1"]) assert.ok(text.includes(`"'${name}"`), JSON.stringify(name));
+});
+
 test("the table has a row for each stamp, the numbers as they came, and nothing that a spreadsheet calculates", () => {
   come(0, { ...wheels(0, 0.5), odom: [[0, 1e-7, -2, 0.5, 0.30000001192092896, 0]] });
   come(1, { line: [[0.5, 0.25, 0, 1]], battery: [[0.75, 12.1]] });

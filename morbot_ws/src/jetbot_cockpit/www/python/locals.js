@@ -24,15 +24,11 @@ export class Locals {
   // Returns those that have a value for sure, whatever ran before; none outside of functions.
   names() {
     const start = this.blocks.findLastIndex(({ owner }) => /^(Function|Class)Definition$/.test(owner.name));
-    if (this.blocks[start]?.owner.name !== "FunctionDefinition") return [];
+    const outermost = this.blocks[start];
+    if (outermost?.owner.name !== "FunctionDefinition") return [];
     const all = this.blocks.slice(start).flatMap(({ names }) => names);
-    const lost = this.lost(this.blocks[start]);
+    const lost = outermost.lost ??= removed(outermost.owner).map(this.text);
     return [...new Set(all)].filter((name) => !name.startsWith("_") && !lost.includes(name)).slice(-MOST);
-  }
-
-  // Returns what has no value any more behind "del x" or "except ... as x".
-  lost(block) {
-    return block.lost ??= removed(block.owner).map(this.text);
   }
 }
 
@@ -48,6 +44,7 @@ function variables(node, end) {
   return node.getChildren("VariableName").filter(({ to }) => to <= end.from);
 }
 
+// What has no value any more behind "del x" or "except ... as x"
 function removed(owner) {
   const found = [];
   owner.cursor().iterate(({ node }) => {
