@@ -184,6 +184,38 @@ for (const [name, [text, expected]] of Object.entries(FUNCTIONS)) {
   });
 }
 
+// While MicroPython's own code holds what nothing else does, a step finds much garbage; then memory is used again.
+const GARBAGE = `
+MUCH = 5000
+def step():
+    x = [[0, 1, 2, 3], [4, 5, 6, 7], {}]
+    return 1
+class A:
+    def __init__(self, n, *more):
+        self.n = n
+        self.more = [more]
+    def __str__(self):
+        return "x" * step() * 20
+def f(much):
+    for n in range(9):
+        step()
+        yield str(n)
+`;
+const HELD = { // expressions, and their values
+  "what an object is made with": ["[(a.n, a.more) for a in [A(7, 1, len([0] * MUCH)) for _ in range(9)]]", "[(7, [(1, MUCH)])] * 9"],
+  "what is sorted": ["sorted([3, 2, len([0] * MUCH), 1], key=lambda n: n * step())", "[1, 2, 3, MUCH]"],
+  "a list": ["list(f(len([0] * MUCH)))", "'0 1 2 3 4 5 6 7 8'.split()"],
+  "a dictionary": ["dict(enumerate(f(len([0] * MUCH))))", "{n: str(n) for n in range(9)}"],
+  "the parts of a text": ["' '.join(f(len([0] * MUCH)))", "'0 1 2 3 4 5 6 7 8'"],
+};
+for (const [name, [made, value]] of Object.entries(HELD)) {
+  test(`${name} survives the garbage of a step`, async () => {
+    const text = `${GARBAGE}wrong = [n for n in range(20) if ${made} != ${value}]\nprint(wrong)`;
+    const { prints, sentence } = await runText(text, { slow: true });
+    assert.deepEqual([prints, sentence], [["[]"], ""]);
+  });
+}
+
 test("of 10,000 variables, a hundred are shown", async () => {
   const { variables, sentence } = await runText("for i in range(10000): globals()['v%d' % i] = i");
   assert.deepEqual([variables.size, sentence], [100, ""]);

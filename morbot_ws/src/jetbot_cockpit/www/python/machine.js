@@ -21,9 +21,9 @@ const REWINDING = 2; // a state of asyncify
 // Of these modules nothing is left: they reach JavaScript, any address of the memory, files.
 const EMPTIED = "js jsffi uctypes uos vfs";
 
-// MicroPython collects garbage only where nothing of a program is on WebAssembly's stack, which it cannot read: so a
-// program runs from a call that does not count as one of JavaScript's (__iter__), and while it waits all of that stack
-// lies in `suspended`, an object of Python's.
+// MicroPython collects garbage at the end of each call from JavaScript, as if nothing were on WebAssembly's stack, which
+// it cannot read: so a program runs from a call that does not count as one (__iter__), and others are made only while it
+// waits, when all of that stack lies in `suspended`, an object of Python's.
 const BEGINNING = `
 import _javascript, sys
 from uctypes import addressof, bytearray_at
@@ -64,8 +64,9 @@ export class Machine {
   /** @type {any} */
   python = null;
   closed = false; // whether Python reaches no JavaScript but the page's functions
-  /** @type {Promise<void> | null} */
+  /** @type {(() => Promise<void>) | null} */
   pending = null; // what a function of the page waits for
+  readable = true; // whether MicroPython can read what is on the stack
   evaluates = false;
   place = 0; // the address of `suspended`
   /** @type {any} */
@@ -74,7 +75,8 @@ export class Machine {
   nothing = null;
 
   // wasm: MicroPython's bytes; files: the texts of Python's modules by their names; page: the functions of the module
-  // _page, which return a promise to wait for, or what Python gets; written(text): on Python's output
+  // _page, which return what Python gets, or a function that is called once the program waits, and whose promise it
+  // waits for; written(text): on Python's output
   async load({ wasm, files, page, written }) {
     this.takeOver(wasm);
     this.written = written;
@@ -83,7 +85,7 @@ export class Machine {
       python.FS.mkdirTree(`/lib/${name}`.replace(/\/[^/]*$/, ""));
       python.FS.writeFile(`/lib/${name}`, text);
     }
-    const call = (value) => (value instanceof Promise ? this.wait(value) : value ?? null);
+    const call = (value) => (typeof value === "function" ? this.wait(value) : value ?? null);
     const functions = Object.entries(page).map(([name, act]) => [name, (...given) => call(act(...given))]);
     python.registerJsModule("_javascript", Object.fromEntries(functions));
     python.runPython(BEGINNING.replace("NAMES", Object.keys(page).join(" ")));
@@ -145,9 +147,9 @@ export class Machine {
     };
   }
 
-  wait(promise) {
+  wait(act) {
     if (this.evaluates) throw new Error("What is evaluated must not wait.");
-    this.pending = promise;
+    this.pending = act;
     return null; // Python's None, as undefined is not
   }
 
@@ -157,28 +159,32 @@ export class Machine {
     this.words(this.place, 2).set([this.place + HEAD, this.place + SUSPENDED]);
     for (;;) {
       this.wasm.proxy_c_to_js_get_iter(this.program._ref);
-      if (!this.pending) return;
+      const { pending } = this;
+      if (!pending) return;
       this.wasm.asyncify_stop_unwind();
-      await this.pending;
       this.pending = null;
-      this.collect();
+      this.readable = this.keep();
+      await pending();
+      if (this.readable) this.nothing(); // any call: this one needs none of Python's stack, of which little may be left
+      this.readable = true;
       this.wasm.asyncify_start_rewind(this.place);
     }
   }
 
-  // Lets MicroPython collect garbage if it has needed to since the last time.
-  collect() {
+  // Copies what is on WebAssembly's stack into `suspended`. Returns false if there is no room for it.
+  keep() {
     const [top, base] = [this.wasm.emscripten_stack_get_current(), this.wasm.emscripten_stack_get_base()];
     const [end, most] = this.words(this.place, 2);
-    if (end + base - top > most) return;
+    if (end + base - top > most) return false;
     this.words(end, (base - top) / 4).set(this.words(top, (base - top) / 4));
-    this.nothing(); // any call: this one needs none of Python's stack, of which a deep program leaves nothing
+    return true;
   }
 
   // Returns what a function of Python's returns, also while the program waits; it must not wait itself. Returns null
   // if the program is so deep that there is no room.
   evaluate(name) {
-    if (this.wasm.emscripten_stack_get_current() - this.wasm.emscripten_stack_get_end() < ROOM) return null;
+    const room = this.wasm.emscripten_stack_get_current() - this.wasm.emscripten_stack_get_end();
+    if (!this.readable || room < ROOM) return null;
     this.evaluates = true;
     try {
       return this[name]();

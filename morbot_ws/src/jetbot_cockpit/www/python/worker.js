@@ -70,14 +70,16 @@ function write(text) {
   events.push(...lines.slice(0, room).map((line) => ({ print: line.slice(0, LONGEST) })));
 }
 
-// Gives the page its turn, and ends with its answer.
-async function turn(event) {
-  told = line;
-  const shows = performance.now() - shownAt > VARIABLES_EVERY || state.slow;
-  if (shows) shownAt = performance.now();
-  postMessage({ events: [...events, event], variables: shows ? variables() : null });
-  events = [];
-  state = await answer();
+// Returns what gives the page its turn, and ends with its answer.
+function turn(event) {
+  return async () => {
+    told = line;
+    const shows = performance.now() - shownAt > VARIABLES_EVERY || state.slow;
+    if (shows) shownAt = performance.now();
+    postMessage({ events: [...events, event], variables: shows ? variables() : null });
+    events = [];
+    state = await answer();
+  };
 }
 
 // Returns the program's variables; null: there is no room for that, so deep is the program.
