@@ -21,8 +21,8 @@ const REWINDING = 2; // a state of asyncify
 // Of these modules nothing is left: they reach JavaScript, any address of the memory, files.
 const EMPTIED = "js jsffi uctypes uos vfs";
 
-// MicroPython collects garbage at the end of each call from JavaScript, as if nothing were on WebAssembly's stack, which
-// it cannot read: so a program runs from a call that does not count as one (__iter__), and others are made only while it
+// MicroPython collects garbage at the end of a call from JavaScript, as if nothing were on WebAssembly's stack, which
+// it cannot read: so a program runs from a call that does not count as one (__iter__), and others come only while it
 // waits, when all of that stack lies in `suspended`, an object of Python's.
 const BEGINNING = `
 import _javascript, sys
