@@ -229,6 +229,12 @@ test("a program waits at any depth that Python has, and has its variables again 
   assert.ok(Number(variables.get("depth")) > 50);
 });
 
+test("a program may catch an error after each wait, as often as it wants", async () => {
+  const text = "import time\ndef f(n):\n    if n: f(n - 1)\n    time.sleep(0.1)\n    raise ValueError\n";
+  const { prints, sentence } = await runText(`${text}for i in range(200):\n    try: f(5)\n    except ValueError: pass\nprint(i)`);
+  assert.deepEqual([prints, sentence], [["199"], ""]);
+});
+
 const ODD = { // what a program prints
   "a line separator in a text and in a comment": ["print(len('a\u2028b')) # \u2028print(1)", "3"],
   "tabs": ["if True:\n\tif True:\n\t\tprint(1)", "1"],

@@ -16,7 +16,6 @@ const ATTRIBUTES = ["lookup_attr", "has_attr"]; // of what is JavaScript's: ther
 const [EROFS, EBADF] = [69, 8]; // as WASI counts errors
 const WRITES = 0o3 | 0o100 | 0o1000; // O_ACCMODE, O_CREAT, O_TRUNC
 const HEAD = 8; // bytes of asyncify's own there: where the stack ends, and may end
-const REWINDING = 2; // a state of asyncify
 
 // Of these modules nothing is left: they reach JavaScript, any address of the memory, files.
 const EMPTIED = "js jsffi uctypes uos vfs";
@@ -67,6 +66,8 @@ export class Machine {
   /** @type {(() => Promise<void>) | null} */
   pending = null; // what a function of the page waits for
   readable = true; // whether MicroPython can read what is on the stack
+  resumes = false; // whether the program's calls are made again, after it has waited
+  tops = []; // of the stack at the calls of `invoke` in a program that waits: addresses, the innermost first
   evaluates = false;
   place = 0; // the address of `suspended`
   /** @type {any} */
@@ -112,6 +113,8 @@ export class Machine {
       own[name] = (...given) => (this.closed ? refuse(name) : env[name](...given));
     }
     for (const name of CALLS) own[name] = this.suspending(env[name]);
+    const invokes = Object.keys(env).filter((name) => name.startsWith("invoke_"));
+    for (const name of invokes) own[name] = this.invoking(env[name]);
     for (const name of ["__syscall_stat64", "__syscall_getcwd"]) own[name] = env[name];
     own.__syscall_openat = (...given) => (this.closed && given[2] & WRITES ? -EROFS : env.__syscall_openat(...given));
     own.emscripten_resize_heap = (size) => size >>> 0 <= MEMORY && env.emscripten_resize_heap(size);
@@ -135,14 +138,30 @@ export class Machine {
 
   // Returns the import that lets the program wait for what the page's function does.
   suspending(call) {
-    let result;
+    let kept; // what it has returned to the program that waits
     return (...given) => {
-      if (this.wasm.asyncify_get_state() === REWINDING) {
+      if (this.resumes) {
+        this.resumes = false;
         this.wasm.asyncify_stop_rewind();
-        return result;
+        return kept;
       }
-      result = call(...given);
-      if (this.pending) this.wasm.asyncify_start_unwind(this.place);
+      const result = call(...given);
+      if (this.pending) {
+        kept = result;
+        this.wasm.asyncify_start_unwind(this.place);
+      }
+      return result;
+    };
+  }
+
+  // Returns the import that calls what an exception may end: then the stack is as before the call, also if the program
+  // has waited in it.
+  invoking(invoke) {
+    return (...given) => {
+      const top = this.resumes ? this.tops.pop() : this.wasm.emscripten_stack_get_current();
+      const result = invoke(...given);
+      if (this.pending) this.tops.push(top); // the program is about to wait
+      else this.wasm._emscripten_stack_restore(top);
       return result;
     };
   }
@@ -166,7 +185,7 @@ export class Machine {
       this.readable = this.keep();
       await pending();
       if (this.readable) this.nothing(); // any call: this one needs none of Python's stack, of which little may be left
-      this.readable = true;
+      this.readable = this.resumes = true;
       this.wasm.asyncify_start_rewind(this.place);
     }
   }
