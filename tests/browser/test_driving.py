@@ -136,9 +136,12 @@ def test_a_gamepads_stick_drives_until_it_is_let_go_or_the_gamepad_is_unplugged(
 
 
 def test_a_gamepad_that_dies_stops_the_robot_until_its_stick_moves(page, world):
-    world.hold(page, lambda: page.gamepad(0, -1), lambda: page.gamepad(0, 0), ROBOT, forward)
-    world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, 2.0, "the robot to stop, whatever the gamepad's timestamp")
-    page.wait_for_text("notice", "Move the stick a little to go on")
+    def dies():
+        page.gamepad(0, 0)
+        world.hold(page, lambda: page.gamepad(0, -1), lambda: page.gamepad(0, 0), ROBOT, forward)
+        world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, 2.0, "the robot to stop, whatever its timestamp")
+        page.wait_for(lambda: page.text("notice") == "Move the stick a little to go on", "the notice", 2.0)
+    world.undisturbed(page, dies)
     world.stay_stopped(ROBOT)
     world.hold(page, lambda: page.gamepad(0, -0.98), lambda: page.gamepad(0, 0), ROBOT, forward)
     page.wait_for(lambda: not page.text("notice"), "the notice to go")

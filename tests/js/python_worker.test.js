@@ -186,7 +186,7 @@ for (const [name, [text, expected]] of Object.entries(FUNCTIONS)) {
 
 // While MicroPython's own code holds what nothing else does, a step finds much garbage; then memory is used again.
 const GARBAGE = `
-MUCH = 5000
+MUCH = 100000
 def step():
     x = [[0, 1, 2, 3], [4, 5, 6, 7], {}]
     return 1

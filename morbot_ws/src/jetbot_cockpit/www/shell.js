@@ -19,6 +19,7 @@ export const NOT_LOADED = t("This could not be loaded. Try again. If that does n
 const NEW_CODES = t("Your code is not valid any more. Enter the new one.");
 const NO_COOKIES = t("This browser refuses cookies, so the code does not last. Allow cookies, and reload the page.");
 const STOPPED = t("All robots were stopped.");
+const PAUSE = 75; // ms between two frames for which no person waits
 const ASKED = t("The cockpit asked for the code.");
 
 /** @import { Message } from "./link.js" */
@@ -34,6 +35,8 @@ export class Shell {
   map = null; // until it is shown first
   #codeError = ""; // why the cockpit may ask for the code now
   #frame = 0; // the next one, which shows what has changed; 0 for none
+  #shownAt = -Infinity; // when the last one was
+  #later = 0; // the timer of a frame that nobody waits for; 0 for none
 
   // receivers: what else the page does with a message, by its type; end(sentence): nothing drives any more, and why;
   // drives(): whether this page drives its robot; changed(): another robot was chosen; draw(): shows what has changed
@@ -95,6 +98,7 @@ export class Shell {
     if (this.#frame) return;
     this.#frame = requestAnimationFrame(() => {
       this.#frame = 0;
+      this.#shownAt = performance.now();
       showStatus(this.world, this.problem);
       this.notice.update();
       this.stops.show();
@@ -103,6 +107,15 @@ export class Shell {
       reachScrollers();
       keepFocus();
     });
+  }
+
+  // Shows what a program has changed: it may do so again and again, and each frame takes some of a battery.
+  showSoon() {
+    if (this.#later) return;
+    this.#later = setTimeout(() => {
+      this.#later = 0;
+      this.show();
+    }, this.#shownAt + PAUSE - performance.now());
   }
 
   /** @type {Receivers} */
@@ -130,7 +143,7 @@ export class Shell {
   #receive(message) {
     this.#takes[message.type]?.(message);
     this.receivers[message.type]?.(message);
-    this.show();
+    if (message.type !== "program") this.show(); // that answers a running program, ten times a second
   }
 
   #connectionChanged(sentence) {

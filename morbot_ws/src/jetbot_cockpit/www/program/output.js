@@ -1,13 +1,14 @@
 // What is shown of a program that runs: its Python, the block and the line that run, its variables, what it prints.
 
 import { create, element, setText } from "../dom.js";
-import { print } from "./prints.js";
+import { clearPrints, MAX_PRINTS, print } from "./prints.js";
 import { shown } from "./values.js";
 
 const MAX_VALUE = 100; // characters
 
 let lines = new Map(); // of the Python, by the ids of the blocks
-let printed = false; // since it was shown
+/** @type {string[]} */
+let printed = []; // since the output was shown
 let wasHeld = false; // the program was paused when it was shown last
 let scrolled = false; // the person has scrolled the Python
 
@@ -56,9 +57,14 @@ function loopAround(workspace, id) {
   return block?.id ?? id;
 }
 
+// Shows what a program prints with the next output: it may print much.
 export function showPrint(text) {
-  print(text);
-  printed = true;
+  printed = [...printed, text].slice(-MAX_PRINTS);
+}
+
+export function clearOutput() {
+  printed = [];
+  clearPrints();
 }
 
 // Returns [name, value] of each variable that has one. values: by the variables' ids
@@ -73,8 +79,9 @@ export function showOutput(variables, held) {
   const parts = element("variables").children;
   if (parts.length === texts.length) texts.forEach((text, index) => setText(parts[index], text));
   else element("variables").replaceChildren(...texts.map((text, index) => create(index % 2 ? "dd" : "dt", "", text)));
-  if (printed || held !== wasHeld) element("output").scrollTop = held ? 0 : element("output").scrollHeight;
-  [printed, wasHeld] = [false, held];
+  for (const text of printed) print(text);
+  if (printed.length || held !== wasHeld) element("output").scrollTop = held ? 0 : element("output").scrollHeight;
+  [printed, wasHeld] = [[], held];
 }
 
 export function setOutcome(text, warning = false) {

@@ -8,8 +8,7 @@ import { setUnits } from "./blocks.js";
 import { showControls } from "./controls.js";
 import { selectBlock } from "./editor.js";
 import { ending } from "./endings.js";
-import { blockVariables, setOutcome, showOutput, showPlace } from "./output.js";
-import { clearPrints } from "./prints.js";
+import { blockVariables, clearOutput, setOutcome, showOutput, showPlace } from "./output.js";
 import { NEW, openWork } from "./keeping.js";
 import { Run } from "./run.js";
 import { Shown } from "./shown.js";
@@ -115,7 +114,7 @@ function showUnits() {
 
 function start(stepping) {
   const robot = world.robot(world.chosen);
-  clearPrints();
+  clearOutput();
   end();
   judging.forget();
   if (!shell.link.connected || !robot) return refuse(robot ? LOST : world.describeAbsence("was"));
@@ -152,7 +151,7 @@ function end(sentence) {
 
 function printed(event) {
   side.print(event);
-  show();
+  shell.showSoon();
 }
 
 function ended(sentence, place) {
@@ -162,6 +161,7 @@ function ended(sentence, place) {
   setOutcome(limit ? t("{sentence} {limit}", { sentence: why, limit: limit.text }) : why, Boolean(sentence || limit));
   shown.failed = place ?? limit?.place ?? null;
   selectBlock(workspace, shown.failed ?? "");
+  draw(); // now: with what it printed last
   show();
 }
 

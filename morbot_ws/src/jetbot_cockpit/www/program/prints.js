@@ -2,7 +2,7 @@
 
 import { create, element } from "../dom.js";
 
-const MAX_PRINTS = 200;
+export const MAX_PRINTS = 200; // on the page
 const [SAID_LINES, SAID_CHARACTERS] = [5, 100]; // the newest, at a time
 const [PAUSE, PER_CHARACTER] = [500, 60]; // ms that a screen reader takes
 

@@ -95,6 +95,7 @@ export class Run {
     this.senses.begin();
     this.clock.begin();
     this.drivenAt = this.clock.now;
+    this.wakeUp();
     this.motion.begin();
     for await (const event of this.engine.run(() => this.state)) {
       if ("print" in event || "name" in event) this.printed(event);
@@ -197,7 +198,7 @@ export class Run {
   }
 
   async sleep(ms = HEARTBEAT) {
-    await new Promise((resolve) => { setTimeout(resolve, Math.min(ms, HEARTBEAT)); });
+    await new Promise((resolve) => { setTimeout(resolve, Math.min(Math.ceil(ms), HEARTBEAT)); });
     this.wakeUp();
   }
 

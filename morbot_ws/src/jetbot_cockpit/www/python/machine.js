@@ -8,6 +8,7 @@ const MEMORY = 64 * 1024 * 1024; // bytes; a program that needs more gets a Memo
 const HEAP = 2 * 1024 * 1024; // bytes, to begin with
 const STACK = 64 * 1024; // bytes of Python's own stack
 const SUSPENDED = 512 * 1024; // bytes for what is on the stack of a program that waits
+const GARBAGE = 256 * 1024; // bytes to be used until garbage is looked for: that takes 1 to 2 ms
 const ROOM = 40 * 1024; // bytes of WebAssembly's stack for what is evaluated; MicroPython leaves 32 kB unused
 const CALLS = ["call0", "call1", "call2", "calln"];
 // What a program may use, whatever it does to MicroPython: its memory, the time, the page's functions
@@ -24,7 +25,7 @@ const EMPTIED = "js jsffi uctypes uos vfs";
 // it cannot read: so a program runs from a call that does not count as one (__iter__), and others come only while it
 // waits, when all of that stack lies in `suspended`, an object of Python's.
 const BEGINNING = `
-import _javascript, sys
+import _javascript, gc, sys
 from uctypes import addressof, bytearray_at
 
 class _page:
@@ -33,6 +34,7 @@ class _page:
 for name in "NAMES".split():
     setattr(_page, name, getattr(_javascript, name))
 sys.modules["_page"] = _page
+gc.threshold(${GARBAGE})
 suspended = bytearray(${SUSPENDED})
 place = addressof(suspended)
 
