@@ -194,8 +194,6 @@ class A:
     def __init__(self, n, *more):
         self.n = n
         self.more = [more]
-    def __str__(self):
-        return "x" * step() * 20
 def f(much):
     for n in range(9):
         step()

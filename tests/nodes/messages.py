@@ -8,7 +8,7 @@ def attempt(function, *args, **kwds):
     try:
         print(function(*args, **kwds))
     except (AttributeError, TypeError) as error:
-        print(type(error).__name__, str(error).split(", args")[0])
+        print(type(error).__name__, str(error).split(", args")[0].split(" and no")[0])  # Python 3.13 says more
 
 
 print(Twist())

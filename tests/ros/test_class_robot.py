@@ -44,7 +44,10 @@ def listening(master):
 
 def has_master(pid, master):
     """Return whether a process has this master in its environment."""
-    environment = Path(f"/proc/{pid}/environ").read_text(errors="replace")
+    try:
+        environment = Path(f"/proc/{pid}/environ").read_text(errors="replace")
+    except OSError:
+        return False  # it is about to end
     return bool(re.search(rf"ROS_MASTER_URI={master}/?\0", environment))
 
 
