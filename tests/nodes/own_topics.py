@@ -48,7 +48,7 @@ message.data = [3]
 wait_for(1)
 print(rospy.Publisher("nobody", Float32, queue_size=1).get_num_connections())
 try:
-    rospy.wait_for_message("dark_x", Float32, rospy.Duration(0.2))
+    rospy.wait_for_message("/dark_x", Float32, rospy.Duration(0.2))
 except rospy.ROSException as error:
     print(error)
 
@@ -65,4 +65,4 @@ except rospy.ROSException as error:
 #>   data_offset: 0
 #> data: [1.0, 2.0]]
 #> 0
-#> timeout exceeded while waiting for message on topic dark_x
+#> timeout exceeded while waiting for message on topic /dark_x
