@@ -95,7 +95,7 @@ export class Run {
     this.senses.begin();
     this.clock.begin();
     this.drivenAt = this.clock.now;
-    this.wakeUp();
+    this.wakeUp(); // a page that was busy until now has frozen no drive
     this.motion.begin();
     for await (const event of this.engine.run(() => this.state)) {
       if ("print" in event || "name" in event) this.printed(event);

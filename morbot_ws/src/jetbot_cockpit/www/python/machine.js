@@ -8,7 +8,7 @@ const MEMORY = 64 * 1024 * 1024; // bytes; a program that needs more gets a Memo
 const HEAP = 2 * 1024 * 1024; // bytes, to begin with
 const STACK = 64 * 1024; // bytes of Python's own stack
 const SUSPENDED = 512 * 1024; // bytes for what is on the stack of a program that waits
-const GARBAGE = 256 * 1024; // bytes to be used until garbage is looked for: that takes 1 to 2 ms
+const GARBAGE = 256 * 1024; // bytes to be used until garbage is looked for
 const ROOM = 40 * 1024; // bytes of WebAssembly's stack for what is evaluated; MicroPython leaves 32 kB unused
 const CALLS = ["call0", "call1", "call2", "calln"];
 // What a program may use, whatever it does to MicroPython: its memory, the time, the page's functions
