@@ -258,6 +258,28 @@ for (const [name, [text, expected]] of Object.entries(ODD)) {
     if (curves.length) assert.deepEqual(curves, [["n", 1e12]]);
   });
 }
+const STYLES = { // programs that print "yes"
+  "an if": "x = 1\nif(x > 2): print('no')\nelif(x == 1): print('yes')\nelse: print('no')",
+  "an if with a sign": "x = -1\nif-x < 0: print('no')\nif~x: print('no')\nif+x: print('yes')",
+  "an if with a text": "if\"a\"in 'abc': print('yes')\nif'd'in 'abc': print('no')",
+  "an if with a list, and a negation": "if[]: print('no')\nif not(1): print('no')\nif{1}: print('yes')",
+  "an if with lines below it": "x = 3\nif(x):\n\tif(x == 3):\n\t\tprint('yes')\n\telse:print('no')\n",
+  "an if of several lines": "x = 3\nif(x # > 3):\n   > 2): print('yes'); x = 0\nif(\\\n x): print('no')",
+  "an if in a line": "print('no' if(0)else'yes')\nx = 'no'if'a'.upper()=='a'else'ok'",
+  "a while": "x = 3\nwhile(x > 1): x -= 1\nwhile-x: x -= 1 # :\nif(x): print('no')\nelse:print('yes')",
+  "a for": "for x in(1, 2):\n    pass\nfor x in[x]:pass\nfor x in-x, 3:pass\nif(x == 3): print('yes')",
+  "a for with a text": "for x in\"no\".replace('no', 'yes'), 'yes': y = x\nprint(y)",
+  "a return": "def f(x):\n    return[*x]\ndef g(x): return{**x}\ndef h(x):return\"noy\"[::-1]\nif(h(1) == 'yon')and(f('a') == ['a'])and(g({1: 2})): print('yes')",
+  "a comprehension": "print(*[x for x in('yes', 'no')if(x != 'no')and not\"b\".upper()in x])",
+  "carriage returns": "x = 1\r\nif(x):\r\n    for y in(1, 2):pass\r\n    if(y == 2): print('yes')\r\n",
+};
+for (const [name, text] of Object.entries(STYLES)) {
+  test(`${name} needs no space before what follows`, async () => {
+    const { prints, sentence } = await runText(text);
+    assert.deepEqual([prints, sentence], [["yes"], ""]);
+  });
+}
+
 for (const text of ["if 1) or (print('REACHED'): pass", "for x in [1])), print('REACHED'), ((3: pass", "print('REACHED') \\", "x = (",
   "while 1) or (1:\n    print('REACHED')", "print('REACHED'", "\0print('REACHED')"]) {
   test(`${JSON.stringify(text)} is not run`, async () => {

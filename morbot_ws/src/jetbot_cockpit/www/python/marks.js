@@ -106,9 +106,18 @@ class Marks {
     this.close(to, after);
   }
 
+  // Returns the program with its marks. No word that is inserted is glued to one before it: "if(x > 2)"
   written() {
     const inOrder = this.edits.sort((one, other) => one.from - other.from || one.order - other.order);
-    const parts = inOrder.map(({ from, text }, index) => this.source.slice(inOrder[index - 1]?.to ?? 0, from) + text);
-    return parts.join("") + this.source.slice(inOrder.at(-1)?.to ?? 0);
+    const parts = [""];
+    let end = 0;
+    for (const { from, to, text } of inOrder) {
+      const before = this.source.slice(end, from) || parts[parts.length - 1];
+      parts.push(this.source.slice(end, from), isWord(before.at(-1)) && isWord(text[0]) ? ` ${text}` : text);
+      end = to;
+    }
+    return parts.join("") + this.source.slice(end);
   }
 }
+
+const isWord = (character = "") => /\w/.test(character);
