@@ -1,12 +1,16 @@
 """What runs in a child with limits: whatever it does, the program goes on with a sentence about it."""
 
 import contextlib
+import ctypes
 import os
+import resource
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
-from unittest.mock import Mock
+from types import SimpleNamespace
+from unittest.mock import Mock, call
 
 import pytest
 
@@ -42,9 +46,8 @@ def test_what_fails_in_a_child_is_a_problem_in_one_sentence(function, arguments,
     assert run(function, *arguments, limits=SMALL) == (None, problem)
 
 
-def test_processes_of_others_may_end_while_a_child_starts(monkeypatch):
-    monkeypatch.setattr(contained, "_parents", dict)
-    monkeypatch.setattr(Path, "glob", Mock(side_effect=FileNotFoundError("/proc/7/task")))
+def test_processes_of_others_may_end_while_they_are_listed(monkeypatch):
+    monkeypatch.setattr(os, "listdir", Mock(return_value=["version", str(2 ** 31), str(os.getpid())]))
     assert run(int, "3").value == 3
 
 
@@ -85,12 +88,36 @@ def running(folder):
     return ids
 
 
-BOMB = """
-    while True:
+UNPRIVILEGED = 54321  # a user without any process
+PR_SET_DUMPABLE, PR_GET_CHILD_SUBREAPER = 4, 37  # of prctl(2)
+
+
+def explode():
+    """Be a bomb of processes, each in a session of its own; return how many there are once there is no room for more.
+
+    Each process ends by itself after 20 s, whatever should have ended it.
+    """
+    first, end = os.getpid(), time.monotonic() + 20
+    while time.monotonic() < end:
         try:
-            os.fork()
-        except OSError:  # there is no room for more
-            open('ready', 'w').close()"""
+            if os.fork() == 0:
+                os.setsid()
+        except BlockingIOError:
+            if os.getpid() == first:
+                return len(contained._descendants(()))
+    os._exit(1)
+
+
+def run_bomb(answer):
+    """Send the outcome of a bomb, and what it has left. Root runs it as a user whose processes Linux limits."""
+    if os.getuid() == 0:
+        os.setgroups([])
+        os.setgid(UNPRIVILEGED)
+        os.setuid(UNPRIVILEGED)
+        contained.libc.prctl(PR_SET_DUMPABLE, 1)  # else /proc/self belongs to root
+    most = contained._count_threads() + 3 * contained.MAX_PROCESSES  # however wrong the code is that this tests
+    resource.setrlimit(resource.RLIMIT_NPROC, (most, most))
+    answer.send((run(explode), contained.children()))
 
 
 @pytest.mark.parametrize("lines, problem", [
@@ -112,10 +139,43 @@ def test_nothing_outlives_what_a_child_has_started(tmp_path, monkeypatch, is_iso
     assert not contained.children()
 
 
-@pytest.mark.skipif(os.getuid() == 0, reason="Linux does not limit the processes of root")
-def test_a_fork_bomb_ends(tmp_path, is_isolated):
-    assert run(start_hostile, tmp_path, BOMB, limits=Limits(file_size=1)).value
-    assert not running(tmp_path)
+def test_a_fork_bomb_ends(is_isolated):
+    pipe, answer = contained.FORK.Pipe(duplex=False)
+    child = contained.FORK.Process(target=run_bomb, args=(answer,))
+    child.start()
+    answer.close()  # each process of the bomb has it open, too
+    try:
+        (size, problem), left = pipe.recv()
+        assert (problem, left) == ("", [])
+        assert size < 2 * contained.MAX_PROCESSES  # also if other processes of this user end meanwhile
+        child.join()
+        assert pipe.poll(1), "some of its processes run on"
+    finally:
+        pipe.poll(30)
+
+
+def test_all_is_stopped_before_the_first_is_killed(monkeypatch):
+    monkeypatch.setattr(contained, "_descendants", Mock(side_effect=[{8}, {8, 9}, {8, 9}, set()]))
+    kill = Mock()
+    monkeypatch.setattr(os, "kill", kill)
+    contained.end_children()
+    assert kill.mock_calls == [call(8, signal.SIGSTOP), call(8, signal.SIGSTOP), call(9, signal.SIGSTOP),
+                               call(8, signal.SIGKILL), call(9, signal.SIGKILL)]
+
+
+def test_what_does_not_end_is_named(monkeypatch):
+    monkeypatch.setattr(contained, "can_isolate", lambda: False)
+    monkeypatch.setattr(contained, "END_TIMEOUT", 0.1)
+    with monkeypatch.context() as patch:
+        no_signals = {"SIGSTOP": 0, "SIGKILL": 0}  # kill(2)
+        patch.setattr(contained, "signal", SimpleNamespace(**{**vars(signal), **no_signals}))
+        value, problem = run(os.spawnlp, os.P_NOWAIT, "sleep", "sleep", "60")
+    left, adopts = contained.children(), ctypes.c_int()
+    contained.libc.prctl(PR_GET_CHILD_SUBREAPER, ctypes.byref(adopts))
+    assert not contained.end_children()
+    contained.libc.prctl(contained.PR_SET_CHILD_SUBREAPER, 0)
+    assert (value, problem) == (None, f"Some of its processes do not end. End them by hand: kill -9 {left[0]}")
+    assert adopts.value
 
 
 @pytest.mark.skipif(not contained.can_isolate(), reason="no PID namespaces here")

@@ -9,14 +9,15 @@ import resource
 import signal
 import subprocess
 import sys
+import threading
 from pathlib import Path
-from typing import Any, Callable, Collection, List, NamedTuple
+from typing import Any, Callable, Collection, List, NamedTuple, Set
 
 from jetbot.wait import wait_until
 
 FORK = multiprocessing.get_context("fork")
-MAX_PROCESSES = 200  # more than there are now; Linux does not limit root's
-END_TIMEOUT = 10.0   # s in which all processes end, unless they multiply faster than they are killed
+MAX_PROCESSES = 200  # and threads, more than this user has when the child starts; Linux does not limit root's
+END_TIMEOUT = 10.0   # s in which all processes end, unless they multiply faster than they are stopped
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36  # of prctl(2)
 CLONE_NEWNS, CLONE_NEWUSER, CLONE_NEWPID = 0x20000, 0x10000000, 0x20000000  # of unshare(2)
 MS_REC, MS_PRIVATE = 0x4000, 0x40000  # of mount(2)
@@ -49,7 +50,8 @@ def run(function: Callable, *arguments: object, limits: Limits = LIMITS) -> Outc
     """Return the outcome of function(*arguments) in a child that prints nothing; what it returns must pickle.
 
     The child is in a session of its own: what is typed in the terminal goes to this process. It ends with this
-    process, however that ends, and with it all that it has started: see ``can_isolate``.
+    process, however that ends, and with it all that it has started: see ``can_isolate``. If some of that cannot be
+    ended, this is the problem, whatever the function returned.
     """
     others, used = children(), _cpu_time()
     pipe, answer = FORK.Pipe(duplex=False)
@@ -59,16 +61,19 @@ def run(function: Callable, *arguments: object, limits: Limits = LIMITS) -> Outc
     child.start()
     answer.close()
     try:
-        return pipe.recv() if pipe.poll(limits.wall_time) else Outcome(
+        outcome = pipe.recv() if pipe.poll(limits.wall_time) else Outcome(
             problem=f"It takes more than {limits.wall_time:g} s.")
     except (EOFError, OSError):
         child.join()
-        return Outcome(problem=_reason(_cpu_time() - used, limits))
+        outcome = Outcome(problem=_reason(_cpu_time() - used, limits))
     finally:
         pipe.close()
         _end(child)
-        end_children(others)
-        libc.prctl(PR_SET_CHILD_SUBREAPER, 0)
+        left = end_children(others)
+        if not left:  # else what they leave still comes to this process
+            libc.prctl(PR_SET_CHILD_SUBREAPER, 0)
+    ids = " ".join(map(str, sorted(left)))
+    return Outcome(problem=f"Some of its processes do not end. End them by hand: kill -9 {ids}") if left else outcome
 
 
 @functools.lru_cache(None)
@@ -92,17 +97,25 @@ def start(command: List[str], folder: Path, log: Path) -> subprocess.Popen:
                                 preexec_fn=functools.partial(_end_with, os.getpid(), signal.SIGKILL))
 
 
-def end_children(others: Collection[int] = ()) -> None:
-    """Kill all that descends from this process, but not these children, and what descends from them."""
+def end_children(others: Collection[int] = ()) -> Set[int]:
+    """Kill all that descends from this process, but not these children, and what descends from them.
+
+    Nothing is killed until all of it is stopped, as the rest would fill each gap at once. Returns the ids of what still
+    runs after END_TIMEOUT.
+    """
+    stopped: Set[int] = set()
+
     def ended():
+        nonlocal stopped
         found = _descendants(others)
         for process in found:
             with contextlib.suppress(OSError):  # it has ended meanwhile, or is no child of this process
-                os.kill(process, signal.SIGKILL)
+                os.kill(process, signal.SIGKILL if found <= stopped else signal.SIGSTOP)
                 os.waitpid(process, os.WNOHANG)
+        stopped = found
         return not found
 
-    wait_until(ended, END_TIMEOUT)
+    return set() if wait_until(ended, END_TIMEOUT) else _descendants(others)
 
 
 def children() -> List[int]:
@@ -122,11 +135,10 @@ def _descendants(others):
 def _parents():
     """Return the parent of each process by its id: proc(5)."""
     parents = {}
-    for file in Path("/proc").glob("[0-9]*/stat"):
-        try:
-            parents[int(file.parent.name)] = int(file.read_text(errors="replace").rpartition(")")[2].split()[1])
-        except OSError:  # it has just ended
-            continue
+    for process in map(int, filter(str.isdigit, os.listdir("/proc"))):
+        with contextlib.suppress(OSError):  # it has just ended
+            with open(f"/proc/{process}/stat", "rb") as file:  # beside a bomb of processes, each microsecond counts
+                parents[process] = int(file.read().rpartition(b")")[2].split()[1])
     return parents
 
 
@@ -212,14 +224,38 @@ def _end_with(parent, signum):
 def _limit(limits):
     """Limit this process, and all that it starts, for good."""
     memory = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
-    threads = int(Path("/proc/loadavg").read_text().split()[3].partition("/")[2])  # of all users: proc(5)
     for kind, value in ((resource.RLIMIT_CORE, 0), (resource.RLIMIT_CPU, limits.cpu_time),
                         (resource.RLIMIT_AS, memory + limits.memory * 10 ** 6),
                         (resource.RLIMIT_FSIZE, limits.file_size * 10 ** 6),
-                        (resource.RLIMIT_NPROC, threads + MAX_PROCESSES)):
-        highest = resource.getrlimit(kind)[1]
-        value = value if highest == resource.RLIM_INFINITY else min(value, highest)
+                        (resource.RLIMIT_NPROC, _count_threads() + MAX_PROCESSES)):
+        value = _at_most(value, kind)
         resource.setrlimit(kind, (value, value))
+
+
+def _at_most(value, kind):
+    """Return the value of a limit, or what this process may have at most."""
+    highest = resource.getrlimit(kind)[1]
+    return value if highest == resource.RLIM_INFINITY else min(value, highest)
+
+
+def _count_threads():
+    """Return how many threads this user has by the kernel's count, which includes what a container cannot see; root: 0.
+
+    It is the lowest limit that lets one more start: getrlimit(2). This changes the soft limit.
+    """
+    all_users = int(Path("/proc/loadavg").read_text().split()[3].partition("/")[2])  # proc(5)
+    low, high = 0, _at_most(all_users, resource.RLIMIT_NPROC)
+    while low < high:
+        middle = (low + high) // 2
+        try:
+            resource.setrlimit(resource.RLIMIT_NPROC, (middle, resource.getrlimit(resource.RLIMIT_NPROC)[1]))
+            thread = threading.Thread(target=int)
+            thread.start()
+            thread.join()
+            high = middle
+        except RuntimeError:  # it cannot start
+            low = middle + 1
+    return low
 
 
 def _cpu_time():
