@@ -271,10 +271,11 @@ const STYLES = { // programs that print "yes"
   "a for with a text": "for x in\"no\".replace('no', 'yes'), 'yes': y = x\nprint(y)",
   "a return": "def f(x):\n    return[*x]\ndef g(x): return{**x}\ndef h(x):return\"noy\"[::-1]\nif(h(1) == 'yon')and(f('a') == ['a'])and(g({1: 2})): print('yes')",
   "a comprehension": "print(*[x for x in('yes', 'no')if(x != 'no')and not\"b\".upper()in x])",
+  "a comment in the middle": "x = 'yes'[ # c\n::1]\ny = {**{}, x: # c\n  x}\ndef f(*, # c\n  z): return z\nprint(f(z=y[x]. # c\n  lower()))",
   "carriage returns": "x = 1\r\nif(x):\r\n    for y in(1, 2):pass\r\n    if(y == 2): print('yes')\r\n",
 };
 for (const [name, text] of Object.entries(STYLES)) {
-  test(`${name} needs no space before what follows`, async () => {
+  test(`${name} is read in any style`, async () => {
     const { prints, sentence } = await runText(text);
     assert.deepEqual([prints, sentence], [["yes"], ""]);
   });

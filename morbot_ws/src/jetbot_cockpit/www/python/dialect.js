@@ -13,7 +13,7 @@ export const DIALECT = {
     if (["str", "repr"].includes(edits.text(callee))) edits.replace(callee, `_py_${edits.text(callee)}`);
     if (callee.name !== "MemberExpression" || !name || !METHODS.includes(edits.text(name))) return;
     edits.insert(node.from, `_py_${edits.text(name)}(`);
-    for (const each of [name.prevSibling, name]) edits.replace(each, "");
+    for (const each of [before(name), name]) edits.replace(each, "");
     edits.replace(given.firstChild, ",");
   },
   MemberExpression(edits, node) { // [start:end:step]
@@ -21,8 +21,8 @@ export const DIALECT = {
     if (colons.length < 2 || isTarget(node)) return;
     edits.insert(node.from, "_py_step(");
     edits.replace(node.getChild("["), ",");
-    for (const each of colons) edits.replace(each, "[:".includes(edits.text(each.prevSibling)) ? "None," : ",");
-    edits.replace(node.lastChild, edits.text(node.lastChild.prevSibling) === ":" ? "None)" : ")");
+    for (const each of colons) edits.replace(each, "[:".includes(edits.text(before(each))) ? "None," : ",");
+    edits.replace(node.lastChild, edits.text(before(node.lastChild)) === ":" ? "None)" : ")");
   },
   ArrayExpression: (edits, node) => display(edits, node, "_py_list("),
   TupleExpression: (edits, node) => display(edits, node, "_py_tuple("),
@@ -32,13 +32,13 @@ export const DIALECT = {
     edits.replace(node.firstChild, "_py_dict(");
     for (const each of node.getChildren("**")) edits.replace(each, "");
     for (const each of node.getChildren(":")) {
-      edits.insert(each.prevSibling.from, "{");
-      edits.close(each.nextSibling.to, "}");
+      edits.insert(before(each).from, "{");
+      edits.close(after(each).to, "}");
     }
     edits.replace(node.lastChild, ")");
   },
   ParamList(edits, node) { // f(a, *, b)
-    const star = node.getChildren("*").find((each) => each.nextSibling?.name === ",");
+    const star = node.getChildren("*").find((each) => after(each)?.name === ",");
     if (star) edits.replace(star, "*_py_rest");
   },
   FormatReplacement(edits, node) { // {x} in an f-string
@@ -54,6 +54,15 @@ export const DIALECT = {
     }
   },
 };
+
+// Returns what is beside a node; comments are not.
+function before({ prevSibling: found }) {
+  return found?.name === "Comment" ? before(found) : found;
+}
+
+function after({ nextSibling: found }) {
+  return found?.name === "Comment" ? after(found) : found;
+}
 
 // Whether this gets a value, or is deleted.
 function isTarget({ parent, to }) {
