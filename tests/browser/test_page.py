@@ -60,6 +60,7 @@ def test_after_a_release_nothing_covers_the_sums_and_who_drives_is_shown_whole_a
             page.wait_for_text("status", "The program waits until a teacher presses Go on")
             assert page.overlapping() == [], screen
             assert page.is_whole("driver") and page.is_whole("sentence"), screen
+            assert page.misplaced("to-program") == [], f"the way to the programs on {screen}, with the task {task}"
         assert page.text("status").count("fake") == 0
 
 
