@@ -7,6 +7,7 @@ from types import SimpleNamespace
 from xmlrpc.server import SimpleXMLRPCServer
 
 import pytest
+from rospy.impl.registration import Registration
 
 from jetbot.wait import wait_until
 from jetbot_ros import announcer, links
@@ -63,3 +64,46 @@ def test_what_rospy_is_just_telling_the_master_is_not_missing(monkeypatch):
     adding.start()
     assert added.wait(10.0) and links.Links().heal()
     adding.join()
+
+
+@pytest.fixture
+def node(monkeypatch):
+    """This node, which listens to TOPIC, and what it does at the master, which knows ``node.graph``."""
+    node = SimpleNamespace(graph=({TOPIC: ["/stop", "/new", "/gone"]}, {TOPIC: ["/listener"]}, {}), done=[])
+    connected = SimpleNamespace(connections=[SimpleNamespace(callerid_pub="/stop")])
+    monkeypatch.setattr(links.rospy, "get_name", lambda: "/listener")
+    monkeypatch.setattr(links, "get_topic_manager", lambda: SimpleNamespace(subs={TOPIC: connected}))
+    monkeypatch.setattr(links, "registered", lambda: [(TOPIC, "std_msgs/Bool", Registration.SUB)])
+    monkeypatch.setattr(links, "ask", lambda *_: [part.items() for part in node.graph])
+    monkeypatch.setattr(links, "address_of", {"/new": PUBLISHER}.get)
+    monkeypatch.setattr(links, "register", lambda items: node.done.append(("register", *items)))
+    monkeypatch.setattr(links, "connect", lambda *place: node.done.append(("connect", *place)))
+    return node
+
+
+def test_a_publisher_that_was_not_announced_is_connected(node):
+    assert links.Links().heal()
+    assert wait_until(lambda: node.done == [("connect", TOPIC, PUBLISHER, "/new")], 10.0)
+
+
+def test_a_master_that_does_not_know_this_node_is_told_once_the_robot_is_held(node):
+    node.graph = {}, {}, {}
+    assert not links.Links().heal(lambda: node.done.append("hold"))
+    assert node.done == ["hold", ("register", (TOPIC, "std_msgs/Bool", Registration.SUB))]
+
+
+def test_a_node_that_stays_linked_heals_its_links_each_second_whatever_the_master_answers(node, monkeypatch):
+    seconds = []
+    answers = iter([ConnectionRefusedError, socket.timeout])
+
+    def ask(*_):
+        for error in answers:
+            raise error
+        return [part.items() for part in node.graph]
+
+    monkeypatch.setattr(links, "ask", ask)
+    monkeypatch.setattr(links, "time", SimpleNamespace(sleep=seconds.append))
+    monkeypatch.setattr(links.rospy, "core", SimpleNamespace(is_shutdown_requested=lambda: len(seconds) >= 4))
+    links.stay_linked()
+    assert wait_until(lambda: len(node.done) == 2 and len(seconds) == 4, 10.0)
+    assert set(seconds) == {1.0}

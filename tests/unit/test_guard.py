@@ -60,6 +60,13 @@ def test_wheels_stop_when_the_process_is_killed(folder, killer):
     assert wait_until(stopped(folder), STOP_TIMEOUT)
 
 
+def test_wheels_stop_when_all_of_the_process_group_is_killed(folder):
+    process = drive_until_killed(folder, start_new_session=True)
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    assert wait_until(stopped(folder), STOP_TIMEOUT)
+
+
 def test_a_servo_on_the_same_chip_keeps_its_pulse(folder):
     process = drive_until_killed(folder)
     FakeBus(folder).write_i2c_block_data(0x60, 6 + 4 * 15, [0, 0, 0x34, 0x01])
