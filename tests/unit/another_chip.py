@@ -1,4 +1,4 @@
-"""A board with a chip that jetbot does not know: the driver and the simulated chip that CONTRIBUTING asks for."""
+"""Boards with a chip that jetbot does not know: the drivers and the simulated chip that CONTRIBUTING asks for."""
 
 from jetbot.boards import BOARDS, Board, MotorDriver
 from jetbot.fake.chips import Chip
@@ -7,8 +7,8 @@ CONTROL, LEFT, RIGHT = 0x00, 0x01, 0x02
 ENABLE = 0x01
 
 
-class SmallMotors(MotorDriver):
-    """Two speeds in 127ths."""
+class WriteOnlyMotors(MotorDriver):
+    """Two speeds in 127ths. It reads nothing back, as the contract allows."""
 
     resolution = 1 / 127
     chip_name = "SmallChip"
@@ -36,13 +36,17 @@ class SmallMotors(MotorDriver):
             self.link.write(LEFT, wanted)
             self._sent = wanted
 
+    def invalidate(self):
+        self._sent = None
+
+
+class SmallMotors(WriteOnlyMotors):
+    """The same, with all of it read back."""
+
     def verify(self):
         sent, self._sent = self._sent, None
         if sent is not None and bytes(self.link.read_block(CONTROL, 3)) == bytes([ENABLE]) + sent:
             self._sent = sent
-
-    def invalidate(self):
-        self._sent = None
 
 
 class SmallChip(Chip):
@@ -58,4 +62,5 @@ class SmallChip(Chip):
 
 
 FREE = [each for each in SmallChip.ADDRESSES if each not in [board.address for board in BOARDS.values()]]
-BOARD = Board(SmallMotors, FREE[0], SmallChip.ADDRESSES, chip="SmallChip", left=LEFT, right=RIGHT)
+ROWS = {name: Board(driver, FREE[0], SmallChip.ADDRESSES, chip="SmallChip", left=LEFT, right=RIGHT)
+        for name, driver in (("small", SmallMotors), ("write_only", WriteOnlyMotors))}  # for BOARDS

@@ -1,4 +1,4 @@
-"""The contract of MotorDriver, for each board and for one that jetbot does not know, by what its simulated wheels do.
+"""The contract of MotorDriver, for each board and for two that jetbot does not know, by what its simulated wheels do.
 
 What crosses the wire is tested for each chip by itself.
 """
@@ -14,7 +14,7 @@ from jetbot.connection import open_board, stop_board
 from jetbot.fake.bus import power_on
 from jetbot.fake.motors import STOPPED, wheel_speeds
 
-BOARDS = {**boards.BOARDS, "small": another_chip.BOARD}
+BOARDS = {**boards.BOARDS, **another_chip.ROWS}
 READ_BACK = [name for name, board in BOARDS.items() if board.driver.verify is not MotorDriver.verify]
 PARTS = 16        # more than any driver's ``verify`` goes through
 TRANSFERS = 25    # more than any driver needs to set its board up and to drive
@@ -32,7 +32,8 @@ def board(request):
 @pytest.fixture
 def make(board, folder, monkeypatch):
     """Opens drivers of the board on one fake bus, and closes them."""
-    monkeypatch.setitem(boards.BOARDS, "small", another_chip.BOARD)
+    for name, row in another_chip.ROWS.items():
+        monkeypatch.setitem(boards.BOARDS, name, row)
     drivers = []
 
     def make():

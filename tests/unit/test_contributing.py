@@ -28,7 +28,7 @@ HALF, HIGH, OFF = "00000008", "00100000", "00000010"
 
 ROW, = re.findall(r"```python\n(.*?)```", RECIPE, re.S)
 MY_BOARD = eval(f"{{{ROW}}}", dict(vars(boards)))["myboard"]
-ROWS = {"as it is written": MY_BOARD, "with another chip": another_chip.BOARD,
+ROWS = {"as it is written": MY_BOARD, "with another chip": another_chip.ROWS["small"],
         "with jumpers, where the voltmeter is": MY_BOARD._replace(address=0x41, jumpers=range(0x40, 0x48))}
 PCA9685_ROWS = [name for name, row in ROWS.items() if row.chip == "PCA9685"]
 on_a_pca9685 = pytest.mark.parametrize("row", PCA9685_ROWS, indirect=True)

@@ -8,6 +8,8 @@ import pytest
 
 from conftest import PACKAGES
 from driving_tasks.arguments import is_single, parse_arguments
+from driving_tasks.scoring.tasks import TASKS
+from jetbot.text import enumeration
 
 
 def test_the_source_and_the_files_of_a_judgement(tmp_path):
@@ -20,8 +22,7 @@ def test_the_source_and_the_files_of_a_judgement(tmp_path):
 
 @pytest.mark.parametrize("arguments, sentence", [
     (["meter"], "There is no task meter. Did you mean metre?"),
-    (["xyz"], "There is no task xyz. The tasks are metre, quarter, square, circle, s_bend, smooth, park, follow, "
-              "camera and roam."),
+    (["xyz"], f"There is no task xyz. The tasks are {enumeration(list(TASKS))}."),
     (["metre", "--bags", "x"], "Unrecognized arguments: --bags x. See judge.py --help."),
     (["metre", "--bag", ".", "--picture", "x.png"],
      "--picture is for one drive; for several, use --pictures FOLDER."),

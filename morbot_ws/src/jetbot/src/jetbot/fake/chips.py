@@ -24,7 +24,7 @@ class Chip:
 
     @classmethod
     def write(cls, registers: bytearray, register: int, data: Sequence[int]) -> None:
-        """Do what one transfer does that writes these bytes."""
+        """Do what one transfer does that writes these bytes: if it was cut, fewer than the driver sent, or none."""
         for each, value in enumerate(data, register):
             if each not in cls.READ_ONLY:
                 registers[each] = value
