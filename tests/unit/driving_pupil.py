@@ -198,4 +198,5 @@ SOLUTIONS = {
 @lru_cache(None)
 def solution(name):
     """Return the samples of the model solution of a task, at 100 Hz."""
+    assert name in SOLUTIONS, f"write into SOLUTIONS of tests/unit/driving_pupil.py: a program that drives {name!r}"
     return run(SOLUTIONS[name], TASKS[name].load_world())

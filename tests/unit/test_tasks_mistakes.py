@@ -75,6 +75,11 @@ MISTAKES = [
 ]
 
 
+@pytest.mark.parametrize("name", TASKS)
+def test_each_task_has_typical_mistakes(name):
+    assert name in [row[0] for row in MISTAKES], f"write into MISTAKES of tests/unit/test_tasks_mistakes.py: {name!r}"
+
+
 @pytest.mark.parametrize("name, program, sentence", MISTAKES, ids=[f"{row[0]}: {row[2]}" for row in MISTAKES])
 def test_the_largest_loss_of_a_typical_mistake(name, program, sentence):
     assert result(name, program).largest_loss == sentence

@@ -4,7 +4,7 @@ import math
 import random
 
 import pytest
-from driving_pupil import SOLUTIONS, Robot, run, straight, turn
+from driving_pupil import Robot, run, solution, straight, turn
 
 from driving_tasks.report.marks import Mark
 from driving_tasks.scoring.recorder import UNEXPLAINED, Recorder, Sample
@@ -27,7 +27,7 @@ def unexplained(samples, world=EMPTY):
 
 @pytest.mark.parametrize("name", TASKS)
 def test_a_model_solution_is_explained_also_where_samples_are_lost(name):
-    sent = run(SOLUTIONS[name], TASKS[name].load_world())[::CYCLE]
+    sent = solution(name)[::CYCLE]
     kept = random.Random(name)
     assert unexplained(sent) < UNEXPLAINED / 10
     assert unexplained(sample for sample in sent if kept.random() < 0.8) < UNEXPLAINED

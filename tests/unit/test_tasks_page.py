@@ -4,6 +4,7 @@ import math
 from functools import partial
 
 import pytest
+from recipes import require_lines, require_rows
 from test_docs import numbers, rows, section
 
 from conftest import ROOT
@@ -13,7 +14,8 @@ from driving_tasks.scoring.score import rate
 from driving_tasks.scoring.tasks import ACCELERATION, TASKS
 from jetbot.kinematics import FULL_SPEED, WHEEL_SEPARATION, Pose
 
-PAGE = (ROOT / "docs/tasks.md").read_text()
+FILE = ROOT / "docs/tasks.md"
+PAGE = FILE.read_text()
 TEXT = " ".join(PAGE.split())
 ROWS = {row[0].strip("`"): row[1:] for row in rows(PAGE)}
 
@@ -25,14 +27,15 @@ def name_of(function):
 @pytest.mark.parametrize("name", TASKS)
 def test_the_table_of_tasks(name):
     task = TASKS[name]
-    assert ROWS[name] == [task.instruction, f"{task.ideal_seconds:.2f} s", ", ".join(map(name_of, task.measures)),
-                          ", ".join(map(name_of, task.penalties))]
+    cells = [f"`{name}`", task.instruction, f"{task.ideal_seconds:.2f} s", ", ".join(map(name_of, task.measures)),
+             ", ".join(map(name_of, task.penalties))]
+    require_lines(FILE, ["".join(f"| {cell} " if cell else "| " for cell in cells) + "|"])
 
 
 def test_each_task_measure_and_penalty_is_in_a_table():
-    assert [name for name in ROWS if len(ROWS[name]) == 4 and ROWS[name][1].endswith(" s")] == list(TASKS)
+    require_rows(FILE, [name for name in ROWS if len(ROWS[name]) == 4 and ROWS[name][1].endswith(" s")], TASKS)
     used = {name_of(each) for task in TASKS.values() for each in (*task.measures, *task.penalties)}
-    assert used <= set(ROWS)
+    assert used <= set(ROWS), f"write into the tables of docs/tasks.md: {used - set(ROWS)}"
 
 
 def test_the_example():
