@@ -60,9 +60,9 @@ const ESCAPES = {
 };
 for (const [name, text] of Object.entries(ESCAPES)) {
   test(`${name} reaches nothing`, async () => {
-    const { prints, sentence } = await runText(text);
+    const { prints, error } = await runText(text);
     assert.deepEqual(prints, []);
-    assert.ok(sentence);
+    assert.ok(error);
   });
 }
 
@@ -82,9 +82,9 @@ test("a worker that speaks unasked is ended, and its program with it", async () 
       ended = true;
     }
   };
-  const { prints, sentence } = await runText("print(1)");
+  const { prints, error } = await runText("print(1)");
   globalThis.Worker = Worker;
-  assert.deepEqual([prints, sentence, ended], [["asked"], "Python stopped unexpectedly. Run the program again.", true]);
+  assert.deepEqual([prints, error, ended], [["asked"], "Python stopped unexpectedly. Run the program again.", true]);
 });
 
 const TOO_MUCH_MEMORY = "The program needs too much memory: does a list or a text grow without an end?";
@@ -101,9 +101,9 @@ const FAILURES = {
 };
 for (const [name, [text, expected]] of Object.entries(FAILURES)) {
   test(`${name} says so`, async () => {
-    const { sentence } = await runText(text);
-    if (expected instanceof RegExp) assert.match(sentence, expected);
-    else assert.equal(sentence, expected);
+    const { error } = await runText(text);
+    if (expected instanceof RegExp) assert.match(error, expected);
+    else assert.equal(error, expected);
   });
 }
 
@@ -126,8 +126,8 @@ const FLOODS = {
 };
 for (const [name, text] of Object.entries(FLOODS)) {
   test(`of a flood of ${name}, the page gets a little at a time, again and again`, async () => {
-    const { answers, count, longest, sentence } = await runText(text, { enough: (found) => found.answers > 5 });
-    assert.equal(sentence, "");
+    const { answers, count, longest, error } = await runText(text, { enough: (found) => found.answers > 5 });
+    assert.equal(error, "");
     assert.ok(answers > 5);
     assert.ok(count <= 55 * answers, `${count} events in ${answers} turns`);
     assert.ok(longest <= 10000, `${longest} characters`);
@@ -153,8 +153,8 @@ const SEEN = { // variables by their names
 };
 for (const [name, [text, expected]] of Object.entries(SEEN)) {
   test(`${name} are shown as variables, without a call of the program's`, async () => {
-    const { prints, sentence, variables } = await runText(BEFORE + text + AFTER);
-    assert.deepEqual([prints, sentence, variables.get("a")], [["after"], "", "[1, ('x', None)]"]);
+    const { prints, error, variables } = await runText(BEFORE + text + AFTER);
+    assert.deepEqual([prints, error, variables.get("a")], [["after"], "", "[1, ('x', None)]"]);
     for (const [key, value] of Object.entries(expected)) {
       if (value instanceof RegExp) assert.match(variables.get(key), value);
       else assert.equal(variables.get(key), value);
@@ -178,8 +178,8 @@ const FUNCTIONS = { // what is seen when the last line runs, time.sleep(1)
 };
 for (const [name, [text, expected]] of Object.entries(FUNCTIONS)) {
   test(`of the variables of a function, the page shows ${name}`, async () => {
-    const { variables, sentence } = await runText(`import time\na = 1\n${text}`);
-    assert.equal(sentence, "");
+    const { variables, error } = await runText(`import time\na = 1\n${text}`);
+    assert.equal(error, "");
     assert.deepEqual(Object.fromEntries(variables), expected);
   });
 }
@@ -209,28 +209,28 @@ const HELD = { // expressions, and their values
 for (const [name, [made, value]] of Object.entries(HELD)) {
   test(`${name} survives the garbage of a step`, async () => {
     const text = `${GARBAGE}wrong = [n for n in range(20) if ${made} != ${value}]\nprint(wrong)`;
-    const { prints, sentence } = await runText(text, { slow: true });
-    assert.deepEqual([prints, sentence], [["[]"], ""]);
+    const { prints, error } = await runText(text, { slow: true });
+    assert.deepEqual([prints, error], [["[]"], ""]);
   });
 }
 
 test("of 10,000 variables, a hundred are shown", async () => {
-  const { variables, sentence } = await runText("for i in range(10000): globals()['v%d' % i] = i");
-  assert.deepEqual([variables.size, sentence], [100, ""]);
+  const { variables, error } = await runText("for i in range(10000): globals()['v%d' % i] = i");
+  assert.deepEqual([variables.size, error], [100, ""]);
 });
 
 test("a program waits at any depth that Python has, and has its variables again when it is back", async () => {
   const text = "import time\nx = 1\ndef f(n, wait):\n    if n: f(n - 1, wait)\n    elif wait: time.sleep(0.1)\n";
   const deepest = "try:\n    for depth in range(1000): f(depth, False)\nexcept RuntimeError: pass\nf(depth - 20, True)\nx = 2\n";
-  const { variables, sentence } = await runText(text + deepest, { slow: false });
-  assert.deepEqual([variables.get("x"), sentence], ["2", ""]);
+  const { variables, error } = await runText(text + deepest, { slow: false });
+  assert.deepEqual([variables.get("x"), error], ["2", ""]);
   assert.ok(Number(variables.get("depth")) > 50);
 });
 
 test("a program may catch an error after each wait, as often as it wants", async () => {
   const text = "import time\ndef f(n):\n    if n: f(n - 1)\n    time.sleep(0.1)\n    raise ValueError\n";
-  const { prints, sentence } = await runText(`${text}for i in range(200):\n    try: f(5)\n    except ValueError: pass\nprint(i)`);
-  assert.deepEqual([prints, sentence], [["199"], ""]);
+  const { prints, error } = await runText(`${text}for i in range(200):\n    try: f(5)\n    except ValueError: pass\nprint(i)`);
+  assert.deepEqual([prints, error], [["199"], ""]);
 });
 
 const ODD = { // what a program prints
@@ -253,8 +253,8 @@ const ODD = { // what a program prints
 };
 for (const [name, [text, expected]] of Object.entries(ODD)) {
   test(`a program with ${name} does what it does in a terminal`, async () => {
-    const { prints, sentence, curves } = await runText(text);
-    assert.deepEqual([prints, sentence], [[expected], ""]);
+    const { prints, error, curves } = await runText(text);
+    assert.deepEqual([prints, error], [[expected], ""]);
     if (curves.length) assert.deepEqual(curves, [["n", 1e12]]);
   });
 }
@@ -276,17 +276,17 @@ const STYLES = { // programs that print "yes"
 };
 for (const [name, text] of Object.entries(STYLES)) {
   test(`${name} is read in any style`, async () => {
-    const { prints, sentence } = await runText(text);
-    assert.deepEqual([prints, sentence], [["yes"], ""]);
+    const { prints, error } = await runText(text);
+    assert.deepEqual([prints, error], [["yes"], ""]);
   });
 }
 
 for (const text of ["if 1) or (print('REACHED'): pass", "for x in [1])), print('REACHED'), ((3: pass", "print('REACHED') \\", "x = (",
   "while 1) or (1:\n    print('REACHED')", "print('REACHED'", "\0print('REACHED')"]) {
   test(`${JSON.stringify(text)} is not run`, async () => {
-    const { prints, sentence } = await runText(text);
+    const { prints, error } = await runText(text);
     assert.deepEqual(prints, []);
-    assert.ok(sentence);
+    assert.ok(error);
   });
 }
 
@@ -296,7 +296,7 @@ for (const [text, line] of [["while true:\n    x = 1\n    pass", 1], ["x = 0\nwh
 }
 
 test("a text drives its robot by that one's absolute names, too", async () => {
-  const { motions, prints, sentence } = await runText(`
+  const { motions, prints, error } = await runText(`
 import rospy
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
@@ -305,12 +305,12 @@ publisher = rospy.Publisher("/jetbot_01/cmd_vel", Twist, queue_size=1)
 rospy.wait_for_message("/jetbot_01/odom", Odometry)
 publisher.publish(Twist(linear=Vector3(x=0.5)))
 print(rospy.get_namespace(), rospy.resolve_name("cmd_vel"))`, { robot: "/jetbot_01" });
-  assert.equal(sentence, "");
+  assert.equal(error, "");
   assert.deepEqual([motions, prints], [[[0.5, 0]], ["/jetbot_01/ /jetbot_01/cmd_vel"]]);
 });
 
 test("a text that reads the keyboard is told what to use instead", async () => {
-  const { sentence, line } = await runText("import sys\nsys.stdin.readline()");
-  assert.deepEqual([sentence, line],
+  const { error, line } = await runText("import sys\nsys.stdin.readline()");
+  assert.deepEqual([error, line],
     ["“sys.stdin” is not in the page: give the value to a name at the top of the program.", 2]);
 });

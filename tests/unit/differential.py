@@ -1,19 +1,25 @@
 #!/usr/bin/env python3
 """Compares what random programs do in the page and as Python; makes those smaller that differ.
 
-./morbot shell tests/unit/differential.py --programs 5000 --seed 1
+./morbot shell tests/unit/differential.py blocks --programs 5000 --seed 1
 """
 
 import argparse
+import ast
+import itertools
 import json
 import sys
+import time
 from collections import defaultdict
-from typing import Dict, Iterator, List, Optional, Tuple, Union
+from contextlib import suppress
+from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple, Union
 
-from program_node import Run, run_python, translate
+from program_node import Run, run_python, run_text, translate
+from random_texts import random_text
+from restyled import restyled
 
-BATCH = 250  # programs that one Node translates
 BLOCK = "block that failed"
+SHRINKING = 60  # s for which a program is made smaller
 
 # A part of the page's sentence, and what Python raises there
 FAILURES = {
@@ -120,54 +126,145 @@ def indentation_of(text: str) -> int:
     return len(text) - len(text.lstrip())
 
 
-def differences(translated: dict) -> Iterator[Tuple[str, dict, Run, str]]:
-    """Yield each program that differs: its name, what the page does, what Python does, and what differs."""
-    for name, page in translated.items():
-        python = run_python(page["python"])
-        found = difference(page, python)
+def text_difference(page: dict, python: Run) -> str:
+    """Return what differs in what a text prints, and in how and where it fails, or ""."""
+    problem = page["problem"] or {"type": "NoneType", "line": None}
+    if page["prints"] != python.trace:
+        return "prints"
+    if problem["type"] != type(python.error).__name__:
+        return "end"
+    line = python.lines[-1] if python.error else None
+    return "" if line == problem["line"] or in_one_statement(page["python"], line, problem["line"]) else "line"
+
+
+def in_one_statement(source: str, *lines: int) -> bool:
+    """Return whether lines belong to one statement: in which of its lines it fails, depends on the Python."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.stmt) and node.lineno <= min(lines):
+            body = getattr(node, "body", [])
+            if max(lines) <= (max(node.lineno, body[0].lineno - 1) if body else node.end_lineno):
+                return True
+    return False
+
+
+def run_texts(texts: Dict[str, str]) -> Dict[str, dict]:
+    """Return what the page does with texts, and the texts."""
+    return {name: {**page, "python": texts[name]} for name, page in translate("texts", programs=texts).items()}
+
+
+def random_texts(start: int, end: int) -> Dict[str, dict]:
+    """Return what the page does with the texts of these seeds, each in a style of its own."""
+    return run_texts({str(seed): restyled(random_text(seed), seed) for seed in range(start, end)})
+
+
+def shorter(text: str) -> Iterator[str]:
+    """Yield programs without one of the lines, and without what is indented below it; those first that lack most."""
+    lines, ends = text.splitlines(keepends=True), {}
+    for number, line in enumerate(lines):
+        below = [each for each in range(number + 1, len(lines)) if lines[each].strip()
+                 and indentation_of(lines[each]) <= indentation_of(line)]
+        ends[number] = min(below, default=len(lines))
+    for number in sorted(ends, key=lambda each: each - ends[each]):
+        less = "".join(lines[:number] + lines[ends[number]:])
+        with suppress(SyntaxError):
+            ast.parse(less)
+            yield less
+
+
+def smaller_texts(page: dict) -> Iterator[Dict[str, dict]]:
+    """Yield what the page does with texts that have less in them, some at a time."""
+    texts = shorter(page["python"])
+    for some in iter(lambda: list(itertools.islice(texts, 8)), []):
+        yield run_texts(dict(zip("abcdefgh", some)))
+
+
+class Kind(NamedTuple):
+    """A kind of programs: what the page does with random ones, and with what one becomes if a part is taken out."""
+
+    random: Callable[[int, int], Dict[str, dict]]  # those of the seeds from the first number to before the second
+    smaller: Callable[[dict], Iterator[Dict[str, dict]]]
+    run: Callable[[str], Run]  # its Python
+    difference: Callable[[dict, Run], str]
+    batch: int  # programs that one Node runs
+
+
+KINDS = {
+    "blocks": Kind(lambda start, end: translate("random", start, end),
+                   lambda page: iter([translate("smaller", programs=page["program"])]), run_python, difference, 250),
+    "texts": Kind(random_texts, smaller_texts, run_text, text_difference, 50),
+}
+
+
+class Difference(NamedTuple):
+    """A program that differs: its name, what the page does, what Python does, and what differs."""
+
+    name: str
+    page: dict
+    python: Run
+    found: str
+
+
+def differences(kind: str, pages: Dict[str, dict]) -> Iterator[Difference]:
+    """Yield each program that differs, of those that the page has run."""
+    for name, page in pages.items():
+        python = KINDS[kind].run(page["python"])
+        found = KINDS[kind].difference(page, python)
         if found:
-            yield name, page, python, found
+            yield Difference(name, page, python, found)
 
 
-def random_differences(seed: int, count: int) -> Iterator[Tuple[str, dict, Run, str]]:
+def random_differences(kind: str, seed: int, count: int) -> Iterator[Difference]:
     """Yield the differing ones of so many random programs, from this seed."""
-    for start in range(seed, seed + count, BATCH):
-        yield from differences(translate("random", start, min(start + BATCH, seed + count)))
+    batch = KINDS[kind].batch
+    for start in range(seed, seed + count, batch):
+        yield from differences(kind, KINDS[kind].random(start, min(start + batch, seed + count)))
 
 
-def made_smaller(page: dict, python: Run, found: str) -> Tuple[dict, Run, str]:
-    """Return the smallest program that still differs in the same way when a block is taken out of this one."""
-    while True:
-        smaller = differences(translate("smaller", programs=page["program"]))
-        same = next((each for each in smaller if each[3] == found), None)
+def made_smaller(kind: str, differs: Difference) -> Difference:
+    """Return the smallest program found that differs in the same way when a part is taken out of this one."""
+    deadline = time.monotonic() + SHRINKING
+    while time.monotonic() < deadline:
+        smaller = (each for pages in KINDS[kind].smaller(differs.page) for each in differences(kind, pages))
+        same = next((each for each in smaller if each.found == differs.found), None)
         if not same:
-            return page, python, found
-        _, page, python, found = same
+            break
+        differs = same
+    return differs
 
 
-def report(page: dict, python: Run, found: str) -> str:
+def report(differs: Difference) -> str:
     """Return what a person needs to see of a difference."""
+    _, page, python, found = differs
     ours, theirs = compared(page["trace"]), compared(python.trace)
+    first = next((number for number, rows in enumerate(zip(ours, theirs)) if rows[0] != rows[1]), 0)
     return "\n".join([
-        f"DIFFERS: {found}", json.dumps(page["program"], ensure_ascii=False), page["python"],
-        f"page:   {ours[:30]} {page['error']} {page_statement(page)} cut: {page['cut']}",
-        f"python: {theirs[:30]} {python.error!r} {python_statement(page, python)} cut: {python.cut}"])
+        f"DIFFERS: {found}", json.dumps(page.get("program"), ensure_ascii=False), page["python"],
+        f"page:   {ours[first:first + 30]} {page['error']} {page.get('block')} cut: {page['cut']}",
+        f"python: {theirs[first:first + 30]} {python.error!r} {python.lines[-1:]} cut: {python.cut}"])
+
+
+def check(kind: str, seed: int, count: int) -> None:
+    """Fail with the first of so many random programs that differs, made smaller."""
+    for differs in random_differences(kind, seed, count):
+        raise AssertionError(f"program {differs.name}\n{report(made_smaller(kind, differs))}")
 
 
 def main() -> int:
     """Compare programs as the arguments say; return the exit code."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--programs", type=int, default=5000)
+    parser.add_argument("kind", choices=KINDS)
+    parser.add_argument("--programs", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1, help="of the first program; the next ones follow")
     parser.add_argument("--list", action="store_true", help="list all differences, and make none smaller")
     arguments = parser.parse_args()
     seed, count = arguments.seed * 1000000, arguments.programs
     failed = 0
-    for name, *found in random_differences(seed, count):
+    for differs in random_differences(arguments.kind, seed, count):
         failed += 1
-        print(f"program {name}: {found[2]}: {found[0]['error']} / {found[1].error!r}", flush=True)
+        name, page, python, found = differs
+        print(f"program {name}: {found}: {page['error']} / {python.error!r}", flush=True)
         if not arguments.list:
-            print(report(*made_smaller(*found)))
+            print(report(made_smaller(arguments.kind, differs)))
             return 1
     print(f"{count} programs: {failed} differ")
     return int(bool(failed))

@@ -1,10 +1,13 @@
 """What the page makes of programs: what it does itself, and its Python, run without ROS."""
 
+import io
 import json
 import math
 import re
 import sys
 import traceback
+import warnings
+from contextlib import redirect_stdout
 from decimal import ROUND_HALF_UP, Context, Decimal
 from types import SimpleNamespace
 from typing import Dict, List, NamedTuple, Optional
@@ -134,6 +137,20 @@ def run_python(source: str) -> Run:
             del sys.modules[name]
         sys.modules.update({name: module for name, module in before.items() if module})
     return Run(ros.trace, error, lines_of(error), ros.cut)
+
+
+def run_text(source: str) -> Run:
+    """Run a text as Python itself does; its trace is what it prints."""
+    written, error = io.StringIO(), None
+    with redirect_stdout(written), warnings.catch_warnings():
+        try:
+            warnings.simplefilter("ignore")  # what is wrong on purpose
+            exec(compile(source, "program.py", "exec"), {"__name__": "__main__"})
+        except Exception as failure:
+            error = failure
+    *prints, last = written.getvalue().split("\n")
+    lines = [error.lineno] if isinstance(error, SyntaxError) else lines_of(error)
+    return Run(prints + [last] * bool(last), error, lines, False)
 
 
 def lines_of(error: Optional[Exception]) -> List[int]:

@@ -46,8 +46,8 @@ EXPRESSIONS = {kind: forms(text) for kind, text in {
         |{s}.partition('b')[2]|str(tuple({l}))|str(range({i} % 9))|"%5.1f%%" % ({f} % 100)|f"{{{I}=}}"|{s}.ljust(6, '.')
         |repr({f})|str(set())|str({s}.encode())|f"{{{S}}}{{{I}}}"|str(-0.0 * {i})""",
     LIST: """[{i}, {i}]|({l} + {l})|sorted({l})|sorted({l}, reverse={b})|{l}[{i} % 3:]|{l}[::-1]|list(range({i} % 6))
-        |[each + 1 for each in {l}]|[each for each in {l} if each > {i}]|list(map(abs, {l}))|list({d}.values())|{l} * 2
-        |list(filter(None, {l}))|[a * b for a, b in zip({l}, {l})]|list(reversed({l}))
+        |[each + 1 for each in {l}]|[each for each in {l} if each > {i}]|list(map(abs, {l}))|list({d}.values())
+        |({l} * 2)|list(filter(None, {l}))|[a * b for a, b in zip({l}, {l})]|list(reversed({l}))
         |sorted({l}, key=lambda e: (abs(e), e))
         |[n for n, _ in enumerate({l})]|list(gen({i} % 5))|[x for y in [{l}, {l}] for x in y]|[*{l}, {i}]
         |[first for first, *rest in [({i}, {i})]]|{l}[::2]|{l}[-2:]|list({l})|sorted(set({l}))

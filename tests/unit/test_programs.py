@@ -210,10 +210,3 @@ def test_a_program_fails_at_the_same_block_in_the_page_and_in_python(name, done)
 @pytest.mark.parametrize("name", NAMES)
 def test_a_variable_has_any_name(name, done):
     assert run_python(done[name]["python"]).trace[0] == "7"
-
-
-def test_the_examples_are_programs_in_python_too():
-    for name, example in translate("examples").items():
-        compile(example["python"], name, "exec")
-
-
