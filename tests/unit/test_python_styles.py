@@ -1,6 +1,7 @@
 """A program in any style keeps its tree when the page puts its marks into it, and all that runs has a mark."""
 
 import ast
+import random
 
 from javascript import needs_node
 from program_node import translate
@@ -114,3 +115,17 @@ def test_a_program_in_any_style_has_the_same_tree_with_marks():
         assert ast.dump(same) == ast.dump(tree), text
         assert statements(same) == statements(tree), "all lines keep their numbers"
         assert {line for kind, line in statements(tree) if kind not in UNMARKED} <= unmarked.lines, text
+
+
+def test_a_text_with_typing_errors_gets_its_marks_and_python_says_what_is_wrong():
+    draw, texts = random.Random(1), {}
+    rows = [row for file in FILES for row in file.read_text().splitlines()]
+    for number in range(1000):
+        start = draw.randrange(len(rows))
+        text = "\n".join(rows[start:start + 6])
+        for _ in range(3):
+            place = draw.randrange(len(text) + 1)
+            text = text[:place] + draw.choice(["", ";", "for ", "while ", "[", "(", ":", "\n"]) + text[place + 2:]
+        texts[str(number)] = text
+    for name, page in translate("marked", programs=texts).items():
+        assert page["marked"].count("\n") == texts[name].count("\n"), texts[name]

@@ -15,7 +15,7 @@ export function mark(source, tree) {
       marks.locals.enter(node);
       if (SIMPLE.test(node.name) && PLACES.includes(node.parent.name)) marks.addStatement(node);
       else HEADS[node.name]?.(marks, node);
-      DIALECT[node.name]?.(marks, node);
+      if (!node.getChild("⚠")) DIALECT[node.name]?.(marks, node); // ⚠ is what is no Python
     },
     leave: ({ node }) => marks.locals.leave(node),
   });
