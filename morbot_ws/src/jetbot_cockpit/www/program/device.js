@@ -19,6 +19,13 @@ export function keepShown(kept) {
   if (last !== key && load(recall(last))?.id === kept.id) remember(last, ""); // it has found its robot, or its class
   remember(key, JSON.stringify(entry(kept)));
   remember(LAST, key);
+  forgetAside(kept);
+}
+
+// What is shown is not sent beside that: what was kept of it earlier would overtake it.
+function forgetAside({ id }) {
+  const [all, others] = [keptAside(), keptAside().filter((each) => each.id !== id)];
+  if (others.length < all.length) remember(ASIDE, JSON.stringify(others));
 }
 
 // Shows nothing of this program any more; what is unsaved stays, until its class is there again.

@@ -14,12 +14,13 @@ export class Work {
   robot = null; // whose programs these are
   classId = undefined; // of the class that the cockpit has, null for one without a name
   changes = undefined; // to the robot's programs, as far as the last list shows them
-  /** @type {any} */
-  kept = null; // the Kept that is shown
+  /** @type {Kept} */
+  kept = /** @type {any} */ (null); // that is shown
+  /** @type {Kept[]} */
+  unsaved = []; // that are not shown, some saved by now; those without a robot become the first one's
   rows = []; // the last list of the robot's programs
   /** @type {[string, string]} */
   empty = ["", ""]; // the program that is shown where there is no other
-  begun = []; // before there is a robot: they become the first one's
   // showing: the blocks are being replaced: that is no change of the person's
   // arriving: what is shown gives way to what the robot has, once its first list has come
   // editing: what is shown stays, and its changes are kept
@@ -46,8 +47,8 @@ export class Work {
 
   // What was not shown last, and is not kept yet.
   sendAgain({ robot, name, program, ...which }) {
-    const kept = new Kept(robot, which, (each) => this.report(each));
-    if (robot === null) this.begun.push(kept);
+    const kept = this.unsent(which.id) ?? new Kept(robot, which, (each) => this.report(each));
+    this.unsaved = [...this.unsaved.filter((each) => each !== kept), kept];
     kept.change({ name, program });
   }
 
@@ -129,14 +130,14 @@ export class Work {
   update(robot, changes) {
     if (!robot || changes === undefined) return;
     if (robot !== this.robot) this.changeRobot(robot);
-    if (changes !== this.changes) this.refresh(robot);
+    if (changes !== this.changes) void this.refresh(robot);
     this.changes = changes;
   }
 
   changeRobot(robot) {
     const first = this.robot === null;
     Object.assign(this, { robot, changes: undefined, rows: [] });
-    for (const each of this.begun.splice(0)) each.belongTo(robot);
+    for (const each of [...this.unsaved, this.kept]) if (each.robot === null) void each.belongTo(robot);
     if (first) return;
     this.begin("arriving");
     this.goOnUnsaved();
@@ -167,10 +168,10 @@ export class Work {
     this.state.name = "editing";
     const row = rows.find(({ id }) => id === kept.id);
     const newest = rows.find(({ deleted }) => !deleted);
-    if (row && arriving && row.version > kept.version) this.openNewer(row);
+    if (row && arriving && row.version > kept.version) void this.openNewer(row);
     else if (row) kept.compare(row);
     else if (kept.version && !kept.classId) this.join(); // a cockpit that keeps no class was started again
-    else if (arriving && newest && !kept.version) this.openNewer(newest);
+    else if (arriving && newest && !kept.version) void this.openNewer(newest);
   }
 
   // The cockpit has this class. What waits for one that was away is sent.
@@ -210,10 +211,14 @@ export class Work {
     if (left?.unsaved) this.goOn(left);
   }
 
-  // Shows what this device kept.
-  goOn({ id, version, classId, name, program, unsaved }) {
-    const content = { name: clean(name), program };
-    if (this.display(content.name, program, "arriving", { id, version, classId, content }) && unsaved) this.keep();
+  // Shows what this device kept. What is still being sent is the same program, not a second one that overtakes it.
+  goOn({ name, program, unsaved, ...which }) {
+    const kept = this.unsent(which.id) ?? { ...which, content: { name: clean(name), program } };
+    if (this.display(clean(name), program, "arriving", kept) && unsaved) this.keep();
+  }
+
+  unsent(wanted) {
+    return this.unsaved.find(({ id }) => id === wanted);
   }
 
   // What cannot be shown changes nothing.
@@ -229,10 +234,11 @@ export class Work {
   // What is shown is another program from now on; a new one is not kept until it is changed.
   begin(state, which = {}) {
     const before = this.kept;
-    before?.save();
-    this.kept = new Kept(this.robot, { classId: this.classId, ...which }, (kept) => this.report(kept));
+    void before?.save();
+    this.kept = which instanceof Kept ? which
+      : new Kept(this.robot, { classId: this.classId, ...which }, (kept) => this.report(kept));
+    this.unsaved = [...this.unsaved, before].filter((each) => each?.state.unsaved && each !== this.kept);
     if (before) device.keepAside(before);
-    if (this.robot === null) this.begun.push(this.kept);
     this.state = { name: state, baseline: JSON.stringify(this.view.current()) };
     this.view.lock(state === "looking");
     this.report(this.kept);
