@@ -17,7 +17,8 @@ const RESULT = { state: "done", title: "One metre", score: 87.26, seconds: 3.41,
 const POINTS = "One metre: 87.3 points, 3.4 s. Largest loss: too late.";
 const NOT_JUDGED = "This drive is not judged any more.";
 const ME = { id: 1, name: "pupil 1", role: "pupil", robot: null };
-const FREE = { answers: true, driver: null, task: null };
+const FREE = { answers: true, driver: null, task: null, stopped: false, held: null };
+const RED = { id: "/red", label: "red" };
 
 // A page as the judging sees it: programs run and end, messages are sent and answered, states arrive.
 class Page {
@@ -30,16 +31,12 @@ class Page {
 
   constructor(t) {
     this.clock = new Clock(t);
-    this.world = Object.assign(new World(), { chosen: "/red", me: ME, robots: [{ id: "/red" }, { id: "/blue" }] });
+    this.world = Object.assign(new World(), { chosen: "/red", me: ME, robots: [RED, { id: "/blue" }] });
     this.be({});
-    const send = (message) => this.connected && this.sent.push(message) > 0;
     this.judging = new Judging({
-      send, world: this.world, say: (text) => this.read.push(text), lost: () => !this.connected,
-      run: () => {
-        this.runs += 1;
-        this.going = true;
-      },
-      end: (sentence) => this.end(sentence),
+      world: this.world, send: (message) => this.connected && this.sent.push(message) > 0,
+      say: (text) => this.read.push(text), lost: () => !this.connected,
+      run: () => Object.assign(this, { runs: this.runs + 1, going: true }), end: (sentence) => this.end(sentence),
     });
   }
 
@@ -51,8 +48,8 @@ class Page {
     this.judging.programEnded(Boolean(sentence));
   }
 
-  be(fields, robot = "/red") {
-    this.world.states = { ...this.world.states, [robot]: { ...FREE, ...this.world.states[robot], ...fields } };
+  be(fields) {
+    this.world.states = { "/red": { ...FREE, ...this.world.states["/red"], ...fields } };
   }
 
   // A state arrives, with these fields of the robot.
@@ -90,58 +87,151 @@ class Page {
   }
 }
 
-function press(t) {
-  const page = new Page(t);
-  page.judging.begin("/red", "metre");
-  return page;
-}
-
-function wait(t) {
-  const page = press(t);
-  page.accept();
-  page.take();
-  return page;
-}
-
-function drive(t) {
-  const page = wait(t);
-  page.report({ state: "ready" });
-  page.take();
-  return page;
-}
-
-function end(t) {
-  const page = drive(t);
-  page.report({ state: "driving" });
-  page.end("");
-  return page;
-}
-
-const STATES = { waiting: wait, driving: drive, ended: end };
+// Returns a page in each state of the judging, on which nothing that was sent has not been taken.
+const IN = {
+  asked: (t) => {
+    const page = new Page(t);
+    page.judging.begin("/red", "metre");
+    return page;
+  },
+  waiting: (t) => {
+    const page = IN.asked(t);
+    page.accept();
+    page.take();
+    return page;
+  },
+  driving: (t) => {
+    const page = IN.waiting(t);
+    page.report({ state: "ready" });
+    return page;
+  },
+  ended: (t) => {
+    const page = IN.driving(t);
+    page.report({ state: "driving" });
+    page.end("");
+    return page;
+  },
+};
+const STATES = ["waiting", "driving", "ended"];
 
 test("the robot stands, goes to the start, the program runs once, and the score is shown", (t) => {
-  const page = press(t);
+  const page = IN.asked(t);
   assert.deepEqual(page.take(), [STAND, ASK]);
   page.state();
   page.accept();
   page.report(null);
   assert.deepEqual([page.name, page.read, page.runs], ["waiting", [STARTING], 0]);
-  page.report({ state: "ready" });
-  page.report({ state: "ready" });
-  page.report({ state: "driving" });
+  for (const state of ["ready", "ready", "driving"]) page.report({ state });
   page.end("");
-  page.report({ ...RESULT });
+  page.report(RESULT);
   assert.match(page.read[1], /^The judge measures until the robot has stopped/);
   assert.deepEqual([page.read.slice(2), page.runs, page.ends], [[POINTS], 1, [""]]);
   assert.deepEqual([page.name, page.take()], ["idle", []]);
 });
 
+const CANCELLED = "Judge me was cancelled.";
+const OTHER_ROBOT = "Judge me was cancelled: another robot was chosen.";
+const STOPPED = "Judge me was cancelled: the robot was stopped.";
+const NOTHING = ""; // is said, and it goes on: so it is in a state that a row does not have
+const be = (fields) => (page) => page.be(fields);
+const list = (...tasks) => ({ judging }) => judging.list(tasks);
+const HERE = { // what happens on this page or to the robot; what is said while it waits, drives, and has driven
+  "the person cancels": [({ judging }) => judging.cancel(), CANCELLED, NOTHING, CANCELLED],
+  "all are stopped here": [({ judging }) => judging.stop("You pressed STOP."),
+    "You pressed STOP. Judge me was cancelled.", NOTHING, "You pressed STOP. The drive does not count."],
+  "the person pauses": [({ judging }) => judging.paused(),
+    NOTHING, "The drive does not count: the program was paused."],
+  "the program is ended": [(page) => page.end("Stopped."), NOTHING, "The drive does not count."],
+  "another program is shown": [({ judging }) => judging.forget()],
+  "another robot is chosen": [({ world }) => { world.chosen = "/blue"; }, OTHER_ROBOT, NOTHING, OTHER_ROBOT],
+  "all robots are stopped": [({ world }) => { world.emergency = true; }, STOPPED],
+  "this robot is stopped": [be({ stopped: true }), STOPPED],
+  "the robot falls silent": [be({ answers: false }), "Judge me was cancelled: the robot does not answer."],
+  "a teacher takes it": [be({ held: "robot", driver: null }),
+    "Judge me was cancelled: your teacher has taken the robot."],
+  "another page drives it": [be({ driver: { id: 2, name: "Ada" } }), "Judge me was cancelled: Ada drives the robot."],
+  "its task is offered": [list({ name: "metre", on: true })],
+  "its task is off": [list({ name: "metre", on: false }),
+    "Judge me was cancelled: your teacher has switched this task off."],
+  "its task is off for pupils": [(page) => {
+    page.world.me = { ...ME, role: "teacher" };
+    list({ name: "metre", on: false })(page);
+  }],
+  "nobody judges its task": [list({ name: "square", on: true }),
+    "Judge me was cancelled: nobody judges this task any more."],
+  "20 s pass": [({ clock }) => clock.freeze(20000)],
+  "more than 20 s pass": [({ clock }) => clock.freeze(20001),
+    "The judge did not put the robot at its start. Try again."],
+};
+for (const [what, [act, ...sentences]] of Object.entries(HERE)) {
+  for (const [index, name] of STATES.entries()) {
+    test(`${name}, when ${what}, a person reads: ${sentences[index] || "nothing, and it goes on"}`, (t) => {
+      const page = IN[name](t);
+      const { read: { length }, going } = page;
+      act(page);
+      page.state();
+      if (!sentences[index]) {
+        return assert.deepEqual([page.name, page.read.slice(length), page.take(), page.going], [name, [], [], going]);
+      }
+      assert.deepEqual([page.name, page.read.slice(length), page.take()], ["idle", [sentences[index]], [END]]);
+      Object.assign(page.world, { chosen: "/red", emergency: false });
+      page.be({ ...FREE, driver: ME });
+      for (const late of [{ state: "cancelled" }, { state: "ready" }, RESULT]) page.report(late);
+      assert.deepEqual([page.runs, page.read.length, page.take()], [name === "waiting" ? 0 : 1, length + 1, []]);
+    });
+  }
+}
+
+const WHY = "The robot was put back to its start, so the drive does not count.";
+const GONE = "The judge does not answer any more. Try again.";
+const NO_SIMULATOR = { code: "simulator_silent", template: "The simulator does not answer.", arguments: {} };
+const REPORTS = { // of the judge, and to whom; what is said in each state, and why a program that still runs is ended
+  "sees a drive": [{ state: "driving" }, "one"],
+  "has a result": [RESULT, "one", NOTHING, POINTS, POINTS, "The judge has seen enough."],
+  "cancels": [{ state: "cancelled", text: WHY }, "one", WHY, WHY, WHY, NOT_JUDGED],
+  "cannot begin": [{ state: "cancelled", text: "", sentences: [NO_SIMULATOR] }, "one",
+    ...Array(3).fill("The simulator does not answer."), NOT_JUDGED],
+  "is gone": [null, "", NOTHING, GONE, GONE, NOT_JUDGED],
+  "is ready for somebody else": [{ state: "ready" }, "two", NOTHING, GONE, GONE, NOT_JUDGED],
+  "has another result": [RESULT, "before", NOTHING, GONE, GONE, NOT_JUDGED],
+  "cancels another drive": [{ state: "cancelled" }, "before", NOTHING, GONE, GONE, NOT_JUDGED],
+  "is one in a terminal": [{ state: "ready" }, "", NOTHING, GONE, GONE, NOT_JUDGED],
+};
+for (const [what, [report, request, ...said]] of Object.entries(REPORTS)) {
+  for (const [index, name] of STATES.entries()) {
+    test(`${name}, when the judge ${what}, a person reads: ${said[index] || "nothing, and it goes on"}`, (t) => {
+      const page = IN[name](t);
+      const { read: { length }, going, ends } = page;
+      page.report(report, request);
+      assert.deepEqual(page.read.slice(length), said[index] ? [said[index]] : []);
+      const after = said[index] ? ["idle", false, name === "driving" ? said[3] : ends[0]] : [name, going, ends[0]];
+      assert.deepEqual([page.name, page.going, page.ends[0], page.take()], [...after, []]);
+    });
+  }
+}
+
+for (const name of STATES) {
+  test(`${name}: a press begins again, and only the new drive is judged`, (t) => {
+    const page = IN[name](t);
+    page.judging.begin("/red", "square");
+    assert.deepEqual([page.name, page.going, page.said], ["waiting", false, STARTING]);
+    assert.deepEqual(page.take(), [END, STAND, { ...ASK, task: "square" }]);
+    page.report(RESULT);
+    page.accept("");
+    page.report(RESULT);
+    page.accept("two");
+    page.report(RESULT);
+    assert.deepEqual([page.name, page.said], ["waiting", STARTING], "the last result comes in meanwhile");
+    page.report({ state: "ready" }, "two");
+    assert.deepEqual([page.name, page.going], ["driving", true]);
+  });
+}
+
 test("a program that runs on this page ends at the press, and starts again at the start", (t) => {
   const page = new Page(t);
   page.going = true;
   page.judging.begin("/red", "metre");
-  assert.deepEqual([page.going, page.ends], [false, ["Judge me ended this program."]]);
-  assert.deepEqual(page.take(), [STAND, ASK]);
+  assert.deepEqual([page.going, page.ends, page.take()], [false, ["Judge me ended this program."], [STAND, ASK]]);
   page.accept();
   page.report({ state: "ready" });
   assert.deepEqual([page.going, page.runs, page.name], [true, 1, "driving"]);
@@ -167,22 +257,18 @@ test("a program that drives from elsewhere is named, and kept waiting until the 
   assert.deepEqual(kept(2), [[KEEP], [KEEP]]);
 });
 
-test("what another judge reports starts no program, and is not read, nor what this one said before", (t) => {
-  const page = press(t);
-  for (const [state, request] of [["ready", ""], ["ready", "before"], ["cancelled", "before"], ["done", ""]]) {
-    page.report({ ...RESULT, state }, request);
+test("before the cockpit has answered, no judge is read, and nothing of the robot cancels", (t) => {
+  const page = IN.asked(t);
+  for (const request of ["", "before"]) {
+    for (const state of ["ready", "cancelled", "done"]) page.report({ ...RESULT, state }, request);
   }
-  page.accept();
-  for (const [state, request] of [["ready", ""], ["ready", "before"], ["cancelled", "before"], ["done", ""]]) {
-    page.report({ ...RESULT, state }, request);
-  }
+  page.state({ driver: { id: 2, name: "pupil 2" } });
   assert.deepEqual([page.name, page.read, page.runs], ["waiting", [STARTING], 0]);
 });
 
 test("a refusal is shown as it is, once, and nothing is asked for", (t) => {
-  const page = press(t);
+  const page = IN.asked(t);
   page.take();
-  page.state({ driver: { id: 2, name: "pupil 2" } });
   page.refuse("pupil 2 drives red. Press Judge me again when red is free.");
   page.state();
   assert.deepEqual(page.read.slice(1), ["pupil 2 drives red. Press Judge me again when red is free."]);
@@ -190,7 +276,7 @@ test("a refusal is shown as it is, once, and nothing is asked for", (t) => {
 });
 
 test("of presses and cancels in a row, only the answer to the last press counts", (t) => {
-  const page = press(t);
+  const page = IN.asked(t);
   page.judging.cancel();
   page.judging.begin("/red", "metre");
   page.refuse("The first one is refused.");
@@ -204,7 +290,7 @@ test("of presses and cancels in a row, only the answer to the last press counts"
 });
 
 test("after a new connection, answers to what was asked before are not waited for", (t) => {
-  const page = press(t);
+  const page = IN.asked(t);
   page.judging.cancel("The connection to the cockpit was lost.");
   page.judging.hello();
   page.judging.begin("/red", "metre");
@@ -213,236 +299,70 @@ test("after a new connection, answers to what was asked before are not waited fo
   assert.equal(page.runs, 1);
 });
 
-test("without a robot or a connection it says so, and waits for nothing", (t) => {
-  const page = new Page(t);
-  page.world.list({ robots: [{ id: "/blue", label: "blue" }] });
-  page.judging.begin("/red", "metre");
-  assert.deepEqual([page.said, page.name, page.sent], ["red is not running.", "idle", []]);
-  page.world.list({ robots: [] });
-  page.world.chosen = null;
-  page.judging.begin(null, "metre");
-  assert.equal(page.said, "No robot is running.");
-  page.world.list({ robots: [{ id: "/red", label: "red" }] });
-  page.world.chosen = "/red";
-  page.connected = false;
-  page.judging.begin("/red", "metre");
-  assert.deepEqual([page.said, page.name], ["There is no connection to the cockpit.", "idle"]);
-});
+const MISSING = { // what there is not, as the page has it, without it and with it
+  "red is not running.": (page, is) => { page.world.robots = [is ? RED : { id: "/blue" }]; },
+  "No robot is running.": ({ world }, is) => Object.assign(world, is ? { robots: [RED], chosen: "/red" }
+    : { robots: [], chosen: null }),
+  "There is no connection to the cockpit.": (page, is) => { page.connected = is; },
+};
+for (const [sentence, set] of Object.entries(MISSING)) {
+  test(`without what it needs it waits for nothing, and says until that is there: ${sentence}`, (t) => {
+    const page = new Page(t);
+    set(page, false);
+    page.judging.begin(page.world.chosen, "metre");
+    for (const _ of [1, 2]) {
+      page.state();
+      assert.deepEqual([page.said, page.name, page.runs], [sentence, "idle", 0]);
+    }
+    set(page, true);
+    page.state();
+    assert.equal(page.said, "");
+  });
+}
 
 const CAUSES = { // why Judge me is refused, until when
-  "the emergency stop": ["all_stopped", ({ world }, on) => { world.emergency = on; }],
-  "the robot's own stop": ["stopped", (page, on) => page.be({ stopped: on })],
-  "a teacher": ["taken", (page, on) => page.be({ held: on ? "robot" : null })],
-  "another driver": ["judge_driven", (page, on) => page.be({ driver: on ? { id: 2, name: "Zoë" } : null })],
-  "a judge in a terminal": ["judged_elsewhere", (page, on) => page.be({ task: { state: on ? "ready" : "done" } })],
+  all_stopped: ({ world }, on) => { world.emergency = on; },
+  stopped: (page, on) => page.be({ stopped: on }),
+  taken: (page, on) => page.be({ held: on ? "robot" : null }),
+  judge_driven: (page, on) => page.be({ driver: on ? { id: 2, name: "Zoë" } : null }),
+  judged_elsewhere: (page, on) => page.be({ task: { state: on ? "ready" : "done" } }),
 };
-for (const [what, [code, be]] of Object.entries(CAUSES)) {
-  test(`a refusal is shown until its cause is over, also if its state came a little later: ${what}`, (t) => {
-    const page = press(t);
+for (const [code, set] of Object.entries(CAUSES)) {
+  test(`a refusal is shown until its cause is over, also if its state came a little later: ${code}`, (t) => {
+    const page = IN.asked(t);
     page.refuse("Why", code);
-    for (const on of [false, true, true]) {
-      be(page, on);
+    for (const [on, said] of [[false, "Why"], [true, "Why"], [true, "Why"], [false, ""]]) {
+      set(page, on);
       page.state();
-      assert.equal(page.said, "Why", String(on));
+      assert.equal(page.said, said, String(on));
     }
-    be(page, false);
-    page.state();
-    assert.equal(page.said, "");
   });
 }
-
-test("that no robot runs, or that there is no connection, is shown until it is back", (t) => {
-  const page = new Page(t);
-  page.world.list({ robots: [] });
-  page.judging.begin("/red", "metre");
-  page.state();
-  assert.equal(page.said, "red is not running.");
-  page.world.list({ robots: [{ id: "/red", label: "red" }] });
-  page.state();
-  assert.equal(page.said, "");
-  page.connected = false;
-  page.judging.begin("/red", "metre");
-  page.connected = true;
-  page.state();
-  assert.equal(page.said, "");
-});
 
 const RESULTS = { // what ends a score
-  "another program is shown or runs": (page) => page.judging.forget(),
+  "another program is shown or runs": ({ judging }) => judging.forget(),
   "the robot is put back": (page) => page.report(null),
   "the robot gets another task": (page) => page.report({ state: "ready" }, "two"),
-  "another robot is chosen": (page) => {
-    page.world.chosen = "/blue";
-    page.state();
-  },
+  "another robot is chosen": ({ world }) => { world.chosen = "/blue"; },
 };
 for (const [what, act] of Object.entries(RESULTS)) {
-  test(`a score is shown until ${what}`, (t) => {
-    const page = end(t);
-    page.report({ ...RESULT });
+  test(`a score is shown until ${what}, and no judge hears of what programs do meanwhile`, (t) => {
+    const page = IN.ended(t);
+    page.report(RESULT);
+    page.judging.paused();
+    page.going = true;
+    page.end("Stopped.");
+    page.judging.cancel();
     page.state();
-    assert.equal(page.said, POINTS);
+    assert.deepEqual([page.said, page.take()], [POINTS, []]);
     act(page);
+    page.state();
     assert.equal(page.said, "");
   });
 }
 
-test("another program that is shown takes nothing back of what is judged now", (t) => {
-  for (const begin of Object.values(STATES)) {
-    const page = begin(t);
-    const { name, said } = page;
-    page.judging.forget();
-    assert.deepEqual([page.name, page.said], [name, said]);
-    t.mock.restoreAll();
-  }
-});
-
-test("while it waits, a task that is not offered any more cancels it, and it is said who ended it", (t) => {
-  for (const [tasks, role, sentence] of [
-    [[{ name: "metre", on: false }], "pupil", "Judge me was cancelled: your teacher has switched this task off."],
-    [[{ name: "square", on: true }], "pupil", "Judge me was cancelled: nobody judges this task any more."],
-    [[{ name: "metre", on: true }], "pupil", STARTING], [[{ name: "metre", on: false }], "teacher", STARTING]]) {
-    const page = wait(t);
-    page.world.me = { ...ME, role };
-    page.judging.list(tasks);
-    assert.equal(page.said, sentence);
-    t.mock.restoreAll();
-  }
-});
-
-test("a stop is said with what it means for the score", (t) => {
-  for (const [begin, sentence] of [[wait, "Judge me was cancelled."], [end, "The drive does not count."]]) {
-    const page = begin(t);
-    page.judging.stop("All robots were stopped.");
-    assert.equal(page.said, `All robots were stopped. ${sentence}`);
-    t.mock.restoreAll();
-  }
-});
-
-const LOST = {
-  "the person cancels": ["Judge me was cancelled.", (page) => page.judging.cancel()],
-  "another robot is chosen": ["Judge me was cancelled: another robot was chosen.",
-    (page) => { page.world.chosen = "/blue"; }],
-  "all robots are stopped": ["Judge me was cancelled: the robot was stopped.",
-    ({ world }) => { world.emergency = true; }],
-  "this robot is stopped": ["Judge me was cancelled: the robot was stopped.", (page) => page.be({ stopped: true })],
-  "the robot falls silent": ["Judge me was cancelled: the robot does not answer.",
-    (page) => page.be({ answers: false })],
-  "a teacher takes it": ["Judge me was cancelled: your teacher has taken the robot.",
-    (page) => page.be({ held: "robot", driver: null })],
-  "another page drives it": ["Judge me was cancelled: Ada drives the robot.",
-    (page) => page.be({ driver: { id: 2, name: "Ada" } })],
-};
-for (const [what, [sentence, lose]] of Object.entries(LOST)) {
-  test(`before the start, when ${what}, it says so, the judge ends it, and the program never runs`, (t) => {
-    const page = wait(t);
-    lose(page);
-    page.state();
-    assert.deepEqual([page.said, page.name, page.take()], [sentence, "idle", [END]]);
-    Object.assign(page.world, { chosen: "/red", emergency: false });
-    page.be({ stopped: false, answers: true, driver: ME, held: null });
-    page.report({ state: "ready" });
-    assert.deepEqual([page.runs, page.read.length], [0, 2]);
-  });
-}
-
-test("when the judge cannot begin, its reason is read at once", (t) => {
-  const page = wait(t);
-  const said = { code: "simulator_silent", template: "The simulator does not answer.", arguments: {} };
-  page.report({ state: "cancelled", text: "", sentences: [said] });
-  assert.deepEqual([page.said, page.name, page.runs], ["The simulator does not answer.", "idle", 0]);
-});
-
-test("after 20 s without the robot at its start it ends", (t) => {
-  const page = wait(t);
-  page.clock.freeze(20000);
-  page.state();
-  assert.equal(page.name, "waiting");
-  page.clock.freeze(1);
-  page.state();
-  assert.equal(page.said, "The judge did not put the robot at its start. Try again.");
-  assert.deepEqual([page.name, page.take()], ["idle", [END]]);
-});
-
-test("a pause, or an end before the program's own, gives no score, and is said once", (t) => {
-  for (const [stop, sentence] of [
-    [(page) => page.judging.paused(), "The drive does not count: the program was paused."],
-    [(page) => page.end("Stopped."), "The drive does not count."]]) {
-    const page = drive(t);
-    stop(page);
-    assert.deepEqual([page.said, page.name, page.take()], [sentence, "idle", [END]]);
-    page.report({ state: "cancelled", text: "The drive does not count: its program was stopped." });
-    assert.equal(page.said, sentence);
-    t.mock.restoreAll();
-  }
-});
-
-test("once the judge has a result, a program that still runs ends, and its score counts", (t) => {
-  const page = drive(t);
-  page.report({ state: "driving" });
-  page.report({ ...RESULT });
-  assert.deepEqual([page.said, page.ends, page.take()], [POINTS, ["The judge has seen enough."], []]);
-});
-
-for (const [state, begin] of Object.entries({ driving: drive, ended: end })) {
-  test(`${state}: what the judge cancels is said, and no program drives on`, (t) => {
-    const page = begin(t);
-    page.report({ state: "cancelled", text: "The robot was put back to its start, so the drive does not count." });
-    assert.equal(page.said, "The robot was put back to its start, so the drive does not count.");
-    assert.deepEqual([page.name, page.ends], ["idle", [state === "driving" ? NOT_JUDGED : ""]]);
-  });
-
-  test(`${state}: a judge that ends is said, and no program drives on`, (t) => {
-    for (const task of [null, { request: "", state: "driving" }, { request: "two", state: "ready" }]) {
-      const page = begin(t);
-      page.report(task, task?.request);
-      assert.deepEqual([page.said, page.name, page.going],
-        ["The judge does not answer any more. Try again.", "idle", false]);
-      t.mock.restoreAll();
-    }
-  });
-}
-
-for (const [state, begin] of Object.entries(STATES)) {
-  test(`${state}: a press begins again, and only the new drive is judged`, (t) => {
-    const page = begin(t);
-    page.take();
-    page.judging.begin("/red", "square");
-    assert.deepEqual([page.name, page.going, page.said], ["waiting", false, STARTING]);
-    assert.deepEqual(page.take(), [END, STAND, { ...ASK, task: "square" }]);
-    page.report({ ...RESULT });
-    page.accept("");
-    page.report({ ...RESULT });
-    page.accept("two");
-    page.report({ ...RESULT });
-    assert.deepEqual([page.name, page.said], ["waiting", STARTING], "the last result comes in meanwhile");
-    page.report({ state: "ready" }, "two");
-    assert.deepEqual([page.name, page.going], ["driving", true]);
-  });
-}
-
-test("once the program has ended, a new start of it or another robot cancels, and no score is shown", (t) => {
-  for (const lose of [(page) => page.judging.cancel(), (page) => { page.world.chosen = "/blue"; }]) {
-    const page = end(t);
-    page.take();
-    lose(page);
-    page.state();
-    assert.deepEqual([page.name, page.take()], ["idle", [END]]);
-    page.world.chosen = "/red";
-    page.report({ ...RESULT });
-    assert.match(page.said, /^Judge me was cancelled/);
-    t.mock.restoreAll();
-  }
-});
-
-test("nothing that is said meanwhile cancels a drive", (t) => {
-  const page = drive(t);
-  page.judging.cancel("Somebody has come.");
-  assert.deepEqual([page.name, page.going, page.take()], ["driving", true, []]);
-});
-
 test("a program that ends and has not driven is said, but not before the judge can have seen its drive", (t) => {
-  const page = drive(t);
+  const page = IN.driving(t);
   page.end("");
   page.clock.freeze(4000);
   page.report({ state: "ready" });
@@ -451,16 +371,4 @@ test("a program that ends and has not driven is said, but not before the judge c
   page.report({ state: "ready" });
   assert.equal(page.said, "The program has ended, and the robot did not drive: no score.");
   assert.deepEqual([page.name, page.take()], ["idle", [END]]);
-});
-
-test("without Judge me, programs end and pause, and no judge hears of it", (t) => {
-  const page = end(t);
-  page.report({ ...RESULT });
-  page.take();
-  page.judging.paused();
-  page.going = true;
-  page.end("Stopped.");
-  page.judging.cancel();
-  page.state();
-  assert.deepEqual([page.take(), page.said], [[], POINTS]);
 });
