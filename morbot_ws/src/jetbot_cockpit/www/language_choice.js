@@ -26,7 +26,7 @@ function offer(select) {
   select.addEventListener("change", (event) => byKeys || choose(event));
   select.addEventListener("blur", choose);
   select.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") choose(event);
+    if (event.key === "Enter") void choose(event);
     if (event.key === "Escape") select.value = language;
   });
 }

@@ -42,7 +42,7 @@ export class LoginForm {
     this.dialog.addEventListener("close", () => this.asking && this.dialog.showModal()); // by Android's Back
     this.dialog.addEventListener("submit", (event) => {
       event.preventDefault();
-      this.submit();
+      void this.submit();
     });
   }
 

@@ -50,7 +50,7 @@ const shell = new Shell({
     tasks: ({ tasks }) => showTasks(tasks),
     cameras: ({ on }) => camera.allow(on),
     picture: (message) => camera.begin(message),
-    part: ({ bytes }) => camera.take(bytes),
+    part: ({ bytes }) => void camera.take(bytes),
   },
   end: () => driving.lift(),
   drives: () => driving.active && world.isMine(driven),
@@ -150,4 +150,4 @@ matchMedia("(orientation: portrait)").addEventListener("change", leave); // the 
 document.addEventListener("visibilitychange", () => document.hidden && leave());
 setSpeed();
 shell.show();
-shell.start();
+void shell.start();

@@ -58,7 +58,7 @@ export class Shell {
     const lost = () => !this.link.connected;
     this.stops = new Stops(this.world, { send: this.send, lost, notice: this.notice, stopped: () => end(STOPPED) });
     offerLanguages();
-    addEventListener("hashchange", () => location.hash && this.start());
+    addEventListener("hashchange", () => { if (location.hash) void this.start(); });
   }
 
   // Sends a message; returns whether there is a connection. An old command must not arrive late.

@@ -29,7 +29,7 @@ export function openWork({ show, current, lock, notLoaded }) {
   element("title").addEventListener("change", ({ target }) => { target.value = clean(target.value); });
   element("newer").addEventListener("click", () => {
     const { id, state: { newer } } = work.kept;
-    work.openNewer({ id, version: newer });
+    void work.openNewer({ id, version: newer });
   });
   return work;
 }

@@ -52,7 +52,7 @@ export class Overview {
   open() {
     this.showScores();
     element("all-programs").replaceChildren();
-    this.act(async () => {
+    void this.act(async () => {
       const rows = await allPrograms();
       element("all-programs").replaceChildren(...rows.map((each) => this.item(each)));
       return this.lacking() || (rows.length ? "" : t("No robot has a program yet."));

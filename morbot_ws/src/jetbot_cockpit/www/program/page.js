@@ -29,7 +29,7 @@ const shell = new Shell({
   receivers: {
     hello() {
       work.connected();
-      overview.hello();
+      void overview.hello();
       judging.hello();
     },
     robots() {
@@ -225,4 +225,4 @@ document.addEventListener("visibilitychange", () => document.hidden && end(HIDDE
 
 work.restore(...NEW);
 show();
-shell.start();
+void shell.start();

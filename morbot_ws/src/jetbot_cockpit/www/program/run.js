@@ -34,7 +34,8 @@ export class Run {
   // engine: prepare(), run(state) yields the program's events, end(); motion, variables, needs, repeats; robot: as the
   // cockpit describes it; stepping: it pauses before its first statement; send(message); printed(event); changed();
   // delay(): ms before each statement; ended(sentence, place): why, "" at the program's end; place: where it failed
-  /** @param engine @param {Robot} robot @param stepping @param {Record<string, any> & { send: Send }} page */
+  /** @param {Record<string, any> & { prepare: () => Promise<void> }} engine @param {Robot} robot @param stepping
+   * @param {Record<string, any> & { send: Send }} page */
   constructor(engine, robot, stepping, { send, printed, changed, ended, delay }) {
     this.engine = engine;
     this.robot = robot;

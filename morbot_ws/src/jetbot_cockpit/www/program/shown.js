@@ -81,7 +81,7 @@ export class Shown {
 
   // Asks whether the program is to become a text.
   ask() {
-    import("../python/question.js").then(({ beText }) => {
+    void import("../python/question.js").then(({ beText }) => {
       this.question ??= beText(async () => {
         const line = ownLine();
         this.convert(this.python);
