@@ -128,6 +128,25 @@ test("a page that Back brings out of the browser's cache connects at once, and o
   assert.deepEqual(problems, [""], "nothing is wrong");
 });
 
+test("however often it has connected again, Back, a second and a message count once, and nothing more is listened to",
+  async (t) => {
+    const { clock, page, sockets, received } = connect(t);
+    const listened = t.mock.method(globalThis, "addEventListener").mock;
+    for (let count = 0; count < 3; count += 1) {
+      sockets.at(-1).close();
+      await clock.pass(2250);
+      sockets.at(-1).open();
+    }
+    assert.equal(listened.callCount(), 0);
+    page.dispatchEvent(Object.assign(new Event("pageshow"), { persisted: true }));
+    assert.equal(sockets.length, 5);
+    sockets[4].open();
+    sockets[4].sent.length = 0;
+    await clock.pass(1000);
+    sockets[4].receive('{"type": "state"}');
+    assert.deepEqual([sockets[4].sent.length, received.length], [1, 1]);
+  });
+
 test("a connection that is cut off without an end is given up after three seconds", async (t) => {
   const { clock, socket, problems } = connect(t);
   for (let second = 0; second < 5; second += 1) {
