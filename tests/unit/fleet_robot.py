@@ -26,7 +26,9 @@ MORBOT = """#!/bin/sh
 # A small version of MorBot, for the tests of ./morbot fleet.
 here=$(cd "$(dirname "$0")" && pwd -P)
 case $1 in
-    setup) [ ! -e "$here/does_not_build" ] ;;
+    setup)
+        [ ! -e "$here/driven_meanwhile" ] || cp "$here/driven_meanwhile" "$HOME/state"
+        [ ! -e "$here/does_not_build" ] ;;
     doctor) [ ! -e "$here/ill" ] && [ ! -e "$HOME/ill" ] ;;
     robot)
         [ "$2" != --files ] || { echo "${here##*/} robot --files" >>"$HOME/calls"; exit; }
@@ -83,7 +85,7 @@ class Hub(WebSocketHandler):
             self.write_message({"type": "pong", "sent": message["sent"]})
 
 
-Application([("/hub", Hub)]).listen(int(port), "127.0.0.1")
+Application([("/hub", Hub)]).listen(int(port), "127.0.0.1", reuse_port=True)  # its predecessor may still be ending
 IOLoop.current().start()
 '''
 # Everything of the robot's side ends here, at the command that "cut" counts down to: its switch was turned off.
@@ -126,15 +128,11 @@ class Robot:
             real = service if name == "systemctl" else "/bin/true" if name == "sync" else shutil.which(name)
             write(self.commands / name, COUNTED.format(command=real))
         write(self.commands / "journalctl", '#!/bin/sh\necho "journalctl $*"\n')
+        write(self.commands / "sudo", '#!/bin/sh\nexec "$@"\n')  # where the tests are a user's
         write(folder / "login", f'#!/bin/sh\nexport HOME={self.home} PATH={self.commands}:/usr/bin:/bin\ncd\n'
                                 'exec sh -c "$SSH_ORIGINAL_COMMAND"\n')
-        self.new_host_key()
+        make_key(folder / "host_key")
         self.start_sshd()
-
-    def new_host_key(self):
-        key = self._folder / "host_key"
-        key.unlink(missing_ok=True)
-        subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", str(key)], check=True)
 
     def start_sshd(self):
         config = write(self._folder / "sshd_config", f"""
@@ -149,14 +147,10 @@ PidFile none
 ForceCommand {self._folder}/login
 """)
         self._sshd = start([*OWN_RUN, "/usr/sbin/sshd", "-D", "-e", "-f", str(config)], self._folder / "sshd.log")
-        wait(lambda: self.accepts(), self._sshd.log.read_text)
+        wait(lambda: accepts(self.ssh_port), self._sshd.log.read_text)
 
     def stop_sshd(self):
         end([self._sshd])
-
-    def accepts(self):
-        with socket.socket() as probe:
-            return probe.connect_ex(("127.0.0.1", self.ssh_port)) == 0
 
     def says(self, **state):
         """Let its next cockpit say this."""
@@ -170,10 +164,11 @@ ForceCommand {self._folder}/login
         return not (self.home / "cut").exists()
 
     def boot(self):
-        """Start it again, as systemd does."""
+        """Start it again, as systemd does, and wait until it answers."""
         (self.home / "cut").unlink(missing_ok=True)
         subprocess.run([str(self._folder / "systemctl"), "boot"], check=True,
                        env={**os.environ, "HOME": str(self.home)})
+        wait(lambda: accepts(self.port), (self.home / "log").read_text)
 
     @property
     def morbot(self):
@@ -193,6 +188,9 @@ ForceCommand {self._folder}/login
 
     def close(self):
         self.stop_sshd()
+        self.end_service()
+
+    def end_service(self):
         if not (self.home / "pid").exists():
             return
         group = int((self.home / "pid").read_text())
@@ -209,10 +207,13 @@ class Laptop:
     def __init__(self, folder, robot, fill):
         self.home, self.checkout, self.robot = folder / "laptop", folder / "checkout", robot
         self.home.mkdir()
-        subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", str(folder / "id")], check=True)
+        make_key(folder / "id")
+        self.public_key = (folder / "id.pub").read_text().split()[1]
         config = write(folder / "ssh_config", f"Port {robot.ssh_port}\nIdentityFile {folder}/id\nIdentitiesOnly yes\n"
                                               "BatchMode yes\n", 0o600)
-        write(folder / "bin/ssh", f'#!/bin/sh\nexec {shutil.which("ssh")} -F {config} "$@"\n')
+        self._ssh_log = folder / "ssh_arguments"
+        write(folder / "bin/ssh", f'#!/bin/sh\necho "$*" >>{self._ssh_log}\n'
+                                  f'exec {shutil.which("ssh")} -F {config} "$@"\n')
         self.environment = {**os.environ, "HOME": str(self.home), "PATH": f"{folder}/bin:{os.environ['PATH']}"}
         fill(self.checkout)
         self.git("init", "-q")
@@ -235,6 +236,10 @@ class Laptop:
         (self.checkout / name).unlink()
         return self.commit(f"without {name}")
 
+    def ssh_arguments(self):
+        """Return what ssh was given at all of its starts, without the dashes of keys that people type."""
+        return self._ssh_log.read_text().replace("-", "")
+
     def fleet(self, *arguments, **environment):
         """Type a command; return (exit code, all that it printed)."""
         with self.begin(*arguments, **environment) as running:
@@ -246,6 +251,43 @@ class Laptop:
         return subprocess.Popen([sys.executable, str(self.checkout / "morbot_ws/src/jetbot_class/scripts/fleet.py"),
                                  *arguments], env={**self.environment, **environment}, stdin=subprocess.DEVNULL,
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+class Saved:
+    """A robot and its laptop as they are now, for tests that each begin with them."""
+
+    def __init__(self, robot, laptop):
+        self.robot, self._folder = robot, robot.home.parent
+        self._names = [path.name for path in (robot.home, laptop.home, laptop.checkout)]
+        self._calls = robot.calls()
+        for name in self._names:
+            shutil.copytree(self._folder / name, self._folder / "saved" / name, symlinks=True)
+
+    def restore(self):
+        """Let both be as they were, and the service and sshd run."""
+        pid = self._folder / "saved" / self.robot.home.name / "pid"
+        is_other = not accepts(self.robot.port) or (self.robot.home / "pid").read_text() != pid.read_text()
+        if is_other:
+            self.robot.end_service()
+        for name in self._names:
+            shutil.rmtree(self._folder / name)
+            shutil.copytree(self._folder / "saved" / name, self._folder / name, symlinks=True)
+        if is_other:
+            self.robot.boot()
+            shutil.copy(self.robot.home / "pid", pid)
+            (self.robot.home / "calls").write_text("".join(f"{call}\n" for call in self._calls))
+        if not accepts(self.robot.ssh_port):
+            self.robot.start_sshd()
+
+
+def make_key(path):
+    subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", str(path)], check=True)
+
+
+def accepts(port):
+    """Return whether a program listens at this port."""
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
 
 
 def wait(condition, explanation=str):

@@ -1,26 +1,34 @@
 """./morbot fleet against a real sshd and real git: what a robot has after an update, whatever happens meanwhile."""
 
+import json
 import shutil
 import stat
 
 import pytest
-from fleet_robot import check_cut, make_world, wait
+from fleet_robot import STATE, Saved, check_cut, make_world, wait
 
 pytestmark = pytest.mark.skipif(not shutil.which("sshd", path="/usr/sbin:/usr/bin"), reason="needs openssh-server")
+DRIVEN = {"driver": {"id": 1, "name": "Ada", "said": None}}
+ADA_DRIVES = "jetbot_07: Ada drives it: update it later, or with --force"
 
 
-@pytest.fixture
-def world(tmp_path):
-    robot, laptop = make_world(tmp_path)
-    yield robot, laptop
-    robot.close()
+@pytest.fixture(scope="module")
+def world(tmp_path_factory):
+    robot, laptop = make_world(tmp_path_factory.mktemp("world"))
+    try:
+        code, said = laptop.fleet("--class", "7b", "add", "127.0.0.1", f"cockpit_port:={robot.port}",
+                                  "--name", "jetbot_07")
+        assert code == 0, said
+        yield robot, laptop, Saved(robot, laptop)
+    finally:
+        robot.close()
 
 
 @pytest.fixture
 def added(world):
-    robot, laptop = world
-    code, said = laptop.fleet("--class", "7b", "add", "127.0.0.1", f"cockpit_port:={robot.port}", "--name", "jetbot_07")
-    assert code == 0, said
+    """A robot that the laptop has just added, and the laptop."""
+    robot, laptop, saved = world
+    saved.restore()
     return robot, laptop
 
 
@@ -32,6 +40,7 @@ def test_a_robot_is_installed_named_and_listed(added):
     code, said = laptop.fleet("key", "jetbot_07")
     assert said.split()[1].replace("-", "") == (robot.home / "key").read_text()
     assert not (robot.morbot / "key").exists()
+    assert (robot.home / "key").read_text() not in laptop.ssh_arguments(), "others see the arguments of a program"
     code, said = laptop.fleet()
     assert code == 0 and said.splitlines()[1].split()[:3] == ["jetbot_07", f"127.0.0.1:{robot.port}", first[:8]], said
     hosts = laptop.home / ".ros/morbot_classes/7b/known_hosts"
@@ -105,12 +114,23 @@ def test_a_fault_that_the_old_version_finds_too_hinders_no_update(added):
 def test_a_robot_that_is_driven_is_not_updated(added):
     robot, laptop = added
     first = laptop.git("rev-parse", "HEAD")
-    robot.says(driver={"id": 1, "name": "Ada", "said": None})
+    robot.says(**DRIVEN)
     second = laptop.commit("second")
     code, said = laptop.fleet("update")
-    assert code == 1 and "jetbot_07: Ada drives it: update it later, or with --force" in said
+    assert code == 1 and ADA_DRIVES in said
     assert robot.current() == first
-    assert laptop.fleet("update", "--force")[0] == 0 and robot.current() == second
+    code, said = laptop.fleet("update", "--force")
+    assert code == 0 and robot.current() == second, said
+
+
+def test_who_begins_to_drive_while_the_version_is_built_drives_on(added):
+    robot, laptop = added
+    first, calls = laptop.git("rev-parse", "HEAD"), robot.calls()
+    second = laptop.commit("second", driven_meanwhile=json.dumps({**STATE, **DRIVEN}))
+    code, said = laptop.fleet("update")
+    assert code == 1 and ADA_DRIVES in said
+    assert robot.current() == first and robot.versions() == {first, second}
+    assert robot.calls() == calls, "nothing was started again"
 
 
 def test_a_robot_that_is_turned_off_starts_whole_and_the_next_update_heals(added):
@@ -130,9 +150,9 @@ def test_a_damaged_repository_is_replaced(added, damaged):
 
 def test_another_host_key_is_named(added):
     robot, laptop = added
-    robot.stop_sshd()
-    robot.new_host_key()
-    robot.start_sshd()
+    known = laptop.home / ".ros/morbot_classes/7b/known_hosts"
+    host, kind, _ = known.read_text().split()
+    known.write_text(f"{host} {kind} {laptop.public_key}\n")
     code, said = laptop.fleet("update")
     assert code == 1 and "127.0.0.1 has another host key than before" in said, said
 
@@ -168,11 +188,9 @@ def test_a_class_is_forgotten_on_its_robots_and_stays_where_one_is_out_of_reach(
     assert not (laptop.home / ".ros/morbot_classes/7b").exists()
 
 
-def test_no_key_is_among_the_arguments_of_a_program(world):
-    robot, laptop = world
-    (robot.commands / "git").unlink()
-    (robot.commands / "git").symlink_to("/bin/false")  # ends the command early
-    laptop.fleet("--class", "7b", "key", "jetbot_07")
-    code, said = laptop.fleet("add", "127.0.0.1", "--name", "jetbot_07")
+def test_a_robot_that_cannot_be_set_up_is_named_and_gets_no_key(added):
+    robot, laptop = added
+    laptop.commit("bad", does_not_build="")
+    code, said = laptop.fleet("add", "127.0.0.1", f"cockpit_port:={robot.port}")
     assert code == 1 and "it did not succeed on 127.0.0.1 (see above)" in said, said
-    assert not list(robot.home.rglob("key"))
+    assert not list(robot.morbot.rglob("key"))
