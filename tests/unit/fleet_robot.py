@@ -18,7 +18,7 @@ PACKAGES = ROOT / "morbot_ws/src"
 CHECKOUT = "jetbot", "jetbot_ros", "jetbot_cockpit", "jetbot_class", "jetbot_control_node"  # for ./morbot fleet
 COMMANDS = ("git", "tar", "mkdir", "ln", "mv", "touch", "sync", "rm", "readlink", "df", "flock", "cat", "systemctl")
 STATE = {"status": "stopped", "state": "stopped", "answers": True, "driver": None, "program": "", "health": None}
-TIMEOUT = 20.0  # s
+TIMEOUT = 120.0  # s, for a computer that does much else
 OWN_RUN = [] if os.geteuid() else [  # root's sshd wants a folder in /run, and gets a /run of its own
     "unshare", "--mount", "sh", "-c", 'mount -t tmpfs run /run && mkdir /run/sshd && exec "$@"', "sh"]
 
@@ -197,7 +197,7 @@ ForceCommand {self._folder}/login
         with contextlib.suppress(ProcessLookupError):
             os.killpg(group, signal.SIGTERM)
             with contextlib.suppress(AssertionError):
-                wait(lambda: os.killpg(group, 0))  # until there is none
+                wait(lambda: os.killpg(group, 0), timeout=20.0)  # until there is none
             os.killpg(group, signal.SIGKILL)
 
 
@@ -290,9 +290,9 @@ def accepts(port):
         return probe.connect_ex(("127.0.0.1", port)) == 0
 
 
-def wait(condition, explanation=str):
+def wait(condition, explanation=str, timeout=TIMEOUT):
     """Wait until something is so."""
-    ends_at = time.monotonic() + TIMEOUT
+    ends_at = time.monotonic() + timeout
     while not condition():
         assert time.monotonic() < ends_at, explanation()
         time.sleep(0.02)

@@ -3,6 +3,7 @@
 PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 """
 
+import json
 import math
 import time
 
@@ -32,20 +33,24 @@ class FakeRobot:
 
 
 class FakeLink:
-    """Stands for remote.link.Link. frozen: what is sent stays in the connection, and nothing comes."""
+    """Stands for remote.link.Link.
+
+    frozen: what is sent stays in the connection, and nothing comes; backlogged, stale: one of the two alone.
+    """
 
     made = []
 
     def __init__(self, address, fleet, receive, accept=lambda link: True, frames=True):
         self.address, self._receive, self._accept, self.frames = address, receive, accept, frames
         self.robot, self.instance, self.version, self.client, self.delay, self.problem = "", "", "", 0, None, None
-        self.frozen = self.closed = False
+        self.frozen = self.backlogged = self.stale = self.closed = False
         self.peer, self.reconnects, self.answered, self._pinged_at = None, 0, -math.inf, -math.inf
         self.made.append(self)
 
     def connect(self, peer):
         """The robot has proven its name."""
         self.peer, self.robot, self.instance, self.frozen = peer, peer.name, peer.instance, False
+        self.backlogged = self.stale = False
         self.problem = None
         if not self._accept(self):
             self.drop(self.problem)
@@ -64,8 +69,8 @@ class FakeLink:
         self.drop()
 
     def send(self, message):
-        if self.robot and not self.frozen:
-            self.peer.take(message)
+        if self.robot and not (self.frozen or self.backlogged):
+            self.peer.take(message if isinstance(message, dict) else json.loads(message))
         return bool(self.robot)
 
     def ping(self):
@@ -73,10 +78,10 @@ class FakeLink:
             self._pinged_at = time.monotonic()
 
     def is_fresh(self, now):
-        return bool(self.robot) and not self.frozen
+        return bool(self.robot) and not (self.frozen or self.stale)
 
     def is_backlogged(self):
-        return not self.robot or self.frozen
+        return not self.robot or self.frozen or self.backlogged
 
     def report(self):
         """The robot answers the pings, and says what it does."""

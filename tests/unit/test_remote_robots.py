@@ -58,9 +58,10 @@ def test_a_robot_that_comes_back_is_stopped_first_of_all(lesson):
     assert lesson.hub.unconfirmed() == ["/bob", "/cleo"]
 
 
-def test_a_stop_that_is_stuck_in_a_dead_connection_gets_a_new_one(lesson):
+@pytest.mark.parametrize("state", ["backlogged", "stale", "frozen"])
+def test_a_stop_that_is_stuck_in_a_dead_connection_gets_a_new_one(lesson, state):
     lesson.connect()
-    lesson.links["ada"].frozen = True
+    setattr(lesson.links["ada"], state, True)
     lesson.hub.stop_all()
     lesson.hub.update(later())
     assert {name: link.reconnects for name, link in lesson.links.items()} == {"ada": 1, "bob": 0, "cleo": 0}
