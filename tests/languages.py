@@ -72,7 +72,9 @@ def in_blockly(code: str) -> Set[str]:
 
 def messages(code: str) -> Dict[str, str]:
     """Return Blockly's own texts in a language, by their names."""
-    return {name: json.loads(text) for name, text in MESSAGE.findall((BLOCKLY / f"msg/{code}.js").read_text())}
+    file = BLOCKLY / f"msg/{code}.js"
+    assert file.exists(), f"write msg/{code}.js into jetbot_cockpit/fetch_blockly, and run it: {file} is missing"
+    return {name: json.loads(text) for name, text in MESSAGE.findall(file.read_text())}
 
 
 def keys(code: str) -> Set[str]:

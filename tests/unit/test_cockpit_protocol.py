@@ -94,7 +94,9 @@ def test_what_the_cockpit_says_in_another_form_is_named(message, problem):
 def test_the_tables_and_types_are_those_of_the_messages():
     write = runpy.run_path(str(ROOT / "docs/messages.py"))
     for file, wanted in (write["PROTOCOL"], write["documented"]), (write["TYPES"], lambda text: write["types"]()):
-        assert file.read_text() == wanted(file.read_text()), f"{file} is of before: ./morbot shell docs/messages.py"
+        text = file.read_text()
+        missing = [line for line in wanted(text).splitlines() if line not in text.splitlines()]
+        assert text == wanted(text), f"{file} lacks {missing}: ./morbot shell docs/messages.py"
 
 
 def test_why_a_socket_is_closed_is_documented_with_its_limits():

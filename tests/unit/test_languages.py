@@ -4,7 +4,7 @@ import re
 from unicodedata import east_asian_width
 
 import pytest
-from languages import CODES, in_pages, in_scripts, keys, messages, read
+from languages import CODES, WWW, in_pages, in_scripts, keys, messages, read
 
 NAMES = re.compile(r"\{\w+\}|%\d")
 LABELS = {"Stop": "Stop {robot}", "Release": "Release {robot}", "Undo": "Undo: {name}", "Copy": "Copy: {name}",
@@ -12,13 +12,21 @@ LABELS = {"Stop": "Stop {robot}", "Release": "Release {robot}", "Undo": "Undo: {
 
 
 @pytest.mark.parametrize("code", CODES)
+def test_each_language_can_be_chosen(code):
+    rows = (WWW / "language.js").read_text().partition("LANGUAGES")[2].partition(";")[0]
+    assert re.search(rf"\b{code}\b", rows), f'write into LANGUAGES of www/language.js: {code}: "its own name"'
+
+
+@pytest.mark.parametrize("code", CODES)
 def test_each_sentence_of_the_pages_is_translated(code):
-    assert not sorted(keys(code) - read(code).keys())
+    missing = "".join(f'\n  "{key}": "..."' for key in sorted(keys(code) - read(code).keys()))
+    assert not missing, f"write into www/languages/{code}.json:{missing}"
 
 
 @pytest.mark.parametrize("code", CODES)
 def test_there_is_no_translation_of_a_sentence_that_no_page_shows(code):
-    assert not sorted(read(code).keys() - keys(code))
+    unused = "".join(f'\n  "{key}"' for key in sorted(read(code).keys() - keys(code)))
+    assert not unused, f"delete from www/languages/{code}.json:{unused}"
 
 
 @pytest.mark.parametrize("code", CODES)

@@ -56,7 +56,10 @@ def first(names):
 
 
 def test_each_package_has_its_place():
-    assert set(MANIFESTS) == set(ORDER)
+    for package, manifest in MANIFESTS.items():
+        above = f'"{package}", after {", ".join(sorted(depends(package) & set(ORDER))) or "nothing"}'
+        assert package in ORDER, f"write into ORDER of tests/unit/test_layers.py: {above} ({manifest})"
+    assert not set(ORDER) - set(MANIFESTS), "delete from ORDER of tests/unit/test_layers.py what is no package any more"
 
 
 def test_a_package_depends_on_those_below_it():

@@ -74,11 +74,17 @@ def test_each_plan_fills_its_hours():
     assert {hours: sum(minutes) for hours, minutes in PLANS.items()} == {hours: 60 * hours for hours in PLANS}
 
 
-def test_the_plan_has_each_lesson_with_its_title():
-    linked = re.findall(r"^\| \[([^\]]+)\]\(lessons/(\w+\.md)\) \|", GUIDE, re.MULTILINE)
+@pytest.mark.parametrize("listing, folder, cells", [
+    ("docs/teaching.md", "lessons/", "minutes in each plan"), ("docs/lessons/README.md", "", "you learn")])
+def test_the_plan_and_the_list_have_each_lesson_with_its_title(listing, folder, cells):
+    rows = re.findall(rf"^\| \[([^\]]+)\]\({folder}(\w+\.md)\) \|", (ROOT / listing).read_text(), re.MULTILINE)
+    linked = {page: title for title, page in rows}
     titles = {page: (ROOT / "docs/lessons" / page).read_text().splitlines()[0] for page in PAGES}
     numbered = {page: re.sub(r"^# (?:Lesson (\d+):)?", r"\1.", title).strip(". ") for page, title in titles.items()}
-    assert {page: title for title, page in linked} == numbered
+    for page, title in numbered.items():
+        row = f"| [{title}]({folder}{page}) | {cells} |"
+        assert linked.pop(page, None) == title, f"write into {listing}: {row}"
+    assert not linked, f"delete from {listing} what is no lesson"
 
 
 def test_each_task_has_a_level():
