@@ -29,13 +29,12 @@ ALLOWED_SKIPS = {  # in CI, where any other skip is an error: a part of a test's
 
 
 def pytest_addoption(parser):
-    parser.addoption("--long", action="store_true", help="run all rows of the long tables, too, which takes an hour")
+    parser.addoption("--long", action="store_true", help="run what is marked as long, too, which takes an hour")
 
 
 def pytest_configure(config):
     """Forget the robot of the shell that starts the tests; end the fixtures also if the tests are ended by SIGTERM."""
-    if config.getoption("--long"):
-        os.environ["ALL_PROGRAMS"] = "1"
+    config.addinivalue_line("markers", "long: runs with --long alone")
     for name in filter(OF_A_ROBOT.match, list(os.environ)):
         del os.environ[name]
     os.environ["ROS_HOSTNAME"] = "localhost"
@@ -82,11 +81,14 @@ def rank(scope):
     return next((index for index, part in enumerate(PARTS) if scope == BROWSER + part), len(PARTS))
 
 
-def pytest_collection_modifyitems(items):
-    """Start with the longest tests, so that no process is left with one at the end.
+def pytest_collection_modifyitems(config, items):
+    """Leave out what is long, and start with the longest of the others, so that no process is left with one at the end.
 
     pytest-xdist gives each process two scopes at once; the second ones are short, as they wait for the first.
     """
+    if not config.getoption("--long"):
+        config.hook.pytest_deselected(items=[item for item in items if item.get_closest_marker("long")])
+        items[:] = [item for item in items if not item.get_closest_marker("long")]
     longest = list(dict.fromkeys(scope_of(item.nodeid) for name in LONGEST for item in items if name in item.nodeid))
     scopes = sorted(dict.fromkeys(scope_of(item.nodeid) for item in items), key=rank)
     others = [scope for scope in scopes if scope not in longest]

@@ -1,6 +1,5 @@
 """Fixtures: one world with two robots, and two browsers, for all tests; each test opens the page again."""
 
-import os
 import shutil
 from contextlib import contextmanager
 from functools import partial
@@ -16,12 +15,9 @@ TABLET = (1024, 768)  # px
 ROBOT, OTHER_ROBOT = "jetbot_01", "jetbot_02"
 
 
-ALL = "ALL_PROGRAMS" in os.environ  # whether what takes long runs, too
-
-
 def some(rows: Iterable, *always) -> list:
-    """Return the rows of a long table that run each time: with ALL_PROGRAMS in the environment, all of them."""
-    return list(rows if ALL else always)
+    """Return the rows of a table as parameters, of which only these run without --long."""
+    return [pytest.param(row, marks=() if row in always else pytest.mark.long) for row in rows]
 
 
 def need(programs: str, packages: str) -> None:
@@ -29,8 +25,7 @@ def need(programs: str, packages: str) -> None:
     missing = [program for program in programs.split() if not (shutil.which(program) or find_spec(program))]
     if not missing:
         return
-    reason = f"{' and '.join(missing)} not installed: sudo apt install {packages}"
-    (pytest.fail if "ALL_BROWSERS" in os.environ else pytest.skip)(reason)
+    pytest.skip(f"{' and '.join(missing)} not installed: sudo apt install {packages}")
 
 
 @contextmanager

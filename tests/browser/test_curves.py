@@ -157,7 +157,7 @@ def check_prints(page, rows):
 
 
 def test_two_drives_are_above_each_other_and_pause_holds_the_picture(blocks, world):
-    page = blocks(TURNS)
+    page = blocks(program(drive(0.5, 0.6)))
     show_curves(page)
     run(page, world)
     world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)

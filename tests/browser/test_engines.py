@@ -1,4 +1,7 @@
-"""What matters most, in each engine: on iPads is WebKit, on Debian's desktop Firefox. Chromium is the measure."""
+"""What matters most, in each engine: on iPads is WebKit, on Debian's desktop Firefox.
+
+In Chromium, which all other tests use, only what they do not show runs without --long.
+"""
 
 import signal
 from functools import partial
@@ -11,7 +14,7 @@ from harness import program
 from jetbot.fake.motors import STOPPED
 from processes import end
 
-from .conftest import OTHER_ROBOT, ROBOT, need, opened, started
+from .conftest import OTHER_ROBOT, ROBOT, need, opened, some, started
 from .test_dead_man import freeze
 from .test_driving import KEYS, hold
 from .test_stop import release, wait_for_stop
@@ -27,7 +30,10 @@ WRONG = "This code is wrong, or not valid any more. Ask for the new one."
 LANGUAGES = {"chromium": "fr-FR", "webkit": "es-ES", "firefox": "de-DE"}  # that each asks for: all else is in English
 
 
-@pytest.fixture(scope="session", params=ENGINES)
+in_all = pytest.mark.parametrize("engine", ENGINES, indirect=True)
+
+
+@pytest.fixture(scope="session", params=some(ENGINES, "webkit", "firefox"))
 def engine(request, tmp_path_factory):
     """A function that returns a browser of this engine."""
     need(*ENGINES[request.param])
@@ -64,6 +70,7 @@ def drive(page, world):
     world.hold(page, page.hold_mouse, page.let_go_mouse, ROBOT)
 
 
+@in_all
 def test_a_mouse_drives_until_its_button_is_let_go(page, world):
     def hold_on():
         drive(page, world)
@@ -102,6 +109,7 @@ def test_a_killed_browser_stops_the_robot(victim, world):
 
 
 @pytest.mark.parametrize("event", ["visibilitychange", "blur"])
+@in_all
 def test_a_page_that_is_hidden_stops_the_robot_by_its_own_command_at(event, page, world):
     page.notice_only(event)
     drive(page, world)
@@ -163,12 +171,14 @@ def test_a_program_drives_until_stop_or_until_its_page_is_hidden(programs, world
 
 
 def drives_until_each_end(programs, world, line):
-    for sentence, end_it in ENDS.items():
+    def drives_until(sentence, end_it):
         world.hold(programs, lambda: programs.click("#run"), lambda: programs.click("#end"), ROBOT)
         programs.wait_for(lambda: programs.has(line), "the line that runs")
         with world.stops(ROBOT, what=sentence):
             end_it(programs)
         programs.wait_for_text("outcome", programs.say(sentence))
+    for sentence, end_it in ENDS.items():
+        world.undisturbed(programs, partial(drives_until, sentence, end_it))
 
 
 def test_a_text_is_edited_and_drives_until_stop_or_until_its_page_is_hidden(programs, world):
@@ -190,6 +200,7 @@ def class_judge(world):
     end([process])
 
 
+@pytest.mark.long
 def test_judge_me_gives_a_score(programs, world, class_judge):
     metre = programs.say("One metre")
     programs.set("examples", metre)
@@ -204,6 +215,7 @@ def test_nothing_is_loaded_from_another_address(page, world):
         assert {url for url in loaded if not url.startswith(world.address)} == set()
 
 
+@in_all
 def test_both_pages_are_in_the_language_that_the_browser_asks_for(engine, world, request):
     language = LANGUAGES[request.node.callspec.params["engine"]][:2]
     for path in "", "program":

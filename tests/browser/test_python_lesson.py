@@ -11,7 +11,7 @@ from jetbot.wait import wait_until
 from processes import end
 
 from .cockpit_page import INTERRUPTED
-from .conftest import ALL, ROBOT, TABLET, some
+from .conftest import ROBOT, TABLET, some
 from .test_curves import column, drives, read_table, values, wait_for_end
 from .test_python_page import is_marked, marked
 from .test_tablet_lesson import tap
@@ -177,7 +177,7 @@ def step(page):
     return marked(page, "now").strip()
 
 
-@pytest.mark.skipif(not ALL, reason="it drives most of a minute: ALL_PROGRAMS=1 ./morbot test FILE")
+@pytest.mark.long
 def test_a_loop_and_a_function_with_a_parameter(page, world):
     change(page, INDENT + COMMAND, COMMAND, LOOP)
     assert run(page, world) == [STRAIGHT, LEFT] * 4, "a square"
@@ -197,6 +197,7 @@ def test_a_loop_and_a_function_with_a_parameter(page, world):
     page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
 
 
+@pytest.mark.long
 def test_curves_show_a_ramp_two_drives_above_each_other_and_the_best(page, world):
     tap(page, "#show-curves")
     page.wait_for(lambda: page.has("#curves canvas") and "Wheels" in values(page), "the curves")

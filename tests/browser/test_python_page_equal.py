@@ -1,6 +1,6 @@
 """The same file drives a robot by rosrun and in the page: the same commands in the same order, to the same place.
 
-Each takes a quarter of a minute, so not all run each time. All of them: ALL_PROGRAMS=1 ./morbot test FILE.
+Each takes a quarter of a minute, so not all run each time. All of them: ./morbot test FILE --long.
 """
 
 import math
@@ -158,7 +158,7 @@ def compare(name, here, page):
         assert abs(math.remainder(ours.place[2] - theirs.place[2], math.tau)) < ANGLE, report
 
 
-@pytest.mark.parametrize("name", some(sorted(TEXTS), "eyes.py", "jetbot_motion_control.py", "timers.py"))
+@pytest.mark.parametrize("name", some(sorted(TEXTS), "jetbot_motion_control.py"))
 def test_a_file_drives_in_the_page_as_by_rosrun(name, blocks, world, tmp_path):
     file = tmp_path / name
     file.write_text(TEXTS[name])

@@ -1,6 +1,6 @@
 """What a pupil's Python in the page can do: drive its robot until it is stopped, and nothing else.
 
-It takes minutes, so not all runs each time. All of it: ALL_PROGRAMS=1 ./morbot test FILE.
+It takes minutes, so not all runs each time. All of it: ./morbot test FILE --long.
 """
 
 import json
@@ -14,7 +14,7 @@ import pytest
 from .conftest import OTHER_ROBOT, ROBOT, some
 from .programs import program
 from .test_dead_man import freeze
-from .test_engines import ENGINES, engine  # noqa: F401
+from .test_engines import ENGINES, engine, in_all  # noqa: F401
 
 DRIVE = """import rospy
 from geometry_msgs.msg import Twist
@@ -62,8 +62,7 @@ def show_text(page, text):
     page.wait_for(lambda: text.splitlines()[-1].strip() in page.text("text"), "the text")
 
 
-@pytest.mark.parametrize("busy", some(
-    BUSY, "a loop that is not broken", "a long calculation", "prints", "a long wait", "its end"))
+@pytest.mark.parametrize("busy", some(BUSY, "a loop that is not broken", "prints", "its end"))
 def test_stop_ends_a_text_whatever_it_does_and_the_next_one_runs(blocks, world, busy):
     page = blocks({**program(), "python": DRIVE + BUSY[busy]})
 
@@ -82,7 +81,7 @@ def test_stop_ends_a_text_whatever_it_does_and_the_next_one_runs(blocks, world, 
 
 
 @pytest.mark.parametrize("busy", some(["a loop", "a long calculation", "prints", "commands", "a long wait"],
-                                      "a long calculation", "commands"))
+                                      "a long calculation"))
 def test_pause_stops_a_text_whatever_it_does_and_step_goes_on(blocks, world, busy):
     page = blocks({**program(), "python": DRIVE + BUSY[busy]})
     world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)
@@ -103,8 +102,8 @@ def test_a_text_that_computes_stops_its_robot_after_a_second_and_says_so(blocks,
 
 @pytest.mark.parametrize("text, sentence", [
     ("import sys\nsys.modules['_page'].show(5)", "Python stopped unexpectedly. Run the program again."),
-    ("x = [0] * 10 ** 9", "too much memory"),
-    ("def f(): f()\nf()", "calls itself"),
+    pytest.param("x = [0] * 10 ** 9", "too much memory", marks=pytest.mark.long),
+    pytest.param("def f(): f()\nf()", "calls itself", marks=pytest.mark.long),
 ])
 def test_a_text_that_fails_stops_its_robot_says_why_and_the_next_one_runs(blocks, world, text, sentence):
     page = blocks({**program(), "python": f"{DRIVE}rospy.sleep(0.5)\n{text}"})
@@ -179,6 +178,7 @@ def hostile(world):
     server.server_close()
 
 
+@in_all
 def test_javascript_in_a_texts_worker_reaches_nothing_either(engine, hostile):  # noqa: F811
     address, reached = hostile
     page = engine()
@@ -205,17 +205,17 @@ def texts(engine, world):  # noqa: F811
     world.delete_programs()
 
 
-in_some_engines = pytest.mark.parametrize("engine", some(ENGINES, "chromium"), indirect=True)
+in_chromium = pytest.mark.parametrize("engine", some(ENGINES, "chromium"), indirect=True)  # --long: in all
 
 
-@in_some_engines
+@in_chromium
 def test_a_frozen_browser_stops_a_texts_robot_which_drives_again_only_after_run(texts, world):
     freeze(texts, world)
     world.stay_stopped(ROBOT, for_seconds=0.5)
     texts.wait_for(lambda: not texts.run("return document.getElementById('run').disabled"), "the program's end")
 
 
-@in_some_engines
+@in_chromium
 def test_a_killed_browser_stops_a_texts_robot(texts, world):
     with world.stops(ROBOT, what="SIGKILL of the browser"):
         texts.signal(signal.SIGKILL)
@@ -233,8 +233,8 @@ ENDS = {
 }
 
 
-@in_some_engines
-@pytest.mark.parametrize("end", ENDS)
+@in_chromium
+@pytest.mark.parametrize("end", some(ENDS, "Escape", "a hidden page", "another robot", "a changed text"))
 def test_a_text_ends_as_blocks_do_at(end, texts, world):
     act, sentence = ENDS[end]
     with world.stops(ROBOT, what=end):
