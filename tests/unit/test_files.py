@@ -77,6 +77,19 @@ def test_permissions_are_kept(file):
     assert file.stat().st_mode & 0o777 == 0o640
 
 
+@pytest.mark.parametrize("exists", [True, False])
+def test_nobody_else_reads_a_secret_at_any_moment(file, exists):
+    if not exists:
+        file.unlink()
+
+    def readable():
+        return [each.name for each in file.parent.iterdir() if each.stat().st_mode & 0o077 and each.read_bytes() != OLD]
+
+    seen = during(lambda: files.replace_secret(file, NEW), readable)
+    assert len(seen) > 20 and not any(seen)
+    assert (file.stat().st_mode & 0o777, file.read_bytes()) == (0o600, NEW)
+
+
 def test_a_full_disk_changes_nothing(file, monkeypatch):
     monkeypatch.setattr(os, "fsync", lambda descriptor: os.write(os.open("/dev/full", os.O_WRONLY), b"x"))
     with pytest.raises(OSError, match="No space left on device"):

@@ -2,6 +2,7 @@
 
 import contextlib
 import errno
+import functools
 import itertools
 import os
 import secrets
@@ -58,8 +59,9 @@ def replace(file: Name, content: bytes) -> None:
     """
     target = Path(os.path.realpath(file))
     new = target.with_name(f".{secrets.token_hex(8)}.new")
+    mode = 0o600 if target.exists() else 0o666  # nobody reads it before it has the permissions of the old file
     try:
-        with new.open("xb") as stream:
+        with open(new, "xb", opener=functools.partial(os.open, mode=mode)) as stream:
             stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())
