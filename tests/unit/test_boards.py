@@ -2,15 +2,16 @@
 
 import itertools
 from random import Random
+from unittest.mock import Mock, call
 
 import pytest
 
 from conftest import registers
-from jetbot import BusError, InvalidValue
+from jetbot import BusError, InvalidValue, i2c
 from jetbot.boards import find_board
 from jetbot.connection import open_board, stop_board
 from jetbot.fake import chip_file
-from jetbot.fake.bus import power_on
+from jetbot.fake.bus import FakeBus, power_on
 from jetbot.fake.motors import wheel_speeds
 
 OFF, HIGH, HALF = "00000010", "00100000", "00000008"
@@ -124,6 +125,13 @@ def test_the_guard_stops_a_board_without_reading_it(folder, wire, monkeypatch):
     monkeypatch.setattr(wire, "read_i2c_block_data", None)
     stop_board(find_board("adafruit"), f"fake:{folder}")
     assert wheel_speeds(folder) == (0, 0)
+
+
+def test_the_guards_stop_closes_the_bus(folder, monkeypatch):  # it may try again for ten minutes
+    bus = Mock(wraps=FakeBus(folder))
+    monkeypatch.setattr(i2c, "open_bus", lambda *_: bus)
+    stop_board(find_board("adafruit"), f"fake:{folder}")
+    assert bus.mock_calls[-1] == call.close()
 
 
 def test_a_board_on_a_serial_port_has_no_address():

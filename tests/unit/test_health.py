@@ -110,7 +110,8 @@ def test_a_file_that_lies_hides_no_other_and_is_not_believed(make, tmp_path, spo
     ([" wlan0: 0000    0.  -256.  -256 0 0 0 0 0 0"], None),  # not connected
     ([" wlan0: 0000   70.   45.    0.  0 0 0 0 0 0"], None),  # a driver that reports a percentage
     ([" wlan0: 0000"], None), (["wlan0: 0000 x y z"], None), ([], None),
-    ([" wlan0: 0000    0.  -256. -256 0 0 0 0 0 0", "wlx00c0: 0000 40. -72. -256 0 0 0 0 0 0"], -72)])
+    ([" wlan0: 0000    0.  -256. -256 0 0 0 0 0 0", "wlx00c0: 0000 40. -72. -256 0 0 0 0 0 0"], -72),
+    ([" wlan0: 0000   20.  -80.  -256 0 0 0 0 0 0", "wlx00c0: 0000 40. -60. -256 0 0 0 0 0 0"], -60)])  # the better one
 def test_the_wifi_that_is_connected_counts(make, lines, dbm):
     asked = []
     readings = make(wifi(*lines), lambda interface: asked.append(interface) or True).read()

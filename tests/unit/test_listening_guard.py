@@ -2,6 +2,7 @@
 
 import os
 import signal
+import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -13,7 +14,7 @@ from conftest import PYTHONPATH
 from jetbot import Robot, guard
 from jetbot.errors import GuardError
 from jetbot.fake.motors import wheel_speeds
-from jetbot.guard.__main__ import is_in_use
+from jetbot.guard.__main__ import is_in_use, serve_in_child
 from jetbot.robot import open_robots
 from jetbot.wait import wait_until
 
@@ -113,6 +114,14 @@ def test_another_users_guard_is_no_guard(folder, tmp_path, listener, monkeypatch
     monkeypatch.setattr(os, "geteuid", lambda: 12345)
     with pytest.raises(GuardError, match="it belongs to the user "):
         Robot(i2c_bus=f"fake:{folder}")
+
+
+def test_another_user_is_not_guarded(monkeypatch):
+    monkeypatch.setattr(os, "geteuid", lambda: 12345)
+    monkeypatch.setattr(os, "fork", lambda: pytest.fail("it is served"))
+    ours, theirs = socket.socketpair()
+    with ours, theirs, pytest.raises(PermissionError):
+        serve_in_child(None, theirs)
 
 
 def test_a_second_listener_is_refused(listener):

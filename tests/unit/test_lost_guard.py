@@ -45,6 +45,12 @@ def test_a_guard_that_is_killed_or_frozen_stops_the_wheels_and_is_replaced(folde
         os.kill(first, 0)
 
 
+def test_a_robot_that_is_closed_has_ended_its_guard_which_would_stop_the_next_one(folder):
+    with Robot(i2c_bus=f"fake:{folder}"):
+        first = guard_process()
+    assert first not in children(os.getpid())
+
+
 @pytest.mark.parametrize("signum", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_program_that_only_waits_loses_its_guard_stops_and_drives_again_when_told(folder, guarded_robot, signum):
     guarded_robot.forward()
