@@ -153,6 +153,12 @@ def test_a_twitch_is_no_drive():
         judge(TASKS["metre"], twitch)
 
 
+def test_a_robot_that_creeps_has_not_stopped():
+    metre = perfect(TASKS["metre"].steps, rest=0)
+    creeping = [Sample(metre[-1].time + number / 50, Pose(1.0 + 0.0008 * number / 50), 0.0008) for number in range(500)]
+    assert judge(TASKS["metre"], metre + creeping).drive.end.x == pytest.approx(1.008, abs=0.001)
+
+
 def test_a_robot_that_never_stops_is_judged_after_the_time_limit():
     samples = [Sample(number / 50, Pose(0.01 * number / 50), 0.01) for number in range(10000)]
     assert judge(TASKS["metre"], samples).drive.seconds == pytest.approx(60, abs=0.2)
