@@ -47,16 +47,26 @@ class InterruptedChip(FakeBus):
             raise no_answer()
         carried = min(length, self._fault[0] - self.bytes) if self._fault else length
         self.bytes += carried
-        before = bytes(self.registers)
-        for end in range(1, max(0, carried - 2) + 1):
-            self.registers[:] = before
-            self.chip.write(self.registers, register, data[:end])
-            self.seen.append(bytes(self.registers))
+        states = after_each_byte(self.chip, bytes(self.registers), register, tuple(data))[:max(0, carried - 2)]
+        if states:
+            self.registers[:] = states[-1]
+            self.seen += states
         if carried < length:
             kind, self._fault, self._refused = self._fault[1], None, self._refused_later
             if kind == BROWN_OUT:
                 self.registers[:] = self.chip.POWER_ON
             raise no_answer()
+
+
+@functools.lru_cache(maxsize=1000)
+def after_each_byte(chip, registers, register, data):
+    """The registers of a chip after each byte of a transfer, in case that it ends there."""
+    states = []
+    for end in range(1, len(data) + 1):
+        changed = bytearray(registers)
+        chip.write(changed, register, data[:end])
+        states.append(bytes(changed))
+    return states
 
 
 @functools.lru_cache(maxsize=100_000)
