@@ -26,7 +26,7 @@ const square = (fields) => ({ id: ID.square, robot: "/red", name: "Square", prog
 
 // A cockpit with these programs: { id, robot, name, program, version }; the newest change first; and with this class.
 function cockpit(t, programs, classId) {
-  const state = { programs, classId, online: true, refuses: null };
+  const state = { programs, classId, online: true, refuses: null, conflicts: [] };
   const find = (id) => state.programs.find((each) => each.id === id);
   const put = (changed) => {
     state.programs = [changed, ...state.programs.filter(({ id }) => id !== changed.id)];
@@ -37,6 +37,7 @@ function cockpit(t, programs, classId) {
     open: ({ id }) => (find(id) ? { class: state.classId, ...find(id) } : refuse(409, "This program is gone.")),
     save: ({ version, do: _, ...fields }) => {
       if (![null, undefined, state.classId].includes(fields.class)) return refuse(409, "Another class.", "other_class");
+      if (version < find(fields.id)?.version) state.conflicts.push(fields.name);
       return put({ ...fields, class: state.classId, version: version + 1, deleted: false });
     },
     delete: ({ id }) => put({ ...find(id), deleted: true }),
@@ -475,11 +476,11 @@ test("a deleted program that has made room for others is not sent again", async 
   assert.deepEqual([page.name, state.programs], ["Mine", []]);
 });
 
-// Plays a person's lesson with what is drawn; returns the cockpit in the end, and what they made last of each program.
+// Plays a person's lesson with what is drawn; returns the cockpit's programs, and what they made last.
 async function live(t, draw) {
   let { clock, state, page } = await open(t, { has: [], classId: "a", listed: false });
   let robot = null;
-  const made = new Map();
+  const [made, conflicts] = [new Map(), []];
   const acts = {
     edit() {
       page.edit(page.name, text(`change ${made.size} ${draw(1e9)}`));
@@ -492,6 +493,7 @@ async function live(t, draw) {
     choose: () => page.hear(robot &&= ["/red", "/blue"][draw(2)]),
     async reload() {
       await settled();
+      conflicts.push(...state.conflicts);
       ({ clock, state, page } = await open(t, { ...page, has: state.programs, classId: "a", listed: false }));
     },
   };
@@ -501,15 +503,16 @@ async function live(t, draw) {
     await page.hear(each);
     await clock.pass(5000);
   }
-  return [state.programs, made];
+  return [state.programs, made, [...conflicts, ...state.conflicts]];
 }
 
 test("what a person makes, also without a network or a robot, and reloads, the cockpit has in the end", async (t) => {
   for (let seed = 1; seed <= 40; seed += 1) {
     const random = stream(seed);
-    const [programs, made] = await live(t, (below) => Math.floor(random() * below));
+    const [programs, made, conflicts] = await live(t, (below) => Math.floor(random() * below));
     const kept = new Map(programs.map(({ id, program }) => [id, program]));
     assert.deepEqual([...made].filter(([id, program]) => kept.get(id) !== program), [], `seed ${seed}`);
+    assert.deepEqual(conflicts, [], `seed ${seed}: each change is of the version before it`);
   }
 });
 

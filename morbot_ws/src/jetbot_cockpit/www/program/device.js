@@ -36,7 +36,10 @@ export function leave(kept) {
 
 // Keeps a program that is not shown as long as it is unsaved.
 export function keepAside(kept) {
-  if (load(recall(keyOf(kept)))?.id === kept.id) remember(keyOf(kept), JSON.stringify(entry(kept))); // was shown last
+  const { robot } = kept; // it was shown last, perhaps before it found its robot, or its class
+  for (const key of [keyOf(kept), keyOf({ robot, classId: null }), recall(LAST)]) {
+    if (load(recall(key))?.id === kept.id) remember(key, JSON.stringify(entry(kept)));
+  }
   const others = keptAside().filter(({ id }) => id !== kept.id);
   const all = kept.content && kept.state.unsaved ? [...others, entry(kept)] : others;
   if (others.length || all.length || recall(ASIDE)) remember(ASIDE, JSON.stringify(all));
