@@ -128,15 +128,18 @@ test("a program that is stopped stops the robot at once, and does nothing any mo
   assert.deepEqual([page.sent.length, page.prints, page.ends], [count, [], [["Stopped.", null]]]);
 });
 
-test("after the page was frozen its program drives no robot", async (t) => {
-  const page = await begin(t, program([drive(0.5, 30)]));
-  await page.clock.pass(500);
-  page.clock.freeze(400);
-  const count = page.sent.length;
-  await page.clock.pass(500);
-  assert.deepEqual(page.ends, [["This page was interrupted, so the robot stopped.", null]]);
-  assert.deepEqual(page.sent.slice(count), [ZERO]);
-});
+for (const [first, act] of [["notices it", () => {}], ["sends a command", ({ run }) => run.command(0.5, 0)]]) {
+  test(`after the page was frozen its program drives no robot, also if it first ${first}`, async (t) => {
+    const page = await begin(t, program([drive(0.5, 30)]));
+    await page.clock.pass(500);
+    page.clock.freeze(400);
+    const count = page.sent.length;
+    act(page);
+    await page.clock.pass(500);
+    assert.deepEqual(page.ends, [["This page was interrupted, so the robot stopped.", null]]);
+    assert.deepEqual(page.sent.slice(count), [ZERO]);
+  });
+}
 
 test("a program that was frozen while it waited has ended, too", async (t) => {
   const page = await begin(t, program([block("robot_wait", { SECONDS: 30 })]));
