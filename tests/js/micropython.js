@@ -1,5 +1,7 @@
 // Python as a page runs it, with a page that a test plays: its clock is turned by the program's waits.
 
+import "./quick_wasm.js";
+
 import { readFileSync } from "node:fs";
 
 import { mark } from "#www/python/marks.js";

@@ -1,5 +1,7 @@
 // A page's text runs here as in a browser: by engine.js, in worker.js; Node's workers play the browser's.
 
+import "./quick_wasm.js";
+
 import { readFileSync } from "node:fs";
 import { Worker as Thread } from "node:worker_threads";
 
