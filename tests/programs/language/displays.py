@@ -46,4 +46,5 @@ print(own.title(), own.title(*"ab", center=[*"c"]), own.center(), own.zfill())
 grid = [[0] * 3 for _ in range(2)]
 grid[1][::2]
 print(grid[1][::2], [row[::-1] for row in grid])
+print(numbers[1:2:], text[::])
 numbers[5].title()
