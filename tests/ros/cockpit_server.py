@@ -3,6 +3,7 @@
 PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 """
 
+import functools
 import json
 import time
 from types import SimpleNamespace
@@ -14,9 +15,11 @@ from jetbot_cockpit.robots.recording import Recording
 from jetbot_cockpit.session.pages import Pages
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.snapshot import RobotSnapshot
+from jetbot_cockpit.web import server as servers
 from jetbot_cockpit.web.access import Access, make_grants, numbered
 from jetbot_cockpit.web.addresses import listen
 from jetbot_cockpit.web.handout import Card
+from jetbot_cockpit.web.page_files import read_files
 from jetbot_cockpit.web.server import Server
 from jetbot_cockpit.web.work import Work, Works
 from jetbot_ros.state import RobotState
@@ -28,6 +31,7 @@ TEACHER, FIRST_PUPIL, _ = GRANTS
 PING = {"type": "ping", "sent": 1}
 STOP = {"type": "stop"}
 DRIVE = {"type": "drive", "robot": "/", "forward": 1, "left": 0}
+servers.read_files = functools.lru_cache(maxsize=None)(read_files)  # the page's, once for all servers of the tests
 
 
 class StandIn:
