@@ -3,30 +3,21 @@
 import json
 import os
 import pty
-import subprocess
+import signal
+import socket
 import sys
+import tempfile
+import traceback
 from pathlib import Path
 
 from conftest import PYTHONPATH, ROOT
-from jetbot_cockpit.remote.key import robot_key
-
-KEY = robot_key("A" * 26, "jetbot_07")
-PROGRAM = """
-import os, socket, sys
-from pathlib import Path
-root = Path(sys.argv[1])
-socket.gethostname = lambda: (root / "etc/hostname").read_text().strip()
-os.getuid = lambda: 1000
 from jetbot import JetbotError
 from jetbot_class.robot import commands, computer, service
-service.ROOT = root.parent / os.environ["FOLDER"]
-commands.is_free = lambda port: str(port) not in os.environ["TAKEN"].split()
-commands.answers, commands.READY_TIMEOUT = (lambda port: os.environ["ANSWERS"] == "yes"), 0
-try:
-    sys.exit(commands.main(sys.argv[2:], computer.Computer(root)))
-except JetbotError as error:
-    sys.exit(str(error))
-"""
+from jetbot_cockpit.remote.key import robot_key
+
+TIMEOUT = 60  # s
+
+KEY = robot_key("A" * 26, "jetbot_07")
 SUDO = """echo "$@" >>"$LOG"
 [ "$(wc -l <"$LOG")" != "$KILL_AT" ] || { kill -9 $PPID; exit 1; }
 [ "$1" != "$FAILS" ] || exit 1
@@ -73,20 +64,44 @@ class RobotComputer:
                        "LOG": str(self.log), "ROOT": str(self.root), "KILL_AT": str(kill_at), "FOLDER": "MorBot",
                        "TAKEN": "", "FAILS": "", "CUT": "",
                        "ANSWERS": "yes", "LOGNAME": "kim", "LANG": "C.UTF-8", **environment}
-        command = [sys.executable, "-c", PROGRAM, self.root, *words]
-        options = {"env": environment, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True,
-                   "timeout": 60, "check": False}
-        if not terminal:
-            done = subprocess.run(command, input=stdin, **options)
-            return done.returncode, done.stdout
         keyboard, screen = pty.openpty()
-        try:
+        with tempfile.TemporaryFile("w+") as typed, tempfile.TemporaryFile("w+") as printed:
+            typed.write(stdin)
+            typed.seek(0)
             os.write(keyboard, stdin.encode())
-            done = subprocess.run(command, stdin=screen, **options)
+            child = os.fork()  # a new Python would import all again each time
+            if not child:
+                self._type(words, environment, screen if terminal else typed.fileno(), printed.fileno())
+            _, status = os.waitpid(child, 0)
+            for end in keyboard, screen:
+                os.close(end)
+            printed.seek(0)
+            return -os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status), printed.read()
+
+    def _type(self, words, environment, *files):
+        """Be the process of ./morbot robot on this computer. files: its input and its output."""
+        code = 1
+        try:
+            signal.alarm(TIMEOUT)
+            for number, file in enumerate([*files, files[-1]]):
+                os.dup2(file, number)
+            sys.stdin, sys.stdout, sys.stderr = open(0), open(1, "w"), open(2, "w")
+            os.environ.clear()
+            os.environ.update(environment)
+            socket.gethostname = lambda: self.read("etc/hostname").strip()
+            os.getuid = lambda: 1000
+            service.ROOT = self.folder / environment["FOLDER"]
+            commands.is_free = lambda port: str(port) not in environment["TAKEN"].split()
+            commands.answers, commands.READY_TIMEOUT = (lambda port: environment["ANSWERS"] == "yes"), 0
+            code = commands.main(list(words), computer.Computer(self.root))
+        except JetbotError as error:
+            print(error, file=sys.stderr)
+        except BaseException:
+            traceback.print_exc()
         finally:
-            os.close(keyboard)
-            os.close(screen)
-        return done.returncode, done.stdout
+            sys.stdout.flush()
+            sys.stderr.flush()
+            os._exit(code)
 
     def calls(self):
         """Return the commands of the last run that were run as root."""
