@@ -46,6 +46,7 @@ def test_a_robot_is_built_named_announced_and_started(named):
     calls = named.calls()
     assert calls[:2] == ["morbot install", "morbot setup"]
     assert "usermod -aG video kim" in calls, "it is in i2c, and there is no dialout"
+    assert "systemctl try-restart avahi-daemon" in calls, "it is announced by its new name"
     assert calls[-3:] == ["systemctl enable --quiet jetbot-guard.service jetbot.service",
                           "systemctl restart jetbot-guard.service jetbot.service", "morbot doctor"]
 
