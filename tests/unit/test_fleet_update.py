@@ -1,13 +1,18 @@
 """./morbot fleet against a real sshd and real git: what a robot has after an update, whatever happens meanwhile."""
 
 import json
+import os
+import pwd
 import shutil
 import stat
 
 import pytest
 from fleet_robot import STATE, Saved, check_cut, make_world, wait
 
-pytestmark = pytest.mark.skipif(not shutil.which("sshd", path="/usr/sbin:/usr/bin"), reason="needs openssh-server")
+SHELL = pwd.getpwuid(os.geteuid()).pw_shell  # which sshd starts, whatever it is to do
+pytestmark = [
+    pytest.mark.skipif(not shutil.which("sshd", path="/usr/sbin:/usr/bin"), reason="needs openssh-server"),
+    pytest.mark.skipif(SHELL.endswith(("nologin", "false")), reason="needs a user who may log in")]
 DRIVEN = {"driver": {"id": 1, "name": "Ada", "said": None}}
 ADA_DRIVES = "jetbot_07: Ada drives it: update it later, or with --force"
 
