@@ -15,7 +15,7 @@ from sensor_msgs.msg import Imu
 from std_msgs.msg import Float32MultiArray
 from tf2_msgs.msg import TFMessage
 
-from harness import CONTROLLER, START_TIMEOUT, RobotTest
+from harness import CONTROLLER, START_TIMEOUT, SharedRobotTest
 from jetbot.fake.chips import JetBotPro
 
 STOPPED = (0, 0)  # mm/s, mrad/s
@@ -59,16 +59,26 @@ class Board(JetBotPro):
         return self.velocities[-1] if self.velocities else None
 
 
-class JetBotProTest(RobotTest):
+class JetBotProTest(SharedRobotTest):
     hardware = ""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.link = os.path.join(cls.shared.folder, "tty")
+        cls.board = Board(cls.link)
+        cls.addClassCleanup(cls.board.unplug)
+        cls.start_controller()
+
+    @classmethod
+    def start_controller(cls):
+        cls.node = cls.shared.start(CONTROLLER, "_board:=jetbot_pro", f"_port:={cls.link}", "_publish_tf:=true",
+                                    "_cmd_vel_timeout:=0.5")
 
     def setUp(self):
         super().setUp()
-        self.link = os.path.join(self.folder, "tty")
-        self.board = Board(self.link)
-        self.addCleanup(self.board.unplug)
-        self.node = self.start(CONTROLLER, "_board:=jetbot_pro", f"_port:={self.link}", "_publish_tf:=true",
-                               "_cmd_vel_timeout:=0.5")
+        if self.node.poll() is not None:
+            self.start_controller()
         self.wait_for_controller()
 
     def wait_for_velocity(self, velocity, within=1.0):
@@ -97,11 +107,13 @@ class JetBotProTest(RobotTest):
         self.drive_at(0.5)
         self.node.send_signal(signal.SIGINT)
         self.wait_for_velocity(STOPPED)
+        self.node.wait(START_TIMEOUT)
 
     def test_stops_when_the_controller_is_killed(self):
         self.drive_at(0.5)
         os.killpg(self.node.pid, signal.SIGKILL)
         self.wait_for_velocity(STOPPED, within=1.5)
+        self.node.wait(START_TIMEOUT)
 
     def test_unplugged_and_plugged_in_again(self):
         texts = self.status()

@@ -1,14 +1,11 @@
 """What is typed wins over a file; a node that cannot start logs one sentence, and its exit code is not 0."""
 
 import os
-import sys
-from pathlib import Path
 
 import rospy
 
 from harness import CONTROLLER, START_TIMEOUT, RobotTest, program, read
 
-RUN = Path(__file__).parents[3] / "setup/run.py"
 ERRORS = [  # a sentence, and the parameters that cause it
     ("There is no parameter bord. Do you mean board?", "_bord:=sparkfun"),
     ("A robot cannot be named jetbot-07. Begin with a letter, and use letters, digits and _.",
@@ -41,24 +38,6 @@ class Launch(RobotTest):
         for node in nodes:
             self.assertNotEqual(node.wait(START_TIMEOUT), 0)
             self.assertEqual(read(node), sentence)
-
-    def test_a_second_start_is_refused_and_the_first_robot_drives_on(self):
-        self.launch("workshop", "workshop_jetbot_controller.launch")
-        self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
-        other = f"_i2c_bus:=fake:{self.bus}_of_another"
-        seconds = [self.start(sys.executable, str(RUN), "another", "workshop", "workshop_jetbot_controller.launch",
-                              "linear:=1.0"),
-                   self.start("roslaunch", "jetbot_control_node", "jetbot_controller.launch"),
-                   self.start(CONTROLLER, other)]
-        for second in seconds:
-            self.wait_for(lambda second=second: second.poll() is not None, START_TIMEOUT, "the second to end")
-            self.assertIn("The node /jetbot_controller is already running. End it first", read(second))
-        namesake = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "__name:=other")
-        self.assertNotEqual(namesake.wait(START_TIMEOUT), 0)
-        self.assertRegex(read(namesake),
-                         r"Another program \(jetbot_controller.py, process \d+\) already drives 0x60 on fake:")
-        self.wheels_stay(0.4, 0.6, for_seconds=0.3)
-        self.assertEqual(rospy.get_param("/jetbot_motion_control/linear"), 0.5)
 
     def test_roslaunch_ends_when_the_controller_cannot_start(self):
         launch = self.start("roslaunch", "workshop", "workshop_jetbot_controller.launch", "i2c_bus:=77")

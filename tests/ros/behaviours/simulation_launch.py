@@ -4,16 +4,15 @@ import math
 import os
 import pathlib
 import shutil
-import unittest
 
 import rospy
-import tf2_ros
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from PIL import Image, ImageChops
 from tf2_msgs.msg import TFMessage
+from tf2_ros import Buffer, TransformListener
 
-from harness import START_TIMEOUT, RobotTest, publishers, read, twist
+from harness import START_TIMEOUT, RobotTest, publishers, twist
 from jetbot.wait import wait_until
 from processes import start_display
 
@@ -27,11 +26,18 @@ SCREEN = 1100, 800            # pixels of 4 bytes: blue, green, red and nothing
 
 
 class SimulationLaunch(RobotTest):
-    def simulate(self, *arguments):
-        """Start simulation.launch without RViz."""
-        self.odometry = self.record("odom", Odometry)
-        self.launch("simulation", "simulation.launch", f"port:=fake:{self.bus}", "rviz:=false", *arguments)
+    def simulate(self, *arguments, rviz="false", **options):
+        """Start simulation.launch with a robot at x = 1 m, and wait until it is known where it is."""
+        self.odometry, self.transforms = self.record("odom", Odometry), self.record("/tf", TFMessage)
+        self.frames = Buffer()
+        self.addCleanup(TransformListener(self.frames).unregister)
+        self.launch("simulation", "simulation.launch", f"port:=fake:{self.bus}", f"rviz:={rviz}", "x:=1",
+                    "publish_odom:=true", *arguments, **options)
         self.wait_for_controller()
+        self.wait_for(lambda: self.is_where_odometry_says(0.01), START_TIMEOUT, "its start")
+
+    def is_where_odometry_says(self, distance):
+        return near(self.frames, "base_footprint", "true_base_footprint", distance)
 
     def assert_drives(self, command, velocity):
         """Repeat the command until odom has this velocity in m/s and rad/s."""
@@ -40,36 +46,43 @@ class SimulationLaunch(RobotTest):
             return self.odometry and is_moving(self.odometry[-1], *velocity)
         self.wait_for(driving, START_TIMEOUT, f"a velocity of {velocity}")
 
-    def assert_one_odometry(self, joint_states, command, *arguments):
+    def assert_one_odometry(self, joint_states, command):
         """Drive, and fail unless the controller alone publishes odom and its tf, and this one those of the wheels."""
-        frames, transforms = tf2_ros.Buffer(), self.record("/tf", TFMessage)
-        self.addCleanup(tf2_ros.TransformListener(frames).unregister)
-        self.simulate("x:=1", *arguments)
-        self.wait_for(lambda: near(frames, "base_footprint", "true_base_footprint", 0.01), START_TIMEOUT, "its start")
         self.assert_drives(command, command)
         self.wait_for(lambda: self.command(*command) or self.odometry[-1].pose.pose.position.y > 0.2, START_TIMEOUT,
                       "a part of a circle")
         self.command(0)
         self.wait_for(lambda: self.odometry[-1].twist.twist.linear.x == 0, START_TIMEOUT, "the end of the motion")
-        self.wait_for(lambda: near(frames, "base_footprint", "true_base_footprint", 0.1), 5.0, "the robot to arrive")
+        self.wait_for(lambda: self.is_where_odometry_says(0.1), 5.0, "the robot to arrive")
         self.assertEqual(publishers("/odom"), ["/jetbot_controller"])
         self.assertEqual(publishers("/joint_states"), [joint_states])
-        self.assertEqual(senders(transforms, "base_footprint"), {"/jetbot_controller"})
-        self.assertEqual(senders(transforms, "true_base_footprint"), {"/jetbot_simulator"})
+        self.assertEqual(senders(self.transforms, "base_footprint"), {"/jetbot_controller"})
+        self.assertEqual(senders(self.transforms, "true_base_footprint"), {"/jetbot_simulator"})
 
-    def test_open_loop_odometry_of_a_configured_board_is_the_only_one_and_ends_where_the_robot_does(self):
+    def test_open_loop_odometry_of_a_configured_board_ends_where_the_robot_does_and_rviz_shows_that(self):
         config = pathlib.Path(self.folder, "robot.yaml")
         config.write_text("board: waveshare_hat\ni2c_address: 0x61\nwheel_separation: 0.1125\nmax_speed: 0.6")
-        self.assert_one_odometry("/jetbot_controller", (0.4, 0.5), f"config:={config}", "publish_odom:=true")
+        if not all(map(shutil.which, ("rviz", "Xvfb"))):
+            self.simulate(f"config:={config}")
+            self.assert_one_odometry("/jetbot_controller", (0.4, 0.5))
+            self.skipTest("sudo apt install rviz xvfb libgl1-mesa-dri")
+        self.simulate(f"config:={config}", rviz="true",
+                      env={**os.environ, "DISPLAY": self.display(), "LIBGL_ALWAYS_SOFTWARE": "1"})
+        self.wait_for_picture(Image.new("L", VIEW_SIZE), "the robot in RViz")
+        before = self.green_pixels()
+        self.assert_one_odometry("/jetbot_controller", (0.4, 0.5))
+        self.wait_for_picture(before, "the robot's board to move")
+        self.assertNotIn("[ERROR]", self.logs())
 
     def test_the_odometry_of_a_jetbot_pro_is_the_only_one_and_ends_where_the_robot_does(self):
-        self.assert_one_odometry("/jetbot_simulator", (1.0, 0.5), "board:=jetbot_pro", "publish_odom:=true")
+        self.simulate("board:=jetbot_pro")
+        self.assert_one_odometry("/jetbot_simulator", (1.0, 0.5))
 
     def test_three_robots_share_a_map_and_each_obeys_its_own_commands_in_si_units(self):
         odometry = {name: self.record(f"/{name}/odom", Odometry) for name in ROBOTS}
         commands = {name: rospy.Publisher(f"/{name}/cmd_vel", Twist, queue_size=1) for name in ROBOTS}
-        frames = tf2_ros.Buffer()
-        self.addCleanup(tf2_ros.TransformListener(frames).unregister)
+        frames = Buffer()
+        self.addCleanup(TransformListener(frames).unregister)
         self.start("roslaunch", "simulation", "three_robots.launch", "rviz:=false", "config:=si_units.yaml",
                    env={**os.environ, "ROS_HOME": os.path.join(self.folder, "home")})
         for name, (y, _, _) in ROBOTS.items():
@@ -86,15 +99,6 @@ class SimulationLaunch(RobotTest):
                        for name, (_, *velocity) in ROBOTS.items())
 
         self.wait_for(driving, START_TIMEOUT, "each robot's own velocity")
-
-    @unittest.skipUnless(all(map(shutil.which, ("rviz", "Xvfb"))),
-                         "sudo apt install rviz xvfb libgl1-mesa-dri")
-    def test_rviz_shows_the_robot_move(self):
-        launch = self.launch("simulation", "simulation.launch", "motion:=true", "linear:=0.3", "angular:=0.1",
-                             env={**os.environ, "DISPLAY": self.display(), "LIBGL_ALWAYS_SOFTWARE": "1"})
-        self.wait_for_picture(Image.new("L", VIEW_SIZE), "the robot in RViz")
-        self.wait_for_picture(self.green_pixels(), "the robot's board to turn")
-        self.assertNotIn("[ERROR]", read(launch))
 
     def wait_for_picture(self, other, what):
         """Fail unless the picture soon differs from the other one in enough pixels."""

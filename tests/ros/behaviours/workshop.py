@@ -10,8 +10,9 @@ import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 
-from harness import START_TIMEOUT, RobotTest, wheel_speeds
+from harness import CONTROLLER, START_TIMEOUT, RobotTest, read, wheel_speeds
 
+RUN = Path(__file__).parents[3] / "setup/run.py"  # ./morbot run
 LAUNCH = "workshop", "workshop_jetbot_controller.launch"
 HEAD = """
 import rospy
@@ -45,14 +46,24 @@ rospy.spin()
 
 
 class Workshop(RobotTest):
-    def test_the_scenario_commands_its_motion_ten_times_a_second(self):
+    def test_the_scenario_commands_its_motion_ten_times_a_second_and_a_second_start_is_refused(self):
         rospy.set_param("/jetbot_motion_control/linear", 0.2)  # left by an earlier start
         self.launch(*LAUNCH)
         self.wait_for_wheels(0.4, 0.6, within=START_TIMEOUT)
         received = self.record("/cmd_vel", Twist, lambda twist: (time.monotonic(), twist))
-        self.wait_for(lambda: len(received) > 20, START_TIMEOUT, "21 commands")
-        self.assertAlmostEqual(20 / (received[20][0] - received[0][0]), 10, delta=0.5)
+        self.wait_for(lambda: len(received) > 20 and abs(20 / (received[-1][0] - received[-21][0]) - 10) < 0.5,
+                      START_TIMEOUT, "ten commands a second")
         self.assertEqual({(twist.linear.x, twist.angular.z) for _, twist in received}, {(0.5, 0.1)})
+        for second in (self.start(sys.executable, str(RUN), "another", *LAUNCH, "linear:=1.0"),
+                       self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}_of_another")):
+            self.assertNotEqual(second.wait(START_TIMEOUT), 0)
+            self.assertIn("The node /jetbot_controller is already running. End it first", read(second))
+        namesake = self.start(CONTROLLER, f"_i2c_bus:=fake:{self.bus}", "__name:=other")
+        self.assertNotEqual(namesake.wait(START_TIMEOUT), 0)
+        self.assertRegex(read(namesake),
+                         r"Another program \(jetbot_controller.py, process \d+\) already drives 0x60 on fake:")
+        self.wheels_stay(0.4, 0.6, for_seconds=0.3)
+        self.assertEqual(rospy.get_param("/jetbot_motion_control/linear"), 0.5)
 
     def test_its_launch_file_passes_arguments_on_to_both_nodes_and_they_win_over_the_file_and_it_over_the_default(self):
         file = Path(self.folder, "robot.yaml")
