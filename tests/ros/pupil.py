@@ -14,7 +14,7 @@ from pupil_terminal import PS1, TIMEOUT, Terminal
 
 from jetbot.wait import wait_until
 from processes import SHUTDOWN_TIMEOUT, free_port
-from project_copy import ROOT, clean_environment, copy_project
+from project_copy import ROOT, clean_environment, copy_built_project
 
 LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"), key=lambda page: int(page.name.partition("_")[0]))
 ABOUT_FILES = ("cd ", "mkdir ", "chmod ", "sed ", "catkin_create_pkg ")
@@ -27,11 +27,11 @@ class Offline(Exception):
 
 
 class Pupil:
-    """Has a copy of the project, a home, and a port for the master. home: a folder, made by the caller."""
+    """Has a built copy of the project, a home, and a port for the master. home: a folder, made by the caller."""
 
     def __init__(self, home: Path):
         self._home = home
-        self._project = copy_project(home)
+        self._project = copy_built_project(home)
         port = free_port()
         (home / ".bashrc").write_text(
             f"PS1='{PS1}'\nbind 'set enable-bracketed-paste off'\nexport ROS_MASTER_URI=http://localhost:{port}\n")
